@@ -1,0 +1,33 @@
+//! The paper: every equation once, over the weakest number that carries it.
+//!
+//! | paper | here |
+//! |---|---|
+//! | statics of the half arch | [`statics`] |
+//! | (2)–(5), `A(alpha)` | [`thrust`] |
+//! | (6) | [`Ring`] |
+//! | (7), (8), (12) | [`cubic`] |
+//! | (13)–(16) | [`overturning`] |
+//! | (17), (18) | [`sliding`] |
+//! | landmark points, Tables 1–4 | [`Landmark`], [`System`], [`published`] |
+//!
+//! Lengths are in units of the centreline radius `r`, forces in units of `w r` (weight per unit
+//! length of centreline times radius), angles in radians. Nothing here loops, compares or rounds:
+//! code that needs to belongs to `solve` or `certify`.
+
+pub mod cubic;
+mod landmark;
+pub mod overturning;
+pub mod published;
+mod quantity;
+mod quotient;
+pub mod sliding;
+pub mod statics;
+mod system;
+pub mod thrust;
+mod weight;
+
+pub use landmark::Landmark;
+pub use quantity::Quantity;
+pub use quotient::Quotient;
+pub use system::{Configuration, Equation, Fixed, Point, System, Unknown};
+pub use weight::{Ring, SelfWeight};

@@ -1,0 +1,18 @@
+//! Proves: existence and uniqueness in a box, digits, exact values, inequalities.
+//!
+//! A proof either succeeds or says why nothing is known ([`Undecided`]); nothing in between.
+
+
+
+
+mod isolate;
+pub mod krawczyk;
+
+mod verdict;
+
+
+
+
+pub use isolate::{Isolated, isolate};
+
+pub use verdict::{Undecided, Verdict};

@@ -1,0 +1,5 @@
+//! couplet
+pub mod arch;
+pub mod certify;
+pub mod number;
+pub mod solve;

@@ -1,0 +1,417 @@
+//! Balls: an MPFR midpoint with a rigorous radius.
+//!
+//! One full-precision operation per step, half the price of two endpoints. Each operation rounds
+//! its midpoint to nearest and adds half a unit of the last place to a radius that is itself
+//! rounded up; an exact midpoint operation adds nothing. Where a result cannot be bounded (a
+//! divisor that may be zero, the root of a negative number, an MPFR overflow) the ball is the whole
+//! line, never NaN.
+//!
+//! Not guaranteed: that a radius is the smallest possible. Division and square root are within a
+//! factor of two of it for narrow balls, and sums and products see no correlation between
+//! operands (`x - x` has twice the radius of `x`).
+
+use super::{Enclosure, Field, Magnitude, Real, Ternary};
+use rug::float::{Constant, Round};
+use rug::ops::{AssignRound, NegAssign};
+use rug::{Assign, Float, Rational};
+use std::cmp::Ordering;
+use std::fmt;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// All real numbers within `radius` of `midpoint`.
+#[derive(Clone)]
+pub struct Ball {
+    mid: Float,
+    rad: Magnitude,
+    /// Bits to which results are rounded; an exact midpoint may have fewer.
+    prec: u32,
+}
+
+/// Beyond this many bits above the precision an argument of sine and cosine is not reduced: the
+/// reduction would need as many digits of pi as the argument has, for a result worth nothing.
+const REDUCTION_LIMIT: i64 = 64;
+
+impl Ball {
+    /// The exact value `mid`, with results to be rounded to `prec` bits. An infinity or NaN
+    /// becomes the whole line.
+    pub fn exact(mid: Float, prec: u32) -> Self {
+        if mid.is_finite() { Self { mid, rad: Magnitude::ZERO, prec } } else { Self::whole(prec) }
+    }
+
+    /// `mid ± rad`, with results to be rounded to `prec` bits.
+    pub fn new(mid: Float, rad: Magnitude, prec: u32) -> Self {
+        Self::exact(mid, prec).widened(rad)
+    }
+
+    /// The integer `n`.
+    pub fn integer(n: i32, prec: u32) -> Self {
+        Self::exact(Float::with_val(32, n), prec)
+    }
+
+    /// A ball of `prec` bits that holds the rational number `value`.
+    pub fn enclosing(value: &Rational, prec: u32) -> Self {
+        let (mid, direction) = Float::with_val_round(prec, value, Round::Nearest);
+        Self::rounded(mid, direction, Magnitude::ZERO, prec)
+    }
+
+    /// The whole line: nothing is known.
+    pub fn whole(prec: u32) -> Self {
+        Self { mid: Float::new(prec.min(32)), rad: Magnitude::INFINITE, prec }
+    }
+
+    /// The midpoint; zero for the whole line.
+    pub fn mid(&self) -> &Float {
+        &self.mid
+    }
+
+    /// The radius.
+    pub fn rad(&self) -> Magnitude {
+        self.rad
+    }
+
+    /// The precision in bits to which results are rounded.
+    pub fn prec(&self) -> u32 {
+        self.prec
+    }
+
+    /// A number not above any of the ball, rounded down; `-inf` for the whole line.
+    pub fn lower(&self) -> Float {
+        self.end(-self.rad.to_float(), Round::Down)
+    }
+
+    /// A number not below any of the ball, rounded up; `+inf` for the whole line.
+    pub fn upper(&self) -> Float {
+        self.end(self.rad.to_float(), Round::Up)
+    }
+
+    fn end(&self, step: Float, round: Round) -> Float {
+        Float::with_val_round(self.mid.prec().max(self.prec) + 32, &self.mid + &step, round).0
+    }
+
+    /// Whether `x` is one of the numbers of the ball, decided exactly.
+    pub fn contains(&self, x: &Rational) -> bool {
+        if !self.is_bounded() {
+            return true;
+        }
+        let (Some(mid), Some(rad)) = (self.mid.to_rational(), self.rad.to_float().to_rational())
+        else {
+            return true;
+        };
+        (mid - x).abs() <= rad
+    }
+
+    /// The same midpoint with `more` added to the radius.
+    pub fn widened(mut self, more: Magnitude) -> Self {
+        self.rad = self.rad.plus(more);
+        if self.rad.is_finite() { self } else { Self::whole(self.prec) }
+    }
+
+    /// The ball with its midpoint rounded to `prec` bits and results rounded to `prec` bits from
+    /// here on; the rounding is added to the radius.
+    pub fn with_precision(&self, prec: u32) -> Self {
+        if self.mid.prec() <= prec {
+            return Self { prec, ..self.clone() };
+        }
+        let (mid, direction) = Float::with_val_round(prec, &self.mid, Round::Nearest);
+        Self::rounded(mid, direction, self.rad, prec)
+    }
+
+    /// The ball with the midpoint bits dropped that its radius makes worthless (a few are kept, so
+    /// that the radius grows by less than one part in 2^16). The precision stays.
+    pub fn trimmed(self) -> Self {
+        let (Some(noise), Some(size)) = (self.rad.exponent(), self.mid.get_exp()) else {
+            return self;
+        };
+        let useful = (i64::from(size) - noise + 18).clamp(32, i64::from(u32::MAX)) as u32;
+        if useful >= self.mid.prec() {
+            return self;
+        }
+        Self { prec: self.prec, ..self.with_precision(useful) }
+    }
+
+    /// The relative accuracy in bits: `-log2(radius / |midpoint|)` rounded down; `None` for an
+    /// exact ball or one that holds zero or the whole line.
+    pub fn accuracy(&self) -> Option<i64> {
+        if !self.excludes_zero() {
+            return None;
+        }
+        Some(i64::from(self.mid.get_exp()?) - 1 - self.rad.exponent()?)
+    }
+
+    /// Adds the rounding error of `mid` to `rad`.
+    fn rounded(mid: Float, direction: Ordering, rad: Magnitude, prec: u32) -> Self {
+        if !mid.is_finite() {
+            return Self::whole(prec);
+        }
+        let error = if direction == Ordering::Equal { Magnitude::ZERO } else { half_ulp(&mid) };
+        Self { mid, rad, prec }.widened(error)
+    }
+
+    fn common(&self, other: &Self) -> u32 {
+        self.prec.max(other.prec)
+    }
+}
+
+/// A bound of the error of a midpoint rounded to nearest. Next to the underflow threshold the
+/// spacing of MPFR numbers is the threshold itself, so that is the least this can be.
+fn half_ulp(x: &Float) -> Magnitude {
+    let least = i64::from(rug::float::exp_min());
+    let exponent = x.get_exp().map_or(least, |e| i64::from(e) - i64::from(x.prec()) - 1);
+    Magnitude::power_of_two(exponent.max(least))
+}
+
+impl Field for Ball {
+    fn int(&self, n: i32) -> Self {
+        Self::integer(n, self.prec)
+    }
+
+    fn square(&self) -> Self {
+        let (mid, direction) =
+            Float::with_val_round(self.prec, self.mid.square_ref(), Round::Nearest);
+        let size = Magnitude::upper(&self.mid);
+        let rad = size.times(self.rad).shifted(1).plus(self.rad.times(self.rad));
+        Self::rounded(mid, direction, rad, self.prec)
+    }
+}
+
+impl Real for Ball {
+    fn pi(&self) -> Self {
+        let (mid, direction) = Float::with_val_round(self.prec, Constant::Pi, Round::Nearest);
+        Self::rounded(mid, direction, Magnitude::ZERO, self.prec)
+    }
+
+    /// The square root; the whole line unless every number of the ball is at least zero.
+    ///
+    /// Radius: for `x` in `m ± r`, `|√x - √m| = |x - m| / (√x + √m)` is at most
+    /// `r / (√(m-r) + √m)`; the root of the lower end is bounded by `√m (1 - r/m)`.
+    fn sqrt(&self) -> Self {
+        if self.mid.is_zero() && self.rad.is_zero() {
+            return self.clone();
+        }
+        let low = Magnitude::lower(&self.mid);
+        if self.mid.is_sign_negative() || self.rad > low {
+            return Self::whole(self.prec);
+        }
+        let (mid, direction) = Float::with_val_round(self.prec, self.mid.sqrt_ref(), Round::Nearest);
+        let root = Magnitude::lower(&Float::with_val_round(64, self.mid.sqrt_ref(), Round::Down).0);
+        let one = Magnitude::from_integer(1);
+        let low_root = root.times_down(one.minus_down(self.rad.over(low)));
+        // A sum rounded down: each part once more below itself by the rounding of `plus`.
+        let sum = low_root.plus(root).times_down(one.minus_down(Magnitude::power_of_two(-29)));
+        Self::rounded(mid, direction, self.rad.over(sum.max(root)), self.prec)
+    }
+
+    /// Sine and cosine. For `|d| <= r`, `|sin(m+d) - sin m| <= min(r, r |cos m| + r²/2)`, and the
+    /// same with the two exchanged. An argument too large to reduce gives `[-1, 1]`.
+    fn sin_cos(&self) -> (Self, Self) {
+        let unit = Self { mid: Float::new(32), rad: Magnitude::from_integer(1), prec: self.prec };
+        let reducible = self
+            .mid
+            .get_exp()
+            .is_none_or(|e| i64::from(e) <= i64::from(self.prec) + REDUCTION_LIMIT);
+        if !self.is_bounded() || !reducible || self.rad >= Magnitude::from_integer(1) {
+            return (unit.clone(), unit);
+        }
+        let (mut sin, mut cos) = (Float::new(self.prec), Float::new(self.prec));
+        let directions = (&mut sin, &mut cos).assign_round(self.mid.sin_cos_ref(), Round::Nearest);
+        let spread = |slope: &Float, direction| {
+            let slope = Magnitude::upper(slope).plus(if direction == Ordering::Equal {
+                Magnitude::ZERO
+            } else {
+                half_ulp(slope)
+            });
+            let bent = slope.times(self.rad).plus(self.rad.times(self.rad).shifted(-1));
+            self.rad.min(bent)
+        };
+        let (sin_rad, cos_rad) = (spread(&cos, directions.1), spread(&sin, directions.0));
+        (
+            Self::rounded(sin, directions.0, sin_rad, self.prec),
+            Self::rounded(cos, directions.1, cos_rad, self.prec),
+        )
+    }
+}
+
+impl Enclosure for Ball {
+    fn is_positive(&self) -> Ternary {
+        let (low, high) = (self.lower(), self.upper());
+        if low > 0 {
+            Ternary::True
+        } else if high <= 0 {
+            Ternary::False
+        } else {
+            Ternary::Undecided
+        }
+    }
+
+    fn is_bounded(&self) -> bool {
+        self.rad.is_finite()
+    }
+
+    fn midpoint(&self) -> Self {
+        Self { rad: Magnitude::ZERO, ..self.clone() }
+    }
+
+    fn centred(&self) -> Self {
+        Self { mid: Float::new(32), ..self.clone() }
+    }
+
+    fn lies_inside(&self, outer: &Self) -> bool {
+        if !self.is_bounded() {
+            return false;
+        }
+        if !outer.is_bounded() {
+            return true;
+        }
+        // |mid - outer.mid| + rad < outer.rad, with the left side rounded up.
+        let distance = Float::with_val_round(64, &self.mid - &outer.mid, Round::AwayZero).0;
+        Magnitude::upper(&distance).plus(self.rad) < outer.rad
+    }
+
+    fn overlaps(&self, other: &Self) -> bool {
+        !(self.upper() < other.lower() || other.upper() < self.lower())
+    }
+}
+
+impl Neg for Ball {
+    type Output = Self;
+    fn neg(mut self) -> Self {
+        self.mid.neg_assign();
+        self
+    }
+}
+
+impl Add<&Ball> for Ball {
+    type Output = Self;
+    fn add(self, other: &Self) -> Self {
+        let prec = self.common(other);
+        let (mid, direction) = Float::with_val_round(prec, &self.mid + &other.mid, Round::Nearest);
+        Self::rounded(mid, direction, self.rad.plus(other.rad), prec)
+    }
+}
+
+impl Sub<&Ball> for Ball {
+    type Output = Self;
+    fn sub(self, other: &Self) -> Self {
+        let prec = self.common(other);
+        let (mid, direction) = Float::with_val_round(prec, &self.mid - &other.mid, Round::Nearest);
+        Self::rounded(mid, direction, self.rad.plus(other.rad), prec)
+    }
+}
+
+impl Mul<&Ball> for Ball {
+    type Output = Self;
+    fn mul(self, other: &Self) -> Self {
+        let prec = self.common(other);
+        let (mid, direction) = Float::with_val_round(prec, &self.mid * &other.mid, Round::Nearest);
+        let rad = if self.rad.is_zero() && other.rad.is_zero() {
+            Magnitude::ZERO
+        } else {
+            Magnitude::upper(&self.mid)
+                .times(other.rad)
+                .plus(Magnitude::upper(&other.mid).plus(other.rad).times(self.rad))
+        };
+        Self::rounded(mid, direction, rad, prec)
+    }
+}
+
+impl Div<&Ball> for Ball {
+    type Output = Self;
+    /// For `x` in `a ± r` and `y` in `b ± s`, `|x/y - a/b| <= (r + |a/b| s) / (|b| - s)`.
+    fn div(self, other: &Self) -> Self {
+        let prec = self.common(other);
+        let least = Magnitude::lower(&other.mid).minus_down(other.rad);
+        if least.is_zero() {
+            return Self::whole(prec);
+        }
+        let (mid, direction) = Float::with_val_round(prec, &self.mid / &other.mid, Round::Nearest);
+        let rad = if self.rad.is_zero() && other.rad.is_zero() {
+            Magnitude::ZERO
+        } else {
+            let quotient = Float::with_val_round(64, &mid, Round::AwayZero).0;
+            let size = Magnitude::upper(&quotient).plus(half_ulp(&mid));
+            self.rad.plus(size.times(other.rad)).over(least)
+        };
+        Self::rounded(mid, direction, rad, prec)
+    }
+}
+
+macro_rules! owned {
+    ($($op:ident $method:ident),*) => {$(
+        impl $op for Ball {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                self.$method(&other)
+            }
+        }
+    )*};
+}
+owned!(Add add, Sub sub, Mul mul, Div div);
+
+impl fmt::Debug for Ball {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut short = Float::new(64);
+        short.assign(&self.mid);
+        write!(f, "[{short:.18} +/- {:.2e}]", self.rad.to_float().to_f64())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_operations_have_no_radius() {
+        let third = Ball::integer(1, 100) / Ball::integer(3, 100);
+        assert!(!third.rad().is_zero());
+        assert!(third.contains(&Rational::from((1, 3))));
+        let quarter = Ball::integer(1, 100) / Ball::integer(4, 100);
+        assert!(quarter.rad().is_zero());
+    }
+
+    #[test]
+    fn outside_the_domain_is_the_whole_line() {
+        let zeroish = Ball::new(Float::with_val(64, 1), Magnitude::from_integer(1), 64);
+        assert!(!(Ball::integer(1, 64) / &zeroish).is_bounded());
+        assert!(!Ball::integer(-1, 64).sqrt().is_bounded());
+        let straddling = Ball::new(Float::with_val(64, 1e-9), Magnitude::power_of_two(-20), 64);
+        assert!(!straddling.sqrt().is_bounded());
+        assert!(Ball::integer(0, 64).sqrt().rad().is_zero());
+        assert!(!Ball::exact(Float::with_val(64, f64::NAN), 64).is_bounded());
+    }
+
+    #[test]
+    fn overflow_and_underflow_stay_enclosures() {
+        let huge = Ball::exact(Float::with_val(64, 1) << (rug::float::exp_max() - 1), 64);
+        assert!(!huge.square().is_bounded());
+        let tiny = Ball::exact(Float::with_val(64, 3) >> (rug::float::exp_max() - 4), 64);
+        let square = tiny.square();
+        assert!(square.is_bounded() && !square.rad().is_zero());
+        assert!(!(square.lower() > 0), "the true square lies between zero and the least float");
+        assert!(square.upper() > 0);
+    }
+
+    #[test]
+    fn a_huge_argument_is_refused_not_reduced() {
+        let huge = Ball::exact(Float::with_val(64, 1) << 1_000_000_000, 64);
+        let (sin, cos) = huge.sin_cos();
+        assert!(sin.contains(&Rational::from(1)) && cos.contains(&Rational::from(-1)));
+    }
+
+    #[test]
+    fn lying_inside_is_strict() {
+        let outer = Ball::new(Float::with_val(64, 1), Magnitude::power_of_two(-4), 64);
+        assert!(!outer.lies_inside(&outer));
+        let inner = Ball::new(Float::with_val(64, 1), Magnitude::power_of_two(-5), 64);
+        assert!(inner.lies_inside(&outer) && !outer.lies_inside(&inner));
+        assert!(!Ball::whole(64).lies_inside(&Ball::whole(64)));
+    }
+
+    #[test]
+    fn trimming_keeps_the_set() {
+        let fine = (Ball::integer(1, 4000) / Ball::integer(3, 4000))
+            .widened(Magnitude::power_of_two(-100));
+        let trimmed = fine.clone().trimmed();
+        assert!(trimmed.mid().prec() < 140 && trimmed.prec() == 4000);
+        assert!(fine.lower() >= trimmed.lower() && fine.upper() <= trimmed.upper());
+    }
+}

@@ -1,0 +1,388 @@
+//! Decimal text: exact input, and output in which every digit is proved.
+
+use super::{Ball, Enclosure};
+use rug::{Float, Integer, Rational, ops::Pow};
+use std::cmp::Ordering;
+use std::fmt;
+use std::str::FromStr;
+
+/// The decimal number `sign digits * 10^exponent`, with `digits` an integer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Decimal {
+    negative: bool,
+    /// Decimal digits without leading zeros; empty for zero.
+    digits: String,
+    exponent: i64,
+}
+
+/// A real number known to lie between two decimals, with its correctly rounded value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Rounded {
+    /// The true value rounded to nearest.
+    pub value: Decimal,
+    /// Not above the true value.
+    pub lower: Decimal,
+    /// Not below the true value.
+    pub upper: Decimal,
+}
+
+/// Why a text is not a decimal number.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum ParseDecimalError {
+    /// Not digits with at most one point, a sign and an exponent.
+    #[error("'{0}' is not a decimal number")]
+    Syntax(String),
+    /// The exponent is beyond ±1,000,000.
+    #[error("'{0}' has an exponent beyond ±{MAX_EXPONENT}")]
+    Exponent(String),
+}
+
+const MAX_EXPONENT: i64 = 1_000_000;
+
+impl Decimal {
+    fn new(negative: bool, digits: String, exponent: i64) -> Self {
+        let trimmed = digits.trim_start_matches('0');
+        let negative = negative && !trimmed.is_empty();
+        Self { negative, digits: trimmed.to_owned(), exponent }
+    }
+
+    /// The exact value of `rational` where its decimal expansion ends within `digits` significant
+    /// digits.
+    pub fn terminating(rational: &Rational, digits: usize) -> Option<Self> {
+        // The expansion ends after as many places as the denominator has factors 2 or 5.
+        let (rest, twos) = rational.denom().clone().remove_factor(&Integer::from(2));
+        let (rest, fives) = rest.remove_factor(&Integer::from(5));
+        let places = twos.max(fives);
+        if rest != 1 {
+            return None;
+        }
+        let scaled = rational.clone().abs() * Integer::from(10).pow(places);
+        let exponent = -i64::from(places);
+        let text = scaled.numer().to_string();
+        let kept = text.trim_end_matches('0');
+        let exponent = exponent + (text.len() - kept.len()) as i64;
+        (kept.len() <= digits).then(|| Self::new(*rational < 0, kept.to_owned(), exponent))
+    }
+
+    /// The number of significant digits as written.
+    pub fn significant_digits(&self) -> usize {
+        self.digits.len()
+    }
+
+    /// The significant digits, without leading zeros.
+    pub fn digits(&self) -> &str {
+        &self.digits
+    }
+
+    /// The power of ten of the last written digit: one unit of the last place is `10^exponent`.
+    pub fn exponent(&self) -> i64 {
+        self.exponent
+    }
+
+    /// The power of ten just above the number: `10^(magnitude-1) <= |x| < 10^magnitude`.
+    pub fn magnitude(&self) -> i64 {
+        self.exponent + self.digits.len() as i64
+    }
+
+    /// The exact value.
+    pub fn to_rational(&self) -> Rational {
+        let digits = if self.digits.is_empty() { "0" } else { &self.digits };
+        let integer = Integer::from_str_radix(digits, 10).unwrap_or_default();
+        let scale = Integer::from(10).pow(self.exponent.unsigned_abs() as u32);
+        let value = if self.exponent < 0 {
+            Rational::from((integer, scale))
+        } else {
+            Rational::from(integer * scale)
+        };
+        if self.negative { -value } else { value }
+    }
+
+    /// This decimal moved by one unit of its last place, away from zero or towards it.
+    fn neighbour(&self, away: bool) -> Self {
+        let mut digits = self.digits.clone().into_bytes();
+        let (from, to) = if away { (b'9', b'0') } else { (b'0', b'9') };
+        for digit in digits.iter_mut().rev() {
+            if *digit == from {
+                *digit = to;
+            } else {
+                *digit = if away { *digit + 1 } else { *digit - 1 };
+                break;
+            }
+        }
+        let mut text = String::from_utf8(digits).unwrap_or_default();
+        if away && text.bytes().all(|d| d == b'0') {
+            text.insert(0, '1');
+        }
+        Self::new(self.negative, text, self.exponent)
+    }
+}
+
+impl Rounded {
+    /// The true value of `ball` rounded to `digits` significant digits, if the ball is narrow
+    /// enough to decide it: all its numbers must round to the same decimal and lie between the
+    /// same two neighbours. `None` asks for a narrower ball. A tie is never decided.
+    ///
+    /// ```
+    /// use couplet::number::{Ball, Field, Rounded};
+    /// let third = Ball::integer(1, 100) / Ball::integer(3, 100);
+    /// let rounded = Rounded::from_ball(&third, 5).unwrap();
+    /// assert_eq!(rounded.value.to_string(), "0.33333");
+    /// assert_eq!(rounded.lower.to_string(), "0.33333");
+    /// assert_eq!(rounded.upper.to_string(), "0.33334");
+    /// ```
+    pub fn from_ball(ball: &Ball, digits: usize) -> Option<Self> {
+        if !ball.is_bounded() || !ball.excludes_zero() {
+            return None;
+        }
+        let negative = ball.mid().is_sign_negative();
+        let (mut low, mut high) = (ball.lower(), ball.upper());
+        if negative {
+            (low, high) = (-high, -low);
+        }
+        // One digit more than asked for tells the halves of a unit apart.
+        let mut exponent = decimal_magnitude(&low) - digits as i64 - 1;
+        let mut floor = scaled_floor(&low, exponent)?;
+        let mut text = floor.to_string_radix(10);
+        // The estimate of the magnitude may be off by one either way.
+        while text.len() != digits + 1 {
+            exponent += text.len() as i64 - digits as i64 - 1;
+            floor = scaled_floor(&low, exponent)?;
+            text = floor.to_string_radix(10);
+        }
+        // All numbers of the ball lie strictly inside one cell of the finer grid.
+        let is_floor_exact = scaled_floor_is_exact(&low, exponent, &floor);
+        if is_floor_exact || scaled_floor(&high, exponent)? != floor {
+            return None;
+        }
+        let last = text.pop()?;
+        let below = Decimal::new(negative, text, exponent + 1);
+        let above = below.neighbour(true);
+        let value = if last >= '5' { above.clone() } else { below.clone() };
+        let (lower, upper) = if negative { (above, below) } else { (below, above) };
+        Some(Self { value, lower, upper })
+    }
+
+    /// An exact value: all three are the same decimal.
+    pub fn exact(value: Decimal) -> Self {
+        Self { lower: value.clone(), upper: value.clone(), value }
+    }
+
+    /// The rational number `value`, rounded to `digits` significant digits if it does not end
+    /// before.
+    pub fn from_rational(value: &Rational, digits: usize) -> Option<Self> {
+        if let Some(exact) = Decimal::terminating(value, digits) {
+            return Some(Self::exact(exact));
+        }
+        // A fraction that does not end, or ends just behind, is decided exactly: the cell it lies
+        // in is found in integers, and a tie rounds to even.
+        let size = value.clone().abs();
+        let mut exponent = decimal_magnitude(&Float::with_val(64, &size)) - digits as i64;
+        let floor = |exponent: i64| -> (Integer, Rational) {
+            let power = Integer::from(10).pow(exponent.unsigned_abs() as u32);
+            let scaled =
+                if exponent < 0 { size.clone() * power } else { size.clone() / power };
+            let (fraction, whole) = scaled.fract_floor(Integer::new());
+            (whole, fraction)
+        };
+        let (mut whole, mut fraction) = floor(exponent);
+        let mut text = whole.to_string_radix(10);
+        while text.len() != digits {
+            exponent += text.len() as i64 - digits as i64;
+            (whole, fraction) = floor(exponent);
+            text = whole.to_string_radix(10);
+        }
+        let negative = *value < 0;
+        let below = Decimal::new(negative, text, exponent);
+        let above = below.neighbour(true);
+        let up = match fraction.cmp(&Rational::from((1, 2))) {
+            Ordering::Less => false,
+            Ordering::Greater => true,
+            Ordering::Equal => whole.is_odd(),
+        };
+        let value = if up { above.clone() } else { below.clone() };
+        let (lower, upper) = if negative { (above, below) } else { (below, above) };
+        Some(Self { value, lower, upper })
+    }
+}
+
+/// An estimate, off by one at most, of the power of ten just above a positive number.
+fn decimal_magnitude(x: &Float) -> i64 {
+    let (head, exponent) = x.to_f64_exp();
+    ((head.log2() + f64::from(exponent)) * std::f64::consts::LOG10_2).floor() as i64 + 1
+}
+
+/// `floor(x / 10^exponent)` for a non-negative `x`, exactly; `None` if `x` is not finite.
+fn scaled_floor(x: &Float, exponent: i64) -> Option<Integer> {
+    let (mantissa, shift) = x.to_integer_exp()?;
+    let five = Integer::from(5).pow(u32::try_from(exponent.unsigned_abs()).ok()?);
+    // x / 10^e = mantissa * 2^(shift - e) * 5^-e
+    let power = i64::from(shift) - exponent;
+    let shifted = |n: Integer| {
+        let places = power.unsigned_abs() as u32;
+        if power < 0 { n >> places } else { n << places }
+    };
+    Some(if exponent <= 0 {
+        shifted(mantissa * five)
+    } else if power >= 0 {
+        shifted(mantissa) / five
+    } else {
+        // Two floors of non-negative numbers in a row are one floor.
+        shifted(mantissa) / five
+    })
+}
+
+fn scaled_floor_is_exact(x: &Float, exponent: i64, floor: &Integer) -> bool {
+    let power = Integer::from(10).pow(exponent.unsigned_abs() as u32);
+    let grid = |n: &Integer| match exponent < 0 {
+        true => Rational::from((n.clone(), power.clone())),
+        false => Rational::from(n * &power),
+    };
+    // Only a number that agrees with the grid point in every bit can be equal to it; comparing
+    // floats first keeps the exact comparison for that rare case.
+    let close = Float::with_val(x.prec(), &grid(floor));
+    close == *x && x.to_rational().is_some_and(|x| x == grid(floor))
+}
+
+impl fmt::Display for Decimal {
+    /// Plain digits for ordinary sizes, scientific notation outside `1e-7 … 1e21`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.digits.is_empty() {
+            return f.write_str("0");
+        }
+        if self.negative {
+            f.write_str("-")?;
+        }
+        let magnitude = self.magnitude();
+        let length = self.digits.len() as i64;
+        if !(-6..=21).contains(&magnitude) {
+            let (head, tail) = self.digits.split_at(1);
+            let point = if tail.is_empty() { "" } else { "." };
+            write!(f, "{head}{point}{tail}e{}", magnitude - 1)
+        } else if magnitude <= 0 {
+            write!(f, "0.{}{}", "0".repeat(-magnitude as usize), self.digits)
+        } else if magnitude >= length {
+            write!(f, "{}{}", self.digits, "0".repeat((magnitude - length) as usize))
+        } else {
+            let (head, tail) = self.digits.split_at(magnitude as usize);
+            write!(f, "{head}.{tail}")
+        }
+    }
+}
+
+impl FromStr for Decimal {
+    type Err = ParseDecimalError;
+
+    /// Reads `-12.5`, `1e-30`, `.5`, exactly. Trailing zeros count as digits.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let shown = || text.chars().take(40).collect::<String>();
+        let syntax = || ParseDecimalError::Syntax(shown());
+        let (negative, rest) = match text.strip_prefix('-') {
+            Some(rest) => (true, rest),
+            None => (false, text.strip_prefix('+').unwrap_or(text)),
+        };
+        let (number, power) = match rest.split_once(['e', 'E']) {
+            Some((number, power)) => (number, power),
+            None => (rest, "0"),
+        };
+        let (whole, fraction) = number.split_once('.').unwrap_or((number, ""));
+        let all_digits = |s: &str| s.bytes().all(|b| b.is_ascii_digit());
+        let unsigned = power.strip_prefix(['+', '-']).unwrap_or(power);
+        if whole.len() + fraction.len() == 0
+            || !all_digits(whole)
+            || !all_digits(fraction)
+            || unsigned.is_empty()
+            || !all_digits(unsigned)
+        {
+            return Err(syntax());
+        }
+        let power = power
+            .parse::<i64>()
+            .ok()
+            .filter(|p| p.abs() <= MAX_EXPONENT)
+            .ok_or_else(|| ParseDecimalError::Exponent(shown()))?;
+        Ok(Self::new(negative, format!("{whole}{fraction}"), power - fraction.len() as i64))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::{Field, Magnitude};
+    use proptest::prelude::*;
+
+    fn narrow(value: &Rational) -> Ball {
+        Ball::enclosing(value, 400)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { max_shrink_iters: 500, ..ProptestConfig::default() })]
+        /// Values made to lie next to a rounding boundary: a decimal with one digit 5 (or nothing)
+        /// behind, moved by a hair.
+        #[test]
+        fn rounding_next_to_a_boundary(
+            head in 1u64..u64::MAX, five in any::<bool>(), up in any::<bool>(), hair in 1u32..60,
+            scale in -30i32..30, negative in any::<bool>(), digits in 19usize..24,
+        ) {
+            let base = head.to_string();
+            let padded = format!("{base:0<digits$}");
+            let text = format!("{}{}{}e{scale}", if negative { "-" } else { "" }, &padded[..digits], if five { "5" } else { "0" });
+            let grid = text.parse::<Decimal>().unwrap().to_rational();
+            let step = grid.clone().abs() / Integer::from(Integer::u_pow_u(10, digits as u32 + hair));
+            let x = if up { grid + step } else { grid - step };
+            let r = Rounded::from_ball(&narrow(&x), digits).expect("narrow enough");
+            let (lower, value, upper) = (r.lower.to_rational(), r.value.to_rational(), r.upper.to_rational());
+            prop_assert!(lower <= x && x <= upper);
+            let unit = Rational::from(&upper - &lower);
+            prop_assert!((Rational::from(&value - &x)).abs() * 2 <= unit);
+            prop_assert!(value == lower || value == upper);
+            prop_assert!(r.value.significant_digits() == digits || r.value.significant_digits() == digits + 1);
+            let direct = Rounded::from_rational(&x, digits).unwrap();
+            prop_assert_eq!(direct, r);
+        }
+
+        #[test]
+        fn text_goes_round(negative in any::<bool>(), n in any::<u128>(), exponent in -400i64..400) {
+            let decimal = Decimal::new(negative, n.to_string(), exponent);
+            let back: Decimal = decimal.to_string().parse().unwrap();
+            prop_assert_eq!(back.to_rational(), decimal.to_rational());
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_decided_is_not() {
+        let half = Ball::enclosing(&Rational::from((1, 2)), 64).widened(Magnitude::power_of_two(-60));
+        assert!(Rounded::from_ball(&half, 5).is_none(), "0.5 ± tiny has two neighbours");
+        assert!(Rounded::from_ball(&Ball::whole(64), 5).is_none());
+        assert!(Rounded::from_ball(&half.int(0), 5).is_none());
+        let tie = Ball::enclosing(&Rational::from((5, 4)), 64);
+        assert!(Rounded::from_ball(&tie, 2).is_none(), "1.25 to two digits is a tie");
+    }
+
+    #[test]
+    fn a_carry_runs_through() {
+        let x = narrow(&Rational::from((99_999_996, 100_000_000)));
+        let r = Rounded::from_ball(&(x + narrow(&Rational::from((1, 1_000_000_007u64)))), 5).unwrap();
+        assert_eq!((r.lower.to_string(), r.upper.to_string()), ("0.99999".into(), "1.00000".into()));
+        assert_eq!(r.value.to_string(), "1.00000");
+    }
+
+    #[test]
+    fn exact_values_are_exact() {
+        let third = Rational::from((2, 3));
+        assert_eq!(Rounded::from_rational(&third, 4).unwrap().value.to_string(), "0.6667");
+        let two = Rounded::from_rational(&Rational::from(2), 30).unwrap();
+        assert_eq!(two.lower, two.upper);
+        assert_eq!(two.value.to_string(), "2");
+        let tie = Rounded::from_rational(&Rational::from((25, 2)), 2).unwrap();
+        assert_eq!(tie.value.to_string(), "12");
+    }
+
+    #[test]
+    fn sizes_far_from_one_are_scientific() {
+        assert_eq!("1.5e-30".parse::<Decimal>().unwrap().to_string(), "1.5e-30");
+        assert_eq!("-0.001".parse::<Decimal>().unwrap().to_string(), "-0.001");
+        for bad in ["", ".", "1e", "1.2.3", "0x10", "nan", "1e9999999", "--1"] {
+            assert!(bad.parse::<Decimal>().is_err(), "{bad}");
+        }
+    }
+}

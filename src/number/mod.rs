@@ -1,0 +1,120 @@
+//! Arithmetic: the traits every equation is written against, and the numbers that implement them.
+//!
+//! | type | what it is | traits |
+//! |---|---|---|
+//! | [`f64`] | a quick look | [`Field`], [`Real`] |
+//! | [`rug::Float`] | MPFR, round to nearest: candidates | [`Field`], [`Real`] |
+//! | [`Ball`] | MPFR midpoint and radius: enclosures | [`Field`], [`Real`], [`Enclosure`] |
+//! | [`AstroInterval`] | two astro-float ends, rounded outward: the second arithmetic | [`Field`], [`Real`], [`Enclosure`] |
+//! | [`rug::Rational`] | exact | [`Field`] |
+//! | [`Surd`] | `a + b√d`, exact | [`Field`] |
+//! | [`Dual`] | a value and its gradient | as its component, up to [`Real`] |
+//!
+//! Precision travels inside a value: `x.int(3)` is a three "like `x`", so an equation needs no
+//! context argument. **Comparisons live in [`Enclosure`] and nowhere else**, so an equation, which
+//! asks for a [`Field`] or a [`Real`], cannot branch.
+
+mod anchor;
+mod angle;
+mod astro;
+mod ball;
+mod decimal;
+mod double;
+mod dual;
+mod magnitude;
+mod mpfr;
+mod rational;
+mod surd;
+mod ternary;
+
+pub use anchor::Anchor;
+pub use angle::Angle;
+pub use astro::AstroInterval;
+pub use ball::Ball;
+pub use decimal::{Decimal, ParseDecimalError, Rounded};
+pub use dual::Dual;
+pub use magnitude::Magnitude;
+pub use surd::Surd;
+pub use ternary::Ternary;
+
+use std::fmt::Debug;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A number with `+ - * /` and small integers: enough for every algebraic statement.
+///
+/// Owned values combine with owned values and with references; a formula therefore starts each
+/// product with a constant (`x.int(2) * y`) or with a clone.
+pub trait Field:
+    Clone
+    + Debug
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + for<'a> Add<&'a Self, Output = Self>
+    + for<'a> Sub<&'a Self, Output = Self>
+    + for<'a> Mul<&'a Self, Output = Self>
+    + for<'a> Div<&'a Self, Output = Self>
+{
+    /// The integer `n`, exactly, with the precision of `self`.
+    fn int(&self, n: i32) -> Self;
+
+    /// The fraction `n/d` with the precision of `self`; `d` must not be zero.
+    fn ratio(&self, n: i32, d: i32) -> Self {
+        self.int(n) / self.int(d)
+    }
+
+    /// `self * self`.
+    fn square(&self) -> Self {
+        self.clone() * self
+    }
+}
+
+/// A field with the functions an arch needs besides.
+pub trait Real: Field {
+    /// The constant `pi` with the precision of `self`.
+    fn pi(&self) -> Self;
+
+    /// The square root; below zero the answer is NaN or, for an enclosure, the whole line.
+    fn sqrt(&self) -> Self;
+
+    /// Sine and cosine of an angle in radians, in one go.
+    fn sin_cos(&self) -> (Self, Self);
+}
+
+/// A set of real numbers that holds the true value.
+///
+/// The contract of every operation `F` for a function `f`: **for all `x` in `X`, `f(x)` is in
+/// `F(X)`**. Outside the domain of `f` the answer is the whole line. A `true`, or a decided
+/// [`Ternary`], is a proof; anything else says nothing.
+pub trait Enclosure: Real {
+    /// Is every number of the set positive (`True`), none (`False`), or can this not be told?
+    fn is_positive(&self) -> Ternary;
+
+    /// Is the set bounded?
+    fn is_bounded(&self) -> bool;
+
+    /// The set that holds only the midpoint of this one; zero where this one is unbounded.
+    fn midpoint(&self) -> Self;
+
+    /// The set symmetric about zero with the radius of this one: `X - mid(X)`.
+    fn centred(&self) -> Self;
+
+    /// Does this set lie in the interior of `outer`? `true` is a proof.
+    fn lies_inside(&self, outer: &Self) -> bool;
+
+    /// May the two sets have a number in common? `false` proves that they have none.
+    fn overlaps(&self, other: &Self) -> bool;
+
+    /// Is every number of this set below every number of `other` (`True`), none below any
+    /// (`False`), or can this not be told?
+    fn is_less_than(&self, other: &Self) -> Ternary {
+        (other.clone() - self).is_positive()
+    }
+
+    /// Are all numbers of the set different from zero? `true` is a proof.
+    fn excludes_zero(&self) -> bool {
+        self.is_positive() == Ternary::True || (-self.clone()).is_positive() == Ternary::True
+    }
+}

@@ -1,0 +1,169 @@
+//! Exact numbers `a + b√d` with rational `a`, `b`: where the closed-form landmark values live.
+
+use super::Field;
+use rug::Rational;
+use std::fmt;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// `rational + factor * √radicand`, exactly. The radicand is a positive integer that is not a
+/// square; numbers of different radicands cannot meet unless one of them is rational.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Surd {
+    rational: Rational,
+    factor: Rational,
+    radicand: u32,
+}
+
+impl Surd {
+    /// `rational + factor * √radicand`.
+    ///
+    /// # Panics
+    /// If the radicand is a perfect square (zero and one included): the representation would not
+    /// be unique and a zero would not be recognised.
+    pub fn new(rational: impl Into<Rational>, factor: impl Into<Rational>, radicand: u32) -> Self {
+        assert!(radicand.isqrt().pow(2) != radicand, "the radicand must not be a square");
+        Self { rational: rational.into(), factor: factor.into(), radicand }
+    }
+
+    /// The rational number `value`, able to meet multiples of `√radicand`.
+    pub fn rational(value: impl Into<Rational>, radicand: u32) -> Self {
+        Self::new(value, 0, radicand)
+    }
+
+    /// Whether this is exactly zero.
+    pub fn is_zero(&self) -> bool {
+        self.rational.is_zero() && self.factor.is_zero()
+    }
+
+    /// The rational part, the factor of the root, and the radicand.
+    pub fn parts(&self) -> (&Rational, &Rational, u32) {
+        (&self.rational, &self.factor, self.radicand)
+    }
+
+    fn map2(self, other: &Self, f: impl Fn(&Rational, &Rational) -> Rational) -> Self {
+        self.meets(other);
+        Self {
+            rational: f(&self.rational, &other.rational),
+            factor: f(&self.factor, &other.factor),
+            radicand: self.radicand,
+        }
+    }
+
+    fn meets(&self, other: &Self) {
+        assert_eq!(self.radicand, other.radicand, "two different quadratic fields");
+    }
+}
+
+impl Field for Surd {
+    fn int(&self, n: i32) -> Self {
+        Self { rational: Rational::from(n), factor: Rational::new(), radicand: self.radicand }
+    }
+}
+
+impl Neg for Surd {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { rational: -self.rational, factor: -self.factor, radicand: self.radicand }
+    }
+}
+
+impl Add<&Surd> for Surd {
+    type Output = Self;
+    fn add(self, other: &Self) -> Self {
+        self.map2(other, |x, y| Rational::from(x + y))
+    }
+}
+
+impl Sub<&Surd> for Surd {
+    type Output = Self;
+    fn sub(self, other: &Self) -> Self {
+        self.map2(other, |x, y| Rational::from(x - y))
+    }
+}
+
+impl Mul<&Surd> for Surd {
+    type Output = Self;
+    fn mul(self, other: &Self) -> Self {
+        self.meets(other);
+        let roots = Rational::from(&self.factor * &other.factor) * self.radicand;
+        Self {
+            rational: Rational::from(&self.rational * &other.rational) + roots,
+            factor: Rational::from(&self.rational * &other.factor)
+                + Rational::from(&self.factor * &other.rational),
+            radicand: self.radicand,
+        }
+    }
+}
+
+impl Div<&Surd> for Surd {
+    type Output = Self;
+    /// Division by zero panics, as it does for a rational number.
+    fn div(self, other: &Self) -> Self {
+        self.meets(other);
+        let conjugate = Self { factor: -other.factor.clone(), ..other.clone() };
+        let norm = (other.clone() * &conjugate).rational;
+        let product = self * &conjugate;
+        Self {
+            rational: product.rational / &norm,
+            factor: product.factor / norm,
+            radicand: product.radicand,
+        }
+    }
+}
+
+macro_rules! owned {
+    ($($op:ident $method:ident),*) => {$(
+        impl $op for Surd {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                self.$method(&other)
+            }
+        }
+    )*};
+}
+owned!(Add add, Sub sub, Mul mul, Div div);
+
+impl fmt::Display for Surd {
+    /// As a mathematician would write it: `2/3`, `-1+√3`, `-6+4√3`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.factor.is_zero() {
+            return write!(f, "{}", self.rational);
+        }
+        let size = self.factor.clone().abs();
+        let sign = if self.factor < 0 { "-" } else { "+" };
+        if !self.rational.is_zero() {
+            write!(f, "{}{sign}", self.rational)?;
+        } else if sign == "-" {
+            write!(f, "-")?;
+        }
+        match size == 1 {
+            true => write!(f, "√{}", self.radicand),
+            false if size.is_integer() => write!(f, "{size}√{}", self.radicand),
+            false => write!(f, "({size})√{}", self.radicand),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arithmetic_is_exact() {
+        let root = Surd::new(0, 1, 3);
+        assert_eq!(root.square(), root.int(3));
+        let x = Surd::new(-6, 4, 3);
+        assert!((x.clone() / &x - x.int(1)).is_zero());
+        assert!(!(x.square() - x.int(1)).is_zero(), "and a false twin is seen");
+        assert_eq!(x.to_string(), "-6+4√3");
+        assert_eq!(Surd::new(-1, 1, 3).to_string(), "-1+√3");
+        assert_eq!(Surd::rational((2, 3), 3).to_string(), "2/3");
+        assert_eq!((-root).to_string(), "-√3");
+    }
+
+    #[test]
+    #[should_panic(expected = "must not be a square")]
+    fn a_square_radicand_is_refused() {
+        Surd::new(1, 1, 4);
+    }
+}
