@@ -2,7 +2,7 @@
 
 use super::{Undecided, krawczyk};
 use crate::arch::{Point, System};
-use crate::number::{Ball, Enclosure, Field, Magnitude};
+use crate::number::{Ball, Enclosure, Magnitude};
 use crate::solve::{Candidate, inverse};
 use rug::Float;
 
@@ -16,7 +16,6 @@ pub struct Isolated {
     system: System,
     domain: Vec<Ball>,
     image: Vec<Ball>,
-    relative_radius: f64,
 }
 
 impl Isolated {
@@ -35,40 +34,71 @@ impl Isolated {
         &self.image
     }
 
-    /// The radius of the box, in units of each unknown: the box reaches from `x (1 - r)` to
-    /// `x (1 + r)`. For display only.
-    pub fn relative_radius(&self) -> f64 {
-        self.relative_radius
+    /// The radii of the box relative to its centre, for display.
+    pub fn relative_radii(&self) -> Vec<f64> {
+        self.domain.iter().map(|x| (x.rad().to_float() / x.mid()).to_f64()).collect()
+    }
+
+    /// The geometric mean of the relative radii: the size of the box in one number.
+    fn size(&self) -> f64 {
+        let radii = self.relative_radii();
+        (radii.iter().map(|r| r.ln()).sum::<f64>() / radii.len() as f64).exp()
     }
 }
 
 /// Precision of the isolation in bits: ample for boxes as wide as these.
-const BITS: u32 = 128;
-/// The box is tried with a relative radius of `(7/8)^k`, from `k = 0` down to about `1e-9`.
-const TRIALS: i32 = 160;
+const BITS: u32 = 64;
+/// A box shape is tried with the scales `0.85^k`, from the whole value down to about `1e-7` of it.
+const TRIALS: i32 = 100;
+/// After so many changes of shape the size of the box has stopped growing.
+const SHAPES: usize = 4;
 
 /// Proves that `candidate` lies next to a root of `system` that is unique in a box around it, and
-/// finds the largest box (all unknowns in proportion to their values) for which that succeeds.
+/// looks for a large such box.
+///
+/// The shape is first in proportion to the values. Then the radii of the image `K(X)` of the largest
+/// box become the next shape: they tell how much room each unknown needs.
 pub fn isolate(system: &System, candidate: &Candidate) -> Result<Isolated, Undecided> {
     let centre: Vec<Ball> =
         candidate.0.iter().map(|x| Ball::exact(Float::with_val(BITS, x), BITS)).collect();
     let preconditioner = preconditioner(system, &centre)
         .ok_or_else(|| Undecided("the Jacobian at the candidate is singular".into()))?;
-    for trial in 0..TRIALS {
-        let relative_radius = 0.875f64.powi(trial);
-        let scale = Magnitude::lower(&Float::with_val(53, relative_radius));
-        let domain: Vec<Ball> = centre
-            .iter()
-            .map(|x| x.clone().widened(Magnitude::lower(x.mid()).times_down(scale)))
-            .collect();
-        if !denominators_exclude_zero(system, &domain) {
-            continue;
-        }
-        if let Some(image) = krawczyk::unique_root(system, &centre, &preconditioner, &domain) {
-            return Ok(Isolated { system: *system, domain, image, relative_radius });
+    let values: Vec<Magnitude> = centre.iter().map(|x| Magnitude::lower(x.mid())).collect();
+    let mut best: Option<Isolated> = None;
+    let mut shape = values.clone();
+    for _ in 0..SHAPES {
+        let Some(found) = largest_box(system, &centre, &preconditioner, &shape, &values) else {
+            break;
+        };
+        shape = found.image.iter().map(Ball::rad).collect();
+        if best.as_ref().is_none_or(|best| best.size() < found.size()) {
+            best = Some(found);
         }
     }
-    Err(Undecided("no box around the candidate is mapped into itself".into()))
+    best.ok_or_else(|| Undecided("no box around the candidate is mapped into itself".into()))
+}
+
+/// The largest box of the given shape, none of whose radii exceeds its value, that is mapped into
+/// its interior.
+fn largest_box(
+    system: &System,
+    centre: &[Ball],
+    preconditioner: &[Vec<Ball>],
+    shape: &[Magnitude],
+    values: &[Magnitude],
+) -> Option<Isolated> {
+    let widest = shape.iter().zip(values).map(|(s, v)| s.over(*v)).max()?;
+    (0..TRIALS).find_map(|trial| {
+        let scale = Magnitude::upper(&Float::with_val(53, 0.85f64.powi(trial))).over(widest);
+        let domain: Vec<Ball> =
+            centre.iter().zip(shape).map(|(x, s)| x.clone().widened(s.times(scale))).collect();
+        let point = Point::new(system, &domain);
+        if !system.denominators(&point).iter().all(Enclosure::excludes_zero) {
+            return None;
+        }
+        let image = krawczyk::unique_root(system, centre, preconditioner, &domain)?;
+        Some(Isolated { system: *system, domain, image })
+    })
 }
 
 /// An approximate inverse of the Jacobian at the midpoints.
@@ -78,12 +108,8 @@ fn preconditioner(system: &System, centre: &[Ball]) -> Option<Vec<Vec<Ball>>> {
         .iter()
         .map(|r| (0..centre.len()).map(|k| Float::with_val(BITS, r.derivative(k).mid())).collect())
         .collect();
-    let inverse = inverse(jacobian)?;
-    Some(inverse.into_iter().map(|row| row.into_iter().map(|y| Ball::exact(y, BITS)).collect()).collect())
-}
-
-fn denominators_exclude_zero(system: &System, domain: &[Ball]) -> bool {
-    system.denominators(&Point::new(system, domain)).iter().all(Enclosure::excludes_zero)
+    let exact = |row: Vec<Float>| row.into_iter().map(|y| Ball::exact(y, BITS)).collect();
+    Some(inverse(jacobian)?.into_iter().map(exact).collect())
 }
 
 #[cfg(test)]
@@ -99,8 +125,9 @@ mod tests {
                 let system = landmark.system(weight);
                 let candidate = newton(&system, start(landmark, weight), BITS).unwrap();
                 let isolated = isolate(&system, &candidate).unwrap();
-                println!("{landmark:?} {weight:?} {:.1e}", isolated.relative_radius());
-                assert!(isolated.relative_radius() > 1e-3, "{landmark:?} {weight:?}");
+                for (radius, unknown) in isolated.relative_radii().iter().zip(system.unknowns) {
+                    assert!(*radius > 5e-3, "{landmark:?} {weight:?} {unknown:?} {radius}");
+                }
             }
         }
     }
@@ -109,7 +136,7 @@ mod tests {
     fn a_point_that_is_no_root_is_not_isolated() {
         let system = Landmark::Triple.system(SelfWeight::Heyman);
         let candidate = newton(&system, start(Landmark::Triple, SelfWeight::Heyman), BITS).unwrap();
-        let moved = candidate.0.into_iter().map(|x| x * Float::with_val(BITS, 1.01)).collect();
+        let moved = candidate.0.into_iter().map(|x| x * Float::with_val(BITS, 1.2)).collect();
         assert!(isolate(&system, &Candidate(moved)).is_err());
     }
 }

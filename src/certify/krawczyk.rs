@@ -15,9 +15,29 @@
 use crate::arch::{Point, System};
 use crate::number::{Dual, Enclosure, Field};
 
-/// `K(X)` from its parts. `preconditioner` is `Y`; the box is symmetric about `centre`.
-///
-/// `slopes` are the residuals on the box as dual numbers: only their gradients are used.
+/// The last term of `K(X)`, `(I - Y F'(X)) (X - m)`. `preconditioner` is `Y`; `slopes` are the
+/// residuals as dual numbers on a box that holds `domain`, of which only the gradients are used.
+pub fn spread<E: Enclosure>(
+    slopes: &[Dual<E>],
+    preconditioner: &[Vec<E>],
+    domain: &[E],
+) -> Vec<E> {
+    let n = domain.len();
+    let contraction = |row: &[E], i: usize, k: usize| {
+        let products = row
+            .iter()
+            .zip(slopes)
+            .filter_map(|(y, slope)| slope.slope(k).map(|slope| y.clone() * slope));
+        row[k].int(i32::from(i == k)) - sum(&row[k], products)
+    };
+    let component = |(i, row): (usize, &Vec<E>)| {
+        sum(&row[i], (0..n).map(|k| contraction(row, i, k) * domain[k].centred()))
+    };
+    preconditioner.iter().enumerate().map(component).collect()
+}
+
+/// `K(X)` on a box symmetric about `centre`, from enclosures of the residuals at the centre and of
+/// the slopes on the box.
 pub fn image<E: Enclosure>(
     centre: &[E],
     residuals: &[E],
@@ -25,21 +45,12 @@ pub fn image<E: Enclosure>(
     preconditioner: &[Vec<E>],
     domain: &[E],
 ) -> Vec<E> {
-    let n = centre.len();
-    let row = |i: usize| {
-        let newton = sum(&centre[i], (0..n).map(|j| preconditioner[i][j].clone() * &residuals[j]));
-        let contraction = |k: usize| {
-            let products = (0..n).filter_map(|j| {
-                slopes[j].slope(k).map(|slope| preconditioner[i][j].clone() * slope)
-            });
-            let identity = preconditioner[i][i].int(i32::from(i == k));
-            identity - sum(&preconditioner[i][i], products)
-        };
-        let spread =
-            sum(&preconditioner[i][i], (0..n).map(|k| contraction(k) * domain[k].centred()));
-        centre[i].clone() - newton + spread
-    };
-    (0..n).map(row).collect()
+    let newton = preconditioner
+        .iter()
+        .map(|row| sum(&row[0], row.iter().zip(residuals).map(|(y, r)| y.clone() * r)));
+    let spread = spread(slopes, preconditioner, domain);
+    let parts = centre.iter().zip(newton).zip(spread);
+    parts.map(|((x, newton), spread)| x.clone() - newton + spread).collect()
 }
 
 fn sum<E: Field>(like: &E, terms: impl Iterator<Item = E>) -> E {

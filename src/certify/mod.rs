@@ -7,6 +7,7 @@
 
 mod isolate;
 pub mod krawczyk;
+mod refine;
 
 mod verdict;
 
@@ -14,5 +15,6 @@ mod verdict;
 
 
 pub use isolate::{Isolated, isolate};
+pub use refine::{Refined, refine};
 
 pub use verdict::{Undecided, Verdict};

@@ -1,0 +1,217 @@
+//! From a proved box to a box of any number of digits.
+//!
+//! Sine and cosine are what costs; everything else in a system is algebraic in an angle, its sine and
+//! its cosine. So each level of the ladder evaluates them **once**, at a short argument:
+//!
+//! 1. the root to a quarter of the bits comes from the level below;
+//! 2. it becomes the [`Anchor`] of each angle: sine and cosine to full precision there;
+//! 3. the Jacobian is inverted to a quarter of the bits;
+//! 4. with that fixed inverse each Newton step gains another quarter, at the precision it reaches,
+//!    sine and cosine moved along from the anchor.
+//!
+//! On the last level the last step is not a plain Newton step but the Krawczyk operator: with the
+//! residual at full precision and the slopes over a box of a quarter of the bits less, it refines and
+//! encloses in one. The box has to lie in the one where the root is known to be unique.
+
+use super::{Isolated, Undecided, krawczyk};
+use crate::arch::{Configuration, Fixed, Point, System, Unknown};
+use crate::number::{Anchor, Angle, Ball, Enclosure, Magnitude};
+use crate::solve::inverse;
+use rayon::prelude::*;
+use rug::Float;
+
+/// Newton steps with one Jacobian: each level has this many times the bits of the one below.
+const SPAN: u32 = 4;
+/// Bits of a level beyond its share, so that the condition of the system eats no digits.
+const GUARD: u32 = 32;
+/// At this size a level is one plain Newton iteration.
+const FLOOR: u32 = 256;
+
+/// The root of a system in a box of many digits.
+#[derive(Clone, Debug)]
+pub struct Refined {
+    system: System,
+    values: Vec<Ball>,
+    point: Point<Ball>,
+}
+
+impl Refined {
+    /// An enclosure of a variable; `None` where the system does not know it or it is infinite.
+    pub fn value(&self, unknown: Unknown) -> Option<Ball> {
+        match (self.system.index(unknown), self.system.fixed_value(unknown)) {
+            (Some(index), _) => Some(self.values[index].clone()),
+            (None, Some(Fixed::SameAs(other))) => self.value(other),
+            (None, Some(Fixed::Integer(n))) => Some(Ball::integer(n, self.values[0].prec())),
+            (None, Some(Fixed::Infinite) | None) => None,
+        }
+    }
+
+    /// Enclosures of all variables, angles with sine and cosine.
+    pub fn configuration(&self) -> Configuration<Ball> {
+        self.system.configuration(&self.point)
+    }
+}
+
+/// Encloses the isolated root to about `bits` bits.
+pub fn refine(isolated: &Isolated, bits: u32) -> Result<Refined, Undecided> {
+    let system = *isolated.system();
+    let bits = bits.max(FLOOR);
+    let mut start: Vec<Float> = isolated.image().iter().map(|x| x.mid().clone()).collect();
+    start = newton(&system, start, FLOOR)?;
+    let level = Level::new(&system, start, bits)?;
+    let values = level.enclose(isolated)?;
+    let point = level.point(&values, level.bits);
+    Ok(Refined { system, values, point })
+}
+
+/// Newton's method up to a small number of bits.
+fn newton(system: &System, start: Vec<Float>, bits: u32) -> Result<Vec<Float>, Undecided> {
+    let start: Vec<f64> = start.iter().map(Float::to_f64).collect();
+    crate::solve::newton(system, &start, bits)
+        .map(|candidate| candidate.0)
+        .ok_or_else(|| Undecided("Newton's method leaves the isolated root".into()))
+}
+
+/// One level of the ladder.
+struct Level<'a> {
+    system: &'a System,
+    bits: u32,
+    /// Bits gained by each step: the accuracy of `centre` at first, and that of `inverse`.
+    step: u32,
+    anchors: Vec<Option<Anchor>>,
+    inverse: Vec<Vec<Ball>>,
+    centre: Vec<Float>,
+}
+
+impl<'a> Level<'a> {
+    /// Everything but the last step: `centre` is known to `(SPAN - 1) / SPAN` of the bits.
+    fn new(system: &'a System, start: Vec<Float>, bits: u32) -> Result<Self, Undecided> {
+        let step = bits / SPAN + GUARD;
+        let centre = approximate(system, start, step)?;
+        let anchors: Vec<Option<Anchor>> = (0..centre.len())
+            .into_par_iter()
+            .map(|i| system.unknowns[i].is_angle().then(|| Anchor::new(&centre[i], bits + GUARD)))
+            .collect();
+        let mut level =
+            Self { system, bits: bits + GUARD, step, anchors, inverse: Vec::new(), centre };
+        level.inverse = level.inverse()?;
+        for reached in 2..SPAN {
+            let corrections = level.corrections(step * reached);
+            for (x, (dx, _)) in level.centre.iter_mut().zip(corrections) {
+                *x = Float::with_val(step * reached, &*x - dx.mid());
+            }
+        }
+        Ok(level)
+    }
+
+    /// The values with their angles, moved from the anchors, at a precision.
+    fn point(&self, values: &[Ball], bits: u32) -> Point<Ball> {
+        Point::with_angles(self.system, values, |index, rad| match &self.anchors[index] {
+            Some(anchor) => anchor.with_precision(bits).angle(rad),
+            None => Angle::new(rad.clone()),
+        })
+    }
+
+    /// The inverse of the Jacobian at the centre, to the accuracy of the centre.
+    fn inverse(&self) -> Result<Vec<Vec<Ball>>, Undecided> {
+        let values: Vec<Ball> =
+            self.centre.iter().map(|x| Ball::exact(x.clone(), self.step)).collect();
+        let slopes = self.system.residuals(&self.point(&values, self.step).variables());
+        let entry = |slope: Option<&Ball>| {
+            slope.map_or_else(|| Float::new(self.step), |slope| Float::with_val(self.step, slope.mid()))
+        };
+        let jacobian = slopes
+            .iter()
+            .map(|r| (0..values.len()).map(|k| entry(r.slope(k))).collect())
+            .collect();
+        let exact = |row: Vec<Float>| row.into_iter().map(|y| Ball::exact(y, self.step)).collect();
+        let inverse = inverse(jacobian)
+            .ok_or_else(|| Undecided("the Jacobian at the root is singular".into()))?;
+        Ok(inverse.into_iter().map(exact).collect())
+    }
+
+    /// The Newton corrections `Y F(centre)` from residuals at `bits` bits, each with a bound of the
+    /// sum of its terms' sizes.
+    fn corrections(&self, bits: u32) -> Vec<(Ball, Magnitude)> {
+        let values: Vec<Ball> = self.centre.iter().map(|x| Ball::exact(x.clone(), bits)).collect();
+        let residuals = self.system.residuals(&self.point(&values, bits));
+        // Residuals are small and have few bits that mean anything; so have the products.
+        let residuals: Vec<Ball> =
+            residuals.into_iter().map(|r| r.trimmed().with_precision(self.step)).collect();
+        let start = (Ball::integer(0, self.step), Magnitude::ZERO);
+        let correction = |row: &Vec<Ball>| {
+            row.iter().zip(&residuals).filter(|(y, _)| !y.mid().is_zero()).fold(
+                start.clone(),
+                |(sum, size), (y, residual)| {
+                    let term = y.clone() * residual;
+                    let size = size.plus(Magnitude::upper(term.mid())).plus(term.rad());
+                    (sum + term, size)
+                },
+            )
+        };
+        self.inverse.iter().map(correction).collect()
+    }
+
+    /// The last step: the Krawczyk operator on a box just wide enough to hold its image.
+    fn enclose(&self, isolated: &Isolated) -> Result<Vec<Ball>, Undecided> {
+        let corrections = self.corrections(self.bits);
+        let centre: Vec<Ball> =
+            self.centre.iter().map(|x| Ball::exact(x.clone(), self.bits)).collect();
+        // The box must hold the corrected centre and the spread about it.
+        let noise = Magnitude::power_of_two(-i64::from(self.bits));
+        let radii = corrections.iter().map(|(_, size)| size.plus(noise).shifted(1));
+        let domain: Vec<Ball> =
+            centre.iter().zip(radii).map(|(x, radius)| x.clone().widened(radius)).collect();
+        if !domain.iter().zip(isolated.domain()).all(|(x, whole)| x.lies_inside(whole)) {
+            return Err(Undecided("the refined box leaves the box of uniqueness".into()));
+        }
+        // The slopes need only the accuracy of the inverse: a wider box with shorter numbers.
+        let coarse: Vec<Ball> = domain.iter().map(|x| x.with_precision(self.step)).collect();
+        let slopes = self.system.residuals(&self.point(&coarse, self.step).variables());
+        let spread = krawczyk::spread(&slopes, &self.inverse, &domain);
+        let image: Vec<Ball> = centre
+            .iter()
+            .zip(corrections.iter().zip(spread))
+            .map(|(x, ((dx, _), spread))| (x.clone() - dx) + spread)
+            .collect();
+        if !krawczyk::is_contracted(&image, &domain) {
+            return Err(Undecided("the refined box is not mapped into itself".into()));
+        }
+        Ok(image)
+    }
+}
+
+/// The root to about `bits` bits: a candidate, nothing is proved.
+fn approximate(system: &System, start: Vec<Float>, bits: u32) -> Result<Vec<Float>, Undecided> {
+    if bits <= FLOOR {
+        return newton(system, start, bits);
+    }
+    let level = Level::new(system, start, bits)?;
+    let corrections = level.corrections(level.bits);
+    let corrected = level.centre.iter().zip(corrections);
+    Ok(corrected.map(|(x, (dx, _))| Float::with_val(bits, x - dx.mid())).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arch::{Landmark, SelfWeight};
+    use crate::certify::isolate;
+    use crate::solve::start;
+
+    #[test]
+    fn two_precisions_overlap_and_have_the_bits_asked_for() {
+        for landmark in Landmark::ALL {
+            let system = landmark.system(SelfWeight::Milankovitch);
+            let candidate = crate::solve::newton(&system, start(landmark, system.weight), 64).unwrap();
+            let isolated = isolate(&system, &candidate).unwrap();
+            let [coarse, fine] = [700, 5000].map(|bits| refine(&isolated, bits).unwrap());
+            for &unknown in system.unknowns {
+                let (coarse, fine) = (coarse.value(unknown).unwrap(), fine.value(unknown).unwrap());
+                assert!(coarse.overlaps(&fine), "{landmark:?} {unknown:?}");
+                assert!(coarse.rad() < Magnitude::power_of_two(-700), "{landmark:?} {coarse:?}");
+                assert!(fine.rad() < Magnitude::power_of_two(-5000), "{landmark:?} {fine:?}");
+            }
+        }
+    }
+}
