@@ -3,11 +3,11 @@
 //! Sine and cosine are what costs; everything else in a system is algebraic in an angle, its sine and
 //! its cosine. So each level of the ladder evaluates them **once**, at a short argument:
 //!
-//! 1. the root to a quarter of the bits comes from the level below;
+//! 1. the root to a sixteenth of the bits comes from the level below;
 //! 2. it becomes the [`Anchor`] of each angle: sine and cosine to full precision there;
-//! 3. the Jacobian is inverted to a quarter of the bits;
-//! 4. with that fixed inverse each Newton step gains another quarter, at the precision it reaches,
-//!    sine and cosine moved along from the anchor.
+//! 3. Newton steps double the bits up to a quarter, sine and cosine moved along from the anchor;
+//! 4. the Jacobian is inverted once more, to a quarter of the bits; with that fixed inverse each
+//!    further step gains a quarter, at the precision it reaches.
 //!
 //! On the last level the last step is not a plain Newton step but the Krawczyk operator: with the
 //! residual at full precision and the slopes over a box of a quarter of the bits less, it refines and
@@ -20,8 +20,10 @@ use crate::solve::inverse;
 use rayon::prelude::*;
 use rug::Float;
 
-/// Newton steps with one Jacobian: each level has this many times the bits of the one below.
+/// Newton steps with the last Jacobian, each of which gains this part of the bits.
 const SPAN: u32 = 4;
+/// The bits of a level over those of the level below, whose root is the anchor.
+const STRETCH: u32 = 16;
 /// Bits of a level beyond its share, so that the condition of the system eats no digits.
 const GUARD: u32 = 32;
 /// At this size a level is one plain Newton iteration.
@@ -76,32 +78,42 @@ fn newton(system: &System, start: Vec<Float>, bits: u32) -> Result<Vec<Float>, U
 struct Level<'a> {
     system: &'a System,
     bits: u32,
-    /// Bits gained by each step: the accuracy of `centre` at first, and that of `inverse`.
-    step: u32,
     anchors: Vec<Option<Anchor>>,
-    inverse: Vec<Vec<Ball>>,
     centre: Vec<Float>,
+    /// The bits to which `inverse` is known: what a step with it gains.
+    step: u32,
+    inverse: Vec<Vec<Ball>>,
 }
 
 impl<'a> Level<'a> {
-    /// Everything but the last step: `centre` is known to `(SPAN - 1) / SPAN` of the bits.
+    /// Everything but the last step: the centre is known to all bits but those of one step.
     fn new(system: &'a System, start: Vec<Float>, bits: u32) -> Result<Self, Undecided> {
-        let step = bits / SPAN + GUARD;
+        let step = bits / STRETCH + GUARD;
+        let bits = bits + GUARD;
         let centre = approximate(system, start, step)?;
-        let anchors: Vec<Option<Anchor>> = (0..centre.len())
+        let anchors = (0..centre.len())
             .into_par_iter()
-            .map(|i| system.unknowns[i].is_angle().then(|| Anchor::new(&centre[i], bits + GUARD)))
+            .map(|i| system.unknowns[i].is_angle().then(|| Anchor::new(&centre[i], bits)))
             .collect();
-        let mut level =
-            Self { system, bits: bits + GUARD, step, anchors, inverse: Vec::new(), centre };
+        let mut level = Self { system, bits, anchors, centre, step, inverse: Vec::new() };
         level.inverse = level.inverse()?;
-        for reached in 2..SPAN {
-            let corrections = level.corrections(step * reached);
-            for (x, (dx, _)) in level.centre.iter_mut().zip(corrections) {
-                *x = Float::with_val(step * reached, &*x - dx.mid());
-            }
+        while level.step * SPAN < bits {
+            level.advance(2 * level.step);
+            level.step *= 2;
+            level.inverse = level.inverse()?;
+        }
+        for quarters in 2..SPAN {
+            level.advance(quarters * level.step);
         }
         Ok(level)
+    }
+
+    /// A Newton step to `bits` bits.
+    fn advance(&mut self, bits: u32) {
+        let corrections = self.corrections(bits);
+        for (x, (dx, _)) in self.centre.iter_mut().zip(corrections) {
+            *x = Float::with_val(bits, &*x - dx.mid());
+        }
     }
 
     /// The values with their angles, moved from the anchors, at a precision.

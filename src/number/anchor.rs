@@ -30,20 +30,33 @@ const REACH: i64 = -8;
 const GUARD: i64 = 16;
 
 impl Anchor {
-    /// Computes sine and cosine of `at` to `prec` bits. The fewer bits `at` has, the cheaper.
-    pub fn new(at: &Float, prec: u32) -> Self {
-        let at = Ball::exact(at.clone(), prec);
-        let (sin, cos) = at.sin_cos();
+    /// Computes sine and cosine next to `near` to `prec` bits. The fewer bits `near` has, the cheaper.
+    ///
+    /// A short number is only cheap where no multiple of pi/2 has to be taken off first, which would
+    /// make it long. So the anchor is `k pi/2 + y` with `y` short and at most pi/4 in size: not quite
+    /// `near`, but as close to it as its own last bit.
+    pub fn new(near: &Float, prec: u32) -> Self {
+        let short = near.prec();
+        let right_angle = Ball::integer(1, prec).pi() / Ball::integer(2, prec);
+        let quarters = Float::with_val(short, near / right_angle.mid()).round();
+        let rest = Float::with_val(short, near - right_angle.mid() * quarters.clone());
+        let quarters = quarters.to_i32_saturating().unwrap_or_default();
+        let rest = Ball::exact(rest, prec);
+        let (sin, cos) = rest.sin_cos();
+        let (sin, cos) = match quarters.rem_euclid(4) {
+            0 => (sin, cos),
+            1 => (cos, -sin),
+            2 => (-sin, -cos),
+            _ => (-cos, sin),
+        };
+        let at = rest + right_angle * Ball::integer(quarters, prec);
         Self { at, sin, cos }
     }
 
     /// The anchor rounded to a lower precision.
     pub fn with_precision(&self, prec: u32) -> Self {
-        Self {
-            at: Ball::exact(self.at.mid().clone(), prec),
-            sin: self.sin.with_precision(prec),
-            cos: self.cos.with_precision(prec),
-        }
+        let [at, sin, cos] = [&self.at, &self.sin, &self.cos].map(|x| x.with_precision(prec));
+        Self { at, sin, cos }
     }
 
     /// The angle `rad` with its sine and cosine, to the precision of `rad`.

@@ -27,7 +27,7 @@ mod rational;
 mod surd;
 mod ternary;
 
-pub use anchor::Anchor;
+pub use anchor::{Anchor, arctangent};
 pub use angle::Angle;
 pub use astro::AstroInterval;
 pub use ball::Ball;
