@@ -2,19 +2,17 @@
 //!
 //! A proof either succeeds or says why nothing is known ([`Undecided`]); nothing in between.
 
-
-
-
+mod audit;
+mod constant;
+mod exact;
 mod isolate;
 pub mod krawczyk;
 mod refine;
-
 mod verdict;
 
-
-
-
+pub use audit::{Audited, Comparison, PrintedVerdict, Relation, audit, compare_weights};
+pub use constant::{CertifiedLandmark, Constant, MAX_DIGITS, Value, quantities};
+pub use exact::Exact;
 pub use isolate::{Isolated, isolate};
-pub use refine::{Refined, refine};
-
-pub use verdict::{Undecided, Verdict};
+pub use refine::{Refined, refine, refine_watched, stages};
+pub use verdict::Undecided;

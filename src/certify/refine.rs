@@ -56,14 +56,29 @@ impl Refined {
 
 /// Encloses the isolated root to about `bits` bits.
 pub fn refine(isolated: &Isolated, bits: u32) -> Result<Refined, Undecided> {
+    refine_watched(isolated, bits, &|| ())
+}
+
+/// The same, calling `tick` [`stages`] times on the way.
+pub fn refine_watched(
+    isolated: &Isolated,
+    bits: u32,
+    tick: &(dyn Fn() + Sync),
+) -> Result<Refined, Undecided> {
     let system = *isolated.system();
     let bits = bits.max(FLOOR);
     let mut start: Vec<Float> = isolated.image().iter().map(|x| x.mid().clone()).collect();
     start = newton(&system, start, FLOOR)?;
-    let level = Level::new(&system, start, bits)?;
+    let level = Level::new(&system, start, bits, tick)?;
     let values = level.enclose(isolated)?;
     let point = level.point(&values, level.bits);
+    tick();
     Ok(Refined { system, values, point })
+}
+
+/// How often [`refine_watched`] reports progress: once for each angle and once at the end.
+pub fn stages(system: &System) -> u64 {
+    system.unknowns.iter().filter(|unknown| unknown.is_angle()).count() as u64 + 1
 }
 
 /// Newton's method up to a small number of bits.
@@ -87,14 +102,23 @@ struct Level<'a> {
 
 impl<'a> Level<'a> {
     /// Everything but the last step: the centre is known to all bits but those of one step.
-    fn new(system: &'a System, start: Vec<Float>, bits: u32) -> Result<Self, Undecided> {
+    fn new(
+        system: &'a System,
+        start: Vec<Float>,
+        bits: u32,
+        tick: &(dyn Fn() + Sync),
+    ) -> Result<Self, Undecided> {
         let step = bits / STRETCH + GUARD;
         let bits = bits + GUARD;
         let centre = approximate(system, start, step)?;
-        let anchors = (0..centre.len())
-            .into_par_iter()
-            .map(|i| system.unknowns[i].is_angle().then(|| Anchor::new(&centre[i], bits)))
-            .collect();
+        let anchor = |index: usize| {
+            system.unknowns[index].is_angle().then(|| {
+                let anchor = Anchor::new(&centre[index], bits);
+                tick();
+                anchor
+            })
+        };
+        let anchors = (0..centre.len()).into_par_iter().map(anchor).collect();
         let mut level = Self { system, bits, anchors, centre, step, inverse: Vec::new() };
         level.inverse = level.inverse()?;
         while level.step * SPAN < bits {
@@ -198,7 +222,7 @@ fn approximate(system: &System, start: Vec<Float>, bits: u32) -> Result<Vec<Floa
     if bits <= FLOOR {
         return newton(system, start, bits);
     }
-    let level = Level::new(system, start, bits)?;
+    let level = Level::new(system, start, bits, &|| ())?;
     let corrections = level.corrections(level.bits);
     let corrected = level.centre.iter().zip(corrections);
     Ok(corrected.map(|(x, (dx, _))| Float::with_val(bits, x - dx.mid())).collect())

@@ -124,23 +124,37 @@ macro_rules! owned {
 owned!(Add add, Sub sub, Mul mul, Div div);
 
 impl fmt::Display for Surd {
-    /// As a mathematician would write it: `2/3`, `-1+√3`, `-6+4√3`.
+    /// As a mathematician would write it: `2/3`, `√3−1`, `2(2√3−3)`, a positive term first and a
+    /// common factor before the bracket. The minus inside is the typographic one.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.factor.is_zero() {
             return write!(f, "{}", self.rational);
         }
-        let size = self.factor.clone().abs();
-        let sign = if self.factor < 0 { "-" } else { "+" };
-        if !self.rational.is_zero() {
-            write!(f, "{}{sign}", self.rational)?;
-        } else if sign == "-" {
-            write!(f, "-")?;
+        let root = |factor: &Rational| match *factor == 1 {
+            true => format!("√{}", self.radicand),
+            false => format!("{factor}√{}", self.radicand),
+        };
+        if self.rational.is_zero() {
+            return match self.factor < 0 {
+                true => write!(f, "−{}", root(&self.factor.clone().abs())),
+                false => write!(f, "{}", root(&self.factor)),
+            };
         }
-        match size == 1 {
-            true => write!(f, "√{}", self.radicand),
-            false if size.is_integer() => write!(f, "{size}√{}", self.radicand),
-            false => write!(f, "({size})√{}", self.radicand),
-        }
+        // The greatest number of which both parts are integer multiples.
+        let common = Rational::from((
+            self.rational.numer().clone().gcd(self.factor.numer()),
+            self.rational.denom().clone().lcm(self.factor.denom()),
+        ));
+        let (rational, factor) =
+            (Rational::from(&self.rational / &common), Rational::from(&self.factor / &common));
+        let (plain, rooted) = (rational.clone().abs().to_string(), root(&factor.clone().abs()));
+        let inner = match (rational < 0, factor < 0) {
+            (false, false) => format!("{plain}+{rooted}"),
+            (false, true) => format!("{plain}−{rooted}"),
+            (true, false) => format!("{rooted}−{plain}"),
+            (true, true) => format!("−{plain}−{rooted}"),
+        };
+        if common == 1 { f.write_str(&inner) } else { write!(f, "{common}({inner})") }
     }
 }
 
@@ -155,10 +169,10 @@ mod tests {
         let x = Surd::new(-6, 4, 3);
         assert!((x.clone() / &x - x.int(1)).is_zero());
         assert!(!(x.square() - x.int(1)).is_zero(), "and a false twin is seen");
-        assert_eq!(x.to_string(), "-6+4√3");
-        assert_eq!(Surd::new(-1, 1, 3).to_string(), "-1+√3");
+        assert_eq!(x.to_string(), "2(2√3−3)");
+        assert_eq!(Surd::new(-1, 1, 3).to_string(), "√3−1");
         assert_eq!(Surd::rational((2, 3), 3).to_string(), "2/3");
-        assert_eq!((-root).to_string(), "-√3");
+        assert_eq!((-root).to_string(), "−√3");
     }
 
     #[test]

@@ -1,0 +1,258 @@
+//! The constants: each quantity of each landmark, with all its digits proved.
+
+use super::exact::{Exact, enclosure, exact};
+use super::{Isolated, Refined, Undecided, isolate, refine, refine_watched, stages};
+use crate::arch::{Landmark, Quantity, SelfWeight, System, Unknown, thrust};
+use crate::number::{Ball, Enclosure, Field, Real, Rounded, Ternary, arctangent};
+use crate::solve::{newton, start};
+
+/// The largest number of digits that can be asked for.
+pub const MAX_DIGITS: usize = 1_000_000;
+
+/// How often the precision is raised when a rounding is not decided.
+const ATTEMPTS: u32 = 6;
+/// Bits beyond the digits asked for, at the first attempt.
+const GUARD: u32 = 32;
+
+/// A landmark whose existence and uniqueness are proved: the only constructor is that proof.
+#[derive(Clone, Debug)]
+pub struct CertifiedLandmark {
+    landmark: Landmark,
+    weight: SelfWeight,
+    isolated: Isolated,
+}
+
+/// A quantity of a landmark with its digits.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Constant {
+    /// The self-weight model.
+    pub weight: SelfWeight,
+    /// The landmark.
+    pub landmark: Landmark,
+    /// The quantity.
+    pub quantity: Quantity,
+    /// The correctly rounded value with its bounds.
+    pub value: Value,
+    /// The exact value, where there is one.
+    pub exact: Option<String>,
+}
+
+/// A finite value with bounds, or infinity.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Value {
+    /// Correctly rounded, with outward bounds.
+    Finite(Rounded),
+    /// Exactly infinite.
+    Infinite,
+}
+
+/// The quantities that exist at a landmark, in the order of [`Quantity::ALL`].
+pub fn quantities(landmark: Landmark) -> impl Iterator<Item = Quantity> {
+    // Which variables a landmark has does not depend on the weight.
+    let system = landmark.system(SelfWeight::Heyman);
+    Quantity::ALL.into_iter().filter(move |quantity| {
+        let unknown = quantity.variable();
+        system.index(unknown).is_some() || system.fixed_value(unknown).is_some()
+    })
+}
+
+impl CertifiedLandmark {
+    /// Finds the landmark and proves that it exists and is unique in a box.
+    pub fn new(landmark: Landmark, weight: SelfWeight) -> Result<Self, Undecided> {
+        let system = landmark.system(weight);
+        let candidate = newton(&system, start(landmark, weight), 64)
+            .ok_or_else(|| Undecided("Newton's method finds no candidate".into()))?;
+        let certified = Self { landmark, weight, isolated: isolate(&system, &candidate)? };
+        let narrow = certified.enclosure(64)?;
+        match domain(&system, &narrow) {
+            Ternary::True => Ok(certified),
+            _ => Err(Undecided("the root is not shown to lie in the physical range".into())),
+        }
+    }
+
+    /// The landmark.
+    pub fn landmark(&self) -> Landmark {
+        self.landmark
+    }
+
+    /// The self-weight model.
+    pub fn weight(&self) -> SelfWeight {
+        self.weight
+    }
+
+    /// The system and the box in which its root is unique.
+    pub fn isolated(&self) -> &Isolated {
+        &self.isolated
+    }
+
+    /// An enclosure of all variables to about `bits` bits.
+    pub fn enclosure(&self, bits: u32) -> Result<Refined, Undecided> {
+        refine(&self.isolated, bits)
+    }
+
+    /// The exact value of a quantity, where it has one.
+    pub fn exact(&self, quantity: Quantity) -> Option<Exact> {
+        exact(self.landmark, &self.isolated, quantity)
+    }
+
+    /// An enclosure of a quantity, from the enclosures of the variables; `None` where it does not
+    /// exist or is infinite.
+    pub fn quantity(&self, refined: &Refined, quantity: Quantity) -> Option<Ball> {
+        if let Some(angle) = quantity.in_radians() {
+            let radians = self.quantity(refined, angle)?;
+            let degrees = radians.int(180) * &radians;
+            return Some(degrees / radians.pi());
+        }
+        if let Some(Exact::Pi(factor)) = self.exact(quantity) {
+            let pi = refined.value(Unknown::HalfOpening)?.pi();
+            return Some(Ball::enclosing(&factor, pi.prec()) * pi);
+        }
+        match quantity {
+            Quantity::FrictionAngle => Some(arctangent(&refined.value(Unknown::Friction)?)),
+            Quantity::IntrinsicThrust => {
+                Some(refined.value(Unknown::Thickness)? * refined.value(Unknown::Thrust)?)
+            }
+            Quantity::OpeningVariable => {
+                Some(thrust::opening_variable(&refined.configuration().half_opening).value())
+            }
+            _ => refined.value(quantity.variable()),
+        }
+    }
+
+    /// All quantities of the landmark, correctly rounded to `digits` significant digits.
+    ///
+    /// `tick` is called [`CertifiedLandmark::ticks`] times on the way.
+    pub fn constants(
+        &self,
+        digits: usize,
+        tick: &(dyn Fn() + Sync),
+    ) -> Result<Vec<Constant>, Undecided> {
+        let mut precision = Precision::new(digits)?;
+        let mut refined = refine_watched(&self.isolated, precision.bits, tick)?;
+        quantities(self.landmark)
+            .map(|quantity| {
+                let exact = self.exact(quantity);
+                let value = loop {
+                    if let Some(value) = self.rounded(&refined, quantity, &exact, digits) {
+                        break value;
+                    }
+                    precision.raise(quantity)?;
+                    refined = self.enclosure(precision.bits)?;
+                };
+                tick();
+                let exact = exact.map(|exact| exact.text());
+                let (weight, landmark) = (self.weight, self.landmark);
+                Ok(Constant { weight, landmark, quantity, value, exact })
+            })
+            .collect()
+    }
+
+    /// How often [`CertifiedLandmark::constants`] reports progress for a landmark.
+    pub fn ticks(landmark: Landmark) -> u64 {
+        let system = landmark.system(SelfWeight::Heyman);
+        stages(&system) + quantities(landmark).count() as u64
+    }
+
+    /// The rounded value, if the enclosure decides it.
+    fn rounded(
+        &self,
+        refined: &Refined,
+        quantity: Quantity,
+        exact: &Option<Exact>,
+        digits: usize,
+    ) -> Option<Value> {
+        let prec = || refined.value(Unknown::HalfOpening).map(|x| x.prec());
+        let rounded = match exact {
+            Some(Exact::Infinite) => return Some(Value::Infinite),
+            Some(Exact::Surd(surd)) => match surd.parts() {
+                (rational, factor, _) if factor.is_zero() => {
+                    Rounded::from_rational(rational, digits)?
+                }
+                _ => Rounded::from_ball(&enclosure(surd, prec()?), digits)?,
+            },
+            Some(Exact::Pi(_)) | None => {
+                Rounded::from_ball(&self.quantity(refined, quantity)?, digits)?
+            }
+        };
+        Some(Value::Finite(rounded))
+    }
+}
+
+/// Bits enough for a number of digits, raised while a rounding is undecided.
+struct Precision {
+    bits: u32,
+    attempt: u32,
+}
+
+impl Precision {
+    fn new(digits: usize) -> Result<Self, Undecided> {
+        if digits == 0 || digits > MAX_DIGITS {
+            return Err(Undecided(format!("digits must be from 1 to {MAX_DIGITS}")));
+        }
+        let bits = (digits as f64 * std::f64::consts::LOG2_10).ceil() as u32 + GUARD;
+        Ok(Self { bits, attempt: 0 })
+    }
+
+    fn raise(&mut self, quantity: Quantity) -> Result<(), Undecided> {
+        self.attempt += 1;
+        if self.attempt > ATTEMPTS {
+            let name = quantity.name();
+            return Err(Undecided(format!("the rounding of {name} is not decided at {} bits", self.bits)));
+        }
+        self.bits += GUARD << self.attempt;
+        Ok(())
+    }
+}
+
+/// Whether the variables that were solved for lie in their physical ranges: `0 < alpha < pi`,
+/// `0 < beta < alpha`, `0 < eta < 2`, `0 < h < 1`, `mu > 0`.
+fn domain(system: &System, refined: &Refined) -> Ternary {
+    let alpha = refined.configuration().half_opening.rad;
+    let limit = |unknown| match unknown {
+        Unknown::HalfOpening => Some(alpha.pi()),
+        Unknown::RotationJoint | Unknown::SlidingJoint => Some(alpha.clone()),
+        Unknown::Thickness => Some(alpha.int(2)),
+        Unknown::Thrust => Some(alpha.int(1)),
+        Unknown::Friction => None,
+    };
+    let inside = |&unknown: &Unknown| {
+        refined.value(unknown).map_or(Ternary::Undecided, |x| {
+            let below = limit(unknown).map_or(Ternary::True, |limit| x.is_less_than(&limit));
+            x.is_positive().and(below)
+        })
+    };
+    system.unknowns.iter().map(inside).fold(Ternary::True, Ternary::and)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quantities_exist_where_the_landmark_has_them() {
+        let names = |landmark| quantities(landmark).map(Quantity::name).collect::<Vec<_>>();
+        assert_eq!(names(Landmark::Triple).len(), Quantity::ALL.len());
+        let widest = names(Landmark::WidestJoint);
+        assert!(!widest.contains(&"friction") && !widest.contains(&"sliding_joint"));
+        assert!(widest.contains(&"rotation_joint") && widest.contains(&"A"));
+    }
+
+    #[test]
+    fn digits_out_of_range_are_refused_before_anything_is_computed() {
+        let point = CertifiedLandmark::new(Landmark::OverturningEnd, SelfWeight::Heyman).unwrap();
+        assert!(point.constants(0, &|| ()).is_err());
+        assert!(point.constants(MAX_DIGITS + 1, &|| ()).is_err());
+    }
+
+    #[test]
+    fn one_digit_and_many_agree() {
+        let point = CertifiedLandmark::new(Landmark::Border, SelfWeight::Heyman).unwrap();
+        let [few, many] = [1, 60].map(|digits| point.constants(digits, &|| ()).unwrap());
+        for (few, many) in few.iter().zip(&many) {
+            let (Value::Finite(few), Value::Finite(many)) = (&few.value, &many.value) else { panic!() };
+            assert!(few.lower.to_rational() <= many.value.to_rational());
+            assert!(many.value.to_rational() <= few.upper.to_rational());
+            assert!(few.value.significant_digits() <= 2, "{:?}", few.value);
+        }
+    }
+}

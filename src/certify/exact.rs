@@ -1,0 +1,124 @@
+//! Landmark values that are exact: rational, or in the field of `√3`, or infinite.
+//!
+//! A thickness found by closed form is proved to be the value of the landmark in three steps: the
+//! equation it solves alone has there residual zero **exactly**, in the arithmetic of `a + b√d`; on the
+//! box in which the landmark is unique that equation has a slope without zero, so it has one root
+//! there; and the closed form lies in that box.
+
+use super::Isolated;
+use crate::arch::{Configuration, Equation, Fixed, Landmark, Quantity, Ring, SelfWeight, Unknown, overturning};
+use crate::number::{Angle, Ball, Dual, Enclosure, Field, Real, Surd};
+use rug::Rational;
+
+/// An exact value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Exact {
+    /// Zero, an integer, a fraction, or a number with a square root.
+    Surd(Surd),
+    /// A fraction of pi.
+    Pi(Rational),
+    /// No bound: the friction of states that need it unlimited.
+    Infinite,
+}
+
+impl Exact {
+    /// As a mathematician would write it.
+    pub fn text(&self) -> String {
+        match self {
+            Self::Surd(surd) => surd.to_string(),
+            Self::Pi(factor) => format!("π/{}", factor.clone().recip()),
+            Self::Infinite => "inf".into(),
+        }
+    }
+}
+
+/// Only `√3` occurs.
+const RADICAND: u32 = 3;
+
+/// The exact value of a quantity at an isolated landmark, where it has one and that is proved.
+pub fn exact(landmark: Landmark, isolated: &Isolated, quantity: Quantity) -> Option<Exact> {
+    let system = isolated.system();
+    let integer = |n: i32| Exact::Surd(Surd::rational(n, RADICAND));
+    let fixed = |unknown| system.fixed_value(unknown);
+    match (quantity, fixed(quantity.variable())) {
+        (Quantity::OpeningVariable, _) => {
+            // With h = 0, (4) gives A from the thickness.
+            (fixed(Unknown::Thrust) == Some(Fixed::Integer(0))).then_some(())?;
+            let ring = Ring::new(system.weight, &thickness(landmark, isolated)?);
+            Some(Exact::Surd(overturning::opening_variable(&ring).value()))
+        }
+        (Quantity::Thickness, _) => Some(Exact::Surd(thickness(landmark, isolated)?)),
+        (Quantity::FrictionAngle, Some(Fixed::Infinite)) => Some(Exact::Pi((1, 2).into())),
+        (Quantity::FrictionAngleDegrees, Some(Fixed::Infinite)) => Some(integer(90)),
+        (_, Some(Fixed::Infinite)) => Some(Exact::Infinite),
+        // Zero in radians is zero in degrees, and no thrust makes no intrinsic thrust.
+        (_, Some(Fixed::Integer(n))) => Some(integer(n)),
+        _ => None,
+    }
+}
+
+fn thickness(landmark: Landmark, isolated: &Isolated) -> Option<Surd> {
+    let system = isolated.system();
+    if let Some(Fixed::Integer(n)) = system.fixed_value(Unknown::Thickness) {
+        return Some(Surd::rational(n, RADICAND));
+    }
+    let closed_form = match (landmark, system.weight) {
+        (Landmark::RotationEnd, SelfWeight::Heyman) => Surd::rational(1, RADICAND),
+        (Landmark::RotationEnd, SelfWeight::Milankovitch) => Surd::new(-6, 4, RADICAND),
+        _ => return None,
+    };
+    let domain = &isolated.domain()[system.index(Unknown::Thickness)?];
+    is_thickness_without_thrust(system.weight, &closed_form, domain).then_some(closed_form)
+}
+
+/// Whether `value` is the only number in `domain` that solves (5) at `beta_r -> 0` with `h = 0`.
+fn is_thickness_without_thrust(weight: SelfWeight, value: &Surd, domain: &Ball) -> bool {
+    let residual_is_zero = residual(weight, value).is_zero();
+    let slope = residual(weight, &Dual::variable(domain.clone(), 0)).derivative(0);
+    let lies_in_domain = enclosure(value, domain.prec()).lies_inside(domain);
+    residual_is_zero && slope.excludes_zero() && lies_in_domain
+}
+
+fn residual<T: Field>(weight: SelfWeight, thickness: &T) -> T {
+    let zero = Angle::zero(thickness);
+    let at = Configuration {
+        half_opening: zero.clone(),
+        rotation_joint: zero.clone(),
+        sliding_joint: zero,
+        thickness: thickness.clone(),
+        thrust: thickness.int(0),
+        friction: thickness.int(0),
+    };
+    Equation::TangencyAtCrown.residual(weight, &at)
+}
+
+/// A ball that holds an exact value.
+pub fn enclosure(value: &Surd, prec: u32) -> Ball {
+    let (rational, factor, radicand) = value.parts();
+    let root = Ball::integer(radicand as i32, prec).sqrt();
+    Ball::enclosing(rational, prec) + Ball::enclosing(factor, prec) * root
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Magnitude;
+    use rug::Float;
+
+    fn around(x: f64) -> Ball {
+        Ball::new(Float::with_val(64, x), Magnitude::power_of_two(-5), 64)
+    }
+
+    #[test]
+    fn a_closed_form_is_believed_only_with_all_three_proofs() {
+        let (weight, value) = (SelfWeight::Milankovitch, Surd::new(-6, 4, 3));
+        assert!(is_thickness_without_thrust(weight, &value, &around(0.93)));
+        assert!(!is_thickness_without_thrust(weight, &value, &around(0.5)), "outside the box");
+        assert!(!is_thickness_without_thrust(SelfWeight::Heyman, &value, &around(0.93)), "no root");
+        let close = value + Surd::rational((1, 1_000_000_000), 3);
+        assert!(!is_thickness_without_thrust(weight, &close, &around(0.93)), "almost a root");
+        let other = Surd::new(-6, -4, 3);
+        assert!(residual(weight, &other).is_zero(), "the other root of the same equation");
+        assert!(!is_thickness_without_thrust(weight, &other, &around(0.93)));
+    }
+}

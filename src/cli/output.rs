@@ -1,0 +1,117 @@
+//! Where a report goes: standard output, or a file that appears whole or not at all.
+
+use super::Failure;
+use std::fs;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, Once};
+use tempfile::NamedTempFile;
+
+/// An opened destination.
+pub enum Output {
+    /// Standard output.
+    Standard,
+    /// A device or a pipe, which is written to directly: it cannot be renamed over.
+    Stream(fs::File),
+    /// A temporary file beside the one asked for, renamed over it at the end.
+    File {
+        /// The unfinished file.
+        unfinished: NamedTempFile,
+        /// The file asked for.
+        path: PathBuf,
+    },
+}
+
+/// The unfinished file, for the interrupt handler to remove.
+static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
+static HANDLER: Once = Once::new();
+
+impl Output {
+    /// Opens the destination now, so that a path that cannot be written is known before any work.
+    pub fn open(path: Option<&Path>) -> Result<Self, Failure> {
+        let Some(path) = path else { return Ok(Self::Standard) };
+        let failed = |error: io::Error| {
+            let reason = error.to_string();
+            Failure::Io(format!("cannot write {}: {reason}", path.display()))
+        };
+        // A link is followed, so that the file behind it is replaced and not the link.
+        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        if path.is_dir() {
+            return Err(failed(io::ErrorKind::IsADirectory.into()));
+        }
+        if path.exists() && !path.is_file() {
+            return Ok(Self::Stream(fs::OpenOptions::new().write(true).open(&path).map_err(failed)?));
+        }
+        let folder = match path.parent() {
+            Some(folder) if !folder.as_os_str().is_empty() => folder,
+            _ => Path::new("."),
+        };
+        let unfinished = builder().tempfile_in(folder).map_err(failed)?;
+        remove_on_interrupt(unfinished.path());
+        Ok(Self::File { unfinished, path })
+    }
+
+    /// Writes everything and makes the file appear. A reader that has closed the pipe has what it
+    /// wanted: that is no failure.
+    pub fn write(
+        self,
+        report: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    ) -> Result<(), Failure> {
+        let write = |out: &mut dyn Write| {
+            let mut out = BufWriter::new(out);
+            report(&mut out)?;
+            out.flush()
+        };
+        match self {
+            Self::Standard => match write(&mut io::stdout().lock()) {
+                Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+                result => result,
+            }
+            .map_err(|error| Failure::Io(format!("cannot write to standard output: {error}"))),
+            Self::Stream(mut stream) => write(&mut stream)
+                .map_err(|error| Failure::Io(format!("cannot write: {error}"))),
+            Self::File { mut unfinished, path } => {
+                let failed = |error: io::Error| {
+                    Failure::Io(format!("cannot write {}: {error}", path.display()))
+                };
+                write(unfinished.as_file_mut()).map_err(failed)?;
+                unfinished.persist(&path).map_err(|error| failed(error.error))?;
+                set_unfinished(None);
+                Ok(())
+            }
+        }
+    }
+}
+
+fn builder<'a>() -> tempfile::Builder<'a, 'a> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".couplet-");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // What any program would create; the process's mask takes away what it should not have.
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    builder
+}
+
+fn set_unfinished(path: Option<PathBuf>) {
+    *UNFINISHED.lock().unwrap_or_else(std::sync::PoisonError::into_inner) = path;
+}
+
+/// An interrupted run leaves nothing behind.
+fn remove_on_interrupt(path: &Path) {
+    set_unfinished(Some(path.to_owned()));
+    HANDLER.call_once(|| {
+        let handler = || {
+            let unfinished = UNFINISHED.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+            if let Some(path) = unfinished.as_ref() {
+                // Nothing more can be done about a file that resists.
+                let _ = fs::remove_file(path);
+            }
+            std::process::exit(130);
+        };
+        // Without a handler an interrupt leaves a hidden file, which is no reason not to start.
+        let _ = ctrlc::set_handler(handler);
+    });
+}

@@ -1,0 +1,104 @@
+//! Output only: what a command found, written in a format. One file per format.
+
+mod csv;
+mod json;
+mod table;
+
+use crate::arch::{Landmark, SelfWeight, System};
+use crate::certify::{Audited, CertifiedLandmark, Comparison, Constant, Value};
+use std::io;
+
+/// An output format.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// For a person.
+    Table,
+    /// For a program; the schemas are stable.
+    Json,
+    /// For a spreadsheet.
+    Csv,
+}
+
+/// What `couplet constants` found.
+#[derive(Debug)]
+pub struct Constants {
+    /// Significant digits of each value.
+    pub digits: usize,
+    /// One per landmark and weight.
+    pub landmarks: Vec<LandmarkReport>,
+}
+
+/// The proof of one landmark and its constants.
+#[derive(Debug)]
+pub struct LandmarkReport {
+    /// The landmark.
+    pub landmark: Landmark,
+    /// The self-weight model.
+    pub weight: SelfWeight,
+    /// What was proved, or why nothing is known.
+    pub outcome: Result<Proved, String>,
+}
+
+/// The box of the proof, and the constants.
+#[derive(Debug)]
+pub struct Proved {
+    /// The system that was solved.
+    pub system: System,
+    /// The radius of the box of uniqueness for each unknown, relative to its value.
+    pub relative_radii: Vec<f64>,
+    /// All quantities that exist.
+    pub constants: Vec<Constant>,
+}
+
+impl Proved {
+    /// A certified landmark with its constants.
+    pub fn new(point: &CertifiedLandmark, constants: Vec<Constant>) -> Self {
+        let isolated = point.isolated();
+        Self {
+            system: *isolated.system(),
+            relative_radii: isolated.relative_radii(),
+            constants,
+        }
+    }
+}
+
+/// What `couplet audit` found.
+#[derive(Debug)]
+pub struct Audit {
+    /// Every printed number.
+    pub printed: Vec<Audited>,
+    /// The claims that compare the two weights.
+    pub comparisons: Vec<Comparison>,
+}
+
+impl Constants {
+    /// Writes the report.
+    pub fn write(&self, format: Format, out: &mut dyn io::Write) -> io::Result<()> {
+        match format {
+            Format::Table => table::constants(self, out),
+            Format::Json => json::constants(self, out),
+            Format::Csv => csv::constants(self, out),
+        }
+    }
+}
+
+impl Audit {
+    /// Writes the report.
+    pub fn write(&self, format: Format, out: &mut dyn io::Write) -> io::Result<()> {
+        match format {
+            Format::Table => table::audit(self, out),
+            Format::Json => json::audit(self, out),
+            Format::Csv => csv::audit(self, out),
+        }
+    }
+}
+
+/// The texts of a value: itself, its lower and its upper bound.
+fn texts(value: &Value) -> [String; 3] {
+    match value {
+        Value::Finite(rounded) => {
+            [&rounded.value, &rounded.lower, &rounded.upper].map(ToString::to_string)
+        }
+        Value::Infinite => [(); 3].map(|()| "inf".to_owned()),
+    }
+}
