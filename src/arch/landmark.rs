@@ -97,8 +97,22 @@ impl Landmark {
         ];
         let (unknowns, equations, fixed): (&[U], &[E], &[(U, F)]) = match self {
             Self::Triple => (
-                &[U::HalfOpening, U::RotationJoint, U::SlidingJoint, U::Thickness, U::Thrust, U::Friction],
-                &[E::LowerThrust, E::WholeThrust, E::Tangency, E::ShoulderSliding, E::InnerSliding, E::Steepest],
+                &[
+                    U::HalfOpening,
+                    U::RotationJoint,
+                    U::SlidingJoint,
+                    U::Thickness,
+                    U::Thrust,
+                    U::Friction,
+                ],
+                &[
+                    E::LowerThrust,
+                    E::WholeThrust,
+                    E::Tangency,
+                    E::ShoulderSliding,
+                    E::InnerSliding,
+                    E::Steepest,
+                ],
                 &[],
             ),
             Self::Shift => (
@@ -108,7 +122,13 @@ impl Landmark {
             ),
             Self::Junction => (
                 &[U::HalfOpening, U::SlidingJoint, U::Thickness, U::Thrust, U::Friction],
-                &[E::UpperThrust, E::TangencyAtCrown, E::ShoulderSliding, E::InnerSliding, E::Steepest],
+                &[
+                    E::UpperThrust,
+                    E::TangencyAtCrown,
+                    E::ShoulderSliding,
+                    E::InnerSliding,
+                    E::Steepest,
+                ],
                 &[(U::RotationJoint, F::Integer(0))],
             ),
             Self::Border => (
@@ -116,11 +136,9 @@ impl Landmark {
                 &[E::UpperThrust, E::ShoulderSliding, E::InnerSliding, E::Steepest],
                 &[(U::RotationJoint, F::Integer(0)), (U::Thickness, F::Integer(2))],
             ),
-            Self::RotationEnd => (
-                &[U::HalfOpening, U::Thickness],
-                &[E::WholeThrust, E::TangencyAtCrown],
-                unlimited,
-            ),
+            Self::RotationEnd => {
+                (&[U::HalfOpening, U::Thickness], &[E::WholeThrust, E::TangencyAtCrown], unlimited)
+            }
             Self::OverturningEnd => (
                 &[U::HalfOpening],
                 &[E::WholeThrust],

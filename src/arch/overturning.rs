@@ -54,7 +54,8 @@ mod tests {
     #[test]
     fn equation_16_as_printed_does_not_hold() {
         let eta = Surd::new(-6, 4, 3);
-        let printed = |inner: Surd| eta.int(1) - eta.clone() / (eta.int(2) - &eta) * (eta.int(1) + inner);
+        let printed =
+            |inner: Surd| eta.int(1) - eta.clone() / (eta.int(2) - &eta) * (eta.int(1) + inner);
         assert!(!printed(eta.square() / eta.int(12)).is_zero());
         assert!(printed(eta.clone() / eta.int(6)).is_zero());
         assert!(end_of_rotation(&Ring::new(SelfWeight::Milankovitch, &eta)).is_zero());

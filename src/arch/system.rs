@@ -274,6 +274,9 @@ impl System {
     /// The denominators that the residuals have cleared.
     pub fn denominators<T: Field>(&self, point: &Point<T>) -> Vec<T> {
         let at = self.configuration(point);
-        self.equations.iter().filter_map(|equation| equation.denominator(self.weight, &at)).collect()
+        self.equations
+            .iter()
+            .filter_map(|equation| equation.denominator(self.weight, &at))
+            .collect()
     }
 }

@@ -49,8 +49,7 @@ impl<T: Field> Ring<T> {
 
     /// The same with `delta_M` as a number (or a symbol): `fac_M = 1 + delta_M eta²/12`, Eq. (6).
     pub fn with_flag(delta: &T, thickness: &T) -> Self {
-        let centroid_factor =
-            delta.int(1) + delta.clone() * thickness.square() / delta.int(12);
+        let centroid_factor = delta.int(1) + delta.clone() * thickness.square() / delta.int(12);
         Self { thickness: thickness.clone(), centroid_factor }
     }
 

@@ -155,7 +155,8 @@ impl Points {
         weight: SelfWeight,
         quantity: Quantity,
     ) -> Result<Known, Undecided> {
-        let missing = || Undecided(format!("{} has no finite {}", landmark.symbol(), quantity.name()));
+        let missing =
+            || Undecided(format!("{} has no finite {}", landmark.symbol(), quantity.name()));
         let (point, refined) = self
             .0
             .iter()
@@ -240,9 +241,8 @@ impl Error {
         let (within_half, within_one) = match self {
             Self::Exact(error) => (*error <= half, *error < 1),
             Self::Enclosed(error) => {
-                let within = |limit: Ball| {
-                    error.is_less_than(&limit).and((-limit).is_less_than(error))
-                };
+                let within =
+                    |limit: Ball| error.is_less_than(&limit).and((-limit).is_less_than(error));
                 (decided(within(Ball::enclosing(&half, BITS)))?, decided(within(error.int(1)))?)
             }
         };

@@ -197,7 +197,10 @@ impl Precision {
         self.attempt += 1;
         if self.attempt > ATTEMPTS {
             let name = quantity.name();
-            return Err(Undecided(format!("the rounding of {name} is not decided at {} bits", self.bits)));
+            return Err(Undecided(format!(
+                "the rounding of {name} is not decided at {} bits",
+                self.bits
+            )));
         }
         self.bits += GUARD << self.attempt;
         Ok(())
@@ -249,7 +252,9 @@ mod tests {
         let point = CertifiedLandmark::new(Landmark::Border, SelfWeight::Heyman).unwrap();
         let [few, many] = [1, 60].map(|digits| point.constants(digits, &|| ()).unwrap());
         for (few, many) in few.iter().zip(&many) {
-            let (Value::Finite(few), Value::Finite(many)) = (&few.value, &many.value) else { panic!() };
+            let (Value::Finite(few), Value::Finite(many)) = (&few.value, &many.value) else {
+                panic!()
+            };
             assert!(few.lower.to_rational() <= many.value.to_rational());
             assert!(many.value.to_rational() <= few.upper.to_rational());
             assert!(few.value.significant_digits() <= 2, "{:?}", few.value);

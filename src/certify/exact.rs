@@ -6,7 +6,9 @@
 //! there; and the closed form lies in that box.
 
 use super::Isolated;
-use crate::arch::{Configuration, Equation, Fixed, Landmark, Quantity, Ring, SelfWeight, Unknown, overturning};
+use crate::arch::{
+    Configuration, Equation, Fixed, Landmark, Quantity, Ring, SelfWeight, Unknown, overturning,
+};
 use crate::number::{Angle, Ball, Dual, Enclosure, Field, Real, Surd};
 use rug::Rational;
 

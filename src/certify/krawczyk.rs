@@ -17,11 +17,7 @@ use crate::number::{Dual, Enclosure, Field};
 
 /// The last term of `K(X)`, `(I - Y F'(X)) (X - m)`. `preconditioner` is `Y`; `slopes` are the
 /// residuals as dual numbers on a box that holds `domain`, of which only the gradients are used.
-pub fn spread<E: Enclosure>(
-    slopes: &[Dual<E>],
-    preconditioner: &[Vec<E>],
-    domain: &[E],
-) -> Vec<E> {
+pub fn spread<E: Enclosure>(slopes: &[Dual<E>], preconditioner: &[Vec<E>], domain: &[E]) -> Vec<E> {
     let n = domain.len();
     let contraction = |row: &[E], i: usize, k: usize| {
         let products = row

@@ -154,12 +154,13 @@ impl<'a> Level<'a> {
             self.centre.iter().map(|x| Ball::exact(x.clone(), self.step)).collect();
         let slopes = self.system.residuals(&self.point(&values, self.step).variables());
         let entry = |slope: Option<&Ball>| {
-            slope.map_or_else(|| Float::new(self.step), |slope| Float::with_val(self.step, slope.mid()))
+            slope.map_or_else(
+                || Float::new(self.step),
+                |slope| Float::with_val(self.step, slope.mid()),
+            )
         };
-        let jacobian = slopes
-            .iter()
-            .map(|r| (0..values.len()).map(|k| entry(r.slope(k))).collect())
-            .collect();
+        let jacobian =
+            slopes.iter().map(|r| (0..values.len()).map(|k| entry(r.slope(k))).collect()).collect();
         let exact = |row: Vec<Float>| row.into_iter().map(|y| Ball::exact(y, self.step)).collect();
         let inverse = inverse(jacobian)
             .ok_or_else(|| Undecided("the Jacobian at the root is singular".into()))?;
@@ -239,7 +240,8 @@ mod tests {
     fn two_precisions_overlap_and_have_the_bits_asked_for() {
         for landmark in Landmark::ALL {
             let system = landmark.system(SelfWeight::Milankovitch);
-            let candidate = crate::solve::newton(&system, start(landmark, system.weight), 64).unwrap();
+            let candidate =
+                crate::solve::newton(&system, start(landmark, system.weight), 64).unwrap();
             let isolated = isolate(&system, &candidate).unwrap();
             let [coarse, fine] = [700, 5000].map(|bits| refine(&isolated, bits).unwrap());
             for &unknown in system.unknowns {

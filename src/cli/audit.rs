@@ -23,7 +23,8 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let output = Output::open(arguments.output.as_deref())?;
-    let undecided = |undecided: crate::certify::Undecided| Failure::Undecided(undecided.to_string());
+    let undecided =
+        |undecided: crate::certify::Undecided| Failure::Undecided(undecided.to_string());
     let report = Audit {
         printed: audit().map_err(undecided)?,
         comparisons: compare_weights().map_err(undecided)?,

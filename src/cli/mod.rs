@@ -82,25 +82,28 @@ fn usage(error: &clap::Error) -> ExitCode {
         .lines()
         .take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"))
         .map(str::trim)
-        .filter(|line| !line.is_empty())
+        .filter(|line| !line.is_empty() && !line.starts_with("tip: to pass"))
         .collect::<Vec<_>>()
         .join("; ");
-    eprintln!("couplet: {}", line.strip_prefix("error: ").unwrap_or(&line));
+    let possible = match error.kind() {
+        clap::error::ErrorKind::InvalidSubcommand => "; the commands are constants and audit",
+        clap::error::ErrorKind::UnknownArgument => "; --help lists the options",
+        _ => "",
+    };
+    eprintln!("couplet: {}{possible}", line.strip_prefix("error: ").unwrap_or(&line));
     ExitCode::from(2)
 }
 
 fn landmark(text: &str) -> Result<Landmark, String> {
-    Landmark::ALL
-        .into_iter()
-        .find(|landmark| landmark.symbol() == text)
-        .ok_or_else(|| format!("a landmark is one of {}", list(Landmark::ALL.map(Landmark::symbol))))
+    Landmark::ALL.into_iter().find(|landmark| landmark.symbol() == text).ok_or_else(|| {
+        format!("a landmark is one of {}", list(Landmark::ALL.map(Landmark::symbol)))
+    })
 }
 
 fn weight(text: &str) -> Result<SelfWeight, String> {
-    SelfWeight::ALL
-        .into_iter()
-        .find(|weight| weight.name() == text)
-        .ok_or_else(|| format!("a weight is one of {}", list(SelfWeight::ALL.map(SelfWeight::name))))
+    SelfWeight::ALL.into_iter().find(|weight| weight.name() == text).ok_or_else(|| {
+        format!("a weight is one of {}", list(SelfWeight::ALL.map(SelfWeight::name)))
+    })
 }
 
 fn format(text: &str) -> Result<Format, String> {

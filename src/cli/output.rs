@@ -30,17 +30,16 @@ impl Output {
     /// Opens the destination now, so that a path that cannot be written is known before any work.
     pub fn open(path: Option<&Path>) -> Result<Self, Failure> {
         let Some(path) = path else { return Ok(Self::Standard) };
-        let failed = |error: io::Error| {
-            let reason = error.to_string();
-            Failure::Io(format!("cannot write {}: {reason}", path.display()))
-        };
+        let failed = |error: io::Error| cannot_write(path, &error);
         // A link is followed, so that the file behind it is replaced and not the link.
         let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         if path.is_dir() {
             return Err(failed(io::ErrorKind::IsADirectory.into()));
         }
         if path.exists() && !path.is_file() {
-            return Ok(Self::Stream(fs::OpenOptions::new().write(true).open(&path).map_err(failed)?));
+            return Ok(Self::Stream(
+                fs::OpenOptions::new().write(true).open(&path).map_err(failed)?,
+            ));
         }
         let folder = match path.parent() {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
@@ -68,12 +67,11 @@ impl Output {
                 result => result,
             }
             .map_err(|error| Failure::Io(format!("cannot write to standard output: {error}"))),
-            Self::Stream(mut stream) => write(&mut stream)
-                .map_err(|error| Failure::Io(format!("cannot write: {error}"))),
+            Self::Stream(mut stream) => {
+                write(&mut stream).map_err(|error| Failure::Io(format!("cannot write: {error}")))
+            }
             Self::File { mut unfinished, path } => {
-                let failed = |error: io::Error| {
-                    Failure::Io(format!("cannot write {}: {error}", path.display()))
-                };
+                let failed = |error: io::Error| cannot_write(&path, &error);
                 write(unfinished.as_file_mut()).map_err(failed)?;
                 unfinished.persist(&path).map_err(|error| failed(error.error))?;
                 set_unfinished(None);
@@ -81,6 +79,11 @@ impl Output {
             }
         }
     }
+}
+
+/// The kind of the error only: its text names the temporary file, which nobody has asked for.
+fn cannot_write(path: &Path, error: &io::Error) -> Failure {
+    Failure::Io(format!("cannot write {}: {}", path.display(), error.kind()))
 }
 
 fn builder<'a>() -> tempfile::Builder<'a, 'a> {

@@ -88,7 +88,8 @@ fn small_sine_and_versine(d: &Ball, exponent: i64, prec: i64) -> (Ball, Ball) {
     let d = d.clone().trimmed().with_precision(bits(prec + exponent));
     let square = d.with_precision(bits(prec + 2 * exponent)).square();
     // vers d = d²/2 (1 - d²/12 (1 - d²/30 (…))): factors d²/((2k+1)(2k+2))
-    let versine = alternating(&square, prec + 2 * exponent, exponent, |k| (2 * k + 1) * (2 * k + 2));
+    let versine =
+        alternating(&square, prec + 2 * exponent, exponent, |k| (2 * k + 1) * (2 * k + 2));
     let versine = square.clone() * &versine / square.int(2);
     // sin d = d (1 - d²/6 (1 - d²/20 (…))): factors d²/(2k (2k+1))
     let sine = alternating(&square, prec + exponent, exponent, |k| 2 * k * (2 * k + 1));
@@ -119,7 +120,8 @@ pub fn arctangent(x: &Ball) -> Ball {
     let short = (prec / 16).max(64);
     let near = Float::with_val(short, x.mid()).atan();
     let anchor = Anchor::new(&near, prec);
-    let t = (x.clone() * &anchor.cos - &anchor.sin) / (anchor.cos.clone() + x.clone() * &anchor.sin);
+    let t =
+        (x.clone() * &anchor.cos - &anchor.sin) / (anchor.cos.clone() + x.clone() * &anchor.sin);
     let Some(exponent) = size_exponent(&t).filter(|&e| e <= REACH) else {
         return Ball::whole(prec);
     };
@@ -159,7 +161,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig { max_shrink_iters: 500, cases: 64, ..ProptestConfig::default() })]
+        #![proptest_config(crate::number::test_config::config(64))]
         #[test]
         fn moved_values_hold_the_true_ones(
             start in 0.01f64..3.1, short in 30u32..400, prec in 64u32..3000, far in 5i32..1500, sign in any::<bool>(),

@@ -82,7 +82,12 @@ impl AstroInterval {
 
     fn corners(&self, other: &Self) -> Self {
         let prec = self.prec;
-        let ends = [(&self.low, &other.low), (&self.low, &other.high), (&self.high, &other.low), (&self.high, &other.high)];
+        let ends = [
+            (&self.low, &other.low),
+            (&self.low, &other.high),
+            (&self.high, &other.low),
+            (&self.high, &other.high),
+        ];
         let pick = |round, better: fn(&BigFloat, &BigFloat) -> BigFloat| {
             ends.iter()
                 .map(|(a, b)| a.mul(b, prec, round))
@@ -99,13 +104,14 @@ impl Field for AstroInterval {
     }
 
     fn square(&self) -> Self {
-        if self.is_non_positive() {
-            return (-self.clone()).square();
-        }
         if self.is_non_negative() {
             let prec = self.prec;
-            let (low, high) = (self.low.mul(&self.low, prec, DOWN), self.high.mul(&self.high, prec, UP));
+            let (low, high) =
+                (self.low.mul(&self.low, prec, DOWN), self.high.mul(&self.high, prec, UP));
             return Self { low, high, prec }.checked();
+        }
+        if self.is_non_positive() {
+            return (-self.clone()).square();
         }
         let product = self.corners(self);
         Self { low: BigFloat::from_i32(0, WORD_BIT_SIZE), ..product }
@@ -145,10 +151,7 @@ impl Real for AstroInterval {
             Self { low, high, prec }.checked()
         };
         let at = &self.low;
-        (
-            image(&|round, cc| at.sin(prec, round, cc)),
-            image(&|round, cc| at.cos(prec, round, cc)),
-        )
+        (image(&|round, cc| at.sin(prec, round, cc)), image(&|round, cc| at.cos(prec, round, cc)))
     }
 }
 
@@ -206,7 +209,8 @@ impl Add<&AstroInterval> for AstroInterval {
     type Output = Self;
     fn add(self, other: &Self) -> Self {
         let prec = self.prec.max(other.prec);
-        let (low, high) = (self.low.add(&other.low, prec, DOWN), self.high.add(&other.high, prec, UP));
+        let (low, high) =
+            (self.low.add(&other.low, prec, DOWN), self.high.add(&other.high, prec, UP));
         Self { low, high, prec }.checked()
     }
 }
@@ -215,7 +219,8 @@ impl Sub<&AstroInterval> for AstroInterval {
     type Output = Self;
     fn sub(self, other: &Self) -> Self {
         let prec = self.prec.max(other.prec);
-        let (low, high) = (self.low.sub(&other.high, prec, DOWN), self.high.sub(&other.low, prec, UP));
+        let (low, high) =
+            (self.low.sub(&other.high, prec, DOWN), self.high.sub(&other.low, prec, UP));
         Self { low, high, prec }.checked()
     }
 }
@@ -231,7 +236,8 @@ impl Mul<&AstroInterval> for AstroInterval {
         }
         let prec = self.prec.max(other.prec);
         if self.is_non_negative() && other.is_non_negative() {
-            let (low, high) = (self.low.mul(&other.low, prec, DOWN), self.high.mul(&other.high, prec, UP));
+            let (low, high) =
+                (self.low.mul(&other.low, prec, DOWN), self.high.mul(&other.high, prec, UP));
             return Self { low, high, prec }.checked();
         }
         Self { prec, ..self }.corners(other)

@@ -179,8 +179,7 @@ impl Rounded {
         let mut exponent = decimal_magnitude(&Float::with_val(64, &size)) - digits as i64;
         let floor = |exponent: i64| -> (Integer, Rational) {
             let power = Integer::from(10).pow(exponent.unsigned_abs() as u32);
-            let scaled =
-                if exponent < 0 { size.clone() * power } else { size.clone() / power };
+            let scaled = if exponent < 0 { size.clone() * power } else { size.clone() / power };
             let (fraction, whole) = scaled.fract_floor(Integer::new());
             (whole, fraction)
         };
@@ -315,7 +314,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig { max_shrink_iters: 500, ..ProptestConfig::default() })]
+        #![proptest_config(crate::number::test_config::config(256))]
         /// Values made to lie next to a rounding boundary: a decimal with one digit 5 (or nothing)
         /// behind, moved by a hair.
         #[test]
@@ -350,7 +349,8 @@ mod tests {
 
     #[test]
     fn what_cannot_be_decided_is_not() {
-        let half = Ball::enclosing(&Rational::from((1, 2)), 64).widened(Magnitude::power_of_two(-60));
+        let half =
+            Ball::enclosing(&Rational::from((1, 2)), 64).widened(Magnitude::power_of_two(-60));
         assert!(Rounded::from_ball(&half, 5).is_none(), "0.5 ± tiny has two neighbours");
         assert!(Rounded::from_ball(&Ball::whole(64), 5).is_none());
         assert!(Rounded::from_ball(&half.int(0), 5).is_none());
@@ -361,8 +361,12 @@ mod tests {
     #[test]
     fn a_carry_runs_through() {
         let x = narrow(&Rational::from((99_999_996, 100_000_000)));
-        let r = Rounded::from_ball(&(x + narrow(&Rational::from((1, 1_000_000_007u64)))), 5).unwrap();
-        assert_eq!((r.lower.to_string(), r.upper.to_string()), ("0.99999".into(), "1.00000".into()));
+        let r =
+            Rounded::from_ball(&(x + narrow(&Rational::from((1, 1_000_000_007u64)))), 5).unwrap();
+        assert_eq!(
+            (r.lower.to_string(), r.upper.to_string()),
+            ("0.99999".into(), "1.00000".into())
+        );
         assert_eq!(r.value.to_string(), "1.00000");
     }
 

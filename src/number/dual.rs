@@ -135,17 +135,16 @@ impl<T: Field> Sub<&Dual<T>> for Dual<T> {
 impl<T: Field> Mul<&Dual<T>> for Dual<T> {
     type Output = Self;
     fn mul(self, other: &Self) -> Self {
-        let gradient = self.combine(
-            other,
-            |a| a.clone() * &other.value,
-            |b| b.clone() * &self.value,
-        );
+        let gradient =
+            self.combine(other, |a| a.clone() * &other.value, |b| b.clone() * &self.value);
         Self { value: self.value * &other.value, gradient }
     }
 }
 
 impl<T: Field> Div<&Dual<T>> for Dual<T> {
     type Output = Self;
+    /// `q = a/b` has `q' = (a' - q b')/b`.
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "the quotient rule multiplies")]
     fn div(self, other: &Self) -> Self {
         let quotient = self.value.clone() / &other.value;
         let gradient = self.combine(

@@ -53,8 +53,7 @@ impl Magnitude {
         if !x.is_finite() {
             return Self::INFINITE;
         }
-        let (head, exponent) =
-            x.to_f64_exp_round(if up { Round::AwayZero } else { Round::Zero });
+        let (head, exponent) = x.to_f64_exp_round(if up { Round::AwayZero } else { Round::Zero });
         // |head| is in [0.5, 1), so scaling by 2^53 gives an exact integer.
         let integer = (head.abs() * (1u64 << 53) as f64) as u64;
         Self::round(integer, i64::from(exponent) - 53, up)
@@ -182,7 +181,11 @@ impl Magnitude {
         let bits = 64 - integer.leading_zeros() as i64;
         let shift = bits - 32;
         if shift <= 0 {
-            return Self::normalised((integer << -shift) as u32, exponent.saturating_add(shift), up);
+            return Self::normalised(
+                (integer << -shift) as u32,
+                exponent.saturating_add(shift),
+                up,
+            );
         }
         let kept = if up { integer.div_ceil(1 << shift) } else { integer >> shift };
         if kept >> 32 == 0 {
@@ -231,7 +234,8 @@ mod tests {
     }
 
     fn magnitude() -> impl Strategy<Value = Magnitude> {
-        let edge = prop_oneof![Just(u64::MAX), Just(1), Just((1 << 32) - 1), Just(1 << 32), any::<u64>()];
+        let edge =
+            prop_oneof![Just(u64::MAX), Just(1), Just((1 << 32) - 1), Just(1 << 32), any::<u64>()];
         prop_oneof![
             Just(Magnitude::ZERO),
             (edge, -90i64..90).prop_map(|(n, e)| Magnitude::from_integer(n).shifted(e)),
@@ -239,7 +243,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig { max_shrink_iters: 2000, ..ProptestConfig::default() })]
+        #![proptest_config(crate::number::test_config::config(256))]
         #[test]
         fn every_operation_bounds_the_exact_result(a in magnitude(), b in magnitude()) {
             let (x, y) = (exact(a), exact(b));

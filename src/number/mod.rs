@@ -118,3 +118,20 @@ pub trait Enclosure: Real {
         self.is_positive() == Ternary::True || (-self.clone()).is_positive() == Ternary::True
     }
 }
+
+#[cfg(test)]
+mod test_config {
+    use proptest::test_runner::{Config, RngSeed};
+
+    /// The same arguments in every run, and bounded shrinking.
+    pub fn config(cases: u32) -> Config {
+        Config {
+            cases,
+            max_shrink_iters: 1000,
+            max_shrink_time: 20_000,
+            failure_persistence: None,
+            rng_seed: RngSeed::Fixed(0),
+            ..Config::default()
+        }
+    }
+}

@@ -54,11 +54,7 @@ impl Proved {
     /// A certified landmark with its constants.
     pub fn new(point: &CertifiedLandmark, constants: Vec<Constant>) -> Self {
         let isolated = point.isolated();
-        Self {
-            system: *isolated.system(),
-            relative_radii: isolated.relative_radii(),
-            constants,
-        }
+        Self { system: *isolated.system(), relative_radii: isolated.relative_radii(), constants }
     }
 }
 

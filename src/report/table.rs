@@ -1,6 +1,7 @@
 //! Tables for a person at a terminal.
 
 use super::{Audit, Constants, Proved, texts};
+use crate::arch::SelfWeight;
 use crate::certify::PrintedVerdict;
 use std::io;
 
@@ -10,7 +11,11 @@ pub fn constants(report: &Constants, out: &mut dyn io::Write) -> io::Result<()> 
     writeln!(out, "Landmark constants, correctly rounded to {digits} significant digit{plural}")?;
     for entry in &report.landmarks {
         let (symbol, name) = (entry.landmark.symbol(), entry.landmark.name());
-        writeln!(out, "\n{symbol}  {name}, {} self-weight", entry.weight.name())?;
+        let weight = match entry.weight {
+            SelfWeight::Heyman => "Heyman-like",
+            SelfWeight::Milankovitch => "Milankovitch-like",
+        };
+        writeln!(out, "\n{symbol}  {name}, {weight} self-weight")?;
         match &entry.outcome {
             Ok(proved) => landmark(proved, out)?,
             Err(reason) => writeln!(out, "   {reason}")?,
@@ -44,7 +49,10 @@ fn landmark(proved: &Proved, out: &mut dyn io::Write) -> io::Result<()> {
 }
 
 pub fn audit(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
-    writeln!(out, "Printed numbers against certified values; errors in units of the last printed place\n")?;
+    writeln!(
+        out,
+        "Printed numbers against certified values; errors in units of the last printed place\n"
+    )?;
     writeln!(
         out,
         "{:<8} {:<12} {:<2} {:<20} {:<20} {:>8} {:>7}  verdict",
@@ -72,7 +80,10 @@ pub fn audit(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
         count(PrintedVerdict::Wrong),
     );
     let all = report.printed.len();
-    writeln!(out, "\n{all} printed numbers: {right} correctly rounded, {faithful} faithful, {wrong} wrong\n")?;
+    writeln!(
+        out,
+        "\n{all} printed numbers: {right} correctly rounded, {faithful} faithful, {wrong} wrong\n"
+    )?;
     writeln!(out, "Milankovitch's weight compared with Heyman's\n")?;
     writeln!(out, "{:<2} {:<20} {:<8} {:<10} verdict", "", "quantity", "claimed", "certified")?;
     for entry in &report.comparisons {

@@ -11,9 +11,8 @@ pub fn inverse(mut matrix: Vec<Vec<Float>>) -> Option<Vec<Vec<Float>>> {
         row.extend((0..n).map(|j| Float::with_val(prec, u32::from(i == j))));
     }
     for column in 0..n {
-        let pivot = (column..n)
-            .filter(|&row| matrix[row][column].is_normal())
-            .max_by(|&a, &b| {
+        let pivot =
+            (column..n).filter(|&row| matrix[row][column].is_normal()).max_by(|&a, &b| {
                 let size = |row: usize| matrix[row][column].as_abs();
                 size(a).total_cmp(&size(b))
             })?;
@@ -48,11 +47,12 @@ mod tests {
     fn the_inverse_undoes_the_matrix() {
         let a = matrix(&[&[0, 2, 1], &[3, 0, 0], &[1, 0, 5]]);
         let b = inverse(a.clone()).unwrap();
-        for i in 0..3 {
+        for (i, row) in a.iter().enumerate() {
             for j in 0..3 {
-                let sum = (0..3).fold(Float::with_val(80, 0), |s, k| s + a[i][k].clone() * &b[k][j]);
+                let products = row.iter().zip(&b).map(|(x, column)| x.clone() * &column[j]);
+                let entry = products.fold(Float::with_val(80, 0), |sum, product| sum + product);
                 let expected = f64::from(u8::from(i == j));
-                approx::assert_abs_diff_eq!(sum.to_f64(), expected, epsilon = 1e-20);
+                approx::assert_abs_diff_eq!(entry.to_f64(), expected, epsilon = 1e-20);
             }
         }
     }

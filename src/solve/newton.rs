@@ -13,10 +13,8 @@ pub fn newton(system: &System, start: &[f64], bits: u32) -> Option<Candidate> {
     let mut x: Vec<Float> = start.iter().map(|v| Float::with_val(bits, v)).collect();
     for _ in 0..STEPS {
         let residuals = system.residuals(&Point::new(system, &x).variables());
-        let jacobian = residuals
-            .iter()
-            .map(|r| (0..x.len()).map(|k| r.derivative(k)).collect())
-            .collect();
+        let jacobian =
+            residuals.iter().map(|r| (0..x.len()).map(|k| r.derivative(k)).collect()).collect();
         let inverse = inverse(jacobian)?;
         let mut settled = true;
         for (x, row) in x.iter_mut().zip(&inverse) {

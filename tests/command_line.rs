@@ -1,0 +1,260 @@
+//! The command as a user meets it: output, exit codes, one line for each wrong input.
+
+use couplet::number::Decimal;
+use rug::Rational;
+use serde_json::Value;
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+fn couplet(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_couplet")).args(arguments).output().unwrap()
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+fn json(arguments: &[&str]) -> Value {
+    let output = couplet(arguments);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}");
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn exact(text: &Value) -> Rational {
+    text.as_str().unwrap().parse::<Decimal>().unwrap().to_rational()
+}
+
+fn entry<'a>(file: &'a Value, list: &str, keys: &[(&str, &str)]) -> &'a Value {
+    let all = file[list].as_array().unwrap();
+    all.iter().find(|e| keys.iter().all(|(key, value)| e[*key] == **value)).unwrap()
+}
+
+struct Scratch(PathBuf);
+
+impl Scratch {
+    fn new(name: &str) -> Self {
+        let folder = std::env::temp_dir().join(format!("couplet-{name}-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        Self(folder)
+    }
+    fn path(&self, name: &str) -> String {
+        self.0.join(name).to_str().unwrap().to_owned()
+    }
+    fn files(&self) -> usize {
+        std::fs::read_dir(&self.0).unwrap().count()
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+#[test]
+fn the_default_table_has_every_landmark_proved() {
+    let output = couplet(&["constants"]);
+    assert_eq!(output.status.code(), Some(0));
+    let text = stdout(&output);
+    assert_eq!(text.matches("proved: one solution").count(), 14);
+    for line in [
+        "0.618318241074323446374432256517",
+        "0.679604732098885514787534896210",
+        "= 2(2√3−3)",
+        "= √3−1",
+        "= 2/3",
+        "inf",
+    ] {
+        assert!(text.contains(line), "{line}");
+    }
+}
+
+#[test]
+fn json_is_stable_and_its_bounds_enclose() {
+    let file = json(&["constants", "--digits", "25", "--format", "json"]);
+    assert_eq!(file["schema"], "couplet.constants/1");
+    assert_eq!(file["digits"], 25);
+    let more = json(&["constants", "--digits", "60", "--format", "json"]);
+    let (few, many) =
+        (file["constants"].as_array().unwrap(), more["constants"].as_array().unwrap());
+    assert_eq!(few.len(), many.len());
+    assert_eq!(few.len(), 2 * (6 * 13 + 8));
+    for (few, many) in few.iter().zip(many) {
+        for key in ["weight", "landmark", "quantity", "exact"] {
+            assert_eq!(few[key], many[key]);
+        }
+        if few["value"] == "inf" {
+            assert_eq!(few["exact"], "inf");
+            continue;
+        }
+        let (lower, value, upper) =
+            (exact(&few["lower"]), exact(&few["value"]), exact(&few["upper"]));
+        let truth = exact(&many["value"]);
+        assert!(lower <= truth && truth <= upper, "{few} {many}");
+        let unit = upper.clone() - &lower;
+        assert!((value.clone() - truth).abs() * 2 <= unit, "correctly rounded: {few}");
+        assert!(value == lower || value == upper);
+        let digits =
+            few["value"].as_str().unwrap().parse::<Decimal>().unwrap().significant_digits();
+        assert!(digits == 25 || few["exact"] != Value::Null, "{few}");
+    }
+    for proof in file["proofs"].as_array().unwrap() {
+        assert_eq!(proof["verdict"], "proved");
+        for radius in proof["box_relative_radius"].as_object().unwrap().values() {
+            assert!(radius.as_f64().unwrap() > 1e-3, "a macroscopic box: {proof}");
+        }
+    }
+}
+
+#[test]
+fn landmarks_and_weights_are_selected() {
+    let file = json(&[
+        "constants",
+        "T",
+        "B",
+        "--weight",
+        "milankovitch",
+        "--digits",
+        "1000",
+        "--format",
+        "json",
+    ]);
+    let constants = file["constants"].as_array().unwrap();
+    assert_eq!(constants.len(), 26);
+    let thickness = entry(&file, "constants", &[("landmark", "T"), ("quantity", "thickness")]);
+    let text = thickness["value"].as_str().unwrap();
+    assert!(text.starts_with("0.61831824107432344637443225651706527335"));
+    assert_eq!(text.len(), 1002);
+    let border = entry(&file, "constants", &[("landmark", "B"), ("quantity", "thickness")]);
+    assert_eq!((&border["value"], &border["exact"]), (&"2".into(), &"2".into()));
+}
+
+#[test]
+fn csv_has_a_row_for_each_constant() {
+    let text = stdout(&couplet(&["constants", "L", "--digits", "5", "--format", "csv"]));
+    assert_eq!(text.lines().count(), 27);
+    assert!(text.starts_with("weight,landmark,quantity,value,lower,upper,exact\n"));
+    assert!(text.contains("heyman,L,half_opening,2.7865,2.7864,2.7865,\n"), "{text}");
+    assert!(text.contains("milankovitch,L,A,0.66667,0.66666,0.66667,2/3\n"), "{text}");
+}
+
+#[test]
+fn the_audit_finds_what_the_tables_got_wrong() {
+    let file = json(&["audit", "--format", "json"]);
+    assert_eq!(file["schema"], "couplet.audit/1");
+    let printed = |place, landmark, quantity| {
+        entry(&file, "printed", &[("place", place), ("landmark", landmark), ("quantity", quantity)])
+    };
+    let thickness = printed("Table 1", "T", "thickness");
+    assert_eq!(thickness["printed"], "0.6796047320988860");
+    assert_eq!(thickness["error_units"], "4.85");
+    assert_eq!(thickness["correct_digits"], 14);
+    assert_eq!(thickness["verdict"], "wrong");
+    assert_eq!(printed("Table 2", "J", "sliding_joint")["verdict"], "correctly rounded");
+    assert_eq!(printed("Table 1", "T", "friction")["verdict"], "faithful");
+    assert_eq!(printed("Table 4", "l", "A")["verdict"], "correctly rounded");
+    let comparison = |landmark, quantity| {
+        entry(&file, "comparisons", &[("landmark", landmark), ("quantity", quantity)])["verdict"]
+            .clone()
+    };
+    assert_eq!(comparison("T", "friction"), "proved");
+    assert_eq!(comparison("B", "thickness"), "refuted", "both are 2");
+}
+
+#[test]
+fn wrong_input_is_told_in_one_line_with_what_is_possible() {
+    let cases: [(&[&str], &str); 14] = [
+        (&["constants", "X"], "one of T, S, J, B, l, L, sb"),
+        (&["constants", "t"], "one of T, S, J, B, l, L, sb"),
+        (&["constants", "--weight", "both"], "one of heyman, milankovitch"),
+        (&["constants", "--format", "yaml"], "one of table, json, csv"),
+        (&["audit", "--format", ""], "one of table, json, csv"),
+        (&["constants", "--digits", "0"], "from 1 to 1000000"),
+        (&["constants", "--digits", "-5"], "from 1 to 1000000"),
+        (&["constants", "--digits", "ten"], "from 1 to 1000000"),
+        (&["constants", "--digits", "1000001"], "from 1 to 1000000"),
+        (&["constants", "--digits", "99999999999999999999999"], "from 1 to 1000000"),
+        (&["constants", "--digits", "30.5"], "from 1 to 1000000"),
+        (&["constants", "--digits"], "a value is required"),
+        (&["constants", "--digit", "3"], "--digits"),
+        (&["constant"], "constants"),
+    ];
+    for (arguments, possible) in cases {
+        let output = couplet(arguments);
+        let message = String::from_utf8(output.stderr.clone()).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+        assert_eq!(message.lines().count(), 1, "{arguments:?}: {message}");
+        assert!(message.contains(possible), "{arguments:?}: {message}");
+        assert!(output.stdout.is_empty());
+    }
+}
+
+#[test]
+fn a_path_that_cannot_be_written_is_a_resource_failure() {
+    let scratch = Scratch::new("paths");
+    for path in [scratch.path("missing/file.json"), scratch.path("")] {
+        let output = couplet(&["constants", "L", "--output", &path]);
+        let message = String::from_utf8(output.stderr.clone()).unwrap();
+        assert_eq!(output.status.code(), Some(3), "{path}");
+        assert_eq!(message.lines().count(), 1, "{message}");
+        assert!(message.contains(&path), "{message}");
+    }
+}
+
+#[test]
+fn a_file_appears_whole_and_alone() {
+    let scratch = Scratch::new("whole");
+    let path = scratch.path("constants.json");
+    std::fs::write(&path, "old").unwrap();
+    let output = couplet(&["constants", "L", "--format", "json", "--output", &path]);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(output.stdout.is_empty());
+    let file: Value = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
+    assert_eq!(file["schema"], "couplet.constants/1");
+    assert_eq!(scratch.files(), 1, "nothing is left beside it");
+    let refused = couplet(&["constants", "L", "--digits", "0", "--output", &path]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(std::fs::read_to_string(&path).unwrap().contains("couplet.constants/1"), "kept");
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_leaves_nothing() {
+    let scratch = Scratch::new("interrupt");
+    let path = scratch.path("million.json");
+    let mut child = Command::new(env!("CARGO_BIN_EXE_couplet"))
+        .args(["constants", "T", "--digits", "1000000", "--output", &path])
+        .spawn()
+        .unwrap();
+    // The unfinished file is there from the start; the work itself takes many seconds.
+    while scratch.files() == 0 {
+        std::thread::sleep(std::time::Duration::from_millis(10));
+        assert!(child.try_wait().unwrap().is_none(), "the run ended too early to be interrupted");
+    }
+    std::thread::sleep(std::time::Duration::from_millis(200));
+    let id = child.id().to_string();
+    assert!(Command::new("kill").args(["-INT", &id]).status().unwrap().success());
+    let status = child.wait().unwrap();
+    assert_eq!(status.code(), Some(130));
+    assert_eq!(scratch.files(), 0, "neither a half-written file nor a temporary one");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_device_is_written_to_and_not_replaced() {
+    let output = couplet(&["constants", "L", "--output", "/dev/null"]);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(!std::fs::metadata("/dev/null").unwrap().is_file());
+}
+
+#[test]
+fn help_goes_to_standard_output() {
+    for arguments in
+        [&["--help"][..], &["constants", "--help"], &["audit", "--help"], &["--version"]]
+    {
+        let output = couplet(arguments);
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}");
+        assert!(output.stderr.is_empty() && !output.stdout.is_empty());
+    }
+    assert_eq!(couplet(&[]).status.code(), Some(2));
+}
