@@ -258,3 +258,18 @@ fn help_goes_to_standard_output() {
     }
     assert_eq!(couplet(&[]).status.code(), Some(2));
 }
+
+/// The README shows real output.
+#[test]
+fn the_readme_tells_the_truth() {
+    let readme = include_str!("../README.md");
+    let point = stdout(&couplet(&["constants", "T", "--weight", "milankovitch"]));
+    let shown: String =
+        point.lines().map(|line| format!("    {line}\n").replace("    \n", "\n")).collect();
+    assert!(readme.contains(&shown), "{shown}");
+    let audit = stdout(&couplet(&["audit"]));
+    let block = readme.split("$ couplet audit\n").nth(1).unwrap().split("\n\n").next().unwrap();
+    for line in block.lines().map(str::trim).filter(|line| *line != "…") {
+        assert!(audit.contains(line), "{line}");
+    }
+}

@@ -3,7 +3,7 @@
 use super::exact::{Exact, enclosure, exact};
 use super::{Isolated, Refined, Undecided, isolate, refine, refine_watched, stages};
 use crate::arch::{Landmark, Quantity, SelfWeight, System, Unknown, thrust};
-use crate::number::{Ball, Enclosure, Field, Real, Rounded, Ternary, arctangent};
+use crate::number::{Ball, Enclosure, Field, Real, Rounded, Ternary};
 use crate::solve::{newton, start};
 
 /// The largest number of digits that can be asked for.
@@ -108,7 +108,7 @@ impl CertifiedLandmark {
             return Some(Ball::enclosing(&factor, pi.prec()) * pi);
         }
         match quantity {
-            Quantity::FrictionAngle => Some(arctangent(&refined.value(Unknown::Friction)?)),
+            Quantity::FrictionAngle => refined.friction_angle(),
             Quantity::IntrinsicThrust => {
                 Some(refined.value(Unknown::Thickness)? * refined.value(Unknown::Thrust)?)
             }

@@ -15,10 +15,11 @@
 
 use super::{Isolated, Undecided, krawczyk};
 use crate::arch::{Configuration, Fixed, Point, System, Unknown};
-use crate::number::{Anchor, Angle, Ball, Enclosure, Magnitude};
+use crate::number::{Anchor, Angle, Ball, Enclosure, Magnitude, arctangent};
 use crate::solve::inverse;
 use rayon::prelude::*;
 use rug::Float;
+use std::sync::OnceLock;
 
 /// Newton steps with the last Jacobian, each of which gains this part of the bits.
 const SPAN: u32 = 4;
@@ -35,9 +36,17 @@ pub struct Refined {
     system: System,
     values: Vec<Ball>,
     point: Point<Ball>,
+    friction_angle: OnceLock<Option<Ball>>,
 }
 
 impl Refined {
+    /// An enclosure of `phi = atan(mu)`, computed when first asked for; `None` where there is no
+    /// finite friction.
+    pub fn friction_angle(&self) -> Option<Ball> {
+        let compute = || self.value(Unknown::Friction).map(|friction| arctangent(&friction));
+        self.friction_angle.get_or_init(compute).clone()
+    }
+
     /// An enclosure of a variable; `None` where the system does not know it or it is infinite.
     pub fn value(&self, unknown: Unknown) -> Option<Ball> {
         match (self.system.index(unknown), self.system.fixed_value(unknown)) {
@@ -73,7 +82,7 @@ pub fn refine_watched(
     let values = level.enclose(isolated)?;
     let point = level.point(&values, level.bits);
     tick();
-    Ok(Refined { system, values, point })
+    Ok(Refined { system, values, point, friction_angle: OnceLock::new() })
 }
 
 /// How often [`refine_watched`] reports progress: once for each angle and once at the end.
