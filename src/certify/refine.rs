@@ -6,8 +6,8 @@
 //! 1. the root to a sixteenth of the bits comes from the level below;
 //! 2. it becomes the [`Anchor`] of each angle: sine and cosine to full precision there;
 //! 3. Newton steps double the bits up to a quarter, sine and cosine moved along from the anchor;
-//! 4. the Jacobian is inverted once more, to a quarter of the bits; with that fixed inverse each
-//!    further step gains a quarter, at the precision it reaches.
+//! 4. the anchors move to that quarter, and the Jacobian is inverted once more; with that fixed inverse
+//!    each further step gains a quarter, at the precision it reaches.
 //!
 //! On the last level the last step is not a plain Newton step but the Krawczyk operator: with the
 //! residual at full precision and the slopes over a box of a quarter of the bits less, it refines and
@@ -134,6 +134,10 @@ impl<'a> Level<'a> {
             level.advance(2 * level.step);
             level.step *= 2;
             level.inverse = level.inverse()?;
+        }
+        // The steps that remain are dear: from nearer anchors they have fewer terms to sum.
+        for (anchor, x) in level.anchors.iter_mut().zip(&level.centre) {
+            *anchor = anchor.take().map(|anchor| anchor.moved(x));
         }
         for quarters in 2..SPAN {
             level.advance(quarters * level.step);

@@ -13,6 +13,7 @@
 //! with falling terms lies: that is the whole truncation error. A term of relative size `2^-k` is
 //! computed with `k` bits fewer.
 
+use super::burst::{sine_and_cosine, turn};
 use super::{Angle, Ball, Enclosure, Field, Magnitude, Real};
 use rug::Float;
 
@@ -41,8 +42,8 @@ impl Anchor {
         let quarters = Float::with_val(short, near / right_angle.mid()).round();
         let rest = Float::with_val(short, near - right_angle.mid() * quarters.clone());
         let quarters = quarters.to_i32_saturating().unwrap_or_default();
+        let (sin, cos) = sine_and_cosine(&rest, prec);
         let rest = Ball::exact(rest, prec);
-        let (sin, cos) = rest.sin_cos();
         let (sin, cos) = match quarters.rem_euclid(4) {
             0 => (sin, cos),
             1 => (cos, -sin),
@@ -51,6 +52,12 @@ impl Anchor {
         };
         let at = rest + right_angle * Ball::integer(quarters, prec);
         Self { at, sin, cos }
+    }
+
+    /// The anchor moved to the exact number `at` nearby, at its full precision.
+    pub fn moved(&self, at: &Float) -> Self {
+        let Angle { rad, sin, cos } = self.angle(&Ball::exact(at.clone(), self.sin.prec()));
+        Self { at: rad, sin, cos }
     }
 
     /// The anchor rounded to a lower precision.
@@ -69,17 +76,9 @@ impl Anchor {
         let smallness = size_exponent(&self.at).unwrap_or(0).min(0);
         let prec = i64::from(rad.prec()) - smallness;
         let (sine, versine) = small_sine_and_versine(&distance, exponent, prec);
-        // The products are small: they need only the bits that reach the sum.
-        let (first, second) = (bits(prec + exponent), bits(prec + 2 * exponent));
-        let (s, c) = (&self.sin, &self.cos);
-        let (sine, versine) = (sine.with_precision(first), versine.with_precision(second));
-        let turned = |x: &Ball| x.with_precision(first) * &sine;
-        let lost = |x: &Ball| x.with_precision(second) * &versine;
-        Angle {
-            rad: rad.clone(),
-            sin: (s.with_precision(rad.prec()) + turned(c)) - lost(s),
-            cos: (c.with_precision(rad.prec()) - turned(s)) - lost(c),
-        }
+        let (sin, cos) = turn((&self.sin, &self.cos), &sine, &versine, bits(prec - GUARD));
+        let [sin, cos] = [sin, cos].map(|x| x.with_precision(rad.prec()));
+        Angle { rad: rad.clone(), sin, cos }
     }
 }
 

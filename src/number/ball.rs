@@ -13,7 +13,7 @@
 use super::{Enclosure, Field, Magnitude, Real, Ternary};
 use rug::float::{Constant, Round};
 use rug::ops::{AssignRound, NegAssign};
-use rug::{Assign, Float, Rational};
+use rug::{Assign, Float, Integer, Rational};
 use std::cmp::Ordering;
 use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -46,6 +46,20 @@ impl Ball {
     /// The integer `n`.
     pub fn integer(n: i32, prec: u32) -> Self {
         Self::exact(Float::with_val(32, n), prec)
+    }
+
+    /// A ball of `prec` bits that holds the integer `value`.
+    pub fn from_integer(value: &Integer, prec: u32) -> Self {
+        let (mid, direction) = Float::with_val_round(prec, value, Round::Nearest);
+        Self::rounded(mid, direction, Magnitude::ZERO, prec)
+    }
+
+    /// The ball times `2^power`.
+    pub fn scaled(&self, power: i64) -> Self {
+        let Ok(shift) = i32::try_from(power) else { return Self::whole(self.prec) };
+        let (mid, direction) =
+            Float::with_val_round(self.mid.prec(), &self.mid << shift, Round::Nearest);
+        Self::rounded(mid, direction, self.rad.shifted(power), self.prec)
     }
 
     /// A ball of `prec` bits that holds the rational number `value`.

@@ -36,6 +36,11 @@ impl Magnitude {
         Self::round(n, 0, true)
     }
 
+    /// The integer `n`, rounded down.
+    pub fn from_integer_down(n: u64) -> Self {
+        Self::round(n, 0, false)
+    }
+
     /// The absolute value of `x`, rounded up; infinite for an infinity or NaN.
     pub fn upper(x: &Float) -> Self {
         Self::from_float(x, true)

@@ -18,6 +18,7 @@ mod anchor;
 mod angle;
 mod astro;
 mod ball;
+mod burst;
 mod decimal;
 mod double;
 mod dual;
