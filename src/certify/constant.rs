@@ -5,6 +5,7 @@ use super::{Isolated, Refined, Undecided, isolate, refine, refine_watched, stage
 use crate::arch::{Landmark, Quantity, SelfWeight, System, Unknown, thrust};
 use crate::number::{Ball, Enclosure, Field, Real, Rounded, Ternary};
 use crate::solve::{newton, start};
+use rayon::prelude::*;
 
 /// The largest number of digits that can be asked for.
 pub const MAX_DIGITS: usize = 1_000_000;
@@ -129,22 +130,29 @@ impl CertifiedLandmark {
     ) -> Result<Vec<Constant>, Undecided> {
         let mut precision = Precision::new(digits)?;
         let mut refined = refine_watched(&self.isolated, precision.bits, tick)?;
-        quantities(self.landmark)
-            .map(|quantity| {
-                let exact = self.exact(quantity);
-                let value = loop {
-                    if let Some(value) = self.rounded(&refined, quantity, &exact, digits) {
-                        break value;
+        let mut rounded: Vec<(Quantity, Option<Value>)> =
+            quantities(self.landmark).map(|quantity| (quantity, None)).collect();
+        loop {
+            rounded.par_iter_mut().filter(|(_, value)| value.is_none()).for_each(
+                |(quantity, value)| {
+                    *value = self.rounded(&refined, *quantity, digits);
+                    if value.is_some() {
+                        tick();
                     }
-                    precision.raise(quantity)?;
-                    refined = self.enclosure(precision.bits)?;
-                };
-                tick();
-                let exact = exact.map(|exact| exact.text());
-                let (weight, landmark) = (self.weight, self.landmark);
-                Ok(Constant { weight, landmark, quantity, value, exact })
-            })
-            .collect()
+                },
+            );
+            match rounded.iter().find(|(_, value)| value.is_none()) {
+                None => break,
+                Some((quantity, _)) => precision.raise(*quantity)?,
+            }
+            refined = self.enclosure(precision.bits)?;
+        }
+        let constant = |(quantity, value): (Quantity, Option<Value>)| {
+            let exact = self.exact(quantity).map(|exact| exact.text());
+            let (weight, landmark) = (self.weight, self.landmark);
+            Some(Constant { weight, landmark, quantity, value: value?, exact })
+        };
+        Ok(rounded.into_iter().filter_map(constant).collect())
     }
 
     /// How often [`CertifiedLandmark::constants`] reports progress for a landmark.
@@ -154,21 +162,15 @@ impl CertifiedLandmark {
     }
 
     /// The rounded value, if the enclosure decides it.
-    fn rounded(
-        &self,
-        refined: &Refined,
-        quantity: Quantity,
-        exact: &Option<Exact>,
-        digits: usize,
-    ) -> Option<Value> {
+    fn rounded(&self, refined: &Refined, quantity: Quantity, digits: usize) -> Option<Value> {
         let prec = || refined.value(Unknown::HalfOpening).map(|x| x.prec());
-        let rounded = match exact {
+        let rounded = match self.exact(quantity) {
             Some(Exact::Infinite) => return Some(Value::Infinite),
             Some(Exact::Surd(surd)) => match surd.parts() {
                 (rational, factor, _) if factor.is_zero() => {
                     Rounded::from_rational(rational, digits)?
                 }
-                _ => Rounded::from_ball(&enclosure(surd, prec()?), digits)?,
+                _ => Rounded::from_ball(&enclosure(&surd, prec()?), digits)?,
             },
             Some(Exact::Pi(_)) | None => {
                 Rounded::from_ball(&self.quantity(refined, quantity)?, digits)?

@@ -1,7 +1,9 @@
 //! Decimal text: exact input, and output in which every digit is proved.
 
 use super::{Ball, Enclosure};
-use rug::{Float, Integer, Rational, ops::Pow};
+use rug::float::Round;
+use rug::ops::{Pow, PowAssignRound};
+use rug::{Float, Integer, Rational};
 use std::cmp::Ordering;
 use std::fmt;
 use std::str::FromStr;
@@ -141,17 +143,21 @@ impl Rounded {
         }
         // One digit more than asked for tells the halves of a unit apart.
         let mut exponent = decimal_magnitude(&low) - digits as i64 - 1;
-        let mut floor = scaled_floor(&low, exponent)?;
-        let mut text = floor.to_string_radix(10);
+        // Binary places kept behind that grid: all that the number has.
+        let used = (digits as f64 * std::f64::consts::LOG2_10) as u32;
+        let fraction = low.prec().saturating_sub(used).max(64);
+        let mut scaled = scaled(&low, exponent, fraction)?;
+        let mut text = Integer::from(&scaled >> fraction).to_string_radix(10);
         // The estimate of the magnitude may be off by one either way.
         while text.len() != digits + 1 {
             exponent += text.len() as i64 - digits as i64 - 1;
-            floor = scaled_floor(&low, exponent)?;
-            text = floor.to_string_radix(10);
+            scaled = self::scaled(&low, exponent, fraction)?;
+            text = Integer::from(&scaled >> fraction).to_string_radix(10);
         }
-        // All numbers of the ball lie strictly inside one cell of the finer grid.
-        let is_floor_exact = scaled_floor_is_exact(&low, exponent, &floor);
-        if is_floor_exact || scaled_floor(&high, exponent)? != floor {
+        // All numbers of the ball have to lie strictly inside one cell of the finer grid.
+        let start = scaled.keep_bits(fraction);
+        let end = Integer::from(&start + 1) + scaled_width(&low, &high, exponent, fraction)?;
+        if start.is_zero() || end.significant_bits() > fraction {
             return None;
         }
         let last = text.pop()?;
@@ -210,36 +216,26 @@ fn decimal_magnitude(x: &Float) -> i64 {
     ((head.log2() + f64::from(exponent)) * std::f64::consts::LOG10_2).floor() as i64 + 1
 }
 
-/// `floor(x / 10^exponent)` for a non-negative `x`, exactly; `None` if `x` is not finite.
-fn scaled_floor(x: &Float, exponent: i64) -> Option<Integer> {
+/// `floor(x / 10^exponent * 2^fraction)` for a non-negative `x`; `None` if `x` is not finite.
+fn scaled(x: &Float, exponent: i64, fraction: u32) -> Option<Integer> {
     let (mantissa, shift) = x.to_integer_exp()?;
     let five = Integer::from(5).pow(u32::try_from(exponent.unsigned_abs()).ok()?);
-    // x / 10^e = mantissa * 2^(shift - e) * 5^-e
-    let power = i64::from(shift) - exponent;
+    // x / 10^e = mantissa * 2^(shift - e) * 5^-e; floors of non-negative numbers in a row are one.
+    let power = i64::from(shift) - exponent + i64::from(fraction);
     let shifted = |n: Integer| {
         let places = power.unsigned_abs() as u32;
         if power < 0 { n >> places } else { n << places }
     };
-    Some(if exponent <= 0 {
-        shifted(mantissa * five)
-    } else if power >= 0 {
-        shifted(mantissa) / five
-    } else {
-        // Two floors of non-negative numbers in a row are one floor.
-        shifted(mantissa) / five
-    })
+    Some(if exponent <= 0 { shifted(mantissa * five) } else { shifted(mantissa) / five })
 }
 
-fn scaled_floor_is_exact(x: &Float, exponent: i64, floor: &Integer) -> bool {
-    let power = Integer::from(10).pow(exponent.unsigned_abs() as u32);
-    let grid = |n: &Integer| match exponent < 0 {
-        true => Rational::from((n.clone(), power.clone())),
-        false => Rational::from(n * &power),
-    };
-    // Only a number that agrees with the grid point in every bit can be equal to it; comparing
-    // floats first keeps the exact comparison for that rare case.
-    let close = Float::with_val(x.prec(), &grid(floor));
-    close == *x && x.to_rational().is_some_and(|x| x == grid(floor))
+/// `(high - low) / 10^exponent * 2^fraction`, rounded up to an integer; `None` if it is not finite.
+fn scaled_width(low: &Float, high: &Float, exponent: i64, fraction: u32) -> Option<Integer> {
+    let mut scale = Float::with_val(64, 10);
+    scale.pow_assign_round(i32::try_from(-exponent).ok()?, Round::Up);
+    let width = Float::with_val_round(64, high - low, Round::Up).0;
+    let scaled = Float::with_val_round(64, &width * &scale, Round::Up).0 << fraction;
+    scaled.is_finite().then(|| scaled.ceil().to_integer())?
 }
 
 impl fmt::Display for Decimal {
