@@ -1,13 +1,12 @@
 //! `couplet constants`.
 
-use super::output::Output;
+use super::output::Destination;
 use super::{Failure, progress};
 use crate::arch::{Landmark, SelfWeight};
 use crate::certify::CertifiedLandmark;
-use crate::report::{Constants, Format, LandmarkReport, Proved};
+use crate::report::{Constants, LandmarkReport, Proved};
 use clap::Args;
 use rayon::prelude::*;
-use std::path::PathBuf;
 
 /// Print the landmark constants, each with a proof that it exists, is unique, and has the digits
 /// shown.
@@ -28,17 +27,12 @@ pub struct Arguments {
     #[arg(long, default_value = "30", value_parser = super::digits, allow_negative_numbers = true)]
     digits: usize,
 
-    /// Output format: table, json or csv.
-    #[arg(long, default_value = "table", value_parser = super::format)]
-    format: Format,
-
-    /// Write to a file instead of standard output; it appears whole or not at all.
-    #[arg(long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    destination: Destination,
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let output = Output::open(arguments.output.as_deref())?;
+    let output = arguments.destination.open()?;
     let asked = |landmark: &Landmark| {
         arguments.landmarks.is_empty() || arguments.landmarks.contains(landmark)
     };
@@ -71,7 +65,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         .collect();
     let undecided = undecided.join(", ");
     let report = Constants { digits: arguments.digits, landmarks };
-    output.write(|out| report.write(arguments.format, out))?;
+    output.write(|out| report.write(arguments.destination.format, out))?;
     match undecided.is_empty() {
         true => Ok(()),
         false => Err(Failure::Undecided(format!("not everything was proved: {undecided}"))),

@@ -1,11 +1,32 @@
 //! Where a report goes: standard output, or a file that appears whole or not at all.
 
 use super::Failure;
+use crate::report::Format;
+use clap::Args;
 use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, Once};
 use tempfile::NamedTempFile;
+
+/// How and where a report is written: the same for every command.
+#[derive(Args)]
+pub struct Destination {
+    /// Output format: table, json or csv.
+    #[arg(long, default_value = "table", value_parser = super::format)]
+    pub format: Format,
+
+    /// Write to a file instead of standard output; it appears whole or not at all.
+    #[arg(long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+impl Destination {
+    /// Opens the destination, before any work is done.
+    pub fn open(&self) -> Result<Output, Failure> {
+        Output::open(self.output.as_deref())
+    }
+}
 
 /// An opened destination.
 pub enum Output {
@@ -28,7 +49,7 @@ static HANDLER: Once = Once::new();
 
 impl Output {
     /// Opens the destination now, so that a path that cannot be written is known before any work.
-    pub fn open(path: Option<&Path>) -> Result<Self, Failure> {
+    fn open(path: Option<&Path>) -> Result<Self, Failure> {
         let Some(path) = path else { return Ok(Self::Standard) };
         let failed = |error: io::Error| cannot_write(path, &error);
         // A link is followed, so that the file behind it is replaced and not the link.

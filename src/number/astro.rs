@@ -261,17 +261,7 @@ impl Div<&AstroInterval> for AstroInterval {
     }
 }
 
-macro_rules! owned {
-    ($($op:ident $method:ident),*) => {$(
-        impl $op for AstroInterval {
-            type Output = Self;
-            fn $method(self, other: Self) -> Self {
-                self.$method(&other)
-            }
-        }
-    )*};
-}
-owned!(Add add, Sub sub, Mul mul, Div div);
+owned_operators!(AstroInterval);
 
 fn with_constants<R>(f: impl FnOnce(&mut Consts) -> R) -> Option<R> {
     CONSTANTS.with_borrow_mut(|constants| constants.as_mut().map(f))

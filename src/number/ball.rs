@@ -350,17 +350,7 @@ impl Div<&Ball> for Ball {
     }
 }
 
-macro_rules! owned {
-    ($($op:ident $method:ident),*) => {$(
-        impl $op for Ball {
-            type Output = Self;
-            fn $method(self, other: Self) -> Self {
-                self.$method(&other)
-            }
-        }
-    )*};
-}
-owned!(Add add, Sub sub, Mul mul, Div div);
+owned_operators!(Ball);
 
 impl fmt::Debug for Ball {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

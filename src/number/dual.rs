@@ -156,17 +156,7 @@ impl<T: Field> Div<&Dual<T>> for Dual<T> {
     }
 }
 
-macro_rules! owned {
-    ($($op:ident $method:ident),*) => {$(
-        impl<T: Field> $op for Dual<T> {
-            type Output = Self;
-            fn $method(self, other: Self) -> Self {
-                self.$method(&other)
-            }
-        }
-    )*};
-}
-owned!(Add add, Sub sub, Mul mul, Div div);
+owned_operators!([T: Field] Dual<T>);
 
 #[cfg(test)]
 mod tests {

@@ -14,6 +14,27 @@
 //! context argument. **Comparisons live in [`Enclosure`] and nowhere else**, so an equation, which
 //! asks for a [`Field`] or a [`Real`], cannot branch.
 
+/// Operators with an owned right-hand side, from those with a reference.
+macro_rules! owned_operators {
+    (@ [$($generics:tt)*] $type:ty, $op:ident, $method:ident) => {
+        impl<$($generics)*> $op for $type {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                self.$method(&other)
+            }
+        }
+    };
+    ([$($generics:tt)*] $type:ty) => {
+        owned_operators!(@ [$($generics)*] $type, Add, add);
+        owned_operators!(@ [$($generics)*] $type, Sub, sub);
+        owned_operators!(@ [$($generics)*] $type, Mul, mul);
+        owned_operators!(@ [$($generics)*] $type, Div, div);
+    };
+    ($type:ty) => {
+        owned_operators!([] $type);
+    };
+}
+
 mod anchor;
 mod angle;
 mod astro;

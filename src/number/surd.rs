@@ -111,17 +111,7 @@ impl Div<&Surd> for Surd {
     }
 }
 
-macro_rules! owned {
-    ($($op:ident $method:ident),*) => {$(
-        impl $op for Surd {
-            type Output = Self;
-            fn $method(self, other: Self) -> Self {
-                self.$method(&other)
-            }
-        }
-    )*};
-}
-owned!(Add add, Sub sub, Mul mul, Div div);
+owned_operators!(Surd);
 
 impl fmt::Display for Surd {
     /// As a mathematician would write it: `2/3`, `√3−1`, `2(2√3−3)`, a positive term first and a
