@@ -8,14 +8,17 @@
 //! | (7), (8), (12) | [`cubic`] |
 //! | (13)–(16) | [`overturning`] |
 //! | (17), (18) | [`sliding`] |
+//! | the seven collapse modes | [`Mode`] |
 //! | landmark points, Tables 1–4 | [`Landmark`], [`System`], [`published`] |
 //!
 //! Lengths are in units of the centreline radius `r`, forces in units of `w r` (weight per unit
 //! length of centreline times radius), angles in radians. Nothing here loops, compares or rounds:
 //! code that needs to belongs to `solve` or `certify`.
 
+pub mod contact;
 pub mod cubic;
 mod landmark;
+mod mode;
 pub mod overturning;
 pub mod published;
 mod quantity;
@@ -27,6 +30,7 @@ pub mod thrust;
 mod weight;
 
 pub use landmark::Landmark;
+pub use mode::Mode;
 pub use quantity::Quantity;
 pub use quotient::Quotient;
 pub use system::{Configuration, Equation, Fixed, Point, System, Unknown};

@@ -151,6 +151,48 @@ pub struct Configuration<T> {
     pub friction: T,
 }
 
+impl<T: Real> Configuration<T> {
+    /// The configuration with one variable given another value.
+    pub fn with(mut self, unknown: Unknown, value: T) -> Self {
+        match unknown {
+            Unknown::HalfOpening => self.half_opening = Angle::new(value),
+            Unknown::RotationJoint => self.rotation_joint = Angle::new(value),
+            Unknown::SlidingJoint => self.sliding_joint = Angle::new(value),
+            Unknown::Thickness => self.thickness = value,
+            Unknown::Thrust => self.thrust = value,
+            Unknown::Friction => self.friction = value,
+        }
+        self
+    }
+
+    /// All variables zero, "like" `like`.
+    pub fn zero(like: &T) -> Self {
+        let (angle, zero) = (Angle::zero(like), like.int(0));
+        Self {
+            half_opening: angle.clone(),
+            rotation_joint: angle.clone(),
+            sliding_joint: angle,
+            thickness: zero.clone(),
+            thrust: zero.clone(),
+            friction: zero,
+        }
+    }
+}
+
+impl<T> Configuration<T> {
+    /// The configuration with its values in another number.
+    pub fn map<U>(self, f: impl Fn(T) -> U) -> Configuration<U> {
+        Configuration {
+            half_opening: self.half_opening.map(&f),
+            rotation_joint: self.rotation_joint.map(&f),
+            sliding_joint: self.sliding_joint.map(&f),
+            thickness: f(self.thickness),
+            thrust: f(self.thrust),
+            friction: f(self.friction),
+        }
+    }
+}
+
 /// What a system says of a variable that it does not solve for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fixed {

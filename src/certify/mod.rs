@@ -8,6 +8,7 @@ mod exact;
 mod isolate;
 pub mod krawczyk;
 mod refine;
+pub mod state;
 mod verdict;
 
 pub use audit::{Audited, Comparison, PrintedVerdict, Relation, audit, compare_weights};

@@ -1,0 +1,77 @@
+//! The seven collapse modes: which joints open or slide, and which equations hold.
+
+use super::{Equation, Unknown};
+
+/// A collapse mode of the half arch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Mode {
+    /// `[r,r,r]`: hinges at the shoulder, at the haunch and at the crown.
+    Rotational,
+    /// `[s,r,r]`: the shoulder slides, the haunch and the crown open.
+    SlidingRotational,
+    /// `[r,r,s]`: shoulder and haunch open, a joint above the haunch slides; `beta_r > beta_s`.
+    RotationalSliding,
+    /// `[r,s,r]`: the same with the sliding joint below the rotational one; `beta_r < beta_s`.
+    RotationalSlidingRotational,
+    /// `[r,s]`: the half arch turns about the shoulder with the crown's intrados as its other hinge,
+    /// and a joint slides; `beta_r = 0`.
+    OverturningSliding,
+    /// `[r]`: the half arch turns about the shoulder, without thrust, at unlimited friction.
+    Overturning,
+    /// `[s,s]`: the shoulder and an inner joint slide, whatever the thickness.
+    Sliding,
+}
+
+impl Mode {
+    /// All modes.
+    pub const ALL: [Self; 7] = [
+        Self::Rotational,
+        Self::SlidingRotational,
+        Self::RotationalSliding,
+        Self::RotationalSlidingRotational,
+        Self::OverturningSliding,
+        Self::Overturning,
+        Self::Sliding,
+    ];
+
+    /// The joints from the shoulder, rotational or sliding, as the paper writes them.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Rotational => "[r,r,r]",
+            Self::SlidingRotational => "[s,r,r]",
+            Self::RotationalSliding => "[r,r,s]",
+            Self::RotationalSlidingRotational => "[r,s,r]",
+            Self::OverturningSliding => "[r,s]",
+            Self::Overturning => "[r]",
+            Self::Sliding => "[s,s]",
+        }
+    }
+
+    /// What is solved for at a given half opening and friction, and the equations that hold.
+    pub fn system(self) -> (&'static [Unknown], &'static [Equation]) {
+        use {Equation as E, Unknown as U};
+        match self {
+            Self::Rotational => (
+                &[U::RotationJoint, U::Thickness, U::Thrust],
+                &[E::LowerThrust, E::WholeThrust, E::Tangency],
+            ),
+            Self::SlidingRotational => (
+                &[U::RotationJoint, U::Thickness, U::Thrust],
+                &[E::LowerThrust, E::Tangency, E::ShoulderSliding],
+            ),
+            Self::RotationalSliding | Self::RotationalSlidingRotational => (
+                &[U::RotationJoint, U::Thickness, U::Thrust, U::SlidingJoint],
+                &[E::UpperThrust, E::Tangency, E::InnerSliding, E::Steepest],
+            ),
+            Self::OverturningSliding => (
+                &[U::Thickness, U::Thrust, U::SlidingJoint],
+                &[E::UpperThrust, E::InnerSliding, E::Steepest],
+            ),
+            Self::Overturning => (&[U::Thickness], &[E::WholeThrust]),
+            Self::Sliding => (
+                &[U::Friction, U::Thrust, U::SlidingJoint],
+                &[E::ShoulderSliding, E::InnerSliding, E::Steepest],
+            ),
+        }
+    }
+}
