@@ -27,7 +27,7 @@
 //!   `[[G_beta, 0], [G_beta_eta, G_eta_eta]]`, which is regular because neither `G_beta` nor
 //!   `G_eta_eta` vanishes; and it is the same equation for both weights.
 
-use super::{Equation, Fixed, SelfWeight, System, Unknown};
+use super::{Equation, Fixed, Mode, SelfWeight, System, Unknown};
 
 /// A landmark point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -83,6 +83,21 @@ impl Landmark {
             Self::RotationEnd => "end of rotation",
             Self::OverturningEnd => "end of overturning",
             Self::WidestJoint => "widest rotational joint",
+        }
+    }
+
+    /// The collapse modes that meet at the landmark: those whose equations follow from its own. At `T`
+    /// (3) follows from (2) and (4); at the others each mode has a part of the landmark's equations.
+    pub fn modes(self) -> &'static [Mode] {
+        use Mode::*;
+        match self {
+            Self::Triple => &[Rotational, SlidingRotational, RotationalSliding, Sliding],
+            Self::Shift => &[RotationalSliding, RotationalSlidingRotational, Sliding],
+            Self::Junction => &[RotationalSlidingRotational, OverturningSliding, Sliding],
+            Self::Border => &[OverturningSliding, Sliding],
+            Self::RotationEnd => &[Rotational, Overturning],
+            Self::OverturningEnd => &[Overturning],
+            Self::WidestJoint => &[Rotational],
         }
     }
 

@@ -126,7 +126,9 @@ impl Arch {
             Friction::Coefficient(mu) if *mu.factor() < 0 => {
                 return Err(ArchError::Friction(mu.to_string()));
             }
-            Friction::Angle(phi) if !phi.is_rational() && *phi.factor() == Rational::from((1, 2)) => {
+            Friction::Angle(phi)
+                if !phi.is_rational() && *phi.factor() == Rational::from((1, 2)) =>
+            {
                 Friction::Infinite
             }
             Friction::Angle(phi) if !between(&phi, true, pi.clone() / pi.int(2)) => {
@@ -174,25 +176,34 @@ pub enum Answer {
     Falls(Fall),
 }
 
+/// A proved value: decimal digits with bounds, and the nearest double.
+#[derive(Clone, Debug)]
+pub struct Figure {
+    /// Correctly rounded, with outward bounds.
+    pub decimal: Rounded,
+    /// The correctly rounded double.
+    pub double: f64,
+}
+
 /// The values of a proved state, correctly rounded.
 #[derive(Clone, Debug)]
 pub struct Digits {
     /// How it collapses.
     pub mode: Mode,
     /// `eta`.
-    pub thickness: Rounded,
+    pub thickness: Figure,
     /// `h`.
-    pub thrust: Rounded,
+    pub thrust: Figure,
     /// `eta h`.
-    pub intrinsic_thrust: Rounded,
+    pub intrinsic_thrust: Figure,
     /// `beta_r`, rad.
-    pub rotation_joint: Rounded,
+    pub rotation_joint: Figure,
     /// `beta_s`, rad, if an inner joint slides.
-    pub sliding_joint: Option<Rounded>,
+    pub sliding_joint: Option<Figure>,
     /// The friction below which nothing stands at this half opening.
-    pub sliding_friction: Rounded,
+    pub sliding_friction: Figure,
     /// The friction from which collapse is purely rotational; `None` if no friction is enough.
-    pub rotational_friction: Option<Rounded>,
+    pub rotational_friction: Option<Figure>,
 }
 
 /// How often the precision is doubled before a comparison or a rounding counts as undecided.
@@ -222,13 +233,21 @@ impl Arch {
     }
 }
 
+impl Figure {
+    /// The value of a ball, if the ball decides it.
+    pub fn new(x: &Ball, digits: usize) -> Option<Self> {
+        let decimal = match x.mid().is_zero() && x.rad().is_zero() {
+            true => Rounded::from_rational(&Rational::new(), digits)?,
+            false => Rounded::from_ball(x, digits)?,
+        };
+        Some(Self { decimal, double: x.nearest_double()? })
+    }
+}
+
 impl State {
     /// Every value rounded to `digits` significant digits, if the enclosures decide all of them.
     fn digits(&self, digits: usize) -> Option<Digits> {
-        let rounded = |x: &Ball| match x.mid().is_zero() && x.rad().is_zero() {
-            true => Rounded::from_rational(&Rational::new(), digits),
-            false => Rounded::from_ball(x, digits),
-        };
+        let rounded = |x: &Ball| Figure::new(x, digits);
         let optional = |x: &Option<Ball>| match x {
             Some(x) => rounded(x).map(Some),
             None => Some(None),

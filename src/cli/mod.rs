@@ -3,10 +3,12 @@
 //! Exit codes: 0 everything asked was proved; 1 something was refuted, refused or undecided; 2 bad
 //! usage or input; 3 a resource or I/O failure.
 
+mod arch;
 mod audit;
 mod constants;
 mod output;
 mod progress;
+mod state;
 
 use crate::arch::{Landmark, SelfWeight};
 use crate::certify::MAX_DIGITS;
@@ -30,12 +32,16 @@ Exit codes: 0 everything asked was proved; 1 something was refuted, refused or u
 #[derive(Subcommand)]
 enum Command {
     Constants(constants::Arguments),
+    State(state::Arguments),
     Audit(audit::Arguments),
 }
 
 /// Why a command did not do what was asked.
 #[derive(Debug, thiserror::Error)]
 enum Failure {
+    /// The input makes no sense.
+    #[error("{0}")]
+    Input(String),
     /// Not everything could be proved; what could has been printed.
     #[error("{0}")]
     Undecided(String),
@@ -52,6 +58,7 @@ pub fn run() -> ExitCode {
     };
     let outcome = match cli.command {
         Command::Constants(arguments) => constants::run(&arguments),
+        Command::State(arguments) => state::run(&arguments),
         Command::Audit(arguments) => audit::run(&arguments),
     };
     match outcome {
@@ -60,6 +67,7 @@ pub fn run() -> ExitCode {
             eprintln!("couplet: {failure}");
             ExitCode::from(match failure {
                 Failure::Undecided(_) => 1,
+                Failure::Input(_) => 2,
                 Failure::Io(_) => 3,
             })
         }
@@ -86,7 +94,9 @@ fn usage(error: &clap::Error) -> ExitCode {
         .collect::<Vec<_>>()
         .join("; ");
     let possible = match error.kind() {
-        clap::error::ErrorKind::InvalidSubcommand => "; the commands are constants and audit",
+        clap::error::ErrorKind::InvalidSubcommand => {
+            "; the commands are constants, state and audit"
+        }
         clap::error::ErrorKind::UnknownArgument => "; --help lists the options",
         _ => "",
     };
@@ -120,6 +130,16 @@ fn digits(text: &str) -> Result<usize, String> {
         .ok()
         .filter(|digits| (1..=MAX_DIGITS).contains(digits))
         .ok_or_else(|| format!("digits are a whole number from 1 to {MAX_DIGITS}"))
+}
+
+/// States are proved in numbers of moderate length.
+const MAX_STATE_DIGITS: usize = 10_000;
+
+fn state_digits(text: &str) -> Result<usize, String> {
+    digits(text)
+        .ok()
+        .filter(|digits| *digits <= MAX_STATE_DIGITS)
+        .ok_or_else(|| format!("digits are a whole number from 1 to {MAX_STATE_DIGITS}"))
 }
 
 fn list<const N: usize>(names: [&str; N]) -> String {

@@ -114,6 +114,12 @@ impl Ball {
         (mid - x).abs() <= rad
     }
 
+    /// The double nearest to every number of the ball, ties to even; `None` if they differ.
+    pub fn nearest_double(&self) -> Option<f64> {
+        let (low, high) = (self.lower().to_f64(), self.upper().to_f64());
+        (low == high).then_some(low)
+    }
+
     /// The same midpoint with `more` added to the radius.
     pub fn widened(mut self, more: Magnitude) -> Self {
         self.rad = self.rad.plus(more);

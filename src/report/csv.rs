@@ -1,6 +1,7 @@
 //! CSV: one row per constant or printed number, with a header.
 
-use super::{Audit, Constants, texts};
+use super::{Audit, Constants, StateAt, StateOf, StateReport, reason, texts};
+use crate::certify::state::Figure;
 use std::io;
 
 pub fn constants(report: &Constants, out: &mut dyn io::Write) -> io::Result<()> {
@@ -44,6 +45,81 @@ pub fn audit(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
             &entry.error_units.to_string(),
             &entry.correct_digits.to_string(),
             entry.verdict.name(),
+        ])?;
+    }
+    csv.flush()
+}
+
+/// The columns of a state.
+pub const STATE_COLUMNS: [&str; 14] = [
+    "weight",
+    "half_opening",
+    "friction",
+    "verdict",
+    "stands",
+    "mode",
+    "thickness",
+    "thrust",
+    "intrinsic_thrust",
+    "rotation_joint",
+    "sliding_joint",
+    "sliding_friction",
+    "rotational_friction",
+    "reason",
+];
+
+/// The fields of a state, in the order of [`STATE_COLUMNS`].
+pub fn state_record(report: &StateReport) -> Vec<String> {
+    let mut record =
+        vec![report.weight.name().to_owned(), report.half_opening.clone(), report.friction.clone()];
+    let value = |figure: &Figure| figure.decimal.value.to_string();
+    match &report.outcome {
+        StateOf::Stands(state) => {
+            record.extend(["proved", "true", state.mode.label()].map(str::to_owned));
+            record.extend(
+                [&state.thickness, &state.thrust, &state.intrinsic_thrust, &state.rotation_joint]
+                    .map(value),
+            );
+            record.push(state.sliding_joint.as_ref().map(value).unwrap_or_default());
+            record.push(value(&state.sliding_friction));
+            record.push(state.rotational_friction.as_ref().map_or("inf".to_owned(), value));
+            record.push(String::new());
+        }
+        StateOf::Falls(fall) => {
+            record.extend(["proved", "false"].map(str::to_owned));
+            record.resize(STATE_COLUMNS.len() - 1, String::new());
+            record.push(reason(*fall).to_owned());
+        }
+        StateOf::Undecided(doubt) => {
+            record.push("undecided".to_owned());
+            record.resize(STATE_COLUMNS.len() - 1, String::new());
+            record.push(doubt.question.to_owned());
+        }
+    }
+    record
+}
+
+pub fn state(report: &StateReport, out: &mut dyn io::Write) -> io::Result<()> {
+    let mut csv = ::csv::Writer::from_writer(out);
+    csv.write_record(STATE_COLUMNS)?;
+    csv.write_record(state_record(report))?;
+    csv.flush()
+}
+
+pub fn state_at(report: &StateAt, out: &mut dyn io::Write) -> io::Result<()> {
+    let mut csv = ::csv::Writer::from_writer(out);
+    csv.write_record(["weight", "landmark", "modes", "quantity", "value", "lower", "upper"])?;
+    let modes: Vec<_> = report.modes.iter().map(|mode| mode.label()).collect();
+    for constant in &report.constants {
+        let [value, lower, upper] = texts(&constant.value);
+        csv.write_record([
+            report.weight.name(),
+            report.landmark.symbol(),
+            &modes.join(" "),
+            constant.quantity.name(),
+            &value,
+            &lower,
+            &upper,
         ])?;
     }
     csv.flush()

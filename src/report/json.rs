@@ -1,7 +1,8 @@
-//! JSON: `couplet.constants/1` and `couplet.audit/1`. Fields may be added, none changes its meaning.
+//! JSON: `couplet.constants/1`, `couplet.audit/1`, `couplet.state/1`. Fields may be added, none changes its meaning.
 
-use super::{Audit, Constants, texts};
+use super::{Audit, Constants, StateAt, StateOf, StateReport, reason, texts};
 use crate::arch::{Equation, Unknown};
+use crate::certify::state::Figure;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::io;
@@ -143,6 +144,132 @@ pub fn audit(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
         },
         out,
     )
+}
+
+/// A value with its bounds.
+#[derive(Serialize)]
+struct FigureEntry {
+    value: String,
+    lower: String,
+    upper: String,
+}
+
+impl FigureEntry {
+    fn new(figure: &Figure) -> Self {
+        let [value, lower, upper] =
+            [&figure.decimal.value, &figure.decimal.lower, &figure.decimal.upper]
+                .map(ToString::to_string);
+        Self { value, lower, upper }
+    }
+}
+
+/// The state of one arch; a missing value is null, an unbounded one the text `inf`.
+#[derive(Serialize)]
+pub(super) struct StateEntry<'a> {
+    schema: &'static str,
+    weight: &'static str,
+    half_opening: &'a str,
+    friction: &'a str,
+    verdict: &'static str,
+    stands: Option<bool>,
+    mode: Option<&'static str>,
+    thickness: Option<FigureEntry>,
+    thrust: Option<FigureEntry>,
+    intrinsic_thrust: Option<FigureEntry>,
+    rotation_joint: Option<FigureEntry>,
+    sliding_joint: Option<FigureEntry>,
+    sliding_friction: Option<FigureEntry>,
+    rotational_friction: Option<FigureEntry>,
+    reason: Option<&'a str>,
+    between: Vec<&'static str>,
+    gap: Option<f64>,
+}
+
+impl<'a> StateEntry<'a> {
+    pub(super) fn new(report: &'a StateReport) -> Self {
+        let mut entry = Self {
+            schema: "couplet.state/1",
+            weight: report.weight.name(),
+            half_opening: &report.half_opening,
+            friction: &report.friction,
+            verdict: "proved",
+            stands: None,
+            mode: None,
+            thickness: None,
+            thrust: None,
+            intrinsic_thrust: None,
+            rotation_joint: None,
+            sliding_joint: None,
+            sliding_friction: None,
+            rotational_friction: None,
+            reason: None,
+            between: Vec::new(),
+            gap: None,
+        };
+        match &report.outcome {
+            StateOf::Stands(state) => {
+                entry.stands = Some(true);
+                entry.mode = Some(state.mode.label());
+                let some = |figure| Some(FigureEntry::new(figure));
+                entry.thickness = some(&state.thickness);
+                entry.thrust = some(&state.thrust);
+                entry.intrinsic_thrust = some(&state.intrinsic_thrust);
+                entry.rotation_joint = some(&state.rotation_joint);
+                entry.sliding_joint = state.sliding_joint.as_ref().and_then(some);
+                entry.sliding_friction = some(&state.sliding_friction);
+                let infinite = || FigureEntry {
+                    value: "inf".into(),
+                    lower: "inf".into(),
+                    upper: "inf".into(),
+                };
+                entry.rotational_friction = Some(
+                    state.rotational_friction.as_ref().map_or_else(infinite, FigureEntry::new),
+                );
+            }
+            StateOf::Falls(fall) => {
+                entry.stands = Some(false);
+                entry.reason = Some(reason(*fall));
+            }
+            StateOf::Undecided(doubt) => {
+                entry.verdict = "undecided";
+                entry.reason = Some(doubt.question);
+                entry.between = doubt.between.iter().map(|mode| mode.label()).collect();
+                entry.gap = doubt.gap.is_finite().then_some(doubt.gap);
+            }
+        }
+        entry
+    }
+}
+
+pub fn state(report: &StateReport, out: &mut dyn io::Write) -> io::Result<()> {
+    write(&StateEntry::new(report), out)
+}
+
+#[derive(Serialize)]
+struct StateAtEntry {
+    schema: &'static str,
+    weight: &'static str,
+    landmark: &'static str,
+    verdict: &'static str,
+    modes: Vec<&'static str>,
+    values: BTreeMap<&'static str, FigureEntry>,
+}
+
+pub fn state_at(report: &StateAt, out: &mut dyn io::Write) -> io::Result<()> {
+    let figure = |value: &crate::certify::Value| {
+        let [value, lower, upper] = texts(value);
+        FigureEntry { value, lower, upper }
+    };
+    let values = report.constants.iter().map(|c| (c.quantity.name(), figure(&c.value)));
+    let entry = StateAtEntry {
+        schema: "couplet.state_at/1",
+        weight: report.weight.name(),
+        landmark: report.landmark.symbol(),
+        verdict: "proved",
+        modes: report.modes.iter().map(|mode| mode.label()).collect(),
+        values: values.collect(),
+    };
+    write(&entry, out)
 }
 
 fn write(value: &impl Serialize, out: &mut dyn io::Write) -> io::Result<()> {

@@ -4,7 +4,9 @@ mod csv;
 mod json;
 mod table;
 
+use crate::arch::Mode;
 use crate::arch::{Landmark, SelfWeight, System};
+use crate::certify::state::{Digits, Doubt, Fall};
 use crate::certify::{Audited, CertifiedLandmark, Comparison, Constant, Value};
 use std::io;
 
@@ -65,6 +67,73 @@ pub struct Audit {
     pub printed: Vec<Audited>,
     /// The claims that compare the two weights.
     pub comparisons: Vec<Comparison>,
+}
+
+/// What `couplet state` found of an arch.
+#[derive(Debug)]
+pub struct StateReport<'a> {
+    /// The self-weight model.
+    pub weight: SelfWeight,
+    /// The half opening as given.
+    pub half_opening: String,
+    /// The friction as given.
+    pub friction: String,
+    /// What is certain.
+    pub outcome: StateOf<'a>,
+}
+
+/// What is certain of an arch.
+#[derive(Debug)]
+pub enum StateOf<'a> {
+    /// It stands from a least thickness on.
+    Stands(&'a Digits),
+    /// It does not stand.
+    Falls(Fall),
+    /// Not everything could be told.
+    Undecided(&'a Doubt),
+}
+
+/// What `couplet state --at` found of a landmark.
+#[derive(Debug)]
+pub struct StateAt {
+    /// The landmark.
+    pub landmark: Landmark,
+    /// The self-weight model.
+    pub weight: SelfWeight,
+    /// All modes that meet there.
+    pub modes: Vec<Mode>,
+    /// Its quantities.
+    pub constants: Vec<Constant>,
+}
+
+impl StateReport<'_> {
+    /// Writes the report.
+    pub fn write(&self, format: Format, out: &mut dyn io::Write) -> io::Result<()> {
+        match format {
+            Format::Table => table::state(self, out),
+            Format::Json => json::state(self, out),
+            Format::Csv => csv::state(self, out),
+        }
+    }
+}
+
+impl StateAt {
+    /// Writes the report.
+    pub fn write(&self, format: Format, out: &mut dyn io::Write) -> io::Result<()> {
+        match format {
+            Format::Table => table::state_at(self, out),
+            Format::Json => json::state_at(self, out),
+            Format::Csv => csv::state_at(self, out),
+        }
+    }
+}
+
+/// The word for why an arch does not stand.
+fn reason(fall: Fall) -> &'static str {
+    match fall {
+        Fall::Sliding => "sliding",
+        Fall::Thickness => "thickness",
+    }
 }
 
 impl Constants {

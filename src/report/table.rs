@@ -1,6 +1,6 @@
 //! Tables for a person at a terminal.
 
-use super::{Audit, Constants, Proved, texts};
+use super::{Audit, Constants, Proved, StateAt, StateOf, StateReport, reason, texts};
 use crate::arch::SelfWeight;
 use crate::certify::PrintedVerdict;
 use std::io;
@@ -11,10 +11,7 @@ pub fn constants(report: &Constants, out: &mut dyn io::Write) -> io::Result<()> 
     writeln!(out, "Landmark constants, correctly rounded to {digits} significant digit{plural}")?;
     for entry in &report.landmarks {
         let (symbol, name) = (entry.landmark.symbol(), entry.landmark.name());
-        let weight = match entry.weight {
-            SelfWeight::Heyman => "Heyman-like",
-            SelfWeight::Milankovitch => "Milankovitch-like",
-        };
+        let weight = title(entry.weight);
         writeln!(out, "\n{symbol}  {name}, {weight} self-weight")?;
         match &entry.outcome {
             Ok(proved) => landmark(proved, out)?,
@@ -95,6 +92,96 @@ pub fn audit(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
             entry.claimed.name(),
             entry.certified.name(),
             entry.verdict(),
+        )?;
+    }
+    Ok(())
+}
+
+fn title(weight: SelfWeight) -> &'static str {
+    match weight {
+        SelfWeight::Heyman => "Heyman-like",
+        SelfWeight::Milankovitch => "Milankovitch-like",
+    }
+}
+
+pub fn state(report: &StateReport, out: &mut dyn io::Write) -> io::Result<()> {
+    writeln!(
+        out,
+        "Arch of half opening {}, friction {}, {} self-weight\n",
+        report.half_opening,
+        report.friction,
+        title(report.weight)
+    )?;
+    match &report.outcome {
+        StateOf::Stands(state) => {
+            writeln!(
+                out,
+                "stands from the thickness below on; collapses there as {}",
+                state.mode.label()
+            )?;
+            writeln!(
+                out,
+                "proved: one solution, admissible on the whole half arch, none thinner\n"
+            )?;
+            let mut row = |name: &str,
+                           symbol: &str,
+                           value: Option<&crate::certify::state::Figure>,
+                           none: &str| {
+                let value = value.map_or_else(|| none.to_owned(), |x| x.decimal.value.to_string());
+                writeln!(out, "   {name:<20} {symbol:<12} {value}")
+            };
+            row("thickness", "eta = t/r", Some(&state.thickness), "")?;
+            row("thrust", "h = H/(w r)", Some(&state.thrust), "")?;
+            row("intrinsic_thrust", "eta h", Some(&state.intrinsic_thrust), "")?;
+            row("rotation_joint", "beta_r, rad", Some(&state.rotation_joint), "")?;
+            row("sliding_joint", "beta_s, rad", state.sliding_joint.as_ref(), "none inside")?;
+            writeln!(out)?;
+            writeln!(out, "at this half opening")?;
+            let limit = |x: &crate::certify::state::Figure| x.decimal.value.to_string();
+            writeln!(
+                out,
+                "   nothing stands below the friction       {}",
+                limit(&state.sliding_friction)
+            )?;
+            let rotational = state.rotational_friction.as_ref().map_or("inf".to_owned(), limit);
+            writeln!(out, "   collapse is purely rotational from      {rotational}")
+        }
+        StateOf::Falls(fall) => {
+            let why = match fall {
+                crate::certify::state::Fall::Sliding => {
+                    "it slides: the friction is below that of the purely sliding state"
+                }
+                crate::certify::state::Fall::Thickness => {
+                    "it would have to be thicker than twice its radius"
+                }
+            };
+            writeln!(out, "does not stand at any thickness ({}): {why}", reason(*fall))
+        }
+        StateOf::Undecided(doubt) => {
+            let between: Vec<_> = doubt.between.iter().map(|mode| mode.label()).collect();
+            writeln!(out, "undecided: {}", doubt.question)?;
+            writeln!(
+                out,
+                "   between {}; the difference is below {:.1e}",
+                between.join(" and "),
+                doubt.gap
+            )
+        }
+    }
+}
+
+pub fn state_at(report: &StateAt, out: &mut dyn io::Write) -> io::Result<()> {
+    let modes: Vec<_> = report.modes.iter().map(|mode| mode.label()).collect();
+    let (symbol, name) = (report.landmark.symbol(), report.landmark.name());
+    writeln!(out, "{symbol}  {name}, {} self-weight", title(report.weight))?;
+    writeln!(out, "   modes that meet here: {}", modes.join(" "))?;
+    for constant in &report.constants {
+        let [value, ..] = texts(&constant.value);
+        writeln!(
+            out,
+            "   {:<23} {:<19} {value}",
+            constant.quantity.name(),
+            constant.quantity.symbol()
         )?;
     }
     Ok(())

@@ -1,0 +1,82 @@
+//! The arguments that describe an arch.
+
+use super::Failure;
+use crate::arch::SelfWeight;
+use crate::certify::state::{Arch, Friction};
+use crate::number::ExactNumber;
+use clap::Args;
+
+/// An arch, all of it exact: `0.1` is one tenth, `80deg` and `pi/2` are what they say.
+#[derive(Args)]
+pub struct ArchArguments {
+    /// Half opening in radians (2.45, 1/3, pi/2) or degrees (80deg), between 0 and pi.
+    #[arg(long, visible_alias = "alpha", value_name = "ANGLE", allow_hyphen_values = true)]
+    pub half_opening: Option<String>,
+
+    /// Friction coefficient mu (0.6, 3/5, inf).
+    #[arg(
+        long,
+        visible_alias = "mu",
+        value_name = "MU",
+        allow_hyphen_values = true,
+        conflicts_with = "friction_angle"
+    )]
+    pub friction: Option<String>,
+
+    /// Friction angle phi instead of the coefficient (21deg, pi/6).
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
+    pub friction_angle: Option<String>,
+
+    /// Self-weight model: heyman or milankovitch.
+    #[arg(long, default_value = "milankovitch", value_parser = super::weight)]
+    pub weight: SelfWeight,
+
+    /// Significant digits, 1 to 10000; values are correctly rounded to them.
+    #[arg(long, default_value = "30", value_parser = super::state_digits, allow_negative_numbers = true)]
+    pub digits: usize,
+}
+
+impl ArchArguments {
+    /// The arch described, with its friction as text.
+    pub fn arch(&self) -> Result<(Arch, String), Failure> {
+        let missing = |what: &str| Failure::Input(format!("{what} is missing"));
+        let half_opening = self.half_opening.as_deref().ok_or_else(|| missing("--half-opening"))?;
+        let (friction, text) = match (&self.friction, &self.friction_angle) {
+            (Some(mu), _) => (friction(mu).map_err(Failure::Input)?, mu.clone()),
+            (None, Some(phi)) => {
+                let phi = angle(phi).map_err(Failure::Input)?;
+                let text = format!("tan({phi})");
+                (Friction::Angle(phi), text)
+            }
+            (None, None) => return Err(missing("--friction or --friction-angle")),
+        };
+        let arch = Arch::new(self.weight, angle(half_opening).map_err(Failure::Input)?, friction)
+            .map_err(|error| Failure::Input(error.to_string()))?;
+        Ok((arch, text))
+    }
+}
+
+/// An angle in radians, or in degrees with `deg` behind.
+pub fn angle(text: &str) -> Result<ExactNumber, String> {
+    let number = |text: &str| text.parse::<ExactNumber>().map_err(|error| error.to_string());
+    match text.strip_suffix("deg") {
+        Some(degrees) => number(degrees).and_then(|degrees| {
+            degrees
+                .is_rational()
+                .then(|| degrees.degrees())
+                .ok_or(format!("'{text}' has two units"))
+        }),
+        None => number(text),
+    }
+}
+
+/// A friction coefficient, or `inf`.
+pub fn friction(text: &str) -> Result<Friction, String> {
+    match text {
+        "inf" => Ok(Friction::Infinite),
+        _ => text
+            .parse()
+            .map(Friction::Coefficient)
+            .map_err(|error: crate::number::ParseExactError| error.to_string()),
+    }
+}
