@@ -202,28 +202,28 @@ fn frictions_just_above_and_below_the_purely_sliding_one() {
     }
 }
 
-/// Within 1e-20 of T in every direction, the answers are those of the modes that meet there.
+/// Within 1e-20 of T in every direction: below and above the two critical frictions and between them,
+/// at half openings on both sides. All four modes that meet there are met.
 #[test]
 fn around_the_triple_point() {
     for weight in BOTH {
-        let mut met = Vec::new();
-        for up in [false, true] {
-            for mu_up in [false, true] {
-                let alpha = beside(Landmark::Triple, weight, Unknown::HalfOpening, 20, up);
-                for exponent in [19, 20, 21] {
-                    let mu = beside(Landmark::Triple, weight, Unknown::Friction, exponent, mu_up);
-                    met.push(proved_twice(weight, &alpha, &mu));
-                }
+        for (up, between) in [(false, Mode::SlidingRotational), (true, Mode::RotationalSliding)] {
+            let alpha = beside(Landmark::Triple, weight, Unknown::HalfOpening, 20, up);
+            let limits = digits(weight, &alpha, "9", 80);
+            let low = limits.sliding_friction.decimal.value.to_rational();
+            let high = limits.rotational_friction.unwrap().decimal.value.to_rational();
+            let gap = Rational::from(&high - &low);
+            assert!(gap > 0 && gap < Rational::from((1, 1_000_000_000_000_000_000i64)));
+            let at = |part: (i32, i32)| {
+                let mu = (&low + (&gap * Rational::from(part)));
+                proved_twice(weight, &alpha, &float_text(&Float::with_val(500, &mu), 120))
+            };
+            assert_eq!(at((-1, 100)), None, "nothing stands");
+            for part in [(1, 100), (1, 2), (99, 100)] {
+                assert_eq!(at(part), Some(between));
             }
+            assert_eq!(at((101, 100)), Some(Mode::Rotational));
         }
-        let known = [
-            Some(Mode::Rotational),
-            Some(Mode::SlidingRotational),
-            Some(Mode::RotationalSliding),
-            None,
-        ];
-        assert!(met.iter().all(|mode| known.contains(mode)), "{met:?}");
-        assert!(known.iter().filter(|mode| met.contains(mode)).count() >= 3, "{met:?}");
     }
 }
 
