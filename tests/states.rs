@@ -215,7 +215,7 @@ fn around_the_triple_point() {
             let gap = Rational::from(&high - &low);
             assert!(gap > 0 && gap < Rational::from((1, 1_000_000_000_000_000_000i64)));
             let at = |part: (i32, i32)| {
-                let mu = (&low + (&gap * Rational::from(part)));
+                let mu = &low + Rational::from(&gap * Rational::from(part));
                 proved_twice(weight, &alpha, &float_text(&Float::with_val(500, &mu), 120))
             };
             assert_eq!(at((-1, 100)), None, "nothing stands");

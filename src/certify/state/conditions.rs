@@ -1,0 +1,106 @@
+//! What has to be positive for a state to be admissible everywhere and the thinnest there is.
+//!
+//! The lemma behind it, and the multipliers, are in [`crate::arch::contact`].
+
+use super::question::Query;
+use crate::arch::{Configuration, Mode, contact, sliding, statics};
+use crate::number::{Ball, Enclosure, Field, Ternary};
+
+impl Query {
+    /// What has to be positive: the admissibility of the whole half arch, and the least thickness.
+    /// What is zero by the equations of the mode is not listed.
+    pub(super) fn conditions(
+        &self,
+        mode: Mode,
+        at: &Configuration<Ball>,
+    ) -> Vec<(Ball, &'static str)> {
+        use Mode::*;
+        let weight = self.weight;
+        let mut all = vec![
+            (statics::normal_force(&at.half_opening, &at.thrust), "compression at the shoulder"),
+            (at.thickness.clone(), "a positive thickness"),
+            (at.thickness.int(2) - &at.thickness, "a thickness below the physical limit"),
+        ];
+        let mut needs = |margin: Ball, question| all.push((margin, question));
+        let friction = &self.given.friction;
+        let from_crown = matches!(mode, Rotational | SlidingRotational);
+        if mode != Overturning {
+            needs(at.thrust.clone(), "a positive thrust");
+            needs(at.thrust.int(1) - &at.thrust, "a thrust below one");
+        }
+        // The line of thrust.
+        if from_crown || matches!(mode, RotationalSliding | RotationalSlidingRotational) {
+            needs(at.rotation_joint.rad.clone(), "a rotational joint below the crown");
+            needs(
+                at.half_opening.rad.clone() - &at.rotation_joint.rad,
+                "a rotational joint above the shoulder",
+            );
+        } else {
+            needs(
+                contact::crown_slope(weight, at),
+                "the line of thrust leaves the intrados at the crown",
+            );
+        }
+        if mode == SlidingRotational {
+            let moment = contact::crown_moment(at);
+            needs(
+                contact::extrados_margin_at_shoulder(weight, at, &moment),
+                "the line of thrust inside the extrados at the shoulder",
+            );
+        }
+        if !from_crown && mode != Overturning {
+            let moment = contact::shoulder_moment(weight, at);
+            needs(
+                contact::crown_moment(at) - moment,
+                "the line of thrust inside the extrados at the crown",
+            );
+        }
+        // Friction.
+        if self.friction.is_some() {
+            if mode != SlidingRotational {
+                let asked = sliding::shoulder(&at.half_opening, &at.thrust).value();
+                needs(friction.clone() - asked, "friction enough at the shoulder");
+            }
+            if from_crown {
+                needs(friction.clone() - self.inner_friction(at), "friction enough inside");
+            }
+        }
+        // The least thickness.
+        let rates = match mode {
+            Rotational => contact::rates_of_rotation(at),
+            SlidingRotational => contact::rates_of_shoulder_sliding(at),
+            _ => contact::rates_of_inner_sliding(at),
+        };
+        if mode == Rotational {
+            needs(rates.shoulder.clone(), "a mechanism that opens at the shoulder");
+        } else {
+            needs(rates.sliding.clone(), "a mechanism that slides the right way");
+        }
+        if mode == SlidingRotational {
+            needs(
+                sliding::shoulder_thrust(&at.half_opening, friction).denominator,
+                "a shoulder that bounds the thrust from above",
+            );
+        }
+        // W is linear in the thrust: it is least at an end of what friction allows.
+        let (base, slope) =
+            (contact::weight_term(&rates, at), contact::thrust_coefficient(&rates, at));
+        let mut thrusts = vec![at.thrust.int(0)];
+        match (slope.is_positive(), &self.friction) {
+            (Ternary::True, _) => {}
+            (_, Some(_)) => {
+                thrusts.push(sliding::shoulder_thrust(&at.half_opening, friction).value())
+            }
+            (_, None) => needs(slope.clone(), "a combination that grows with the thrust"),
+        }
+        for thrust in thrusts {
+            let term = base.clone() + slope.clone() * thrust;
+            needs(term.clone(), "a positive weight of the mechanism");
+            needs(
+                contact::growth(weight, &rates, at, &term),
+                "no admissible state in a thinner arch",
+            );
+        }
+        all
+    }
+}

@@ -1,0 +1,31 @@
+//! The state of an arch at its least thickness, proved.
+//!
+//! For a half opening, a friction and a weight: does the arch stand at any thickness, how thin can it
+//! be, and how does it collapse there? The proof has four parts, all in balls:
+//!
+//! 1. the equations of the mode have exactly one solution in a box (Krawczyk);
+//! 2. that state is statically admissible on the whole half arch;
+//! 3. no thinner arch has an admissible state, and the mechanism has positive rates;
+//! 4. every comparison that chooses the mode is decided.
+//!
+//! Parts 2 and 3 come down to a few signs; [`crate::arch::contact`] has the lemma. A comparison that is
+//! not decided raises the precision; if it stays undecided, that is the answer.
+
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `question` | an arch, as it is asked about |
+//! | `root` | part 1 |
+//! | `choice` | part 4: which mode, and its start values |
+//! | `conditions` | parts 2 and 3 |
+//! | `digits` | raises the precision until every digit is decided |
+
+mod choice;
+mod conditions;
+mod digits;
+mod question;
+mod root;
+
+pub use choice::{Fall, Outcome, State};
+pub use digits::{Answer, Digits, Figure};
+pub use question::{Arch, ArchError, Doubt, Friction};

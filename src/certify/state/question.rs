@@ -1,0 +1,155 @@
+//! An arch, as it is asked about, and the doubt that may be the answer.
+
+use crate::arch::{Configuration, Mode, SelfWeight, Unknown};
+use crate::number::{Ball, Enclosure, ExactNumber, Field, Magnitude, Real, Ternary};
+use rug::{Float, Rational};
+
+/// The friction of the joints.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Friction {
+    /// `mu`.
+    Coefficient(ExactNumber),
+    /// `phi = atan(mu)`, rad.
+    Angle(ExactNumber),
+    /// No limit.
+    Infinite,
+}
+
+/// An arch whose thickness is asked for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Arch {
+    weight: SelfWeight,
+    half_opening: ExactNumber,
+    friction: Friction,
+}
+
+/// Why an arch is refused.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ArchError {
+    /// The half opening is not between 0 and pi.
+    #[error("the half opening {0} is not between 0 and pi (180deg)")]
+    HalfOpening(String),
+    /// The friction is negative.
+    #[error("the friction {0} is negative")]
+    Friction(String),
+    /// The friction angle is not between 0 and a right angle.
+    #[error("the friction angle {0} is not between 0 and pi/2 (90deg)")]
+    FrictionAngle(String),
+}
+
+/// A comparison that is not decided at some precision.
+#[derive(Clone, Debug)]
+pub struct Doubt {
+    /// What could not be told.
+    pub question: &'static str,
+    /// The modes, or the mode and nothing, between which it stands.
+    pub between: Vec<Mode>,
+    /// A bound of the difference that could not be told from zero.
+    pub gap: f64,
+}
+
+/// The result of a step of the proof at one precision.
+pub(super) type Attempt<T> = Result<T, Doubt>;
+
+impl Arch {
+    /// An arch, if its half opening and friction make sense.
+    pub fn new(
+        weight: SelfWeight,
+        half_opening: ExactNumber,
+        friction: Friction,
+    ) -> Result<Self, ArchError> {
+        let between = |x: &ExactNumber, low_is_in: bool, limit: Ball| {
+            let x = x.enclosure(limit.prec());
+            let positive = x.is_positive() == Ternary::True || (low_is_in && x.mid().is_zero());
+            positive && x.is_less_than(&limit) == Ternary::True
+        };
+        // Far more bits than the longest number that is read has.
+        let pi = Ball::integer(1, 80_000).pi();
+        if !between(&half_opening, false, pi.clone()) {
+            return Err(ArchError::HalfOpening(half_opening.to_string()));
+        }
+        let friction = match friction {
+            Friction::Coefficient(mu) if *mu.factor() < 0 => {
+                return Err(ArchError::Friction(mu.to_string()));
+            }
+            Friction::Angle(phi)
+                if !phi.is_rational() && *phi.factor() == Rational::from((1, 2)) =>
+            {
+                Friction::Infinite
+            }
+            Friction::Angle(phi) if !between(&phi, true, pi.clone() / pi.int(2)) => {
+                return Err(ArchError::FrictionAngle(phi.to_string()));
+            }
+            friction => friction,
+        };
+        Ok(Self { weight, half_opening, friction })
+    }
+
+    /// The self-weight model.
+    pub fn weight(&self) -> SelfWeight {
+        self.weight
+    }
+
+    /// The half opening as given.
+    pub fn half_opening(&self) -> &ExactNumber {
+        &self.half_opening
+    }
+
+    /// The friction as given.
+    pub fn friction(&self) -> &Friction {
+        &self.friction
+    }
+
+    /// Bits that the smallness of the half opening takes away: the thickness falls like its fourth
+    /// power, and the equations cancel as much.
+    pub fn bits_lost(&self) -> u32 {
+        let size = self.half_opening.enclosure(64).mid().get_exp().unwrap_or(0);
+        size.min(0).unsigned_abs() * 6
+    }
+}
+
+/// An arch at one precision.
+pub(super) struct Query {
+    pub(super) weight: SelfWeight,
+    pub(super) bits: u32,
+    /// What is given: the half opening and, if finite, the friction.
+    pub(super) given: Configuration<Ball>,
+    pub(super) friction: Option<Ball>,
+}
+
+impl Query {
+    /// The arch in numbers of `bits` bits.
+    pub(super) fn new(arch: &Arch, bits: u32) -> Self {
+        let alpha = arch.half_opening.enclosure(bits);
+        let friction = match &arch.friction {
+            Friction::Coefficient(mu) => Some(mu.enclosure(bits)),
+            Friction::Angle(phi) => {
+                let (sin, cos) = phi.enclosure(bits).sin_cos();
+                Some(sin / cos)
+            }
+            Friction::Infinite => None,
+        };
+        let mut given = Configuration::zero(&alpha).with(Unknown::HalfOpening, alpha);
+        if let Some(friction) = &friction {
+            given = given.with(Unknown::Friction, friction.clone());
+        }
+        Self { weight: arch.weight, bits, given, friction }
+    }
+
+    /// The half opening as a candidate.
+    pub(super) fn alpha(&self) -> Float {
+        Float::with_val(self.bits, self.given.half_opening.rad.mid())
+    }
+}
+
+/// Whether a margin is positive, or the doubt.
+pub(super) fn decide(margin: &Ball, question: &'static str, between: &[Mode]) -> Attempt<bool> {
+    match margin.is_positive() {
+        Ternary::True => Ok(true),
+        Ternary::False => Ok(false),
+        Ternary::Undecided => {
+            let gap = Magnitude::upper(margin.mid()).plus(margin.rad()).to_float().to_f64();
+            Err(Doubt { question, between: between.to_vec(), gap })
+        }
+    }
+}
