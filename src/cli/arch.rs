@@ -80,3 +80,13 @@ pub fn friction(text: &str) -> Result<Friction, String> {
             .map_err(|error: crate::number::ParseExactError| error.to_string()),
     }
 }
+
+/// A thickness-to-radius ratio between 0 and the physical limit 2.
+pub fn thickness(text: &str) -> Result<ExactNumber, String> {
+    let thickness: ExactNumber =
+        text.parse().map_err(|error: crate::number::ParseExactError| error.to_string())?;
+    let in_range = thickness.is_rational() && *thickness.factor() > 0 && *thickness.factor() < 2;
+    in_range
+        .then_some(thickness)
+        .ok_or_else(|| format!("the thickness {text} is not between 0 and 2"))
+}

@@ -4,6 +4,7 @@
 //! usage or input; 3 a resource or I/O failure.
 
 mod arch;
+mod assess;
 mod audit;
 mod constants;
 mod output;
@@ -33,6 +34,7 @@ Exit codes: 0 everything asked was proved; 1 something was refuted, refused or u
 enum Command {
     Constants(constants::Arguments),
     State(state::Arguments),
+    Assess(assess::Arguments),
     Audit(audit::Arguments),
 }
 
@@ -59,6 +61,7 @@ pub fn run() -> ExitCode {
     let outcome = match cli.command {
         Command::Constants(arguments) => constants::run(&arguments),
         Command::State(arguments) => state::run(&arguments),
+        Command::Assess(arguments) => assess::run(&arguments),
         Command::Audit(arguments) => audit::run(&arguments),
     };
     match outcome {
@@ -95,7 +98,7 @@ fn usage(error: &clap::Error) -> ExitCode {
         .join("; ");
     let possible = match error.kind() {
         clap::error::ErrorKind::InvalidSubcommand => {
-            "; the commands are constants, state and audit"
+            "; the commands are constants, state, assess, states and audit"
         }
         clap::error::ErrorKind::UnknownArgument => "; --help lists the options",
         _ => "",

@@ -1,6 +1,6 @@
 //! CSV: one row per constant or printed number, with a header.
 
-use super::{Audit, Constants, StateAt, StateOf, StateReport, reason, texts};
+use super::{AssessReport, Audit, Constants, StateAt, StateOf, StateReport, reason, texts};
 use crate::certify::state::Figure;
 use std::io;
 
@@ -122,5 +122,79 @@ pub fn state_at(report: &StateAt, out: &mut dyn io::Write) -> io::Result<()> {
             &upper,
         ])?;
     }
+    csv.flush()
+}
+
+/// The columns of an assessment.
+pub const ASSESS_COLUMNS: [&str; 14] = [
+    "weight",
+    "half_opening",
+    "friction",
+    "thickness",
+    "verdict",
+    "stands",
+    "least_thickness",
+    "geometric_safety",
+    "required_friction",
+    "friction_safety",
+    "least_thrust",
+    "largest_thrust",
+    "limited_by",
+    "reason",
+];
+
+/// The fields of an assessment, in the order of [`ASSESS_COLUMNS`].
+pub fn assess_record(report: &AssessReport) -> Vec<String> {
+    let mut record = vec![
+        report.weight.name().to_owned(),
+        report.half_opening.clone(),
+        report.friction.clone(),
+        report.thickness.clone(),
+    ];
+    let value =
+        |x: &Option<Figure>| x.as_ref().map(|x| x.decimal.value.to_string()).unwrap_or_default();
+    match report.outcome {
+        Ok(found) => {
+            record.extend(["proved".to_owned(), found.stands.to_string()]);
+            record.push(value(&found.least_thickness.clone().ok()));
+            record.extend(
+                [&found.geometric_safety, &found.required_friction, &found.friction_safety]
+                    .map(value),
+            );
+            match &found.thrust {
+                Some(limits) => {
+                    record.extend(limits.each_ref().map(|limit| {
+                        limit
+                            .thrust
+                            .as_ref()
+                            .map_or("inf".to_owned(), |x| x.decimal.value.to_string())
+                    }));
+                    record.push(limits.each_ref().map(|limit| limit.limited_by).join("; "));
+                }
+                None => record.resize(ASSESS_COLUMNS.len() - 1, String::new()),
+            }
+            record.push(
+                found
+                    .least_thickness
+                    .as_ref()
+                    .err()
+                    .map(|f| reason(*f))
+                    .unwrap_or_default()
+                    .to_owned(),
+            );
+        }
+        Err(doubt) => {
+            record.push("undecided".to_owned());
+            record.resize(ASSESS_COLUMNS.len() - 1, String::new());
+            record.push(doubt.question.to_owned());
+        }
+    }
+    record
+}
+
+pub fn assess(report: &AssessReport, out: &mut dyn io::Write) -> io::Result<()> {
+    let mut csv = ::csv::Writer::from_writer(out);
+    csv.write_record(ASSESS_COLUMNS)?;
+    csv.write_record(assess_record(report))?;
     csv.flush()
 }

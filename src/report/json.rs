@@ -1,8 +1,9 @@
-//! JSON: `couplet.constants/1`, `couplet.audit/1`, `couplet.state/1`. Fields may be added, none changes its meaning.
+//! JSON: `couplet.constants/1`, `couplet.audit/1`, `couplet.state/1`,
+//! `couplet.assess/1`. Fields may be added, none changes its meaning.
 
-use super::{Audit, Constants, StateAt, StateOf, StateReport, reason, texts};
+use super::{AssessReport, Audit, Constants, StateAt, StateOf, StateReport, reason, texts};
 use crate::arch::{Equation, Unknown};
-use crate::certify::state::Figure;
+use crate::certify::state::{Figure, LimitDigits};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::io;
@@ -243,6 +244,74 @@ impl<'a> StateEntry<'a> {
 
 pub fn state(report: &StateReport, out: &mut dyn io::Write) -> io::Result<()> {
     write(&StateEntry::new(report), out)
+}
+
+/// An arch of a given thickness.
+#[derive(Serialize)]
+pub(super) struct AssessEntry<'a> {
+    schema: &'static str,
+    weight: &'static str,
+    half_opening: &'a str,
+    friction: &'a str,
+    thickness: &'a str,
+    verdict: &'static str,
+    stands: Option<bool>,
+    least_thickness: Option<FigureEntry>,
+    geometric_safety: Option<FigureEntry>,
+    required_friction: Option<FigureEntry>,
+    friction_safety: Option<FigureEntry>,
+    least_thrust: Option<LimitEntry>,
+    largest_thrust: Option<LimitEntry>,
+    reason: Option<&'a str>,
+}
+
+/// An end of the range of thrusts; a thrust of null has no bound.
+#[derive(Serialize)]
+struct LimitEntry {
+    thrust: Option<FigureEntry>,
+    limited_by: &'static str,
+    joint: Option<FigureEntry>,
+}
+
+impl LimitEntry {
+    fn new(limit: &LimitDigits) -> Self {
+        let figure = |x: &Option<Figure>| x.as_ref().map(FigureEntry::new);
+        Self {
+            thrust: figure(&limit.thrust),
+            limited_by: limit.limited_by,
+            joint: figure(&limit.joint),
+        }
+    }
+}
+
+impl<'a> AssessEntry<'a> {
+    pub(super) fn new(report: &'a AssessReport) -> Self {
+        let found = report.outcome.as_ref().ok();
+        let figure = |x: Option<&Figure>| x.map(FigureEntry::new);
+        let limits = found.and_then(|found| found.thrust.as_ref());
+        let fall = found.and_then(|found| found.least_thickness.as_ref().err());
+        let doubt = report.outcome.as_ref().err().map(|doubt| doubt.question);
+        Self {
+            schema: "couplet.assess/1",
+            weight: report.weight.name(),
+            half_opening: &report.half_opening,
+            friction: &report.friction,
+            thickness: &report.thickness,
+            verdict: if found.is_some() { "proved" } else { "undecided" },
+            stands: found.map(|found| found.stands),
+            least_thickness: figure(found.and_then(|found| found.least_thickness.as_ref().ok())),
+            geometric_safety: figure(found.and_then(|found| found.geometric_safety.as_ref())),
+            required_friction: figure(found.and_then(|found| found.required_friction.as_ref())),
+            friction_safety: figure(found.and_then(|found| found.friction_safety.as_ref())),
+            least_thrust: limits.map(|[least, _]| LimitEntry::new(least)),
+            largest_thrust: limits.map(|[_, largest]| LimitEntry::new(largest)),
+            reason: doubt.or(fall.map(|fall| reason(*fall))),
+        }
+    }
+}
+
+pub fn assess(report: &AssessReport, out: &mut dyn io::Write) -> io::Result<()> {
+    write(&AssessEntry::new(report), out)
 }
 
 #[derive(Serialize)]

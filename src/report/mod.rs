@@ -6,7 +6,7 @@ mod table;
 
 use crate::arch::Mode;
 use crate::arch::{Landmark, SelfWeight, System};
-use crate::certify::state::{Digits, Doubt, Fall};
+use crate::certify::state::{AssessmentDigits, Digits, Doubt, Fall};
 use crate::certify::{Audited, CertifiedLandmark, Comparison, Constant, Value};
 use std::io;
 
@@ -91,6 +91,32 @@ pub enum StateOf<'a> {
     Falls(Fall),
     /// Not everything could be told.
     Undecided(&'a Doubt),
+}
+
+/// What `couplet assess` found of an arch.
+#[derive(Debug)]
+pub struct AssessReport<'a> {
+    /// The self-weight model.
+    pub weight: SelfWeight,
+    /// The half opening as given.
+    pub half_opening: String,
+    /// The friction as given.
+    pub friction: String,
+    /// The thickness as given.
+    pub thickness: String,
+    /// What is certain, or the doubt.
+    pub outcome: &'a Result<AssessmentDigits, Doubt>,
+}
+
+impl AssessReport<'_> {
+    /// Writes the report.
+    pub fn write(&self, format: Format, out: &mut dyn io::Write) -> io::Result<()> {
+        match format {
+            Format::Table => table::assess(self, out),
+            Format::Json => json::assess(self, out),
+            Format::Csv => csv::assess(self, out),
+        }
+    }
 }
 
 /// What `couplet state --at` found of a landmark.

@@ -1,8 +1,9 @@
 //! Tables for a person at a terminal.
 
-use super::{Audit, Constants, Proved, StateAt, StateOf, StateReport, reason, texts};
+use super::{AssessReport, Audit, Constants, Proved, StateAt, StateOf, StateReport, reason, texts};
 use crate::arch::SelfWeight;
 use crate::certify::PrintedVerdict;
+use crate::certify::state::{Fall, Figure};
 use std::io;
 
 pub fn constants(report: &Constants, out: &mut dyn io::Write) -> io::Result<()> {
@@ -123,10 +124,7 @@ pub fn state(report: &StateReport, out: &mut dyn io::Write) -> io::Result<()> {
                 out,
                 "proved: one solution, admissible on the whole half arch, none thinner\n"
             )?;
-            let mut row = |name: &str,
-                           symbol: &str,
-                           value: Option<&crate::certify::state::Figure>,
-                           none: &str| {
+            let mut row = |name: &str, symbol: &str, value: Option<&Figure>, none: &str| {
                 let value = value.map_or_else(|| none.to_owned(), |x| x.decimal.value.to_string());
                 writeln!(out, "   {name:<20} {symbol:<12} {value}")
             };
@@ -137,7 +135,7 @@ pub fn state(report: &StateReport, out: &mut dyn io::Write) -> io::Result<()> {
             row("sliding_joint", "beta_s, rad", state.sliding_joint.as_ref(), "none inside")?;
             writeln!(out)?;
             writeln!(out, "at this half opening")?;
-            let limit = |x: &crate::certify::state::Figure| x.decimal.value.to_string();
+            let limit = |x: &Figure| x.decimal.value.to_string();
             writeln!(
                 out,
                 "   nothing stands below the friction       {}",
@@ -148,12 +146,10 @@ pub fn state(report: &StateReport, out: &mut dyn io::Write) -> io::Result<()> {
         }
         StateOf::Falls(fall) => {
             let why = match fall {
-                crate::certify::state::Fall::Sliding => {
+                Fall::Sliding => {
                     "it slides: the friction is below that of the purely sliding state"
                 }
-                crate::certify::state::Fall::Thickness => {
-                    "it would have to be thicker than twice its radius"
-                }
+                Fall::Thickness => "it would have to be thicker than twice its radius",
             };
             writeln!(out, "does not stand at any thickness ({}): {why}", reason(*fall))
         }
@@ -183,6 +179,47 @@ pub fn state_at(report: &StateAt, out: &mut dyn io::Write) -> io::Result<()> {
             constant.quantity.name(),
             constant.quantity.symbol()
         )?;
+    }
+    Ok(())
+}
+
+pub fn assess(report: &AssessReport, out: &mut dyn io::Write) -> io::Result<()> {
+    writeln!(
+        out,
+        "Arch of half opening {}, thickness {}, friction {}, {} self-weight\n",
+        report.half_opening,
+        report.thickness,
+        report.friction,
+        title(report.weight)
+    )?;
+    let found = match report.outcome {
+        Ok(found) => found,
+        Err(doubt) => return writeln!(out, "undecided: {}", doubt.question),
+    };
+    writeln!(out, "{}, proved\n", if found.stands { "stands" } else { "collapses" })?;
+    let value = |x: &Figure| x.decimal.value.to_string();
+    let least = match &found.least_thickness {
+        Ok(least) => value(least),
+        Err(fall) => format!("none is enough ({})", reason(*fall)),
+    };
+    let or = |x: &Option<Figure>, none: &str| x.as_ref().map_or_else(|| none.to_owned(), value);
+    writeln!(out, "   least thickness          {least}")?;
+    writeln!(out, "   geometric safety factor  {}", or(&found.geometric_safety, "none"))?;
+    writeln!(
+        out,
+        "   required friction        {}",
+        or(&found.required_friction, "none is enough")
+    )?;
+    writeln!(
+        out,
+        "   friction safety factor   {}",
+        or(&found.friction_safety, "unbounded or none")
+    )?;
+    for (name, limit) in ["least", "largest"].iter().zip(found.thrust.iter().flatten()) {
+        let joint =
+            limit.joint.as_ref().map_or_else(String::new, |j| format!(", at {} rad", value(j)));
+        writeln!(out, "   {name:<7} thrust           {}", or(&limit.thrust, "unbounded"))?;
+        writeln!(out, "           limited by       {}{joint}", limit.limited_by)?;
     }
     Ok(())
 }

@@ -78,12 +78,12 @@ impl Curve {
         [0, 1, 2].map(|k| (0..4).map(|j| weights[j] * self.nodes[first + j][k]).sum())
     }
 
-    /// The half opening at which the rotational thrust is `h`.
-    fn opening(&self, h: f64) -> f64 {
+    /// The half opening up to which a monotone condition on the state holds.
+    fn search(&self, is_before: impl Fn([f64; 3], f64) -> bool) -> f64 {
         let (mut low, mut high) = (SMALL, SMALL + self.step * (NODES - 1) as f64);
         for _ in 0..50 {
             let middle = 0.5 * (low + high);
-            if self.at(middle)[2] > h { low = middle } else { high = middle }
+            if is_before(self.at(middle), middle) { low = middle } else { high = middle }
         }
         0.5 * (low + high)
     }
@@ -118,7 +118,8 @@ pub fn rotational_with_thrust(weight: SelfWeight, h: &Float) -> [Float; 3] {
     let alpha = if alpha < SMALL / 2.0 {
         alpha
     } else {
-        Float::with_val(bits, Curve::of(weight).opening(h.to_f64()))
+        let h = h.to_f64();
+        Float::with_val(bits, Curve::of(weight).search(|[_, _, thrust], _| thrust > h))
     };
     let [beta, eta, _] = rotational(weight, &alpha);
     [beta, eta, h.clone()]
@@ -218,4 +219,50 @@ fn inverse_times_cotangent(k: f64) -> f64 {
         if middle * middle.cos() > k * middle.sin() { low = middle } else { high = middle }
     }
     0.5 * (low + high)
+}
+
+/// `beta_r`, `h` where the curve of rotational states has the thickness `eta`, below that of `l`.
+pub fn rotational_with_thickness(weight: SelfWeight, eta: &Float) -> [Float; 2] {
+    let bits = eta.prec();
+    // eta = alpha⁴/48 for small openings.
+    let small = Float::with_val(bits, eta * 48u32).sqrt().sqrt();
+    let alpha = if small < SMALL / 2.0 {
+        small
+    } else {
+        let curve = Curve::of(weight);
+        let eta = eta.to_f64();
+        Float::with_val(bits, curve.search(|[_, ratio, _], alpha| ratio * alpha.powi(4) < eta))
+    };
+    let [beta, _, h] = rotational(weight, &alpha);
+    [beta, h]
+}
+
+/// `beta_r`, `h` of the largest thrust that a thickness bears with the line of thrust touching the
+/// intrados below the crown.
+///
+/// The gap between the moments about the shoulder's extrados and about the touching joint is concave in
+/// the thrust: its larger zero is right of its maximum.
+pub fn largest_thrust(weight: SelfWeight, alpha: f64, eta: f64) -> [f64; 2] {
+    let fac = 1.0 + f64::from(weight.flag()) * eta * eta / 12.0;
+    let (sin, cos) = alpha.sin_cos();
+    let joint = |h: f64| inverse_times_cotangent(h - 1.0 + 2.0 * fac / (2.0 - eta));
+    let gap = |h: f64| {
+        let beta = joint(h);
+        let touching =
+            (1.0 - 0.5 * eta) * (h * beta.cos() + beta * beta.sin()) - fac * (1.0 - beta.cos());
+        (1.0 + 0.5 * eta) * (h * cos + alpha * sin) - fac * (1.0 - cos) - touching
+    };
+    // From this thrust on the crown is touched.
+    let crown = 2.0 - 2.0 * fac / (2.0 - eta);
+    let (mut low, mut high) = (0.0, crown.max(0.0));
+    for _ in 0..80 {
+        let third = (high - low) / 3.0;
+        if gap(low + third) < gap(high - third) { low += third } else { high -= third }
+    }
+    high = crown.max(low);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if gap(middle) > 0.0 { low = middle } else { high = middle }
+    }
+    [joint(low).max(LEAST_JOINT), low.max(LEAST_JOINT)]
 }

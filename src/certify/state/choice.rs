@@ -64,6 +64,7 @@ impl Arch {
 impl Query {
     fn outcome(&self) -> Attempt<Outcome> {
         let slides = self.root(Mode::Sliding.system(), &start_state::sliding(&self.alpha()))?;
+        self.steepest_is_inside(&slides)?;
         let least_friction = slides.friction.clone();
         if let Some(friction) = &self.friction {
             let between = [Mode::Sliding];
@@ -129,6 +130,15 @@ impl Query {
         let shoulder = sliding::shoulder(&at.half_opening, &at.thrust).value();
         let inner = self.inner_friction(&at);
         Ok(Rotation { at, shoulder, inner })
+    }
+
+    /// That the steepest joint of a state lies above the shoulder, as (18) takes for granted.
+    fn steepest_is_inside(&self, at: &Configuration<Ball>) -> Attempt<()> {
+        let question = "whether the steepest joint is above the shoulder";
+        match decide(&(at.half_opening.rad.clone() - &at.sliding_joint.rad), question, &[])? {
+            true => Ok(()),
+            false => Err(Doubt { question, between: Vec::new(), gap: f64::INFINITY }),
+        }
     }
 
     /// The friction that the steepest joint asks for at the thrust of a state.

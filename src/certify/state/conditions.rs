@@ -4,7 +4,7 @@
 
 use super::question::Query;
 use crate::arch::{Configuration, Mode, contact, sliding, statics};
-use crate::number::{Ball, Enclosure, Field, Ternary};
+use crate::number::{Ball, Enclosure, Field, Real, Ternary};
 
 impl Query {
     /// What has to be positive: the admissibility of the whole half arch, and the least thickness.
@@ -55,7 +55,12 @@ impl Query {
                 "the line of thrust inside the extrados at the crown",
             );
         }
-        // Friction.
+        // Friction, at the steepest joint, which has to be a joint of the arch.
+        let steepest = match from_crown || mode == Overturning {
+            true => (at.thrust.clone() * (at.thrust.int(1) - &at.thrust)).sqrt(),
+            false => at.sliding_joint.rad.clone(),
+        };
+        needs(at.half_opening.rad.clone() - steepest, "the steepest joint above the shoulder");
         if self.friction.is_some() {
             if mode != SlidingRotational {
                 let asked = sliding::shoulder(&at.half_opening, &at.thrust).value();

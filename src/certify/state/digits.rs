@@ -1,9 +1,10 @@
 //! The digits of a proved state: the precision is raised until all are decided.
 
+use super::assess::{Assessment, Limit};
 use super::choice::{Fall, Outcome, State};
-use super::question::{Arch, Doubt};
+use super::question::{Arch, Attempt, Doubt};
 use crate::arch::Mode;
-use crate::number::{Ball, Rounded};
+use crate::number::{Ball, ExactNumber, Rounded};
 use rug::Rational;
 
 /// A proved state with its digits, or why nothing stands.
@@ -50,25 +51,105 @@ const ATTEMPTS: u32 = 6;
 /// Bits beyond the digits asked for, at the first attempt.
 const GUARD: u32 = 48;
 
+/// What is certain of an arch of a given thickness, correctly rounded.
+#[derive(Clone, Debug)]
+pub struct AssessmentDigits {
+    /// Whether it stands.
+    pub stands: bool,
+    /// The least thickness, or why there is none.
+    pub least_thickness: Result<Figure, Fall>,
+    /// The thickness over the least thickness.
+    pub geometric_safety: Option<Figure>,
+    /// The least friction with which it stands; `None` if none is enough.
+    pub required_friction: Option<Figure>,
+    /// The friction over the required one; `None` if either is unbounded.
+    pub friction_safety: Option<Figure>,
+    /// The least and the largest admissible thrust, if it stands.
+    pub thrust: Option<[LimitDigits; 2]>,
+}
+
+/// An end of the range of admissible thrusts, correctly rounded.
+#[derive(Clone, Debug)]
+pub struct LimitDigits {
+    /// The thrust; `None` if there is no bound.
+    pub thrust: Option<Figure>,
+    /// What limits it.
+    pub limited_by: &'static str,
+    /// The joint that limits it, where it is not at an end of the half arch.
+    pub joint: Option<Figure>,
+}
+
 impl Arch {
     /// Proves the state and rounds it to `digits` significant digits, raising the precision until
     /// every comparison and every rounding is decided. The doubt that stays is the answer otherwise.
     pub fn certify(&self, digits: usize) -> Result<Answer, Doubt> {
+        self.raised(digits, |bits| {
+            Ok(match self.state(bits)? {
+                Outcome::Falls(fall) => Some(Answer::Falls(fall)),
+                Outcome::Stands(state) => {
+                    state.digits(digits).map(|digits| Answer::Stands(Box::new(digits)))
+                }
+            })
+        })
+    }
+
+    /// Proves what holds for the arch with a given thickness, in `(0, 2)`, in the same way.
+    pub fn certify_thickness(
+        &self,
+        thickness: &ExactNumber,
+        digits: usize,
+    ) -> Result<AssessmentDigits, Doubt> {
+        self.raised(digits, |bits| Ok(self.assess(thickness, bits)?.digits(digits)))
+    }
+
+    fn raised<T>(
+        &self,
+        digits: usize,
+        proof: impl Fn(u32) -> Attempt<Option<T>>,
+    ) -> Result<T, Doubt> {
         let wanted = (digits as f64 * std::f64::consts::LOG2_10).ceil() as u32;
         let mut bits = wanted + GUARD + self.bits_lost();
-        let mut last = None;
+        let mut last = Doubt { question: "the rounding", between: Vec::new(), gap: f64::NAN };
         for _ in 0..ATTEMPTS {
-            match self.state(bits) {
-                Ok(Outcome::Falls(fall)) => return Ok(Answer::Falls(fall)),
-                Ok(Outcome::Stands(state)) => match state.digits(digits) {
-                    Some(digits) => return Ok(Answer::Stands(Box::new(digits))),
-                    None => last = None,
-                },
-                Err(doubt) => last = Some(doubt),
+            match proof(bits) {
+                Ok(Some(answer)) => return Ok(answer),
+                Ok(None) => {}
+                Err(doubt) => last = doubt,
             }
             bits *= 2;
         }
-        Err(last.unwrap_or(Doubt { question: "the rounding", between: Vec::new(), gap: f64::NAN }))
+        Err(last)
+    }
+}
+
+impl Assessment {
+    /// Every value rounded to `digits` significant digits, if the enclosures decide all of them.
+    fn digits(&self, digits: usize) -> Option<AssessmentDigits> {
+        let optional = |x: Option<&Ball>| match x {
+            Some(x) => Figure::new(x, digits).map(Some),
+            None => Some(None),
+        };
+        let limit = |limit: &Limit| {
+            Some(LimitDigits {
+                thrust: optional(limit.thrust.as_ref())?,
+                limited_by: limit.touch.name(),
+                joint: optional(limit.touch.joint())?,
+            })
+        };
+        Some(AssessmentDigits {
+            stands: self.stands,
+            least_thickness: match &self.least_thickness {
+                Ok(least) => Ok(Figure::new(least, digits)?),
+                Err(fall) => Err(*fall),
+            },
+            geometric_safety: optional(self.geometric_safety.as_ref())?,
+            required_friction: optional(self.required_friction.as_ref())?,
+            friction_safety: optional(self.friction_safety.as_ref())?,
+            thrust: match &self.thrust {
+                Some([least, largest]) => Some([limit(least)?, limit(largest)?]),
+                None => None,
+            },
+        })
     }
 }
 

@@ -18,14 +18,17 @@
 //! | `root` | part 1 |
 //! | `choice` | part 4: which mode, and its start values |
 //! | `conditions` | parts 2 and 3 |
+//! | `assess` | an arch of a given thickness |
 //! | `digits` | raises the precision until every digit is decided |
 
+mod assess;
 mod choice;
 mod conditions;
 mod digits;
 mod question;
 mod root;
 
+pub use assess::{Assessment, Limit, Touch};
 pub use choice::{Fall, Outcome, State};
-pub use digits::{Answer, Digits, Figure};
+pub use digits::{Answer, AssessmentDigits, Digits, Figure, LimitDigits};
 pub use question::{Arch, ArchError, Doubt, Friction};

@@ -85,6 +85,11 @@ impl Arch {
         Ok(Self { weight, half_opening, friction })
     }
 
+    /// The same arch with another friction.
+    pub(super) fn with_friction(&self, friction: Friction) -> Self {
+        Self { friction, ..self.clone() }
+    }
+
     /// The self-weight model.
     pub fn weight(&self) -> SelfWeight {
         self.weight

@@ -1,0 +1,277 @@
+//! An arch of a given thickness: does it stand, with what safety, and how much may it thrust?
+//!
+//! For a given thickness the admissible states are those thrusts `h` for which some crown moment `p`
+//! fits: `p` at most `(1 + eta/2) h` (extrados at the crown) and at most
+//! `(1 + eta/2) N(alpha) - fac (1 - cos alpha)` (extrados at the shoulder), and at least the largest
+//! over all joints of `(1 - eta/2) N(beta) - fac (1 - cos beta)` (intrados). The last is convex in `h`.
+//!
+//! - Its gap to the first bound grows with `h`: the zero is the **least** thrust, where the line of
+//!   thrust touches the intrados, (2) and (5) at this thickness; at the shoulder if the touching joint
+//!   would lie beyond it; zero thrust from the thickness of `l` on.
+//! - Its gap to the second is concave in `h`: the larger zero is the **largest** thrust, (3) and (5) at
+//!   this thickness, or (3) at the crown; there is none if the lever arm at the crown is not positive.
+//!   It is not negative at the least thrust (checked), so it is not in between.
+//!
+//! Friction cuts off thrusts below that of inner sliding and above that of shoulder sliding. What is
+//! left is the admissible range, and **the arch stands exactly if it is not empty**; the least
+//! thickness of the arch, proved on its own, has to say the same.
+
+use super::choice::{Fall, Outcome};
+use super::question::{Arch, Attempt, Doubt, Friction, Query, decide};
+use crate::arch::{Equation, Mode, Ring, Unknown, contact, sliding, thrust};
+use crate::number::{Angle, Ball, ExactNumber, Field};
+use crate::solve::start_state;
+use rug::Float;
+
+/// What is certain of an arch of a given thickness.
+#[derive(Clone, Debug)]
+pub struct Assessment {
+    /// Whether it stands.
+    pub stands: bool,
+    /// The least thickness of the arch with this friction, or why there is none.
+    pub least_thickness: Result<Ball, Fall>,
+    /// The thickness over the least thickness.
+    pub geometric_safety: Option<Ball>,
+    /// The least friction with which the arch of this thickness stands; `None` if none is enough.
+    pub required_friction: Option<Ball>,
+    /// The friction over the required one; `None` if either is unbounded.
+    pub friction_safety: Option<Ball>,
+    /// The least and the largest admissible thrust; `None` if the arch does not stand.
+    pub thrust: Option<[Limit; 2]>,
+}
+
+/// An end of the range of admissible thrusts.
+#[derive(Clone, Debug)]
+pub struct Limit {
+    /// The thrust; `None` if there is no bound.
+    pub thrust: Option<Ball>,
+    /// What limits it.
+    pub touch: Touch,
+}
+
+/// What limits a thrust.
+#[derive(Clone, Debug)]
+pub enum Touch {
+    /// The line of thrust touches the intrados at this joint.
+    Haunch(Ball),
+    /// The line of thrust is on the intrados of the crown.
+    Crown,
+    /// The line of thrust is on the intrados of the shoulder.
+    Shoulder,
+    /// This inner joint slides.
+    InnerSliding(Ball),
+    /// The shoulder slides outwards.
+    ShoulderSliding,
+    /// The shoulder slides inwards: in a shallow arch the steepest joint would lie beyond it.
+    ShoulderSlidingInwards,
+    /// Nothing does.
+    Nothing,
+}
+
+impl Touch {
+    /// The words used in files.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Haunch(_) => "intrados at the haunch",
+            Self::Crown => "intrados at the crown",
+            Self::Shoulder => "intrados at the shoulder",
+            Self::InnerSliding(_) => "sliding of an inner joint",
+            Self::ShoulderSliding => "sliding of the shoulder",
+            Self::ShoulderSlidingInwards => "sliding of the shoulder inwards",
+            Self::Nothing => "nothing",
+        }
+    }
+
+    /// The joint, where it is not at an end of the half arch.
+    pub fn joint(&self) -> Option<&Ball> {
+        match self {
+            Self::Haunch(joint) | Self::InnerSliding(joint) => Some(joint),
+            _ => None,
+        }
+    }
+}
+
+const BETWEEN: &[Mode] = &[];
+
+impl Arch {
+    /// Proves what holds for the arch with a given thickness, in `(0, 2)`, with numbers of `bits` bits.
+    pub fn assess(&self, thickness: &ExactNumber, bits: u32) -> Attempt<Assessment> {
+        let eta = thickness.enclosure(bits);
+        let (least_thickness, stands) = match self.state(bits)? {
+            Outcome::Falls(fall) => (Err(fall), false),
+            Outcome::Stands(state) => {
+                let margin = eta.clone() - &state.thickness;
+                let stands = decide(&margin, "whether the thickness is enough", BETWEEN)?;
+                (Ok(state.thickness), stands)
+            }
+        };
+        let mut query = Query::new(self, bits);
+        query.given = query.given.with(Unknown::Thickness, eta.clone());
+        let geometric = if self.line_of_thrust_fits(&eta, bits)? {
+            Some([query.least_thrust()?, query.largest_thrust()?])
+        } else {
+            None
+        };
+        let required_friction = match &geometric {
+            Some(range) => Some(query.required_friction(range)?),
+            None => None,
+        };
+        let friction_safety = match (&query.friction, &required_friction) {
+            (Some(friction), Some(required)) => Some(friction.clone() / required),
+            _ => None,
+        };
+        let thrust = match (stands, geometric) {
+            (true, Some(range)) => Some(query.cut_by_friction(range)?),
+            _ => None,
+        };
+        let geometric_safety = least_thickness.as_ref().ok().map(|least| eta / least);
+        Ok(Assessment {
+            stands,
+            least_thickness,
+            geometric_safety,
+            required_friction,
+            friction_safety,
+            thrust,
+        })
+    }
+
+    /// Whether a line of thrust lies inside the arch at all: it would stand with unlimited friction.
+    fn line_of_thrust_fits(&self, eta: &Ball, bits: u32) -> Attempt<bool> {
+        match self.with_friction(Friction::Infinite).state(bits)? {
+            Outcome::Falls(_) => Ok(false),
+            Outcome::Stands(state) => {
+                let margin = eta.clone() - &state.thickness;
+                decide(&margin, "whether a line of thrust fits", BETWEEN)
+            }
+        }
+    }
+}
+
+impl Query {
+    /// The thrust below which the line of thrust leaves the arch.
+    fn least_thrust(&self) -> Attempt<Limit> {
+        let given = &self.given;
+        let ring = Ring::new(self.weight, &given.thickness);
+        // Without thrust: (5) at the crown.
+        let beyond = contact::crown_slope(self.weight, given);
+        if decide(&beyond, "whether the arch is thicker than at the end of rotation", BETWEEN)? {
+            return Ok(Limit { thrust: Some(given.thrust.int(0)), touch: Touch::Nothing });
+        }
+        let system = (
+            &[Unknown::RotationJoint, Unknown::Thrust][..],
+            &[Equation::LowerThrust, Equation::Tangency][..],
+        );
+        let eta = Float::with_val(self.bits, given.thickness.mid());
+        let at = self.root(system, &start_state::rotational_with_thickness(self.weight, &eta))?;
+        let above = given.half_opening.rad.clone() - &at.rotation_joint.rad;
+        if !decide(&above, "whether the touching joint is above the shoulder", BETWEEN)? {
+            let thrust = thrust::lower(&given.half_opening, &ring).value();
+            return Ok(Limit { thrust: Some(thrust), touch: Touch::Shoulder });
+        }
+        let margin =
+            contact::extrados_margin_at_shoulder(self.weight, &at, &contact::crown_moment(&at));
+        self.holds(margin, "the line of least thrust inside the extrados at the shoulder")?;
+        Ok(Limit { thrust: Some(at.thrust), touch: Touch::Haunch(at.rotation_joint.rad) })
+    }
+
+    /// The thrust above which the line of thrust leaves the arch.
+    fn largest_thrust(&self) -> Attempt<Limit> {
+        let given = &self.given;
+        let ring = Ring::new(self.weight, &given.thickness);
+        let crown = thrust::upper(&given.half_opening, &Angle::zero(&given.thrust), &ring);
+        let bounded =
+            decide(&crown.denominator, "whether the thrust is bounded from above", BETWEEN)?;
+        if !bounded {
+            return Ok(Limit { thrust: None, touch: Touch::Nothing });
+        }
+        let at_crown = given.clone().with(Unknown::Thrust, crown.value());
+        let slope = contact::crown_slope(self.weight, &at_crown);
+        if decide(&slope, "whether the line of largest thrust touches at the crown", BETWEEN)? {
+            return Ok(Limit { thrust: Some(at_crown.thrust), touch: Touch::Crown });
+        }
+        let system = (
+            &[Unknown::RotationJoint, Unknown::Thrust][..],
+            &[Equation::UpperThrust, Equation::Tangency][..],
+        );
+        let eta = given.thickness.mid().to_f64();
+        let start = start_state::largest_thrust(self.weight, self.alpha().to_f64(), eta)
+            .map(|x| Float::with_val(self.bits, x));
+        let at = self.root(system, &start)?;
+        let arm = thrust::upper(&given.half_opening, &at.rotation_joint, &ring).denominator;
+        self.holds(arm, "a touching joint that bounds the thrust from above")?;
+        let margin = contact::crown_moment(&at) - contact::shoulder_moment(self.weight, &at);
+        self.holds(margin, "the line of largest thrust inside the extrados at the crown")?;
+        Ok(Limit { thrust: Some(at.thrust), touch: Touch::Haunch(at.rotation_joint.rad) })
+    }
+
+    /// The least friction for which some thrust of the range slides nowhere. The shoulder asks for more
+    /// the larger the thrust, an inner joint the smaller: best is the thrust at which they ask for the
+    /// same, or the end of the range next to it.
+    fn required_friction(&self, [least, largest]: &[Limit; 2]) -> Attempt<Ball> {
+        let slides = self.root(Mode::Sliding.system(), &start_state::sliding(&self.alpha()))?;
+        let question = "which joint the friction is needed for";
+        if let Some(least) = &least.thrust
+            && decide(&(least.clone() - &slides.thrust), question, BETWEEN)?
+        {
+            return Ok(sliding::shoulder(&self.given.half_opening, least).value());
+        }
+        if let Some(largest) = &largest.thrust
+            && decide(&(slides.thrust.clone() - largest), question, BETWEEN)?
+        {
+            return Ok(
+                self.inner_friction(&self.given.clone().with(Unknown::Thrust, largest.clone()))
+            );
+        }
+        Ok(slides.friction)
+    }
+
+    /// The range without the thrusts at which a joint slides.
+    fn cut_by_friction(&self, [mut least, mut largest]: [Limit; 2]) -> Attempt<[Limit; 2]> {
+        let Some(friction) = &self.friction else { return Ok([least, largest]) };
+        let question = "whether sliding or the line of thrust limits the thrust";
+        let [h, joint] = start_state::inner_sliding(&Float::with_val(self.bits, friction.mid()));
+        let system = (
+            &[Unknown::Thrust, Unknown::SlidingJoint][..],
+            &[Equation::InnerSliding, Equation::Steepest][..],
+        );
+        let inner = self.root(system, &[h, joint])?;
+        let (alpha, joint) = (&self.given.half_opening, inner.sliding_joint.rad);
+        // T/N grows up to the steepest joint: if that lies beyond the shoulder, the shoulder counts.
+        let inside = alpha.rad.clone() - &joint;
+        let slid = if decide(&inside, "whether the steepest joint is above the shoulder", BETWEEN)?
+        {
+            Limit { thrust: Some(inner.thrust), touch: Touch::InnerSliding(joint) }
+        } else {
+            let thrust = sliding::shoulder_thrust(alpha, &-friction.clone()).value();
+            Limit { thrust: Some(thrust), touch: Touch::ShoulderSlidingInwards }
+        };
+        if let (Some(thrust), Some(bound)) = (&least.thrust, &slid.thrust)
+            && decide(&(bound.clone() - thrust), question, BETWEEN)?
+        {
+            least = slid;
+        }
+        let shoulder = sliding::shoulder_thrust(&self.given.half_opening, friction);
+        if decide(&shoulder.denominator, "whether the shoulder can slide", BETWEEN)? {
+            let slid = shoulder.value();
+            let first = match &largest.thrust {
+                Some(thrust) => decide(&(thrust.clone() - &slid), question, BETWEEN)?,
+                None => true,
+            };
+            if first {
+                largest = Limit { thrust: Some(slid), touch: Touch::ShoulderSliding };
+            }
+        }
+        if let (Some(low), Some(high)) = (&least.thrust, &largest.thrust) {
+            self.holds(high.clone() - low, "a range of thrusts that is not empty")?;
+        }
+        Ok([least, largest])
+    }
+
+    /// A condition that has to hold; its opposite leaves nothing known.
+    fn holds(&self, margin: Ball, question: &'static str) -> Attempt<()> {
+        match decide(&margin, question, BETWEEN)? {
+            true => Ok(()),
+            false => Err(Doubt { question, between: Vec::new(), gap: f64::INFINITY }),
+        }
+    }
+}
