@@ -334,6 +334,54 @@ proptest! {
     }
 }
 
+proptest! {
+    #![proptest_config(config(120))]
+
+    /// An arch of a given thickness: the range of thrusts agrees with the static programme, and
+    /// standing with the least thickness.
+    #[test]
+    fn an_assessment_agrees_with_the_static_programme(
+        alpha in rational(200_000, 2_640_000), mu in rational(50_000, 4_000_000),
+        part in rational(600_000, 3_000_000), heyman in any::<bool>(),
+    ) {
+        let weight = if heyman { H } else { M };
+        let friction = Friction::Coefficient(ExactNumber::rational(mu.clone()));
+        let arch = Arch::new(weight, ExactNumber::rational(alpha.clone()), friction).unwrap();
+        let Ok(Answer::Stands(least)) = arch.certify(17) else { return Ok(()) };
+        // A thickness around the least one, from thinner to much thicker.
+        let eta = Rational::from_f64(least.thickness.double).unwrap() * part;
+        if eta >= Rational::from((19, 10)) { return Ok(()) }
+        let found = arch.certify_thickness(&ExactNumber::rational(eta.clone()), 12).unwrap();
+        prop_assert_eq!(found.stands, eta.to_f64() > least.thickness.double);
+        let discrete = programme::thrust_range(weight, alpha.to_f64(), mu.to_f64(), eta.to_f64());
+        let Some([low, high]) = &found.thrust else {
+            prop_assert!(!found.stands);
+            // Infeasible on all joints may be feasible on some: only close to the least thickness.
+            prop_assert!(discrete.is_none() || eta.to_f64() > 0.99 * least.thickness.double);
+            return Ok(());
+        };
+        let (a, b) = discrete.expect("what stands on all joints stands on some");
+        let close = |x: f64, y: f64| (x - y).abs() < 2e-3 * (1.0 + y.abs());
+        let low = low.thrust.as_ref().unwrap().double;
+        prop_assert!(close(a, low) && a <= low + 1e-9, "least thrust {a} and {low}");
+        match &high.thrust {
+            Some(high) => prop_assert!(close(b.min(999.0), high.double.min(999.0)), "largest thrust {b} and {}", high.double),
+            None => prop_assert!(b > 999.0),
+        }
+        let safety = found.geometric_safety.unwrap().double;
+        approx::assert_relative_eq!(safety, eta.to_f64() / least.thickness.double, max_relative = 1e-9);
+        // With the required friction and a little more it stands, with a little less it does not.
+        let required = found.required_friction.unwrap().decimal.value.to_rational();
+        let with = |factor: (i32, i32)| {
+            let mu = Rational::from(&required * Rational::from(factor));
+            let friction = Friction::Coefficient(ExactNumber::rational(mu));
+            let arch = Arch::new(weight, ExactNumber::rational(alpha.clone()), friction).unwrap();
+            arch.certify_thickness(&ExactNumber::rational(eta.clone()), 6).unwrap().stands
+        };
+        prop_assert!(with((1_000_001, 1_000_000)) && !with((999_999, 1_000_000)));
+    }
+}
+
 /// The two-unknown static programme of the half arch on finitely many joints, in doubles: written for
 /// itself, with nothing of the equations (2)–(18) but the statics.
 mod programme {
@@ -360,7 +408,7 @@ mod programme {
 
     /// The range of thrusts that friction allows at all joints.
     fn thrusts(alpha: f64, mu: f64) -> Option<(f64, f64)> {
-        let (mut low, mut high) = (0.0f64, 1.0f64);
+        let (mut low, mut high) = (0.0f64, 1e3f64);
         for i in 0..=JOINTS {
             let beta = alpha * i as f64 / JOINTS as f64;
             let (sin, cos) = beta.sin_cos();
@@ -406,6 +454,36 @@ mod programme {
             }
         }
         fx.max(fy).max(value(low)).max(value(high))
+    }
+
+    /// The admissible thrusts of a given thickness: where the margin is not negative.
+    pub fn thrust_range(weight: SelfWeight, alpha: f64, mu: f64, eta: f64) -> Option<(f64, f64)> {
+        let (low, high) = thrusts(alpha, mu)?;
+        let (upper, lower) = lines(weight, alpha, eta);
+        let at = |(a, b): &Line, h: f64| a + b * h;
+        let value = |h: f64| {
+            let top = upper.iter().map(|line| at(line, h)).fold(f64::INFINITY, f64::min);
+            top - lower.iter().map(|line| at(line, h)).fold(f64::NEG_INFINITY, f64::max)
+        };
+        let (mut a, mut b) = (low, high);
+        for _ in 0..100 {
+            let third = (b - a) / 3.0;
+            if value(a + third) < value(b - third) { a += third } else { b -= third }
+        }
+        if value(a) < 0.0 {
+            return None;
+        }
+        let edge = |mut inside: f64, mut outside: f64| {
+            if value(outside) >= 0.0 {
+                return outside;
+            }
+            for _ in 0..60 {
+                let middle = 0.5 * (inside + outside);
+                if value(middle) >= 0.0 { inside = middle } else { outside = middle }
+            }
+            inside
+        };
+        Some((edge(a, low), edge(a, high)))
     }
 
     pub fn least_thickness(weight: SelfWeight, alpha: f64, mu: f64) -> f64 {

@@ -30,6 +30,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         half_opening: arch.half_opening().to_string(),
         friction,
         thickness: arguments.thickness.clone(),
+        doubles: arguments.arch.digits == 17,
         outcome: &outcome,
     };
     output.write(|out| report.write(arguments.destination.format, out))?;

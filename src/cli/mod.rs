@@ -10,6 +10,7 @@ mod constants;
 mod output;
 mod progress;
 mod state;
+mod states;
 
 use crate::arch::{Landmark, SelfWeight};
 use crate::certify::MAX_DIGITS;
@@ -35,6 +36,7 @@ enum Command {
     Constants(constants::Arguments),
     State(state::Arguments),
     Assess(assess::Arguments),
+    States(states::Arguments),
     Audit(audit::Arguments),
 }
 
@@ -62,6 +64,7 @@ pub fn run() -> ExitCode {
         Command::Constants(arguments) => constants::run(&arguments),
         Command::State(arguments) => state::run(&arguments),
         Command::Assess(arguments) => assess::run(&arguments),
+        Command::States(arguments) => states::run(&arguments),
         Command::Audit(arguments) => audit::run(&arguments),
     };
     match outcome {

@@ -42,6 +42,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         weight: arch.weight(),
         half_opening: arch.half_opening().to_string(),
         friction,
+        doubles: arguments.arch.digits == 17,
         outcome,
     };
     output.write(|out| report.write(arguments.destination.format, out))?;

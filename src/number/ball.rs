@@ -117,7 +117,8 @@ impl Ball {
     /// The double nearest to every number of the ball, ties to even; `None` if they differ.
     pub fn nearest_double(&self) -> Option<f64> {
         let (low, high) = (self.lower().to_f64(), self.upper().to_f64());
-        (low == high).then_some(low)
+        // Adding zero makes a negative zero positive.
+        (low == high).then_some(low + 0.0)
     }
 
     /// The same midpoint with `more` added to the radius.

@@ -99,6 +99,31 @@ pub fn state_record(report: &StateReport) -> Vec<String> {
     record
 }
 
+/// The columns of a state that hold values.
+pub const STATE_VALUES: [&str; 7] = [
+    "thickness",
+    "thrust",
+    "intrinsic_thrust",
+    "rotation_joint",
+    "sliding_joint",
+    "sliding_friction",
+    "rotational_friction",
+];
+
+/// The values of a state, in the order of [`STATE_VALUES`].
+pub fn state_values<'a>(report: &'a StateReport) -> [Option<&'a Figure>; 7] {
+    let StateOf::Stands(state) = &report.outcome else { return [None; 7] };
+    [
+        Some(&state.thickness),
+        Some(&state.thrust),
+        Some(&state.intrinsic_thrust),
+        Some(&state.rotation_joint),
+        state.sliding_joint.as_ref(),
+        Some(&state.sliding_friction),
+        state.rotational_friction.as_ref(),
+    ]
+}
+
 pub fn state(report: &StateReport, out: &mut dyn io::Write) -> io::Result<()> {
     let mut csv = ::csv::Writer::from_writer(out);
     csv.write_record(STATE_COLUMNS)?;

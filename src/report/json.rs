@@ -1,7 +1,9 @@
 //! JSON: `couplet.constants/1`, `couplet.audit/1`, `couplet.state/1`,
 //! `couplet.assess/1`. Fields may be added, none changes its meaning.
 
-use super::{AssessReport, Audit, Constants, StateAt, StateOf, StateReport, reason, texts};
+use super::{
+    AssessReport, Audit, Constants, StateAt, StateOf, StateReport, hexadecimal, reason, texts,
+};
 use crate::arch::{Equation, Unknown};
 use crate::certify::state::{Figure, LimitDigits};
 use serde::Serialize;
@@ -153,14 +155,24 @@ struct FigureEntry {
     value: String,
     lower: String,
     upper: String,
+    /// The nearest double, in hexadecimal.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    double: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    hex: Option<String>,
 }
 
 impl FigureEntry {
-    fn new(figure: &Figure) -> Self {
+    fn new(figure: &Figure, doubles: bool) -> Self {
         let [value, lower, upper] =
             [&figure.decimal.value, &figure.decimal.lower, &figure.decimal.upper]
                 .map(ToString::to_string);
-        Self { value, lower, upper }
+        let double = doubles.then_some(figure.double);
+        Self { value, lower, upper, double, hex: double.map(hexadecimal) }
+    }
+
+    fn text([value, lower, upper]: [String; 3]) -> Self {
+        Self { value, lower, upper, double: None, hex: None }
     }
 }
 
@@ -211,20 +223,19 @@ impl<'a> StateEntry<'a> {
             StateOf::Stands(state) => {
                 entry.stands = Some(true);
                 entry.mode = Some(state.mode.label());
-                let some = |figure| Some(FigureEntry::new(figure));
+                let some = |figure| Some(FigureEntry::new(figure, report.doubles));
                 entry.thickness = some(&state.thickness);
                 entry.thrust = some(&state.thrust);
                 entry.intrinsic_thrust = some(&state.intrinsic_thrust);
                 entry.rotation_joint = some(&state.rotation_joint);
                 entry.sliding_joint = state.sliding_joint.as_ref().and_then(some);
                 entry.sliding_friction = some(&state.sliding_friction);
-                let infinite = || FigureEntry {
-                    value: "inf".into(),
-                    lower: "inf".into(),
-                    upper: "inf".into(),
-                };
+                let infinite = || FigureEntry::text([(); 3].map(|()| "inf".to_owned()));
                 entry.rotational_friction = Some(
-                    state.rotational_friction.as_ref().map_or_else(infinite, FigureEntry::new),
+                    state
+                        .rotational_friction
+                        .as_ref()
+                        .map_or_else(infinite, |figure| FigureEntry::new(figure, report.doubles)),
                 );
             }
             StateOf::Falls(fall) => {
@@ -274,8 +285,8 @@ struct LimitEntry {
 }
 
 impl LimitEntry {
-    fn new(limit: &LimitDigits) -> Self {
-        let figure = |x: &Option<Figure>| x.as_ref().map(FigureEntry::new);
+    fn new(limit: &LimitDigits, doubles: bool) -> Self {
+        let figure = |x: &Option<Figure>| x.as_ref().map(|x| FigureEntry::new(x, doubles));
         Self {
             thrust: figure(&limit.thrust),
             limited_by: limit.limited_by,
@@ -287,7 +298,7 @@ impl LimitEntry {
 impl<'a> AssessEntry<'a> {
     pub(super) fn new(report: &'a AssessReport) -> Self {
         let found = report.outcome.as_ref().ok();
-        let figure = |x: Option<&Figure>| x.map(FigureEntry::new);
+        let figure = |x: Option<&Figure>| x.map(|x| FigureEntry::new(x, report.doubles));
         let limits = found.and_then(|found| found.thrust.as_ref());
         let fall = found.and_then(|found| found.least_thickness.as_ref().err());
         let doubt = report.outcome.as_ref().err().map(|doubt| doubt.question);
@@ -303,8 +314,8 @@ impl<'a> AssessEntry<'a> {
             geometric_safety: figure(found.and_then(|found| found.geometric_safety.as_ref())),
             required_friction: figure(found.and_then(|found| found.required_friction.as_ref())),
             friction_safety: figure(found.and_then(|found| found.friction_safety.as_ref())),
-            least_thrust: limits.map(|[least, _]| LimitEntry::new(least)),
-            largest_thrust: limits.map(|[_, largest]| LimitEntry::new(largest)),
+            least_thrust: limits.map(|[least, _]| LimitEntry::new(least, report.doubles)),
+            largest_thrust: limits.map(|[_, largest]| LimitEntry::new(largest, report.doubles)),
             reason: doubt.or(fall.map(|fall| reason(*fall))),
         }
     }
@@ -325,10 +336,7 @@ struct StateAtEntry {
 }
 
 pub fn state_at(report: &StateAt, out: &mut dyn io::Write) -> io::Result<()> {
-    let figure = |value: &crate::certify::Value| {
-        let [value, lower, upper] = texts(value);
-        FigureEntry { value, lower, upper }
-    };
+    let figure = |value: &crate::certify::Value| FigureEntry::text(texts(value));
     let values = report.constants.iter().map(|c| (c.quantity.name(), figure(&c.value)));
     let entry = StateAtEntry {
         schema: "couplet.state_at/1",

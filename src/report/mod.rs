@@ -2,7 +2,10 @@
 
 mod csv;
 mod json;
+mod rows;
 mod table;
+
+pub use rows::{Answered, Rows};
 
 use crate::arch::Mode;
 use crate::arch::{Landmark, SelfWeight, System};
@@ -78,6 +81,8 @@ pub struct StateReport<'a> {
     pub half_opening: String,
     /// The friction as given.
     pub friction: String,
+    /// Whether to give the nearest double of each value too.
+    pub doubles: bool,
     /// What is certain.
     pub outcome: StateOf<'a>,
 }
@@ -104,6 +109,8 @@ pub struct AssessReport<'a> {
     pub friction: String,
     /// The thickness as given.
     pub thickness: String,
+    /// Whether to give the nearest double of each value too.
+    pub doubles: bool,
     /// What is certain, or the doubt.
     pub outcome: &'a Result<AssessmentDigits, Doubt>,
 }
@@ -154,6 +161,25 @@ impl StateAt {
     }
 }
 
+/// A double as C and many others write it in hexadecimal: exact.
+fn hexadecimal(x: f64) -> String {
+    if x == 0.0 {
+        return "0x0p+0".to_owned();
+    }
+    let (bits, sign) = (x.to_bits(), if x < 0.0 { "-" } else { "" });
+    let (mut exponent, mut mantissa) = ((bits >> 52 & 0x7ff) as i64 - 1023, bits & ((1 << 52) - 1));
+    if exponent == -1023 {
+        // Subnormal: the leading one is moved to the front.
+        let shift = mantissa.leading_zeros() - 11;
+        mantissa = (mantissa << shift) & ((1 << 52) - 1);
+        exponent = -1022 - i64::from(shift);
+    }
+    let digits = format!("{mantissa:013x}");
+    let digits = digits.trim_end_matches('0');
+    let point = if digits.is_empty() { "" } else { "." };
+    format!("{sign}0x1{point}{digits}p{exponent:+}")
+}
+
 /// The word for why an arch does not stand.
 fn reason(fall: Fall) -> &'static str {
     match fall {
@@ -191,5 +217,24 @@ fn texts(value: &Value) -> [String; 3] {
             [&rounded.value, &rounded.lower, &rounded.upper].map(ToString::to_string)
         }
         Value::Infinite => [(); 3].map(|()| "inf".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::hexadecimal;
+
+    #[test]
+    fn hexadecimal_doubles_are_exact() {
+        for (x, text) in [
+            (1.0, "0x1p+0"),
+            (0.1, "0x1.999999999999ap-4"),
+            (-2.5, "-0x1.4p+1"),
+            (f64::MIN_POSITIVE, "0x1p-1022"),
+            (5e-324, "0x1p-1074"),
+            (f64::MAX, "0x1.fffffffffffffp+1023"),
+        ] {
+            assert_eq!(hexadecimal(x), text);
+        }
     }
 }
