@@ -522,6 +522,28 @@ fn random_queries(count: u64, weight: SelfWeight) -> [usize; 9] {
     met
 }
 
+/// The quick look in doubles is near the proved state almost everywhere; nothing relies on it.
+#[test]
+fn the_quick_look_is_close() {
+    for weight in BOTH {
+        for i in 0..400 {
+            let (alpha, mu) = (0.3 + 0.0057 * f64::from(i), 0.05 + 0.0123 * f64::from(i * 7 % 400));
+            let quick = couplet::solve::start_state::quick_state(weight, alpha, mu);
+            match arch(weight, &format!("{alpha:.17}"), &format!("{mu:.17}")).certify(8) {
+                Ok(Answer::Stands(state)) => {
+                    assert_eq!(quick.mode, Some(state.mode), "{alpha} {mu}");
+                    approx::assert_relative_eq!(
+                        quick.thickness,
+                        state.thickness.double,
+                        max_relative = 1e-4
+                    );
+                }
+                _ => assert_eq!(quick.mode, None, "{alpha} {mu}"),
+            }
+        }
+    }
+}
+
 #[test]
 fn two_thousand_random_queries_are_proved() {
     for weight in BOTH {

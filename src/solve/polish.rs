@@ -55,11 +55,11 @@ pub fn polish(
     None
 }
 
-/// Whether a step is so short that the next one would change nothing.
+/// Whether a step is so short that what it leaves, about its square, is as good as nothing.
 fn is_last(step: &Float, x: &Float) -> bool {
     match (step.get_exp(), x.get_exp()) {
         (None, _) => true,
-        (Some(step), Some(size)) => i64::from(step) < i64::from(size) - i64::from(x.prec()) / 2 - 4,
+        (Some(step), Some(size)) => i64::from(step) < i64::from(size) - i64::from(x.prec()) / 2 + 6,
         _ => false,
     }
 }

@@ -27,9 +27,10 @@ const NODES: usize = 65;
 /// The least start value of a joint: nearer to zero Newton's method finds the way by halving.
 const LEAST_JOINT: f64 = 1e-9;
 
-/// The curve of purely rotational states of one weight, at equidistant half openings.
+/// The curve of purely rotational states of one weight. It bends sharply just before its end, so the
+/// nodes are dense there: equidistant in the square root of the distance from it.
 struct Curve {
-    step: f64,
+    end: f64,
     /// `(beta/alpha)²`, `eta/alpha⁴`, `h`: smooth functions of `alpha` over the whole range.
     nodes: Vec<[f64; 3]>,
 }
@@ -46,11 +47,11 @@ impl Curve {
             SelfWeight::Heyman => (2.648388899151005, 1.0),
             SelfWeight::Milankovitch => (2.590843443008955, 0.9282032302755092),
         };
-        let step = (end - SMALL) / (NODES - 1) as f64;
         let mut state = [0.5f64, 1.0 / 48.0, 1.0 - SMALL * SMALL / 6.0];
         let mut nodes = Vec::with_capacity(NODES);
         for index in 0..NODES - 1 {
-            let alpha = SMALL + step * index as f64;
+            let rest = 1.0 - index as f64 / (NODES - 1) as f64;
+            let alpha = end - (end - SMALL) * rest * rest;
             let given = given(alpha);
             let start = [state[0].sqrt() * alpha, state[1] * alpha.powi(4), state[2]]
                 .map(|x| Float::with_val(64, x));
@@ -61,12 +62,13 @@ impl Curve {
             nodes.push(state);
         }
         nodes.push([0.0, thickness / end.powi(4), 0.0]);
-        Self { step, nodes }
+        Self { end, nodes }
     }
 
     /// The smooth functions at a half opening, by cubic interpolation.
     fn at(&self, alpha: f64) -> [f64; 3] {
-        let place = (alpha - SMALL) / self.step;
+        let rest = ((self.end - alpha) / (self.end - SMALL)).max(0.0).sqrt();
+        let place = (1.0 - rest) * (NODES - 1) as f64;
         let first = (place.floor() as isize - 1).clamp(0, NODES as isize - 4) as usize;
         let x = place - first as f64;
         let weights = [
@@ -80,8 +82,8 @@ impl Curve {
 
     /// The half opening up to which a monotone condition on the state holds.
     fn search(&self, is_before: impl Fn([f64; 3], f64) -> bool) -> f64 {
-        let (mut low, mut high) = (SMALL, SMALL + self.step * (NODES - 1) as f64);
-        for _ in 0..50 {
+        let (mut low, mut high) = (SMALL, self.end);
+        for _ in 0..40 {
             let middle = 0.5 * (low + high);
             if is_before(self.at(middle), middle) { low = middle } else { high = middle }
         }
@@ -130,17 +132,18 @@ pub fn rotational_with_thrust(weight: SelfWeight, h: &Float) -> [Float; 3] {
 pub fn inner_sliding(friction: &Float) -> [Float; 2] {
     let bits = friction.prec();
     let target = Float::with_val(bits, friction.recip_ref()).atan();
-    let mut theta = Float::with_val(bits, &target / 2u32);
-    if target > 1e-3 {
-        let target = target.to_f64();
-        let mut t = target / 2.0;
-        for _ in 0..30 {
-            t -= (t + t.sin() * t.cos() - target) / (2.0 * t.cos().powi(2)).max(0.1);
-        }
-        theta = Float::with_val(bits, t);
-    }
+    let theta = match target.to_f64() {
+        moderate if moderate > 1e-3 => Float::with_val(bits, slope_angle(moderate)),
+        _ => target / 2u32,
+    };
     let (sin, cos) = theta.sin_cos(Float::new(bits));
     [Float::with_val(bits, sin.square_ref()), sin * cos]
+}
+
+/// `θ` with `θ + sin θ cos θ = target`.
+fn slope_angle(target: f64) -> f64 {
+    let right = std::f64::consts::FRAC_PI_2;
+    zero(0.0, right, 0.5 * target, |t| (t + t.sin() * t.cos() - target, 2.0 * t.cos().powi(2)))
 }
 
 /// `mu`, `h`, `beta_s` of the purely sliding state at a half opening.
@@ -152,22 +155,89 @@ pub fn sliding(alpha: &Float) -> [Float; 3] {
         let mu = Float::with_val(bits, &square * alpha) / 12u32;
         return [mu, 1 - square / 4u32, Float::with_val(bits, alpha / 2u32)];
     }
-    // In θ, h = sin²θ: θ + sin θ cos θ + atan(h/alpha) + alpha = pi, whose left side grows with θ.
     let pi = Float::with_val(bits, Constant::Pi);
     let near_pi = Float::with_val(bits, &pi - alpha).to_f64();
-    let a = alpha.to_f64();
-    let excess = |t: f64| t + t.sin() * t.cos() + (t.sin().powi(2) / a).atan() - near_pi;
-    let (mut low, mut high) = (0.0f64, std::f64::consts::FRAC_PI_2);
-    for _ in 0..60 {
-        // Close to pi the root is tiny: halve the exponent before the mantissa.
-        let middle = if low == 0.0 && high > 1e-3 { high / 8.0 } else { 0.5 * (low + high) };
-        if excess(middle) < 0.0 { low = middle } else { high = middle }
-    }
-    let (sin, cos) = (0.5 * (low + high)).sin_cos();
+    sliding_at(alpha.to_f64(), near_pi).map(|x| Float::with_val(bits, x))
+}
+
+/// The same for `alpha` and `pi - alpha`, which are both needed to be accurate.
+fn sliding_at(alpha: f64, rest: f64) -> [f64; 3] {
+    // In θ, h = sin²θ: θ + sin θ cos θ + atan(h/alpha) = pi - alpha, whose left side grows with θ.
+    let excess = |t: f64| {
+        let (sin, cos) = t.sin_cos();
+        let ratio = sin * sin / alpha;
+        let slope = 2.0 * cos * cos + 2.0 * sin * cos / alpha / (1.0 + ratio * ratio);
+        (t + sin * cos + ratio.atan() - rest, slope)
+    };
+    let theta = zero(0.0, std::f64::consts::FRAC_PI_2, (0.5 * rest).min(1.5), excess);
+    let (sin, cos) = theta.sin_cos();
     let (h, joint) = (sin * sin, sin * cos);
-    let mu = ((1.0 - h) * joint.cos() - joint * joint.sin())
-        / ((1.0 - h) * joint.sin() + joint * joint.cos());
-    [mu, h, joint].map(|x| Float::with_val(bits, x))
+    [friction_inside(h, joint), h, joint]
+}
+
+fn friction_inside(h: f64, joint: f64) -> f64 {
+    let (sin, cos) = joint.sin_cos();
+    ((1.0 - h) * cos - joint * sin) / ((1.0 - h) * sin + joint * cos)
+}
+
+/// A state as doubles: a quick look, of which nothing is certain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct QuickState {
+    /// How it seems to collapse; `None` if nothing seems to stand.
+    pub mode: Option<Mode>,
+    /// `eta`.
+    pub thickness: f64,
+    /// `h`.
+    pub thrust: f64,
+    /// `beta_r`, rad.
+    pub rotation_joint: f64,
+}
+
+/// The state of an arch in doubles, good to four digits for half openings from 0.2 up: what the
+/// search starts from, without any proof. `alpha` in `(0, pi)`, `mu` finite.
+pub fn quick_state(weight: SelfWeight, alpha: f64, mu: f64) -> QuickState {
+    let found = |mode, [beta, eta, h]: [f64; 3]| QuickState {
+        mode: (eta <= 2.0).then_some(mode),
+        thickness: eta,
+        thrust: h,
+        rotation_joint: beta,
+    };
+    let [least, _, _] = sliding_at(alpha, std::f64::consts::PI - alpha);
+    if mu < least {
+        return QuickState {
+            mode: None,
+            thickness: f64::NAN,
+            thrust: f64::NAN,
+            rotation_joint: f64::NAN,
+        };
+    }
+    let (sin, cos) = alpha.sin_cos();
+    let curve = Curve::of(weight);
+    let on_curve = |alpha: f64| {
+        let [ratio, eta, h] = curve.at(alpha);
+        [ratio.max(0.0).sqrt() * alpha, eta * alpha.powi(4), h]
+    };
+    if alpha < curve.end {
+        let state = on_curve(alpha);
+        let h = state[2];
+        let shoulder = (h * sin - alpha * cos) / (h * cos + alpha * sin);
+        if mu < shoulder {
+            let h = alpha * (cos + mu * sin) / (sin - mu * cos);
+            let narrower = curve.search(|[_, _, thrust], _| thrust > h);
+            return found(Mode::SlidingRotational, on_curve(narrower));
+        }
+        if mu >= friction_inside(h, (h * (1.0 - h)).max(0.0).sqrt()) {
+            return found(Mode::Rotational, state);
+        }
+    }
+    let theta = slope_angle(mu.recip().atan());
+    let (h, steepest) = (theta.sin().powi(2), theta.sin() * theta.cos());
+    let InnerStart { thickness, joint } = rotational_sliding(weight, alpha, h);
+    match joint {
+        None => found(Mode::OverturningSliding, [0.0, thickness, h]),
+        Some(beta) if beta > steepest => found(Mode::RotationalSliding, [beta, thickness, h]),
+        Some(beta) => found(Mode::RotationalSlidingRotational, [beta, thickness, h]),
+    }
 }
 
 /// A start with a sliding inner joint: the thickness, and the rotational joint unless it is the crown.
@@ -192,18 +262,17 @@ pub fn rotational_sliding(weight: SelfWeight, alpha: f64, h: f64) -> InnerStart 
     if crown >= 2.0 || cotangent(crown) >= 1.0 {
         return InnerStart { thickness: crown, joint: None };
     }
+    // The gap and its slope: the touching joint is where the gap is least, so that its own change
+    // with the thickness does not count.
     let gap = |eta: f64| {
         let beta = inverse_times_cotangent(cotangent(eta));
-        let touching = (1.0 - 0.5 * eta) * (h * beta.cos() + beta * beta.sin())
-            - fac(eta) * (1.0 - beta.cos());
-        (1.0 + 0.5 * eta) * normal - fac(eta) * drop - touching
+        let (touching, fall) = (h * beta.cos() + beta * beta.sin(), 1.0 - beta.cos());
+        let value = (1.0 + 0.5 * eta) * normal - fac(eta) * drop - (1.0 - 0.5 * eta) * touching
+            + fac(eta) * fall;
+        (value, 0.5 * (normal + touching) + delta * eta / 6.0 * (fall - drop))
     };
-    let (mut low, mut high) = (crown.max(0.0), 2.0);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if gap(middle) < 0.0 { low = middle } else { high = middle }
-    }
-    let eta = 0.5 * (low + high);
+    let low = crown.max(0.0);
+    let eta = zero(low, 2.0, low + 1e-3, gap);
     let joint = inverse_times_cotangent(cotangent(eta)).max(LEAST_JOINT);
     InnerStart { thickness: eta, joint: Some(joint) }
 }
@@ -213,12 +282,43 @@ fn inverse_times_cotangent(k: f64) -> f64 {
     if k >= 1.0 {
         return 0.0;
     }
-    let (mut low, mut high) = (0.0, std::f64::consts::PI);
-    for _ in 0..50 {
-        let middle = 0.5 * (low + high);
-        if middle * middle.cos() > k * middle.sin() { low = middle } else { high = middle }
+    // k(beta) falls and is concave: Newton's method comes from the right after one step. The start has
+    // the right behaviour at both ends of the range.
+    let gap = 1.0 - k;
+    let pi = std::f64::consts::PI;
+    let mut beta = pi * (gap / (gap + pi * pi / 3.0)).sqrt();
+    for _ in 0..30 {
+        let (sin, cos) = beta.sin_cos();
+        let step = (beta * cos - k * sin) * sin / (beta - sin * cos);
+        let next = (beta + step).clamp(0.5 * beta, 0.5 * (beta + pi));
+        let done = (next - beta).abs() < 1e-14 * beta;
+        beta = next;
+        if done {
+            break;
+        }
     }
-    0.5 * (low + high)
+    beta
+}
+
+/// The zero of a growing function in `(low, high)`: Newton's method, or halving where it would leave
+/// what is known to hold the zero. `f` gives value and slope.
+fn zero(mut low: f64, mut high: f64, mut x: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
+    for _ in 0..100 {
+        let (value, slope) = f(x);
+        if value < 0.0 {
+            low = x
+        } else {
+            high = x
+        }
+        let newton = x - value / slope;
+        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+        let done = (next - x).abs() <= 1e-14 * x.abs();
+        x = next;
+        if done {
+            break;
+        }
+    }
+    x
 }
 
 /// `beta_r`, `h` where the curve of rotational states has the thickness `eta`, below that of `l`.
