@@ -2,9 +2,9 @@
 //!
 //! How thin can a symmetric circular masonry arch be and still stand under its own weight, when its
 //! radial joints have only finite friction, and how does it fall at that thickness? The answer is a
-//! map of collapse modes with a few landmark points. This crate computes those points to any number
-//! of digits, each with a proof: that the point exists, that it is the only one in a box of a few per
-//! cent around it, and that every digit shown is right.
+//! map of seven collapse modes with a few landmark points. This crate computes the state of any arch
+//! and the landmark points to any number of digits, each with a proof: that the solution exists, that
+//! it is the only one in a box, that it is admissible, and that every digit shown is right.
 //!
 //! The problem and its equations are those of *Finite-friction least-thickness self-standing domains
 //! of symmetric circular masonry arches, Part II: Milankovitch-like self-weight distribution*
@@ -55,6 +55,20 @@
 //! # Ok::<(), couplet::certify::Undecided>(())
 //! ```
 //!
+//! And the state of any arch, from exact input:
+//!
+//! ```
+//! use couplet::arch::{Mode, SelfWeight};
+//! use couplet::certify::state::{Answer, Arch, Friction};
+//!
+//! let friction = Friction::Coefficient("0.38".parse()?);
+//! let arch = Arch::new(SelfWeight::Heyman, "pi/2".parse()?, friction)?;
+//! let Ok(Answer::Stands(state)) = arch.certify(12) else { panic!() };
+//! assert_eq!(state.mode, Mode::SlidingRotational);
+//! assert_eq!(state.thickness.decimal.value.to_string(), "0.122191586363");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! # Where an equation is
 //!
 //! | paper | code |
@@ -71,13 +85,15 @@
 //! | (16) end of rotation, corrected | [`arch::overturning::end_of_rotation`] |
 //! | (17) shoulder sliding | [`arch::sliding::shoulder`], [`arch::sliding::shoulder_thrust`] |
 //! | (18) inner sliding | [`arch::sliding::inner`], [`arch::sliding::steepest`] |
+//! | collapse modes, admissibility, least thickness | [`arch::Mode`], [`arch::contact`] |
 //! | Tables 1–4, 16-digit values of the text | [`arch::published`] |
 //!
 //! # What is proved, and what is not
 //!
 //! Proved, for each landmark: the equations listed for it have exactly one solution in the stated box
 //! (Krawczyk operator in ball arithmetic), the solution lies in the physical range, and each printed
-//! value is the correct rounding of it, between outward bounds.
+//! value is the correct rounding of it, between outward bounds. For each state: the four parts of
+//! [`certify::state`].
 //!
 //! Taken on trust: the compiler, GMP and MPFR, the hardware, and that the equations describe masonry.
 

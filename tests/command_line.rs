@@ -440,6 +440,19 @@ fn the_readme_tells_the_truth() {
     let shown: String =
         point.lines().map(|line| format!("    {line}\n").replace("    \n", "\n")).collect();
     assert!(readme.contains(&shown), "{shown}");
+    let state = stdout(&couplet(&[
+        "state",
+        "--half-opening",
+        "2.45",
+        "--friction",
+        "1.35",
+        "--digits",
+        "20",
+    ]));
+    let block = readme.split("--digits 20\n").nth(1).unwrap().split("    …").next().unwrap();
+    for line in block.lines().map(str::trim) {
+        assert!(state.contains(line), "{line}");
+    }
     let audit = stdout(&couplet(&["audit"]));
     let block = readme.split("$ couplet audit\n").nth(1).unwrap().split("\n\n").next().unwrap();
     for line in block.lines().map(str::trim).filter(|line| *line != "…") {

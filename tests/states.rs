@@ -215,7 +215,7 @@ fn around_the_triple_point() {
             let gap = Rational::from(&high - &low);
             assert!(gap > 0 && gap < Rational::from((1, 1_000_000_000_000_000_000i64)));
             let at = |part: (i32, i32)| {
-                let mu = &low + Rational::from(&gap * Rational::from(part));
+                let mu = Rational::from(part) * &gap + &low;
                 proved_twice(weight, &alpha, &float_text(&Float::with_val(500, &mu), 120))
             };
             assert_eq!(at((-1, 100)), None, "nothing stands");
@@ -373,7 +373,7 @@ proptest! {
         // With the required friction and a little more it stands, with a little less it does not.
         let required = found.required_friction.unwrap().decimal.value.to_rational();
         let with = |factor: (i32, i32)| {
-            let mu = Rational::from(&required * Rational::from(factor));
+            let mu = Rational::from(factor) * &required;
             let friction = Friction::Coefficient(ExactNumber::rational(mu));
             let arch = Arch::new(weight, ExactNumber::rational(alpha.clone()), friction).unwrap();
             arch.certify_thickness(&ExactNumber::rational(eta.clone()), 6).unwrap().stands
