@@ -188,6 +188,25 @@ fn the_ends_of_the_branches_are_approached_from_both_sides() {
     }
 }
 
+/// Far beyond every limit, and next to half a turn: decided, with a reason.
+#[test]
+fn openings_close_to_half_a_turn() {
+    for weight in BOTH {
+        for alpha in ["3", "3.14", "3.1415926535", "3.14159265358979323846264338327950"] {
+            let fall = |friction| match arch(weight, alpha, friction).certify(40) {
+                Ok(Answer::Falls(fall)) => fall,
+                other => panic!("{weight:?} {alpha} {friction}: {other:?}"),
+            };
+            assert_eq!(fall("0.5"), Fall::Sliding);
+            assert_eq!(fall("1e60"), Fall::Thickness);
+            assert_eq!(fall("inf"), Fall::Thickness);
+        }
+    }
+    for (weight, alpha) in [(H, "2.78"), (M, "2.648")] {
+        assert_eq!(proved_twice(weight, alpha, "1e9"), Some(Mode::OverturningSliding));
+    }
+}
+
 #[test]
 fn frictions_just_above_and_below_the_purely_sliding_one() {
     for (weight, alpha) in

@@ -94,7 +94,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             return Ok(());
         }
         tally.rows += count;
-        bar.set_message(format!("{} rows", tally.rows));
+        let rate = tally.rows as f64 / bar.elapsed().as_secs_f64().max(1e-3);
+        bar.set_message(format!("{} rows, {rate:.0} rows/s", tally.rows));
     }
     bar.finish_and_clear();
     tally.verdict()
