@@ -401,6 +401,32 @@ proptest! {
     }
 }
 
+/// Arches on which a comparison of the assessment is an exact tie that does not matter for the answer.
+#[test]
+fn exact_ties_do_not_hide_the_answer() {
+    let cases = [
+        // The lever arm that bounds the thrust at the crown is zero: (2 - eta) = (2 + eta) cos(alpha).
+        (M, "pi/3", "0.5", "2/3"),
+        // Besides, the line of least thrust touches the intrados exactly at the shoulder.
+        (H, "pi/3", "0.5", "2/3"),
+        // The friction angle is the half opening: the shoulder can just not slide.
+        (M, "pi/4", "1", "0.1"),
+        // The thickness is that of the end of rotation.
+        (H, "pi/2", "0.5", "1"),
+        (H, "pi/2", "inf", "1"),
+        // No friction at all.
+        (M, "1", "0", "0.2"),
+        // A thrust far below any double.
+        (M, "2.3", "1e900", "1.5"),
+    ];
+    for (weight, alpha, mu, eta) in cases {
+        let found = arch(weight, alpha, mu).certify_thickness(&number(eta), 20);
+        let found = found.unwrap_or_else(|doubt| panic!("{alpha} {mu} {eta}: {doubt:?}"));
+        assert_eq!(found.stands, mu != "0", "{alpha} {mu} {eta}");
+    }
+    assert_eq!(mode(M, "2.6", "1e900"), Mode::OverturningSliding);
+}
+
 /// The two-unknown static programme of the half arch on finitely many joints, in doubles: written for
 /// itself, with nothing of the equations (2)–(18) but the statics.
 mod programme {

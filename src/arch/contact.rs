@@ -35,6 +35,22 @@
 //! of the sum of the multipliers times `N'` over the states that friction allows. If the bracket is
 //! positive at `eta' = eta`, and `W` is, it is positive for all `eta' < eta`: the combination would be
 //! negative though each of its parts is not, so that **no thinner arch has an admissible state**.
+//!
+//! **Thicker arches stand.** At a fixed thrust the gap that is left for `p` between the shoulder's
+//! extrados and the intrados is the least over all joints of
+//! `(1 + eta/2) N(alpha) - (1 - eta/2) N(beta) - fac (cos beta - cos alpha)`, each concave in `eta`, so
+//! that the gap is concave in `eta`; at `eta = 2` it is `2 N(alpha) - fac (1 - cos alpha)`
+//! ([`margin_at_physical_limit`]). If that is positive, the gap stays open from the least thickness up
+//! to 2. The gap at the crown's extrados grows with `eta`, and friction does not see it. So an arch
+//! stands **exactly** from its least thickness on.
+//!
+//! **No thickness is enough.** If that margin is negative at the least thrust that friction allows, no
+//! arch up to `eta = 2` stands. It is negative only if `cos alpha < 0` (else `A >= pi/2`), so that a
+//! larger thrust makes `N(alpha)` smaller; `p` cannot be negative; and with `n = N(alpha)/(1 - cos
+//! alpha)` the function `(1 + eta/2) n - 1 - delta_M eta²/12` is, for Heyman's weight, linear in `eta`
+//! and negative at 0 and 2 (`n < 1/2`), and for Milankovitch's, with `n < 2/3`, at most its value
+//! `(3n² + 4n - 4)/4 < 0` at the top `eta = 3n`.
+//!
 //! The multipliers are the rates of the collapse mechanism: the rotations at the hinges, and for a
 //! sliding joint the rate times the sine of its angle.
 

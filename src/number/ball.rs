@@ -345,6 +345,9 @@ impl Div<&Ball> for Ball {
         if least.is_zero() {
             return Self::whole(prec);
         }
+        if self.mid.is_zero() && self.rad.is_zero() {
+            return Self { prec, ..self };
+        }
         let (mid, direction) = Float::with_val_round(prec, &self.mid / &other.mid, Round::Nearest);
         let rad = if self.rad.is_zero() && other.rad.is_zero() {
             Magnitude::ZERO
@@ -378,6 +381,8 @@ mod tests {
         assert!(third.contains(&Rational::from((1, 3))));
         let quarter = Ball::integer(1, 100) / Ball::integer(4, 100);
         assert!(quarter.rad().is_zero());
+        let zero = Ball::integer(0, 100) / third;
+        assert!(zero.mid().is_zero() && zero.rad().is_zero(), "zero over anything but zero");
     }
 
     #[test]

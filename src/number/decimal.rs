@@ -297,7 +297,7 @@ impl FromStr for Decimal {
         let power = power
             .parse::<i64>()
             .ok()
-            .filter(|p| p.abs() <= MAX_EXPONENT)
+            .filter(|p| p.unsigned_abs() <= MAX_EXPONENT as u64)
             .ok_or_else(|| ParseDecimalError::Exponent(shown()))?;
         Ok(Self::new(negative, format!("{whole}{fraction}"), power - fraction.len() as i64))
     }
@@ -382,7 +382,9 @@ mod tests {
     fn sizes_far_from_one_are_scientific() {
         assert_eq!("1.5e-30".parse::<Decimal>().unwrap().to_string(), "1.5e-30");
         assert_eq!("-0.001".parse::<Decimal>().unwrap().to_string(), "-0.001");
-        for bad in ["", ".", "1e", "1.2.3", "0x10", "nan", "1e9999999", "--1"] {
+        for bad in
+            ["", ".", "1e", "1.2.3", "0x10", "nan", "1e9999999", "1e-9223372036854775808", "--1"]
+        {
             assert!(bad.parse::<Decimal>().is_err(), "{bad}");
         }
     }

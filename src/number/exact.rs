@@ -19,6 +19,8 @@ pub struct ExactNumber {
 const MAX_LENGTH: usize = 20_000;
 /// Exponents beyond this are refused.
 const MAX_EXPONENT: u32 = 1_000;
+/// The same in bits, and a little more.
+const MAX_BITS: u32 = 3_330;
 
 /// Why a text is not an exact number.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -121,6 +123,11 @@ impl FromStr for ExactNumber {
             }
             factor /= denominator;
         }
+        // A division can leave the range too: 1e-1000/1000….
+        let (above, below) = (factor.numer().significant_bits(), factor.denom().significant_bits());
+        if factor != 0 && above.abs_diff(below) > MAX_BITS {
+            return Err(ParseExactError::Range(shown()));
+        }
         Ok(Self { factor, times_pi, text: text.to_owned() })
     }
 }
@@ -152,9 +159,21 @@ mod tests {
     #[test]
     fn absurd_input_is_refused() {
         let long = "1".repeat(1_000_000);
-        for bad in
-            ["", "nan", "inf", "1e1000000000", "1e-2000", "1/0", "1/-3", "pi2", "1//2", "e", &long]
-        {
+        let tiny = format!("1e-1000/1{}", "0".repeat(18_000));
+        for bad in [
+            "",
+            "nan",
+            "inf",
+            "1e1000000000",
+            "1e-2000",
+            "1/0",
+            "1/-3",
+            "pi2",
+            "1//2",
+            "e",
+            &long,
+            &tiny,
+        ] {
             assert!(bad.parse::<ExactNumber>().is_err(), "{}", &bad[..bad.len().min(20)]);
         }
     }

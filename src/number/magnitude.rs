@@ -202,7 +202,7 @@ impl Magnitude {
 
     fn normalised(mantissa: u32, exponent: i64, up: bool) -> Self {
         if exponent > EXPONENT_LIMIT {
-            Self::INFINITE
+            if up { Self::INFINITE } else { Self { mantissa: u32::MAX, exponent: EXPONENT_LIMIT } }
         } else if exponent < -EXPONENT_LIMIT {
             if up { Self::SMALLEST } else { Self::ZERO }
         } else {

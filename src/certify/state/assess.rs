@@ -16,10 +16,10 @@
 //! left is the admissible range, and **the arch stands exactly if it is not empty**; the least
 //! thickness of the arch, proved on its own, has to say the same.
 
-use super::choice::{Fall, Outcome};
+use super::choice::{Fall, Outcome, hull};
 use super::question::{Arch, Attempt, Doubt, Friction, Query, decide};
 use crate::arch::{Equation, Mode, Ring, Unknown, contact, sliding, thrust};
-use crate::number::{Angle, Ball, ExactNumber, Field};
+use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Real, Ternary};
 use crate::solve::start_state;
 use rug::Float;
 
@@ -154,7 +154,8 @@ impl Query {
         let ring = Ring::new(self.weight, &given.thickness);
         // Without thrust: (5) at the crown.
         let beyond = contact::crown_slope(self.weight, given);
-        if decide(&beyond, "whether the arch is thicker than at the end of rotation", BETWEEN)? {
+        let question = "whether the arch is thicker than at the end of rotation";
+        if !decide(&-beyond, question, BETWEEN)? {
             return Ok(Limit { thrust: Some(given.thrust.int(0)), touch: Touch::Nothing });
         }
         let system = (
@@ -163,10 +164,21 @@ impl Query {
         );
         let eta = Float::with_val(self.bits, given.thickness.mid());
         let at = self.root(system, &start_state::rotational_with_thickness(self.weight, &eta))?;
-        let above = given.half_opening.rad.clone() - &at.rotation_joint.rad;
-        if !decide(&above, "whether the touching joint is above the shoulder", BETWEEN)? {
-            let thrust = thrust::lower(&given.half_opening, &ring).value();
-            return Ok(Limit { thrust: Some(thrust), touch: Touch::Shoulder });
+        let beta = &at.rotation_joint.rad;
+        self.holds(beta.clone(), "a touching joint below the crown")?;
+        self.holds(beta.pi() - beta, "a touching joint within half a turn")?;
+        let shoulder = thrust::lower(&given.half_opening, &ring).value();
+        let above = given.half_opening.rad.clone() - beta;
+        match above.is_positive() {
+            Ternary::True => {}
+            Ternary::False => {
+                return Ok(Limit { thrust: Some(shoulder), touch: Touch::Shoulder });
+            }
+            // The joint is the shoulder as far as can be told, and the two thrusts are as close.
+            Ternary::Undecided => {
+                let thrust = Some(hull(&shoulder, &at.thrust));
+                return Ok(Limit { thrust, touch: Touch::Shoulder });
+            }
         }
         let margin =
             contact::extrados_margin_at_shoulder(self.weight, &at, &contact::crown_moment(&at));
@@ -179,8 +191,15 @@ impl Query {
         let given = &self.given;
         let ring = Ring::new(self.weight, &given.thickness);
         let crown = thrust::upper(&given.half_opening, &Angle::zero(&given.thrust), &ring);
-        let bounded =
-            decide(&crown.denominator, "whether the thrust is bounded from above", BETWEEN)?;
+        let bounded = match crown.denominator.is_positive() {
+            Ternary::True => true,
+            Ternary::False => false,
+            // Where friction bounds the thrust sooner, it does not matter.
+            Ternary::Undecided if self.shoulder_slides_first()? => false,
+            Ternary::Undecided => {
+                decide(&crown.denominator, "whether the thrust is bounded from above", BETWEEN)?
+            }
+        };
         if !bounded {
             return Ok(Limit { thrust: None, touch: Touch::Nothing });
         }
@@ -197,11 +216,30 @@ impl Query {
         let start = start_state::largest_thrust(self.weight, self.alpha().to_f64(), eta)
             .map(|x| Float::with_val(self.bits, x));
         let at = self.root(system, &start)?;
+        let beta = &at.rotation_joint.rad;
+        self.holds(beta.clone(), "a touching joint below the crown")?;
+        self.holds(given.half_opening.rad.clone() - beta, "a touching joint above the shoulder")?;
+        self.holds(at.thrust.clone(), "a positive largest thrust")?;
         let arm = thrust::upper(&given.half_opening, &at.rotation_joint, &ring).denominator;
         self.holds(arm, "a touching joint that bounds the thrust from above")?;
         let margin = contact::crown_moment(&at) - contact::shoulder_moment(self.weight, &at);
         self.holds(margin, "the line of largest thrust inside the extrados at the crown")?;
         Ok(Limit { thrust: Some(at.thrust), touch: Touch::Haunch(at.rotation_joint.rad) })
+    }
+
+    /// Whether the line of thrust still fits, touching the intrados at the crown, at the thrust at which
+    /// the shoulder slides: then that comes before any other bound.
+    fn shoulder_slides_first(&self) -> Attempt<bool> {
+        let Some(friction) = &self.friction else { return Ok(false) };
+        let shoulder = sliding::shoulder_thrust(&self.given.half_opening, friction);
+        if shoulder.denominator.is_positive() != Ternary::True {
+            return Ok(false);
+        }
+        let at = self.given.clone().with(Unknown::Thrust, shoulder.value());
+        let intrados = Ring::new(self.weight, &at.thickness).intrados() * &at.thrust;
+        let margin = contact::shoulder_moment(self.weight, &at) - intrados / at.thrust.int(2);
+        let at_crown = contact::crown_slope(self.weight, &at).is_positive();
+        Ok(margin.is_positive().and(at_crown).is_proved())
     }
 
     /// The least friction for which some thrust of the range slides nowhere. The shoulder asks for more
@@ -218,9 +256,11 @@ impl Query {
         if let Some(largest) = &largest.thrust
             && decide(&(slides.thrust.clone() - largest), question, BETWEEN)?
         {
-            return Ok(
-                self.inner_friction(&self.given.clone().with(Unknown::Thrust, largest.clone()))
-            );
+            let at = self.given.clone().with(Unknown::Thrust, largest.clone());
+            let steepest = (largest.clone() * (largest.int(1) - largest)).sqrt();
+            let margin = at.half_opening.rad.clone() - steepest;
+            self.holds(margin, "the steepest joint above the shoulder")?;
+            return Ok(self.inner_friction(&at));
         }
         Ok(slides.friction)
     }
@@ -251,15 +291,18 @@ impl Query {
             least = slid;
         }
         let shoulder = sliding::shoulder_thrust(&self.given.half_opening, friction);
-        if decide(&shoulder.denominator, "whether the shoulder can slide", BETWEEN)? {
-            let slid = shoulder.value();
-            let first = match &largest.thrust {
-                Some(thrust) => decide(&(thrust.clone() - &slid), question, BETWEEN)?,
-                None => true,
-            };
-            if first {
-                largest = Limit { thrust: Some(slid), touch: Touch::ShoulderSliding };
+        let first = match &largest.thrust {
+            // numerator / denominator < thrust, without dividing by what may be zero: the numerator
+            // is positive, since something stands.
+            Some(thrust) => {
+                let margin = shoulder.denominator.clone() * thrust - &shoulder.numerator;
+                decide(&margin, question, BETWEEN)?
             }
+            None => decide(&shoulder.denominator, "whether the shoulder can slide", BETWEEN)?,
+        };
+        if first {
+            let touch = Touch::ShoulderSliding;
+            largest = Limit { thrust: Some(shoulder.value()), touch };
         }
         if let (Some(low), Some(high)) = (&least.thrust, &largest.thrust) {
             self.holds(high.clone() - low, "a range of thrusts that is not empty")?;

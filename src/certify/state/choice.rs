@@ -65,6 +65,7 @@ impl Query {
     fn outcome(&self) -> Attempt<Outcome> {
         let slides = self.root(Mode::Sliding.system(), &start_state::sliding(&self.alpha()))?;
         self.steepest_is_inside(&slides)?;
+        decide(&slides.friction, "whether the purely sliding friction is positive", &[])?;
         let least_friction = slides.friction.clone();
         if let Some(friction) = &self.friction {
             let between = [Mode::Sliding];
@@ -86,7 +87,7 @@ impl Query {
         };
         match (&rotation, &self.friction) {
             (Some(rotation), None) => {
-                self.proved(Mode::Rotational, rotation.at.clone(), frictions(Some(rotation)))
+                Ok(stands(Mode::Rotational, rotation.at.clone(), frictions(Some(rotation))))
             }
             (None, None) => {
                 if !decide(
@@ -113,7 +114,7 @@ impl Query {
                 // Both can fail only below the purely sliding friction, which is excluded above.
                 match (holds_shoulder, holds_inner) {
                     (Ok(true), Ok(true)) => {
-                        self.proved(Mode::Rotational, rotation.at.clone(), frictions)
+                        Ok(stands(Mode::Rotational, rotation.at.clone(), frictions))
                     }
                     (Ok(false), _) => self.shoulder_sliding(&slides, frictions),
                     (_, Ok(false)) => self.inner_sliding(frictions),
@@ -124,9 +125,11 @@ impl Query {
         }
     }
 
+    /// The purely rotational state, proved for unlimited friction.
     fn rotation(&self) -> Attempt<Rotation> {
         let start = start_state::rotational(self.weight, &self.alpha());
         let at = self.root(Mode::Rotational.system(), &start)?;
+        self.prove(Mode::Rotational, &at, false)?;
         let shoulder = sliding::shoulder(&at.half_opening, &at.thrust).value();
         let inner = self.inner_friction(&at);
         Ok(Rotation { at, shoulder, inner })
@@ -220,33 +223,47 @@ impl Query {
         Float::with_val(self.bits, if eta.is_finite() { eta } else { 1.9 })
     }
 
-    /// Parts 2 and 3 of the proof.
+    /// The state, with parts 2 and 3 of its proof.
     fn proved(
         &self,
         mode: Mode,
         at: Configuration<Ball>,
-        (sliding_friction, rotational_friction): (Ball, Option<Ball>),
+        frictions: (Ball, Option<Ball>),
     ) -> Attempt<Outcome> {
-        for (margin, question) in self.conditions(mode, &at) {
+        self.prove(mode, &at, self.friction.is_some())?;
+        Ok(stands(mode, at, frictions))
+    }
+
+    /// Parts 2 and 3 of the proof: the state is admissible, and none thinner is.
+    fn prove(&self, mode: Mode, at: &Configuration<Ball>, limited: bool) -> Attempt<()> {
+        for (margin, question) in self.conditions(mode, at, limited) {
             if !decide(&margin, question, &[mode])? {
                 // A root that is not the state of the arch: nothing is known.
                 return Err(Doubt { question, between: vec![mode], gap: f64::INFINITY });
             }
         }
-        let slides = matches!(
-            mode,
-            Mode::RotationalSliding | Mode::RotationalSlidingRotational | Mode::OverturningSliding
-        );
-        Ok(Outcome::Stands(Box::new(State {
-            mode,
-            thickness: at.thickness,
-            thrust: at.thrust,
-            rotation_joint: at.rotation_joint.rad,
-            sliding_joint: slides.then_some(at.sliding_joint.rad),
-            sliding_friction,
-            rotational_friction,
-        })))
+        Ok(())
     }
+}
+
+fn stands(
+    mode: Mode,
+    at: Configuration<Ball>,
+    (sliding_friction, rotational_friction): (Ball, Option<Ball>),
+) -> Outcome {
+    let slides = matches!(
+        mode,
+        Mode::RotationalSliding | Mode::RotationalSlidingRotational | Mode::OverturningSliding
+    );
+    Outcome::Stands(Box::new(State {
+        mode,
+        thickness: at.thickness,
+        thrust: at.thrust,
+        rotation_joint: at.rotation_joint.rad,
+        sliding_joint: slides.then_some(at.sliding_joint.rad),
+        sliding_friction,
+        rotational_friction,
+    }))
 }
 
 impl Rotation {
@@ -255,14 +272,15 @@ impl Rotation {
         match self.shoulder.is_less_than(&self.inner) {
             Ternary::True => self.inner.clone(),
             Ternary::False => self.shoulder.clone(),
-            // They differ by less than can be told: a ball that holds both.
-            Ternary::Undecided => {
-                let gap = self.inner.clone() - &self.shoulder;
-                let size = Magnitude::upper(gap.mid()).plus(gap.rad());
-                self.shoulder.clone().widened(size)
-            }
+            Ternary::Undecided => hull(&self.shoulder, &self.inner),
         }
     }
+}
+
+/// A ball that holds two that differ by little.
+pub(super) fn hull(a: &Ball, b: &Ball) -> Ball {
+    let gap = a.clone() - b;
+    a.clone().widened(Magnitude::upper(gap.mid()).plus(gap.rad())).widened(b.rad())
 }
 
 /// The half openings of `l` and `L`, to at least `bits` bits.

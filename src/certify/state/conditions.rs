@@ -9,10 +9,13 @@ use crate::number::{Ball, Enclosure, Field, Real, Ternary};
 impl Query {
     /// What has to be positive: the admissibility of the whole half arch, and the least thickness.
     /// What is zero by the equations of the mode is not listed.
+    ///
+    /// With `limited` unset the friction is taken as unlimited.
     pub(super) fn conditions(
         &self,
         mode: Mode,
         at: &Configuration<Ball>,
+        limited: bool,
     ) -> Vec<(Ball, &'static str)> {
         use Mode::*;
         let weight = self.weight;
@@ -48,20 +51,25 @@ impl Query {
                 "the line of thrust inside the extrados at the shoulder",
             );
         }
-        if !from_crown && mode != Overturning {
+        // At [r,s] the crown's pressure point is on the intrados, so not on the extrados.
+        if matches!(mode, RotationalSliding | RotationalSlidingRotational) {
             let moment = contact::shoulder_moment(weight, at);
             needs(
                 contact::crown_moment(at) - moment,
                 "the line of thrust inside the extrados at the crown",
             );
         }
+        needs(
+            contact::margin_at_physical_limit(weight, at),
+            "every thicker arch stands up to the physical limit",
+        );
         // Friction, at the steepest joint, which has to be a joint of the arch.
         let steepest = match from_crown || mode == Overturning {
             true => (at.thrust.clone() * (at.thrust.int(1) - &at.thrust)).sqrt(),
             false => at.sliding_joint.rad.clone(),
         };
         needs(at.half_opening.rad.clone() - steepest, "the steepest joint above the shoulder");
-        if self.friction.is_some() {
+        if limited {
             if mode != SlidingRotational {
                 let asked = sliding::shoulder(&at.half_opening, &at.thrust).value();
                 needs(friction.clone() - asked, "friction enough at the shoulder");
@@ -91,12 +99,10 @@ impl Query {
         let (base, slope) =
             (contact::weight_term(&rates, at), contact::thrust_coefficient(&rates, at));
         let mut thrusts = vec![at.thrust.int(0)];
-        match (slope.is_positive(), &self.friction) {
+        match (slope.is_positive(), limited) {
             (Ternary::True, _) => {}
-            (_, Some(_)) => {
-                thrusts.push(sliding::shoulder_thrust(&at.half_opening, friction).value())
-            }
-            (_, None) => needs(slope.clone(), "a combination that grows with the thrust"),
+            (_, true) => thrusts.push(sliding::shoulder_thrust(&at.half_opening, friction).value()),
+            (_, false) => needs(slope.clone(), "a combination that grows with the thrust"),
         }
         for thrust in thrusts {
             let term = base.clone() + slope.clone() * thrust;

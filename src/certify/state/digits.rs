@@ -46,8 +46,9 @@ pub struct Digits {
     pub rotational_friction: Option<Figure>,
 }
 
-/// How often the precision is doubled before a comparison or a rounding counts as undecided.
-const ATTEMPTS: u32 = 6;
+/// The precision is doubled up to this many bits, and at least twice, before a comparison or a rounding
+/// counts as undecided.
+const ENOUGH: u32 = 8192;
 /// Bits beyond the digits asked for, at the first attempt.
 const GUARD: u32 = 48;
 
@@ -108,9 +109,10 @@ impl Arch {
         proof: impl Fn(u32) -> Attempt<Option<T>>,
     ) -> Result<T, Doubt> {
         let wanted = (digits as f64 * std::f64::consts::LOG2_10).ceil() as u32;
-        let mut bits = wanted + GUARD + self.bits_lost();
+        let first = wanted + GUARD + self.bits_lost();
+        let mut bits = first;
         let mut last = Doubt { question: "the rounding", between: Vec::new(), gap: f64::NAN };
-        for _ in 0..ATTEMPTS {
+        while bits <= ENOUGH.max(4 * first) {
             match proof(bits) {
                 Ok(Some(answer)) => return Ok(answer),
                 Ok(None) => {}

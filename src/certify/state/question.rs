@@ -2,6 +2,7 @@
 
 use crate::arch::{Configuration, Mode, SelfWeight, Unknown};
 use crate::number::{Ball, Enclosure, ExactNumber, Field, Magnitude, Real, Ternary};
+use rug::float::Round;
 use rug::{Float, Rational};
 
 /// The friction of the joints.
@@ -105,11 +106,15 @@ impl Arch {
         &self.friction
     }
 
-    /// Bits that the smallness of the half opening takes away: the thickness falls like its fourth
-    /// power, and the equations cancel as much.
+    /// Bits that the equations lose by cancellation: the thickness falls like the fourth power of a
+    /// small half opening, the thrust like the inverse square of a large friction.
     pub fn bits_lost(&self) -> u32 {
-        let size = self.half_opening.enclosure(64).mid().get_exp().unwrap_or(0);
-        size.min(0).unsigned_abs() * 6
+        let exponent = |x: &ExactNumber| x.enclosure(64).mid().get_exp().unwrap_or(0);
+        let friction = match &self.friction {
+            Friction::Coefficient(mu) => exponent(mu).max(64) - 64,
+            _ => 0,
+        };
+        exponent(&self.half_opening).min(0).unsigned_abs() * 6 + friction.unsigned_abs() * 4
     }
 }
 
@@ -153,7 +158,10 @@ pub(super) fn decide(margin: &Ball, question: &'static str, between: &[Mode]) ->
         Ternary::True => Ok(true),
         Ternary::False => Ok(false),
         Ternary::Undecided => {
-            let gap = Magnitude::upper(margin.mid()).plus(margin.rad()).to_float().to_f64();
+            let gap = Magnitude::upper(margin.mid())
+                .plus(margin.rad())
+                .to_float()
+                .to_f64_round(Round::Up);
             Err(Doubt { question, between: between.to_vec(), gap })
         }
     }
