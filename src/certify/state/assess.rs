@@ -17,7 +17,7 @@
 //! thickness of the arch, proved on its own, has to say the same.
 
 use super::choice::{Fall, Outcome, hull};
-use super::question::{Arch, Attempt, Doubt, Friction, Query, decide};
+use super::question::{Arch, Attempt, Friction, Query, decide, require};
 use crate::arch::{Equation, Mode, Ring, Unknown, contact, sliding, thrust};
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Real, Ternary};
 use crate::solve::start_state;
@@ -165,8 +165,8 @@ impl Query {
         let eta = Float::with_val(self.bits, given.thickness.mid());
         let at = self.root(system, &start_state::rotational_with_thickness(self.weight, &eta))?;
         let beta = &at.rotation_joint.rad;
-        self.holds(beta.clone(), "a touching joint below the crown")?;
-        self.holds(beta.pi() - beta, "a touching joint within half a turn")?;
+        require(beta, "a touching joint below the crown", BETWEEN)?;
+        require(&(beta.pi() - beta), "a touching joint within half a turn", BETWEEN)?;
         let shoulder = thrust::lower(&given.half_opening, &ring).value();
         let above = given.half_opening.rad.clone() - beta;
         match above.is_positive() {
@@ -182,7 +182,11 @@ impl Query {
         }
         let margin =
             contact::extrados_margin_at_shoulder(self.weight, &at, &contact::crown_moment(&at));
-        self.holds(margin, "the line of least thrust inside the extrados at the shoulder")?;
+        require(
+            &(margin),
+            "the line of least thrust inside the extrados at the shoulder",
+            BETWEEN,
+        )?;
         Ok(Limit { thrust: Some(at.thrust), touch: Touch::Haunch(at.rotation_joint.rad) })
     }
 
@@ -217,13 +221,17 @@ impl Query {
             .map(|x| Float::with_val(self.bits, x));
         let at = self.root(system, &start)?;
         let beta = &at.rotation_joint.rad;
-        self.holds(beta.clone(), "a touching joint below the crown")?;
-        self.holds(given.half_opening.rad.clone() - beta, "a touching joint above the shoulder")?;
-        self.holds(at.thrust.clone(), "a positive largest thrust")?;
+        require(beta, "a touching joint below the crown", BETWEEN)?;
+        require(
+            &(given.half_opening.rad.clone() - beta),
+            "a touching joint above the shoulder",
+            BETWEEN,
+        )?;
+        require(&at.thrust, "a positive largest thrust", BETWEEN)?;
         let arm = thrust::upper(&given.half_opening, &at.rotation_joint, &ring).denominator;
-        self.holds(arm, "a touching joint that bounds the thrust from above")?;
+        require(&arm, "a touching joint that bounds the thrust from above", BETWEEN)?;
         let margin = contact::crown_moment(&at) - contact::shoulder_moment(self.weight, &at);
-        self.holds(margin, "the line of largest thrust inside the extrados at the crown")?;
+        require(&margin, "the line of largest thrust inside the extrados at the crown", BETWEEN)?;
         Ok(Limit { thrust: Some(at.thrust), touch: Touch::Haunch(at.rotation_joint.rad) })
     }
 
@@ -259,7 +267,7 @@ impl Query {
             let at = self.given.clone().with(Unknown::Thrust, largest.clone());
             let steepest = (largest.clone() * (largest.int(1) - largest)).sqrt();
             let margin = at.half_opening.rad.clone() - steepest;
-            self.holds(margin, "the steepest joint above the shoulder")?;
+            require(&margin, "the steepest joint above the shoulder", BETWEEN)?;
             return Ok(self.inner_friction(&at));
         }
         Ok(slides.friction)
@@ -305,16 +313,8 @@ impl Query {
             largest = Limit { thrust: Some(shoulder.value()), touch };
         }
         if let (Some(low), Some(high)) = (&least.thrust, &largest.thrust) {
-            self.holds(high.clone() - low, "a range of thrusts that is not empty")?;
+            require(&(high.clone() - low), "a range of thrusts that is not empty", BETWEEN)?;
         }
         Ok([least, largest])
-    }
-
-    /// A condition that has to hold; its opposite leaves nothing known.
-    fn holds(&self, margin: Ball, question: &'static str) -> Attempt<()> {
-        match decide(&margin, question, BETWEEN)? {
-            true => Ok(()),
-            false => Err(Doubt { question, between: Vec::new(), gap: f64::INFINITY }),
-        }
     }
 }

@@ -1,6 +1,6 @@
 //! Which mode an arch collapses in: every comparison decided, or the doubt.
 
-use super::question::{Arch, Attempt, Doubt, Query, decide};
+use super::question::{Arch, Attempt, Query, decide, require};
 use crate::arch::{
     Configuration, Equation, Landmark, Mode, SelfWeight, Unknown, contact, sliding, thrust,
 };
@@ -64,8 +64,9 @@ impl Arch {
 impl Query {
     fn outcome(&self) -> Attempt<Outcome> {
         let slides = self.root(Mode::Sliding.system(), &start_state::sliding(&self.alpha()))?;
-        self.steepest_is_inside(&slides)?;
-        decide(&slides.friction, "whether the purely sliding friction is positive", &[])?;
+        require(&slides.friction, "a positive purely sliding friction", &[])?;
+        let inside = slides.half_opening.rad.clone() - &slides.sliding_joint.rad;
+        require(&inside, "the steepest joint above the shoulder", &[])?;
         let least_friction = slides.friction.clone();
         if let Some(friction) = &self.friction {
             let between = [Mode::Sliding];
@@ -133,15 +134,6 @@ impl Query {
         let shoulder = sliding::shoulder(&at.half_opening, &at.thrust).value();
         let inner = self.inner_friction(&at);
         Ok(Rotation { at, shoulder, inner })
-    }
-
-    /// That the steepest joint of a state lies above the shoulder, as (18) takes for granted.
-    fn steepest_is_inside(&self, at: &Configuration<Ball>) -> Attempt<()> {
-        let question = "whether the steepest joint is above the shoulder";
-        match decide(&(at.half_opening.rad.clone() - &at.sliding_joint.rad), question, &[])? {
-            true => Ok(()),
-            false => Err(Doubt { question, between: Vec::new(), gap: f64::INFINITY }),
-        }
     }
 
     /// The friction that the steepest joint asks for at the thrust of a state.
@@ -236,13 +228,10 @@ impl Query {
 
     /// Parts 2 and 3 of the proof: the state is admissible, and none thinner is.
     fn prove(&self, mode: Mode, at: &Configuration<Ball>, limited: bool) -> Attempt<()> {
-        for (margin, question) in self.conditions(mode, at, limited) {
-            if !decide(&margin, question, &[mode])? {
-                // A root that is not the state of the arch: nothing is known.
-                return Err(Doubt { question, between: vec![mode], gap: f64::INFINITY });
-            }
-        }
-        Ok(())
+        // A root that fails one of them is not the state of the arch.
+        self.conditions(mode, at, limited)
+            .iter()
+            .try_for_each(|(margin, question)| require(margin, question, &[mode]))
     }
 }
 

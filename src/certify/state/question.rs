@@ -166,3 +166,11 @@ pub(super) fn decide(margin: &Ball, question: &'static str, between: &[Mode]) ->
         }
     }
 }
+
+/// A condition that has to hold for the proof to go on; where it does not, nothing is known.
+pub(super) fn require(margin: &Ball, question: &'static str, modes: &[Mode]) -> Attempt<()> {
+    match decide(margin, question, modes)? {
+        true => Ok(()),
+        false => Err(Doubt { question, between: modes.to_vec(), gap: f64::INFINITY }),
+    }
+}
