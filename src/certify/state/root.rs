@@ -62,9 +62,10 @@ impl Query {
                 .zip(&radii)
                 .map(|(x, r)| x.clone().widened(r.shifted(inflation)))
                 .collect();
+            let placed = place(&domain);
             let regular = equations
                 .iter()
-                .filter_map(|e| e.denominator(self.weight, &place(&domain)))
+                .filter_map(|e| e.denominator(self.weight, &placed))
                 .all(|d| d.excludes_zero());
             if !regular {
                 continue;
