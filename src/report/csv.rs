@@ -125,10 +125,7 @@ pub fn state_values<'a>(report: &'a StateReport) -> [Option<&'a Figure>; 7] {
 }
 
 pub fn state(report: &StateReport, out: &mut dyn io::Write) -> io::Result<()> {
-    let mut csv = ::csv::Writer::from_writer(out);
-    csv.write_record(STATE_COLUMNS)?;
-    csv.write_record(state_record(report))?;
-    csv.flush()
+    one(&STATE_COLUMNS, &state_record(report), out)
 }
 
 pub fn state_at(report: &StateAt, out: &mut dyn io::Write) -> io::Result<()> {
@@ -218,8 +215,13 @@ pub fn assess_record(report: &AssessReport) -> Vec<String> {
 }
 
 pub fn assess(report: &AssessReport, out: &mut dyn io::Write) -> io::Result<()> {
+    one(&ASSESS_COLUMNS, &assess_record(report), out)
+}
+
+/// A header and one row.
+fn one(columns: &[&str], record: &[String], out: &mut dyn io::Write) -> io::Result<()> {
     let mut csv = ::csv::Writer::from_writer(out);
-    csv.write_record(ASSESS_COLUMNS)?;
-    csv.write_record(assess_record(report))?;
+    csv.write_record(columns)?;
+    csv.write_record(record)?;
     csv.flush()
 }
