@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 const DIGITS: [usize; 5] = [100, 1_000, 10_000, 100_000, 1_000_000];
 
 fn bits(digits: usize) -> u32 {
-    (digits as f64 * std::f64::consts::LOG2_10).ceil() as u32 + 32
+    couplet::number::bits_of(digits) + 32
 }
 
 /// Sines and cosines of the three angles of T by MPFR, of full-length arguments.

@@ -247,6 +247,23 @@ fn a_device_is_written_to_and_not_replaced() {
     assert!(!std::fs::metadata("/dev/null").unwrap().is_file());
 }
 
+/// A reader that stops early has what it wanted, in every format.
+#[test]
+fn a_closed_pipe_is_no_failure() {
+    for format in ["table", "json", "csv"] {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_couplet"))
+            .args(["constants", "--digits", "5000", "--format", format])
+            .stdout(std::process::Stdio::piped())
+            .stderr(std::process::Stdio::piped())
+            .spawn()
+            .unwrap();
+        drop(child.stdout.take());
+        let output = child.wait_with_output().unwrap();
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!((output.status.code(), message.as_str()), (Some(0), ""), "{format}");
+    }
+}
+
 #[test]
 fn help_goes_to_standard_output() {
     for arguments in

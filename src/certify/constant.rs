@@ -3,7 +3,7 @@
 use super::exact::{Exact, enclosure, exact};
 use super::{Isolated, Refined, Undecided, isolate, refine, refine_watched, stages};
 use crate::arch::{Landmark, Quantity, SelfWeight, System, Unknown, thrust};
-use crate::number::{Ball, Enclosure, Field, Real, Rounded, Ternary};
+use crate::number::{Ball, Enclosure, Field, Real, Rounded, Ternary, bits_of};
 use crate::solve::{newton, start};
 use rayon::prelude::*;
 
@@ -191,8 +191,7 @@ impl Precision {
         if digits == 0 || digits > MAX_DIGITS {
             return Err(Undecided(format!("digits must be from 1 to {MAX_DIGITS}")));
         }
-        let bits = (digits as f64 * std::f64::consts::LOG2_10).ceil() as u32 + GUARD;
-        Ok(Self { bits, attempt: 0 })
+        Ok(Self { bits: bits_of(digits) + GUARD, attempt: 0 })
     }
 
     fn raise(&mut self, quantity: Quantity) -> Result<(), Undecided> {

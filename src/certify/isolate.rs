@@ -5,6 +5,7 @@ use crate::arch::{Point, System};
 use crate::number::{Ball, Enclosure, Magnitude};
 use crate::solve::{Candidate, inverse};
 use rug::Float;
+use rug::float::Round;
 
 /// A root of a system, proved to exist and to be the only one in a box.
 ///
@@ -34,9 +35,13 @@ impl Isolated {
         &self.image
     }
 
-    /// The radii of the box relative to its centre, for display.
+    /// The radii of the box relative to its centre, rounded down: the proof covers as much.
     pub fn relative_radii(&self) -> Vec<f64> {
-        self.domain.iter().map(|x| (x.rad().to_float() / x.mid()).to_f64()).collect()
+        let ratio = |x: &Ball| {
+            let (radius, centre) = (x.rad().to_float(), x.mid());
+            Float::with_val_round(53, &radius / centre, Round::Zero).0.to_f64()
+        };
+        self.domain.iter().map(ratio).collect()
     }
 
     /// The geometric mean of the relative radii: the size of the box in one number.

@@ -150,15 +150,6 @@ impl Ball {
         Self { prec: self.prec, ..self.with_precision(useful) }
     }
 
-    /// The relative accuracy in bits: `-log2(radius / |midpoint|)` rounded down; `None` for an
-    /// exact ball or one that holds zero or the whole line.
-    pub fn accuracy(&self) -> Option<i64> {
-        if !self.excludes_zero() {
-            return None;
-        }
-        Some(i64::from(self.mid.get_exp()?) - 1 - self.rad.exponent()?)
-    }
-
     /// Adds the rounding error of `mid` to `rad`.
     fn rounded(mid: Float, direction: Ordering, rad: Magnitude, prec: u32) -> Self {
         if !mid.is_finite() {

@@ -41,6 +41,11 @@ pub enum ParseDecimalError {
 
 const MAX_EXPONENT: i64 = 1_000_000;
 
+/// The bits that hold so many decimal digits: `digits log2(10)`, rounded up.
+pub fn bits_of(digits: usize) -> u32 {
+    (digits as f64 * std::f64::consts::LOG2_10).ceil() as u32
+}
+
 impl Decimal {
     fn new(negative: bool, digits: String, exponent: i64) -> Self {
         let trimmed = digits.trim_start_matches('0');
@@ -148,8 +153,7 @@ impl Rounded {
         // One digit more than asked for tells the halves of a unit apart.
         let mut exponent = decimal_magnitude(&low) - digits as i64 - 1;
         // Binary places kept behind that grid: all that the number has.
-        let used = (digits as f64 * std::f64::consts::LOG2_10) as u32;
-        let fraction = low.prec().saturating_sub(used).max(64);
+        let fraction = low.prec().saturating_sub(bits_of(digits)).max(64);
         let mut scaled = scaled(&low, exponent, fraction)?;
         let mut text = Integer::from(&scaled >> fraction).to_string_radix(10);
         // The estimate of the magnitude may be off by one either way.

@@ -54,7 +54,7 @@ pub use anchor::{Anchor, arctangent};
 pub use angle::Angle;
 pub use astro::AstroInterval;
 pub use ball::Ball;
-pub use decimal::{Decimal, ParseDecimalError, Rounded};
+pub use decimal::{Decimal, ParseDecimalError, Rounded, bits_of};
 pub use dual::Dual;
 pub use exact::{ExactNumber, ParseExactError};
 pub use magnitude::Magnitude;

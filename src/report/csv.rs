@@ -6,7 +6,8 @@ use std::io;
 
 pub fn constants(report: &Constants, out: &mut dyn io::Write) -> io::Result<()> {
     let mut csv = ::csv::Writer::from_writer(out);
-    csv.write_record(["weight", "landmark", "quantity", "value", "lower", "upper", "exact"])?;
+    csv.write_record(["weight", "landmark", "quantity", "value", "lower", "upper", "exact"])
+        .map_err(io_error)?;
     let proved = report.landmarks.iter().filter_map(|entry| entry.outcome.as_ref().ok());
     for constant in proved.flat_map(|proved| &proved.constants) {
         let [value, lower, upper] = texts(&constant.value);
@@ -18,7 +19,8 @@ pub fn constants(report: &Constants, out: &mut dyn io::Write) -> io::Result<()> 
             &lower,
             &upper,
             constant.exact.as_deref().unwrap_or_default(),
-        ])?;
+        ])
+        .map_err(io_error)?;
     }
     csv.flush()
 }
@@ -34,7 +36,8 @@ pub fn audit(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
         "error_units",
         "correct_digits",
         "verdict",
-    ])?;
+    ])
+    .map_err(io_error)?;
     for entry in &report.printed {
         csv.write_record([
             entry.printed.place,
@@ -45,7 +48,8 @@ pub fn audit(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
             &entry.error_units.to_string(),
             &entry.correct_digits.to_string(),
             entry.verdict.name(),
-        ])?;
+        ])
+        .map_err(io_error)?;
     }
     csv.flush()
 }
@@ -130,7 +134,8 @@ pub fn state(report: &StateReport, out: &mut dyn io::Write) -> io::Result<()> {
 
 pub fn state_at(report: &StateAt, out: &mut dyn io::Write) -> io::Result<()> {
     let mut csv = ::csv::Writer::from_writer(out);
-    csv.write_record(["weight", "landmark", "modes", "quantity", "value", "lower", "upper"])?;
+    csv.write_record(["weight", "landmark", "modes", "quantity", "value", "lower", "upper"])
+        .map_err(io_error)?;
     let modes: Vec<_> = report.modes.iter().map(|mode| mode.label()).collect();
     for constant in &report.constants {
         let [value, lower, upper] = texts(&constant.value);
@@ -142,7 +147,8 @@ pub fn state_at(report: &StateAt, out: &mut dyn io::Write) -> io::Result<()> {
             &value,
             &lower,
             &upper,
-        ])?;
+        ])
+        .map_err(io_error)?;
     }
     csv.flush()
 }
@@ -221,7 +227,15 @@ pub fn assess(report: &AssessReport, out: &mut dyn io::Write) -> io::Result<()> 
 /// A header and one row.
 fn one(columns: &[&str], record: &[String], out: &mut dyn io::Write) -> io::Result<()> {
     let mut csv = ::csv::Writer::from_writer(out);
-    csv.write_record(columns)?;
-    csv.write_record(record)?;
+    csv.write_record(columns).map_err(io_error)?;
+    csv.write_record(record).map_err(io_error)?;
     csv.flush()
+}
+
+/// The error of the stream itself: its kind tells a closed pipe from a full disk.
+fn io_error(error: ::csv::Error) -> io::Error {
+    match error.into_kind() {
+        ::csv::ErrorKind::Io(error) => error,
+        other => io::Error::other(format!("{other:?}")),
+    }
 }

@@ -29,7 +29,9 @@ fn landmark(proved: &Proved, out: &mut dyn io::Write) -> io::Result<()> {
         .unknowns
         .iter()
         .zip(&proved.relative_radii)
-        .map(|(unknown, radius)| format!("{} ±{:.1}%", unknown.name(), 100.0 * radius))
+        .map(|(unknown, radius)| {
+            format!("{} ±{:.1}%", unknown.name(), (1000.0 * radius).floor() / 10.0)
+        })
         .collect();
     writeln!(out, "   proved: one solution of {}", equations.join(", "))?;
     writeln!(out, "   in the box {}", radii.join(", "))?;

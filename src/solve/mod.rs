@@ -2,13 +2,11 @@
 
 mod linear;
 mod newton;
-mod polish;
 mod start;
 pub mod start_state;
 
 pub use linear::inverse;
-pub use newton::newton;
-pub use polish::polish;
+pub use newton::{newton, polish};
 pub use start::start;
 
 use rug::Float;

@@ -182,11 +182,7 @@ impl Query {
         }
         let margin =
             contact::extrados_margin_at_shoulder(self.weight, &at, &contact::crown_moment(&at));
-        require(
-            &(margin),
-            "the line of least thrust inside the extrados at the shoulder",
-            BETWEEN,
-        )?;
+        require(&margin, "the line of least thrust inside the extrados at the shoulder", BETWEEN)?;
         Ok(Limit { thrust: Some(at.thrust), touch: Touch::Haunch(at.rotation_joint.rad) })
     }
 
@@ -243,11 +239,14 @@ impl Query {
         if shoulder.denominator.is_positive() != Ternary::True {
             return Ok(false);
         }
+        let slides = self.root(Mode::Sliding.system(), &start_state::sliding(&self.alpha()))?;
         let at = self.given.clone().with(Unknown::Thrust, shoulder.value());
+        // Above the purely sliding thrust the required friction does not see the bound either.
+        let above = slides.thrust.is_less_than(&at.thrust);
         let intrados = Ring::new(self.weight, &at.thickness).intrados() * &at.thrust;
         let margin = contact::shoulder_moment(self.weight, &at) - intrados / at.thrust.int(2);
         let at_crown = contact::crown_slope(self.weight, &at).is_positive();
-        Ok(margin.is_positive().and(at_crown).is_proved())
+        Ok(margin.is_positive().and(at_crown).and(above).is_proved())
     }
 
     /// The least friction for which some thrust of the range slides nowhere. The shoulder asks for more

@@ -4,7 +4,7 @@ use super::assess::{Assessment, Limit};
 use super::choice::{Fall, Outcome, State};
 use super::question::{Arch, Attempt, Doubt};
 use crate::arch::Mode;
-use crate::number::{Ball, ExactNumber, Rounded};
+use crate::number::{Ball, ExactNumber, Rounded, bits_of};
 use rug::Rational;
 
 /// A proved state with its digits, or why nothing stands.
@@ -108,8 +108,7 @@ impl Arch {
         digits: usize,
         proof: impl Fn(u32) -> Attempt<Option<T>>,
     ) -> Result<T, Doubt> {
-        let wanted = (digits as f64 * std::f64::consts::LOG2_10).ceil() as u32;
-        let first = wanted + GUARD + self.bits_lost();
+        let first = bits_of(digits) + GUARD + self.bits_lost();
         let mut bits = first;
         let mut last = Doubt { question: "the rounding", between: Vec::new(), gap: f64::NAN };
         while bits <= ENOUGH.max(4 * first) {

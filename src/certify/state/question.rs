@@ -59,14 +59,7 @@ impl Arch {
         half_opening: ExactNumber,
         friction: Friction,
     ) -> Result<Self, ArchError> {
-        let between = |x: &ExactNumber, low_is_in: bool, limit: Ball| {
-            let x = x.enclosure(limit.prec());
-            let positive = x.is_positive() == Ternary::True || (low_is_in && x.mid().is_zero());
-            positive && x.is_less_than(&limit) == Ternary::True
-        };
-        // Far more bits than the longest number that is read has.
-        let pi = Ball::integer(1, 80_000).pi();
-        if !between(&half_opening, false, pi.clone()) {
+        if !is_between(&half_opening, false, 1) {
             return Err(ArchError::HalfOpening(half_opening.to_string()));
         }
         let friction = match friction {
@@ -78,7 +71,7 @@ impl Arch {
             {
                 Friction::Infinite
             }
-            Friction::Angle(phi) if !between(&phi, true, pi.clone() / pi.int(2)) => {
+            Friction::Angle(phi) if !is_between(&phi, true, 2) => {
                 return Err(ArchError::FrictionAngle(phi.to_string()));
             }
             friction => friction,
@@ -116,6 +109,17 @@ impl Arch {
         };
         exponent(&self.half_opening).min(0).unsigned_abs() * 6 + friction.unsigned_abs() * 4
     }
+}
+
+/// Whether an angle is above zero (or is zero, if that is allowed) and below `pi / divisor`.
+fn is_between(x: &ExactNumber, zero_is_in: bool, divisor: i32) -> bool {
+    // Few bits decide nearly always; the last are more than the longest number that is read has.
+    let below = [128, 80_000].into_iter().map(|bits| {
+        let pi = Ball::integer(1, bits).pi();
+        x.enclosure(bits).is_less_than(&(pi.clone() / pi.int(divisor)))
+    });
+    let positive = *x.factor() > 0 || (zero_is_in && x.factor().is_zero());
+    positive && below.into_iter().find(|b| *b != Ternary::Undecided) == Some(Ternary::True)
 }
 
 /// An arch at one precision.
