@@ -103,3 +103,4 @@ pub mod cli;
 pub mod number;
 pub mod report;
 pub mod solve;
+pub mod symbolic;

@@ -13,7 +13,7 @@
 
 use couplet::arch::{Landmark, Ring, SelfWeight, overturning, thrust};
 use couplet::certify::CertifiedLandmark;
-use couplet::number::{Angle, Ball, Dual, Enclosure, Field, Surd};
+use couplet::number::{Angle, Ball, Dual, Enclosure, ExactField, Field, Surd};
 
 /// A number with first and second derivatives to two variables.
 type Second = Dual<Dual<Surd>>;

@@ -8,6 +8,7 @@
 //! | [`AstroInterval`] | two astro-float ends, rounded outward: the second arithmetic | [`Field`], [`Real`], [`Enclosure`] |
 //! | [`rug::Rational`] | exact | [`Field`] |
 //! | [`Surd`] | `a + b√d`, exact | [`Field`] |
+//! | [`symbolic::Fraction`](crate::symbolic::Fraction) | a formula, exact | [`Field`] |
 //! | [`Dual`] | a value and its gradient | as its component, up to [`Real`] |
 //!
 //! Precision travels inside a value: `x.int(3)` is a three "like `x`", so an equation needs no
@@ -35,6 +36,8 @@ macro_rules! owned_operators {
     };
 }
 
+pub(crate) use owned_operators;
+
 mod anchor;
 mod angle;
 mod astro;
@@ -61,6 +64,8 @@ pub use magnitude::Magnitude;
 pub use surd::Surd;
 pub use ternary::Ternary;
 
+use rug::integer::Order;
+use rug::{Integer, Rational};
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -92,6 +97,35 @@ pub trait Field:
     /// `self * self`.
     fn square(&self) -> Self {
         self.clone() * self
+    }
+}
+
+/// A field that recognises its zero: what a proof by normal form or an exact division needs.
+pub trait ExactField: Field {
+    /// Whether this is exactly zero; `false` means that it is not.
+    fn is_zero(&self) -> bool;
+}
+
+/// A rational number "like `like`": exact where the type is, enclosed where it encloses.
+pub fn rational_like<T: Field>(like: &T, value: &Rational) -> T {
+    // From the most significant digit in base 2^24, each of which fits an `i32`.
+    let integer = |n: &Integer| {
+        let digits: Vec<u32> = n
+            .clone()
+            .abs()
+            .to_digits::<u8>(Order::Lsf)
+            .chunks(3)
+            .map(|chunk| chunk.iter().rev().fold(0u32, |sum, byte| sum << 8 | u32::from(*byte)))
+            .collect();
+        let size = digits
+            .iter()
+            .rev()
+            .fold(like.int(0), |sum, digit| sum * like.int(1 << 24) + like.int(*digit as i32));
+        if *n < 0 { -size } else { size }
+    };
+    match value.is_integer() {
+        true => integer(value.numer()),
+        false => integer(value.numer()) / integer(value.denom()),
     }
 }
 
@@ -144,7 +178,7 @@ pub trait Enclosure: Real {
 }
 
 #[cfg(test)]
-mod test_config {
+pub(crate) mod test_config {
     use proptest::test_runner::{Config, RngSeed};
 
     /// The same arguments in every run, and bounded shrinking.

@@ -1,6 +1,6 @@
 //! `rug::Rational`: exact arithmetic, for identities at rational points.
 
-use super::Field;
+use super::{ExactField, Field};
 use rug::Rational;
 
 impl Field for Rational {
@@ -10,5 +10,11 @@ impl Field for Rational {
 
     fn square(&self) -> Self {
         Rational::from(self.square_ref())
+    }
+}
+
+impl ExactField for Rational {
+    fn is_zero(&self) -> bool {
+        *self == 0
     }
 }
