@@ -4,6 +4,7 @@
 
 mod audit;
 mod constant;
+mod cover;
 mod exact;
 mod isolate;
 pub mod krawczyk;
@@ -13,6 +14,7 @@ mod verdict;
 
 pub use audit::{Audited, Comparison, PrintedVerdict, Relation, audit, compare_weights};
 pub use constant::{CertifiedLandmark, Constant, MAX_DIGITS, Value, quantities};
+pub use cover::{between, cover};
 pub use exact::Exact;
 pub use isolate::{Isolated, isolate};
 pub use refine::{Refined, refine, refine_watched, stages};

@@ -171,6 +171,14 @@ impl Polynomial {
         (0..n).fold(Self::constant(1), |product, _| &product * self)
     }
 
+    /// The polynomial with its leading coefficient raised by one or, if that would make it vanish, by
+    /// two; one for zero: a false twin.
+    pub fn with_changed_coefficient(&self) -> Self {
+        let Some((monomial, value)) = self.leading() else { return Self::from(1) };
+        let step = if *value == -1 { 2 } else { 1 };
+        self.clone() + &Self::term(*monomial, Rational::from(step))
+    }
+
     /// The partial derivative to one symbol.
     pub fn partial(&self, symbol: Symbol) -> Self {
         let mut sum = Self::zero();

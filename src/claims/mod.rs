@@ -1,0 +1,83 @@
+//! What the paper claims, one statement at a time, each proved or refuted.
+//!
+//! | claims about | file |
+//! |---|---|
+//! | moments, tangency, centroids: (2)–(6) | `moments.rs` |
+//! | the cubics and their abbreviations: (7), (8), the discriminants (12) | `cubics.rs` |
+//! | the closed forms (9)–(11), their branches, the widest joint | `branches.rs` |
+//! | purely overturning states: (13)–(16) | `overturning.rs` |
+//! | how rotation and overturning join | `joining.rs` |
+//! | sliding: (17), (18) | `sliding.rs` |
+//! | series for small openings and about `l` | `asymptotics.rs` |
+//! | the landmarks, and the two weights compared | `landmarks.rs` |
+//!
+//! A claim is decided by a [`Derivation`]: the equations of `arch` are evaluated over
+//! [`symbolic`](crate::symbolic) numbers, and each step is checked exactly, or in balls over a whole
+//! range. A person can read the steps; a test spoils each of them in turn, and then the claim must
+//! fail.
+
+mod derivation;
+
+pub use derivation::{Derivation, Formula, Step, Support};
+
+use crate::certify::Undecided;
+use std::time::{Duration, Instant};
+
+/// A statement of the paper, or one that it leaves implicit.
+#[derive(Clone, Copy, Debug)]
+pub struct Claim {
+    /// A stable name.
+    pub id: &'static str,
+    /// The equation, table or section.
+    pub place: &'static str,
+    /// What is claimed, as it is printed where it is.
+    pub statement: &'static str,
+    decide: fn(&mut Derivation) -> Result<Finding, Undecided>,
+}
+
+/// What a completed derivation says of the statement.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Finding {
+    /// It holds as it is printed.
+    AsPrinted,
+    /// It holds; the paper does not state it.
+    Implicit,
+    /// It is false as printed.
+    Misprint {
+        /// Where it fails: a point with the two values, or the difference that is not zero.
+        counterexample: String,
+        /// What holds instead, and is proved by the derivation.
+        corrected: &'static str,
+    },
+}
+
+/// How a claim was decided.
+#[derive(Clone, Debug)]
+pub struct Decision {
+    /// The claim.
+    pub claim: Claim,
+    /// The finding, or why there is none.
+    pub outcome: Result<Finding, Undecided>,
+    /// The steps, as far as they went.
+    pub derivation: Derivation,
+    /// How long it took.
+    pub time: Duration,
+}
+
+impl Claim {
+    /// Decides the claim.
+    pub fn decide(&self) -> Decision {
+        self.decide_with(Derivation::new())
+    }
+
+    fn decide_with(&self, mut derivation: Derivation) -> Decision {
+        let start = Instant::now();
+        let outcome = (self.decide)(&mut derivation);
+        Decision { claim: *self, outcome, derivation, time: start.elapsed() }
+    }
+}
+
+/// All claims, in the order of the paper.
+pub fn claims() -> Vec<Claim> {
+    Vec::new()
+}
