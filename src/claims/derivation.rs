@@ -156,11 +156,11 @@ impl Derivation {
     ) -> Result<(), Undecided> {
         let words = words.into();
         let left = if self.twin() { false_twin(left) } else { left.clone() };
-        let difference = left - right;
-        let normal_form = relations.normal_form(difference.numerator());
-        if relations.normal_form(difference.denominator()).is_zero() {
+        if [&left, right].iter().any(|x| relations.normal_form(x.denominator()).is_zero()) {
             return Err(Undecided(format!("{words}: a denominator vanishes identically")));
         }
+        let difference = left - right;
+        let normal_form = relations.normal_form(difference.numerator());
         if !normal_form.is_zero() {
             return Err(Undecided(format!("{words}: the difference is {normal_form}")));
         }
