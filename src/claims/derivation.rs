@@ -1,7 +1,7 @@
 //! The steps of a proof, checked as they are written down.
 
 use crate::certify::{Undecided, cover};
-use crate::number::{Ball, Enclosure, ExactField, Field, Ternary};
+use crate::number::{Ball, Enclosure, ExactField, Ternary};
 use crate::symbolic::{Fraction, Notation, Polynomial, Relations, Symbol};
 use rug::Rational;
 
@@ -253,6 +253,7 @@ fn false_twin(fraction: &Fraction) -> Fraction {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::Field;
 
     #[test]
     fn a_false_identity_ends_the_derivation() {

@@ -16,7 +16,11 @@
 //! range. A person can read the steps; a test spoils each of them in turn, and then the claim must
 //! fail.
 
+mod cubics;
 mod derivation;
+mod moments;
+mod overturning;
+mod sliding;
 
 pub use derivation::{Derivation, Formula, Step, Support};
 
@@ -79,5 +83,38 @@ impl Claim {
 
 /// All claims, in the order of the paper.
 pub fn claims() -> Vec<Claim> {
-    Vec::new()
+    [moments::CLAIMS, cubics::CLAIMS, overturning::CLAIMS, sliding::CLAIMS].concat()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn every_claim_is_decided() {
+        for claim in claims() {
+            let decision = claim.decide();
+            println!("{:20} {:?}", claim.id, decision.time);
+            assert!(decision.outcome.is_ok(), "{}: {:?}", claim.id, decision.outcome);
+        }
+    }
+
+    #[test]
+    fn no_claim_survives_a_false_twin_of_any_of_its_checks() {
+        for claim in claims() {
+            let checks = claim.decide().derivation.checks();
+            assert!(checks > 0, "{} checks nothing", claim.id);
+            for index in 0..checks {
+                let spoiled = claim.decide_with(Derivation::spoiled(index));
+                assert!(spoiled.outcome.is_err(), "{} with check {index} spoiled", claim.id);
+            }
+        }
+    }
+
+    #[test]
+    fn every_claim_has_a_name_of_its_own() {
+        let names: BTreeSet<_> = claims().iter().map(|claim| claim.id).collect();
+        assert_eq!(names.len(), claims().len());
+    }
 }

@@ -170,7 +170,11 @@ mod tests {
     #[test]
     fn the_cubic_reads_as_in_the_paper() {
         let delta = Symbol::Flag.number();
-        let cubic = cubic::in_thickness(&Symbol::joint(), &delta, &Symbol::Thickness.number());
+        let cubic = cubic::in_thickness(
+            &cubic::abbreviations(&Symbol::joint()),
+            &delta,
+            &Symbol::Thickness.number(),
+        );
         let cubic = cubic.as_polynomial().unwrap();
         assert_eq!(
             cubic.show_by(Symbol::Thickness, Notation::Text),
