@@ -1,8 +1,8 @@
 //! The steps of a proof, checked as they are written down.
 
 use crate::certify::{Undecided, cover};
-use crate::number::{Ball, Enclosure, ExactField, Ternary};
-use crate::symbolic::{Fraction, Notation, Polynomial, Relations, Symbol};
+use crate::number::{Ball, Enclosure, ExactField, Field, Ternary};
+use crate::symbolic::{Fraction, Notation, Polynomial, Relations, Series, Symbol};
 use rug::Rational;
 
 /// A formula in both notations.
@@ -205,6 +205,36 @@ impl Derivation {
         Ok(counterexample)
     }
 
+    /// Names a series in the variable called `name`.
+    pub fn series<T: ExactField + ToString>(
+        &mut self,
+        words: &str,
+        series: &Series<T>,
+        name: &str,
+    ) {
+        let text = series.show(name);
+        self.push(Support::Definition, words, Some(Formula { latex: text.clone(), text }));
+    }
+
+    /// Checks that a series vanishes to the order to which it is known.
+    pub fn vanishes<T: ExactField + ToString>(
+        &mut self,
+        words: &str,
+        series: &Series<T>,
+    ) -> Result<(), Undecided> {
+        let series = if self.twin() { series.int(1) + series } else { series.clone() };
+        let (valuation, order) = (series.valuation(), series.order());
+        if valuation < order || order < 1 {
+            return Err(Undecided(format!("{words}: the residual is {}", series.show("x"))));
+        }
+        self.push(
+            Support::Algebra,
+            format!("{words}: the residual is zero up to order {order}"),
+            None,
+        );
+        Ok(())
+    }
+
     /// Checks something that was decided with three values.
     pub fn certain(
         &mut self,
@@ -253,7 +283,6 @@ fn false_twin(fraction: &Fraction) -> Fraction {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::Field;
 
     #[test]
     fn a_false_identity_ends_the_derivation() {

@@ -16,8 +16,10 @@
 //! range. A person can read the steps; a test spoils each of them in turn, and then the claim must
 //! fail.
 
+mod asymptotics;
 mod cubics;
 mod derivation;
+mod joining;
 mod moments;
 mod overturning;
 mod sliding;
@@ -83,7 +85,15 @@ impl Claim {
 
 /// All claims, in the order of the paper.
 pub fn claims() -> Vec<Claim> {
-    [moments::CLAIMS, cubics::CLAIMS, overturning::CLAIMS, sliding::CLAIMS].concat()
+    [
+        moments::CLAIMS,
+        cubics::CLAIMS,
+        overturning::CLAIMS,
+        joining::CLAIMS,
+        sliding::CLAIMS,
+        asymptotics::CLAIMS,
+    ]
+    .concat()
 }
 
 #[cfg(test)]

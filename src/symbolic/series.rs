@@ -52,6 +52,11 @@ impl<T: ExactField> Series<T> {
         (Self::new(like, quotient, length), Self::new(like, cosine, length))
     }
 
+    /// How many terms a constant has.
+    pub fn length(&self) -> usize {
+        self.length
+    }
+
     /// The power from which on nothing is known.
     pub fn order(&self) -> i32 {
         self.start + self.terms.len() as i32
@@ -118,6 +123,23 @@ impl<T: ExactField> Series<T> {
         sum.truncated(self.order() * step)
     }
 
+    /// The series `r` with `self(r(x)) = x`, for a series that begins with the first power: Lagrange's
+    /// formula, in which the coefficient of `x^n` in `r` is that of `x^(n-1)` in `(x/self)^n`, over `n`.
+    pub fn reversion(&self) -> Self {
+        assert!(
+            self.valuation() == 1,
+            "only a series that begins with the first power has an inverse"
+        );
+        let quotient = Self::variable(&self.zero, self.length) / self;
+        let mut power = self.int(1);
+        let mut terms = vec![self.zero.clone()];
+        for n in 1..self.order() {
+            power = power * &quotient;
+            terms.push(power.coefficient(n - 1) / self.zero.int(n));
+        }
+        Self { start: 0, terms, ..self.clone() }
+    }
+
     /// The root of `f` that begins as `guess` does, by Newton's method; `None` if it does not settle.
     ///
     /// The answer is kept as far as it is proved: where `f = O(x^n)` and `f'` begins with `x^v`, a
@@ -139,6 +161,33 @@ impl<T: ExactField> Series<T> {
         }
         None
     }
+}
+
+impl<T: ExactField + ToString> Series<T> {
+    /// The known terms, lowest first, in a variable called `name`, and the order.
+    pub fn show(&self, name: &str) -> String {
+        let power = |n: i32| match n {
+            0 => String::new(),
+            1 => format!(" {name}"),
+            n => format!(" {name}^{n}"),
+        };
+        let known = (self.start..self.order()).filter(|n| !self.coefficient(*n).is_zero());
+        let shown = known.map(|n| match (self.coefficient(n).to_string(), n) {
+            (value, n) if n != 0 && is_sum(&value) => format!("({value}){}", power(n)),
+            (value, n) => format!("{value}{}", power(n)),
+        });
+        let order = format!("O({})", power(self.order()).trim());
+        shown.chain([order]).collect::<Vec<_>>().join(" + ").replace("+ -", "- ")
+    }
+}
+
+/// Whether a text has a sign outside brackets and after its beginning.
+fn is_sum(text: &str) -> bool {
+    let mut depth = 0;
+    text.chars().enumerate().any(|(place, c)| {
+        depth += i32::from(c == '(') - i32::from(c == ')');
+        depth == 0 && place > 0 && matches!(c, '+' | '-' | '−')
+    })
 }
 
 impl<T: ExactField> Field for Series<T> {
@@ -256,6 +305,20 @@ mod tests {
         let circle = quotient.square() * x2 + cosine.square();
         assert_eq!(circle.coefficients(0), vec![1, 0, 0, 0, 0, 0, 0]);
         assert_eq!(quotient.coefficient(2), Rational::from((1, 120)));
+    }
+
+    #[test]
+    fn a_reversion_undoes() {
+        let x = Series::variable(&Rational::new(), 8);
+        let f = x.int(3) * &x - x.square() / x.int(7) + x.square().square();
+        let back = f.compose(&f.reversion());
+        assert_eq!(back.coefficients(0), x.coefficients(0)[..back.order() as usize]);
+        assert!(back.order() >= 7);
+        // sin and its inverse: x + x³/6 + 3x⁵/40.
+        let (quotient, _) = Series::sine_quotient_and_cosine(&Rational::new(), 4);
+        let sine = quotient.compose(&x.square()) * &x;
+        let arcsine = sine.reversion();
+        assert_eq!(arcsine.coefficient(5), Rational::from((3, 40)));
     }
 
     #[test]

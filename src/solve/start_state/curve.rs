@@ -2,12 +2,17 @@
 
 use super::LEAST_JOINT;
 use crate::arch::{Configuration, Mode, SelfWeight, Unknown};
+use crate::solve::expansion::by_opening;
 use crate::solve::polish;
-use rug::Float;
+use rug::{Float, Rational};
 use std::sync::OnceLock;
 
-/// Below this half opening the leading terms of the series in `alpha` are good enough.
+/// Below this half opening the series in `alpha²` are used.
 const SMALL: f64 = 0.2;
+
+/// Terms of those series: more than eleven digits at the largest of these openings, and the more the
+/// smaller it is.
+const TERMS: usize = 9;
 
 /// Nodes of the table of rotational states.
 const NODES: usize = 65;
@@ -77,6 +82,35 @@ impl Curve {
     }
 }
 
+/// The series for small openings, found once: coefficients of `beta²/alpha²`, `eta/alpha⁴` and `h` by
+/// powers of `alpha²`.
+struct Small([Vec<Rational>; 3]);
+
+impl Small {
+    fn of(weight: SelfWeight) -> Option<&'static Self> {
+        static SERIES: [OnceLock<Option<Small>>; 2] = [OnceLock::new(), OnceLock::new()];
+        let series = SERIES[weight.flag() as usize].get_or_init(|| {
+            let found = by_opening(weight, TERMS)?;
+            Some(Self([
+                found.joint_squared.coefficients(1),
+                found.thickness.coefficients(2),
+                found.thrust.coefficients(0),
+            ]))
+        });
+        series.as_ref()
+    }
+
+    /// `beta`, `eta`, `h`.
+    fn at(&self, alpha: &Float) -> [Float; 3] {
+        let bits = alpha.prec();
+        let square = Float::with_val(bits, alpha.square_ref());
+        let [ratio, eta, h] = self.0.each_ref().map(|coefficients| {
+            coefficients.iter().rev().fold(Float::new(bits), |sum, c| sum * &square + c)
+        });
+        [ratio.sqrt() * alpha, eta * square.square(), h]
+    }
+}
+
 fn given(alpha: f64) -> Configuration<Float> {
     let alpha = Float::with_val(64, alpha);
     Configuration::zero(&alpha).with(Unknown::HalfOpening, alpha)
@@ -85,12 +119,8 @@ fn given(alpha: f64) -> Configuration<Float> {
 /// `beta_r`, `eta`, `h` of the purely rotational state at a half opening below that of `l`.
 pub fn rotational(weight: SelfWeight, alpha: &Float) -> [Float; 3] {
     let bits = alpha.prec();
-    let square = Float::with_val(bits, alpha.square_ref());
-    if *alpha < SMALL {
-        // beta = alpha/√2, eta = alpha⁴/48, h = 1 - alpha²/6: the leading terms.
-        let beta = Float::with_val(bits, alpha / Float::with_val(bits, 2).sqrt());
-        let eta = Float::with_val(bits, square.square_ref()) / 48;
-        return [beta, eta, 1 - square / 6];
+    if let (true, Some(series)) = (*alpha < SMALL, Small::of(weight)) {
+        return series.at(alpha);
     }
     let alpha = alpha.to_f64();
     let [ratio, eta, h] = Curve::of(weight).at(alpha);
