@@ -82,7 +82,7 @@ fn in_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
         &cubic,
         &Relations::trigonometric(),
     )?;
-    d.conclude("so, where S and the denominators are not zero, (2) and (5) give one thrust exactly where pol_eta = 0");
+    d.conclude("where S and the denominators are not zero, (2) and (5) give one thrust exactly where pol_eta = 0");
     let free = cubic::in_thickness(&letters(), &delta, &eta);
     d.define_by("pol_eta in f, g, S", &polynomial(&free), Symbol::Thickness);
     let [one, zero] = [1, 0].map(|n| cubic::in_thickness(&letters(), &eta.int(n), &eta));

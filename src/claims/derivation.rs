@@ -20,9 +20,22 @@ impl Formula {
     }
 }
 
+impl From<String> for Formula {
+    /// The text of an exact value: `2(2√3−3)`.
+    fn from(text: String) -> Self {
+        let latex = text.replace('√', r"\surd ").replace('−', "-");
+        Self { text, latex }
+    }
+}
+
 impl From<&Fraction> for Formula {
+    /// A polynomial of many terms is sorted by its first symbol.
     fn from(fraction: &Fraction) -> Self {
-        Self::new(|notation| fraction.show(notation))
+        let sorted = fraction.as_polynomial().filter(|p| p.len() > 3).and_then(|p| {
+            let symbol = p.main_symbol()?;
+            Some(Self::new(|notation| p.show_by(symbol, notation)))
+        });
+        sorted.unwrap_or_else(|| Self::new(|notation| fraction.show(notation)))
     }
 }
 
@@ -184,8 +197,7 @@ impl Derivation {
                 right.to_string()
             )));
         }
-        let text = right.to_string();
-        self.push(Support::Algebra, words, Some(Formula { latex: text.clone(), text }));
+        self.push(Support::Algebra, words, Some(right.to_string().into()));
         Ok(())
     }
 
@@ -212,8 +224,7 @@ impl Derivation {
         series: &Series<T>,
         name: &str,
     ) {
-        let text = series.show(name);
-        self.push(Support::Definition, words, Some(Formula { latex: text.clone(), text }));
+        self.push(Support::Definition, words, Some(series.show(name).into()));
     }
 
     /// Checks that a series vanishes to the order to which it is known.

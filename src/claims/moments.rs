@@ -206,7 +206,7 @@ fn tangency(d: &mut Derivation) -> Result<Finding, Undecided> {
         &right,
         &Relations::trigonometric(),
     )?;
-    d.conclude("so where e = -eta/2, the derivative e' is zero exactly where (5) holds");
+    d.conclude("where e = -eta/2, the derivative e' is zero exactly where (5) holds");
     Ok(Finding::AsPrinted)
 }
 
@@ -250,6 +250,6 @@ fn centroid(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.identity("moment over area, from 1 - eta/2 to 1 + eta/2", &centroid, &factor, &free)?;
     let square = (factor - eta.int(1)) * eta.int(12);
     d.identity("12 (fac_M - 1) is a square", &square, &eta.square(), &free)?;
-    d.conclude("so fac_M >= 1");
+    d.conclude("fac_M >= 1");
     Ok(Finding::AsPrinted)
 }

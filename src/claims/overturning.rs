@@ -170,7 +170,7 @@ fn milankovitch_branch(d: &mut Derivation) -> Result<Finding, Undecided> {
         &expected,
         &Relations::none(),
     )?;
-    d.conclude("so with one root in [0, 2] the other is 6A - eta >= 2: the sign in (15) is right, and dA/d eta = 0 at eta = 2 is the vertical tangent");
+    d.conclude("with one root in [0, 2] the other is 6A - eta >= 2: the sign in (15) is right, and dA/d eta = 0 at eta = 2 is the vertical tangent");
     Ok(Finding::AsPrinted)
 }
 

@@ -111,7 +111,7 @@ fn inner_falls(d: &mut Derivation) -> Result<Finding, Undecided> {
     let steepest = &Symbol::Thrust.polynomial() - &Symbol::Thrust.polynomial().power(2);
     let relations = Relations::trigonometric().with(Symbol::Joint, 2, steepest);
     d.identity("and d(T/N)/d beta = 0 at beta_s", &moved, &moved.int(0), &relations)?;
-    d.conclude("so d mu_is/dh = -beta_s/N(beta_s)^2 < 0");
+    d.conclude("d mu_is/dh = -beta_s/N(beta_s)^2 < 0");
     Ok(Finding::Implicit)
 }
 
