@@ -1,18 +1,14 @@
 //! The curve of purely rotational states, tabulated once.
 
 use super::LEAST_JOINT;
+use super::ends::{End, NEAR, Small};
 use crate::arch::{Configuration, Mode, SelfWeight, Unknown};
-use crate::solve::expansion::by_opening;
 use crate::solve::polish;
-use rug::{Float, Rational};
+use rug::Float;
 use std::sync::OnceLock;
 
 /// Below this half opening the series in `alpha²` are used.
 const SMALL: f64 = 0.2;
-
-/// Terms of those series: more than eleven digits at the largest of these openings, and the more the
-/// smaller it is.
-const TERMS: usize = 9;
 
 /// Nodes of the table of rotational states.
 const NODES: usize = 65;
@@ -82,35 +78,6 @@ impl Curve {
     }
 }
 
-/// The series for small openings, found once: coefficients of `beta²/alpha²`, `eta/alpha⁴` and `h` by
-/// powers of `alpha²`.
-struct Small([Vec<Rational>; 3]);
-
-impl Small {
-    fn of(weight: SelfWeight) -> Option<&'static Self> {
-        static SERIES: [OnceLock<Option<Small>>; 2] = [OnceLock::new(), OnceLock::new()];
-        let series = SERIES[weight.flag() as usize].get_or_init(|| {
-            let found = by_opening(weight, TERMS)?;
-            Some(Self([
-                found.joint_squared.coefficients(1),
-                found.thickness.coefficients(2),
-                found.thrust.coefficients(0),
-            ]))
-        });
-        series.as_ref()
-    }
-
-    /// `beta`, `eta`, `h`.
-    fn at(&self, alpha: &Float) -> [Float; 3] {
-        let bits = alpha.prec();
-        let square = Float::with_val(bits, alpha.square_ref());
-        let [ratio, eta, h] = self.0.each_ref().map(|coefficients| {
-            coefficients.iter().rev().fold(Float::new(bits), |sum, c| sum * &square + c)
-        });
-        [ratio.sqrt() * alpha, eta * square.square(), h]
-    }
-}
-
 fn given(alpha: f64) -> Configuration<Float> {
     let alpha = Float::with_val(64, alpha);
     Configuration::zero(&alpha).with(Unknown::HalfOpening, alpha)
@@ -122,8 +89,14 @@ pub fn rotational(weight: SelfWeight, alpha: &Float) -> [Float; 3] {
     if let (true, Some(series)) = (*alpha < SMALL, Small::of(weight)) {
         return series.at(alpha);
     }
+    let curve = Curve::of(weight);
+    if *alpha > curve.end - 10.0 * NEAR {
+        if let Some(state) = End::of(weight).and_then(|end| end.at(alpha)) {
+            return state;
+        }
+    }
     let alpha = alpha.to_f64();
-    let [ratio, eta, h] = Curve::of(weight).at(alpha);
+    let [ratio, eta, h] = curve.at(alpha);
     let beta = (ratio.max(0.0).sqrt() * alpha).max(LEAST_JOINT);
     [beta, eta * alpha.powi(4), h.max(LEAST_JOINT)].map(|x| Float::with_val(bits, x))
 }
