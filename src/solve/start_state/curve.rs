@@ -90,10 +90,9 @@ pub fn rotational(weight: SelfWeight, alpha: &Float) -> [Float; 3] {
         return series.at(alpha);
     }
     let curve = Curve::of(weight);
-    if *alpha > curve.end - 10.0 * NEAR {
-        if let Some(state) = End::of(weight).and_then(|end| end.at(alpha)) {
-            return state;
-        }
+    let is_near = *alpha > curve.end - 10.0 * NEAR;
+    if let Some(state) = End::of(weight).filter(|_| is_near).and_then(|end| end.at(alpha)) {
+        return state;
     }
     let alpha = alpha.to_f64();
     let [ratio, eta, h] = curve.at(alpha);
