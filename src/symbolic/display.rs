@@ -140,6 +140,10 @@ impl Fraction {
         }
         let denominator = self.denominator().show_factored(notation);
         match notation {
+            // A long numerator stays in the line, where it can be broken.
+            Notation::Latex if self.numerator().len() > 4 => {
+                format!("{numerator} \\big/ \\bigl[{denominator}\\bigr]")
+            }
             Notation::Latex => format!("\\frac{{{numerator}}}{{{denominator}}}"),
             Notation::Text if self.denominator().len() == 1 && !denominator.contains(' ') => {
                 format!("{numerator}/{denominator}")

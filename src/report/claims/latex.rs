@@ -1,4 +1,4 @@
-//! Claims as a LaTeX document: words as text, formulas displayed.
+//! Claims as a LaTeX document: words as text, each formula in a paragraph of its own.
 
 use super::{Claims, as_printed, summary};
 use crate::claims::{Finding, Support};
@@ -8,7 +8,6 @@ const HEAD: &str = r"\documentclass{article}
 \usepackage[utf8]{inputenc}
 \usepackage[T1]{fontenc}
 \usepackage{amsmath}
-\usepackage{breqn}
 \begin{document}
 \raggedright";
 
@@ -41,7 +40,8 @@ pub fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
             writeln!(out, "\\textit{{{lead}}}{}", plain(&step.words))?;
             match &step.formula {
                 Some(formula) => {
-                    writeln!(out, "\\begin{{dmath*}}\n{}\n\\end{{dmath*}}", formula.latex)?;
+                    // Within a line of text, so that a long formula can be broken at its signs.
+                    writeln!(out, "\\begin{{quote}}\n${}$\n\\end{{quote}}", formula.latex)?;
                 }
                 None => writeln!(out)?,
             }
