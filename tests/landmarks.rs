@@ -4,7 +4,8 @@ use couplet::arch::{
     Configuration, Equation, Landmark, Point, Ring, SelfWeight, System, Unknown, cubic,
     overturning, sliding, statics, thrust,
 };
-use couplet::certify::{CertifiedLandmark, krawczyk};
+use couplet::certify::CertifiedLandmark;
+use couplet::check::krawczyk;
 use couplet::number::{Angle, AstroInterval, Ball, Dual, Enclosure, Field, Ternary};
 use rug::Float;
 

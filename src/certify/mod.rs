@@ -1,5 +1,6 @@
 //! Proves: existence and uniqueness in a box, digits, exact values, inequalities.
 //!
+//! The operator that proves is in [`check::krawczyk`](crate::check::krawczyk).
 //! A proof either succeeds or says why nothing is known ([`Undecided`]); nothing in between.
 
 mod audit;
@@ -7,7 +8,6 @@ mod constant;
 mod cover;
 mod exact;
 mod isolate;
-pub mod krawczyk;
 mod refine;
 pub mod state;
 mod verdict;

@@ -38,34 +38,24 @@ macro_rules! owned_operators {
 
 pub(crate) use owned_operators;
 
-mod anchor;
 mod angle;
 mod astro;
-mod ball;
-mod burst;
-mod decimal;
 mod double;
 mod dual;
-mod exact;
-mod magnitude;
-mod mpfr;
-mod rational;
-mod surd;
+#[cfg(feature = "full")]
+mod gmp;
 mod ternary;
 
-pub use anchor::{Anchor, arctangent};
 pub use angle::Angle;
 pub use astro::AstroInterval;
-pub use ball::Ball;
-pub use decimal::{Decimal, ParseDecimalError, Rounded, bits_of};
 pub use dual::Dual;
-pub use exact::{ExactNumber, ParseExactError};
-pub use magnitude::Magnitude;
-pub use surd::Surd;
+#[cfg(feature = "full")]
+pub use gmp::{
+    Anchor, Ball, Decimal, ExactNumber, Magnitude, ParseDecimalError, ParseExactError, Rounded,
+    Surd, arctangent, bits_of, rational_like,
+};
 pub use ternary::Ternary;
 
-use rug::integer::Order;
-use rug::{Integer, Rational};
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -104,29 +94,6 @@ pub trait Field:
 pub trait ExactField: Field {
     /// Whether this is exactly zero; `false` means that it is not.
     fn is_zero(&self) -> bool;
-}
-
-/// A rational number "like `like`": exact where the type is, enclosed where it encloses.
-pub fn rational_like<T: Field>(like: &T, value: &Rational) -> T {
-    // From the most significant digit in base 2^24, each of which fits an `i32`.
-    let integer = |n: &Integer| {
-        let digits: Vec<u32> = n
-            .clone()
-            .abs()
-            .to_digits::<u8>(Order::Lsf)
-            .chunks(3)
-            .map(|chunk| chunk.iter().rev().fold(0u32, |sum, byte| sum << 8 | u32::from(*byte)))
-            .collect();
-        let size = digits
-            .iter()
-            .rev()
-            .fold(like.int(0), |sum, digit| sum * like.int(1 << 24) + like.int(*digit as i32));
-        if *n < 0 { -size } else { size }
-    };
-    match value.is_integer() {
-        true => integer(value.numer()),
-        false => integer(value.numer()) / integer(value.denom()),
-    }
 }
 
 /// A field with the functions an arch needs besides.
