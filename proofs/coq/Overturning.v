@@ -7,9 +7,9 @@
       gives; the corrected equation does both;
     - the slopes of (14), (15) where they join the rotational states.
 
-    Two strict comparisons of the two self-weights are equalities: with [h = 0] or [beta = 0] the
-    haunch is at 0 for both at the end of rotation (and wherever else the paper says that the
-    rotational joint has reached the crown), and the physical limit is [eta = 2] for both. *)
+    The paper's comparison of the two self-weights (Sec. 3: [beta_r] wider and [eta] lower for
+    Milankovitch's) holds at the points J and B with equality only: [beta_r = 0] defines both points
+    and [eta = 2] defines B, for either weight.  There is nothing to prove about that. *)
 
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
