@@ -9,7 +9,7 @@
 //! and pi are used; its logarithm is known not to return for some exact arguments.
 
 use super::{Enclosure, Field, Real, Ternary};
-use astro_float::{BigFloat, Consts, INF_NEG, INF_POS, RoundingMode, WORD_BIT_SIZE};
+use astro_float::{BigFloat, Consts, INF_NEG, INF_POS, RoundingMode, Sign, WORD_BIT_SIZE, Word};
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -34,6 +34,36 @@ impl AstroInterval {
     pub fn integer(n: i32, prec: usize) -> Self {
         let value = BigFloat::from_i32(n, WORD_BIT_SIZE);
         Self { low: value.clone(), high: value, prec: prec.max(WORD_BIT_SIZE) }
+    }
+
+    /// The number `± mantissa * 2^exponent`, exactly; the mantissa in words of 64 bits, the least
+    /// significant first and the last not zero.
+    pub fn dyadic(negative: bool, mantissa: &[u64], exponent: i32, prec: usize) -> Self {
+        let Some(top) = mantissa.last() else { return Self::integer(0, prec) };
+        // astro-float wants the mantissa's top bit set and reads it as a fraction below one.
+        let shift = top.leading_zeros();
+        let shifted = |i: usize| {
+            let below = if i > 0 && shift > 0 { mantissa[i - 1] >> (64 - shift) } else { 0 };
+            mantissa[i] << shift | below
+        };
+        let bytes = (0..mantissa.len()).flat_map(|i| shifted(i).to_le_bytes());
+        let bytes: Vec<u8> = bytes.collect();
+        let word = |chunk: &[u8]| {
+            chunk.iter().rev().fold(0, |word: Word, byte| word << 8 | Word::from(*byte))
+        };
+        let words: Vec<Word> = bytes.chunks(WORD_BIT_SIZE / 8).map(word).collect();
+        let sign = if negative { Sign::Neg } else { Sign::Pos };
+        let size = 64 * mantissa.len() as i64 - i64::from(shift);
+        let Ok(exponent) = i32::try_from(i64::from(exponent) + size) else {
+            return Self::whole(prec);
+        };
+        Self::point(&BigFloat::from_words(&words, sign, exponent), prec.max(WORD_BIT_SIZE))
+    }
+
+    /// All numbers that are at most as large as the largest of this set, whatever their sign.
+    pub fn symmetric(&self) -> Self {
+        let size = self.high.max(&BigFloat::neg(&self.low));
+        Self { low: BigFloat::neg(&size), high: size, prec: self.prec }.checked()
     }
 
     /// The whole line.
@@ -164,9 +194,7 @@ impl Enclosure for AstroInterval {
 
     fn centred(&self) -> Self {
         let middle = self.midpoint();
-        let shifted = self.clone() - &middle;
-        let radius = shifted.high.max(&BigFloat::neg(&shifted.low));
-        Self { low: BigFloat::neg(&radius), high: radius, prec: self.prec }.checked()
+        (self.clone() - &middle).symmetric()
     }
 
     fn lies_inside(&self, outer: &Self) -> bool {

@@ -1,14 +1,14 @@
 //! Between astro-float and GMP, MPFR: exactly, in both directions.
 
 use super::AstroInterval;
-use astro_float::{BigFloat, Sign, WORD_BIT_SIZE, Word};
+use astro_float::{BigFloat, Sign, WORD_BIT_SIZE};
 use rug::integer::Order;
 use rug::{Float, Integer, Rational};
 
 impl AstroInterval {
     /// An interval of `prec` bits that holds the rational number `value`.
     pub fn enclosing(value: &Rational, prec: usize) -> Self {
-        let point = |n: &Integer| Self::point(&from_integer(n), prec);
+        let point = |n: &Integer| Self::point(&from_integer(n, 0), prec);
         point(value.numer()) / point(value.denom())
     }
 
@@ -23,24 +23,15 @@ impl AstroInterval {
     }
 }
 
-fn from_integer(n: &Integer) -> BigFloat {
-    let words: Vec<Word> = n.to_digits(Order::Lsf);
-    let Some(top) = words.last() else { return BigFloat::from_i32(0, WORD_BIT_SIZE) };
-    // astro-float wants the mantissa's top bit set and reads it as a fraction below one.
-    let shift = top.leading_zeros();
-    let exponent = (words.len() * WORD_BIT_SIZE) as i32 - shift as i32;
-    let mantissa: Vec<Word> = Integer::from(n << shift).to_digits(Order::Lsf);
-    let sign = if *n < 0 { Sign::Neg } else { Sign::Pos };
-    BigFloat::from_words(&mantissa, sign, exponent)
+/// `± n * 2^exponent`.
+fn from_integer(n: &Integer, exponent: i32) -> BigFloat {
+    let words: Vec<u64> = n.to_digits(Order::Lsf);
+    AstroInterval::dyadic(*n < 0, &words, exponent, WORD_BIT_SIZE).low
 }
 
 fn from_float(x: &Float) -> BigFloat {
     let Some((mantissa, exponent)) = x.to_integer_exp() else { return BigFloat::nan(None) };
-    let mut value = from_integer(&mantissa);
-    if let (false, Some(e)) = (mantissa.is_zero(), value.exponent()) {
-        value.set_exponent(e + exponent);
-    }
-    value
+    from_integer(&mantissa, exponent)
 }
 
 fn to_float(x: &BigFloat) -> Option<Float> {

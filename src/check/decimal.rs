@@ -1,0 +1,132 @@
+//! The decimals of a certificate, and what they say of the true value.
+
+use super::Engine;
+use crate::number::Enclosure;
+
+/// A decimal number as it is written: `[-]d[.d…][e±n]`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Written {
+    negative: bool,
+    /// All digits without the point, from the first that is not zero; empty for zero.
+    digits: Vec<u8>,
+    /// The power of ten of the last digit.
+    exponent: i64,
+}
+
+/// The largest power of ten in a certificate, of either sign.
+const MAX_EXPONENT: i64 = 3_000_000;
+
+impl Written {
+    /// Reads the text; `None` if it is not of that form.
+    pub fn parse(text: &str) -> Option<Self> {
+        let (negative, size) = match text.strip_prefix('-') {
+            Some(size) => (true, size),
+            None => (false, text),
+        };
+        let (mantissa, power) = match size.split_once('e') {
+            Some((mantissa, power)) => (mantissa, power.parse::<i64>().ok()?),
+            None => (size, 0),
+        };
+        let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        let is_number = |text: &str| text.bytes().all(|b| b.is_ascii_digit());
+        if whole.is_empty() || !is_number(whole) || !is_number(part) || power.abs() > MAX_EXPONENT {
+            return None;
+        }
+        let all = whole.bytes().chain(part.bytes()).map(|b| b - b'0');
+        let digits: Vec<u8> = all.skip_while(|digit| *digit == 0).collect();
+        Some(Self { negative, digits, exponent: power - part.len() as i64 })
+    }
+
+    /// Whether it is zero.
+    pub fn is_zero(&self) -> bool {
+        self.digits.is_empty()
+    }
+
+    /// How many significant digits are written.
+    pub fn len(&self) -> usize {
+        self.digits.len()
+    }
+
+    /// Enclosures of the two numbers between which the true value has to lie if this is its correct
+    /// rounding to `digits` significant digits; `None` for zero, for a negative number, and if more
+    /// digits are written.
+    pub fn bounds<E: Engine>(&self, digits: usize, like: &E) -> Option<[E; 2]> {
+        if self.is_zero() || self.negative || self.len() > digits {
+            return None;
+        }
+        // In units of a twentieth of the last place to which it is rounded.
+        let missing = digits - self.len();
+        let unit = power_of_ten(self.exponent - missing as i64 - 1, like) / like.int(2);
+        let value = integer(&self.digits, like) * power_of_ten(missing as i64, like) * like.int(20);
+        // Below a power of ten the places are ten times as fine.
+        let is_power = self.digits[0] == 1 && self.digits[1..].iter().all(|digit| *digit == 0);
+        let below = if is_power { 1 } else { 10 };
+        let bound = |step: i32| (value.clone() + like.int(step)) * &unit;
+        Some([bound(-below), bound(10)])
+    }
+}
+
+/// The integer with the digits given, most significant first: halves put together.
+fn integer<E: Enclosure>(digits: &[u8], like: &E) -> E {
+    if digits.len() <= 9 {
+        return like.int(digits.iter().fold(0, |sum, digit| 10 * sum + i32::from(*digit)));
+    }
+    let (top, rest) = digits.split_at(digits.len() / 2);
+    integer(top, like) * power_of_ten(rest.len() as i64, like) + integer(rest, like)
+}
+
+/// `10^n`, by squaring.
+fn power_of_ten<E: Enclosure>(n: i64, like: &E) -> E {
+    let mut power = like.int(1);
+    for bit in (0..64 - n.unsigned_abs().leading_zeros()).rev() {
+        power = power.square();
+        if n.unsigned_abs() >> bit & 1 == 1 {
+            power = power * like.int(10);
+        }
+    }
+    if n < 0 { like.int(1) / power } else { power }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::{AstroInterval, Field, Ternary};
+
+    #[test]
+    fn only_decimals_are_read() {
+        let written = Written::parse("0.0120").unwrap();
+        assert_eq!((written.len(), written.exponent), (3, -4));
+        assert!(Written::parse("0").unwrap().is_zero());
+        for text in
+            ["", ".", ".5", "+1", "1e", "1e5000000", "0x1", "1..2", "nan", "inf", "1 ", "１"]
+        {
+            assert_eq!(Written::parse(text), None, "{text}");
+        }
+        assert!(Written::parse("1.").is_some() && Written::parse("1.5e-8").is_some());
+    }
+
+    #[test]
+    fn the_bounds_are_those_of_a_correct_rounding() {
+        let like = AstroInterval::integer(0, 256);
+        // text, digits, a value inside and one outside, in units of 10^-6.
+        let cases = [
+            ("0.123", 3, 123_499, 123_501),
+            ("0.123", 3, 122_501, 122_499),
+            ("0.5", 4, 500_049, 500_051),
+            ("1.00", 3, 1_004_999, 1_005_001),
+            ("1.00", 3, 999_501, 999_499),
+            ("1.25e-1", 3, 125_400, 125_600),
+        ];
+        for (text, digits, inside, outside) in cases {
+            let [low, high] = Written::parse(text).unwrap().bounds(digits, &like).unwrap();
+            let holds = |millionths: i32| {
+                let x = like.ratio(millionths, 1_000_000);
+                low.is_less_than(&x).and(x.is_less_than(&high))
+            };
+            assert_eq!(holds(inside), Ternary::True, "{text}");
+            assert_eq!(holds(outside), Ternary::False, "{text}");
+        }
+        assert!(Written::parse("0.1234").unwrap().bounds(3, &like).is_none(), "too many digits");
+        assert!(Written::parse("-1").unwrap().bounds(3, &like).is_none());
+    }
+}

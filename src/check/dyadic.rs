@@ -1,0 +1,161 @@
+//! Exact binary numbers as text: `-0x1f3p-12` is `-499 / 2^12`.
+
+use serde::de::{Error, Unexpected};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::fmt;
+use std::str::FromStr;
+
+/// `± mantissa * 2^exponent`, exactly. The mantissa is an integer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Dyadic {
+    negative: bool,
+    /// Words of 64 bits, the least significant first, without zeros at the top; empty for zero.
+    words: Vec<u64>,
+    exponent: i32,
+}
+
+/// The largest exponent of a number in a certificate, of either sign.
+pub const MAX_EXPONENT: i32 = 10_000_000;
+
+/// Why a text is not an exact binary number.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ParseDyadicError {
+    /// Not `[-]0x<hexadecimal digits>p<exponent>`.
+    #[error("it is not of the form -0x1f3p-12")]
+    Syntax,
+    /// The exponent is too large.
+    #[error("its exponent is beyond ±{MAX_EXPONENT}")]
+    Exponent,
+}
+
+impl Dyadic {
+    /// The number from its sign, the words of its mantissa (least significant first), and exponent.
+    pub fn new(negative: bool, mut words: Vec<u64>, exponent: i32) -> Self {
+        while words.last() == Some(&0) {
+            words.pop();
+        }
+        let exponent = if words.is_empty() { 0 } else { exponent };
+        Self { negative: negative && !words.is_empty(), words, exponent }
+    }
+
+    /// Whether it is below zero.
+    pub fn is_negative(&self) -> bool {
+        self.negative
+    }
+
+    /// Whether it is zero.
+    pub fn is_zero(&self) -> bool {
+        self.words.is_empty()
+    }
+
+    /// The mantissa, least significant word first, no zeros at the top.
+    pub fn words(&self) -> &[u64] {
+        &self.words
+    }
+
+    /// The power of two that multiplies the mantissa.
+    pub fn exponent(&self) -> i32 {
+        self.exponent
+    }
+
+    /// The number of bits of the mantissa.
+    pub fn bits(&self) -> usize {
+        self.words.last().map_or(0, |top| 64 * self.words.len() - top.leading_zeros() as usize)
+    }
+}
+
+impl FromStr for Dyadic {
+    type Err = ParseDyadicError;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        use ParseDyadicError::{Exponent, Syntax};
+        let (negative, size) = match text.strip_prefix('-') {
+            Some(size) => (true, size),
+            None => (false, text),
+        };
+        let (mantissa, exponent) =
+            size.strip_prefix("0x").and_then(|rest| rest.split_once('p')).ok_or(Syntax)?;
+        let is_hexadecimal =
+            mantissa.bytes().all(|b| b.is_ascii_digit() || (b'a'..=b'f').contains(&b));
+        let sign_and_digits = exponent.strip_prefix('-').unwrap_or(exponent);
+        let is_decimal = sign_and_digits.bytes().all(|b| b.is_ascii_digit());
+        if mantissa.is_empty() || !is_hexadecimal || sign_and_digits.is_empty() || !is_decimal {
+            return Err(Syntax);
+        }
+        let exponent: i32 = exponent.parse().map_err(|_| Exponent)?;
+        if exponent.unsigned_abs() > MAX_EXPONENT.unsigned_abs() {
+            return Err(Exponent);
+        }
+        // Sixteen digits are a word; the text is ASCII, so that it can be cut anywhere.
+        let word = |chunk: &[u8]| {
+            chunk.iter().fold(0u64, |word, digit| {
+                let value = char::from(*digit).to_digit(16).unwrap_or(0);
+                word << 4 | u64::from(value)
+            })
+        };
+        let words = mantissa.as_bytes().rchunks(16).map(word).collect();
+        Ok(Self::new(negative, words, exponent))
+    }
+}
+
+impl fmt::Display for Dyadic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let sign = if self.negative { "-" } else { "" };
+        let Some((top, rest)) = self.words.split_last() else { return f.write_str("0x0p0") };
+        write!(f, "{sign}0x{top:x}")?;
+        rest.iter().rev().try_for_each(|word| write!(f, "{word:016x}"))?;
+        write!(f, "p{}", self.exponent)
+    }
+}
+
+impl Serialize for Dyadic {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl<'de> Deserialize<'de> for Dyadic {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        text.parse().map_err(|error: ParseDyadicError| {
+            let shown: String = text.chars().take(24).collect();
+            let message = error.to_string();
+            D::Error::invalid_value(Unexpected::Str(&shown), &message.as_str())
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn text_and_back_loses_nothing(
+            negative in any::<bool>(), words in prop::collection::vec(any::<u64>(), 0..6), exponent in -9999i32..9999,
+        ) {
+            let number = Dyadic::new(negative, words, exponent);
+            prop_assert_eq!(number.to_string().parse::<Dyadic>(), Ok(number));
+        }
+    }
+
+    #[test]
+    fn only_the_one_form_is_read() {
+        let number: Dyadic = "-0x1f3p-12".parse().unwrap();
+        assert_eq!(
+            (number.is_negative(), number.words(), number.exponent()),
+            (true, &[499][..], -12)
+        );
+        assert_eq!("0x00p9".parse::<Dyadic>().unwrap().to_string(), "0x0p0");
+        for text in [
+            "", "1", "0x", "0xp1", "0x1", "0x1p", "0x1p-", "0xFp1", "+0x1p1", "0x1p+1", "0x1.8p1",
+            "--0x1p1", "0x1p1 ", "0xéép1",
+        ] {
+            assert_eq!(text.parse::<Dyadic>(), Err(ParseDyadicError::Syntax), "{text}");
+        }
+        for text in ["0x1p10000001", "0x1p-10000001", "0x1p99999999999999999999"] {
+            assert_eq!(text.parse::<Dyadic>(), Err(ParseDyadicError::Exponent), "{text}");
+        }
+    }
+}
