@@ -66,13 +66,38 @@ impl Written {
     }
 }
 
-/// The integer with the digits given, most significant first: halves put together.
+/// The integer that a text of digits, with a sign or without, stands for; other characters count as
+/// zeros, so that the text has to be looked at before.
+pub(super) fn integer_text<E: Enclosure>(text: &str, like: &E) -> E {
+    let digits: Vec<u8> =
+        text.bytes().filter(u8::is_ascii_digit).map(|digit| digit - b'0').collect();
+    let size = integer(&digits, like);
+    if text.starts_with('-') { -size } else { size }
+}
+
+/// Digits that fit an `i32`.
+const CHUNK: usize = 9;
+
+/// The integer with the digits given, most significant first: split so that the part below has
+/// `9 * 2^k` digits, whose powers of ten are squared one from the other.
 fn integer<E: Enclosure>(digits: &[u8], like: &E) -> E {
-    if digits.len() <= 9 {
-        return like.int(digits.iter().fold(0, |sum, digit| 10 * sum + i32::from(*digit)));
+    let mut powers = vec![power_of_ten(CHUNK as i64, like)];
+    while CHUNK << powers.len() < digits.len() {
+        powers.push(powers[powers.len() - 1].square());
     }
-    let (top, rest) = digits.split_at(digits.len() / 2);
-    integer(top, like) * power_of_ten(rest.len() as i64, like) + integer(rest, like)
+    joined(digits, &powers, like)
+}
+
+fn joined<E: Enclosure>(digits: &[u8], powers: &[E], like: &E) -> E {
+    let Some((power, smaller)) = powers.split_last() else {
+        return like.int(digits.iter().fold(0, |sum, digit| 10 * sum + i32::from(*digit)));
+    };
+    let below = CHUNK << smaller.len();
+    if digits.len() <= below {
+        return joined(digits, smaller, like);
+    }
+    let (top, rest) = digits.split_at(digits.len() - below);
+    joined(top, smaller, like) * power + joined(rest, smaller, like)
 }
 
 /// `10^n`, by squaring.
@@ -126,6 +151,13 @@ mod tests {
             assert_eq!(holds(inside), Ternary::True, "{text}");
             assert_eq!(holds(outside), Ternary::False, "{text}");
         }
+        let long: String = ('1'..='9').cycle().take(100).collect();
+        let digits: Vec<u8> = long.bytes().map(|b| b - b'0').collect();
+        let wide = AstroInterval::integer(0, 512);
+        let third =
+            integer(&digits, &wide) - integer(&digits[..91], &wide) * power_of_ten(9, &wide);
+        assert!(third.overlaps(&wide.int(234_567_891)), "split and joined");
+        assert!(!third.overlaps(&wide.int(234_567_892)));
         assert!(Written::parse("0.1234").unwrap().bounds(3, &like).is_none(), "too many digits");
         assert!(Written::parse("-1").unwrap().bounds(3, &like).is_none());
     }

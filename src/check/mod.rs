@@ -3,11 +3,23 @@
 //! This room sees the number traits and the equations, never a solver, and builds without a C
 //! compiler (`--no-default-features --features check`).
 
+mod checker;
+mod claim;
+mod conditions;
 mod decimal;
 mod dyadic;
 mod engine;
+mod format;
 pub mod krawczyk;
+mod quantity;
+mod refusal;
 
+pub use checker::{Accepted, MAX_DIGITS, check, check_certificate};
+pub use claim::{Claim, Exact, State, Subject, first_failure};
+pub use conditions::{conditions, inner_friction};
 pub use decimal::Written;
 pub use dyadic::{Dyadic, MAX_EXPONENT, ParseDyadicError};
 pub use engine::Engine;
+pub use format::{Certificate, ClaimFile, SCHEMA, StateFile, ValueFile, Witness};
+pub use quantity::Known;
+pub use refusal::Refusal;

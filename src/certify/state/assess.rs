@@ -19,6 +19,7 @@
 use super::choice::{Fall, Outcome, hull};
 use super::question::{Arch, Attempt, Friction, Query, decide, require};
 use crate::arch::{Equation, Mode, Ring, Unknown, contact, sliding, thrust};
+use crate::check::inner_friction;
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Real, Ternary};
 use crate::solve::start_state;
 use rug::Float;
@@ -267,7 +268,7 @@ impl Query {
             let steepest = (largest.clone() * (largest.int(1) - largest)).sqrt();
             let margin = at.half_opening.rad.clone() - steepest;
             require(&margin, "the steepest joint above the shoulder", BETWEEN)?;
-            return Ok(self.inner_friction(&at));
+            return Ok(inner_friction(&at));
         }
         Ok(slides.friction)
     }

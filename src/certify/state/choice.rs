@@ -5,7 +5,8 @@ use crate::arch::{
     Configuration, Equation, Landmark, Mode, SelfWeight, Unknown, contact, sliding, thrust,
 };
 use crate::certify::{CertifiedLandmark, Undecided};
-use crate::number::{Angle, Ball, Enclosure, Field, Magnitude, Real, Ternary};
+use crate::check::{conditions, inner_friction};
+use crate::number::{Angle, Ball, Enclosure, Magnitude, Ternary};
 use crate::solve::start_state;
 use rug::Float;
 use std::sync::OnceLock;
@@ -132,14 +133,8 @@ impl Query {
         let at = self.root(Mode::Rotational.system(), &start)?;
         self.prove(Mode::Rotational, &at, false)?;
         let shoulder = sliding::shoulder(&at.half_opening, &at.thrust).value();
-        let inner = self.inner_friction(&at);
+        let inner = inner_friction(&at);
         Ok(Rotation { at, shoulder, inner })
-    }
-
-    /// The friction that the steepest joint asks for at the thrust of a state.
-    pub(super) fn inner_friction(&self, at: &Configuration<Ball>) -> Ball {
-        let square = at.thrust.clone() * (at.thrust.int(1) - &at.thrust);
-        sliding::inner(&Angle::new(square.sqrt()), &at.thrust).value()
     }
 
     fn shoulder_sliding(
@@ -229,7 +224,8 @@ impl Query {
     /// Parts 2 and 3 of the proof: the state is admissible, and none thinner is.
     fn prove(&self, mode: Mode, at: &Configuration<Ball>, limited: bool) -> Attempt<()> {
         // A root that fails one of them is not the state of the arch.
-        self.conditions(mode, at, limited)
+        let friction = self.friction.as_ref().filter(|_| limited);
+        conditions(self.weight, mode, at, friction)
             .iter()
             .try_for_each(|(margin, question)| require(margin, question, &[mode]))
     }

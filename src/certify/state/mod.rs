@@ -17,13 +17,12 @@
 //! | `question` | an arch, as it is asked about |
 //! | `root` | part 1 |
 //! | `choice` | part 4: which mode, and its start values |
-//! | `conditions` | parts 2 and 3 |
+//! | [`check::conditions`](crate::check::conditions) | parts 2 and 3 |
 //! | `assess` | an arch of a given thickness |
 //! | `digits` | raises the precision until every digit is decided |
 
 mod assess;
 mod choice;
-mod conditions;
 mod digits;
 mod question;
 mod root;

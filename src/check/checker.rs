@@ -1,0 +1,169 @@
+//! The checker: from a certificate and the equations to a verdict.
+//!
+//! It believes nothing that a certificate says about residuals, slopes or roundings; it computes them
+//! from the claim. What it takes are witnesses: where to look, and how to precondition. What it proves:
+//!
+//! 1. **One root in the large box.** With the slopes of the residuals on the box, the Krawczyk operator
+//!    maps the box into itself, and no denominator of the equations vanishes there.
+//! 2. **The root in the small box**, which lies inside the large one. The same slopes hold on it, so
+//!    that only the residuals at its centre are evaluated to full precision.
+//! 3. **The claim**: the physical range; for a state, that it is admissible on the whole half arch, that
+//!    no thinner arch stands, and that it is the mode stated.
+//! 4. **The decimals** are the correct rounding of everything in the small box.
+
+use super::claim::{Claim, first_failure};
+use super::format::{Certificate, Witness, shortened};
+use super::refusal::Refusal;
+use super::{Dyadic, Engine, Written, krawczyk};
+use crate::arch::{Quantity, Unknown};
+use crate::number::{Dual, Enclosure};
+
+/// The verdict of a successful check.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Accepted {
+    /// What was claimed.
+    pub claim: Claim,
+    /// How many digits the values have.
+    pub digits: usize,
+    /// The values, each proved to be the correct rounding.
+    pub values: Vec<(Quantity, String)>,
+}
+
+/// The precision in which the large box is examined, in bits.
+const BOX_BITS: usize = 128;
+/// Bits of the large box and of the inverse.
+const WITNESS_BITS: usize = 256;
+/// Bits beyond the digits that a small box may have: an arch with a tiny opening loses many.
+const EXTRA_BITS: usize = 20_000;
+/// Bits beyond the longest number, to work in.
+const GUARD: usize = 64;
+/// The largest number of digits of any certificate.
+pub const MAX_DIGITS: usize = 1_000_000;
+
+/// Checks the bytes of a file in the arithmetic `E`, up to `max_digits` digits.
+pub fn check<E: Engine>(bytes: &[u8], max_digits: usize) -> Result<Accepted, Refusal> {
+    check_certificate::<E>(&Certificate::read(bytes)?, max_digits)
+}
+
+/// Checks a certificate that has been read.
+pub fn check_certificate<E: Engine>(
+    certificate: &Certificate,
+    max_digits: usize,
+) -> Result<Accepted, Refusal> {
+    let claim = certificate.claim.resolve()?;
+    let digits = certificate.digits;
+    if !(1..=max_digits.min(MAX_DIGITS)).contains(&digits) {
+        return Err(Refusal::Digits(digits, max_digits.min(MAX_DIGITS)));
+    }
+    let bits = sizes(&claim, certificate)? + GUARD;
+
+    let domain = boxed::<E>(&certificate.unique, BOX_BITS);
+    let inverse: Vec<Vec<E>> = certificate
+        .inverse
+        .iter()
+        .map(|row| row.iter().map(|y| E::exact(y, BOX_BITS)).collect())
+        .collect();
+    let centre = exact::<E>(&certificate.unique.centre, BOX_BITS);
+    let at = claim.configuration(&domain);
+    if !claim.denominators(&at).iter().all(Enclosure::excludes_zero) {
+        return Err(Refusal::Denominator("unique"));
+    }
+    let slopes: Vec<Dual<E>> = claim.residuals(&claim.variables(&domain));
+    let contracts = |place, centre: &[E], domain: &[E]| {
+        let residuals = claim.residuals(&claim.configuration(centre));
+        let image = krawczyk::image(centre, &residuals, &slopes, &inverse, domain);
+        let fails = (0..image.len()).find(|&k| !image[k].lies_inside(&domain[k]));
+        fails.map_or(Ok(()), |k| {
+            Err(Refusal::Contraction { place, unknown: claim.unknowns()[k].name() })
+        })
+    };
+    contracts("unique", &centre, &domain)?;
+
+    let small = boxed::<E>(&certificate.root, bits);
+    let outside = (0..small.len()).find(|&k| !small[k].lies_inside(&domain[k]));
+    if let Some(k) = outside {
+        return Err(Refusal::Outside(claim.unknowns()[k].name()));
+    }
+    contracts("root", &exact::<E>(&certificate.root.centre, bits), &small)?;
+
+    let at = claim.configuration(&small);
+    if let Some(words) = first_failure(&claim.margins(&at)) {
+        return Err(Refusal::Condition(words));
+    }
+    let mut values: Vec<(Quantity, String)> = Vec::new();
+    for value in &certificate.values {
+        let unknown = || Refusal::Quantity(shortened(&value.quantity));
+        let quantity = Quantity::ALL
+            .into_iter()
+            .find(|quantity| quantity.name() == value.quantity)
+            .filter(|quantity| claim.has(*quantity))
+            .filter(|quantity| values.iter().all(|(known, _)| known != quantity))
+            .ok_or_else(unknown)?;
+        let known = claim.known(quantity, &at);
+        let refused = Refusal::Rounding(quantity.name());
+        if value.value == "inf" {
+            if !known.is_infinite() {
+                return Err(refused);
+            }
+        } else {
+            let decimal = || Refusal::Decimal(quantity.name());
+            let written = Written::parse(&value.value).ok_or_else(decimal)?;
+            let proved = if written.is_zero() {
+                known.is_zero()
+            } else {
+                let bounds = written.bounds(digits, &at.thrust).ok_or_else(decimal)?;
+                known.lies_between(&bounds, quantity.in_radians().is_some()).is_proved()
+            };
+            if !proved {
+                return Err(refused);
+            }
+        }
+        values.push((quantity, value.value.clone()));
+    }
+    if values.is_empty() {
+        return Err(Refusal::NoValues);
+    }
+    Ok(Accepted { claim, digits, values })
+}
+
+/// Checks the sizes of everything before anything is computed; the bits of the longest number of the
+/// small box.
+fn sizes(claim: &Claim, certificate: &Certificate) -> Result<usize, Refusal> {
+    let n = claim.unknowns().len();
+    let size = |place, found: usize| {
+        if found == n { Ok(()) } else { Err(Refusal::Size { place, found, expected: n }) }
+    };
+    let allowed = certificate.digits * 10 / 3 + EXTRA_BITS;
+    let bounded = |place, bits: usize, numbers: &[Dyadic]| {
+        let fits = |x: &Dyadic| x.bits() <= bits;
+        if numbers.iter().all(fits) { Ok(()) } else { Err(Refusal::Large { place, bits }) }
+    };
+    size("inverse", certificate.inverse.len())?;
+    for row in &certificate.inverse {
+        size("inverse", row.len())?;
+        bounded("inverse", WITNESS_BITS, row)?;
+    }
+    let boxes =
+        [("unique", &certificate.unique, WITNESS_BITS), ("root", &certificate.root, allowed)];
+    for (place, witness, bits) in boxes {
+        size(place, witness.centre.len())?;
+        size(place, witness.radius.len())?;
+        bounded(place, bits, &witness.centre)?;
+        bounded(place, WITNESS_BITS, &witness.radius)?;
+        let flat = |radius: &Dyadic| radius.is_zero() || radius.is_negative();
+        if let Some(k) = witness.radius.iter().position(flat) {
+            let unknown: Unknown = claim.unknowns()[k];
+            return Err(Refusal::Radius { place, unknown: unknown.name() });
+        }
+    }
+    Ok(certificate.root.centre.iter().map(Dyadic::bits).max().unwrap_or(0).max(BOX_BITS))
+}
+
+fn exact<E: Engine>(values: &[Dyadic], bits: usize) -> Vec<E> {
+    values.iter().map(|x| E::exact(x, bits)).collect()
+}
+
+fn boxed<E: Engine>(witness: &Witness, bits: usize) -> Vec<E> {
+    let sides = witness.centre.iter().zip(&witness.radius);
+    sides.map(|(centre, radius)| E::around(centre, radius, bits)).collect()
+}

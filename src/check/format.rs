@@ -1,0 +1,218 @@
+//! The certificate as a file: JSON, `couplet.certificate/1`, described in `docs/certificate.md`.
+
+use super::Dyadic;
+use super::claim::{Claim, Exact, State, Subject};
+use super::refusal::Refusal;
+use crate::arch::{Equation, Landmark, Mode, SelfWeight, Unknown};
+use serde::{Deserialize, Serialize};
+
+/// The schema of this version.
+pub const SCHEMA: &str = "couplet.certificate/1";
+
+/// A certificate: a claim about a root, and the witnesses that let a checker prove it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Certificate {
+    /// [`SCHEMA`].
+    pub schema: String,
+    /// What made it, with the version; not checked.
+    pub tool: String,
+    /// What is claimed.
+    pub claim: ClaimFile,
+    /// How many significant digits the values have.
+    pub digits: usize,
+    /// The witness of existence and uniqueness in a large box.
+    pub unique: Witness,
+    /// An approximate inverse of the Jacobian at the centre of that box, row by row.
+    pub inverse: Vec<Vec<Dyadic>>,
+    /// A small box that holds the root.
+    pub root: Witness,
+    /// The decimal values claimed.
+    pub values: Vec<ValueFile>,
+}
+
+/// A box: all points within `radius` of `centre`, unknown by unknown.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Witness {
+    /// The centre.
+    pub centre: Vec<Dyadic>,
+    /// The radii.
+    pub radius: Vec<Dyadic>,
+}
+
+/// A decimal value.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ValueFile {
+    /// The name of the quantity.
+    pub quantity: String,
+    /// The correct rounding, or `inf`.
+    pub value: String,
+}
+
+/// What is claimed, in names and text.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ClaimFile {
+    /// `heyman` or `milankovitch`.
+    pub weight: String,
+    /// The symbol of a landmark; not for a state.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub landmark: Option<String>,
+    /// The state of an arch; not for a landmark.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub state: Option<StateFile>,
+    /// The names of what is solved for, in the order of every vector.
+    pub unknowns: Vec<String>,
+    /// The labels of what holds.
+    pub equations: Vec<String>,
+}
+
+/// The state of an arch.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StateFile {
+    /// The label of the mode.
+    pub mode: String,
+    /// The half opening, rad: a fraction of integers, with ` pi` behind it if pi is a factor.
+    pub half_opening: String,
+    /// The friction coefficient in the same form, or `inf`.
+    pub friction: String,
+}
+
+/// Decimal digits of a number that is given.
+const MAX_GIVEN: usize = 100_000;
+
+impl Certificate {
+    /// Reads a file. A file that is not such a certificate is refused with the place and the cause.
+    pub fn read(bytes: &[u8]) -> Result<Self, Refusal> {
+        let text = str::from_utf8(bytes).map_err(|error| Refusal::Encoding(error.valid_up_to()))?;
+        let certificate: Self =
+            serde_json::from_str(text).map_err(|error| Refusal::Format(error.to_string()))?;
+        if certificate.schema != SCHEMA {
+            return Err(Refusal::Schema(shortened(&certificate.schema)));
+        }
+        Ok(certificate)
+    }
+}
+
+/// The beginning of a text, to be shown.
+pub(super) fn shortened(text: &str) -> String {
+    let mut shown: String = text.chars().take(40).flat_map(char::escape_debug).collect();
+    if text.chars().nth(40).is_some() {
+        shown.push('…');
+    }
+    shown
+}
+
+impl ClaimFile {
+    /// The claim in the words of the file.
+    pub fn new(claim: &Claim) -> Self {
+        let state = match &claim.subject {
+            Subject::State(state) => Some(StateFile {
+                mode: state.mode.label().to_owned(),
+                half_opening: state.half_opening.text(),
+                friction: state.friction.as_ref().map_or("inf".to_owned(), Exact::text),
+            }),
+            Subject::Landmark(_) => None,
+        };
+        let landmark = match &claim.subject {
+            Subject::Landmark(landmark) => Some(landmark.symbol().to_owned()),
+            Subject::State(_) => None,
+        };
+        let unknowns = claim.unknowns().iter().map(|unknown| unknown.name().to_owned());
+        let equations = claim.equations().iter().map(|equation| equation.label().to_owned());
+        Self {
+            weight: claim.weight.name().to_owned(),
+            landmark,
+            state,
+            unknowns: unknowns.collect(),
+            equations: equations.collect(),
+        }
+    }
+
+    /// The claim, if every name is known and the unknowns and equations are those of the subject.
+    pub fn resolve(&self) -> Result<Claim, Refusal> {
+        let weight = named("weight", &self.weight, SelfWeight::ALL, SelfWeight::name)?;
+        let subject = match (&self.landmark, &self.state) {
+            (Some(symbol), None) => {
+                Subject::Landmark(named("landmark", symbol, Landmark::ALL, Landmark::symbol)?)
+            }
+            (None, Some(state)) => Subject::State(state.resolve()?),
+            _ => return Err(Refusal::Subject),
+        };
+        let claim = Claim { weight, subject };
+        let unknowns: Vec<&str> = claim.unknowns().iter().copied().map(Unknown::name).collect();
+        let equations: Vec<&str> = claim.equations().iter().copied().map(Equation::label).collect();
+        for (place, given, expected) in
+            [("unknowns", &self.unknowns, unknowns), ("equations", &self.equations, equations)]
+        {
+            if *given != expected {
+                return Err(Refusal::Mismatch { place, expected: expected.join(", ") });
+            }
+        }
+        Ok(claim)
+    }
+}
+
+fn named<T: Copy, const N: usize>(
+    place: &'static str,
+    text: &str,
+    all: [T; N],
+    name: fn(T) -> &'static str,
+) -> Result<T, Refusal> {
+    all.into_iter()
+        .find(|x| name(*x) == text)
+        .ok_or_else(|| Refusal::Name { place, text: shortened(text) })
+}
+
+impl StateFile {
+    fn resolve(&self) -> Result<State, Refusal> {
+        let mode = named("mode", &self.mode, Mode::ALL, Mode::label)?;
+        if mode == Mode::Sliding {
+            // No thickness belongs to it.
+            return Err(Refusal::Name { place: "mode", text: self.mode.clone() });
+        }
+        let given = |place, text: &str| {
+            Exact::parse(text).ok_or_else(|| Refusal::Given { place, text: shortened(text) })
+        };
+        let friction = match self.friction.as_str() {
+            "inf" => None,
+            text => Some(given("friction", text)?),
+        };
+        let needs_friction = !matches!(mode, Mode::Rotational | Mode::Overturning);
+        let allows_friction = mode != Mode::Overturning;
+        if needs_friction && friction.is_none() || !allows_friction && friction.is_some() {
+            return Err(Refusal::Given { place: "friction", text: shortened(&self.friction) });
+        }
+        Ok(State { mode, half_opening: given("half_opening", &self.half_opening)?, friction })
+    }
+}
+
+impl Exact {
+    /// `49/20`, or `49/20 pi`.
+    pub fn text(&self) -> String {
+        let pi = if self.times_pi { " pi" } else { "" };
+        format!("{}/{}{pi}", self.numerator, self.denominator)
+    }
+
+    /// Reads that form: two integers in decimal digits, the first above zero or zero, the second above
+    /// zero.
+    fn parse(text: &str) -> Option<Self> {
+        let (quotient, times_pi) = match text.strip_suffix(" pi") {
+            Some(quotient) => (quotient, true),
+            None => (text, false),
+        };
+        let (numerator, denominator) = quotient.split_once('/')?;
+        let is_integer = |text: &str| {
+            (1..=MAX_GIVEN).contains(&text.len()) && text.bytes().all(|b| b.is_ascii_digit())
+        };
+        let is_zero = |text: &str| text.bytes().all(|b| b == b'0');
+        if !is_integer(numerator) || !is_integer(denominator) || is_zero(denominator) {
+            return None;
+        }
+        let owned = str::to_owned;
+        Some(Self { numerator: owned(numerator), denominator: owned(denominator), times_pi })
+    }
+}
