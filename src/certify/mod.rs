@@ -4,6 +4,7 @@
 //! A proof either succeeds or says why nothing is known ([`Undecided`]); nothing in between.
 
 mod audit;
+mod certificate;
 mod constant;
 mod cover;
 mod exact;
@@ -13,6 +14,7 @@ pub mod state;
 mod verdict;
 
 pub use audit::{Audited, Comparison, PrintedVerdict, Relation, audit, compare_weights};
+pub use certificate::{certify_landmark, certify_state};
 pub use constant::{CertifiedLandmark, Constant, MAX_DIGITS, Value, quantities};
 pub use cover::{between, cover};
 pub use exact::Exact;

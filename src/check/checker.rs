@@ -29,11 +29,10 @@ pub struct Accepted {
     pub values: Vec<(Quantity, String)>,
 }
 
-/// The precision in which the large box is examined, in bits.
-const BOX_BITS: usize = 128;
-/// Bits of the large box and of the inverse.
+/// Bits of a radius and of an entry of the inverse.
 const WITNESS_BITS: usize = 256;
-/// Bits beyond the digits that a small box may have: an arch with a tiny opening loses many.
+/// Bits that the centre of a large box may have, and that of a small one beyond its digits: an arch with
+/// a tiny opening loses many.
 const EXTRA_BITS: usize = 20_000;
 /// Bits beyond the longest number, to work in.
 const GUARD: usize = 64;
@@ -55,15 +54,15 @@ pub fn check_certificate<E: Engine>(
     if !(1..=max_digits.min(MAX_DIGITS)).contains(&digits) {
         return Err(Refusal::Digits(digits, max_digits.min(MAX_DIGITS)));
     }
-    let bits = sizes(&claim, certificate)? + GUARD;
-
-    let domain = boxed::<E>(&certificate.unique, BOX_BITS);
+    sizes(&claim, certificate)?;
+    let (wide, bits) = (longest(&certificate.unique), longest(&certificate.root));
+    let domain = boxed::<E>(&certificate.unique, wide);
     let inverse: Vec<Vec<E>> = certificate
         .inverse
         .iter()
-        .map(|row| row.iter().map(|y| E::exact(y, BOX_BITS)).collect())
+        .map(|row| row.iter().map(|y| E::exact(y, wide)).collect())
         .collect();
-    let centre = exact::<E>(&certificate.unique.centre, BOX_BITS);
+    let centre = exact::<E>(&certificate.unique.centre, wide);
     let at = claim.configuration(&domain);
     if !claim.denominators(&at).iter().all(Enclosure::excludes_zero) {
         return Err(Refusal::Denominator("unique"));
@@ -126,9 +125,13 @@ pub fn check_certificate<E: Engine>(
     Ok(Accepted { claim, digits, values })
 }
 
-/// Checks the sizes of everything before anything is computed; the bits of the longest number of the
-/// small box.
-fn sizes(claim: &Claim, certificate: &Certificate) -> Result<usize, Refusal> {
+/// The bits in which to work with a box: a few more than its longest number has.
+fn longest(witness: &Witness) -> usize {
+    witness.centre.iter().map(Dyadic::bits).max().unwrap_or(0) + GUARD
+}
+
+/// Checks the sizes of everything before anything is computed.
+fn sizes(claim: &Claim, certificate: &Certificate) -> Result<(), Refusal> {
     let n = claim.unknowns().len();
     let size = |place, found: usize| {
         if found == n { Ok(()) } else { Err(Refusal::Size { place, found, expected: n }) }
@@ -143,8 +146,7 @@ fn sizes(claim: &Claim, certificate: &Certificate) -> Result<usize, Refusal> {
         size("inverse", row.len())?;
         bounded("inverse", WITNESS_BITS, row)?;
     }
-    let boxes =
-        [("unique", &certificate.unique, WITNESS_BITS), ("root", &certificate.root, allowed)];
+    let boxes = [("unique", &certificate.unique, EXTRA_BITS), ("root", &certificate.root, allowed)];
     for (place, witness, bits) in boxes {
         size(place, witness.centre.len())?;
         size(place, witness.radius.len())?;
@@ -156,7 +158,7 @@ fn sizes(claim: &Claim, certificate: &Certificate) -> Result<usize, Refusal> {
             return Err(Refusal::Radius { place, unknown: unknown.name() });
         }
     }
-    Ok(certificate.root.centre.iter().map(Dyadic::bits).max().unwrap_or(0).max(BOX_BITS))
+    Ok(())
 }
 
 fn exact<E: Engine>(values: &[Dyadic], bits: usize) -> Vec<E> {
