@@ -3,21 +3,17 @@
 //! Exit codes: 0 everything asked was proved; 1 something was refuted, refused or undecided; 2 bad
 //! usage or input; 3 a resource or I/O failure.
 
-mod arch;
-mod assess;
-mod audit;
-mod constants;
-mod output;
-mod progress;
-mod prove;
-mod state;
-mod states;
+mod check;
+#[cfg(feature = "full")]
+mod commands;
 
-use crate::arch::{Landmark, SelfWeight};
-use crate::certify::MAX_DIGITS;
-use crate::report::Format;
-use clap::{Parser, Subcommand};
+use clap::Parser;
 use std::process::ExitCode;
+
+#[cfg(not(feature = "full"))]
+use check::Command;
+#[cfg(feature = "full")]
+use commands::Command;
 
 /// Certified constants of the finite-friction Couplet–Heyman problem: how thin a circular masonry
 /// arch can be and still stand, and how it falls.
@@ -32,20 +28,11 @@ const EXIT_CODES: &str = "\
 Exit codes: 0 everything asked was proved; 1 something was refuted, refused or undecided;
 2 bad usage or input; 3 a resource or I/O failure.";
 
-#[derive(Subcommand)]
-enum Command {
-    Constants(constants::Arguments),
-    State(state::Arguments),
-    Assess(assess::Arguments),
-    States(states::Arguments),
-    Audit(audit::Arguments),
-    Prove(prove::Arguments),
-}
-
 /// Why a command did not do what was asked.
 #[derive(Debug, thiserror::Error)]
 enum Failure {
     /// The input makes no sense.
+    #[cfg(feature = "full")]
     #[error("{0}")]
     Input(String),
     /// Not everything could be proved; what could has been printed.
@@ -62,20 +49,13 @@ pub fn run() -> ExitCode {
         Ok(cli) => cli,
         Err(error) => return usage(&error),
     };
-    let outcome = match cli.command {
-        Command::Constants(arguments) => constants::run(&arguments),
-        Command::State(arguments) => state::run(&arguments),
-        Command::Assess(arguments) => assess::run(&arguments),
-        Command::States(arguments) => states::run(&arguments),
-        Command::Audit(arguments) => audit::run(&arguments),
-        Command::Prove(arguments) => prove::run(&arguments),
-    };
-    match outcome {
+    match cli.command.run() {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             eprintln!("couplet: {failure}");
             ExitCode::from(match failure {
                 Failure::Undecided(_) => 1,
+                #[cfg(feature = "full")]
                 Failure::Input(_) => 2,
                 Failure::Io(_) => 3,
             })
@@ -103,54 +83,10 @@ fn usage(error: &clap::Error) -> ExitCode {
         .collect::<Vec<_>>()
         .join("; ");
     let possible = match error.kind() {
-        clap::error::ErrorKind::InvalidSubcommand => {
-            "; the commands are constants, state, assess, states, audit and prove"
-        }
+        clap::error::ErrorKind::InvalidSubcommand => Command::NAMES,
         clap::error::ErrorKind::UnknownArgument => "; --help lists the options",
         _ => "",
     };
     eprintln!("couplet: {}{possible}", line.strip_prefix("error: ").unwrap_or(&line));
     ExitCode::from(2)
-}
-
-fn landmark(text: &str) -> Result<Landmark, String> {
-    Landmark::ALL.into_iter().find(|landmark| landmark.symbol() == text).ok_or_else(|| {
-        format!("a landmark is one of {}", list(Landmark::ALL.map(Landmark::symbol)))
-    })
-}
-
-fn weight(text: &str) -> Result<SelfWeight, String> {
-    SelfWeight::ALL.into_iter().find(|weight| weight.name() == text).ok_or_else(|| {
-        format!("a weight is one of {}", list(SelfWeight::ALL.map(SelfWeight::name)))
-    })
-}
-
-fn format(text: &str) -> Result<Format, String> {
-    match text {
-        "table" => Ok(Format::Table),
-        "json" => Ok(Format::Json),
-        "csv" => Ok(Format::Csv),
-        _ => Err("a format is one of table, json, csv".into()),
-    }
-}
-
-fn digits(text: &str) -> Result<usize, String> {
-    text.parse()
-        .ok()
-        .filter(|digits| (1..=MAX_DIGITS).contains(digits))
-        .ok_or_else(|| format!("digits are a whole number from 1 to {MAX_DIGITS}"))
-}
-
-/// States are proved in numbers of moderate length.
-const MAX_STATE_DIGITS: usize = 10_000;
-
-fn state_digits(text: &str) -> Result<usize, String> {
-    digits(text)
-        .ok()
-        .filter(|digits| *digits <= MAX_STATE_DIGITS)
-        .ok_or_else(|| format!("digits are a whole number from 1 to {MAX_STATE_DIGITS}"))
-}
-
-fn list<const N: usize>(names: [&str; N]) -> String {
-    names.join(", ")
 }

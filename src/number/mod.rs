@@ -36,6 +36,7 @@ macro_rules! owned_operators {
     };
 }
 
+#[cfg(feature = "full")]
 pub(crate) use owned_operators;
 
 mod angle;

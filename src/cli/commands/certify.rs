@@ -1,0 +1,135 @@
+//! `couplet certify`.
+
+use super::Failure;
+use super::arch::{angle, friction};
+use super::output::Output;
+use crate::arch::{Landmark, SelfWeight};
+use crate::certify::state::Arch;
+use crate::certify::{Undecided, certify_landmark, certify_state};
+use crate::check::Certificate;
+use clap::Args;
+use rayon::prelude::*;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Write certificates that `couplet check` accepts without trusting the solver.
+#[derive(Args)]
+pub struct Arguments {
+    /// A landmark (T, S, J, B, l, L, sb), `state` for the state of an arch, or `all` for all landmarks.
+    #[arg(value_name = "SUBJECT", value_parser = subject)]
+    subject: Subject,
+
+    /// Half opening of the arch, for `state` (2.45, pi/2, 80deg).
+    #[arg(long, visible_alias = "alpha", value_name = "ANGLE", allow_hyphen_values = true)]
+    half_opening: Option<String>,
+
+    /// Friction coefficient mu, for `state` (0.6, 3/5, inf).
+    #[arg(long, visible_alias = "mu", value_name = "MU", allow_hyphen_values = true)]
+    friction: Option<String>,
+
+    /// Self-weight model, heyman or milankovitch; milankovitch if not given, both for `all`.
+    #[arg(long, value_parser = super::weight)]
+    weight: Option<SelfWeight>,
+
+    /// Significant digits, 1 to 1000000; at most 10000 for a state.
+    #[arg(long, default_value = "30", value_parser = super::digits, allow_negative_numbers = true)]
+    digits: usize,
+
+    /// The file to write, or for `all` the folder; standard output if not given.
+    #[arg(short, long, value_name = "PATH")]
+    output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Subject {
+    Landmark(Landmark),
+    State,
+    All,
+}
+
+fn subject(text: &str) -> Result<Subject, String> {
+    match text {
+        "state" => Ok(Subject::State),
+        "all" => Ok(Subject::All),
+        symbol => super::landmark(symbol)
+            .map(Subject::Landmark)
+            .map_err(|error| format!("{error}, or state, or all")),
+    }
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let given = arguments.half_opening.is_some() || arguments.friction.is_some();
+    if arguments.subject != Subject::State && given {
+        return Err(Failure::Input("a half opening and a friction belong to `state`".into()));
+    }
+    match arguments.subject {
+        Subject::All => all(arguments),
+        Subject::Landmark(landmark) => {
+            let output = Output::open(arguments.output.as_deref())?;
+            let weight = arguments.weight.unwrap_or(SelfWeight::Milankovitch);
+            let made = certify_landmark(landmark, weight, arguments.digits);
+            write(output, &made.map_err(undecided)?)
+        }
+        Subject::State => {
+            let arch = arch(arguments)?;
+            super::state_digits(&arguments.digits.to_string()).map_err(Failure::Input)?;
+            let output = Output::open(arguments.output.as_deref())?;
+            write(output, &certify_state(&arch, arguments.digits).map_err(undecided)?)
+        }
+    }
+}
+
+fn undecided(undecided: Undecided) -> Failure {
+    Failure::Undecided(undecided.to_string())
+}
+
+fn arch(arguments: &Arguments) -> Result<Arch, Failure> {
+    let missing = |what: &str| Failure::Input(format!("{what} is missing"));
+    let half_opening =
+        arguments.half_opening.as_deref().ok_or_else(|| missing("--half-opening"))?;
+    let mu = arguments.friction.as_deref().ok_or_else(|| missing("--friction"))?;
+    let weight = arguments.weight.unwrap_or(SelfWeight::Milankovitch);
+    let half_opening = angle(half_opening).map_err(Failure::Input)?;
+    Arch::new(weight, half_opening, friction(mu).map_err(Failure::Input)?)
+        .map_err(|error| Failure::Input(error.to_string()))
+}
+
+/// All landmarks, each in a file of its own.
+fn all(arguments: &Arguments) -> Result<(), Failure> {
+    let folder = arguments
+        .output
+        .as_deref()
+        .ok_or_else(|| Failure::Input("`all` needs a folder, --output PATH".into()))?;
+    let failed = |error: std::io::Error| {
+        Failure::Io(format!("cannot write {}: {}", folder.display(), error.kind()))
+    };
+    fs::create_dir_all(folder).map_err(failed)?;
+    let weights = arguments.weight.map_or(SelfWeight::ALL.to_vec(), |weight| vec![weight]);
+    let points: Vec<(Landmark, SelfWeight)> = Landmark::ALL
+        .into_iter()
+        .flat_map(|landmark| weights.iter().map(move |&weight| (landmark, weight)))
+        .collect();
+    let made: Vec<Certificate> = points
+        .par_iter()
+        .map(|&(landmark, weight)| certify_landmark(landmark, weight, arguments.digits))
+        .collect::<Result<_, _>>()
+        .map_err(undecided)?;
+    for ((landmark, weight), certificate) in points.into_iter().zip(&made) {
+        let path = folder.join(file_name(landmark, weight));
+        write(Output::open(Some(Path::new(&path)))?, certificate)?;
+    }
+    Ok(())
+}
+
+/// `l` and `L` must not meet on a file system that does not tell them apart.
+fn file_name(landmark: Landmark, weight: SelfWeight) -> String {
+    let name = landmark.name().replace(' ', "-");
+    format!("{name}-{}.json", weight.name())
+}
+
+fn write(output: Output, certificate: &Certificate) -> Result<(), Failure> {
+    output.write(|out| {
+        serde_json::to_writer_pretty(&mut *out, certificate)?;
+        writeln!(out)
+    })
+}

@@ -1,0 +1,92 @@
+//! The commands of the full program.
+
+mod arch;
+mod assess;
+mod audit;
+mod certify;
+mod constants;
+mod output;
+mod progress;
+mod prove;
+mod state;
+mod states;
+
+use super::{Failure, check};
+use crate::arch::{Landmark, SelfWeight};
+use crate::certify::MAX_DIGITS;
+use crate::report::Format;
+use clap::Subcommand;
+
+#[derive(Subcommand)]
+pub enum Command {
+    Constants(constants::Arguments),
+    State(state::Arguments),
+    Assess(assess::Arguments),
+    States(states::Arguments),
+    Audit(audit::Arguments),
+    Prove(prove::Arguments),
+    Certify(certify::Arguments),
+    Check(check::Arguments),
+}
+
+impl Command {
+    /// What to say to someone who names another.
+    pub const NAMES: &str = "; the commands are constants, state, assess, states, audit, prove, certify \
+                             and check";
+
+    /// Does what is asked.
+    pub fn run(&self) -> Result<(), Failure> {
+        match self {
+            Self::Constants(arguments) => constants::run(arguments),
+            Self::State(arguments) => state::run(arguments),
+            Self::Assess(arguments) => assess::run(arguments),
+            Self::States(arguments) => states::run(arguments),
+            Self::Audit(arguments) => audit::run(arguments),
+            Self::Prove(arguments) => prove::run(arguments),
+            Self::Certify(arguments) => certify::run(arguments),
+            Self::Check(arguments) => check::run(arguments),
+        }
+    }
+}
+
+fn landmark(text: &str) -> Result<Landmark, String> {
+    Landmark::ALL.into_iter().find(|landmark| landmark.symbol() == text).ok_or_else(|| {
+        format!("a landmark is one of {}", list(Landmark::ALL.map(Landmark::symbol)))
+    })
+}
+
+fn weight(text: &str) -> Result<SelfWeight, String> {
+    SelfWeight::ALL.into_iter().find(|weight| weight.name() == text).ok_or_else(|| {
+        format!("a weight is one of {}", list(SelfWeight::ALL.map(SelfWeight::name)))
+    })
+}
+
+fn format(text: &str) -> Result<Format, String> {
+    match text {
+        "table" => Ok(Format::Table),
+        "json" => Ok(Format::Json),
+        "csv" => Ok(Format::Csv),
+        _ => Err("a format is one of table, json, csv".into()),
+    }
+}
+
+fn digits(text: &str) -> Result<usize, String> {
+    text.parse()
+        .ok()
+        .filter(|digits| (1..=MAX_DIGITS).contains(digits))
+        .ok_or_else(|| format!("digits are a whole number from 1 to {MAX_DIGITS}"))
+}
+
+/// States are proved in numbers of moderate length.
+const MAX_STATE_DIGITS: usize = 10_000;
+
+fn state_digits(text: &str) -> Result<usize, String> {
+    digits(text)
+        .ok()
+        .filter(|digits| *digits <= MAX_STATE_DIGITS)
+        .ok_or_else(|| format!("digits are a whole number from 1 to {MAX_STATE_DIGITS}"))
+}
+
+fn list<const N: usize>(names: [&str; N]) -> String {
+    names.join(", ")
+}
