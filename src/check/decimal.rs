@@ -43,7 +43,7 @@ impl Written {
     }
 
     /// How many significant digits are written.
-    pub fn len(&self) -> usize {
+    pub fn significant_digits(&self) -> usize {
         self.digits.len()
     }
 
@@ -51,11 +51,11 @@ impl Written {
     /// rounding to `digits` significant digits; `None` for zero, for a negative number, and if more
     /// digits are written.
     pub fn bounds<E: Engine>(&self, digits: usize, like: &E) -> Option<[E; 2]> {
-        if self.is_zero() || self.negative || self.len() > digits {
+        if self.is_zero() || self.negative || self.significant_digits() > digits {
             return None;
         }
         // In units of a twentieth of the last place to which it is rounded.
-        let missing = digits - self.len();
+        let missing = digits - self.significant_digits();
         let unit = power_of_ten(self.exponent - missing as i64 - 1, like) / like.int(2);
         let value = integer(&self.digits, like) * power_of_ten(missing as i64, like) * like.int(20);
         // Below a power of ten the places are ten times as fine.
@@ -120,7 +120,7 @@ mod tests {
     #[test]
     fn only_decimals_are_read() {
         let written = Written::parse("0.0120").unwrap();
-        assert_eq!((written.len(), written.exponent), (3, -4));
+        assert_eq!((written.significant_digits(), written.exponent), (3, -4));
         assert!(Written::parse("0").unwrap().is_zero());
         for text in
             ["", ".", ".5", "+1", "1e", "1e5000000", "0x1", "1..2", "nan", "inf", "1 ", "１"]
