@@ -401,3 +401,113 @@ Proof.
 Qed.
 
 End System.
+
+(** ** The same from a table of numbers
+
+    What has to be known of the equations are two sorts of enclosures, each of one expression: their
+    values at the centre and their slopes on the wide box.  With
+
+        |F_j(c)| <= e_j     and     |J_jk(x) - M_jk| <= D_jk  in the wide box
+
+    everything else is arithmetic with the numbers [Y], [M], [D], [e], [r]:
+
+        |I - Y M| + |Y| D <= q,     |Y| e <= (1 - q) eps,     |I - M Y| <= 1/2.
+
+    The last makes [Y] regular: if [Y v = 0] then [v = (I - M Y) v], which is at most half as large. *)
+
+Section Table.
+
+Variables (n : nat) (F : nat -> point -> R) (J : nat -> nat -> point -> R).
+Variables (Y M D : nat -> nat -> R) (c r e : point) (q eps : R).
+
+Notation box d x := (within n r d x c).
+Notation along x u t := (fun i : nat => x i + t * u i).
+
+Hypothesis radii : forall i, (i < n)%nat -> 0 < r i.
+Hypothesis factor : 0 <= q < 1.
+Hypothesis scale : 0 <= eps <= 1.
+
+Hypothesis derivatives : forall j, (j < n)%nat -> forall (x u : point) (t : R),
+  box 1 (along x u t) ->
+  is_derive (fun s => F j (along x u s)) t (sum n (fun k => J j k (along x u t) * u k)).
+Hypothesis slopes : forall x, box 1 x -> forall j k, (j < n)%nat -> (k < n)%nat ->
+  Rabs (J j k x - M j k) <= D j k.
+Hypothesis residuals : forall j, (j < n)%nat -> Rabs (F j c) <= e j.
+
+Hypothesis contracts : forall i, (i < n)%nat ->
+  sum n (fun k => (Rabs (unit_entry i k - sum n (fun j => Y i j * M j k))
+                   + sum n (fun j => Rabs (Y i j) * D j k)) * r k) <= q * r i.
+Hypothesis starts : forall i, (i < n)%nat ->
+  sum n (fun j => Rabs (Y i j) * e j) <= (1 - q) * eps * r i.
+Hypothesis regular : forall j, (j < n)%nat ->
+  sum n (fun k => Rabs (unit_entry j k - sum n (fun i => M j i * Y i k))) <= 1 / 2.
+
+Lemma contracts_everywhere x : box 1 x -> forall i, (i < n)%nat ->
+  sum n (fun k => Rabs (unit_entry i k - sum n (fun j => Y i j * J j k x)) * r k) <= q * r i.
+Proof.
+  intros Hx i Hi. eapply Rle_trans; [| now apply contracts].
+  apply sum_le. intros k Hk. apply Rmult_le_compat_r; [now apply Rlt_le, radii |].
+  replace (unit_entry i k - sum n (fun j => Y i j * J j k x))
+    with ((unit_entry i k - sum n (fun j => Y i j * M j k))
+          - sum n (fun j => Y i j * (J j k x - M j k)))
+    by (rewrite (sum_eq n (fun j => Y i j * (J j k x - M j k))
+                   (fun j => Y i j * J j k x - Y i j * M j k)) by (intros; ring);
+        rewrite sum_minus; ring).
+  eapply Rle_trans; [apply Rabs_triang |]. rewrite Rabs_Ropp.
+  apply Rplus_le_compat_l. eapply Rle_trans; [apply Rabs_sum |].
+  apply sum_le. intros j Hj. rewrite Rabs_mult.
+  apply Rmult_le_compat_l; [apply Rabs_pos | now apply slopes].
+Qed.
+
+Lemma starts_near i : (i < n)%nat ->
+  Rabs (sum n (fun j => Y i j * F j c)) <= (1 - q) * eps * r i.
+Proof.
+  intros Hi. eapply Rle_trans; [| now apply starts].
+  eapply Rle_trans; [apply Rabs_sum |]. apply sum_le. intros j Hj. rewrite Rabs_mult.
+  apply Rmult_le_compat_l; [apply Rabs_pos | now apply residuals].
+Qed.
+
+Lemma preconditioner_regular (v : point) :
+  (forall i, (i < n)%nat -> sum n (fun j => Y i j * v j) = 0) -> forall j, (j < n)%nat -> v j = 0.
+Proof.
+  intros Hv.
+  assert (halves : forall k j, (j < n)%nat ->
+    Rabs (v j) <= (1 / 2) ^ k * sum n (fun i => Rabs (v i))).
+  { induction k as [| k IH]; intros j Hj.
+    - rewrite Rmult_1_l. clear - Hj. induction n as [| m IH]; [lia |]. simpl.
+      assert (0 <= sum m (fun i => Rabs (v i))).
+      { rewrite <- (sum_zero m (fun _ => 0)) by easy. apply sum_le. intros. apply Rabs_pos. }
+      pose proof (Rabs_pos (v m)).
+      destruct (Nat.eq_dec j m) as [-> | Hm]; [lra |].
+      specialize (IH ltac:(lia)). lra.
+    - set (a := (1 / 2) ^ k * sum n (fun i => Rabs (v i))) in *.
+      assert (MYv : sum n (fun k => sum n (fun i => M j i * Y i k) * v k) = 0).
+      { rewrite (sum_eq n _ (fun k => sum n (fun i => M j i * (Y i k * v k)))).
+        - rewrite sum_exchange. apply sum_zero. intros i Hi. rewrite sum_mult, Hv by easy. ring.
+        - intros i Hi. rewrite Rmult_comm, <- sum_mult. apply sum_eq. intros. ring. }
+      replace (v j)
+        with (sum n (fun k => (unit_entry j k - sum n (fun i => M j i * Y i k)) * v k)).
+      2: { rewrite (sum_eq n _ (fun k => unit_entry j k * v k - sum n (fun i => M j i * Y i k) * v k))
+             by (intros; ring).
+           rewrite sum_minus, sum_unit, MYv by easy. ring. }
+      eapply Rle_trans; [apply Rabs_sum |].
+      apply Rle_trans with
+        (sum n (fun k => a * Rabs (unit_entry j k - sum n (fun i => M j i * Y i k)))).
+      + apply sum_le. intros i Hi. rewrite Rabs_mult, Rmult_comm.
+        apply Rmult_le_compat_r; [apply Rabs_pos | now apply IH].
+      + rewrite sum_mult. simpl. rewrite (Rmult_assoc (1 / 2)). fold a.
+        rewrite (Rmult_comm (1 / 2)). apply Rmult_le_compat_l; [| now apply regular].
+        apply Rle_trans with (Rabs (v j)); [apply Rabs_pos | now apply IH]. }
+  intros j Hj. apply (zero_if_below_powers (1 / 2) (sum n (fun i => Rabs (v i)))); [lra |].
+  intros k. now apply halves.
+Qed.
+
+Theorem one_root_from_table :
+  exists x, box eps x /\ solves n F x /\
+    (forall y, box 1 y -> solves n F y -> forall i, (i < n)%nat -> y i = x i).
+Proof.
+  exact (one_root_in_box n F J Y c r q eps radii factor scale derivatives
+           contracts_everywhere starts_near preconditioner_regular).
+Qed.
+
+End Table.
