@@ -8,8 +8,10 @@
     The tactic still falls back to primitive floats for a call without a precision, so every call
     reads [interval with (i_prec n)]. *)
 
-From Interval Require Import Float.Specific_ops Float.Specific_stdz Tactic.
+From Interval Require Import Float.Specific_ops Float.Specific_stdz.
+From Interval Require Export Tactic.
 
 Module FloatZ := SpecificFloat StdZRadix2.
 Module TacticZ := IntervalTactic FloatZ.
+(** From here on [interval] is the one of [TacticZ]. *)
 Export TacticZ.
