@@ -99,6 +99,7 @@
 
 pub mod arch;
 pub mod certify;
+pub mod claims;
 pub mod cli;
 pub mod number;
 pub mod report;

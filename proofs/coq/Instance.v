@@ -9,51 +9,30 @@
 
 From Coq Require Export Reals List Lra Lia.
 From Coquelicot Require Export Coquelicot.
-From Couplet Require Export Arch IntervalZ OneRoot Contraction.
+From Couplet Require Export Arch Moments Cubics Overturning IntervalZ OneRoot Contraction.
 Export ListNotations.
 Open Scope R_scope.
 
-(** ** Two equations of the landmarks that [Arch] does not have *)
+(** ** An equation of the landmarks that is not printed
 
-(** (5) in the limit [beta -> 0], where [beta * cot beta] tends to 1. *)
-Definition h_tangency_crown (delta eta : R) : R := 2 - 2 / (2 - eta) * fac delta eta.
-
-Lemma h_tangency_crown_is_the_limit delta eta :
-  is_lim (fun beta => h_tangency delta beta eta) 0 (h_tangency_crown delta eta).
-Proof.
-  apply is_lim_ext with
-    (fun beta => / (sin beta / beta) * cos beta + (1 - 2 / (2 - eta) * fac delta eta)).
-  { intros beta. unfold h_tangency, cot, Rdiv. rewrite Rinv_mult, Rinv_inv. ring. }
-  replace (Finite (h_tangency_crown delta eta))
-    with (Finite (/ 1 * cos 0 + (1 - 2 / (2 - eta) * fac delta eta)))
-    by (unfold h_tangency_crown; rewrite cos_0, Rinv_1; f_equal; ring).
-  apply is_lim_plus'; [| apply is_lim_const].
-  apply (is_lim_mult _ _ 0 (/ 1) (cos 0)); [| | easy].
-  - apply (is_lim_inv _ 0 1); [exact is_lim_sinc_0 |]. injection. lra.
-  - apply is_lim_continuity, continuity_cos.
-Qed.
-
-(** At the widest rotational joint the thickness is a double root of (2) = (5): there the difference
+    At the widest rotational joint the thickness is a double root of (2) = (5): there the difference
     of the two thrusts has slope zero besides. *)
 Definition double_thickness (delta beta eta : R) : Prop :=
   is_derive (fun e => h_lower delta beta e - h_tangency delta beta e) eta 0.
 
-(** ** The printed equations and their cleared forms *)
+(** ** The printed equations and their cleared forms
 
-Lemma cleared (x n d r : R) : d <> 0 -> r = d * x - n -> (x = n / d <-> r = 0).
-Proof.
-  intros Hd ->. split.
-  - intros ->. field. exact Hd.
-  - intros H. apply (Rmult_eq_reg_l d); [| exact Hd].
-    replace (d * (n / d)) with n by (field; exact Hd). lra.
-Qed.
+    In [Moments] and [Sliding] a cleared equation reads [h * d = n]; here it reads [r = 0] with any
+    way of writing [d * h - n]. *)
+
+Ltac cleared_by equation Hr := rewrite equation by easy; rewrite Hr; split; intros; lra.
 
 Lemma cleared_lower delta beta eta h r :
   2 + eta - (2 - eta) * cos beta <> 0 ->
   r = (2 + eta - (2 - eta) * cos beta) * h
       - ((2 - eta) * beta * sin beta - 2 * (1 - cos beta) * fac delta eta) ->
   (h = h_lower delta beta eta <-> r = 0).
-Proof. apply cleared. Qed.
+Proof. intros Hd Hr. cleared_by lower_thrust_cleared Hr. Qed.
 
 Lemma cleared_upper delta alpha beta eta h r :
   (2 - eta) * cos beta - (2 + eta) * cos alpha <> 0 ->
@@ -61,50 +40,39 @@ Lemma cleared_upper delta alpha beta eta h r :
       - ((2 + eta) * alpha * sin alpha - (2 - eta) * beta * sin beta
          - 2 * (cos beta - cos alpha) * fac delta eta) ->
   (h = h_upper delta alpha beta eta <-> r = 0).
-Proof. apply cleared. Qed.
+Proof. intros Hd Hr. cleared_by upper_thrust_cleared Hr. Qed.
 
 Lemma cleared_whole delta alpha eta h r :
   1 - cos alpha <> 0 -> 2 + eta <> 0 ->
   r = (1 - cos alpha) * (2 + eta) * h
-      - ((2 + eta) * alpha * sin alpha - 2 * fac delta eta * (1 - cos alpha)) ->
+      - ((2 + eta) * alpha * sin alpha - 2 * (1 - cos alpha) * fac delta eta) ->
   (h = h_whole delta alpha eta <-> r = 0).
-Proof.
-  intros Ha He Hr.
-  replace (h_whole delta alpha eta) with
-    (((2 + eta) * alpha * sin alpha - 2 * fac delta eta * (1 - cos alpha))
-     / ((1 - cos alpha) * (2 + eta))) by (unfold h_whole, A; field; auto).
-  apply cleared; [now apply Rmult_integral_contrapositive | exact Hr].
-Qed.
+Proof. intros Ha He Hr. cleared_by whole_thrust_cleared Hr. Qed.
 
 Lemma cleared_tangency delta beta eta h r :
   sin beta <> 0 -> 2 - eta <> 0 ->
   r = sin beta * (2 - eta) * h
-      - ((beta * cos beta + sin beta) * (2 - eta) - 2 * fac delta eta * sin beta) ->
+      - ((2 - eta) * (sin beta + beta * cos beta) - 2 * sin beta * fac delta eta) ->
   (h = h_tangency delta beta eta <-> r = 0).
-Proof.
-  intros Hs He Hr.
-  replace (h_tangency delta beta eta) with
-    (((beta * cos beta + sin beta) * (2 - eta) - 2 * fac delta eta * sin beta)
-     / (sin beta * (2 - eta))) by (unfold h_tangency, cot; field; auto).
-  apply cleared; [now apply Rmult_integral_contrapositive | exact Hr].
-Qed.
+Proof. intros Hs He Hr. cleared_by tangency_cleared Hr. Qed.
 
-Lemma cleared_tangency_crown delta eta h r :
+(** (5) in the limit [beta -> 0] is [h = end_of_rotation], by [tangency_at_crown]. *)
+Lemma cleared_tangency_at_crown delta eta h r :
   2 - eta <> 0 ->
   r = (2 - eta) * h - (2 * (2 - eta) - 2 * fac delta eta) ->
-  (h = h_tangency_crown delta eta <-> r = 0).
+  (h = end_of_rotation delta eta <-> r = 0).
 Proof.
   intros He Hr.
-  replace (h_tangency_crown delta eta) with ((2 * (2 - eta) - 2 * fac delta eta) / (2 - eta))
-    by (unfold h_tangency_crown; field; auto).
-  now apply cleared.
+  replace (end_of_rotation delta eta) with ((2 * (2 - eta) - 2 * fac delta eta) / (2 - eta))
+    by (unfold end_of_rotation, fac; field; easy).
+  cleared_by (equals_quotient h (2 * (2 - eta) - 2 * fac delta eta) (2 - eta)) Hr.
 Qed.
 
 Lemma cleared_shoulder_sliding alpha h mu r :
   h * cos alpha + alpha * sin alpha <> 0 ->
   r = (h * cos alpha + alpha * sin alpha) * mu - (h * sin alpha - alpha * cos alpha) ->
   (mu = mu_ss alpha h <-> r = 0).
-Proof. apply cleared. Qed.
+Proof. intros Hd Hr. unfold mu_ss. cleared_by equals_quotient Hr. Qed.
 
 (** (18) is two equations, the joint and the friction there; the first has a square root. *)
 Lemma cleared_inner_sliding beta h mu r s :
@@ -119,9 +87,10 @@ Proof.
     - intros H. assert (0 < h * (1 - h)) by (apply sqrt_lt_0_alt; rewrite sqrt_0; lra).
       rewrite H, pow2_sqrt by lra. ring.
     - intros H. replace (h * (1 - h)) with (beta ^ 2) by lra. now rewrite sqrt_pow2 by lra. }
-  rewrite <- joint. clear joint. unfold mu_is.
-  split; intros [H Hj]; (split; [| exact Hj]); rewrite <- Hj in *;
-    apply (cleared mu _ _ r Hd Hr); exact H.
+  assert (friction : mu = mu_inner beta h <-> r = 0)
+    by (unfold mu_inner; cleared_by equals_quotient Hr).
+  rewrite <- joint, <- friction. unfold mu_is.
+  split; intros [H Hj]; (split; [| exact Hj]); rewrite <- Hj in *; exact H.
 Qed.
 
 (** With [D / K] for the difference of (2) and (5), its slope is [D' / K] where [D] vanishes. *)
@@ -154,9 +123,34 @@ Proof.
   - intros H. replace 0 with (r / K); [exact slope |]. rewrite H. field. exact HK.
 Qed.
 
-(** An equation whose cleared form needs those before it. *)
-Lemma both (P P' Q Q' : Prop) : (P <-> P') -> (Q <-> Q') -> (P /\ Q <-> P' /\ Q').
-Proof. tauto. Qed.
+(** There the radicand (12) vanishes: a double root has no discriminant. *)
+Theorem radicand_at_double_thickness delta beta eta :
+  2 + eta - (2 - eta) * cos beta <> 0 -> sin beta <> 0 -> 2 - eta <> 0 ->
+  h_lower delta beta eta = h_tangency delta beta eta -> double_thickness delta beta eta ->
+  radicand delta (f_of beta) (g_of beta) (sin beta) = 0.
+Proof.
+  intros Hd Hs He H0 H1.
+  apply (cleared_double_thickness _ _ _ _ Hd Hs He H0 eq_refl) in H1.
+  apply (cubic_in_thickness_from_2_5 _ _ _ Hs He Hd) in H0. unfold pol_eta in H0.
+  set (f := f_of beta) in *. set (g := g_of beta) in *. set (S := sin beta) in *.
+  set (a := delta * S). set (b := 3 * (f + g)).
+  set (c := - 12 * (g - S)). set (d := 12 * (g - f)).
+  assert (slope : 3 * a * eta ^ 2 + 2 * b * eta + c = 0).
+  { apply (f_equal (Rmult 3)) in H1. rewrite Rmult_0_r in H1. rewrite <- H1.
+    unfold a, b, c, f, g, f_of, g_of, fac. fold S.
+    assert (circle : S ^ 2 = 1 - cos beta ^ 2)
+      by (pose proof (circle beta) as H; fold S in H; lra).
+    field [circle]. }
+  assert (linear : c = - (3 * a * eta ^ 2 + 2 * b * eta)) by lra.
+  assert (constant : d = 2 * a * eta ^ 3 + b * eta ^ 2).
+  { unfold d. assert (H : a * eta ^ 3 + b * eta ^ 2 + c * eta + d = 0)
+      by (unfold a, b, c, d; lra). rewrite linear in H. unfold d in H. lra. }
+  assert (none : discriminant a b c d = 0)
+    by (unfold discriminant; rewrite linear, constant; ring).
+  unfold a, b, c, d in none. rewrite discriminant_in_thickness in none. lra.
+Qed.
+
+(** An equation whose cleared form may need those before it. *)
 Lemma both_under (P P' Q Q' : Prop) : (P <-> P') -> (P -> (Q <-> Q')) -> (P /\ Q <-> P' /\ Q').
 Proof. tauto. Qed.
 
@@ -230,3 +224,47 @@ Ltac digits Hx reduce :=
 Ltac inside := apply Rabs_le; lra.
 
 Ltac narrow_to_wide narrow wide := unfold narrow, wide; intros; conjuncts; lra.
+
+(** ** One unknown, in the widest bracket *)
+
+(** [A] takes a value once. *)
+Theorem half_opening v lo hi :
+  0 < lo -> lo < hi -> hi < 2 * PI -> v < A lo -> A hi < v ->
+  exists alpha, lo < alpha < hi /\ A alpha = v /\
+    (forall other, 0 < other < 2 * PI -> A other = v -> other = alpha).
+Proof.
+  intros H0 Hlohi Hpi Hlo Hhi.
+  assert (between : forall x, lo <= x <= hi -> 0 < 1 - cos x) by (intros; apply versine_positive; lra).
+  destruct (one_root_decreasing (fun x => A x - v) (fun x => - (x - sin x) / (1 - cos x)) lo hi)
+    with (a := lo) (b := hi) as [alpha [Halpha [Hroot _]]]; try lra.
+  - intros x Hx. specialize (between x Hx).
+    evar_last; [apply @is_derive_minus; [apply derivative_of_A; lra | apply @is_derive_const] |].
+    apply Rminus_0_r.
+  - intros x Hx. specialize (between x Hx). assert (sin x < x) by (apply sin_lt_x; lra).
+    assert (0 < (x - sin x) / (1 - cos x)) by (apply Rdiv_lt_0_compat; lra). lra.
+  - exists alpha. split; [lra | split; [lra |]].
+    intros other Hother Hv. apply A_injective; [exact Hother | lra | lra].
+Qed.
+
+(** The radicand (12) at a joint. *)
+Definition radicand_at (delta beta : R) : R := radicand delta (f_of beta) (g_of beta) (sin beta).
+
+(** One root where it rises, none before and behind. *)
+Theorem one_joint delta slope first rise top last a b :
+  first <= rise -> rise <= a -> a < b -> b <= top -> top <= last ->
+  (forall x, first <= x <= rise -> radicand_at delta x < 0) ->
+  (forall x, is_derive (radicand_at delta) x (slope x)) ->
+  (forall x, rise <= x <= top -> 0 < slope x) ->
+  (forall x, top <= x <= last -> 0 < radicand_at delta x) ->
+  radicand_at delta a < 0 -> 0 < radicand_at delta b ->
+  exists beta, a < beta < b /\ radicand_at delta beta = 0 /\
+    (forall other, first <= other <= last -> radicand_at delta other = 0 -> other = beta).
+Proof.
+  intros H1 H2 H3 H4 H5 before Hslope rising behind Ha Hb.
+  destruct (one_root_increasing (radicand_at delta) slope rise top) with (a := a) (b := b)
+    as [beta [Hbeta [Hroot Hunique]]]; auto.
+  exists beta. split; [exact Hbeta | split; [exact Hroot |]]. intros other Hother Hzero.
+  destruct (Rlt_or_le other rise) as [Hr | Hr]; [specialize (before other); lra |].
+  destruct (Rlt_or_le top other) as [Ht | Ht]; [specialize (behind other); lra |].
+  apply Hunique; [lra | exact Hzero].
+Qed.

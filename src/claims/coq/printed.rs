@@ -1,0 +1,80 @@
+//! What follows for the values that the paper prints in its tables.
+
+use super::numeral::text;
+use super::{Symbols, symbol};
+use crate::arch::Quantity;
+use crate::certify::{Audited, CertifiedLandmark, PrintedVerdict};
+use crate::number::Decimal;
+use rug::Rational;
+use std::fmt::Write;
+
+/// One corollary for each printed value of the landmark in the tables that the theorem determines.
+pub fn corollaries(point: &CertifiedLandmark, audited: &[Audited], symbols: &Symbols) -> String {
+    let args = symbols.arguments();
+    let mut out = String::new();
+    let belongs = |value: &&Audited| {
+        let printed = value.printed;
+        printed.place.starts_with("Table")
+            && (printed.landmark, printed.weight) == (point.landmark(), point.weight())
+    };
+    for value in audited.iter().filter(belongs) {
+        let printed = value.printed;
+        let (Some(quantity), Some(half)) = (term(printed.quantity, point), half_unit(printed.text))
+        else {
+            continue;
+        };
+        let distance = format!("Rabs ({quantity} - {})", printed.text);
+        let right = value.verdict == PrintedVerdict::CorrectlyRounded;
+        let (relation, verdict) = if right {
+            (format!("{distance} <= {half}"), "right")
+        } else {
+            (format!("{half} < {distance}"), "wrong")
+        };
+        if out.is_empty() {
+            out.push_str("\n(** ** The printed values\n\n");
+            out.push_str(
+                "    Is the last digit right, that is, the value the nearest of its length? *)\n",
+            );
+        }
+        let name = name(value, verdict);
+        let _ = writeln!(out, "\nCorollary {name} {args} :");
+        let _ = writeln!(out, "  wide {args} -> equations {args} ->\n  {relation}.");
+        let _ = writeln!(
+            out,
+            "Proof. intros W E. apply (digits {args} W) in E. unfold narrow in E. compare. Qed."
+        );
+    }
+    out
+}
+
+fn name(value: &Audited, verdict: &str) -> String {
+    let place = value.printed.place.to_lowercase().replace(' ', "_");
+    format!("{place}_{}_{verdict}", value.printed.quantity.name())
+}
+
+/// Half a unit of the last place of a decimal number; `None` for a fraction.
+fn half_unit(printed: &str) -> Option<String> {
+    let decimal: Decimal = printed.parse().ok()?;
+    let places = u32::try_from(-decimal.exponent()).ok().filter(|&places| places > 0)?;
+    Some(text(&(super::numeral::unit(places) / Rational::from(2))))
+}
+
+/// A quantity in the variables of the theorem; `None` if they do not determine it or it is given.
+fn term(quantity: Quantity, point: &CertifiedLandmark) -> Option<String> {
+    let system = point.isolated().system();
+    let unknown = match system.fixed_value(quantity.variable()) {
+        Some(crate::arch::Fixed::SameAs(other)) => other,
+        Some(_) => return None,
+        None => quantity.variable(),
+    };
+    system.index(unknown)?;
+    let variable = symbol(unknown);
+    Some(match quantity {
+        Quantity::OpeningVariable => format!("A {variable}"),
+        Quantity::FrictionAngle => format!("atan {variable}"),
+        Quantity::FrictionAngleDegrees => format!("180 / PI * atan {variable}"),
+        Quantity::IntrinsicThrust => return None,
+        _ if quantity.in_radians().is_some() => format!("180 / PI * {variable}"),
+        _ => variable.into(),
+    })
+}

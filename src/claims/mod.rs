@@ -1,0 +1,3 @@
+//! What is claimed, in a form that others can check.
+
+pub mod coq;
