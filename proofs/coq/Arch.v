@@ -3,8 +3,8 @@
     Every equation of the paper once, written as the paper prints it, as a definition that the other
     files prove things about.  Nothing is proved here.
 
-    Units: lengths in [r], the radius of the centreline, forces in [w r] with [w] the weight per unit
-    length of the centreline, angles in radians.
+    Units: lengths in [r], the radius of the centreline, forces in [w r] with [w] the weight per
+    unit length of the centreline, angles in radians.
 
     Arguments come in the order [delta], [alpha], [beta], [eta], [h]:
     - [delta]: the flag delta_M; 0 is Heyman's self-weight, 1 Milankovitch's. It is kept as a real

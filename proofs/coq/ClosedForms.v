@@ -8,8 +8,8 @@
     the paper does not print, one gets the third root, and the cubic is the product of the three
     linear factors: nothing is lost.
 
-    [f], [g], [S] are any complex numbers here, with [S] and, for (9), [3 g - 2 S] not 0; in the arch
-    both are positive, and so is what could make [u] vanish in (9) and (10). *)
+    [f], [g], [S] are any complex numbers here, with [S] and, for (9), [3 g - 2 S] not 0; in the
+    arch both are positive, and so is what could make [u] vanish in (9) and (10). *)
 
 From Coq Require Import Reals Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.

@@ -75,6 +75,11 @@ Proof.
   - rewrite cos_0; ring.
 Qed.
 
+(** (1): the intrinsic thrust [eta h] is [H / (gamma d r^2)], free of the thickness. *)
+Theorem intrinsic_thrust (H gamma r t d : R) : gamma <> 0 -> r <> 0 -> t <> 0 -> d <> 0 ->
+  let w := gamma * t * d in t / r * (H / (w * r)) = H / (gamma * d * r ^ 2).
+Proof. intros Hg Hr Ht Hd w. unfold w. field. auto. Qed.
+
 (** ** Equilibrium of the part above a joint
 
     On it act the thrust [h] at the radius [crown] of the crown, its weight [beta] with the moment

@@ -4,10 +4,10 @@
     when [-T/N] does.
 
     - (17), both forms, is [-T/N] at the shoulder;
-    - [T/N] has the derivative [(h (1-h) - beta^2) / N^2], so it grows up to [beta_s] and falls after
-      it: exactly one inner joint can slide.  This holds as far as the joints carry compression,
-      that is on [[0, alpha]] as soon as [N(alpha) > 0] and [alpha <= PI], and so in particular on
-      [[0, PI/2]];
+    - [T/N] has the derivative [(h (1-h) - beta^2) / N^2], so it grows up to [beta_s] and falls
+      after it: exactly one inner joint can slide.  This holds as far as the joints carry
+      compression, that is on [[0, alpha]] as soon as [N(alpha) > 0] and [alpha <= PI], and so in
+      particular on [[0, PI/2]];
     - (18) is [T/N] at [beta_s], its maximum;
     - the derivative of (18) to the thrust is [- beta_s / N^2]: it falls strictly on [(0, 1)]. *)
 

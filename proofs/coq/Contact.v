@@ -1,0 +1,549 @@
+(** * The state on the whole half arch, and no thinner arch
+
+    The printed equations fix the line of thrust at three joints.  Here:
+    - a purely rotational state (2), (4), (5) is admissible at **every** joint: compression, and the
+      line of thrust between intrados and extrados;
+    - **no thinner arch stands**, for any thrust and any place of it in the crown, without asking
+      anything of friction;
+    - **every thicker arch stands**, up to the physical limit, with the same thrust.
+
+    So the thickness of the state is the least one, exactly, and **each half-angle has at most one
+    rotational state**.  All of it rests on the statics only, for any weight [0 <= delta <= 1].
+
+    [p = h (1 + e0)] is the moment of the crown's thrust about the centre; for given [eta] the
+    conditions are linear in [(h, p)]. *)
+
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Coquelicot.
+From Couplet Require Import Arch Moments Cubics Sliding Joining.
+Open Scope R_scope.
+
+(** A joint stands if it is in compression (or free of force) and its pressure point lies between
+    intrados and extrados; multiplied by the normal force. *)
+Definition joint_stands (delta beta eta h p : R) : Prop :=
+  0 <= normal_force beta h /\
+  intrados eta * normal_force beta h <= p + fac delta eta * (1 - cos beta) <=
+  extrados eta * normal_force beta h.
+
+(** Where there is compression this is what it says. *)
+Theorem joint_stands_iff_thrust_inside (delta beta eta h crown : R) : 0 < normal_force beta h ->
+  joint_stands delta beta eta h (h * crown) <->
+  intrados eta <= pressure_point delta beta eta h crown <= extrados eta.
+Proof.
+  intros HN. unfold joint_stands, pressure_point.
+  set (N := normal_force beta h) in *. set (M := h * crown + _).
+  assert (E : M = M / N * N) by (field; lra).
+  set (rho := M / N) in *. rewrite E. split; intros H; [split|repeat split]; nra.
+Qed.
+
+(** ** [beta cot beta] falls *)
+
+Theorem times_cotangent_falls (a b : R) : 0 < a -> a < b -> b < PI -> b * cot b < a * cot a.
+Proof.
+  intros Ha Hab Hb.
+  destruct (MVT_cor2 (fun x => x * cot x) (fun x => (sin x * cos x - x) / sin x ^ 2) a b Hab)
+    as (c & Hc & Hin).
+  { intros c Hc. apply is_derive_Reals.
+    assert (HS : sin c <> 0) by (apply Rgt_not_eq, sin_gt_0; lra).
+    unfold cot. auto_derive; [exact HS|].
+    transitivity ((sin c * cos c - c * (sin c ^ 2 + cos c ^ 2)) / sin c ^ 2);
+      [|rewrite circle]; field; exact HS. }
+  assert (HS : 0 < sin c) by (apply sin_gt_0; lra).
+  assert (sin c < c) by (apply sin_lt_x; lra). destruct (COS_bound c).
+  assert (0 < (c - sin c * cos c) / sin c ^ 2) by (apply Rdiv_lt_0_compat; nra).
+  replace ((sin c * cos c - c) / sin c ^ 2) with (- ((c - sin c * cos c) / sin c ^ 2)) in Hc
+    by (field; lra).
+  nra.
+Qed.
+
+(** ** The shape of the margins
+
+    The margins at extrados and intrados are, up to constants, [margin] with [a = extrados eta] and
+    minus [margin] with [a = intrados eta], [m = fac] both times.  It first rises and then falls. *)
+
+Section Shape.
+
+Variables (a m h : R).
+Hypothesis a_not_negative : 0 <= a.
+
+Definition margin (x : R) : R := a * normal_force x h + m * cos x.
+Definition direction (x : R) : R := a * (1 - h + x * cot x) - m.
+
+Lemma derivative_of_margin (x : R) : sin x <> 0 -> is_derive margin x (sin x * direction x).
+Proof.
+  intros HS. unfold margin, direction, normal_force, cot. auto_derive; [easy|]. field. exact HS.
+Qed.
+
+Lemma margin_continuous (x : R) : continuity_pt margin x.
+Proof. unfold margin, normal_force. reg. Qed.
+
+(** The mean value theorem, also from the crown, where the derivative needs no quotient. *)
+Lemma margin_increment (x y : R) : 0 <= x -> x < y -> y < PI ->
+  exists c, x < c < y /\ margin y - margin x = sin c * direction c * (y - x).
+Proof.
+  intros Hx Hxy Hy.
+  set (slope := fun t => a * (sin t * (1 - h) + t * cos t) - m * sin t).
+  destruct (MVT_cor2 margin slope x y Hxy) as (c & Hc & Hin).
+  { intros c Hc. apply is_derive_Reals. unfold margin, normal_force, slope.
+    auto_derive; [easy | ring]. }
+  exists c. split; [easy|]. rewrite Hc. f_equal. unfold slope, direction, cot.
+  field. apply Rgt_not_eq, sin_gt_0; lra.
+Qed.
+
+Lemma margin_rises (x y : R) : 0 <= x -> x < y -> y < PI -> 0 <= direction y ->
+  margin x <= margin y.
+Proof.
+  intros Hx Hxy Hy Hdir. destruct (margin_increment x y Hx Hxy Hy) as (c & Hin & Hc).
+  assert (0 < sin c) by (apply sin_gt_0; lra).
+  assert (y * cot y < c * cot c) by (apply times_cotangent_falls; lra).
+  assert (0 <= direction c) by (unfold direction in *; nra).
+  assert (0 <= sin c * direction c) by nra. nra.
+Qed.
+
+Lemma margin_falls (x y : R) : 0 < x -> x < y -> y < PI -> direction x <= 0 -> margin y <= margin x.
+Proof.
+  intros Hx Hxy Hy Hdir.
+  destruct (margin_increment x y (Rlt_le _ _ Hx) Hxy Hy) as (c & Hin & Hc).
+  assert (0 < sin c) by (apply sin_gt_0; lra).
+  assert (c * cot c < x * cot x) by (apply times_cotangent_falls; lra).
+  assert (direction c <= 0) by (unfold direction in *; nra).
+  assert (sin c * direction c <= 0) by nra. nra.
+Qed.
+
+(** So it is least at crown or shoulder, *)
+Lemma margin_least_at_the_ends (alpha x : R) : alpha < PI -> 0 <= x <= alpha ->
+  Rmin (margin 0) (margin alpha) <= margin x.
+Proof.
+  intros Ha Hx. destruct (Req_dec x 0) as [-> | H0]; [apply Rmin_l|].
+  destruct (Req_dec x alpha) as [-> | Hne]; [apply Rmin_r|].
+  destruct (Rle_lt_dec 0 (direction x)) as [Hdir | Hdir].
+  - apply Rle_trans with (margin 0); [apply Rmin_l | apply margin_rises; lra].
+  - apply Rle_trans with (margin alpha); [apply Rmin_r | apply margin_falls; lra].
+Qed.
+
+(** and largest where it is stationary. *)
+Lemma margin_largest_where_stationary (x y : R) : 0 < x < PI -> 0 <= y < PI -> direction x = 0 ->
+  margin y <= margin x.
+Proof.
+  intros Hx Hy Hdir. destruct (Rtotal_order y x) as [H | [-> | H]]; [|lra|].
+  - apply margin_rises; lra.
+  - apply margin_falls; lra.
+Qed.
+
+End Shape.
+
+(** ** Admissible everywhere *)
+
+(** The extrados is safe as soon as it is at crown and shoulder. *)
+Theorem extrados_safe (delta alpha eta h p : R) : 0 <= extrados eta -> 0 < alpha < PI ->
+  p <= extrados eta * h ->
+  p + fac delta eta * (1 - cos alpha) <= extrados eta * normal_force alpha h ->
+  forall x, 0 <= x <= alpha ->
+    p + fac delta eta * (1 - cos x) <= extrados eta * normal_force x h.
+Proof.
+  intros He Ha Hcrown Hshoulder x Hx.
+  assert (H := margin_least_at_the_ends (extrados eta) (fac delta eta) h He alpha x ltac:(lra) Hx).
+  assert (Hends : p + fac delta eta
+                  <= Rmin (margin (extrados eta) (fac delta eta) h 0)
+                          (margin (extrados eta) (fac delta eta) h alpha)).
+  { apply Rmin_glb; unfold margin, normal_force in *; rewrite ?cos_0, ?sin_0; lra. }
+  unfold margin in *. lra.
+Qed.
+
+(** The intrados is safe as soon as the line of thrust touches it from outside at one joint: at the
+    intrados and with (5). *)
+Theorem intrados_safe (delta beta eta h p : R) : 0 < beta < PI -> 0 < eta < 2 ->
+  intrados eta * normal_force beta h <= p + fac delta eta * (1 - cos beta) ->
+  h = h_tangency delta beta eta ->
+  forall x, 0 <= x < PI ->
+    intrados eta * normal_force x h <= p + fac delta eta * (1 - cos x).
+Proof.
+  intros Hb He Htouch H5 x Hx.
+  assert (Hi : 0 <= intrados eta) by (unfold intrados; lra).
+  assert (Hstationary : direction (intrados eta) (fac delta eta) h beta = 0).
+  { unfold direction, intrados. rewrite H5. unfold h_tangency. field. lra. }
+  assert (H := margin_largest_where_stationary _ (fac delta eta) h Hi beta x Hb Hx Hstationary).
+  unfold margin in H. lra.
+Qed.
+
+(** The thrust of a rotational state is positive: by the haunch relation it is
+    [(g - f) (2 - eta) / (2 eta S)]. *)
+Theorem rotational_thrust_positive (delta alpha beta eta : R) :
+  0 < beta < PI -> 0 < eta < 2 -> rotational_state delta alpha beta eta ->
+  0 < h_lower delta beta eta.
+Proof.
+  intros Hb He [H25 _].
+  assert (HS : 0 < sin beta) by (apply sin_gt_0; lra).
+  assert (Hk : 0 < g_of beta - f_of beta) by (apply g_minus_f_positive; lra).
+  assert (Hh : 2 * eta * sin beta * h_lower delta beta eta
+               = (g_of beta - f_of beta) * (2 - eta)).
+  { apply (haunch_relation delta beta eta (h_lower delta beta eta)); try easy; try lra.
+    apply Rgt_not_eq, lever_of_lower_thrust_positive; lra. }
+  assert (0 < (g_of beta - f_of beta) * (2 - eta)) by (apply Rmult_lt_0_compat; lra).
+  apply (Rmult_lt_reg_l (2 * eta * sin beta)); [repeat apply Rmult_lt_0_compat; lra | lra].
+Qed.
+
+(** A purely rotational state stands at every joint. *)
+Theorem rotational_state_stands (delta alpha beta eta : R) :
+  0 <= delta -> 0 < beta < PI -> 0 < alpha < PI -> 0 < eta < 2 ->
+  rotational_state delta alpha beta eta ->
+  let h := h_lower delta beta eta in
+  forall x, 0 <= x <= alpha ->
+    0 < normal_force x h /\
+    intrados eta <= pressure_point delta x eta h (extrados eta) <= extrados eta.
+Proof.
+  intros Hd Hb Ha He Hstate h x Hx.
+  assert (Hh := rotational_thrust_positive delta alpha beta eta Hb He Hstate). fold h in Hh.
+  destruct Hstate as [H25 H24].
+  assert (Hfac : 1 <= fac delta eta) by (now apply centroid_factor_at_least_1).
+  assert (Hversine : 0 < 1 - cos alpha) by (apply versine_positive; lra).
+  assert (H2 : h = h_lower delta beta eta) by easy.
+  apply lower_thrust_cleared in H2; [|apply Rgt_not_eq, lever_of_lower_thrust_positive; lra].
+  apply whole_thrust_cleared in H24; [fold h in H24 | lra | lra].
+  assert (Hshoulder : h * extrados eta + fac delta eta * (1 - cos alpha)
+                      = extrados eta * normal_force alpha h)
+    by (unfold extrados, normal_force; lra).
+  assert (HNalpha : 0 < normal_force alpha h) by (unfold extrados in *; nra).
+  assert (HN : 0 < normal_force x h) by (apply (normal_force_positive alpha); lra).
+  split; [easy|]. apply joint_stands_iff_thrust_inside; [easy|].
+  split; [lra|]. split.
+  - apply (intrados_safe delta beta); try easy; [|lra].
+    unfold intrados, extrados, normal_force. lra.
+  - apply (extrados_safe delta alpha); try easy; try lra; unfold extrados; lra.
+Qed.
+
+(** ** No thinner arch stands
+
+    Three of the conditions, added with the multipliers 1 (crown, extrados), [1 + s] (haunch,
+    intrados) and [s] (shoulder, extrados), are free of [h] and [p] if [s] is the quotient of the
+    lever arms of the thrust: they are the rotations of the collapse mechanism.  At the thickness of
+    the state the sum is 0, at a thinner one negative. *)
+
+Lemma mechanism_sum (delta alpha beta eta s h p h' p' : R) :
+  extrados eta - (1 + s) * (intrados eta * cos beta) + s * (extrados eta * cos alpha) = 0 ->
+  (extrados eta * h - p)
+  + (1 + s) * (p + fac delta eta * (1 - cos beta) - intrados eta * normal_force beta h)
+  + s * (extrados eta * normal_force alpha h - p - fac delta eta * (1 - cos alpha))
+  = (extrados eta * h' - p')
+    + (1 + s) * (p' + fac delta eta * (1 - cos beta) - intrados eta * normal_force beta h')
+    + s * (extrados eta * normal_force alpha h' - p' - fac delta eta * (1 - cos alpha)).
+Proof.
+  intros Hs. unfold normal_force.
+  assert (E : (h - h') * (extrados eta - (1 + s) * (intrados eta * cos beta)
+                          + s * (extrados eta * cos alpha)) = 0) by (rewrite Hs; ring).
+  lra.
+Qed.
+
+(** The rate of the sum with the thickness. *)
+Lemma mechanism_rate (delta alpha beta eta eta' s h p : R) :
+  let sum e :=
+    (extrados e * h - p)
+    + (1 + s) * (p + fac delta e * (1 - cos beta) - intrados e * normal_force beta h)
+    + s * (extrados e * normal_force alpha h - p - fac delta e * (1 - cos alpha)) in
+  sum eta - sum eta'
+  = (eta - eta')
+    * ((h + (1 + s) * normal_force beta h + s * normal_force alpha h) / 2
+       + delta * (eta + eta') / 12 * ((1 + s) * (1 - cos beta) - s * (1 - cos alpha))).
+Proof. cbv zeta. unfold extrados, intrados, fac. field. Qed.
+
+(** The thickness of a state is the least: with less, some of crown, haunch, shoulder fails. *)
+Theorem no_thinner_arch (delta alpha beta eta eta' h p : R) :
+  0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta' < eta -> eta <= 2 ->
+  (* the lever arm between the haunch's intrados and the shoulder's extrados *)
+  0 < intrados eta * cos beta - extrados eta * cos alpha ->
+  (* the state: (2) and (4) *)
+  h_lower delta beta eta = h_whole delta alpha eta ->
+  joint_stands delta 0 eta' h p -> joint_stands delta beta eta' h p ->
+  ~ joint_stands delta alpha eta' h p.
+Proof.
+  intros Hd Ha He' He Hlever Hstate (HN0 & Hin0 & Hout0) (HNb & Hinb & _) (HNa & _ & Houta).
+  unfold normal_force at 1 in HN0. unfold normal_force at 1 in Hin0.
+  unfold normal_force at 1 in Hout0.
+  rewrite cos_0, sin_0, Rmult_0_r, Rplus_0_r, Rmult_1_r in HN0.
+  rewrite cos_0, sin_0, Rmult_0_r, Rplus_0_r, Rmult_1_r in Hin0.
+  rewrite cos_0, sin_0, Rmult_0_r, Rplus_0_r, Rmult_1_r in Hout0.
+  assert (Hversine : 0 < 1 - cos alpha) by (apply versine_positive; lra).
+  assert (Hversine_b : 0 <= 1 - cos beta) by (destruct (COS_bound beta); lra).
+  (* the multiplier of the shoulder *)
+  set (lower := intrados eta * cos beta - extrados eta * cos alpha) in *.
+  set (upper := extrados eta - intrados eta * cos beta).
+  assert (Hupper : 0 < upper).
+  { unfold upper, extrados, intrados.
+    assert (H := lever_of_lower_thrust_positive beta eta ltac:(lra)). lra. }
+  set (s := upper / lower).
+  assert (Hs : 0 < s) by (now apply Rdiv_lt_0_compat).
+  assert (Hfree : extrados eta - (1 + s) * (intrados eta * cos beta)
+                  + s * (extrados eta * cos alpha) = 0).
+  { transitivity (upper - s * lower); [unfold upper, lower; ring | unfold s; field; lra]. }
+  (* at the thickness of the state the sum is 0 *)
+  set (h0 := h_lower delta beta eta) in *.
+  assert (H2 : h0 = h_lower delta beta eta) by easy.
+  apply lower_thrust_cleared in H2; [|apply Rgt_not_eq, lever_of_lower_thrust_positive; lra].
+  apply whole_thrust_cleared in Hstate; [|lra|lra].
+  assert (Hzero := mechanism_sum delta alpha beta eta s h p h0 (extrados eta * h0) Hfree).
+  replace (extrados eta * h0 - extrados eta * h0) with 0 in Hzero by ring.
+  replace (extrados eta * h0 + fac delta eta * (1 - cos beta)
+           - intrados eta * normal_force beta h0)
+    with 0 in Hzero by (unfold extrados, intrados, normal_force; lra).
+  replace (extrados eta * normal_force alpha h0 - extrados eta * h0
+           - fac delta eta * (1 - cos alpha))
+    with 0 in Hzero by (unfold extrados, normal_force; lra).
+  (* and with less thickness it is negative *)
+  assert (Hrate := mechanism_rate delta alpha beta eta eta' s h p). cbv beta zeta in Hrate.
+  rewrite Hzero in Hrate.
+  set (Nb := normal_force beta h) in *. set (Na := normal_force alpha h) in *.
+  set (v := 1 - cos alpha) in *. set (vb := 1 - cos beta) in *.
+  assert (Hp : 0 <= p).
+  { replace (1 - 1) with 0 in Hin0 by ring. rewrite Rmult_0_r in Hin0.
+    unfold intrados in Hin0. nra. }
+  assert (Hbracket : 0 < (h + (1 + s) * Nb + s * Na) / 2
+                         + delta * (eta + eta') / 12 * ((1 + s) * vb - s * v)).
+  { (* the shoulder's force outweighs its weight moment *)
+    assert (HNa2 : fac delta eta' * v <= (2 + eta') / 2 * Na) by (unfold extrados in Houta; lra).
+    assert (Hweights : delta * (eta + eta') / 12 * (2 + eta') < fac delta eta').
+    { unfold fac.
+      assert (Hsum : 2 * eta + 2 * eta' + eta * eta' < 12) by nra.
+      assert (Hdsum : delta * (2 * eta + 2 * eta' + eta * eta') < 12).
+      { assert (0 < 2 * eta + 2 * eta' + eta * eta') by nra. nra. }
+      lra. }
+    assert (Hshoulder : delta * (eta + eta') / 12 * v < Na / 2).
+    { apply (Rmult_lt_reg_r (2 + eta')); [lra|].
+      apply Rlt_le_trans with (fac delta eta' * v); [|lra].
+      replace (delta * (eta + eta') / 12 * v * (2 + eta'))
+        with (delta * (eta + eta') / 12 * (2 + eta') * v) by ring.
+      now apply Rmult_lt_compat_r. }
+    assert (0 <= delta * (eta + eta') / 12 * ((1 + s) * vb)).
+    { apply Rmult_le_pos; [|nra].
+      assert (0 <= delta * (eta + eta')) by (apply Rmult_le_pos; lra). lra. }
+    assert (0 <= (1 + s) * Nb) by nra.
+    assert (s * (delta * (eta + eta') / 12 * v) < s * (Na / 2)) by (now apply Rmult_lt_compat_l).
+    lra. }
+  assert (Hproduct := Rmult_lt_0_compat (eta - eta') _ ltac:(lra) Hbracket).
+  rewrite <- Hrate in Hproduct.
+  assert (0 <= (1 + s) * (p + fac delta eta' * vb - intrados eta' * Nb))
+    by (apply Rmult_le_pos; lra).
+  assert (0 <= s * (extrados eta' * Na - p - fac delta eta' * v)) by (apply Rmult_le_pos; lra).
+  lra.
+Qed.
+
+(** *** The lever arm is positive in every rotational state *)
+
+(** From the semicircle on at once. *)
+Lemma lever_positive_from_semicircle (alpha beta eta : R) :
+  0 < beta < alpha -> PI / 2 <= alpha < PI -> 0 < eta < 2 ->
+  0 < intrados eta * cos beta - extrados eta * cos alpha.
+Proof.
+  intros Hb Ha He. unfold intrados, extrados.
+  assert (cos alpha < cos beta) by (apply cos_decreasing_1; lra).
+  assert (cos alpha <= 0) by (apply cos_le_0; lra).
+  replace ((1 - eta / 2) * cos beta - (1 + eta / 2) * cos alpha)
+    with ((1 - eta / 2) * (cos beta - cos alpha) + eta * - cos alpha) by field.
+  assert (0 < (1 - eta / 2) * (cos beta - cos alpha)) by (apply Rmult_lt_0_compat; lra).
+  assert (0 <= eta * - cos alpha) by (apply Rmult_le_pos; lra). lra.
+Qed.
+
+(** Below it because [A / cos] grows. *)
+Lemma A_over_cos_grows (a b : R) : 0 < a -> a < b -> b < PI / 2 -> A a / cos a < A b / cos b.
+Proof.
+  intros Ha Hab Hb. assert (HPI := PI2_3_2).
+  set (slope := fun x => (cos x * (sin x - x) + x * sin x ^ 2) / ((1 - cos x) * cos x ^ 2)).
+  assert (Hpositive : forall x, 0 < x < PI / 2 ->
+            0 < cos x /\ 0 < 1 - cos x /\ 0 < cos x * (sin x - x) + x * sin x ^ 2).
+  { intros x Hx. assert (HC : 0 < cos x) by (apply cos_gt_0; lra).
+    assert (HS : 0 < sin x) by (apply sin_gt_0; lra).
+    assert (Hsx : sin x < x) by (apply sin_lt_x; lra).
+    assert (Hv : 0 < 1 - cos x) by (apply versine_positive; lra).
+    repeat split; try easy.
+    (* x cot x is below its limit 1 *)
+    assert (Hcot : x * cos x < sin x).
+    { destruct (MVT_cor2 (fun t => sin t - t * cos t) (fun t => t * sin t) 0 x) as (d & Hd & Hin).
+      - lra.
+      - intros d Hd. apply is_derive_Reals. auto_derive; [easy | ring].
+      - rewrite sin_0, Rmult_0_l in Hd. assert (0 < sin d) by (apply sin_gt_0; lra).
+        assert (0 < d * sin d * (x - 0)) by (repeat apply Rmult_lt_0_compat; lra). lra. }
+    assert (Hcircle := circle x).
+    replace (sin x ^ 2) with (1 - cos x ^ 2) by lra.
+    assert (0 < cos x * (sin x - x * cos x)) by (apply Rmult_lt_0_compat; lra).
+    assert (0 < x * (1 - cos x)) by (apply Rmult_lt_0_compat; lra). nra. }
+  destruct (MVT_cor2 (fun x => A x / cos x) slope a b Hab) as (c & Hc & Hin).
+  { intros c Hc. apply is_derive_Reals. destruct (Hpositive c ltac:(lra)) as (HC & Hv & _).
+    unfold A, slope. auto_derive; [repeat split; lra|].
+    transitivity ((((sin c + c * cos c) * (1 - cos c) - c * sin c ^ 2) * cos c
+                   + c * sin c ^ 2 * (1 - cos c)) / ((1 - cos c) ^ 2 * cos c ^ 2)); [field; lra|].
+    replace (sin c ^ 2) with ((1 - cos c) * (1 + cos c))
+      by (assert (Hcircle := circle c); lra).
+    field. lra. }
+  destruct (Hpositive c ltac:(lra)) as (HC & Hv & Hn).
+  assert (0 < slope c).
+  { apply Rdiv_lt_0_compat; [easy|]. apply Rmult_lt_0_compat; [easy|]. now apply pow_lt. }
+  assert (0 < slope c * (b - a)) by (apply Rmult_lt_0_compat; lra). lra.
+Qed.
+
+Theorem lever_positive (delta alpha beta eta : R) :
+  0 < beta < alpha -> alpha < PI -> 0 < eta < 2 -> rotational_state delta alpha beta eta ->
+  0 < intrados eta * cos beta - extrados eta * cos alpha.
+Proof.
+  intros Hb Ha He [H25 H24].
+  destruct (Rle_lt_dec (PI / 2) alpha) as [Hwide | Hnarrow];
+    [now apply lever_positive_from_semicircle|].
+  assert (HS : 0 < sin beta) by (apply sin_gt_0; lra).
+  assert (HCb : 0 < cos beta) by (apply cos_gt_0; lra).
+  assert (HCa : 0 < cos alpha) by (apply cos_gt_0; lra).
+  assert (Hg : 0 < g_of beta) by (apply g_positive; lra).
+  assert (Hvb : 0 < 1 - cos beta) by (apply versine_positive; lra).
+  assert (Hshoulder : A alpha * sin beta * (2 + eta) = g_of beta * (2 - eta)).
+  { apply (shoulder_relation delta alpha beta eta (h_lower delta beta eta)); try easy; try lra.
+    apply Rgt_not_eq, lever_of_lower_thrust_positive; lra. }
+  (* A sin at the haunch itself is at least g *)
+  assert (Hhaunch : g_of beta <= A beta * sin beta).
+  { replace (A beta * sin beta) with (beta * (1 + cos beta)).
+    - unfold g_of. assert (sin beta < beta) by (apply sin_lt_x; lra). nra.
+    - unfold A. symmetry. rewrite <- (Rmult_1_r (_ * sin beta)).
+      transitivity (beta * sin beta ^ 2 / (1 - cos beta)); [field; lra|].
+      replace (sin beta ^ 2) with ((1 - cos beta) * (1 + cos beta))
+        by (assert (Hcircle := circle beta); lra).
+      field. lra. }
+  assert (Hgrows : A beta * cos alpha < A alpha * cos beta).
+  { assert (H := A_over_cos_grows beta alpha ltac:(lra) ltac:(lra) Hnarrow).
+    apply (Rmult_lt_compat_r (cos alpha * cos beta)) in H; [|now apply Rmult_lt_0_compat].
+    field_simplify in H; lra. }
+  assert (Hopen : g_of beta * cos alpha < A alpha * sin beta * cos beta) by nra.
+  apply (Rmult_lt_reg_l (2 * g_of beta)); [lra|]. rewrite Rmult_0_r. unfold intrados, extrados.
+  replace (2 * g_of beta * ((1 - eta / 2) * cos beta - (1 + eta / 2) * cos alpha))
+    with (g_of beta * (2 - eta) * cos beta - (2 + eta) * (g_of beta * cos alpha)) by field.
+  rewrite <- Hshoulder. nra.
+Qed.
+
+(** ** Thicker arches stand
+
+    With the thrust of the state, [p] has an upper bound from the extrados at crown and shoulder,
+    and a lower one from the intrados at each joint.  The gap between shoulder and a joint is
+    concave in the thickness and not negative at [eta] and at 2. *)
+
+Lemma gap_at_limit_not_negative (delta alpha eta h : R) : 0 <= delta <= 1 -> 0 < eta <= 2 ->
+  0 <= h -> 0 <= 1 - cos alpha ->
+  extrados eta * normal_force alpha h = extrados eta * h + fac delta eta * (1 - cos alpha) ->
+  fac delta 2 * (1 - cos alpha) <= 2 * normal_force alpha h.
+Proof.
+  intros Hd He Hh Hv Hshoulder.
+  assert (Hfac : fac delta 2 * extrados eta <= 2 * fac delta eta).
+  { unfold fac, extrados.
+    assert (0 <= (1 - delta) * (2 - eta)) by (apply Rmult_le_pos; lra).
+    assert (0 <= delta * (2 - eta) ^ 2) by (apply Rmult_le_pos; [lra | apply pow2_ge_0]).
+    lra. }
+  apply (Rmult_le_reg_l (extrados eta)); [unfold extrados; lra|].
+  assert (0 <= extrados eta * h) by (apply Rmult_le_pos; [unfold extrados|]; lra).
+  assert (fac delta 2 * extrados eta * (1 - cos alpha) <= 2 * fac delta eta * (1 - cos alpha))
+    by (now apply Rmult_le_compat_r).
+  lra.
+Qed.
+
+Theorem thicker_arch_stands (delta alpha beta eta eta' : R) :
+  0 <= delta <= 1 -> 0 < beta < PI -> 0 < alpha < PI -> 0 < eta < 2 -> eta <= eta' <= 2 ->
+  rotational_state delta alpha beta eta ->
+  let h := h_lower delta beta eta in
+  exists p, forall x, 0 <= x <= alpha -> joint_stands delta x eta' h p.
+Proof.
+  intros Hd Hb Ha He He' Hstate h.
+  assert (Hh := rotational_thrust_positive delta alpha beta eta Hb He Hstate). fold h in Hh.
+  assert (Hstands := rotational_state_stands delta alpha beta eta (proj1 Hd) Hb Ha He Hstate).
+  cbv zeta in Hstands. fold h in Hstands. destruct Hstate as [_ H24].
+  assert (Hversine : 0 < 1 - cos alpha) by (apply versine_positive; lra).
+  apply whole_thrust_cleared in H24; [fold h in H24 | lra | lra].
+  assert (Hshoulder : extrados eta * normal_force alpha h
+                      = extrados eta * h + fac delta eta * (1 - cos alpha))
+    by (unfold extrados, normal_force; lra).
+  assert (Hlimit := gap_at_limit_not_negative delta alpha eta h Hd ltac:(lra) ltac:(lra)
+                      ltac:(lra) Hshoulder).
+  set (from_crown := extrados eta' * h).
+  set (from_shoulder := extrados eta' * normal_force alpha h - fac delta eta' * (1 - cos alpha)).
+  exists (Rmin from_crown from_shoulder). intros x Hx.
+  destruct (Hstands x Hx) as [HN Hinside].
+  apply joint_stands_iff_thrust_inside in Hinside; [|easy].
+  destruct Hinside as (_ & Hin & Hout).
+  split; [lra|]. split.
+  - (* intrados *)
+    enough (intrados eta' * normal_force x h - fac delta eta' * (1 - cos x)
+            <= Rmin from_crown from_shoulder) by lra.
+    assert (Hversine_x : 0 <= 1 - cos x) by (destruct (COS_bound x); lra).
+    set (N := normal_force x h) in *. set (Na := normal_force alpha h) in *.
+    apply Rmin_glb.
+    + (* the crown's bound grows, that of the joint falls *)
+      unfold from_crown, extrados, intrados, fac in *.
+      assert (0 <= (eta' - eta) * N) by (apply Rmult_le_pos; lra).
+      assert (0 <= (eta' - eta) * h) by (apply Rmult_le_pos; lra).
+      assert (0 <= delta * (eta' ^ 2 - eta ^ 2) * (1 - cos x)).
+      { repeat apply Rmult_le_pos; try lra. nra. }
+      lra.
+    + (* concave *)
+      assert (Hcos : cos alpha <= cos x).
+      { destruct (Req_dec x alpha) as [-> | Hne]; [lra|].
+        apply Rlt_le, cos_decreasing_1; lra. }
+      set (gap := fun e => extrados e * Na - fac delta e * (1 - cos alpha)
+                           - (intrados e * N - fac delta e * (1 - cos x))).
+      enough (0 <= gap eta') by (unfold gap, from_shoulder in *; lra).
+      assert (Hat_eta : 0 <= gap eta) by (unfold gap; lra).
+      assert (Hat_2 : 0 <= gap 2).
+      { unfold gap, extrados, intrados.
+        assert (0 <= fac delta 2 * (1 - cos x))
+          by (apply Rmult_le_pos; [unfold fac|]; lra).
+        lra. }
+      assert (Hconcave : (2 - eta) * gap eta'
+                = (2 - eta') * gap eta + (eta' - eta) * gap 2
+                  + delta / 12 * (cos x - cos alpha) * ((2 - eta) * (2 - eta') * (eta' - eta)))
+        by (unfold gap, extrados, intrados, fac; field).
+      assert (0 <= delta / 12 * (cos x - cos alpha) * ((2 - eta) * (2 - eta') * (eta' - eta)))
+        by (repeat apply Rmult_le_pos; lra).
+      assert (0 <= (2 - eta') * gap eta) by (apply Rmult_le_pos; lra).
+      assert (0 <= (eta' - eta) * gap 2) by (apply Rmult_le_pos; lra).
+      apply (Rmult_le_reg_l (2 - eta)); lra.
+  - (* extrados *)
+    apply (extrados_safe delta alpha); try easy.
+    + unfold extrados. lra.
+    + apply Rmin_l.
+    + assert (H := Rmin_r from_crown from_shoulder). unfold from_shoulder in *. lra.
+Qed.
+
+(** ** The least thickness *)
+
+(** With friction out of question, an arch whose half-angle has a rotational state stands exactly
+    from the thickness of that state on. *)
+Theorem rotational_thickness_is_least (delta alpha beta eta : R) :
+  0 <= delta <= 1 -> 0 < beta < alpha -> alpha < PI -> 0 < eta < 2 ->
+  rotational_state delta alpha beta eta ->
+  forall eta', 0 < eta' <= 2 ->
+    (exists h p, forall x, 0 <= x <= alpha -> joint_stands delta x eta' h p) <-> eta <= eta'.
+Proof.
+  intros Hd Hb Ha He Hstate eta' He'.
+  assert (Hlever := lever_positive delta alpha beta eta Hb Ha He Hstate). split.
+  - intros (h & p & Hall). apply Rnot_lt_le. intros Hthin.
+    destruct Hstate as [_ H24].
+    apply (no_thinner_arch delta alpha beta eta eta' h p); try easy; try lra; apply Hall; lra.
+  - intros Hthick. exists (h_lower delta beta eta).
+    apply (thicker_arch_stands delta alpha beta eta eta'); try easy; lra.
+Qed.
+
+(** So a half-angle has at most one rotational state. *)
+Theorem rotational_state_unique (delta alpha beta1 beta2 eta1 eta2 : R) :
+  0 <= delta <= 1 -> 0 < beta1 < alpha -> 0 < beta2 < alpha -> alpha < PI ->
+  0 < eta1 < 2 -> 0 < eta2 < 2 ->
+  rotational_state delta alpha beta1 eta1 -> rotational_state delta alpha beta2 eta2 ->
+  beta1 = beta2 /\ eta1 = eta2 /\ h_lower delta beta1 eta1 = h_lower delta beta2 eta2.
+Proof.
+  intros Hd Hb1 Hb2 Ha He1 He2 Hstate1 Hstate2.
+  assert (L1 := rotational_thickness_is_least delta alpha beta1 eta1 Hd Hb1 Ha He1 Hstate1).
+  assert (L2 := rotational_thickness_is_least delta alpha beta2 eta2 Hd Hb2 Ha He2 Hstate2).
+  assert (Heta : eta1 = eta2).
+  { apply Rle_antisym.
+    - apply L1; [lra|]. apply L2; lra.
+    - apply L2; [lra|]. apply L1; lra. }
+  subst eta2. destruct Hstate1 as [H25 H24], Hstate2 as [H25' H24'].
+  assert (Hh : h_lower delta beta1 eta1 = h_lower delta beta2 eta1) by congruence.
+  repeat split; [|easy].
+  (* the same thrust is tangent at one joint only *)
+  assert (Hk : beta1 * cot beta1 = beta2 * cot beta2)
+    by (rewrite H25, H25' in Hh; unfold h_tangency in Hh; lra).
+  destruct (Rtotal_order beta1 beta2) as [H | [H | H]]; [|easy|].
+  - assert (beta2 * cot beta2 < beta1 * cot beta1) by (apply times_cotangent_falls; lra). lra.
+  - assert (beta1 * cot beta1 < beta2 * cot beta2) by (apply times_cotangent_falls; lra). lra.
+Qed.
