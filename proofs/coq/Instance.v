@@ -268,3 +268,44 @@ Proof.
   destruct (Rlt_or_le top other) as [Ht | Ht]; [specialize (behind other); lra |].
   apply Hunique; [lra | exact Hzero].
 Qed.
+
+(** ** The ends of rotation and of overturning in closed form *)
+
+Lemma rotation_end_heyman alpha eta : 0 <= eta < 2 ->
+  (0 = h_whole 0 alpha eta /\ 0 = end_of_rotation 0 eta <-> eta = 1 /\ A alpha = 2 / 3).
+Proof.
+  intros He. pose proof (end_of_rotation_heyman eta ltac:(lra)) as thickness.
+  pose proof (overturning_from_whole_thrust 0 alpha eta) as opening.
+  pose proof A_l_heyman. pose proof (A_heyman_from_13 1).
+  split; intros [H1 H2].
+  - assert (eta = 1) as -> by (apply thickness; lra).
+    split; [easy |]. rewrite (proj1 opening); lra.
+  - subst. split; symmetry; [apply opening; lra | now apply thickness].
+Qed.
+
+Lemma rotation_end_milankovitch alpha eta : 0 <= eta < 2 ->
+  (0 = h_whole 1 alpha eta /\ 0 = end_of_rotation 1 eta
+   <-> eta = eta_l_milankovitch /\ A alpha = sqrt 3 - 1).
+Proof.
+  intros He. pose proof (end_of_rotation_milankovitch eta ltac:(lra) ltac:(lra)) as thickness.
+  pose proof (overturning_from_whole_thrust 1 alpha eta) as opening.
+  pose proof A_l_milankovitch. pose proof (A_milankovitch_from_13 eta ltac:(lra)).
+  split; intros [H1 H2].
+  - assert (eta = eta_l_milankovitch) as -> by (apply thickness; lra).
+    split; [easy |]. rewrite (proj1 opening); lra.
+  - subst. split; symmetry; [apply opening; lra | now apply thickness].
+Qed.
+
+Lemma overturning_end_heyman alpha : 0 = h_whole 0 alpha 2 <-> A alpha = 1 / 2.
+Proof.
+  pose proof (overturning_from_whole_thrust 0 alpha 2) as opening.
+  pose proof A_L_heyman. pose proof (A_heyman_from_13 2).
+  split; intros; [rewrite (proj1 opening) | symmetry; apply opening]; lra.
+Qed.
+
+Lemma overturning_end_milankovitch alpha : 0 = h_whole 1 alpha 2 <-> A alpha = 2 / 3.
+Proof.
+  pose proof (overturning_from_whole_thrust 1 alpha 2) as opening.
+  pose proof A_L_milankovitch. pose proof (A_milankovitch_from_13 2 ltac:(lra)).
+  split; intros; [rewrite (proj1 opening) | symmetry; apply opening]; lra.
+Qed.

@@ -1,8 +1,8 @@
 #!/bin/sh
 # After `make`: nothing is left unproved in the text, and the theorems assume nothing but axioms.txt.
 #
-# The theorems are those listed in hand_theorems.txt (one `Module.name` a line) and every Theorem and
-# Corollary of the generated files.
+# The theorems are those listed in hand_theorems.txt (`Module.name` and what it says, one a line) and
+# every Theorem and Corollary of the generated files.
 set -eu
 cd "$(dirname "$0")"
 work=$(mktemp -d)
@@ -32,7 +32,7 @@ done
 
 sed 's/#.*//; s/[[:space:]]//g; /^$/d' axioms.txt | sort > "$work/allowed"
 {
-  [ ! -f hand_theorems.txt ] || sed 's/#.*//; s/[[:space:]]//g; /^$/d' hand_theorems.txt
+  [ ! -f hand_theorems.txt ] || sed 's/#.*//; s/[[:space:]].*//; /^$/d' hand_theorems.txt
   for file in generated/*.v; do
     [ -f "$file" ] || continue
     module=$(basename "$file" .v)

@@ -1,8 +1,8 @@
 (** * The point L: end of overturning, Heyman's self-weight
 
-    The equations of the landmark as the paper prints them, the box in which they have exactly
-    one solution, its digits, and what follows for the values that the paper prints.  The table of
-    numbers between the claim and the theorem is what [Contraction] asks for.
+    The equations of the landmark as the paper prints them, the box in which they have exactly one
+    solution, its digits, and what follows for the values that the paper prints.  The table of numbers
+    between the claim and the theorem is what [Contraction] asks for.
 
     Written by `couplet prove --coq` from the equations of the program. *)
 
@@ -50,13 +50,16 @@ Definition spreads : list (list R) :=
 Definition size : R := 8e-36.
 Definition factor : R := 0.87.
 
-Definition F (j : nat) (x : point) : R := entry (residuals (x 0%nat)) j.
-Definition J (j k : nat) (x : point) : R := entries (jacobian (x 0%nat)) j k.
+Definition F (j : nat) (x : point) : R :=
+  entry (residuals (x 0%nat)) j.
+Definition J (j k : nat) (x : point) : R :=
+  entries (jacobian (x 0%nat)) j k.
 
 (** ** Its check *)
 
-Ltac reduce := cbv beta iota zeta delta [F J residuals jacobian centre radii inverse slopes spreads
-  size factor entry entries nth sum unit_entry Nat.eqb].
+Ltac reduce := cbv beta iota zeta delta
+  [F J residuals jacobian centre radii inverse slopes spreads size factor
+   entry entries nth sum unit_entry Nat.eqb].
 
 Notation box d x := (within 1 (entry radii) d x (entry centre)).
 
@@ -69,12 +72,10 @@ Proof. intros Hj x u t _. each j ltac:(reduce; auto_derive; [exact I | field]). 
 Lemma slopes_hold x : box 1 x -> forall j k, (j < 1)%nat -> (k < 1)%nat ->
   Rabs (J j k x - entries slopes j k) <= entries spreads j k.
 Proof.
-  intros Hx j k Hj Hk.
-  pose proof (bounds Hx 0 ltac:(lia)) as B0.
-  clear Hx. unfold J. revert B0.
-  generalize (x 0%nat). clear x.
-  intros alpha B0.
-  cbv [entry centre radii nth] in B0.
+  intros Hx j k Hj Hk. unfold J.
+  generalize (bounds Hx 0 ltac:(lia)).
+  generalize (x 0%nat). clear x Hx.
+  cbv [entry centre radii nth]. intros alpha B0.
   each j ltac:(each k ltac:(reduce; slope)).
 Qed.
 
@@ -82,8 +83,9 @@ Lemma residuals_hold j : (j < 1)%nat -> Rabs (F j (entry centre)) <= size.
 Proof. intros Hj. each j ltac:(reduce; interval with (i_prec 140)). Qed.
 
 Lemma contracts i : (i < 1)%nat ->
-  sum 1 (fun k => (Rabs (unit_entry i k - sum 1 (fun j => entries inverse i j * entries slopes j k))
-    + sum 1 (fun j => Rabs (entries inverse i j) * entries spreads j k)) * entry radii k)
+  sum 1 (fun k =>
+    (Rabs (unit_entry i k - sum 1 (fun j => entries inverse i j * entries slopes j k))
+     + sum 1 (fun j => Rabs (entries inverse i j) * entries spreads j k)) * entry radii k)
   <= factor * entry radii i.
 Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
 
@@ -92,8 +94,8 @@ Lemma starts i : (i < 1)%nat ->
 Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
 
 Lemma regular j : (j < 1)%nat ->
-  sum 1 (fun k => Rabs (unit_entry j k - sum 1 (fun i => entries slopes j i * entries inverse i k)))
-  <= 1 / 2.
+  sum 1 (fun k =>
+    Rabs (unit_entry j k - sum 1 (fun i => entries slopes j i * entries inverse i k))) <= 1 / 2.
 Proof. intros Hj. each j ltac:(reduce; arithmetic). Qed.
 
 Lemma radii_positive i : (i < 1)%nat -> 0 < entry radii i.
@@ -110,7 +112,8 @@ Qed.
 
 (** ** The cleared equations are the printed ones *)
 
-Lemma cleared alpha : wide alpha ->
+Lemma cleared alpha :
+  wide alpha ->
   (equations alpha <-> vanish (residuals alpha)).
 Proof.
   unfold wide, equations, residuals; intros W; conjuncts; cbn [vanish].
@@ -119,27 +122,32 @@ Qed.
 
 (** ** The theorem *)
 
-Lemma narrow_is_wide alpha : narrow alpha -> wide alpha.
+Lemma narrow_is_wide alpha :
+  narrow alpha -> wide alpha.
 Proof. narrow_to_wide narrow wide. Qed.
 
 Theorem one_solution : exists alpha,
   narrow alpha /\ equations alpha /\
-  (forall alpha', wide alpha' -> equations alpha' ->
+  (forall alpha',
+     wide alpha' -> equations alpha' ->
      alpha' = alpha).
 Proof.
-  destruct root as [x [Hx [Hroot Hunique]]]. exists (x 0%nat).
-  assert (N : narrow (x 0%nat)) by (unfold narrow; repeat split; digits Hx reduce).
+  destruct root as [x [Hx [Hroot Hunique]]].
+  exists (x 0%nat).
+  assert (N : narrow (x 0%nat))
+    by (unfold narrow; repeat split; digits Hx reduce).
   split; [exact N | split].
-  - apply (cleared (x 0%nat)); [now apply narrow_is_wide |].
-    apply vanish_entries. exact Hroot.
+  - apply cleared; [now apply narrow_is_wide |]. apply vanish_entries. exact Hroot.
   - intros alpha' W E. apply cleared in E; [| exact W].
     assert (same : forall i, (i < 1)%nat -> entry [alpha'] i = x i).
     { apply Hunique; [intros i Hi; unfold wide in W; each i ltac:(reduce; inside) |].
       intros j Hj. exact (proj1 (vanish_entries _) E j Hj). }
-    repeat split; [exact (same 0%nat ltac:(lia))].
+    repeat split; [apply (same 0%nat); lia].
 Qed.
 
-Corollary digits alpha : wide alpha -> equations alpha -> narrow alpha.
+Corollary digits alpha :
+  wide alpha -> equations alpha ->
+  narrow alpha.
 Proof.
   destruct one_solution as (alpha' & N & _ & unique).
   intros W E. specialize (unique alpha W E). clear W E.

@@ -1,8 +1,8 @@
 (** * The point l: end of rotation, Milankovitch's self-weight
 
-    The equations of the landmark as the paper prints them, the box in which they have exactly
-    one solution, its digits, and what follows for the values that the paper prints.  The table of
-    numbers between the claim and the theorem is what [Contraction] asks for.
+    The equations of the landmark as the paper prints them, the box in which they have exactly one
+    solution, its digits, and what follows for the values that the paper prints.  The table of numbers
+    between the claim and the theorem is what [Contraction] asks for.
 
     Written by `couplet prove --coq` from the equations of the program. *)
 
@@ -61,13 +61,16 @@ Definition spreads : list (list R) :=
 Definition size : R := 6e-36.
 Definition factor : R := 0.87.
 
-Definition F (j : nat) (x : point) : R := entry (residuals (x 0%nat) (x 1%nat)) j.
-Definition J (j k : nat) (x : point) : R := entries (jacobian (x 0%nat) (x 1%nat)) j k.
+Definition F (j : nat) (x : point) : R :=
+  entry (residuals (x 0%nat) (x 1%nat)) j.
+Definition J (j k : nat) (x : point) : R :=
+  entries (jacobian (x 0%nat) (x 1%nat)) j k.
 
 (** ** Its check *)
 
-Ltac reduce := cbv beta iota zeta delta [F J residuals jacobian centre radii inverse slopes spreads
-  size factor entry entries nth sum unit_entry Nat.eqb].
+Ltac reduce := cbv beta iota zeta delta
+  [F J residuals jacobian centre radii inverse slopes spreads size factor
+   entry entries nth sum unit_entry Nat.eqb].
 
 Notation box d x := (within 2 (entry radii) d x (entry centre)).
 
@@ -80,13 +83,11 @@ Proof. intros Hj x u t _. each j ltac:(reduce; auto_derive; [exact I | field]). 
 Lemma slopes_hold x : box 1 x -> forall j k, (j < 2)%nat -> (k < 2)%nat ->
   Rabs (J j k x - entries slopes j k) <= entries spreads j k.
 Proof.
-  intros Hx j k Hj Hk.
-  pose proof (bounds Hx 0 ltac:(lia)) as B0.
-  pose proof (bounds Hx 1 ltac:(lia)) as B1.
-  clear Hx. unfold J. revert B0 B1.
-  generalize (x 0%nat) (x 1%nat). clear x.
-  intros alpha eta B0 B1.
-  cbv [entry centre radii nth] in B0, B1.
+  intros Hx j k Hj Hk. unfold J.
+  generalize (bounds Hx 0 ltac:(lia)).
+  generalize (bounds Hx 1 ltac:(lia)).
+  generalize (x 0%nat) (x 1%nat). clear x Hx.
+  cbv [entry centre radii nth]. intros alpha eta B0 B1.
   each j ltac:(each k ltac:(reduce; slope)).
 Qed.
 
@@ -94,8 +95,9 @@ Lemma residuals_hold j : (j < 2)%nat -> Rabs (F j (entry centre)) <= size.
 Proof. intros Hj. each j ltac:(reduce; interval with (i_prec 140)). Qed.
 
 Lemma contracts i : (i < 2)%nat ->
-  sum 2 (fun k => (Rabs (unit_entry i k - sum 2 (fun j => entries inverse i j * entries slopes j k))
-    + sum 2 (fun j => Rabs (entries inverse i j) * entries spreads j k)) * entry radii k)
+  sum 2 (fun k =>
+    (Rabs (unit_entry i k - sum 2 (fun j => entries inverse i j * entries slopes j k))
+     + sum 2 (fun j => Rabs (entries inverse i j) * entries spreads j k)) * entry radii k)
   <= factor * entry radii i.
 Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
 
@@ -104,8 +106,8 @@ Lemma starts i : (i < 2)%nat ->
 Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
 
 Lemma regular j : (j < 2)%nat ->
-  sum 2 (fun k => Rabs (unit_entry j k - sum 2 (fun i => entries slopes j i * entries inverse i k)))
-  <= 1 / 2.
+  sum 2 (fun k =>
+    Rabs (unit_entry j k - sum 2 (fun i => entries slopes j i * entries inverse i k))) <= 1 / 2.
 Proof. intros Hj. each j ltac:(reduce; arithmetic). Qed.
 
 Lemma radii_positive i : (i < 2)%nat -> 0 < entry radii i.
@@ -122,7 +124,8 @@ Qed.
 
 (** ** The cleared equations are the printed ones *)
 
-Lemma cleared alpha eta : wide alpha eta ->
+Lemma cleared alpha eta :
+  wide alpha eta ->
   (equations alpha eta <-> vanish (residuals alpha eta)).
 Proof.
   unfold wide, equations, residuals; intros W; conjuncts; cbn [vanish].
@@ -132,27 +135,32 @@ Qed.
 
 (** ** The theorem *)
 
-Lemma narrow_is_wide alpha eta : narrow alpha eta -> wide alpha eta.
+Lemma narrow_is_wide alpha eta :
+  narrow alpha eta -> wide alpha eta.
 Proof. narrow_to_wide narrow wide. Qed.
 
 Theorem one_solution : exists alpha eta,
   narrow alpha eta /\ equations alpha eta /\
-  (forall alpha' eta', wide alpha' eta' -> equations alpha' eta' ->
+  (forall alpha' eta',
+     wide alpha' eta' -> equations alpha' eta' ->
      alpha' = alpha /\ eta' = eta).
 Proof.
-  destruct root as [x [Hx [Hroot Hunique]]]. exists (x 0%nat), (x 1%nat).
-  assert (N : narrow (x 0%nat) (x 1%nat)) by (unfold narrow; repeat split; digits Hx reduce).
+  destruct root as [x [Hx [Hroot Hunique]]].
+  exists (x 0%nat), (x 1%nat).
+  assert (N : narrow (x 0%nat) (x 1%nat))
+    by (unfold narrow; repeat split; digits Hx reduce).
   split; [exact N | split].
-  - apply (cleared (x 0%nat) (x 1%nat)); [now apply narrow_is_wide |].
-    apply vanish_entries. exact Hroot.
+  - apply cleared; [now apply narrow_is_wide |]. apply vanish_entries. exact Hroot.
   - intros alpha' eta' W E. apply cleared in E; [| exact W].
     assert (same : forall i, (i < 2)%nat -> entry [alpha'; eta'] i = x i).
     { apply Hunique; [intros i Hi; unfold wide in W; each i ltac:(reduce; inside) |].
       intros j Hj. exact (proj1 (vanish_entries _) E j Hj). }
-    repeat split; [exact (same 0%nat ltac:(lia)) | exact (same 1%nat ltac:(lia))].
+    repeat split; [apply (same 0%nat); lia | apply (same 1%nat); lia].
 Qed.
 
-Corollary digits alpha eta : wide alpha eta -> equations alpha eta -> narrow alpha eta.
+Corollary digits alpha eta :
+  wide alpha eta -> equations alpha eta ->
+  narrow alpha eta.
 Proof.
   destruct one_solution as (alpha' & eta' & N & _ & unique).
   intros W E. specialize (unique alpha eta W E). clear W E.

@@ -1,8 +1,8 @@
 (** * The point T: triple point, Milankovitch's self-weight
 
-    The equations of the landmark as the paper prints them, the box in which they have exactly
-    one solution, its digits, and what follows for the values that the paper prints.  The table of
-    numbers between the claim and the theorem is what [Contraction] asks for.
+    The equations of the landmark as the paper prints them, the box in which they have exactly one
+    solution, its digits, and what follows for the values that the paper prints.  The table of numbers
+    between the claim and the theorem is what [Contraction] asks for.
 
     Written by `couplet prove --coq` from the equations of the program. *)
 
@@ -125,13 +125,16 @@ Definition spreads : list (list R) :=
 Definition size : R := 5e-36.
 Definition factor : R := 0.9.
 
-Definition F (j : nat) (x : point) : R := entry (residuals (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat) (x 4%nat) (x 5%nat)) j.
-Definition J (j k : nat) (x : point) : R := entries (jacobian (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat) (x 4%nat) (x 5%nat)) j k.
+Definition F (j : nat) (x : point) : R :=
+  entry (residuals (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat) (x 4%nat) (x 5%nat)) j.
+Definition J (j k : nat) (x : point) : R :=
+  entries (jacobian (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat) (x 4%nat) (x 5%nat)) j k.
 
 (** ** Its check *)
 
-Ltac reduce := cbv beta iota zeta delta [F J residuals jacobian centre radii inverse slopes spreads
-  size factor entry entries nth sum unit_entry Nat.eqb].
+Ltac reduce := cbv beta iota zeta delta
+  [F J residuals jacobian centre radii inverse slopes spreads size factor
+   entry entries nth sum unit_entry Nat.eqb].
 
 Notation box d x := (within 6 (entry radii) d x (entry centre)).
 
@@ -144,17 +147,15 @@ Proof. intros Hj x u t _. each j ltac:(reduce; auto_derive; [exact I | field]). 
 Lemma slopes_hold x : box 1 x -> forall j k, (j < 6)%nat -> (k < 6)%nat ->
   Rabs (J j k x - entries slopes j k) <= entries spreads j k.
 Proof.
-  intros Hx j k Hj Hk.
-  pose proof (bounds Hx 0 ltac:(lia)) as B0.
-  pose proof (bounds Hx 1 ltac:(lia)) as B1.
-  pose proof (bounds Hx 2 ltac:(lia)) as B2.
-  pose proof (bounds Hx 3 ltac:(lia)) as B3.
-  pose proof (bounds Hx 4 ltac:(lia)) as B4.
-  pose proof (bounds Hx 5 ltac:(lia)) as B5.
-  clear Hx. unfold J. revert B0 B1 B2 B3 B4 B5.
-  generalize (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat) (x 4%nat) (x 5%nat). clear x.
-  intros alpha beta_r beta_s eta h mu B0 B1 B2 B3 B4 B5.
-  cbv [entry centre radii nth] in B0, B1, B2, B3, B4, B5.
+  intros Hx j k Hj Hk. unfold J.
+  generalize (bounds Hx 0 ltac:(lia)).
+  generalize (bounds Hx 1 ltac:(lia)).
+  generalize (bounds Hx 2 ltac:(lia)).
+  generalize (bounds Hx 3 ltac:(lia)).
+  generalize (bounds Hx 4 ltac:(lia)).
+  generalize (bounds Hx 5 ltac:(lia)).
+  generalize (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat) (x 4%nat) (x 5%nat). clear x Hx.
+  cbv [entry centre radii nth]. intros alpha beta_r beta_s eta h mu B0 B1 B2 B3 B4 B5.
   each j ltac:(each k ltac:(reduce; slope)).
 Qed.
 
@@ -162,8 +163,9 @@ Lemma residuals_hold j : (j < 6)%nat -> Rabs (F j (entry centre)) <= size.
 Proof. intros Hj. each j ltac:(reduce; interval with (i_prec 140)). Qed.
 
 Lemma contracts i : (i < 6)%nat ->
-  sum 6 (fun k => (Rabs (unit_entry i k - sum 6 (fun j => entries inverse i j * entries slopes j k))
-    + sum 6 (fun j => Rabs (entries inverse i j) * entries spreads j k)) * entry radii k)
+  sum 6 (fun k =>
+    (Rabs (unit_entry i k - sum 6 (fun j => entries inverse i j * entries slopes j k))
+     + sum 6 (fun j => Rabs (entries inverse i j) * entries spreads j k)) * entry radii k)
   <= factor * entry radii i.
 Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
 
@@ -172,8 +174,8 @@ Lemma starts i : (i < 6)%nat ->
 Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
 
 Lemma regular j : (j < 6)%nat ->
-  sum 6 (fun k => Rabs (unit_entry j k - sum 6 (fun i => entries slopes j i * entries inverse i k)))
-  <= 1 / 2.
+  sum 6 (fun k =>
+    Rabs (unit_entry j k - sum 6 (fun i => entries slopes j i * entries inverse i k))) <= 1 / 2.
 Proof. intros Hj. each j ltac:(reduce; arithmetic). Qed.
 
 Lemma radii_positive i : (i < 6)%nat -> 0 < entry radii i.
@@ -190,7 +192,8 @@ Qed.
 
 (** ** The cleared equations are the printed ones *)
 
-Lemma cleared alpha beta_r beta_s eta h mu : wide alpha beta_r beta_s eta h mu ->
+Lemma cleared alpha beta_r beta_s eta h mu :
+  wide alpha beta_r beta_s eta h mu ->
   (equations alpha beta_r beta_s eta h mu <-> vanish (residuals alpha beta_r beta_s eta h mu)).
 Proof.
   unfold wide, equations, residuals; intros W; conjuncts; cbn [vanish].
@@ -203,27 +206,32 @@ Qed.
 
 (** ** The theorem *)
 
-Lemma narrow_is_wide alpha beta_r beta_s eta h mu : narrow alpha beta_r beta_s eta h mu -> wide alpha beta_r beta_s eta h mu.
+Lemma narrow_is_wide alpha beta_r beta_s eta h mu :
+  narrow alpha beta_r beta_s eta h mu -> wide alpha beta_r beta_s eta h mu.
 Proof. narrow_to_wide narrow wide. Qed.
 
 Theorem one_solution : exists alpha beta_r beta_s eta h mu,
   narrow alpha beta_r beta_s eta h mu /\ equations alpha beta_r beta_s eta h mu /\
-  (forall alpha' beta_r' beta_s' eta' h' mu', wide alpha' beta_r' beta_s' eta' h' mu' -> equations alpha' beta_r' beta_s' eta' h' mu' ->
+  (forall alpha' beta_r' beta_s' eta' h' mu',
+     wide alpha' beta_r' beta_s' eta' h' mu' -> equations alpha' beta_r' beta_s' eta' h' mu' ->
      alpha' = alpha /\ beta_r' = beta_r /\ beta_s' = beta_s /\ eta' = eta /\ h' = h /\ mu' = mu).
 Proof.
-  destruct root as [x [Hx [Hroot Hunique]]]. exists (x 0%nat), (x 1%nat), (x 2%nat), (x 3%nat), (x 4%nat), (x 5%nat).
-  assert (N : narrow (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat) (x 4%nat) (x 5%nat)) by (unfold narrow; repeat split; digits Hx reduce).
+  destruct root as [x [Hx [Hroot Hunique]]].
+  exists (x 0%nat), (x 1%nat), (x 2%nat), (x 3%nat), (x 4%nat), (x 5%nat).
+  assert (N : narrow (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat) (x 4%nat) (x 5%nat))
+    by (unfold narrow; repeat split; digits Hx reduce).
   split; [exact N | split].
-  - apply (cleared (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat) (x 4%nat) (x 5%nat)); [now apply narrow_is_wide |].
-    apply vanish_entries. exact Hroot.
+  - apply cleared; [now apply narrow_is_wide |]. apply vanish_entries. exact Hroot.
   - intros alpha' beta_r' beta_s' eta' h' mu' W E. apply cleared in E; [| exact W].
     assert (same : forall i, (i < 6)%nat -> entry [alpha'; beta_r'; beta_s'; eta'; h'; mu'] i = x i).
     { apply Hunique; [intros i Hi; unfold wide in W; each i ltac:(reduce; inside) |].
       intros j Hj. exact (proj1 (vanish_entries _) E j Hj). }
-    repeat split; [exact (same 0%nat ltac:(lia)) | exact (same 1%nat ltac:(lia)) | exact (same 2%nat ltac:(lia)) | exact (same 3%nat ltac:(lia)) | exact (same 4%nat ltac:(lia)) | exact (same 5%nat ltac:(lia))].
+    repeat split; [apply (same 0%nat); lia | apply (same 1%nat); lia | apply (same 2%nat); lia | apply (same 3%nat); lia | apply (same 4%nat); lia | apply (same 5%nat); lia].
 Qed.
 
-Corollary digits alpha beta_r beta_s eta h mu : wide alpha beta_r beta_s eta h mu -> equations alpha beta_r beta_s eta h mu -> narrow alpha beta_r beta_s eta h mu.
+Corollary digits alpha beta_r beta_s eta h mu :
+  wide alpha beta_r beta_s eta h mu -> equations alpha beta_r beta_s eta h mu ->
+  narrow alpha beta_r beta_s eta h mu.
 Proof.
   destruct one_solution as (alpha' & beta_r' & beta_s' & eta' & h' & mu' & N & _ & unique).
   intros W E. specialize (unique alpha beta_r beta_s eta h mu W E). clear W E.

@@ -8,6 +8,7 @@
 //! | `printed` | what follows for the values that the paper prints |
 //! | `half_opening`, `joint` | the files with one unknown and a very wide bracket |
 //! | `numeral` | rationals as Coq reads them |
+//! | `template`, `templates/` | the text around them |
 //!
 //! The mathematics is in the hand-written files of `proofs/coq`; what is printed here are statements,
 //! numbers, and calls. **Only the statements matter**: they are in terms of the printed equations of
@@ -19,12 +20,15 @@ mod landmark;
 mod numeral;
 mod printed;
 mod table;
+mod template;
 mod term;
 
 pub use term::Term;
 
 use crate::arch::{Fixed, Landmark, SelfWeight, System, Unknown};
 use crate::certify::{CertifiedLandmark, Undecided, audit};
+use crate::number::Ball;
+use numeral::{exact, nearest, text, unit};
 
 /// The files of all theorems, name and content, in alphabetical order.
 pub fn files() -> Result<Vec<(String, String)>, Undecided> {
@@ -53,12 +57,28 @@ fn module(landmark: Landmark, weight: SelfWeight) -> String {
     format!("{landmark:?}{weight:?}")
 }
 
-/// What stands at the head of every file.
-fn head(title: &str, text: &str) -> String {
-    format!(
-        "(** * {title}\n\n{text}\n\n    Written by `couplet prove --coq` from the equations of the program. *)\n\n\
-         From Couplet Require Import Instance.\nOpen Scope R_scope.\n"
-    )
+/// The point of a landmark.
+fn find(
+    points: &[CertifiedLandmark],
+    landmark: Landmark,
+    weight: SelfWeight,
+) -> Result<&CertifiedLandmark, Undecided> {
+    points
+        .iter()
+        .find(|point| (point.landmark(), point.weight()) == (landmark, weight))
+        .ok_or_else(|| Undecided(format!("{} is missing", landmark.symbol())))
+}
+
+/// Bits of an enclosure from which digits are printed.
+const BITS: u32 = 256;
+
+/// The digits of a number and the bracket that proves them.
+fn bracket(value: &Ball) -> Vec<(&'static str, String)> {
+    let centre = nearest(&exact(value.mid()), table::DECIMALS + 2);
+    let radius = unit(table::DECIMALS);
+    let (lo, hi) = (centre.clone() - &radius, centre.clone() + &radius);
+    let named = [("centre", centre), ("radius", radius), ("lo", lo), ("hi", hi)];
+    named.map(|(name, value)| (name, text(&value))).to_vec()
 }
 
 /// How a self-weight is spoken of.

@@ -14,6 +14,15 @@ pub fn text(value: &Rational) -> String {
     Decimal::terminating(value, DIGITS).map_or_else(|| value.to_string(), |d| d.to_string())
 }
 
+/// A rational number as a fraction.
+pub fn fraction(value: &Rational) -> String {
+    if value.is_integer() {
+        value.to_string()
+    } else {
+        format!("{} / {}", value.numer(), value.denom())
+    }
+}
+
 /// The multiple of `10^-places` nearest to `value`.
 pub fn nearest(value: &Rational, places: u32) -> Rational {
     scaled(value, places, |x| Rational::from(x.round_ref()).numer().clone())

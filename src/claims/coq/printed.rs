@@ -1,16 +1,15 @@
 //! What follows for the values that the paper prints in its tables.
 
-use super::numeral::text;
+use super::numeral::{text, unit};
+use super::template::fill;
 use super::{Symbols, symbol};
 use crate::arch::Quantity;
 use crate::certify::{Audited, CertifiedLandmark, PrintedVerdict};
 use crate::number::Decimal;
 use rug::Rational;
-use std::fmt::Write;
 
 /// One corollary for each printed value of the landmark in the tables that the theorem determines.
 pub fn corollaries(point: &CertifiedLandmark, audited: &[Audited], symbols: &Symbols) -> String {
-    let args = symbols.arguments();
     let mut out = String::new();
     let belongs = |value: &&Audited| {
         let printed = value.printed;
@@ -36,13 +35,9 @@ pub fn corollaries(point: &CertifiedLandmark, audited: &[Audited], symbols: &Sym
                 "    Is the last digit right, that is, the value the nearest of its length? *)\n",
             );
         }
-        let name = name(value, verdict);
-        let _ = writeln!(out, "\nCorollary {name} {args} :");
-        let _ = writeln!(out, "  wide {args} -> equations {args} ->\n  {relation}.");
-        let _ = writeln!(
-            out,
-            "Proof. intros W E. apply (digits {args} W) in E. unfold narrow in E. compare. Qed."
-        );
+        let values =
+            [("name", name(value, verdict)), ("args", symbols.arguments()), ("claim", relation)];
+        out.push_str(&fill(include_str!("templates/printed.v"), &values));
     }
     out
 }
@@ -56,7 +51,7 @@ fn name(value: &Audited, verdict: &str) -> String {
 fn half_unit(printed: &str) -> Option<String> {
     let decimal: Decimal = printed.parse().ok()?;
     let places = u32::try_from(-decimal.exponent()).ok().filter(|&places| places > 0)?;
-    Some(text(&(super::numeral::unit(places) / Rational::from(2))))
+    Some(text(&(unit(places) / Rational::from(2))))
 }
 
 /// A quantity in the variables of the theorem; `None` if they do not determine it or it is given.
