@@ -3,9 +3,9 @@
 //! Nothing here is trusted: Coq checks every number. Floats and balls only choose them, such that the
 //! check succeeds with some room.
 
-use super::numeral::{distance, down, exact, nearest, places, radius, unit, up};
+use super::numeral::{distance, down, exact, nearest, places, radius, up};
 use super::{Symbols, Term};
-use crate::arch::{Point, System};
+use crate::arch::{Point, System, Unknown};
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::number::{Angle, Ball, Dual, Magnitude};
 use crate::solve::inverse;
@@ -95,61 +95,102 @@ impl Table {
         let centre: Option<Vec<Rational>> =
             values.map(|x| Some(nearest(&exact(x?.mid()), CENTRE))).collect();
         let centre = centre.ok_or_else(|| failed("a value is missing"))?;
-        let at = |radii: &[Rational]| -> Vec<Ball> {
-            let ball = |(c, r): (&Rational, &Rational)| {
-                let radius = Magnitude::upper(&Float::with_val(64, r));
-                Ball::enclosing(c, BITS).widened(radius)
-            };
-            centre.iter().zip(radii).map(ball).collect()
-        };
-        let exactly = at(&vec![Rational::new(); centre.len()]);
-        let size = |term: &Term| distance(&value(term, system, &exactly), &Rational::new());
-        let residual = cleared.residuals.iter().map(size).max().unwrap_or_default();
-        let residual = up(&(residual * 2), places(&unit(CENTRE), 1));
-        let slopes = matrix(&cleared.jacobian, |term| match term.as_constant() {
-            Some(constant) => constant.clone(),
-            None => nearest(&exact(value(term, system, &exactly).mid()), MATRIX),
-        });
-        let floats = |rows: &[Vec<Rational>]| -> Vec<Vec<Float>> {
-            matrix(rows, |x| Float::with_val(BITS, x))
-        };
-        let inverse = inverse(floats(&slopes)).ok_or_else(|| failed("a singular Jacobian"))?;
+
+        let at_centre = Values::new(system, &centre, &vec![Rational::new(); centre.len()]);
+        let slopes = matrix(&cleared.jacobian, |term| at_centre.nearest(term));
+        let floats = matrix(&slopes, |x| Float::with_val(BITS, x));
+        let inverse = inverse(floats).ok_or_else(|| failed("a singular Jacobian"))?;
         let inverse = matrix(&inverse, |x| nearest(&exact(x), MATRIX));
 
-        let shape: Vec<Rational> = point.isolated().domain().iter().map(radius).collect();
-        for trial in 0..TRIALS {
-            let shrunk = |r: &Rational| {
-                let r = (0..trial).fold(r.clone(), |r, _| r * Rational::from((19, 20)));
-                down(&r, places(&r, 2))
-            };
-            let radii: Vec<Rational> = shape.iter().map(shrunk).collect();
-            let domain = at(&radii);
-            let spread = |term: &Term, slope: &Rational| match term.as_constant() {
-                Some(_) => Rational::new(),
-                None => {
-                    let spread = distance(&value(term, system, &domain), slope);
-                    let spread = spread * Rational::from(ROOM);
-                    up(&spread, places(&spread, 2).min(MATRIX))
-                }
-            };
-            let rows = cleared.jacobian.iter().zip(&slopes);
-            let spreads: Vec<Vec<Rational>> = rows
-                .map(|(terms, slopes)| {
-                    terms.iter().zip(slopes).map(|(term, slope)| spread(term, slope)).collect()
-                })
-                .collect();
+        let boxes = shrinking(point.isolated().domain());
+        let contracting = boxes.into_iter().find_map(|radii| {
+            let spreads = Values::new(system, &centre, &radii).spreads(cleared, &slopes);
             let factor = up(&contraction(&inverse, &slopes, &spreads, &radii), 2);
-            if factor > Rational::from(CONTRACTION) {
-                continue;
+            (factor <= Rational::from(CONTRACTION)).then_some((radii, spreads, factor))
+        });
+        let (radii, spreads, factor) =
+            contracting.ok_or_else(|| failed("no box on which it contracts"))?;
+        let residual = at_centre.largest(&cleared.residuals);
+        let wide = short_bounds(&centre, &radii);
+        Ok(Self { centre, radii, wide, inverse, slopes, spreads, residual, factor })
+    }
+}
+
+/// Smaller and smaller boxes of one shape, with radii of two digits.
+fn shrinking(domain: &[Ball]) -> Vec<Vec<Rational>> {
+    let mut shape: Vec<Rational> = domain.iter().map(radius).collect();
+    let step = |_| {
+        let radii = shape.iter().map(|r| down(r, places(r, 2))).collect();
+        shape.iter_mut().for_each(|r| *r *= Rational::from((19, 20)));
+        radii
+    };
+    (0..TRIALS).map(step).collect()
+}
+
+/// A box of few digits that fits into the one given.
+fn short_bounds(centre: &[Rational], radii: &[Rational]) -> Vec<(Rational, Rational)> {
+    let bounds = |(c, r): (&Rational, &Rational)| {
+        let places = places(r, 2);
+        (up(&(c.clone() - r), places), down(&(c.clone() + r), places))
+    };
+    centre.iter().zip(radii).map(bounds).collect()
+}
+
+/// Enclosures of terms on a box.
+struct Values {
+    symbols: Symbols,
+    angles: Vec<Angle<Ball>>,
+}
+
+impl Values {
+    fn new(system: &System, centre: &[Rational], radii: &[Rational]) -> Self {
+        let angle = |((c, r), unknown): ((&Rational, &Rational), &Unknown)| {
+            let radius = Magnitude::upper(&Float::with_val(64, r));
+            let ball = Ball::enclosing(c, BITS).widened(radius);
+            if unknown.is_angle() {
+                Angle::new(ball)
+            } else {
+                Angle { rad: ball.clone(), ..Angle::zero(&ball) }
             }
-            let wide = centre.iter().zip(&radii).map(|(c, r)| {
-                let places = places(r, 2);
-                (up(&(c.clone() - r), places), down(&(c.clone() + r), places))
-            });
-            let wide = wide.collect();
-            return Ok(Self { centre, radii, wide, inverse, slopes, spreads, residual, factor });
+        };
+        let angles = centre.iter().zip(radii).zip(system.unknowns).map(angle).collect();
+        Self { symbols: Symbols::of(system), angles }
+    }
+
+    fn of(&self, term: &Term) -> Ball {
+        let like = &self.angles[0].rad;
+        term.evaluate(like, &|name| match self.symbols.index(name) {
+            Some((k, _)) => self.angles[k].clone(),
+            None => Angle::zero(like),
+        })
+    }
+
+    /// The value with few decimals; exactly, where the term is constant.
+    fn nearest(&self, term: &Term) -> Rational {
+        match term.as_constant() {
+            Some(constant) => constant.clone(),
+            None => nearest(&exact(self.of(term).mid()), MATRIX),
         }
-        Err(failed("no box on which it contracts"))
+    }
+
+    /// How far the Jacobian on the box can be from the slopes at its centre, rounded up.
+    fn spreads(&self, cleared: &Cleared, slopes: &[Vec<Rational>]) -> Vec<Vec<Rational>> {
+        let spread = |(term, slope): (&Term, &Rational)| match term.as_constant() {
+            Some(_) => Rational::new(),
+            None => {
+                let spread = distance(&self.of(term), slope) * Rational::from(ROOM);
+                up(&spread, places(&spread, 2).min(MATRIX))
+            }
+        };
+        let rows = cleared.jacobian.iter().zip(slopes);
+        rows.map(|(terms, slopes)| terms.iter().zip(slopes).map(spread).collect()).collect()
+    }
+
+    /// A bound of one digit for all absolute values, with room.
+    fn largest(&self, terms: &[Term]) -> Rational {
+        let sizes = terms.iter().map(|term| distance(&self.of(term), &Rational::new()));
+        let largest = sizes.max().unwrap_or_default() * Rational::from(2);
+        up(&largest, CENTRE)
     }
 }
 
@@ -174,16 +215,60 @@ fn contraction(
     (0..n).map(row).max().unwrap_or_default()
 }
 
-fn value(term: &Term, system: &System, at: &[Ball]) -> Ball {
-    let symbols = Symbols::of(system);
-    let like = &at[0];
-    term.evaluate(like, &|name| match symbols.index(name) {
-        Some((k, _)) if system.unknowns[k].is_angle() => Angle::new(at[k].clone()),
-        Some((k, _)) => Angle { rad: at[k].clone(), ..Angle::zero(like) },
-        None => Angle::zero(like),
-    })
-}
-
 fn matrix<T, U>(rows: &[Vec<T>], f: impl Fn(&T) -> U) -> Vec<Vec<U>> {
     rows.iter().map(|row| row.iter().map(&f).collect()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arch::{Landmark, SelfWeight};
+    use crate::claims::coq::numeral::unit;
+
+    fn triple() -> (System, Cleared) {
+        let system = Landmark::Triple.system(SelfWeight::Milankovitch);
+        (system, Cleared::new(&system))
+    }
+
+    #[test]
+    fn a_cleared_system_has_no_quotients_and_its_own_zeros() {
+        let (system, cleared) = triple();
+        let point = CertifiedLandmark::new(Landmark::Triple, system.weight).unwrap();
+        let refined = point.enclosure(BITS).unwrap();
+        let centre: Vec<Rational> =
+            system.unknowns.iter().map(|&x| exact(refined.value(x).unwrap().mid())).collect();
+        let none = vec![Rational::new(); centre.len()];
+        let values = Values::new(&system, &centre, &none);
+        for term in &cleared.residuals {
+            assert!(!term.to_string().contains(" / "), "{term}");
+            assert!(distance(&values.of(term), &Rational::new()) < unit(60));
+        }
+    }
+
+    #[test]
+    fn the_jacobian_is_that_of_the_cleared_system() {
+        let (system, cleared) = triple();
+        let at = |shift: usize, by: Rational| -> Values {
+            let mut centre: Vec<Rational> = (2..8).map(|n| Rational::from((n, 7))).collect();
+            centre[shift] += by;
+            Values::new(&system, &centre, &vec![Rational::new(); 6])
+        };
+        let step = Rational::from((1, 1_000_000_000));
+        for k in 0..6 {
+            let (below, above) = (at(k, -step.clone()), at(k, step.clone()));
+            for (term, slopes) in cleared.residuals.iter().zip(&cleared.jacobian) {
+                let difference = exact(above.of(term).mid()) - exact(below.of(term).mid());
+                let slope = at(k, Rational::new()).of(&slopes[k]);
+                let quotient = difference / (step.clone() * Rational::from(2));
+                assert!(distance(&slope, &quotient) < unit(15), "{term}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_factor_of_a_perfect_preconditioner_is_the_spread() {
+        let row = |x: i32| vec![vec![Rational::from((x, 10))]];
+        let factor = contraction(&row(5), &row(20), &row(3), &[Rational::from(1)]);
+        assert_eq!(factor, Rational::from((15, 100)));
+    }
 }
