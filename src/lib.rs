@@ -98,9 +98,16 @@
 //! Taken on trust: the compiler, GMP and MPFR, the hardware, and that the equations describe masonry.
 
 pub mod arch;
+#[cfg(feature = "full")]
 pub mod certify;
+pub mod check;
+#[cfg(feature = "full")]
 pub mod claims;
 pub mod cli;
 pub mod number;
+#[cfg(feature = "full")]
 pub mod report;
+#[cfg(feature = "full")]
 pub mod solve;
+#[cfg(feature = "full")]
+pub mod symbolic;

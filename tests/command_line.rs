@@ -163,7 +163,7 @@ fn the_audit_finds_what_the_tables_got_wrong() {
 
 #[test]
 fn wrong_input_is_told_in_one_line_with_what_is_possible() {
-    let cases: [(&[&str], &str); 14] = [
+    let cases: [(&[&str], &str); 17] = [
         (&["constants", "X"], "one of T, S, J, B, l, L, sb"),
         (&["constants", "t"], "one of T, S, J, B, l, L, sb"),
         (&["constants", "--weight", "both"], "one of heyman, milankovitch"),
@@ -178,6 +178,9 @@ fn wrong_input_is_told_in_one_line_with_what_is_possible() {
         (&["constants", "--digits"], "a value is required"),
         (&["constants", "--digit", "3"], "--digits"),
         (&["constant"], "constants"),
+        (&["prove", "eq-99"], "the claims are eq-2, eq-3"),
+        (&["prove", "eq-"], "the claims are eq-2, eq-3"),
+        (&["prove", "--format", "csv"], "one of text, latex, json"),
     ];
     for (arguments, possible) in cases {
         let output = couplet(arguments);
@@ -413,6 +416,42 @@ fn json_lines_in_and_out() {
     );
     let line: Value = serde_json::from_str(stdout(&assessed).trim()).unwrap();
     assert_eq!((&line["schema"], &line["stands"]), (&"couplet.assess/1".into(), &true.into()));
+}
+
+#[test]
+fn claims_are_decided_and_a_misprint_is_no_failure() {
+    let file = json(&["prove", "--format", "json"]);
+    assert_eq!(file["schema"], "couplet.claims/1");
+    let claims = file["claims"].as_array().unwrap();
+    assert!(claims.len() >= 30);
+    assert!(claims.iter().all(|claim| claim["verdict"] == "proved"), "{claims:?}");
+    let claim = |id: &str| claims.iter().find(|claim| claim["id"] == *id).unwrap();
+    assert_eq!(claim("eq-8")["as_printed"], "proved");
+    assert_eq!(claim("eq-2-4-imply-3")["as_printed"], "not stated");
+    let misprint = claim("eq-16");
+    assert_eq!(misprint["as_printed"], "refuted");
+    assert!(misprint["counterexample"].as_str().unwrap().contains("7−4√3 is not 0"));
+    assert!(misprint["corrected"].as_str().unwrap().contains("delta_M eta/6"));
+    assert!(misprint.get("derivation").is_none(), "only where it is asked for");
+}
+
+#[test]
+fn a_derivation_can_be_followed() {
+    let text = stdout(&couplet(&["prove", "eq-7", "--show"]));
+    for line in [
+        "S delta eta^3 + 3 (f + g) eta^2 - 12 (g - S) eta - 12 (f - g)",
+        "let    cofactor u of P",
+        "given  S != 0, 2 - eta != 0",
+        "4 claims: 3 proved as printed, 1 proved, not stated in the paper",
+    ] {
+        assert!(text.contains(line), "{line}");
+    }
+    let file = json(&["prove", "eq-8", "--show", "--format", "json"]);
+    let steps = file["claims"][0]["derivation"].as_array().unwrap();
+    assert!(steps.iter().all(|step| step["support"] == "algebra"));
+    let document = stdout(&couplet(&["prove", "eq-7-eta", "--show", "--format", "latex"]));
+    assert!(document.starts_with("\\documentclass") && document.ends_with("\\end{document}\n"));
+    assert!(document.contains(r"S \delta_M {\eta}^{3} + 3 (f + g) {\eta}^{2}"));
 }
 
 #[test]

@@ -4,7 +4,8 @@ use couplet::arch::{
     Configuration, Equation, Landmark, Point, Ring, SelfWeight, System, Unknown, cubic,
     overturning, sliding, statics, thrust,
 };
-use couplet::certify::{CertifiedLandmark, krawczyk};
+use couplet::certify::CertifiedLandmark;
+use couplet::check::krawczyk;
 use couplet::number::{Angle, AstroInterval, Ball, Dual, Enclosure, Field, Ternary};
 use rug::Float;
 
@@ -67,23 +68,22 @@ fn the_cubics_and_the_radicand_vanish_where_they_should() {
             let at = at(landmark, weight);
             let delta = at.thrust.int(weight.flag());
             let joint = &at.rotation_joint;
-            assert!(is_zero(&cubic::in_thickness(joint, &delta, &at.thickness)));
-            let radicand = cubic::radicand(joint, &delta);
+            let letters = cubic::abbreviations(joint);
+            assert!(is_zero(&cubic::in_thickness(&letters, &delta, &at.thickness)));
+            let radicand = cubic::radicand(&letters, &delta);
             if landmark == Landmark::WidestJoint {
                 assert!(is_zero(&radicand), "{weight:?}");
                 // A simple zero in beta: it changes sign there.
-                let slope =
-                    cubic::radicand(&joint.variable(0), &Dual::constant(delta)).derivative(0);
+                let along = cubic::abbreviations(&joint.variable(0));
+                let slope = cubic::radicand(&along, &Dual::constant(delta.clone())).derivative(0);
                 assert!(slope.excludes_zero());
             } else {
                 assert_eq!(radicand.is_positive(), Ternary::False, "real branches at T");
                 assert!(radicand.excludes_zero());
             }
-            if weight == SelfWeight::Milankovitch {
-                let a = thrust::opening_variable(&at.half_opening).value();
-                assert!(is_zero(&cubic::in_opening_variable(joint, &a)));
-                assert!(is_zero(&cubic::in_thrust(joint, &at.thrust)));
-            }
+            let a = thrust::opening_variable(&at.half_opening).value();
+            assert!(is_zero(&cubic::in_opening_variable(&letters, &delta, &a)));
+            assert!(is_zero(&cubic::in_thrust(&letters, &delta, &at.thrust)));
         }
     }
 }

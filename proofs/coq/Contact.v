@@ -214,116 +214,141 @@ Qed.
 
 (** ** No thinner arch stands
 
-    Three of the conditions, added with the multipliers 1 (crown, extrados), [1 + s] (haunch,
-    intrados) and [s] (shoulder, extrados), are free of [h] and [p] if [s] is the quotient of the
-    lever arms of the thrust: they are the rotations of the collapse mechanism.  At the thickness of
-    the state the sum is 0, at a thinner one negative. *)
+    What is left to the extrados at the crown, to the intrados at the haunch and to the extrados at
+    the shoulder must not be negative.  Added with the rotations of a collapse mechanism as
+    multipliers, [a] at the crown, [c] at the shoulder and [a + c] at the haunch, the three are free
+    of [p]; the mechanism's sliding joint, if any, bounds the thrust on the side that matters.  The
+    sum is 0 at the thickness of the state and negative at a thinner one. *)
 
-Lemma mechanism_sum (delta alpha beta eta s h p h' p' : R) :
-  extrados eta - (1 + s) * (intrados eta * cos beta) + s * (extrados eta * cos alpha) = 0 ->
-  (extrados eta * h - p)
-  + (1 + s) * (p + fac delta eta * (1 - cos beta) - intrados eta * normal_force beta h)
-  + s * (extrados eta * normal_force alpha h - p - fac delta eta * (1 - cos alpha))
-  = (extrados eta * h' - p')
-    + (1 + s) * (p' + fac delta eta * (1 - cos beta) - intrados eta * normal_force beta h')
-    + s * (extrados eta * normal_force alpha h' - p' - fac delta eta * (1 - cos alpha)).
+Definition crown_gap (eta h p : R) : R := extrados eta * h - p.
+Definition haunch_gap (delta beta eta h p : R) : R :=
+  p + fac delta eta * (1 - cos beta) - intrados eta * normal_force beta h.
+Definition shoulder_gap (delta alpha eta h p : R) : R :=
+  extrados eta * normal_force alpha h - p - fac delta eta * (1 - cos alpha).
+
+Definition mechanism (a c delta alpha beta eta h p : R) : R :=
+  a * crown_gap eta h p + (a + c) * haunch_gap delta beta eta h p
+  + c * shoulder_gap delta alpha eta h p.
+
+(** The work of a unit thrust. *)
+Definition thrust_arm (a c alpha beta eta : R) : R :=
+  a * extrados eta - (a + c) * (intrados eta * cos beta) + c * (extrados eta * cos alpha).
+
+Lemma mechanism_of_thrust (a c delta alpha beta eta h p h0 p0 : R) :
+  mechanism a c delta alpha beta eta h p - mechanism a c delta alpha beta eta h0 p0
+  = thrust_arm a c alpha beta eta * (h - h0).
 Proof.
-  intros Hs. unfold normal_force.
-  assert (E : (h - h') * (extrados eta - (1 + s) * (intrados eta * cos beta)
-                          + s * (extrados eta * cos alpha)) = 0) by (rewrite Hs; ring).
-  lra.
+  unfold mechanism, crown_gap, haunch_gap, shoulder_gap, thrust_arm, normal_force. ring.
 Qed.
 
 (** The rate of the sum with the thickness. *)
-Lemma mechanism_rate (delta alpha beta eta eta' s h p : R) :
-  let sum e :=
-    (extrados e * h - p)
-    + (1 + s) * (p + fac delta e * (1 - cos beta) - intrados e * normal_force beta h)
-    + s * (extrados e * normal_force alpha h - p - fac delta e * (1 - cos alpha)) in
-  sum eta - sum eta'
+Lemma mechanism_of_thickness (a c delta alpha beta eta eta' h p : R) :
+  mechanism a c delta alpha beta eta h p - mechanism a c delta alpha beta eta' h p
   = (eta - eta')
-    * ((h + (1 + s) * normal_force beta h + s * normal_force alpha h) / 2
-       + delta * (eta + eta') / 12 * ((1 + s) * (1 - cos beta) - s * (1 - cos alpha))).
-Proof. cbv zeta. unfold extrados, intrados, fac. field. Qed.
+    * ((a * h + (a + c) * normal_force beta h + c * normal_force alpha h) / 2
+       + delta * (eta + eta') / 12 * ((a + c) * (1 - cos beta) - c * (1 - cos alpha))).
+Proof.
+  unfold mechanism, crown_gap, haunch_gap, shoulder_gap, extrados, intrados, fac. field.
+Qed.
 
-(** The thickness of a state is the least: with less, some of crown, haunch, shoulder fails. *)
+(** With less thickness the centroids move less than the pressure points. *)
+Lemma centroids_move_less (delta eta eta' : R) : 0 <= delta <= 1 -> 0 < eta' < eta -> eta <= 2 ->
+  delta * (eta + eta') / 12 * (2 + eta') < fac delta eta'.
+Proof.
+  intros Hd He' He. unfold fac. set (x := 2 * eta + 2 * eta' + eta * eta').
+  assert (Hx : 0 < x < 12) by (unfold x; split; nra).
+  assert (delta * x < 12) by (clearbody x; nra). unfold x in *. lra.
+Qed.
+
+(** For every mechanism with a rotation at the crown or at the shoulder, and every state
+    [(eta, h0, p0)] in which it can move. *)
+Theorem no_thinner_arch_by_mechanism (a c delta alpha beta eta eta' h0 p0 h p : R) :
+  0 <= delta <= 1 -> 0 < alpha < PI -> 0 <= beta < PI -> 0 < eta' < eta -> eta <= 2 ->
+  0 <= a -> 0 <= c -> (0 < c \/ 0 < a /\ 0 < beta) ->
+  mechanism a c delta alpha beta eta h0 p0 = 0 ->
+  thrust_arm a c alpha beta eta * (h - h0) <= 0 ->
+  joint_stands delta 0 eta' h p -> joint_stands delta beta eta' h p ->
+  ~ joint_stands delta alpha eta' h p.
+Proof.
+  intros Hd Ha Hb He' He Ha0 Hc0 Hmoves Hstate Hfriction.
+  intros (HN0 & Hin0 & Hout0) (HNb & Hinb & _) (HNa & _ & Houta).
+  replace (normal_force 0 h) with h in HN0, Hin0, Hout0
+    by (unfold normal_force; rewrite cos_0, sin_0; ring).
+  rewrite cos_0 in Hin0, Hout0.
+  assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
+  assert (Hvb : 0 <= 1 - cos beta) by (destruct (COS_bound beta); lra).
+  assert (Hp : 0 <= p).
+  { assert (0 <= intrados eta' * h) by (apply Rmult_le_pos; [unfold intrados|]; lra). lra. }
+  (* no compression, no force: the haunch carries weight *)
+  assert (HNb_strict : 0 < beta -> 0 < h + normal_force beta h).
+  { intros Hbeta. destruct (Req_dec h 0) as [-> | Hne]; [|lra].
+    unfold normal_force. assert (0 < beta * sin beta); [|lra].
+    apply Rmult_lt_0_compat; [|apply sin_gt_0]; lra. }
+  assert (Hthrust := mechanism_of_thrust a c delta alpha beta eta h p h0 p0).
+  assert (Hrate := mechanism_of_thickness a c delta alpha beta eta eta' h p).
+  assert (Hsum : 0 <= mechanism a c delta alpha beta eta' h p).
+  { unfold mechanism, crown_gap, haunch_gap, shoulder_gap.
+    assert (0 <= a * (extrados eta' * h - p)) by (apply Rmult_le_pos; lra).
+    assert (0 <= (a + c) * (p + fac delta eta' * (1 - cos beta)
+                            - intrados eta' * normal_force beta h)) by (apply Rmult_le_pos; lra).
+    assert (0 <= c * (extrados eta' * normal_force alpha h - p - fac delta eta' * (1 - cos alpha)))
+      by (apply Rmult_le_pos; lra).
+    lra. }
+  set (Nb := normal_force beta h) in *. set (Na := normal_force alpha h) in *.
+  set (v := 1 - cos alpha) in *. set (vb := 1 - cos beta) in *.
+  (* the force in the shoulder outweighs what its centroids move *)
+  assert (Hshoulder : delta * (eta + eta') / 12 * v < Na / 2).
+  { assert (HNa2 : fac delta eta' * v <= (2 + eta') / 2 * Na) by (unfold extrados in Houta; lra).
+    assert (Hweights := centroids_move_less delta eta eta' Hd He' He).
+    apply (Rmult_lt_reg_r (2 + eta')); [lra|].
+    apply Rlt_le_trans with (fac delta eta' * v); [|lra].
+    replace (delta * (eta + eta') / 12 * v * (2 + eta'))
+      with (delta * (eta + eta') / 12 * (2 + eta') * v) by ring.
+    now apply Rmult_lt_compat_r. }
+  assert (Hbracket : 0 < (a * h + (a + c) * Nb + c * Na) / 2
+                         + delta * (eta + eta') / 12 * ((a + c) * vb - c * v)).
+  { assert (0 <= delta * (eta + eta') / 12 * ((a + c) * vb)).
+    { assert (0 <= delta * (eta + eta')) by (apply Rmult_le_pos; lra).
+      apply Rmult_le_pos; [lra | apply Rmult_le_pos; lra]. }
+    assert (0 <= a * h) by (apply Rmult_le_pos; lra).
+    assert (0 <= a * Nb) by (apply Rmult_le_pos; lra).
+    assert (0 <= c * Nb) by (apply Rmult_le_pos; lra).
+    destruct Hmoves as [Hc | [Ha1 Hbeta]].
+    - assert (c * (delta * (eta + eta') / 12 * v) < c * (Na / 2)) by (now apply Rmult_lt_compat_l).
+      lra.
+    - assert (c * (delta * (eta + eta') / 12 * v) <= c * (Na / 2))
+        by (apply Rmult_le_compat_l; lra).
+      assert (0 < a * (h + Nb)) by (apply Rmult_lt_0_compat; [easy | now apply HNb_strict]).
+      lra. }
+  assert (Hproduct := Rmult_lt_0_compat (eta - eta') _ ltac:(lra) Hbracket).
+  lra.
+Qed.
+
+(** [[r,r,r]]: the thickness of (2) and (4), with no friction condition. The lever arm is that
+    between the haunch's intrados and the shoulder's extrados. *)
 Theorem no_thinner_arch (delta alpha beta eta eta' h p : R) :
-  0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta' < eta -> eta <= 2 ->
-  (* the lever arm between the haunch's intrados and the shoulder's extrados *)
+  0 <= delta <= 1 -> 0 < alpha < PI -> 0 <= beta < PI -> 0 < eta' < eta -> eta <= 2 ->
   0 < intrados eta * cos beta - extrados eta * cos alpha ->
-  (* the state: (2) and (4) *)
   h_lower delta beta eta = h_whole delta alpha eta ->
   joint_stands delta 0 eta' h p -> joint_stands delta beta eta' h p ->
   ~ joint_stands delta alpha eta' h p.
 Proof.
-  intros Hd Ha He' He Hlever Hstate (HN0 & Hin0 & Hout0) (HNb & Hinb & _) (HNa & _ & Houta).
-  unfold normal_force at 1 in HN0. unfold normal_force at 1 in Hin0.
-  unfold normal_force at 1 in Hout0.
-  rewrite cos_0, sin_0, Rmult_0_r, Rplus_0_r, Rmult_1_r in HN0.
-  rewrite cos_0, sin_0, Rmult_0_r, Rplus_0_r, Rmult_1_r in Hin0.
-  rewrite cos_0, sin_0, Rmult_0_r, Rplus_0_r, Rmult_1_r in Hout0.
-  assert (Hversine : 0 < 1 - cos alpha) by (apply versine_positive; lra).
-  assert (Hversine_b : 0 <= 1 - cos beta) by (destruct (COS_bound beta); lra).
-  (* the multiplier of the shoulder *)
+  intros Hd Ha Hb He' He Hlower Hstate.
+  assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
+  assert (Hlever := lever_of_lower_thrust_positive beta eta ltac:(lra)).
   set (lower := intrados eta * cos beta - extrados eta * cos alpha) in *.
   set (upper := extrados eta - intrados eta * cos beta).
-  assert (Hupper : 0 < upper).
-  { unfold upper, extrados, intrados.
-    assert (H := lever_of_lower_thrust_positive beta eta ltac:(lra)). lra. }
-  set (s := upper / lower).
-  assert (Hs : 0 < s) by (now apply Rdiv_lt_0_compat).
-  assert (Hfree : extrados eta - (1 + s) * (intrados eta * cos beta)
-                  + s * (extrados eta * cos alpha) = 0).
-  { transitivity (upper - s * lower); [unfold upper, lower; ring | unfold s; field; lra]. }
-  (* at the thickness of the state the sum is 0 *)
+  assert (Hupper : 0 < upper) by (unfold upper, extrados, intrados; lra).
   set (h0 := h_lower delta beta eta) in *.
   assert (H2 : h0 = h_lower delta beta eta) by easy.
-  apply lower_thrust_cleared in H2; [|apply Rgt_not_eq, lever_of_lower_thrust_positive; lra].
-  apply whole_thrust_cleared in Hstate; [|lra|lra].
-  assert (Hzero := mechanism_sum delta alpha beta eta s h p h0 (extrados eta * h0) Hfree).
-  replace (extrados eta * h0 - extrados eta * h0) with 0 in Hzero by ring.
-  replace (extrados eta * h0 + fac delta eta * (1 - cos beta)
-           - intrados eta * normal_force beta h0)
-    with 0 in Hzero by (unfold extrados, intrados, normal_force; lra).
-  replace (extrados eta * normal_force alpha h0 - extrados eta * h0
-           - fac delta eta * (1 - cos alpha))
-    with 0 in Hzero by (unfold extrados, normal_force; lra).
-  (* and with less thickness it is negative *)
-  assert (Hrate := mechanism_rate delta alpha beta eta eta' s h p). cbv beta zeta in Hrate.
-  rewrite Hzero in Hrate.
-  set (Nb := normal_force beta h) in *. set (Na := normal_force alpha h) in *.
-  set (v := 1 - cos alpha) in *. set (vb := 1 - cos beta) in *.
-  assert (Hp : 0 <= p).
-  { replace (1 - 1) with 0 in Hin0 by ring. rewrite Rmult_0_r in Hin0.
-    unfold intrados in Hin0. nra. }
-  assert (Hbracket : 0 < (h + (1 + s) * Nb + s * Na) / 2
-                         + delta * (eta + eta') / 12 * ((1 + s) * vb - s * v)).
-  { (* the shoulder's force outweighs its weight moment *)
-    assert (HNa2 : fac delta eta' * v <= (2 + eta') / 2 * Na) by (unfold extrados in Houta; lra).
-    assert (Hweights : delta * (eta + eta') / 12 * (2 + eta') < fac delta eta').
-    { unfold fac.
-      assert (Hsum : 2 * eta + 2 * eta' + eta * eta' < 12) by nra.
-      assert (Hdsum : delta * (2 * eta + 2 * eta' + eta * eta') < 12).
-      { assert (0 < 2 * eta + 2 * eta' + eta * eta') by nra. nra. }
-      lra. }
-    assert (Hshoulder : delta * (eta + eta') / 12 * v < Na / 2).
-    { apply (Rmult_lt_reg_r (2 + eta')); [lra|].
-      apply Rlt_le_trans with (fac delta eta' * v); [|lra].
-      replace (delta * (eta + eta') / 12 * v * (2 + eta'))
-        with (delta * (eta + eta') / 12 * (2 + eta') * v) by ring.
-      now apply Rmult_lt_compat_r. }
-    assert (0 <= delta * (eta + eta') / 12 * ((1 + s) * vb)).
-    { apply Rmult_le_pos; [|nra].
-      assert (0 <= delta * (eta + eta')) by (apply Rmult_le_pos; lra). lra. }
-    assert (0 <= (1 + s) * Nb) by nra.
-    assert (s * (delta * (eta + eta') / 12 * v) < s * (Na / 2)) by (now apply Rmult_lt_compat_l).
-    lra. }
-  assert (Hproduct := Rmult_lt_0_compat (eta - eta') _ ltac:(lra) Hbracket).
-  rewrite <- Hrate in Hproduct.
-  assert (0 <= (1 + s) * (p + fac delta eta' * vb - intrados eta' * Nb))
-    by (apply Rmult_le_pos; lra).
-  assert (0 <= s * (extrados eta' * Na - p - fac delta eta' * v)) by (apply Rmult_le_pos; lra).
-  lra.
+  apply lower_thrust_cleared in H2; [|lra]. apply whole_thrust_cleared in Hstate; [|lra|lra].
+  apply (no_thinner_arch_by_mechanism lower upper delta alpha beta eta eta' h0
+           (extrados eta * h0)); try easy; try lra.
+  - replace (mechanism _ _ _ _ _ _ _ _) with (lower * 0 + (lower + upper) * 0 + upper * 0).
+    + ring.
+    + unfold mechanism. repeat f_equal;
+        unfold crown_gap, haunch_gap, shoulder_gap, extrados, intrados, normal_force; lra.
+  - replace (thrust_arm _ _ _ _ _) with 0; [lra|]. unfold thrust_arm, lower, upper. ring.
 Qed.
 
 (** *** The lever arm is positive in every rotational state *)

@@ -28,6 +28,26 @@ pub fn link<T: Field>(joint: &Angle<T>) -> T {
     joint.rad.clone() * sin.square() + joint.cos.clone() * f - g
 }
 
+/// The first cubic of Eq. (7), in `A`:
+///
+/// ```text
+/// S² (3g - 2S) A³ + 3 g S (g - f) A² - 3 f g² A + 2 g³        for delta_M = 1
+/// ```
+///
+/// The paper prints it for Milankovitch's self-weight. With `delta_M` kept, four coefficients gain a
+/// multiple of `(delta_M - 1)/2`; at `delta_M = 0` it has the factor `S A + g` besides Heyman's
+/// quadratic.
+pub fn in_opening_variable<T: Field>(at: &Abbreviations<T>, delta: &T, a: &T) -> T {
+    let Abbreviations { sin, f, g } = at;
+    let excess = (delta.clone() - sin.int(1)) * sin / sin.int(2);
+    let cubic = sin.square() * (g.int(3) * g - g.int(2) * sin - &excess);
+    let quadratic = g.int(3) * g * sin * (g.clone() - f + &excess);
+    let linear = g.int(3) * g.square() * (f.clone() + &excess);
+    // S times the constant term.
+    let constant = g.square() * g * (sin.int(2) * sin + &excess);
+    ((cubic * a + quadratic) * a - linear) * a + constant / sin
+}
+
 /// The second cubic of Eq. (7), whose roots are the thicknesses at which the line of thrust can touch
 /// the intrados at this joint:
 ///
@@ -37,34 +57,32 @@ pub fn link<T: Field>(joint: &Angle<T>) -> T {
 ///
 /// The paper prints it for `delta_M = 1`; it is `3 S` times what remains of `(2) = (5)` after
 /// clearing denominators, so at `delta_M = 0` it is the Heyman quadratic.
-pub fn in_thickness<T: Field>(joint: &Angle<T>, delta: &T, eta: &T) -> T {
-    let Abbreviations { sin, f, g } = abbreviations(joint);
-    let cubic = delta.clone() * &sin * eta;
-    let quadratic = (f.clone() + &g) * f.int(3);
-    let linear = (g.clone() - &sin) * f.int(12);
-    ((cubic + quadratic) * eta - linear) * eta + (g - &f) * f.int(12)
+pub fn in_thickness<T: Field>(at: &Abbreviations<T>, delta: &T, eta: &T) -> T {
+    let Abbreviations { sin, f, g } = at;
+    let cubic = delta.clone() * sin * eta;
+    let quadratic = (f.clone() + g) * f.int(3);
+    let linear = (g.clone() - sin) * f.int(12);
+    ((cubic + quadratic) * eta - linear) * eta + (g.clone() - f) * f.int(12)
 }
 
-/// The first cubic of Eq. (7), in `A`, for Milankovitch's self-weight:
-/// `S² (3g - 2S) A³ + 3 g S (g - f) A² - 3 f g² A + 2 g³`.
-pub fn in_opening_variable<T: Field>(joint: &Angle<T>, a: &T) -> T {
-    let Abbreviations { sin, f, g } = abbreviations(joint);
-    let cubic = sin.square() * (g.int(3) * &g - g.int(2) * &sin);
-    let quadratic = g.int(3) * &g * &sin * (g.clone() - &f);
-    let linear = g.int(3) * f * g.square();
-    ((cubic * a + quadratic) * a - linear) * a + g.int(2) * &g * g.square()
-}
-
-/// The third cubic of Eq. (7), in `h`, for Milankovitch's self-weight:
-/// `6 S² h³ - 3 S (3f - g - 2S) h² - 3 (g - f) (f - 2S) h + 2 (g - f)²`.
-pub fn in_thrust<T: Field>(joint: &Angle<T>, h: &T) -> T {
-    let Abbreviations { sin, f, g } = abbreviations(joint);
-    let twice = sin.int(2) * &sin;
+/// The third cubic of Eq. (7), in `h`:
+///
+/// ```text
+/// 6 S² h³ - 3 S (3f - g - 2S) h² - 3 (g - f) (f - 2S) h + 2 (g - f)²        for delta_M = 1
+/// ```
+///
+/// The paper prints it for Milankovitch's self-weight. With `delta_M` kept, only the constant term
+/// changes, to `(3 + delta_M)/2 (g - f)²`; at `delta_M = 0` it has the factor `2 S h + g - f` besides
+/// Heyman's quadratic.
+pub fn in_thrust<T: Field>(at: &Abbreviations<T>, delta: &T, h: &T) -> T {
+    let Abbreviations { sin, f, g } = at;
+    let twice = sin.int(2) * sin;
     let cubic = sin.int(6) * sin.square();
-    let quadratic = sin.int(3) * &sin * (f.int(3) * &f - &g - &twice);
-    let difference = g - &f;
-    let linear = sin.int(3) * &difference * (f - twice);
-    ((cubic * h - quadratic) * h - linear) * h + sin.int(2) * difference.square()
+    let quadratic = sin.int(3) * sin * (f.int(3) * f - g - &twice);
+    let difference = g.clone() - f;
+    let linear = sin.int(3) * &difference * (f.clone() - twice);
+    let constant = (delta.int(3) + delta) / delta.int(2) * difference.square();
+    ((cubic * h - quadratic) * h - linear) * h + constant
 }
 
 /// The radicand of Eq. (12), with `delta_M` kept:
@@ -77,13 +95,13 @@ pub fn in_thrust<T: Field>(joint: &Angle<T>, h: &T) -> T {
 /// `delta_M = 1`; at `delta_M = 0` it is the discriminant `f² - 2gS + S²` of the Heyman quadratic
 /// times `-3 (f+g)²`. It is negative where the rotational state is real and vanishes at the widest
 /// joint `sb`.
-pub fn radicand<T: Field>(joint: &Angle<T>, delta: &T) -> T {
-    let Abbreviations { sin, f, g } = abbreviations(joint);
+pub fn radicand<T: Field>(at: &Abbreviations<T>, delta: &T) -> T {
+    let Abbreviations { sin, f, g } = at;
     let (f2, g2, s2) = (f.square(), g.square(), sin.square());
-    let gs = g.clone() * &sin;
-    let first = f.int(9) * &s2 * (g.clone() - &f).square();
+    let gs = g.clone() * sin;
+    let first = f.int(9) * &s2 * (g.clone() - f).square();
     let bracket = f.int(9) * &f2 - g2 - f.int(16) * &gs + f.int(8) * &s2;
-    let second = f.int(2) * &sin * (g.clone() - &sin) * bracket;
+    let second = f.int(2) * sin * (g.clone() - sin) * bracket;
     let third = f.int(3) * (f.clone() + g).square() * (f2 - f.int(2) * gs + s2);
     delta.clone() * (delta.clone() * first - second) - third
 }
@@ -109,8 +127,12 @@ mod tests {
                 (thrust::lower(&joint, &ring), thrust::tangency(&joint.times_cotangent(), &ring));
             let difference = lower.difference(&tangent) * &joint.sin * 3;
             let delta = Rational::from(weight.flag());
-            assert_eq!(in_thickness(&joint, &delta, &eta), difference);
-            assert_ne!(in_thickness(&joint, &(delta + 1), &eta), difference, "false twin");
+            assert_eq!(in_thickness(&abbreviations(&joint), &delta, &eta), difference);
+            assert_ne!(
+                in_thickness(&abbreviations(&joint), &(delta + 1), &eta),
+                difference,
+                "false twin"
+            );
         }
     }
 
@@ -126,6 +148,6 @@ mod tests {
             - power(&b, 3) * &d * Rational::from(4)
             - power(&a, 2) * power(&d, 2) * Rational::from(27)
             + a * b * c * d * Rational::from(18);
-        assert_eq!(radicand(&joint, &delta) * Rational::from(-432), discriminant);
+        assert_eq!(radicand(&abbreviations(&joint), &delta) * Rational::from(-432), discriminant);
     }
 }

@@ -38,7 +38,7 @@ pub fn end_of_rotation<T: Field>(ring: &Ring<T>) -> T {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::Surd;
+    use crate::number::{ExactField, Surd};
     use rug::Rational;
 
     #[test]

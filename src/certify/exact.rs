@@ -9,7 +9,7 @@ use super::Isolated;
 use crate::arch::{
     Configuration, Equation, Fixed, Landmark, Quantity, Ring, SelfWeight, Unknown, overturning,
 };
-use crate::number::{Angle, Ball, Dual, Enclosure, Field, Real, Surd};
+use crate::number::{Angle, Ball, Dual, Enclosure, ExactField, Field, Real, Surd};
 use rug::Rational;
 
 /// An exact value.

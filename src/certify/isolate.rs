@@ -1,7 +1,8 @@
 //! Exactly one root in a box as large as the proof carries.
 
-use super::{Undecided, krawczyk};
+use super::Undecided;
 use crate::arch::{Point, System};
+use crate::check::krawczyk;
 use crate::number::{Ball, Enclosure, Magnitude};
 use crate::solve::{Candidate, inverse};
 use rug::Float;

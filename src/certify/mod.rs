@@ -1,18 +1,20 @@
 //! Proves: existence and uniqueness in a box, digits, exact values, inequalities.
 //!
+//! The operator that proves is in [`check::krawczyk`](crate::check::krawczyk).
 //! A proof either succeeds or says why nothing is known ([`Undecided`]); nothing in between.
 
 mod audit;
 mod constant;
+mod cover;
 mod exact;
 mod isolate;
-pub mod krawczyk;
 mod refine;
 pub mod state;
 mod verdict;
 
 pub use audit::{Audited, Comparison, PrintedVerdict, Relation, audit, compare_weights};
 pub use constant::{CertifiedLandmark, Constant, MAX_DIGITS, Value, quantities};
+pub use cover::{between, cover};
 pub use exact::Exact;
 pub use isolate::{Isolated, isolate};
 pub use refine::{Refined, refine, refine_watched, stages};

@@ -13,8 +13,9 @@
 //! residual at full precision and the slopes over a box of a quarter of the bits less, it refines and
 //! encloses in one. The box has to lie in the one where the root is known to be unique.
 
-use super::{Isolated, Undecided, krawczyk};
+use super::{Isolated, Undecided};
 use crate::arch::{Configuration, Fixed, Point, System, Unknown};
+use crate::check::krawczyk;
 use crate::number::{Anchor, Angle, Ball, Enclosure, Magnitude, arctangent};
 use crate::solve::inverse;
 use rayon::prelude::*;

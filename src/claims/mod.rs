@@ -1,3 +1,132 @@
-//! What is claimed, in a form that others can check.
+//! What the paper claims, one statement at a time, each proved or refuted.
+//!
+//! | claims about | file |
+//! |---|---|
+//! | moments, tangency, centroids: (2)–(6) | `moments.rs` |
+//! | the cubics and their abbreviations: (7), (8), the discriminants (12) | `cubics.rs` |
+//! | the closed forms (9)–(11), their branches, the widest joint | `branches.rs` |
+//! | purely overturning states: (13)–(16) | `overturning.rs` |
+//! | how rotation and overturning join | `joining.rs` |
+//! | sliding: (17), (18) | `sliding.rs` |
+//! | series for small openings and about `l` | `asymptotics.rs` |
+//! | the landmarks, and the two weights compared | `landmarks.rs` |
+//! | the landmarks again, as Coq theorems | [`coq`] |
+//!
+//! A claim is decided by a [`Derivation`]: the equations of `arch` are evaluated over
+//! [`symbolic`](crate::symbolic) numbers, and each step is checked exactly, or in balls over a whole
+//! range. A person can read the steps; a test spoils each of them in turn, and then the claim must
+//! fail.
 
+mod asymptotics;
 pub mod coq;
+mod cubics;
+mod derivation;
+mod joining;
+mod moments;
+mod overturning;
+mod sliding;
+
+pub use derivation::{Derivation, Formula, Step, Support};
+
+use crate::certify::Undecided;
+use std::time::{Duration, Instant};
+
+/// A statement of the paper, or one that it leaves implicit.
+#[derive(Clone, Copy, Debug)]
+pub struct Claim {
+    /// A stable name.
+    pub id: &'static str,
+    /// The equation, table or section.
+    pub place: &'static str,
+    /// What is claimed, as it is printed where it is.
+    pub statement: &'static str,
+    decide: fn(&mut Derivation) -> Result<Finding, Undecided>,
+}
+
+/// What a completed derivation says of the statement.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Finding {
+    /// It holds as it is printed.
+    AsPrinted,
+    /// It holds; the paper does not state it.
+    Implicit,
+    /// It is false as printed.
+    Misprint {
+        /// Where it fails: a point with the two values, or the difference that is not zero.
+        counterexample: String,
+        /// What holds instead, and is proved by the derivation.
+        corrected: &'static str,
+    },
+}
+
+/// How a claim was decided.
+#[derive(Clone, Debug)]
+pub struct Decision {
+    /// The claim.
+    pub claim: Claim,
+    /// The finding, or why there is none.
+    pub outcome: Result<Finding, Undecided>,
+    /// The steps, as far as they went.
+    pub derivation: Derivation,
+    /// How long it took.
+    pub time: Duration,
+}
+
+impl Claim {
+    /// Decides the claim.
+    pub fn decide(&self) -> Decision {
+        self.decide_with(Derivation::new())
+    }
+
+    fn decide_with(&self, mut derivation: Derivation) -> Decision {
+        let start = Instant::now();
+        let outcome = (self.decide)(&mut derivation);
+        Decision { claim: *self, outcome, derivation, time: start.elapsed() }
+    }
+}
+
+/// All claims, in the order of the paper.
+pub fn claims() -> Vec<Claim> {
+    [
+        moments::CLAIMS,
+        cubics::CLAIMS,
+        overturning::CLAIMS,
+        joining::CLAIMS,
+        sliding::CLAIMS,
+        asymptotics::CLAIMS,
+    ]
+    .concat()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn every_claim_is_decided() {
+        for claim in claims() {
+            let decision = claim.decide();
+            println!("{:20} {:?}", claim.id, decision.time);
+            assert!(decision.outcome.is_ok(), "{}: {:?}", claim.id, decision.outcome);
+        }
+    }
+
+    #[test]
+    fn no_claim_survives_a_false_twin_of_any_of_its_checks() {
+        for claim in claims() {
+            let checks = claim.decide().derivation.checks();
+            assert!(checks > 0, "{} checks nothing", claim.id);
+            for index in 0..checks {
+                let spoiled = claim.decide_with(Derivation::spoiled(index));
+                assert!(spoiled.outcome.is_err(), "{} with check {index} spoiled", claim.id);
+            }
+        }
+    }
+
+    #[test]
+    fn every_claim_has_a_name_of_its_own() {
+        let names: BTreeSet<_> = claims().iter().map(|claim| claim.id).collect();
+        assert_eq!(names.len(), claims().len());
+    }
+}

@@ -9,6 +9,7 @@ mod audit;
 mod constants;
 mod output;
 mod progress;
+mod prove;
 mod state;
 mod states;
 
@@ -38,6 +39,7 @@ enum Command {
     Assess(assess::Arguments),
     States(states::Arguments),
     Audit(audit::Arguments),
+    Prove(prove::Arguments),
 }
 
 /// Why a command did not do what was asked.
@@ -66,6 +68,7 @@ pub fn run() -> ExitCode {
         Command::Assess(arguments) => assess::run(&arguments),
         Command::States(arguments) => states::run(&arguments),
         Command::Audit(arguments) => audit::run(&arguments),
+        Command::Prove(arguments) => prove::run(&arguments),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
@@ -101,7 +104,7 @@ fn usage(error: &clap::Error) -> ExitCode {
         .join("; ");
     let possible = match error.kind() {
         clap::error::ErrorKind::InvalidSubcommand => {
-            "; the commands are constants, state, assess, states and audit"
+            "; the commands are constants, state, assess, states, audit and prove"
         }
         clap::error::ErrorKind::UnknownArgument => "; --help lists the options",
         _ => "",

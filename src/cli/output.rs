@@ -49,7 +49,7 @@ static HANDLER: Once = Once::new();
 
 impl Output {
     /// Opens the destination now, so that a path that cannot be written is known before any work.
-    fn open(path: Option<&Path>) -> Result<Self, Failure> {
+    pub fn open(path: Option<&Path>) -> Result<Self, Failure> {
         let Some(path) = path else { return Ok(Self::Standard) };
         let failed = |error: io::Error| cannot_write(path, &error);
         // A link is followed, so that the file behind it is replaced and not the link.

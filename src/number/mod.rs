@@ -8,6 +8,7 @@
 //! | [`AstroInterval`] | two astro-float ends, rounded outward: the second arithmetic | [`Field`], [`Real`], [`Enclosure`] |
 //! | [`rug::Rational`] | exact | [`Field`] |
 //! | [`Surd`] | `a + b√d`, exact | [`Field`] |
+//! | [`symbolic::Fraction`](crate::symbolic::Fraction) | a formula, exact | [`Field`] |
 //! | [`Dual`] | a value and its gradient | as its component, up to [`Real`] |
 //!
 //! Precision travels inside a value: `x.int(3)` is a three "like `x`", so an equation needs no
@@ -35,30 +36,24 @@ macro_rules! owned_operators {
     };
 }
 
-mod anchor;
+pub(crate) use owned_operators;
+
 mod angle;
 mod astro;
-mod ball;
-mod burst;
-mod decimal;
 mod double;
 mod dual;
-mod exact;
-mod magnitude;
-mod mpfr;
-mod rational;
-mod surd;
+#[cfg(feature = "full")]
+mod gmp;
 mod ternary;
 
-pub use anchor::{Anchor, arctangent};
 pub use angle::Angle;
 pub use astro::AstroInterval;
-pub use ball::Ball;
-pub use decimal::{Decimal, ParseDecimalError, Rounded, bits_of};
 pub use dual::Dual;
-pub use exact::{ExactNumber, ParseExactError};
-pub use magnitude::Magnitude;
-pub use surd::Surd;
+#[cfg(feature = "full")]
+pub use gmp::{
+    Anchor, Ball, Decimal, ExactNumber, Magnitude, ParseDecimalError, ParseExactError, Rounded,
+    Surd, arctangent, bits_of, rational_like,
+};
 pub use ternary::Ternary;
 
 use std::fmt::Debug;
@@ -93,6 +88,12 @@ pub trait Field:
     fn square(&self) -> Self {
         self.clone() * self
     }
+}
+
+/// A field that recognises its zero: what a proof by normal form or an exact division needs.
+pub trait ExactField: Field {
+    /// Whether this is exactly zero; `false` means that it is not.
+    fn is_zero(&self) -> bool;
 }
 
 /// A field with the functions an arch needs besides.
@@ -144,7 +145,7 @@ pub trait Enclosure: Real {
 }
 
 #[cfg(test)]
-mod test_config {
+pub(crate) mod test_config {
     use proptest::test_runner::{Config, RngSeed};
 
     /// The same arguments in every run, and bounded shrinking.

@@ -1,10 +1,12 @@
 //! Output only: what a command found, written in a format. One file per format.
 
+mod claims;
 mod csv;
 mod json;
 mod rows;
 mod table;
 
+pub use claims::{ClaimFormat, Claims};
 pub use rows::{Answered, Rows};
 
 use crate::arch::Mode;

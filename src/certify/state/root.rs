@@ -2,7 +2,7 @@
 
 use super::question::{Attempt, Doubt, Query};
 use crate::arch::{Configuration, Equation, Unknown};
-use crate::certify::krawczyk;
+use crate::check::krawczyk;
 use crate::number::{Ball, Dual, Enclosure, Magnitude};
 use crate::solve::{inverse, polish};
 use rug::Float;

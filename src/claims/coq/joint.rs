@@ -19,7 +19,8 @@ pub fn file(points: &[CertifiedLandmark]) -> Result<String, Undecided> {
     for weight in SelfWeight::ALL {
         let point = find(points, Landmark::WidestJoint, weight)?;
         let delta = weight.flag();
-        let radicand = cubic::radicand(&Term::angle("beta"), &Term::constant(delta));
+        let radicand =
+            cubic::radicand(&cubic::abbreviations(&Term::angle("beta")), &Term::constant(delta));
         let beta = point.enclosure(BITS)?.value(Unknown::RotationJoint);
         let beta = beta.ok_or_else(|| Undecided("sb has no rotational joint".into()))?;
         let mut values = bracket(&beta);

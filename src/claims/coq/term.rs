@@ -417,7 +417,9 @@ mod tests {
 
     #[test]
     fn the_radicand_prints_as_in_the_paper() {
-        let radicand = cubic::radicand(&Term::angle("b"), &Term::constant(0)).to_string();
+        let radicand =
+            cubic::radicand(&cubic::abbreviations(&Term::angle("b")), &Term::constant(0))
+                .to_string();
         assert!(radicand.starts_with("- (3 * ("), "{radicand}");
     }
 }

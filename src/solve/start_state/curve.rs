@@ -1,12 +1,13 @@
 //! The curve of purely rotational states, tabulated once.
 
 use super::LEAST_JOINT;
+use super::ends::{End, NEAR, Small};
 use crate::arch::{Configuration, Mode, SelfWeight, Unknown};
 use crate::solve::polish;
 use rug::Float;
 use std::sync::OnceLock;
 
-/// Below this half opening the leading terms of the series in `alpha` are good enough.
+/// Below this half opening the series in `alpha²` are used.
 const SMALL: f64 = 0.2;
 
 /// Nodes of the table of rotational states.
@@ -85,15 +86,16 @@ fn given(alpha: f64) -> Configuration<Float> {
 /// `beta_r`, `eta`, `h` of the purely rotational state at a half opening below that of `l`.
 pub fn rotational(weight: SelfWeight, alpha: &Float) -> [Float; 3] {
     let bits = alpha.prec();
-    let square = Float::with_val(bits, alpha.square_ref());
-    if *alpha < SMALL {
-        // beta = alpha/√2, eta = alpha⁴/48, h = 1 - alpha²/6: the leading terms.
-        let beta = Float::with_val(bits, alpha / Float::with_val(bits, 2).sqrt());
-        let eta = Float::with_val(bits, square.square_ref()) / 48;
-        return [beta, eta, 1 - square / 6];
+    if let (true, Some(series)) = (*alpha < SMALL, Small::of(weight)) {
+        return series.at(alpha);
+    }
+    let curve = Curve::of(weight);
+    let is_near = *alpha > curve.end - 10.0 * NEAR;
+    if let Some(state) = End::of(weight).filter(|_| is_near).and_then(|end| end.at(alpha)) {
+        return state;
     }
     let alpha = alpha.to_f64();
-    let [ratio, eta, h] = Curve::of(weight).at(alpha);
+    let [ratio, eta, h] = curve.at(alpha);
     let beta = (ratio.max(0.0).sqrt() * alpha).max(LEAST_JOINT);
     [beta, eta * alpha.powi(4), h.max(LEAST_JOINT)].map(|x| Float::with_val(bits, x))
 }

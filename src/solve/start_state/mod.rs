@@ -6,7 +6,7 @@
 //!
 //! - the purely rotational states are **one curve**, along which the thickness grows and the thrust
 //!   falls strictly from `alpha = 0` to the end `l`; it is tabulated once and looked up by the half
-//!   opening or by the thrust, both of which are monotone on it;
+//!   opening or by the thrust, both of which are monotone on it, with series at its two ends;
 //! - with a sliding inner joint the friction fixes the thrust, and the thickness is the zero of one
 //!   function of one variable, the gap between the moments about the touching joint and about the
 //!   shoulder, which grows with the thickness: it is bracketed and bisected.
@@ -15,6 +15,7 @@
 //! thinner arch stands.
 
 mod curve;
+mod ends;
 mod quick;
 mod slide;
 mod touch;

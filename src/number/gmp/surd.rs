@@ -1,6 +1,6 @@
 //! Exact numbers `a + b√d` with rational `a`, `b`: where the closed-form landmark values live.
 
-use super::Field;
+use super::{ExactField, Field};
 use rug::Rational;
 use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -30,11 +30,6 @@ impl Surd {
         Self::new(value, 0, radicand)
     }
 
-    /// Whether this is exactly zero.
-    pub fn is_zero(&self) -> bool {
-        self.rational.is_zero() && self.factor.is_zero()
-    }
-
     /// The rational part, the factor of the root, and the radicand.
     pub fn parts(&self) -> (&Rational, &Rational, u32) {
         (&self.rational, &self.factor, self.radicand)
@@ -57,6 +52,12 @@ impl Surd {
 impl Field for Surd {
     fn int(&self, n: i32) -> Self {
         Self { rational: Rational::from(n), factor: Rational::new(), radicand: self.radicand }
+    }
+}
+
+impl ExactField for Surd {
+    fn is_zero(&self) -> bool {
+        self.rational.is_zero() && self.factor.is_zero()
     }
 }
 

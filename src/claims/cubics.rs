@@ -1,0 +1,267 @@
+//! The cubics (7) and their abbreviations (8).
+
+use super::{Claim, Derivation, Finding};
+use crate::arch::cubic::{self, Abbreviations};
+use crate::arch::{Quotient, Ring, overturning, thrust};
+use crate::certify::Undecided;
+use crate::number::Field;
+use crate::symbolic::{Elimination, Fraction, Polynomial, Relations, Symbol};
+use crate::symbolic::{along_the_joint, eliminate};
+
+pub(super) const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "eq-8",
+        place: "Eq. (8)",
+        statement: "f = (beta S)' = S + beta C; g = f C + beta S^2 = beta + S C; \
+                    beta S^2 + C f - g = 0",
+        decide: abbreviations,
+    },
+    Claim {
+        id: "eq-7-eta",
+        place: "Eq. (7), second",
+        statement: "the thickness of the purely rotational state is a root of pol_eta; for symbolic \
+                    delta_M, with Heyman's quadratic at delta_M = 0",
+        decide: in_thickness,
+    },
+    Claim {
+        id: "eq-7-A",
+        place: "Eq. (7), first",
+        statement: "the A of the purely rotational state is a root of pol_A; for symbolic delta_M, \
+                    with Heyman's quadratic at delta_M = 0",
+        decide: in_opening_variable,
+    },
+    Claim {
+        id: "eq-7-h",
+        place: "Eq. (7), third",
+        statement: "the thrust of the purely rotational state is a root of pol_h; for symbolic \
+                    delta_M, with Heyman's quadratic at delta_M = 0",
+        decide: in_thrust,
+    },
+    Claim {
+        id: "eq-7-denominators",
+        place: "Sec. 2.1",
+        statement: "no denominator on the way to (7) vanishes for 0 < beta < pi, 0 < eta < 2, and \
+                    0 < A",
+        decide: denominators,
+    },
+];
+
+/// `S`, `f`, `g` as free letters.
+pub(super) fn letters() -> Abbreviations<Fraction> {
+    Abbreviations { sin: Symbol::Sine.number(), f: Symbol::F.number(), g: Symbol::G.number() }
+}
+
+fn polynomial(fraction: &Fraction) -> Polynomial {
+    fraction.as_polynomial().expect("an equation without denominators").clone()
+}
+
+fn abbreviations(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let joint = Symbol::joint();
+    let Abbreviations { sin, f, g } = cubic::abbreviations(&joint);
+    let circle = Relations::trigonometric();
+    let product = joint.rad.clone() * &sin;
+    let slope = product.derivative(&along_the_joint());
+    d.identity("(beta S)' by beta' = 1, S' = C, C' = -S", &slope, &f, &circle)?;
+    let first_form = f.clone() * &joint.cos + joint.rad.clone() * sin.square();
+    d.identity("f C + beta S^2 with C^2 = 1 - S^2", &first_form, &g, &circle)?;
+    d.identity("beta S^2 + C f - g", &cubic::link(&joint), &sin.int(0), &circle)?;
+    Ok(Finding::AsPrinted)
+}
+
+fn in_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let (joint, eta, delta) = (Symbol::joint(), Symbol::Thickness.number(), Symbol::Flag.number());
+    let ring = Ring::with_flag(&delta, &eta);
+    assume_denominators(d);
+    let (lower, tangent) =
+        (thrust::lower(&joint, &ring), thrust::tangency(&joint.times_cotangent(), &ring));
+    let cubic = cubic::in_thickness(&cubic::abbreviations(&joint), &delta, &eta);
+    let difference = lower.difference(&tangent) * eta.int(3) * &joint.sin;
+    d.identity(
+        "3 S times (2) - (5), times both denominators, is pol_eta with delta_M kept",
+        &difference,
+        &cubic,
+        &Relations::trigonometric(),
+    )?;
+    d.conclude("where S and the denominators are not zero, (2) and (5) give one thrust exactly where pol_eta = 0");
+    let free = cubic::in_thickness(&letters(), &delta, &eta);
+    d.define_by("pol_eta in f, g, S", &polynomial(&free), Symbol::Thickness);
+    let [one, zero] = [1, 0].map(|n| cubic::in_thickness(&letters(), &eta.int(n), &eta));
+    let Abbreviations { sin, f, g } = letters();
+    let quadratic = (f.clone() + &g) * eta.int(3) * eta.square()
+        - (g.clone() - &sin) * eta.int(12) * &eta
+        + (g - &f) * eta.int(12);
+    let printed = sin * &eta * eta.square() + &quadratic;
+    let none = Relations::none();
+    d.identity("delta_M = 1: as printed", &one, &printed, &none)?;
+    d.identity("delta_M = 0: Heyman's quadratic", &zero, &quadratic, &none)?;
+    Ok(Finding::AsPrinted)
+}
+
+fn assume_denominators(d: &mut Derivation) {
+    d.assume("S != 0, 2 - eta != 0, 2 + eta != 0, 2 + eta - (2-eta) C != 0");
+}
+
+/// (2) and (5) as two equations in `eta` and `h` with coefficients in `f`, `g`, `S`, derived from the
+/// equations in `beta`, `S`, `C`.
+struct Reduced {
+    /// `(2+eta) S h + 2 S fac - (2-eta) g`.
+    sum: Fraction,
+    /// `(2-eta) (S h - f) + 2 S fac`.
+    tangent: Fraction,
+}
+
+fn reduced(d: &mut Derivation) -> Result<Reduced, Undecided> {
+    let (eta, h, delta) =
+        (Symbol::Thickness.number(), Symbol::Thrust.number(), Symbol::Flag.number());
+    let ring = Ring::with_flag(&delta, &eta);
+    let in_letters = |Abbreviations { sin, f, g }: &Abbreviations<Fraction>| {
+        let weight = eta.int(2) * sin * &ring.centroid_factor;
+        let thrust = h.clone() * sin;
+        Reduced {
+            sum: ring.extrados() * &thrust + &weight - ring.intrados() * g,
+            tangent: ring.intrados() * (thrust - f) + weight,
+        }
+    };
+    let joint = Symbol::joint();
+    let target = in_letters(&cubic::abbreviations(&joint));
+    let lower = thrust::lower(&joint, &ring).residual(&h);
+    let tangent = thrust::tangency(&joint.times_cotangent(), &ring).residual(&h) * &joint.sin;
+    let circle = Relations::trigonometric();
+    d.identity("Q = S times (5), cleared", &tangent, &target.tangent, &circle)?;
+    let sum = lower * &joint.sin + tangent * &joint.cos;
+    d.identity("P = S times (2), cleared, plus C Q, by link (8)", &sum, &target.sum, &circle)?;
+    let free = in_letters(&letters());
+    d.define_by("P in f, g, S", &polynomial(&free.sum), Symbol::Thickness);
+    d.define_by("Q in f, g, S", &polynomial(&free.tangent), Symbol::Thickness);
+    Ok(free)
+}
+
+fn in_opening_variable(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let (a, eta) = (Symbol::OpeningVariable.number(), Symbol::Thickness.number());
+    let delta = Symbol::Flag.number();
+    assume_denominators(d);
+    d.assume("g + S A != 0");
+    let free = reduced(d)?;
+    let ring = Ring::with_flag(&delta, &eta);
+    let Abbreviations { sin, g, .. } = letters();
+    // (4): h = A - 2 fac/(2+eta).
+    let overturned: Quotient<Fraction> = overturning::opening_variable(&ring);
+    let thrust = a.clone() - overturned.value();
+    let put = |x: Symbol| if x == Symbol::Thrust { thrust.clone() } else { x.number() };
+    let linear = ring.extrados() * &sin * &a - ring.intrados() * &g;
+    d.identity(
+        "(4) put into P: what contains delta_M cancels",
+        &free.sum.evaluate(&a, put),
+        &linear,
+        &Relations::none(),
+    )?;
+    let thickness = (g.clone() - sin.clone() * &a) * a.int(2) / (g.clone() + sin.clone() * &a);
+    let put = |x: Symbol| if x == Symbol::Thickness { thickness.clone() } else { x.number() };
+    d.identity(
+        "it is solved by eta = 2 (g - S A)/(g + S A)",
+        &linear.evaluate(&a, put),
+        &a.int(0),
+        &Relations::none(),
+    )?;
+    let cubic = cubic::in_thickness(&letters(), &delta, &eta).evaluate(&a, put);
+    let found = cubic::in_opening_variable(&letters(), &delta, &a);
+    d.define_by("pol_A with delta_M kept", &polynomial(&found), Symbol::OpeningVariable);
+    let sum = g.clone() + sin.clone() * &a;
+    let expected = a.int(16) * &sin * &found / (sum.square() * &sum);
+    d.identity("pol_eta there is 16 S pol_A/(g + S A)^3", &cubic, &expected, &Relations::none())?;
+    let Abbreviations { sin, f, g } = letters();
+    let printed = ((sin.square() * (g.int(3) * &g - g.int(2) * &sin) * &a
+        + g.int(3) * &g * &sin * (g.clone() - &f))
+        * &a
+        - g.int(3) * &f * g.square())
+        * &a
+        + g.int(2) * &g * g.square();
+    let [one, zero] = [1, 0].map(|n| cubic::in_opening_variable(&letters(), &a.int(n), &a));
+    d.identity("delta_M = 1: as printed", &one, &printed, &Relations::none())?;
+    let quadratic = (sin.int(2) * &g - &sin) * &sin * a.square()
+        - (f.clone()) * sin.int(2) * &g * &a
+        + g.square();
+    let heyman = (sin.clone() * &a + &g) * sin.ratio(3, 2) * &quadratic;
+    d.define_by("Heyman's quadratic", &polynomial(&quadratic), Symbol::OpeningVariable);
+    d.identity(
+        "delta_M = 0: 3/2 (S A + g) times Heyman's quadratic; the factor is extraneous, S A + g > 0",
+        &zero,
+        &heyman,
+        &Relations::none(),
+    )?;
+    Ok(Finding::AsPrinted)
+}
+
+fn in_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let (h, delta) = (Symbol::Thrust.number(), Symbol::Flag.number());
+    assume_denominators(d);
+    let free = reduced(d)?;
+    let (p, q) = (polynomial(&free.sum), polynomial(&free.tangent));
+    let Elimination { resultant, u, v } = eliminate(&p, &q, Symbol::Thickness);
+    d.define_by("cofactor u of P", &u, Symbol::Thickness);
+    d.define_by("cofactor v of Q", &v, Symbol::Thickness);
+    let combination = Fraction::from(&u * &p + &(&v * &q));
+    let found = cubic::in_thrust(&letters(), &delta, &h);
+    d.define_by("pol_h with delta_M kept", &polynomial(&found), Symbol::Thrust);
+    let Abbreviations { sin, f, g } = letters();
+    let expected = h.ratio(2, 9) * &delta * sin.square() * &found;
+    let none = Relations::none();
+    d.identity("u P + v Q, free of eta, is 2/9 delta_M S^2 pol_h", &combination, &expected, &none)?;
+    d.identity("it is the resultant of P and Q", &Fraction::from(resultant), &expected, &none)?;
+    let printed = ((h.int(6) * sin.square() * &h
+        - sin.int(3) * &sin * (f.int(3) * &f - &g - sin.int(2) * &sin))
+        * &h
+        - (g.clone() - &f) * g.int(3) * (f.clone() - sin.int(2) * &sin))
+        * &h
+        + (g.clone() - &f).square() * g.int(2);
+    let [one, zero] = [1, 0].map(|n| cubic::in_thrust(&letters(), &h.int(n), &h));
+    d.identity("delta_M = 1: as printed", &one, &printed, &none)?;
+    // At delta_M = 0 both P and Q are linear in eta, and the resultant above loses its meaning.
+    let linear = |p: &Polynomial| p.substitute(Symbol::Flag, &Polynomial::zero());
+    let heyman = eliminate(&linear(&p), &linear(&q), Symbol::Thickness).resultant;
+    let quadratic = Fraction::from(heyman) / &sin;
+    d.define_by(
+        "delta_M = 0: the resultant of P and Q over S, Heyman's quadratic",
+        &polynomial(&quadratic),
+        Symbol::Thrust,
+    );
+    let extraneous = sin.int(2) * &sin * &h + (g - &f);
+    d.identity(
+        "3/4 (2 S h + g - f) times it is pol_h at delta_M = 0",
+        &(extraneous * quadratic * h.ratio(3, 4)),
+        &zero,
+        &none,
+    )?;
+    d.conclude("the factor 2 S h + g - f is extraneous: it is positive for h >= 0, since g > f");
+    Ok(Finding::AsPrinted)
+}
+
+fn denominators(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let (joint, eta) = (Symbol::joint(), Symbol::Thickness.number());
+    d.assume("0 < beta < pi, 0 < eta < 2, A > 0; so S > 0 and -1 < C < 1");
+    let ring = Ring::with_flag(&Symbol::Flag.number(), &eta);
+    let versine = joint.versine();
+    let positive = versine * eta.int(2) + eta.clone() * (eta.int(1) + &joint.cos);
+    d.identity(
+        "2 + eta - (2-eta) C = 2 (1-C) + eta (1+C), a sum of two positive terms",
+        &thrust::lower(&joint, &ring).denominator,
+        &positive,
+        &Relations::none(),
+    )?;
+    let Abbreviations { sin, f, g } = cubic::abbreviations(&joint);
+    let circle = Relations::trigonometric();
+    let rest = joint.rad.clone() - &sin;
+    d.identity(
+        "g - f = (beta - S) (1 - C)",
+        &(g.clone() - &f),
+        &(rest * joint.versine()),
+        &circle,
+    )?;
+    let slope = (joint.rad.clone() - &sin).derivative(&along_the_joint());
+    d.identity("(beta - S)' = 1 - C, so beta > S and g > f", &slope, &joint.versine(), &circle)?;
+    let slope = g.derivative(&along_the_joint());
+    let expected = joint.cos.square() * joint.cos.int(2);
+    d.identity("g' = 2 C^2, so g > 0", &slope, &expected, &circle)?;
+    d.conclude("2 - eta, 2 + eta and g + S A are positive as they stand");
+    Ok(Finding::Implicit)
+}

@@ -1,0 +1,324 @@
+//! The steps of a proof, checked as they are written down.
+
+use crate::certify::{Undecided, cover};
+use crate::number::{Ball, Enclosure, ExactField, Field, Ternary};
+use crate::symbolic::{Fraction, Notation, Polynomial, Relations, Series, Symbol};
+use rug::Rational;
+
+/// A formula in both notations.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Formula {
+    /// For a terminal.
+    pub text: String,
+    /// For a document.
+    pub latex: String,
+}
+
+impl Formula {
+    fn new(show: impl Fn(Notation) -> String) -> Self {
+        Self { text: show(Notation::Text), latex: show(Notation::Latex) }
+    }
+}
+
+impl From<String> for Formula {
+    /// The text of an exact value: `2(2√3−3)`.
+    fn from(text: String) -> Self {
+        let latex = text.replace('√', r"\surd ").replace('−', "-");
+        Self { text, latex }
+    }
+}
+
+impl From<&Fraction> for Formula {
+    /// A polynomial of many terms is sorted by its first symbol.
+    fn from(fraction: &Fraction) -> Self {
+        let sorted = fraction.as_polynomial().filter(|p| p.len() > 3).and_then(|p| {
+            let symbol = p.main_symbol()?;
+            Some(Self::new(|notation| p.show_by(symbol, notation)))
+        });
+        sorted.unwrap_or_else(|| Self::new(|notation| fraction.show(notation)))
+    }
+}
+
+/// What a step rests on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Support {
+    /// It is assumed.
+    Hypothesis,
+    /// It gives a name.
+    Definition,
+    /// A normal form that is zero, or exact arithmetic.
+    Algebra,
+    /// Balls that cover a whole range.
+    Balls,
+    /// A conclusion from the steps before.
+    Conclusion,
+}
+
+impl Support {
+    /// The word used in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Hypothesis => "hypothesis",
+            Self::Definition => "definition",
+            Self::Algebra => "algebra",
+            Self::Balls => "balls",
+            Self::Conclusion => "conclusion",
+        }
+    }
+}
+
+/// One line of a derivation.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Step {
+    /// What it rests on.
+    pub support: Support,
+    /// What it says.
+    pub words: String,
+    /// The formula it is about.
+    pub formula: Option<Formula>,
+}
+
+/// A proof as far as it has come. A check that fails ends it.
+#[derive(Clone, Debug, Default)]
+pub struct Derivation {
+    steps: Vec<Step>,
+    checks: usize,
+    /// The check that is made on a false twin.
+    spoiled: Option<usize>,
+}
+
+impl Derivation {
+    /// Nothing yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// A derivation whose check number `index` is made on a false twin of what it is given: one
+    /// coefficient changed, one truth denied. No claim may come through.
+    #[cfg(test)]
+    pub fn spoiled(index: usize) -> Self {
+        Self { spoiled: Some(index), ..Self::default() }
+    }
+
+    /// The steps so far.
+    pub fn steps(&self) -> &[Step] {
+        &self.steps
+    }
+
+    /// How many checks were made.
+    #[cfg(test)]
+    pub fn checks(&self) -> usize {
+        self.checks
+    }
+
+    /// What is assumed.
+    pub fn hypotheses(&self) -> impl Iterator<Item = &str> {
+        let assumed = self.steps.iter().filter(|step| step.support == Support::Hypothesis);
+        assumed.map(|step| step.words.as_str())
+    }
+
+    /// What the derivation rests on, in words.
+    pub fn method(&self) -> &'static str {
+        let uses = |support| self.steps.iter().any(|step| step.support == support);
+        match (uses(Support::Algebra), uses(Support::Balls)) {
+            (true, true) => "algebra (normal forms, exact) and analysis (balls over a whole range)",
+            (false, true) => "analysis (balls)",
+            _ => "algebra (normal forms, exact)",
+        }
+    }
+
+    fn push(&mut self, support: Support, words: impl Into<String>, formula: Option<Formula>) {
+        self.steps.push(Step { support, words: words.into(), formula });
+    }
+
+    /// Assumes something: it becomes part of the claim.
+    pub fn assume(&mut self, words: &str) {
+        self.push(Support::Hypothesis, words, None);
+    }
+
+    /// Draws a conclusion from the checks before.
+    pub fn conclude(&mut self, words: impl Into<String>) {
+        self.push(Support::Conclusion, words, None);
+    }
+
+    /// Names a formula.
+    pub fn define(&mut self, words: &str, formula: &Fraction) {
+        self.push(Support::Definition, words, Some(formula.into()));
+    }
+
+    /// Names a polynomial, sorted by the powers of `symbol`.
+    pub fn define_by(&mut self, words: &str, polynomial: &Polynomial, symbol: Symbol) {
+        let formula = Formula::new(|notation| polynomial.show_by(symbol, notation));
+        self.push(Support::Definition, words, Some(formula));
+    }
+
+    /// Whether the check that comes next is to be made on a false twin.
+    fn twin(&mut self) -> bool {
+        let index = self.checks;
+        self.checks += 1;
+        self.spoiled == Some(index)
+    }
+
+    /// Checks `left = right` wherever the relations hold and no denominator vanishes.
+    pub fn identity(
+        &mut self,
+        words: impl Into<String>,
+        left: &Fraction,
+        right: &Fraction,
+        relations: &Relations,
+    ) -> Result<(), Undecided> {
+        let words = words.into();
+        let left = if self.twin() { false_twin(left) } else { left.clone() };
+        if [&left, right].iter().any(|x| relations.normal_form(x.denominator()).is_zero()) {
+            return Err(Undecided(format!("{words}: a denominator vanishes identically")));
+        }
+        let difference = left - right;
+        let normal_form = relations.normal_form(difference.numerator());
+        if !normal_form.is_zero() {
+            return Err(Undecided(format!("{words}: the difference is {normal_form}")));
+        }
+        self.push(Support::Algebra, words, Some(right.into()));
+        Ok(())
+    }
+
+    /// Checks that two exact values are equal.
+    pub fn equal<T: ExactField + ToString>(
+        &mut self,
+        words: impl Into<String>,
+        left: &T,
+        right: &T,
+    ) -> Result<(), Undecided> {
+        let words = words.into();
+        let left = if self.twin() { left.int(1) + left } else { left.clone() };
+        if !(left.clone() - right).is_zero() {
+            return Err(Undecided(format!(
+                "{words}: {} is not {}",
+                left.to_string(),
+                right.to_string()
+            )));
+        }
+        self.push(Support::Algebra, words, Some(right.to_string().into()));
+        Ok(())
+    }
+
+    /// Checks that two exact values differ, and returns the words that show it.
+    pub fn differ<T: ExactField + ToString>(
+        &mut self,
+        words: &str,
+        left: &T,
+        right: &T,
+    ) -> Result<String, Undecided> {
+        let left = if self.twin() { right.clone() } else { left.clone() };
+        if (left.clone() - right).is_zero() {
+            return Err(Undecided(format!("{words}: both are {}", right.to_string())));
+        }
+        let counterexample = format!("{words}: {} is not {}", left.to_string(), right.to_string());
+        self.push(Support::Algebra, &counterexample, None);
+        Ok(counterexample)
+    }
+
+    /// Names a series in the variable called `name`.
+    pub fn series<T: ExactField + ToString>(
+        &mut self,
+        words: &str,
+        series: &Series<T>,
+        name: &str,
+    ) {
+        self.push(Support::Definition, words, Some(series.show(name).into()));
+    }
+
+    /// Checks that a series vanishes to the order to which it is known.
+    pub fn vanishes<T: ExactField + ToString>(
+        &mut self,
+        words: &str,
+        series: &Series<T>,
+    ) -> Result<(), Undecided> {
+        let series = if self.twin() { series.int(1) + series } else { series.clone() };
+        let (valuation, order) = (series.valuation(), series.order());
+        if valuation < order || order < 1 {
+            return Err(Undecided(format!("{words}: the residual is {}", series.show("x"))));
+        }
+        self.push(
+            Support::Algebra,
+            format!("{words}: the residual is zero up to order {order}"),
+            None,
+        );
+        Ok(())
+    }
+
+    /// Checks something that was decided with three values.
+    pub fn certain(
+        &mut self,
+        support: Support,
+        words: impl Into<String>,
+        truth: Ternary,
+    ) -> Result<(), Undecided> {
+        let words = words.into();
+        let truth = if self.twin() { Ternary::False } else { truth };
+        match truth {
+            Ternary::True => {
+                self.push(support, words, None);
+                Ok(())
+            }
+            Ternary::False => Err(Undecided(format!("{words}: false"))),
+            Ternary::Undecided => Err(Undecided(format!("{words}: not decided"))),
+        }
+    }
+
+    /// Checks that `value` is positive on all of `[low, high]`, by balls.
+    pub fn positive(
+        &mut self,
+        words: &str,
+        (low, high): (&Rational, &Rational),
+        value: impl Fn(&Ball) -> Ball,
+    ) -> Result<(), Undecided> {
+        let negated = self.twin();
+        let holds = |x: &Ball| {
+            let value = value(x);
+            if negated { (-value).is_positive() } else { value.is_positive() }
+        };
+        let pieces = cover(low, high, &holds)
+            .map_err(|Undecided(reason)| Undecided(format!("{words}: {reason}")))?;
+        let range = format!("{words} on [{low}, {high}], {pieces} pieces");
+        self.push(Support::Balls, range, None);
+        Ok(())
+    }
+}
+
+/// The fraction with the first coefficient of its numerator changed; one for zero.
+fn false_twin(fraction: &Fraction) -> Fraction {
+    let changed = fraction.numerator().with_changed_coefficient();
+    Fraction::new(changed, fraction.denominator().clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_false_identity_ends_the_derivation() {
+        let joint = Symbol::joint();
+        let (one, circle) = (joint.sin.int(1), joint.sin.square() + joint.cos.square());
+        let relations = Relations::trigonometric();
+        let mut derivation = Derivation::new();
+        derivation.identity("the circle", &circle, &one, &relations).unwrap();
+        assert!(
+            derivation
+                .identity("twice", &(circle.clone() * &one.int(2)), &one, &relations)
+                .is_err()
+        );
+        assert!(Derivation::spoiled(0).identity("twin", &circle, &one, &relations).is_err());
+        assert_eq!(derivation.steps().len(), 1);
+        let undefined = one.clone() / (circle.clone() - &one);
+        assert!(derivation.identity("1/0", &undefined, &undefined, &relations).is_err());
+    }
+
+    #[test]
+    fn a_sign_is_proved_on_the_whole_range() {
+        let range = (&Rational::from(1), &Rational::from(3));
+        let mut derivation = Derivation::new();
+        derivation.positive("x", range, Ball::clone).unwrap();
+        assert!(derivation.positive("x - 2", range, |x| x.clone() - x.int(2)).is_err());
+        assert!(Derivation::spoiled(0).positive("x", range, Ball::clone).is_err());
+    }
+}

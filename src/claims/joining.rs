@@ -1,0 +1,85 @@
+//! How the rotational and the overturning branch join at `l`.
+
+use super::asymptotics::check_states;
+use super::{Claim, Derivation, Finding};
+use crate::arch::{Ring, SelfWeight, overturning};
+use crate::certify::Undecided;
+use crate::number::{ExactField, Field, Surd};
+use crate::solve::expansion::{AboutEnd, about_end};
+use crate::symbolic::Series;
+
+pub(super) const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "joining-heyman",
+        place: "Sec. 2.1, Fig. 4",
+        statement: "for Heyman's weight eta(A) and eta(alpha) of the rotational and of the overturning \
+                    states join with one slope at l (C1); they do not join C2",
+        decide: |d| {
+            joining(d, SelfWeight::Heyman, &Surd::rational(1, 3), &Surd::rational((-9, 2), 3))
+        },
+    },
+    Claim {
+        id: "joining-milankovitch",
+        place: "Sec. 2.1, Fig. 4",
+        statement: "for Milankovitch's weight eta(A) and eta(alpha) of the rotational and of the \
+                    overturning states join with one slope at l (C1); they do not join C2",
+        decide: |d| {
+            joining(d, SelfWeight::Milankovitch, &Surd::new(-6, 4, 3), &Surd::new(0, -4, 3))
+        },
+    },
+];
+
+/// Coefficients shown and checked.
+const TERMS: usize = 8;
+
+fn joining(
+    d: &mut Derivation,
+    weight: SelfWeight,
+    thickness: &Surd,
+    slope: &Surd,
+) -> Result<Finding, Undecided> {
+    d.assume(
+        "x = A - A_l; rotation for x >= 0 with u = beta_r^2, overturning for x <= 0 with h = 0",
+    );
+    let AboutEnd { joint_squared, thickness: rotation, thrust, overturning_thickness: overturned } =
+        about_end(weight, thickness, TERMS)
+            .ok_or_else(|| Undecided("the series about l do not settle".into()))?;
+    let a_at_end = overturning::opening_variable(&Ring::new(weight, thickness)).value();
+    d.equal("A_l", &overturned_opening(weight, &overturned).coefficient(0), &a_at_end)?;
+
+    d.series("u", &joint_squared, "x");
+    d.series("eta, rotation", &rotation, "x");
+    d.series("h, rotation", &thrust, "x");
+    d.series("eta, overturning", &overturned, "x");
+    let x = Series::variable(thickness, rotation.length());
+    let a = Series::new(thickness, vec![a_at_end.clone()], rotation.length()) + &x;
+    check_states(d, weight, [&joint_squared, &rotation, &thrust], &a)?;
+    let rest = overturned_opening(weight, &overturned) - &a;
+    d.vanishes("(13) on the side of overturning", &rest)?;
+
+    let zero = thickness.int(0);
+    d.equal("eta_l on the side of rotation", &rotation.coefficient(0), thickness)?;
+    d.equal("eta_l on the side of overturning", &overturned.coefficient(0), thickness)?;
+    d.equal("d eta/dA at l, rotation", &rotation.coefficient(1), slope)?;
+    d.equal("d eta/dA at l, overturning", &overturned.coefficient(1), slope)?;
+    d.equal("h at l", &thrust.coefficient(0), &zero)?;
+    d.equal("dh/dA at l: zero on both sides", &thrust.coefficient(1), &zero)?;
+    let second = |series: &Series<Surd>| series.coefficient(2) * Surd::rational(2, 3);
+    d.differ(
+        "d^2 eta/dA^2 at l, rotation and overturning",
+        &second(&rotation),
+        &second(&overturned),
+    )?;
+    d.differ(
+        "du/dA at l, so that beta_r = sqrt(u) starts vertically",
+        &joint_squared.coefficient(1),
+        &zero,
+    )?;
+    d.conclude("dA/d alpha is not zero at alpha_l (alpha-one-to-one), so that in alpha, too, the slopes agree and the curvatures differ");
+    Ok(Finding::AsPrinted)
+}
+
+/// `A` of (13) at a thickness given as a series.
+fn overturned_opening<T: ExactField>(weight: SelfWeight, eta: &Series<T>) -> Series<T> {
+    overturning::opening_variable(&Ring::new(weight, eta)).value()
+}

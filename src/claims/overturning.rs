@@ -1,0 +1,293 @@
+//! Purely overturning states and the end of rotation: (13)–(16).
+
+use super::{Claim, Derivation, Finding};
+use crate::arch::{Ring, SelfWeight, overturning, thrust};
+use crate::certify::Undecided;
+use crate::number::{Angle, Field, Surd};
+use crate::symbolic::{Fraction, Relations, Symbol, along_the_opening};
+use rug::Rational;
+
+pub(super) const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "eq-13",
+        place: "Eq. (13)",
+        statement: "h_2 = 0 in (4), or h_U = 0 at beta_r = 0 in (3), gives \
+                    A = 2/(2+eta) (1 + delta_M eta^2/12)",
+        decide: without_thrust,
+    },
+    Claim {
+        id: "eq-14",
+        place: "Eq. (14)",
+        statement: "for Heyman's weight A = 2/(2+eta), and eta = 2 (1/A - 1)",
+        decide: heyman,
+    },
+    Claim {
+        id: "eq-15",
+        place: "Eq. (15)",
+        statement: "for Milankovitch's weight A = (12 + eta^2)/(6 (2+eta)), and \
+                    eta = 3A - sqrt(3 (3A^2 + 4A - 4))",
+        decide: milankovitch,
+    },
+    Claim {
+        id: "eq-15-branch",
+        place: "Eq. (15)",
+        statement: "on 0 <= eta <= 2, A falls from 1 to 2/3, where the square root in (15) is zero and \
+                    eta(A) has a vertical tangent; the other sign of the root has eta >= 2",
+        decide: milankovitch_branch,
+    },
+    Claim {
+        id: "eq-16",
+        place: "Eq. (16)",
+        statement: "h_e = 0 at beta_r = 0 in (5) gives 1 - eta/(2-eta) (1 + delta_M eta^2/12) = 0, \
+                    with the root 2 (2√3 - 3) for delta_M = 1",
+        decide: end_of_rotation,
+    },
+    Claim {
+        id: "limit-l",
+        place: "Sec. 2.1, Tables 3-4",
+        statement: "eta_l = 1, A_l = 2/3 (Heyman); eta_l = 2 (2√3 - 3), A_l = √3 - 1 (Milankovitch)",
+        decide: limit_values,
+    },
+    Claim {
+        id: "limit-L",
+        place: "Sec. 2.1, Tables 3-4",
+        statement: "at eta = 2: A_L = 1/2 (Heyman), A_L = 2/3 (Milankovitch)",
+        decide: physical_limit,
+    },
+    Claim {
+        id: "alpha-one-to-one",
+        place: "Sec. 2.1",
+        statement: "A(alpha) falls strictly from 2 to 0 on (0, pi), so that A fixes alpha",
+        decide: opening_variable_falls,
+    },
+    Claim {
+        id: "alpha-L-is-alpha-l",
+        place: "Sec. 2.1",
+        statement: "alpha_L of Milankovitch's weight is alpha_l of Heyman's",
+        decide: shared_opening,
+    },
+];
+
+fn ring() -> Ring<Fraction> {
+    Ring::with_flag(&Symbol::Flag.number(), &Symbol::Thickness.number())
+}
+
+fn without_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.assume("h = 0; 2 + eta != 0; cos(alpha) != 1");
+    let (ring, alpha) = (ring(), Symbol::half_opening());
+    let zero = ring.thickness.int(0);
+    let opening = thrust::opening_variable(&alpha);
+    let thirteen = overturning::opening_variable(&ring);
+    d.define("A of (13)", &thirteen.value());
+    let printed = ring.thickness.int(2) / ring.extrados() * &ring.centroid_factor;
+    d.identity("it is 2/(2+eta) fac_M", &thirteen.value(), &printed, &Relations::none())?;
+    let difference = opening.difference(&thirteen);
+    d.define("A(alpha) = A of (13), cleared", &difference);
+    let fourth = -thrust::whole(&alpha, &ring).residual(&zero);
+    d.identity("(4) at h = 0, cleared, is the same", &fourth, &difference, &Relations::none())?;
+    let crown = Angle::zero(&zero);
+    let third = -thrust::upper(&alpha, &crown, &ring).residual(&zero);
+    d.identity("(3) at h = 0 and beta = 0 too", &third, &difference, &Relations::none())?;
+    Ok(Finding::AsPrinted)
+}
+
+fn heyman(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.assume("2 + eta != 0, A != 0");
+    let (eta, a) = (Symbol::Thickness.number(), Symbol::OpeningVariable.number());
+    let value = overturning::opening_variable(&Ring::new(SelfWeight::Heyman, &eta)).value();
+    let printed = eta.int(2) / (eta.int(2) + &eta);
+    d.identity("A(eta)", &value, &printed, &Relations::none())?;
+    let inverse = (a.int(1) / &a - a.int(1)) * a.int(2);
+    let back = overturning::opening_variable(&Ring::new(SelfWeight::Heyman, &inverse)).value();
+    d.identity("A(eta(A)) = A, with eta(A) = 2 (1/A - 1)", &back, &a, &Relations::none())?;
+    let forth = value.evaluate(&eta, |_| eta.clone());
+    let put = |x: Symbol| if x == Symbol::OpeningVariable { forth.clone() } else { x.number() };
+    d.identity("eta(A(eta)) = eta", &inverse.evaluate(&eta, put), &eta, &Relations::none())?;
+    Ok(Finding::AsPrinted)
+}
+
+/// `3 (3A² + 4A - 4)`.
+fn radicand(a: &Fraction) -> Fraction {
+    (a.int(3) * a.square() + a.int(4) * a - a.int(4)) * a.int(3)
+}
+
+fn milankovitch(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let (eta, a, q) =
+        (Symbol::Thickness.number(), Symbol::OpeningVariable.number(), Symbol::SquareRoot.number());
+    d.assume("2 + eta != 0; q^2 = 3 (3A^2 + 4A - 4)");
+    let ring = Ring::new(SelfWeight::Milankovitch, &eta);
+    let thirteen = overturning::opening_variable(&ring);
+    let printed = (eta.int(12) + eta.square()) / ((eta.int(2) + &eta) * eta.int(6));
+    d.identity("A(eta)", &thirteen.value(), &printed, &Relations::none())?;
+    let quadratic = (eta.square() - a.int(6) * &a * &eta + a.int(12) - a.int(12) * &a) / eta.int(6);
+    d.identity(
+        "A = A(eta), cleared: eta^2 - 6 A eta + 12 - 12 A = 0, over 6",
+        &-thirteen.residual(&a),
+        &quadratic,
+        &Relations::none(),
+    )?;
+    let rooted = Relations::none().with(Symbol::SquareRoot, 2, radicand(&a).numerator().clone());
+    let root = |sign: i32| {
+        let eta = a.int(3) * &a - q.int(sign) * &q;
+        quadratic.evaluate(&a, |x| if x == Symbol::Thickness { eta.clone() } else { x.number() })
+    };
+    d.identity("eta = 3A - q is a root", &root(1), &a.int(0), &rooted)?;
+    d.identity("and so is eta = 3A + q", &root(-1), &a.int(0), &rooted)?;
+    Ok(Finding::AsPrinted)
+}
+
+fn milankovitch_branch(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let (eta, a) = (Symbol::Thickness.number(), Symbol::OpeningVariable.number());
+    let ring = Ring::new(SelfWeight::Milankovitch, &eta);
+    let value = overturning::opening_variable(&ring).value();
+    let slope = value.derivative(&[(Symbol::Thickness, 1.into())]);
+    let expected = (eta.clone() - eta.int(2)) * (eta.clone() + eta.int(6))
+        / (ring.extrados().square() * eta.int(6));
+    d.identity(
+        "dA/d eta, negative on 0 <= eta < 2 and zero at 2",
+        &slope,
+        &expected,
+        &Relations::none(),
+    )?;
+    let at = |n: i32| {
+        let ring = Ring::new(SelfWeight::Milankovitch, &Rational::from(n));
+        overturning::opening_variable(&ring).value()
+    };
+    d.equal("A at eta = 0", &at(0), &Rational::from(1))?;
+    d.equal("A at eta = 2", &at(2), &Rational::from((2, 3)))?;
+    let factors = (a.int(3) * &a - a.int(2)) * (a.clone() + a.int(2)) * a.int(3);
+    d.identity(
+        "the radicand of (15) is 3 (3A - 2)(A + 2): zero at 2/3, positive above",
+        &radicand(&a),
+        &factors,
+        &Relations::none(),
+    )?;
+    let sum = a.int(3) * &a + a.int(3) * &a - a.int(4);
+    let expected = (a.int(3) * &a - a.int(2)) * a.int(2);
+    d.identity(
+        "the two roots have the sum 6A, and 6A - 4 = 2 (3A - 2) >= 0",
+        &sum,
+        &expected,
+        &Relations::none(),
+    )?;
+    d.conclude("with one root in [0, 2] the other is 6A - eta >= 2: the sign in (15) is right, and dA/d eta = 0 at eta = 2 is the vertical tangent");
+    Ok(Finding::AsPrinted)
+}
+
+fn end_of_rotation(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let ring = ring();
+    let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
+    d.assume("h = 0; 2 - eta != 0; beta cot(beta) = 1, its limit at beta = 0");
+    let fifth = thrust::tangency(&eta.int(1), &ring).value();
+    d.define("(5) at beta -> 0", &fifth);
+    let with = |inner: Fraction| eta.int(1) - eta.clone() / ring.intrados() * &(eta.int(1) + inner);
+    let corrected = with(delta.clone() * eta / eta.int(6));
+    d.identity(
+        "it is 1 - eta/(2-eta) (1 + delta_M eta/6)",
+        &corrected,
+        &fifth,
+        &Relations::none(),
+    )?;
+    let printed = with(delta * eta.square() / eta.int(12));
+    let code = overturning::end_of_rotation(&ring) * eta.int(2) / ring.intrados();
+    d.identity(
+        "2 (2 - eta - fac_M)/(2 - eta), which the program uses, is the same",
+        &code,
+        &fifth,
+        &Relations::none(),
+    )?;
+    // At the root the paper gives, the corrected form is zero and the printed one is not.
+    let root = Surd::new(-6, 4, 3);
+    let at = |form: &Fraction| {
+        form.evaluate(&root, |x| if x == Symbol::Flag { root.int(1) } else { root.clone() })
+    };
+    d.equal("the corrected form at delta_M = 1, eta = 2 (2√3 - 3)", &at(&corrected), &root.int(0))?;
+    let counterexample = d.differ(
+        "the printed form at delta_M = 1, eta = 2 (2√3 - 3)",
+        &at(&printed),
+        &root.int(0),
+    )?;
+    let one = Rational::from(1);
+    let heyman = |form: &Fraction| {
+        form.evaluate(&one, |x| if x == Symbol::Flag { Rational::new() } else { one.clone() })
+    };
+    d.equal(
+        "for delta_M = 0 both forms agree, with the root 1",
+        &heyman(&printed),
+        &Rational::new(),
+    )?;
+    d.equal("(corrected)", &heyman(&corrected), &Rational::new())?;
+    Ok(Finding::Misprint {
+        counterexample,
+        corrected: "1 - eta/(2-eta) (1 + delta_M eta/6) = 0, as the second form of (5) has it",
+    })
+}
+
+fn limit_values(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.assume("h = 0, beta_r -> 0, 0 < eta < 2");
+    let cases = [
+        (SelfWeight::Heyman, Surd::rational(1, 3), Surd::rational((2, 3), 3)),
+        (SelfWeight::Milankovitch, Surd::new(-6, 4, 3), Surd::new(-1, 1, 3)),
+    ];
+    for (weight, eta, a) in cases {
+        let ring = Ring::new(weight, &eta);
+        let name = weight.name();
+        let rest = overturning::end_of_rotation(&ring);
+        d.equal(format!("{name}: (16) corrected at eta = {eta}"), &rest, &eta.int(0))?;
+        let opening = overturning::opening_variable(&ring).value();
+        d.equal(format!("{name}: A by (13)"), &opening, &a)?;
+    }
+    let eta = Symbol::Thickness.number();
+    let residual =
+        overturning::end_of_rotation(&Ring::new(SelfWeight::Milankovitch, &eta)) * eta.int(12);
+    let quadratic = eta.int(12) - eta.int(12) * &eta - eta.square();
+    d.identity(
+        "12 times (16) is 12 - 12 eta - eta^2 for Milankovitch: falling for eta > 0, so the root is the only one",
+        &residual,
+        &quadratic,
+        &Relations::none(),
+    )?;
+    Ok(Finding::AsPrinted)
+}
+
+fn physical_limit(d: &mut Derivation) -> Result<Finding, Undecided> {
+    for (weight, a) in [(SelfWeight::Heyman, (1, 2)), (SelfWeight::Milankovitch, (2, 3))] {
+        let ring = Ring::new(weight, &Rational::from(2));
+        let opening = overturning::opening_variable(&ring).value();
+        d.equal(format!("{}: A by (13) at eta = 2", weight.name()), &opening, &Rational::from(a))?;
+    }
+    Ok(Finding::AsPrinted)
+}
+
+fn opening_variable_falls(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let alpha = Symbol::half_opening();
+    d.assume("0 < alpha < pi");
+    let rules = along_the_opening();
+    let opening = thrust::opening_variable(&alpha).value();
+    let slope = opening.derivative(&rules);
+    let rest = alpha.rad.clone() - &alpha.sin;
+    let expected = -(rest.clone() / alpha.versine());
+    let circle = Relations::trigonometric();
+    d.identity("dA/d alpha = -(alpha - sin(alpha))/(1 - cos(alpha))", &slope, &expected, &circle)?;
+    d.identity(
+        "(alpha - sin(alpha))' = 1 - cos(alpha), positive: so alpha > sin(alpha), and A falls",
+        &rest.derivative(&rules),
+        &alpha.versine(),
+        &circle,
+    )?;
+    d.conclude(
+        "the limits: alpha sin(alpha) ~ alpha^2 and 1 - cos(alpha) ~ alpha^2/2 at 0; sin(pi) = 0",
+    );
+    Ok(Finding::Implicit)
+}
+
+fn shared_opening(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.assume("A fixes alpha (alpha-one-to-one)");
+    let milankovitch = Ring::new(SelfWeight::Milankovitch, &Rational::from(2));
+    let heyman = Ring::new(SelfWeight::Heyman, &Rational::from(1));
+    let a = |ring: &Ring<Rational>| overturning::opening_variable(ring).value();
+    d.equal("A_L of Milankovitch's weight and A_l of Heyman's", &a(&milankovitch), &a(&heyman))?;
+    let rest = overturning::end_of_rotation(&heyman);
+    d.equal("eta = 1 is Heyman's eta_l", &rest, &Rational::new())?;
+    Ok(Finding::AsPrinted)
+}

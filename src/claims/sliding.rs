@@ -1,0 +1,132 @@
+//! Sliding joints: (17) and (18).
+
+use super::{Claim, Derivation, Finding};
+use crate::arch::{sliding, statics};
+use crate::certify::Undecided;
+use crate::number::Field;
+use crate::symbolic::{Fraction, Polynomial, Relations, Symbol, along_the_joint};
+
+pub(super) const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "eq-17",
+        place: "Eq. (17)",
+        statement: "mu_ss = (h sin(alpha) - alpha cos(alpha))/(h cos(alpha) + alpha sin(alpha)) is the \
+                    friction at which the shoulder slides, and h_mu its inverse",
+        decide: shoulder,
+    },
+    Claim {
+        id: "eq-18-stationary",
+        place: "Eq. (18)",
+        statement: "T/N is stationary along the arch at beta_s = sqrt(h (1-h)), rises before and falls \
+                    after: it has one maximum",
+        decide: stationary,
+    },
+    Claim {
+        id: "eq-18",
+        place: "Eq. (18)",
+        statement: "the friction at which an inner joint slides is \
+                    ((1-h) cos(beta) - beta sin(beta))/((1-h) sin(beta) + beta cos(beta)) at beta_s",
+        decide: inner,
+    },
+    Claim {
+        id: "eq-18-falls",
+        place: "Eq. (18)",
+        statement: "mu_is falls strictly as h grows on (0, 1)",
+        decide: inner_falls,
+    },
+    Claim {
+        id: "sliding-thickness",
+        place: "Sec. 2.2",
+        statement: "(17) and (18) see neither the thickness nor the self-weight model",
+        decide: no_thickness,
+    },
+];
+
+/// `T` and `N` at `beta`.
+fn forces() -> (Fraction, Fraction) {
+    let (joint, thrust) = (Symbol::joint(), Symbol::Thrust.number());
+    (statics::shear_force(&joint, &thrust), statics::normal_force(&joint, &thrust))
+}
+
+fn shoulder(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let (alpha, thrust, friction) =
+        (Symbol::half_opening(), Symbol::Thrust.number(), Symbol::Friction.number());
+    d.assume("N(alpha) != 0; sin(alpha) - mu cos(alpha) != 0");
+    let ratio = statics::shear_force(&alpha, &thrust) / statics::normal_force(&alpha, &thrust);
+    let printed = (thrust.clone() * &alpha.sin - alpha.rad.clone() * &alpha.cos)
+        / (thrust.clone() * &alpha.cos + alpha.rad.clone() * &alpha.sin);
+    let value = sliding::shoulder(&alpha, &thrust).value();
+    let none = Relations::none();
+    d.identity("(17) as printed", &value, &printed, &none)?;
+    d.identity("it is -T/N at alpha", &-ratio, &value, &none)?;
+    let inverse = sliding::shoulder_thrust(&alpha, &friction).value();
+    let printed = alpha.rad.clone() * &(alpha.cos.clone() + friction.clone() * &alpha.sin)
+        / (alpha.sin.clone() - friction.clone() * &alpha.cos);
+    d.identity("h_mu as printed", &inverse, &printed, &none)?;
+    let back = sliding::shoulder(&alpha, &inverse).value();
+    d.identity("mu_ss(h_mu) = mu", &back, &friction, &Relations::trigonometric())?;
+    Ok(Finding::AsPrinted)
+}
+
+fn stationary(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.assume("0 < h < 1, 0 <= beta < pi, N > 0 there (it is h at the crown)");
+    let (shear, normal) = forces();
+    let slope = (shear / &normal).derivative(&along_the_joint());
+    d.define("(T/N)'", &Relations::trigonometric().reduce(&slope));
+    let joint = Symbol::Joint.number();
+    let expected = -sliding::steepest(&joint, &Symbol::Thrust.number()) / normal.square();
+    d.identity("it is (h (1-h) - beta^2)/N^2", &slope, &expected, &Relations::trigonometric())?;
+    d.conclude("positive before beta_s, zero there, negative after");
+    Ok(Finding::AsPrinted)
+}
+
+fn inner(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let (joint, thrust) = (Symbol::joint(), Symbol::Thrust.number());
+    d.assume("beta^2 = h (1-h), 0 < h < 1; the denominators do not vanish");
+    let steepest = &Symbol::Thrust.polynomial() - &Symbol::Thrust.polynomial().power(2);
+    let relations = Relations::trigonometric().with(Symbol::Joint, 2, steepest);
+    let rest = thrust.int(1) - &thrust;
+    let printed = (rest.clone() * &joint.cos - joint.rad.clone() * &joint.sin)
+        / (rest * &joint.sin + joint.rad.clone() * &joint.cos);
+    let value = sliding::inner(&joint, &thrust).value();
+    d.identity("(18) as printed", &value, &printed, &Relations::none())?;
+    let (shear, normal) = forces();
+    d.identity("it is T/N at beta_s", &(shear / &normal), &value, &relations)?;
+    Ok(Finding::AsPrinted)
+}
+
+fn inner_falls(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.assume("0 < h < 1; N > 0 at beta_s");
+    let (shear, normal) = forces();
+    let by_thrust = [(Symbol::Thrust, Polynomial::from(1))];
+    let slope = (shear / &normal).derivative(&by_thrust);
+    let expected = -(Symbol::Joint.number() / normal.square());
+    d.identity(
+        "at a fixed joint, d(T/N)/dh = -beta/N^2",
+        &slope,
+        &expected,
+        &Relations::trigonometric(),
+    )?;
+    let moved = (forces().0 / forces().1).derivative(&along_the_joint());
+    let steepest = &Symbol::Thrust.polynomial() - &Symbol::Thrust.polynomial().power(2);
+    let relations = Relations::trigonometric().with(Symbol::Joint, 2, steepest);
+    d.identity("and d(T/N)/d beta = 0 at beta_s", &moved, &moved.int(0), &relations)?;
+    d.conclude("d mu_is/dh = -beta_s/N(beta_s)^2 < 0");
+    Ok(Finding::Implicit)
+}
+
+fn no_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let (alpha, joint, thrust) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thrust.number());
+    let forms = [
+        ("(17)", sliding::shoulder(&alpha, &thrust).value()),
+        ("(18)", sliding::inner(&joint, &thrust).value()),
+    ];
+    for (name, form) in forms {
+        for symbol in [Symbol::Thickness, Symbol::Flag] {
+            let slope = form.derivative(&[(symbol, Polynomial::from(1))]);
+            let words = format!("the derivative of {name} to {}", symbol.names().0);
+            d.identity(words, &slope, &slope.int(0), &Relations::none())?;
+        }
+    }
+    Ok(Finding::AsPrinted)
+}

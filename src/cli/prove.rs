@@ -1,0 +1,75 @@
+//! `couplet prove`.
+
+use super::Failure;
+use super::output::Output;
+use crate::claims::{Claim, claims};
+use crate::report::{ClaimFormat, Claims};
+use clap::Args;
+use rayon::prelude::*;
+use std::path::PathBuf;
+
+/// Prove or refute the claims of the paper, one by one.
+///
+/// Each claim has an id, such as eq-7-eta; eq-7 stands for all that begin with it. The exit code is 1
+/// only if a claim is undecided: a misprint that is refuted and corrected is a result.
+#[derive(Args)]
+pub struct Arguments {
+    /// Claims to decide; all if none is named.
+    #[arg(value_name = "CLAIM")]
+    claims: Vec<String>,
+
+    /// Show the derivations: hypotheses, intermediate polynomials, cofactors.
+    #[arg(long)]
+    show: bool,
+
+    /// Output format: text, latex or json.
+    #[arg(long, default_value = "text", value_parser = format)]
+    format: ClaimFormat,
+
+    /// Write to a file instead of standard output; it appears whole or not at all.
+    #[arg(long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+fn format(text: &str) -> Result<ClaimFormat, String> {
+    match text {
+        "text" => Ok(ClaimFormat::Text),
+        "latex" => Ok(ClaimFormat::Latex),
+        "json" => Ok(ClaimFormat::Json),
+        _ => Err("a format is one of text, latex, json".into()),
+    }
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let chosen = choose(&arguments.claims)?;
+    let output = Output::open(arguments.output.as_deref())?;
+    let decisions: Vec<_> = chosen.par_iter().map(Claim::decide).collect();
+    let undecided: Vec<&str> = decisions
+        .iter()
+        .filter(|decision| decision.outcome.is_err())
+        .map(|decision| decision.claim.id)
+        .collect();
+    let undecided = undecided.join(", ");
+    let report = Claims { decisions, show: arguments.show };
+    output.write(|out| report.write(arguments.format, out))?;
+    match undecided.is_empty() {
+        true => Ok(()),
+        false => Err(Failure::Undecided(format!("not everything was decided: {undecided}"))),
+    }
+}
+
+/// The claims named, each by its id or by the beginning of it up to a hyphen.
+fn choose(names: &[String]) -> Result<Vec<Claim>, Failure> {
+    let all = claims();
+    let is_named = |claim: &Claim, name: &str| {
+        claim.id.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
+    };
+    if let Some(unknown) = names.iter().find(|name| !all.iter().any(|claim| is_named(claim, name)))
+    {
+        let ids: Vec<&str> = all.iter().map(|claim| claim.id).collect();
+        let ids = ids.join(", ");
+        return Err(Failure::Input(format!("there is no claim '{unknown}'; the claims are {ids}")));
+    }
+    let chosen = |claim: &Claim| names.is_empty() || names.iter().any(|name| is_named(claim, name));
+    Ok(all.into_iter().filter(chosen).collect())
+}

@@ -1,0 +1,84 @@
+//! Claims as JSON, `couplet.claims/1`. Fields may be added, none changes its meaning.
+
+use super::{Claims, as_printed};
+use crate::certify::Undecided;
+use crate::claims::{Finding, Step};
+use serde::Serialize;
+use std::io;
+
+#[derive(Serialize)]
+struct ClaimsFile<'a> {
+    schema: &'static str,
+    claims: Vec<Entry<'a>>,
+}
+
+#[derive(Serialize)]
+struct Entry<'a> {
+    id: &'static str,
+    place: &'static str,
+    statement: &'static str,
+    /// `proved`, `refuted`, `not stated` or `undecided`.
+    as_printed: &'static str,
+    counterexample: Option<&'a str>,
+    corrected: Option<&'static str>,
+    /// `proved` (the corrected statement, where there is one) or `undecided`.
+    verdict: &'static str,
+    reason: Option<&'a str>,
+    hypotheses: Vec<&'a str>,
+    method: &'static str,
+    seconds: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    derivation: Option<Vec<StepEntry<'a>>>,
+}
+
+#[derive(Serialize)]
+struct StepEntry<'a> {
+    support: &'static str,
+    words: &'a str,
+    formula: Option<&'a str>,
+    latex: Option<&'a str>,
+}
+
+impl<'a> From<&'a Step> for StepEntry<'a> {
+    fn from(step: &'a Step) -> Self {
+        Self {
+            support: step.support.name(),
+            words: &step.words,
+            formula: step.formula.as_ref().map(|formula| formula.text.as_str()),
+            latex: step.formula.as_ref().map(|formula| formula.latex.as_str()),
+        }
+    }
+}
+
+pub fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
+    let claims = report.decisions.iter().map(|decision| {
+        let (counterexample, corrected) = match &decision.outcome {
+            Ok(Finding::Misprint { counterexample, corrected }) => {
+                (Some(counterexample.as_str()), Some(*corrected))
+            }
+            _ => (None, None),
+        };
+        let reason = match &decision.outcome {
+            Err(Undecided(reason)) => Some(reason.as_str()),
+            Ok(_) => None,
+        };
+        let steps = decision.derivation.steps();
+        Entry {
+            id: decision.claim.id,
+            place: decision.claim.place,
+            statement: decision.claim.statement,
+            as_printed: as_printed(decision),
+            counterexample,
+            corrected,
+            verdict: if reason.is_none() { "proved" } else { "undecided" },
+            reason,
+            hypotheses: decision.derivation.hypotheses().collect(),
+            method: decision.derivation.method(),
+            seconds: decision.time.as_secs_f64(),
+            derivation: report.show.then(|| steps.iter().map(StepEntry::from).collect()),
+        }
+    });
+    let file = ClaimsFile { schema: "couplet.claims/1", claims: claims.collect() };
+    serde_json::to_writer_pretty(&mut *out, &file)?;
+    writeln!(out)
+}

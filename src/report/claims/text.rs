@@ -1,0 +1,75 @@
+//! Claims for a person at a terminal.
+
+use super::{Claims, as_printed, summary};
+use crate::certify::Undecided;
+use crate::claims::{Decision, Finding, Support};
+use std::io;
+
+pub fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
+    for decision in &report.decisions {
+        heading(decision, out)?;
+        if report.show {
+            steps(decision, out)?;
+            writeln!(out)?;
+        }
+    }
+    writeln!(out, "{}", summary(&report.decisions))
+}
+
+const WIDTH: usize = 100;
+
+fn heading(decision: &Decision, out: &mut dyn io::Write) -> io::Result<()> {
+    let claim = &decision.claim;
+    let time = 1000.0 * decision.time.as_secs_f64();
+    writeln!(
+        out,
+        "{:<10} {:<22} {:<28} {time:>8.1} ms",
+        as_printed(decision),
+        claim.id,
+        claim.place
+    )?;
+    wrapped(claim.statement, "           ", out)?;
+    match &decision.outcome {
+        Ok(Finding::Misprint { counterexample, corrected }) => {
+            wrapped(&format!("as printed: {counterexample}"), "           ", out)?;
+            wrapped(&format!("corrected:  {corrected}"), "           ", out)
+        }
+        Err(Undecided(reason)) => wrapped(&format!("reason: {reason}"), "           ", out),
+        Ok(_) => Ok(()),
+    }
+}
+
+fn steps(decision: &Decision, out: &mut dyn io::Write) -> io::Result<()> {
+    writeln!(out, "           by {}", decision.derivation.method())?;
+    for step in decision.derivation.steps() {
+        let mark = match step.support {
+            Support::Hypothesis => "given ",
+            Support::Definition => "let   ",
+            Support::Algebra => "exact ",
+            Support::Balls => "balls ",
+            Support::Conclusion => "so    ",
+        };
+        writeln!(out, "    {mark} {}", step.words)?;
+        if let Some(formula) = &step.formula {
+            writeln!(out, "             {}", formula.text)?;
+        }
+    }
+    Ok(())
+}
+
+/// Words in lines of at most [`WIDTH`] characters.
+fn wrapped(words: &str, indent: &str, out: &mut dyn io::Write) -> io::Result<()> {
+    let mut line = String::new();
+    for word in words.split_whitespace() {
+        let length = indent.len() + line.chars().count() + 1 + word.chars().count();
+        if !line.is_empty() && length > WIDTH {
+            writeln!(out, "{indent}{line}")?;
+            line.clear();
+        }
+        if !line.is_empty() {
+            line.push(' ');
+        }
+        line += word;
+    }
+    writeln!(out, "{indent}{line}")
+}

@@ -1,0 +1,140 @@
+//! The letters of the paper, as indeterminates.
+
+use crate::number::Angle;
+use crate::symbolic::{Fraction, Polynomial};
+
+/// An indeterminate.
+///
+/// The sine and cosine of an angle are indeterminates of their own, tied by a
+/// [relation](super::Relations); so is a square root. The order of the variants is the order in
+/// which a polynomial is sorted: what it is solved for comes first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Symbol {
+    /// `A = alpha cot(alpha/2)`.
+    OpeningVariable,
+    /// `h`.
+    Thrust,
+    /// `eta`.
+    Thickness,
+    /// `mu`.
+    Friction,
+    /// `u`, a cube root.
+    CubeRoot,
+    /// `q`, a square root: `SQRT` in (9)–(12).
+    SquareRoot,
+    /// `i√3`, with the square -3.
+    RootOfMinusThree,
+    /// `p`, the moment of the crown thrust.
+    CrownMoment,
+    /// `e0`, the eccentricity at the crown.
+    CrownEccentricity,
+    /// `f`, where it is kept as a letter.
+    F,
+    /// `g`, where it is kept as a letter.
+    G,
+    /// `beta`.
+    Joint,
+    /// `S = sin(beta)`.
+    Sine,
+    /// `C = cos(beta)`.
+    Cosine,
+    /// `alpha`.
+    HalfOpening,
+    /// `sin(alpha)`.
+    SineOfOpening,
+    /// `cos(alpha)`.
+    CosineOfOpening,
+    /// `delta_M`.
+    Flag,
+}
+
+impl Symbol {
+    /// How many there are.
+    pub const COUNT: usize = 18;
+
+    /// All of them, in order.
+    pub const ALL: [Self; Self::COUNT] = [
+        Self::OpeningVariable,
+        Self::Thrust,
+        Self::Thickness,
+        Self::Friction,
+        Self::CubeRoot,
+        Self::SquareRoot,
+        Self::RootOfMinusThree,
+        Self::CrownMoment,
+        Self::CrownEccentricity,
+        Self::F,
+        Self::G,
+        Self::Joint,
+        Self::Sine,
+        Self::Cosine,
+        Self::HalfOpening,
+        Self::SineOfOpening,
+        Self::CosineOfOpening,
+        Self::Flag,
+    ];
+
+    /// How it is written in text and in LaTeX.
+    pub fn names(self) -> (&'static str, &'static str) {
+        match self {
+            Self::OpeningVariable => ("A", "A"),
+            Self::Thrust => ("h", "h"),
+            Self::Thickness => ("eta", r"\eta"),
+            Self::Friction => ("mu", r"\mu"),
+            Self::CubeRoot => ("u", "u"),
+            Self::SquareRoot => ("q", "q"),
+            Self::RootOfMinusThree => ("k", "k"),
+            Self::CrownMoment => ("p", "p"),
+            Self::CrownEccentricity => ("e0", "e_0"),
+            Self::F => ("f", "f"),
+            Self::G => ("g", "g"),
+            Self::Joint => ("beta", r"\beta"),
+            Self::Sine => ("S", "S"),
+            Self::Cosine => ("C", "C"),
+            Self::HalfOpening => ("alpha", r"\alpha"),
+            Self::SineOfOpening => ("Sa", r"\sin\alpha"),
+            Self::CosineOfOpening => ("Ca", r"\cos\alpha"),
+            Self::Flag => ("delta", r"\delta_M"),
+        }
+    }
+
+    /// The indeterminate as a polynomial.
+    pub fn polynomial(self) -> Polynomial {
+        Polynomial::symbol(self)
+    }
+
+    /// The indeterminate as a number.
+    pub fn number(self) -> Fraction {
+        Fraction::from(self.polynomial())
+    }
+
+    /// The rotational joint `beta`, with `S` and `C`.
+    pub fn joint() -> Angle<Fraction> {
+        Angle { rad: Self::Joint.number(), sin: Self::Sine.number(), cos: Self::Cosine.number() }
+    }
+
+    /// The half opening `alpha`, with its sine and cosine.
+    pub fn half_opening() -> Angle<Fraction> {
+        Angle {
+            rad: Self::HalfOpening.number(),
+            sin: Self::SineOfOpening.number(),
+            cos: Self::CosineOfOpening.number(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_symbol_stands_at_its_place() {
+        for (place, symbol) in Symbol::ALL.into_iter().enumerate() {
+            assert_eq!(symbol as usize, place);
+        }
+        let mut names: Vec<_> = Symbol::ALL.map(|s| s.names().0).to_vec();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), Symbol::COUNT, "two symbols share a name");
+    }
+}
