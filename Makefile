@@ -26,7 +26,8 @@ bench: m4
 # Every Coq proof: compiled, its assumptions compared with proofs/coq/axioms.txt, and wrong copies of a
 # generated file refused. Takes some minutes.
 proofs: coq
-	$(MAKE) -C proofs/coq all check spoil
+	$(MAKE) -C proofs/coq -j2
+	$(MAKE) -C proofs/coq check spoil
 
 # GMP's configure script, run by the first build, needs m4.
 m4:

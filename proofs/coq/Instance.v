@@ -195,7 +195,7 @@ Ltac conjuncts :=
     end.
 
 (** A printed value against the digits. *)
-Ltac compare := conjuncts; unfold A; interval with (i_prec 130).
+Ltac compare := conjuncts; unfold A; interval with (i_prec 90).
 
 (** An inequality between numbers. *)
 Ltac arithmetic := interval with (i_prec 53).

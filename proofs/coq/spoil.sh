@@ -60,6 +60,8 @@ spoiled "a box too wide in the claim" one_solution \
   's/(Definition wide.*?<= \w+ <= \d\.\d)(\d)/$1 . ($2 + 1) % 10/se'
 spoiled "a wrong sign in an equation" derivatives \
   's/(Definition residuals.*?) - /$1 + /s'
+spoiled "a wrong sign in (18), its derivatives and their values" residuals_hold \
+  's/beta_s \^ 2 - /beta_s ^ 2 + /; s/h - \(1 - h\)/1 - h - h/; s/-(0\.\d+; 0\] \]\.)/$1/'
 spoiled "a wrong partial derivative" derivatives \
   's/(Definition jacobian.*?)\bcos\b/$1sin/s'
 spoiled "a spoiled preconditioner" contracts \
