@@ -206,3 +206,17 @@ Proof.
   unfold wide, equations. intros W E. conjuncts.
   apply radicand_at_double_thickness with eta; try assumption; clearing.
 Qed.
+
+(** ** The printed values
+
+    Is the last digit right, that is, the value the nearest of its length? *)
+
+Corollary sec_2_1_rotation_joint_right alpha beta_r eta h :
+  wide alpha beta_r eta h -> equations alpha beta_r eta h ->
+  Rabs (beta_r - 1.119864231443752) <= 5e-16.
+Proof. intros W E. apply (digits alpha beta_r eta h W) in E. unfold narrow in E. compare. Qed.
+
+Corollary sec_2_1_half_opening_right alpha beta_r eta h :
+  wide alpha beta_r eta h -> equations alpha beta_r eta h ->
+  Rabs (alpha - 2.196404448812124) <= 5e-16.
+Proof. intros W E. apply (digits alpha beta_r eta h W) in E. unfold narrow in E. compare. Qed.

@@ -7,6 +7,7 @@
 //! | `landmark` | the file of a landmark: what is claimed, the table, its check |
 //! | `printed` | what follows for the values that the paper prints |
 //! | `half_opening`, `joint` | the files with one unknown and a very wide bracket |
+//! | `weights` | the two self-weights compared |
 //! | `numeral` | rationals as Coq reads them |
 //! | `template`, `templates/` | the text around them |
 //!
@@ -22,6 +23,7 @@ mod printed;
 mod table;
 mod template;
 mod term;
+mod weights;
 
 pub use term::Term;
 
@@ -44,6 +46,7 @@ pub fn files() -> Result<Vec<(String, String)>, Undecided> {
     }
     files.push(("HalfOpenings.v".into(), half_opening::file(&points)?));
     files.push(("WidestJoints.v".into(), joint::file(&points)?));
+    files.push(("Weights.v".into(), weights::file()?));
     files.sort();
     Ok(files)
 }

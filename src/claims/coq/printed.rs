@@ -1,23 +1,25 @@
-//! What follows for the values that the paper prints in its tables.
+//! What follows for the values that the paper prints.
 
 use super::numeral::{text, unit};
 use super::template::fill;
 use super::{Symbols, symbol};
-use crate::arch::Quantity;
+use crate::arch::{Fixed, Quantity};
 use crate::certify::{Audited, CertifiedLandmark, PrintedVerdict};
 use crate::number::Decimal;
 use rug::Rational;
 
-/// One corollary for each printed value of the landmark in the tables that the theorem determines.
+/// One corollary for each printed value of the landmark that the theorem determines, where it is
+/// printed first: the tables come before the text.
 pub fn corollaries(point: &CertifiedLandmark, audited: &[Audited], symbols: &Symbols) -> String {
     let mut out = String::new();
-    let belongs = |value: &&Audited| {
+    let mut seen = Vec::new();
+    for value in audited {
         let printed = value.printed;
-        printed.place.starts_with("Table")
-            && (printed.landmark, printed.weight) == (point.landmark(), point.weight())
-    };
-    for value in audited.iter().filter(belongs) {
-        let printed = value.printed;
+        let belongs = (printed.landmark, printed.weight) == (point.landmark(), point.weight());
+        if !belongs || seen.contains(&(printed.quantity, printed.text)) {
+            continue;
+        }
+        seen.push((printed.quantity, printed.text));
         let (Some(quantity), Some(half)) = (term(printed.quantity, point), half_unit(printed.text))
         else {
             continue;
@@ -43,7 +45,7 @@ pub fn corollaries(point: &CertifiedLandmark, audited: &[Audited], symbols: &Sym
 }
 
 fn name(value: &Audited, verdict: &str) -> String {
-    let place = value.printed.place.to_lowercase().replace(' ', "_");
+    let place = value.printed.place.to_lowercase().replace(". ", "_").replace([' ', '.'], "_");
     format!("{place}_{}_{verdict}", value.printed.quantity.name())
 }
 
@@ -58,7 +60,7 @@ fn half_unit(printed: &str) -> Option<String> {
 fn term(quantity: Quantity, point: &CertifiedLandmark) -> Option<String> {
     let system = point.isolated().system();
     let unknown = match system.fixed_value(quantity.variable()) {
-        Some(crate::arch::Fixed::SameAs(other)) => other,
+        Some(Fixed::SameAs(other)) => other,
         Some(_) => return None,
         None => quantity.variable(),
     };
