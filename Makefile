@@ -1,7 +1,7 @@
 # `make` builds couplet and prints the landmark constants; `make test` runs every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build test lint docs bench m4
+.PHONY: run build test lint docs bench proofs m4 coq
 
 run: build
 	./target/release/couplet constants
@@ -23,6 +23,12 @@ docs: m4
 bench: m4
 	cargo bench --locked
 
+# Every Coq proof: compiled, its assumptions compared with proofs/coq/axioms.txt, and wrong copies of a
+# generated file refused. Takes some minutes.
+proofs: coq
+	$(MAKE) -C proofs/coq -j2
+	$(MAKE) -C proofs/coq check spoil
+
 # GMP's configure script, run by the first build, needs m4.
 m4:
 	@command -v m4 >/dev/null || { \
@@ -30,5 +36,17 @@ m4:
 	    apt-get update -qq && apt-get install -y -qq --no-install-recommends m4; \
 	  else \
 	    echo "couplet: the first build needs m4; install the package 'm4' (sudo apt-get install m4)" >&2; \
+	    exit 1; \
+	  fi; }
+
+# Coq with its libraries for intervals and real analysis; 1.1 GB on disk.
+COQ := coq libcoq-interval libcoq-flocq libcoq-coquelicot
+coq:
+	@library=$$(coqc -where 2>/dev/null)/user-contrib; \
+	[ -e "$$library/Interval/Tactic.vo" ] && [ -e "$$library/Coquelicot/Coquelicot.vo" ] || { \
+	  if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
+	    apt-get update -qq && apt-get install -y -qq --no-install-recommends $(COQ); \
+	  else \
+	    echo "couplet: the proofs need Coq with Interval and Coquelicot; install the packages '$(COQ)' (sudo apt-get install $(COQ))" >&2; \
 	    exit 1; \
 	  fi; }

@@ -10,6 +10,7 @@
 //! | sliding: (17), (18) | `sliding.rs` |
 //! | series for small openings and about `l` | `asymptotics.rs` |
 //! | the landmarks, and the two weights compared | `landmarks.rs` |
+//! | the landmarks again, as Coq theorems | [`coq`] |
 //!
 //! A claim is decided by a [`Derivation`]: the equations of `arch` are evaluated over
 //! [`symbolic`](crate::symbolic) numbers, and each step is checked exactly, or in balls over a whole
@@ -17,6 +18,7 @@
 //! fail.
 
 mod asymptotics;
+pub mod coq;
 mod cubics;
 mod derivation;
 mod joining;

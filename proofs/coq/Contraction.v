@@ -1,0 +1,513 @@
+(** * Exactly one root of [n] equations in [n] unknowns
+
+    Given equations [F_j(x) = 0], a centre [c], radii [r_i > 0] and any matrix [Y], look at
+
+        T(x) = x - Y F(x),
+
+    whose fixed points are the roots of [F] if [Y] is regular.  Distances are measured in units of the
+    radii, by the weighted supremum norm  |u| = max_i |u_i| / r_i;  the wide box is |x - c| <= 1.
+
+    - If  |I - Y F'(x)| <= q < 1  in the wide box, [T] shrinks distances there by the factor [q], so two
+      roots of [F] in the wide box are at distance 0: there is **at most one**.
+    - If besides  |Y F(c)| <= (1 - q) eps,  the iterates of [T] from [c] never leave the box
+      |x - c| <= eps,  and each step is shorter than the last by [q], so they converge, and to a fixed
+      point: there is **one**, and it lies in the small box.
+
+    This is Banach's theorem, proved here for the norm at hand.  The interest of the form is that one
+    bound on the derivative serves a small box and a wide one: the first gives digits, the second says
+    how far around nothing else solves the equations.
+
+    A point is a function from indices to reals of which the first [n] values matter. *)
+
+From Coq Require Import Reals Lra Lia FunctionalExtensionality.
+From Coquelicot Require Import Coquelicot.
+Open Scope R_scope.
+
+Definition point := nat -> R.
+
+(** ** Finite sums *)
+
+Fixpoint sum (n : nat) (f : nat -> R) : R :=
+  match n with
+  | O => 0
+  | S m => sum m f + f m
+  end.
+
+Lemma sum_eq n f g : (forall i, (i < n)%nat -> f i = g i) -> sum n f = sum n g.
+Proof.
+  induction n as [| n IH]; intros H; simpl; [easy |].
+  rewrite IH by (intros; apply H; lia). now rewrite H by lia.
+Qed.
+
+Lemma sum_le n f g : (forall i, (i < n)%nat -> f i <= g i) -> sum n f <= sum n g.
+Proof.
+  induction n as [| n IH]; intros H; simpl; [lra |].
+  apply Rplus_le_compat; [apply IH; intros |]; apply H; lia.
+Qed.
+
+Lemma sum_zero n f : (forall i, (i < n)%nat -> f i = 0) -> sum n f = 0.
+Proof.
+  intros H. rewrite (sum_eq n f (fun _ => 0)) by exact H. clear H.
+  induction n as [| n IH]; simpl; lra.
+Qed.
+
+Lemma sum_minus n f g : sum n (fun i => f i - g i) = sum n f - sum n g.
+Proof. induction n as [| n IH]; simpl; [| rewrite IH]; lra. Qed.
+
+Lemma sum_mult n a f : sum n (fun i => a * f i) = a * sum n f.
+Proof. induction n as [| n IH]; simpl; [| rewrite IH]; ring. Qed.
+
+Lemma sum_exchange n m (f : nat -> nat -> R) :
+  sum n (fun i => sum m (fun j => f i j)) = sum m (fun j => sum n (fun i => f i j)).
+Proof.
+  induction n as [| n IH]; simpl.
+  - symmetry. now apply sum_zero.
+  - rewrite IH. clear IH. induction m as [| m IH]; simpl; [| rewrite <- IH]; ring.
+Qed.
+
+Lemma Rabs_sum n f : Rabs (sum n f) <= sum n (fun i => Rabs (f i)).
+Proof.
+  induction n as [| n IH]; simpl.
+  - rewrite Rabs_R0. lra.
+  - pose proof (Rabs_triang (sum n f) (f n)). lra.
+Qed.
+
+(** The entries of the identity matrix. *)
+Definition unit_entry (i k : nat) : R := if Nat.eqb i k then 1 else 0.
+
+Lemma sum_unit n i (u : point) : (i < n)%nat -> sum n (fun k => unit_entry i k * u k) = u i.
+Proof.
+  induction n as [| n IH]; intros Hi; [lia |]. simpl. unfold unit_entry at 2.
+  destruct (Nat.eqb_spec i n) as [-> | Hn].
+  - rewrite sum_zero; [ring |]. intros k Hk. unfold unit_entry.
+    destruct (Nat.eqb_spec n k); [lia | ring].
+  - rewrite IH by lia. ring.
+Qed.
+
+(** ** A sequence of bounds that tends to zero *)
+
+Lemma powers_vanish q a : 0 <= q < 1 -> is_lim_seq (fun k => q ^ k * a) 0.
+Proof.
+  intros Hq. replace (Finite 0) with (Rbar_mult 0 a) by (simpl; f_equal; ring).
+  apply is_lim_seq_scal_r, is_lim_seq_geom. rewrite Rabs_pos_eq; lra.
+Qed.
+
+Lemma zero_if_below_powers q a x : 0 <= q < 1 -> (forall k, Rabs x <= q ^ k * a) -> x = 0.
+Proof.
+  intros Hq H. destruct (Req_dec x 0) as [| Hx]; [easy |].
+  exfalso. apply (Rabs_no_R0 x Hx), Rle_antisym; [| apply Rabs_pos].
+  exact (is_lim_seq_le _ _ _ _ H (is_lim_seq_const (Rabs x)) (powers_vanish q a Hq)).
+Qed.
+
+(** ** Banach's theorem in the weighted norm *)
+
+Section Banach.
+
+Variables (n : nat) (r : point).
+
+(** The distance of [x] and [y] is at most [d]. *)
+Definition within (d : R) (x y : point) : Prop :=
+  forall i, (i < n)%nat -> Rabs (x i - y i) <= d * r i.
+
+Hypothesis radii : forall i, (i < n)%nat -> 0 < r i.
+
+Lemma within_self d x : 0 <= d -> within d x x.
+Proof.
+  intros Hd i Hi. specialize (radii i Hi). rewrite Rminus_eq_0, Rabs_R0.
+  apply Rmult_le_pos; lra.
+Qed.
+
+Lemma within_sym d x y : within d x y -> within d y x.
+Proof. intros H i Hi. rewrite Rabs_minus_sym. now apply H. Qed.
+
+Lemma within_trans d e x y z : within d x y -> within e y z -> within (d + e) x z.
+Proof.
+  intros Hxy Hyz i Hi. specialize (Hxy i Hi). specialize (Hyz i Hi).
+  replace (x i - z i) with ((x i - y i) + (y i - z i)) by ring.
+  pose proof (Rabs_triang (x i - y i) (y i - z i)). lra.
+Qed.
+
+Lemma within_le d e x y : d <= e -> within d x y -> within e x y.
+Proof.
+  intros Hde H i Hi. specialize (H i Hi). specialize (radii i Hi).
+  assert (d * r i <= e * r i) by (apply Rmult_le_compat_r; lra). lra.
+Qed.
+
+Lemma same_if_below_powers q a x y : 0 <= q < 1 ->
+  (forall k, within (q ^ k * a) x y) -> forall i, (i < n)%nat -> x i = y i.
+Proof.
+  intros Hq H i Hi. apply Rminus_diag_uniq, (zero_if_below_powers q (a * r i)); [easy |].
+  intros k. specialize (H k i Hi). lra.
+Qed.
+
+Variables (c : point) (q eps : R) (T : point -> point).
+Hypothesis factor : 0 <= q < 1.
+Hypothesis scale : 0 <= eps <= 1.
+Hypothesis shrinks : forall d x y, 0 <= d ->
+  within 1 x c -> within 1 y c -> within d x y -> within (q * d) (T x) (T y).
+Hypothesis starts : within ((1 - q) * eps) (T c) c.
+
+Lemma power_between k : 0 <= q ^ k <= 1.
+Proof.
+  split; [apply pow_le; lra |]. rewrite <- (pow1 k). apply pow_incr. lra.
+Qed.
+
+Lemma shrunk_twice d x y k : 0 <= d -> within 1 x c -> within 1 y c ->
+  within (q ^ k * d) x y -> within (q ^ S k * d) (T x) (T y).
+Proof.
+  intros Hd Hx Hy H. simpl. rewrite Rmult_assoc.
+  apply shrinks; [| easy | easy | exact H].
+  apply Rmult_le_pos; [apply power_between | easy].
+Qed.
+
+(** Two fixed points in the wide box are the same. *)
+Lemma fixed_point_unique x y :
+  within 1 x c -> within 1 y c ->
+  (forall i, (i < n)%nat -> T x i = x i) -> (forall i, (i < n)%nat -> T y i = y i) ->
+  forall i, (i < n)%nat -> x i = y i.
+Proof.
+  intros Hx Hy Fx Fy. apply (same_if_below_powers q 2); [easy |].
+  induction k as [| k IH].
+  - rewrite Rmult_1_l. replace 2 with (1 + 1) by ring.
+    apply within_trans with c; [easy | now apply within_sym].
+  - intros i Hi. rewrite <- (Fx i Hi), <- (Fy i Hi).
+    apply shrunk_twice; auto; lra.
+Qed.
+
+Fixpoint iterate (k : nat) : point :=
+  match k with
+  | O => c
+  | S m => T (iterate m)
+  end.
+
+(** The iterates stay in the small box: after [k] steps they are at most [(1 - q^k) eps] away. *)
+Lemma iterate_stays k : within eps (iterate k) c.
+Proof.
+  apply within_le with ((1 - q ^ k) * eps).
+  { pose proof (power_between k).
+    rewrite <- (Rmult_1_l eps) at 2. apply Rmult_le_compat_r; lra. }
+  induction k as [| k IH].
+  - apply within_self. simpl. lra.
+  - replace ((1 - q ^ S k) * eps) with (q * ((1 - q ^ k) * eps) + (1 - q) * eps)
+      by (simpl; ring).
+    apply within_trans with (T c); [| exact starts].
+    assert (0 <= (1 - q ^ k) * eps <= 1).
+    { pose proof (power_between k). split; [apply Rmult_le_pos; lra |].
+      apply Rle_trans with (1 * eps); [apply Rmult_le_compat_r; lra | lra]. }
+    apply shrinks; [lra | | apply within_self; lra | exact IH].
+    apply within_le with ((1 - q ^ k) * eps); [lra | exact IH].
+Qed.
+
+Lemma iterate_in_wide_box k : within 1 (iterate k) c.
+Proof. apply within_le with eps; [lra | apply iterate_stays]. Qed.
+
+(** All later iterates are as near to the [k]-th as the small box allows, times [q^k]. *)
+Lemma iterate_settles m k : within (q ^ k * eps) (iterate (k + m)) (iterate k).
+Proof.
+  induction k as [| k IH].
+  - rewrite Rmult_1_l. apply iterate_stays.
+  - apply shrunk_twice; auto using iterate_in_wide_box; lra.
+Qed.
+
+Lemma iterate_converges i : (i < n)%nat -> ex_finite_lim_seq (fun k => iterate k i).
+Proof.
+  intros Hi. apply ex_lim_seq_cauchy_corr. intros tolerance.
+  pose proof (powers_vanish q (2 * (eps * r i)) factor) as small.
+  apply is_lim_seq_spec in small.
+  destruct (small tolerance) as [N HN]. exists N. intros k m Hk Hm.
+  specialize (HN N (le_n N)). rewrite Rminus_0_r in HN.
+  pose proof (Rle_abs (q ^ N * (2 * (eps * r i)))).
+  pose proof (iterate_settles (k - N) N i Hi) as Ak.
+  pose proof (iterate_settles (m - N) N i Hi) as Am.
+  replace (N + (k - N))%nat with k in Ak by lia.
+  replace (N + (m - N))%nat with m in Am by lia.
+  replace (iterate k i - iterate m i)
+    with ((iterate k i - iterate N i) - (iterate m i - iterate N i)) by ring.
+  eapply Rle_lt_trans; [apply Rabs_triang |]. rewrite Rabs_Ropp. lra.
+Qed.
+
+Definition limit : point := fun i => real (Lim_seq (fun k => iterate k i)).
+
+Lemma limit_near_iterate k : within (q ^ k * eps) limit (iterate k).
+Proof.
+  intros i Hi.
+  assert (tends : is_lim_seq (fun m => iterate (k + m) i - iterate k i) (limit i - iterate k i)).
+  { apply is_lim_seq_minus'; [| apply is_lim_seq_const].
+    apply is_lim_seq_ext with (fun m => iterate (m + k) i).
+    { intros m. now rewrite Nat.add_comm. }
+    apply (is_lim_seq_incr_n (fun m => iterate m i)).
+    now apply Lim_seq_correct', iterate_converges. }
+  exact (is_lim_seq_le _ _ _ _ (fun m => iterate_settles m k i Hi)
+           (is_lim_seq_abs _ _ tends) (is_lim_seq_const (q ^ k * eps * r i))).
+Qed.
+
+Theorem fixed_point :
+  within eps limit c /\ (forall i, (i < n)%nat -> T limit i = limit i).
+Proof.
+  assert (inside : within eps limit c).
+  { pose proof (limit_near_iterate 0) as H. now rewrite Rmult_1_l in H. }
+  split; [exact inside |].
+  apply (same_if_below_powers q (2 * eps)); [easy |]. intros k.
+  apply within_le with (q ^ S k * eps + q ^ S k * eps).
+  { assert (q ^ S k <= q ^ k).
+    { simpl. rewrite <- (Rmult_1_l (q ^ k)) at 2.
+      apply Rmult_le_compat_r; [apply power_between | lra]. }
+    assert (q ^ S k * eps <= q ^ k * eps) by (apply Rmult_le_compat_r; lra). lra. }
+  apply within_trans with (iterate (S k)).
+  - apply shrunk_twice; [lra | | apply iterate_in_wide_box | apply limit_near_iterate].
+    apply within_le with eps; [lra | exact inside].
+  - apply within_sym, limit_near_iterate.
+Qed.
+
+End Banach.
+
+(** ** Roots of a system *)
+
+Section System.
+
+Variables (n : nat) (F : nat -> point -> R) (J : nat -> nat -> point -> R).
+Variables (Y : nat -> nat -> R) (c r : point) (q eps : R).
+
+Notation box d x := (within n r d x c).
+Notation along x u t := (fun i : nat => x i + t * u i).
+
+Hypothesis radii : forall i, (i < n)%nat -> 0 < r i.
+Hypothesis factor : 0 <= q < 1.
+Hypothesis scale : 0 <= eps <= 1.
+
+(** [J] is the derivative of [F]: along every straight line [x + t u], wherever it is in the box. *)
+Hypothesis derivatives : forall j, (j < n)%nat -> forall (x u : point) (t : R),
+  box 1 (along x u t) ->
+  is_derive (fun s => F j (along x u s)) t (sum n (fun k => J j k (along x u t) * u k)).
+
+(** |I - Y J| <= q in the wide box, row by row. *)
+Hypothesis contracts : forall x, box 1 x -> forall i, (i < n)%nat ->
+  sum n (fun k => Rabs (unit_entry i k - sum n (fun j => Y i j * J j k x)) * r k) <= q * r i.
+
+(** |Y F(c)| <= (1 - q) eps. *)
+Hypothesis starts : forall i, (i < n)%nat ->
+  Rabs (sum n (fun j => Y i j * F j c)) <= (1 - q) * eps * r i.
+
+(** [Y] is regular. *)
+Hypothesis regular : forall v : point,
+  (forall i, (i < n)%nat -> sum n (fun j => Y i j * v j) = 0) -> forall j, (j < n)%nat -> v j = 0.
+
+Definition step (x : point) : point := fun i => x i - sum n (fun j => Y i j * F j x).
+
+Definition solves (x : point) : Prop := forall j, (j < n)%nat -> F j x = 0.
+
+Lemma fixed_if_solves x : solves x -> forall i, (i < n)%nat -> step x i = x i.
+Proof.
+  intros Hx i Hi. unfold step. rewrite sum_zero; [ring |].
+  intros j Hj. rewrite (Hx j Hj). ring.
+Qed.
+
+Lemma solves_if_fixed x : (forall i, (i < n)%nat -> step x i = x i) -> solves x.
+Proof.
+  intros Hx j Hj. apply (regular (fun j => F j x)); [| exact Hj]. intros i Hi.
+  specialize (Hx i Hi). unfold step in Hx. lra.
+Qed.
+
+Lemma is_derive_sum m (g : nat -> R -> R) (g' : nat -> R) t :
+  (forall j, (j < m)%nat -> is_derive (g j) t (g' j)) ->
+  is_derive (fun s => sum m (fun j => g j s)) t (sum m g').
+Proof.
+  induction m as [| m IH]; intros H; simpl.
+  - apply @is_derive_const.
+  - apply @is_derive_plus; [apply IH; intros |]; apply H; lia.
+Qed.
+
+(** The derivative of a component of [T] along a line is that component of [(I - Y J) u]. *)
+Lemma step_derivative (x u : point) t i : (i < n)%nat -> box 1 (along x u t) ->
+  is_derive (fun s => step (along x u s) i) t
+    (sum n (fun k => (unit_entry i k - sum n (fun j => Y i j * J j k (along x u t))) * u k)).
+Proof.
+  intros Hi Hbox. unfold step.
+  replace (sum n (fun k => (unit_entry i k - sum n (fun j => Y i j * J j k (along x u t))) * u k))
+    with (u i - sum n (fun j => Y i j * sum n (fun k => J j k (along x u t) * u k))).
+  - apply @is_derive_minus.
+    + auto_derive; [easy | ring].
+    + apply is_derive_sum. intros j Hj. apply is_derive_scal. now apply derivatives.
+  - rewrite <- (sum_unit n i u Hi) at 1.
+    rewrite (sum_eq n (fun j => Y i j * _)
+               (fun j => sum n (fun k => Y i j * (J j k (along x u t) * u k))))
+      by (intros; now rewrite sum_mult).
+    rewrite sum_exchange, <- sum_minus. apply sum_eq. intros k Hk.
+    rewrite (sum_eq n _ (fun j => u k * (Y i j * J j k (along x u t)))) by (intros; ring).
+    rewrite sum_mult. ring.
+Qed.
+
+Lemma between_in_box x y t : box 1 x -> box 1 y -> 0 <= t <= 1 ->
+  box 1 (along y (fun i => x i - y i) t).
+Proof.
+  intros Hx Hy Ht i Hi. specialize (Hx i Hi). specialize (Hy i Hi).
+  replace (y i + t * (x i - y i) - c i) with (t * (x i - c i) + (1 - t) * (y i - c i)) by ring.
+  eapply Rle_trans; [apply Rabs_triang |]. rewrite !Rabs_mult.
+  rewrite (Rabs_pos_eq t), (Rabs_pos_eq (1 - t)) by lra.
+  replace (1 * r i) with (t * (1 * r i) + (1 - t) * (1 * r i)) by ring.
+  apply Rplus_le_compat; apply Rmult_le_compat_l; lra.
+Qed.
+
+(** By the mean value theorem along the line from [y] to [x], [T] shrinks distances. *)
+Lemma step_shrinks d x y : 0 <= d -> box 1 x -> box 1 y ->
+  within n r d x y -> within n r (q * d) (step x) (step y).
+Proof.
+  intros Hd Hx Hy Hxy i Hi.
+  set (u := fun i => x i - y i).
+  set (g := fun s => step (along y u s) i).
+  set (g' := fun t =>
+    sum n (fun k => (unit_entry i k - sum n (fun j => Y i j * J j k (along y u t))) * u k)).
+  assert (slope : forall t, 0 <= t <= 1 -> is_derive g t (g' t)).
+  { intros t Ht. apply step_derivative; [easy | now apply between_in_box]. }
+  assert (left : Rmin 0 1 = 0) by (apply Rmin_left; lra).
+  assert (right : Rmax 0 1 = 1) by (apply Rmax_right; lra).
+  destruct (MVT_gen g 0 1 g') as [t [Ht Hg]].
+  { intros t Ht. apply slope. lra. }
+  { intros t Ht. apply continuity_pt_filterlim, (ex_derive_continuous g).
+    exists (g' t). apply slope. lra. }
+  assert (ends : step x i - step y i = g' t).
+  { assert (at_x : along y u 1 = x)
+      by (apply functional_extensionality; intros k; unfold u; ring).
+    assert (at_y : along y u 0 = y)
+      by (apply functional_extensionality; intros k; unfold u; ring).
+    unfold g in Hg. rewrite at_x, at_y in Hg. rewrite Hg. ring. }
+  rewrite ends. unfold g'. eapply Rle_trans; [apply Rabs_sum |].
+  apply Rle_trans with (sum n (fun k =>
+    d * (Rabs (unit_entry i k - sum n (fun j => Y i j * J j k (along y u t))) * r k))).
+  - apply sum_le. intros k Hk. rewrite Rabs_mult.
+    specialize (Hxy k Hk). fold (u k) in Hxy.
+    rewrite <- Rmult_assoc, (Rmult_comm d), Rmult_assoc.
+    apply Rmult_le_compat_l; [apply Rabs_pos | exact Hxy].
+  - rewrite sum_mult. replace (q * d * r i) with (d * (q * r i)) by ring.
+    apply Rmult_le_compat_l; [easy |]. apply contracts; [| easy].
+    apply between_in_box; [easy | easy | lra].
+Qed.
+
+Theorem one_root_in_box :
+  exists x, box eps x /\ solves x /\
+    (forall y, box 1 y -> solves y -> forall i, (i < n)%nat -> y i = x i).
+Proof.
+  assert (first : within n r ((1 - q) * eps) (step c) c).
+  { intros i Hi. unfold step.
+    replace (c i - sum n (fun j => Y i j * F j c) - c i)
+      with (- sum n (fun j => Y i j * F j c)) by ring.
+    rewrite Rabs_Ropp. now apply starts. }
+  destruct (fixed_point n r radii c q eps step factor scale step_shrinks first) as [Hbox Hfixed].
+  exists (limit c step). split; [exact Hbox | split; [now apply solves_if_fixed |]].
+  intros y Hy Hsolves.
+  apply (fixed_point_unique n r c q step factor step_shrinks);
+    [easy | | now apply fixed_if_solves | exact Hfixed].
+  apply (within_le n r radii eps); [lra | exact Hbox].
+Qed.
+
+End System.
+
+(** ** The same from a table of numbers
+
+    What has to be known of the equations are two sorts of enclosures, each of one expression: their
+    values at the centre and their slopes on the wide box.  With
+
+        |F_j(c)| <= e_j     and     |J_jk(x) - M_jk| <= D_jk  in the wide box
+
+    everything else is arithmetic with the numbers [Y], [M], [D], [e], [r]:
+
+        |I - Y M| + |Y| D <= q,     |Y| e <= (1 - q) eps,     |I - M Y| <= 1/2.
+
+    The last makes [Y] regular: if [Y v = 0] then [v = (I - M Y) v], which is at most half as large. *)
+
+Section Table.
+
+Variables (n : nat) (F : nat -> point -> R) (J : nat -> nat -> point -> R).
+Variables (Y M D : nat -> nat -> R) (c r e : point) (q eps : R).
+
+Notation box d x := (within n r d x c).
+Notation along x u t := (fun i : nat => x i + t * u i).
+
+Hypothesis radii : forall i, (i < n)%nat -> 0 < r i.
+Hypothesis factor : 0 <= q < 1.
+Hypothesis scale : 0 <= eps <= 1.
+
+Hypothesis derivatives : forall j, (j < n)%nat -> forall (x u : point) (t : R),
+  box 1 (along x u t) ->
+  is_derive (fun s => F j (along x u s)) t (sum n (fun k => J j k (along x u t) * u k)).
+Hypothesis slopes : forall x, box 1 x -> forall j k, (j < n)%nat -> (k < n)%nat ->
+  Rabs (J j k x - M j k) <= D j k.
+Hypothesis residuals : forall j, (j < n)%nat -> Rabs (F j c) <= e j.
+
+Hypothesis contracts : forall i, (i < n)%nat ->
+  sum n (fun k => (Rabs (unit_entry i k - sum n (fun j => Y i j * M j k))
+                   + sum n (fun j => Rabs (Y i j) * D j k)) * r k) <= q * r i.
+Hypothesis starts : forall i, (i < n)%nat ->
+  sum n (fun j => Rabs (Y i j) * e j) <= (1 - q) * eps * r i.
+Hypothesis regular : forall j, (j < n)%nat ->
+  sum n (fun k => Rabs (unit_entry j k - sum n (fun i => M j i * Y i k))) <= 1 / 2.
+
+Lemma contracts_everywhere x : box 1 x -> forall i, (i < n)%nat ->
+  sum n (fun k => Rabs (unit_entry i k - sum n (fun j => Y i j * J j k x)) * r k) <= q * r i.
+Proof.
+  intros Hx i Hi. eapply Rle_trans; [| now apply contracts].
+  apply sum_le. intros k Hk. apply Rmult_le_compat_r; [now apply Rlt_le, radii |].
+  replace (unit_entry i k - sum n (fun j => Y i j * J j k x))
+    with ((unit_entry i k - sum n (fun j => Y i j * M j k))
+          - sum n (fun j => Y i j * (J j k x - M j k)))
+    by (rewrite (sum_eq n (fun j => Y i j * (J j k x - M j k))
+                   (fun j => Y i j * J j k x - Y i j * M j k)) by (intros; ring);
+        rewrite sum_minus; ring).
+  eapply Rle_trans; [apply Rabs_triang |]. rewrite Rabs_Ropp.
+  apply Rplus_le_compat_l. eapply Rle_trans; [apply Rabs_sum |].
+  apply sum_le. intros j Hj. rewrite Rabs_mult.
+  apply Rmult_le_compat_l; [apply Rabs_pos | now apply slopes].
+Qed.
+
+Lemma starts_near i : (i < n)%nat ->
+  Rabs (sum n (fun j => Y i j * F j c)) <= (1 - q) * eps * r i.
+Proof.
+  intros Hi. eapply Rle_trans; [| now apply starts].
+  eapply Rle_trans; [apply Rabs_sum |]. apply sum_le. intros j Hj. rewrite Rabs_mult.
+  apply Rmult_le_compat_l; [apply Rabs_pos | now apply residuals].
+Qed.
+
+Lemma preconditioner_regular (v : point) :
+  (forall i, (i < n)%nat -> sum n (fun j => Y i j * v j) = 0) -> forall j, (j < n)%nat -> v j = 0.
+Proof.
+  intros Hv.
+  assert (halves : forall k j, (j < n)%nat ->
+    Rabs (v j) <= (1 / 2) ^ k * sum n (fun i => Rabs (v i))).
+  { induction k as [| k IH]; intros j Hj.
+    - rewrite Rmult_1_l. clear - Hj. induction n as [| m IH]; [lia |]. simpl.
+      assert (0 <= sum m (fun i => Rabs (v i))).
+      { rewrite <- (sum_zero m (fun _ => 0)) by easy. apply sum_le. intros. apply Rabs_pos. }
+      pose proof (Rabs_pos (v m)).
+      destruct (Nat.eq_dec j m) as [-> | Hm]; [lra |].
+      specialize (IH ltac:(lia)). lra.
+    - set (a := (1 / 2) ^ k * sum n (fun i => Rabs (v i))) in *.
+      assert (MYv : sum n (fun k => sum n (fun i => M j i * Y i k) * v k) = 0).
+      { rewrite (sum_eq n _ (fun k => sum n (fun i => M j i * (Y i k * v k)))).
+        - rewrite sum_exchange. apply sum_zero. intros i Hi. rewrite sum_mult, Hv by easy. ring.
+        - intros i Hi. rewrite Rmult_comm, <- sum_mult. apply sum_eq. intros. ring. }
+      replace (v j)
+        with (sum n (fun k => (unit_entry j k - sum n (fun i => M j i * Y i k)) * v k)).
+      2: { rewrite (sum_eq n _ (fun k => unit_entry j k * v k - sum n (fun i => M j i * Y i k) * v k))
+             by (intros; ring).
+           rewrite sum_minus, sum_unit, MYv by easy. ring. }
+      eapply Rle_trans; [apply Rabs_sum |].
+      apply Rle_trans with
+        (sum n (fun k => a * Rabs (unit_entry j k - sum n (fun i => M j i * Y i k)))).
+      + apply sum_le. intros i Hi. rewrite Rabs_mult, Rmult_comm.
+        apply Rmult_le_compat_r; [apply Rabs_pos | now apply IH].
+      + rewrite sum_mult. simpl. rewrite (Rmult_assoc (1 / 2)). fold a.
+        rewrite (Rmult_comm (1 / 2)). apply Rmult_le_compat_l; [| now apply regular].
+        apply Rle_trans with (Rabs (v j)); [apply Rabs_pos | now apply IH]. }
+  intros j Hj. apply (zero_if_below_powers (1 / 2) (sum n (fun i => Rabs (v i)))); [lra |].
+  intros k. now apply halves.
+Qed.
+
+Theorem one_root_from_table :
+  exists x, box eps x /\ solves n F x /\
+    (forall y, box 1 y -> solves n F y -> forall i, (i < n)%nat -> y i = x i).
+Proof.
+  exact (one_root_in_box n F J Y c r q eps radii factor scale derivatives
+           contracts_everywhere starts_near preconditioner_regular).
+Qed.
+
+End Table.

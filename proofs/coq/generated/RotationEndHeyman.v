@@ -1,0 +1,182 @@
+(** * The point l: end of rotation, Heyman's self-weight
+
+    The equations of the landmark as the paper prints them, the box in which they have exactly one
+    solution, its digits, and what follows for the values that the paper prints.  The table of numbers
+    between the claim and the theorem is what [Contraction] asks for.
+
+    Written by `couplet prove --coq` from the equations of the program. *)
+
+From Couplet Require Import Instance.
+Open Scope R_scope.
+
+(** ** What is claimed *)
+
+(** (4); (5) at beta_r -> 0. *)
+Definition equations (alpha eta : R) : Prop :=
+  0 = h_whole 0 alpha eta /\
+  0 = end_of_rotation 0 eta.
+
+(** In this box nothing else solves them. *)
+Definition wide (alpha eta : R) : Prop :=
+  2.32 <= alpha <= 2.97 /\
+  0.88 <= eta <= 1.12.
+
+(** In this one lies the solution. *)
+Definition narrow (alpha eta : R) : Prop :=
+  Rabs (alpha - 2.648388899151005411477459039384470488) <= 1e-30 /\
+  Rabs (eta - 1) <= 1e-30.
+
+(** ** The table *)
+
+(** The equations cleared of denominators, and their partial derivatives. *)
+Definition residuals (alpha eta : R) : list R :=
+  [ 2 * (1 - cos alpha) - alpha * sin alpha * (2 + eta);
+    2 - 2 * (2 - eta) ].
+Definition jacobian (alpha eta : R) : list (list R) :=
+  [ [2 * sin alpha - (sin alpha + cos alpha * alpha) * (2 + eta);
+     - (alpha * sin alpha)];
+    [0;
+     2] ].
+
+Definition centre : list R :=
+  [ 2.648388899151005411477459039384470488;
+    1 ].
+Definition radii : list R :=
+  [0.33; 0.12].
+
+(** About the inverse of the Jacobian at the centre. *)
+Definition inverse : list (list R) :=
+  [ [0.153261; 0.0960855];
+    [0; 0.5] ].
+
+(** The Jacobian at the centre, and how far it can be from that in the wide box. *)
+Definition slopes : list (list R) :=
+  [ [6.524816; -1.2538804];
+    [0; 2] ].
+Definition spreads : list (list R) :=
+  [ [5.1; 1.2];
+    [0; 0] ].
+
+(** The residuals at the centre, and the factor of contraction. *)
+Definition size : R := 2e-36.
+Definition factor : R := 0.85.
+
+Definition F (j : nat) (x : point) : R :=
+  entry (residuals (x 0%nat) (x 1%nat)) j.
+Definition J (j k : nat) (x : point) : R :=
+  entries (jacobian (x 0%nat) (x 1%nat)) j k.
+
+(** ** Its check *)
+
+Ltac reduce := cbv beta iota zeta delta
+  [F J residuals jacobian centre radii inverse slopes spreads size factor
+   entry entries nth sum unit_entry Nat.eqb].
+
+Notation box d x := (within 2 (entry radii) d x (entry centre)).
+
+Lemma derivatives j : (j < 2)%nat -> forall (x u : point) (t : R),
+  box 1 (fun i => x i + t * u i) ->
+  is_derive (fun s => F j (fun i => x i + s * u i)) t
+    (sum 2 (fun k => J j k (fun i => x i + t * u i) * u k)).
+Proof. intros Hj x u t _. each j ltac:(reduce; auto_derive; [exact I | field]). Qed.
+
+Lemma slopes_hold x : box 1 x -> forall j k, (j < 2)%nat -> (k < 2)%nat ->
+  Rabs (J j k x - entries slopes j k) <= entries spreads j k.
+Proof.
+  intros Hx j k Hj Hk. unfold J.
+  generalize (bounds Hx 0 ltac:(lia)).
+  generalize (bounds Hx 1 ltac:(lia)).
+  generalize (x 0%nat) (x 1%nat). clear x Hx.
+  cbv [entry centre radii nth]. intros alpha eta B0 B1.
+  each j ltac:(each k ltac:(reduce; slope)).
+Qed.
+
+Lemma residuals_hold j : (j < 2)%nat -> Rabs (F j (entry centre)) <= size.
+Proof. intros Hj. each j ltac:(reduce; interval with (i_prec 140)). Qed.
+
+Lemma contracts i : (i < 2)%nat ->
+  sum 2 (fun k =>
+    (Rabs (unit_entry i k - sum 2 (fun j => entries inverse i j * entries slopes j k))
+     + sum 2 (fun j => Rabs (entries inverse i j) * entries spreads j k)) * entry radii k)
+  <= factor * entry radii i.
+Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
+
+Lemma starts i : (i < 2)%nat ->
+  sum 2 (fun j => Rabs (entries inverse i j) * size) <= (1 - factor) * 1e-30 * entry radii i.
+Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
+
+Lemma regular j : (j < 2)%nat ->
+  sum 2 (fun k =>
+    Rabs (unit_entry j k - sum 2 (fun i => entries slopes j i * entries inverse i k))) <= 1 / 2.
+Proof. intros Hj. each j ltac:(reduce; arithmetic). Qed.
+
+Lemma radii_positive i : (i < 2)%nat -> 0 < entry radii i.
+Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
+
+Lemma root : exists x, box 1e-30 x /\ solves 2 F x /\
+  (forall y, box 1 y -> solves 2 F y -> forall i, (i < 2)%nat -> y i = x i).
+Proof.
+  apply (one_root_from_table 2 F J (entries inverse) (entries slopes) (entries spreads)
+    (entry centre) (entry radii) (fun _ => size) factor 1e-30);
+    [ exact radii_positive | reduce; lra | lra | exact derivatives | exact slopes_hold
+    | exact residuals_hold | exact contracts | exact starts | exact regular ].
+Qed.
+
+(** ** The cleared equations are the printed ones *)
+
+Lemma cleared alpha eta :
+  wide alpha eta ->
+  (equations alpha eta <-> vanish (residuals alpha eta)).
+Proof.
+  unfold wide, equations, residuals; intros W; conjuncts; cbn [vanish].
+  apply both_under; [apply cleared_whole; clearing | intros E0].
+  apply cleared_tangency_at_crown; clearing.
+Qed.
+
+(** ** The theorem *)
+
+Lemma narrow_is_wide alpha eta :
+  narrow alpha eta -> wide alpha eta.
+Proof. narrow_to_wide narrow wide. Qed.
+
+Theorem one_solution : exists alpha eta,
+  narrow alpha eta /\ equations alpha eta /\
+  (forall alpha' eta',
+     wide alpha' eta' -> equations alpha' eta' ->
+     alpha' = alpha /\ eta' = eta).
+Proof.
+  destruct root as [x [Hx [Hroot Hunique]]].
+  exists (x 0%nat), (x 1%nat).
+  assert (N : narrow (x 0%nat) (x 1%nat))
+    by (unfold narrow; repeat split; digits Hx reduce).
+  split; [exact N | split].
+  - apply cleared; [now apply narrow_is_wide |]. apply vanish_entries. exact Hroot.
+  - intros alpha' eta' W E. apply cleared in E; [| exact W].
+    assert (same : forall i, (i < 2)%nat -> entry [alpha'; eta'] i = x i).
+    { apply Hunique; [intros i Hi; unfold wide in W; each i ltac:(reduce; inside) |].
+      intros j Hj. exact (proj1 (vanish_entries _) E j Hj). }
+    repeat split; [apply (same 0%nat); lia | apply (same 1%nat); lia].
+Qed.
+
+Corollary digits alpha eta :
+  wide alpha eta -> equations alpha eta ->
+  narrow alpha eta.
+Proof.
+  destruct one_solution as (alpha' & eta' & N & _ & unique).
+  intros W E. specialize (unique alpha eta W E). clear W E.
+  conjuncts. subst. exact N.
+Qed.
+
+(** ** The printed values
+
+    Is the last digit right, that is, the value the nearest of its length? *)
+
+Corollary table_3_half_opening_right alpha eta :
+  wide alpha eta -> equations alpha eta ->
+  Rabs (alpha - 2.648388899151005) <= 5e-16.
+Proof. intros W E. apply (digits alpha eta W) in E. unfold narrow in E. compare. Qed.
+
+Corollary table_3_half_opening_degrees_right alpha eta :
+  wide alpha eta -> equations alpha eta ->
+  Rabs (180 / PI * alpha - 151.7) <= 0.05.
+Proof. intros W E. apply (digits alpha eta W) in E. unfold narrow in E. compare. Qed.

@@ -1,0 +1,252 @@
+(** * The point S: shift point, Milankovitch's self-weight
+
+    The equations of the landmark as the paper prints them, the box in which they have exactly one
+    solution, its digits, and what follows for the values that the paper prints.  The table of numbers
+    between the claim and the theorem is what [Contraction] asks for.
+
+    Written by `couplet prove --coq` from the equations of the program. *)
+
+From Couplet Require Import Instance.
+Open Scope R_scope.
+
+(** ** What is claimed *)
+
+(** (3); (5); (17); (18); beta_s^2 = h (1 - h). *)
+Definition equations (alpha beta_s eta h mu : R) : Prop :=
+  h = h_upper 1 alpha beta_s eta /\
+  h = h_tangency 1 beta_s eta /\
+  mu = mu_ss alpha h /\
+  mu = mu_is h /\
+  beta_s = Arch.beta_s h.
+
+(** In this box nothing else solves them. *)
+Definition wide (alpha beta_s eta h mu : R) : Prop :=
+  2.485 <= alpha <= 2.578 /\
+  0.245 <= beta_s <= 0.314 /\
+  0.781 <= eta <= 0.966 /\
+  0.056 <= h <= 0.115 /\
+  1.37 <= mu <= 1.7.
+
+(** In this one lies the solution. *)
+Definition narrow (alpha beta_s eta h mu : R) : Prop :=
+  Rabs (alpha - 2.531269027051531690294833901057070754) <= 1e-30 /\
+  Rabs (beta_s - 0.279703194543685260654669047995029364) <= 1e-30 /\
+  Rabs (eta - 0.873466069820091139956326589228909205) <= 1e-30 /\
+  Rabs (h - 0.085553232655800105789863909472482769) <= 1e-30 /\
+  Rabs (mu - 1.537913842804308491156511189923206103) <= 1e-30.
+
+(** ** The table *)
+
+(** The equations cleared of denominators, and their partial derivatives. *)
+Definition residuals (alpha beta_s eta h mu : R) : list R :=
+  [ ((2 - eta) * cos beta_s - (2 + eta) * cos alpha) * h - ((2 + eta) * alpha * sin alpha - (2 - eta) * beta_s * sin beta_s - 2 * ((cos beta_s - cos alpha) * (1 + 1/12 * eta ^ 2)));
+    (2 - eta) * h * sin beta_s - ((sin beta_s + beta_s * cos beta_s) * (2 - eta) - 2 * ((1 + 1/12 * eta ^ 2) * sin beta_s));
+    (h * cos alpha + alpha * sin alpha) * mu - (h * sin alpha - alpha * cos alpha);
+    ((1 - h) * sin beta_s + beta_s * cos beta_s) * mu - ((1 - h) * cos beta_s - beta_s * sin beta_s);
+    beta_s ^ 2 - (1 - h) * h ].
+Definition jacobian (alpha beta_s eta h mu : R) : list (list R) :=
+  [ [sin alpha * (2 + eta) * h + (2 * (sin alpha * (1 + 1/12 * eta ^ 2)) - ((2 + eta) * sin alpha + cos alpha * ((2 + eta) * alpha)));
+     (2 - eta) * sin beta_s + cos beta_s * ((2 - eta) * beta_s) - 2 * (sin beta_s * (1 + 1/12 * eta ^ 2)) - sin beta_s * (2 - eta) * h;
+     1/3 * (eta * (cos beta_s - cos alpha)) - (alpha * sin alpha + beta_s * sin beta_s) - (cos beta_s + cos alpha) * h;
+     (2 - eta) * cos beta_s - (2 + eta) * cos alpha;
+     0];
+    [0;
+     cos beta_s * ((2 - eta) * h) + (2 * (cos beta_s * (1 + 1/12 * eta ^ 2)) - (cos beta_s + (cos beta_s - sin beta_s * beta_s)) * (2 - eta));
+     sin beta_s + beta_s * cos beta_s + 1/3 * (eta * sin beta_s) - h * sin beta_s;
+     (2 - eta) * sin beta_s;
+     0];
+    [(sin alpha + cos alpha * alpha - sin alpha * h) * mu - (cos alpha * h + (sin alpha * alpha - cos alpha));
+     0;
+     0;
+     cos alpha * mu - sin alpha;
+     h * cos alpha + alpha * sin alpha];
+    [0;
+     (cos beta_s * (1 - h) + (cos beta_s - sin beta_s * beta_s)) * mu + (sin beta_s * (1 - h) + (sin beta_s + cos beta_s * beta_s));
+     0;
+     cos beta_s - sin beta_s * mu;
+     (1 - h) * sin beta_s + beta_s * cos beta_s];
+    [0;
+     2 * beta_s;
+     0;
+     h - (1 - h);
+     0] ].
+
+Definition centre : list R :=
+  [ 2.531269027051531690294833901057070754;
+    0.279703194543685260654669047995029364;
+    0.873466069820091139956326589228909205;
+    0.085553232655800105789863909472482769;
+    1.537913842804308491156511189923206103 ].
+Definition radii : list R :=
+  [0.047; 0.035; 0.093; 0.03; 0.17].
+
+(** About the inverse of the Jacobian at the centre. *)
+Definition inverse : list (list R) :=
+  [ [0.2190125; 0.3718958; 0.0529161; -0.1401505; 0.8400231];
+    [-0.0873894; -0.1483923; -0.1081568; 0.2864578; 0.006575];
+    [0.0389978; 1.7282769; 0.0482653; -0.1278327; 0.6206732];
+    [-0.0589777; -0.1001475; -0.0729932; 0.1933256; -1.2019903];
+    [0.6488686; 1.101816; 0.8030665; -0.2086192; 1.1929713] ].
+
+(** The Jacobian at the centre, and how far it can be from that in the wide box. *)
+Definition slopes : list (list R) :=
+  [ [5.6735356; 0; -1.0216603; 3.4374518; 0];
+    [0; 0.0586041; 0.6016643; 0.3110027; 0];
+    [-4.5841526; 0; 0; -1.8333955; 1.3806454];
+    [0; 3.5084339; 0; 0.5365649; 0.5212849];
+    [0; 0.5594064; 0; -0.8288935; 0] ].
+Definition spreads : list (list R) :=
+  [ [0.91; 0.25; 0.24; 0.28; 0];
+    [0; 0.34; 0.11; 0.071; 0];
+    [0.78; 0; 0; 0.24; 0.17];
+    [0; 0.56; 0; 0.13; 0.082];
+    [0; 0.074; 0; 0.064; 0] ].
+
+(** The residuals at the centre, and the factor of contraction. *)
+Definition size : R := 4e-36.
+Definition factor : R := 0.9.
+
+Definition F (j : nat) (x : point) : R :=
+  entry (residuals (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat) (x 4%nat)) j.
+Definition J (j k : nat) (x : point) : R :=
+  entries (jacobian (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat) (x 4%nat)) j k.
+
+(** ** Its check *)
+
+Ltac reduce := cbv beta iota zeta delta
+  [F J residuals jacobian centre radii inverse slopes spreads size factor
+   entry entries nth sum unit_entry Nat.eqb].
+
+Notation box d x := (within 5 (entry radii) d x (entry centre)).
+
+Lemma derivatives j : (j < 5)%nat -> forall (x u : point) (t : R),
+  box 1 (fun i => x i + t * u i) ->
+  is_derive (fun s => F j (fun i => x i + s * u i)) t
+    (sum 5 (fun k => J j k (fun i => x i + t * u i) * u k)).
+Proof. intros Hj x u t _. each j ltac:(reduce; auto_derive; [exact I | field]). Qed.
+
+Lemma slopes_hold x : box 1 x -> forall j k, (j < 5)%nat -> (k < 5)%nat ->
+  Rabs (J j k x - entries slopes j k) <= entries spreads j k.
+Proof.
+  intros Hx j k Hj Hk. unfold J.
+  generalize (bounds Hx 0 ltac:(lia)).
+  generalize (bounds Hx 1 ltac:(lia)).
+  generalize (bounds Hx 2 ltac:(lia)).
+  generalize (bounds Hx 3 ltac:(lia)).
+  generalize (bounds Hx 4 ltac:(lia)).
+  generalize (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat) (x 4%nat). clear x Hx.
+  cbv [entry centre radii nth]. intros alpha beta_s eta h mu B0 B1 B2 B3 B4.
+  each j ltac:(each k ltac:(reduce; slope)).
+Qed.
+
+Lemma residuals_hold j : (j < 5)%nat -> Rabs (F j (entry centre)) <= size.
+Proof. intros Hj. each j ltac:(reduce; interval with (i_prec 140)). Qed.
+
+Lemma contracts i : (i < 5)%nat ->
+  sum 5 (fun k =>
+    (Rabs (unit_entry i k - sum 5 (fun j => entries inverse i j * entries slopes j k))
+     + sum 5 (fun j => Rabs (entries inverse i j) * entries spreads j k)) * entry radii k)
+  <= factor * entry radii i.
+Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
+
+Lemma starts i : (i < 5)%nat ->
+  sum 5 (fun j => Rabs (entries inverse i j) * size) <= (1 - factor) * 1e-30 * entry radii i.
+Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
+
+Lemma regular j : (j < 5)%nat ->
+  sum 5 (fun k =>
+    Rabs (unit_entry j k - sum 5 (fun i => entries slopes j i * entries inverse i k))) <= 1 / 2.
+Proof. intros Hj. each j ltac:(reduce; arithmetic). Qed.
+
+Lemma radii_positive i : (i < 5)%nat -> 0 < entry radii i.
+Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
+
+Lemma root : exists x, box 1e-30 x /\ solves 5 F x /\
+  (forall y, box 1 y -> solves 5 F y -> forall i, (i < 5)%nat -> y i = x i).
+Proof.
+  apply (one_root_from_table 5 F J (entries inverse) (entries slopes) (entries spreads)
+    (entry centre) (entry radii) (fun _ => size) factor 1e-30);
+    [ exact radii_positive | reduce; lra | lra | exact derivatives | exact slopes_hold
+    | exact residuals_hold | exact contracts | exact starts | exact regular ].
+Qed.
+
+(** ** The cleared equations are the printed ones *)
+
+Lemma cleared alpha beta_s eta h mu :
+  wide alpha beta_s eta h mu ->
+  (equations alpha beta_s eta h mu <-> vanish (residuals alpha beta_s eta h mu)).
+Proof.
+  unfold wide, equations, residuals; intros W; conjuncts; cbn [vanish].
+  apply both_under; [apply cleared_upper; clearing | intros E0].
+  apply both_under; [apply cleared_tangency; clearing | intros E1].
+  apply both_under; [apply cleared_shoulder_sliding; clearing | intros E2].
+  apply cleared_inner_sliding; clearing.
+Qed.
+
+(** ** The theorem *)
+
+Lemma narrow_is_wide alpha beta_s eta h mu :
+  narrow alpha beta_s eta h mu -> wide alpha beta_s eta h mu.
+Proof. narrow_to_wide narrow wide. Qed.
+
+Theorem one_solution : exists alpha beta_s eta h mu,
+  narrow alpha beta_s eta h mu /\ equations alpha beta_s eta h mu /\
+  (forall alpha' beta_s' eta' h' mu',
+     wide alpha' beta_s' eta' h' mu' -> equations alpha' beta_s' eta' h' mu' ->
+     alpha' = alpha /\ beta_s' = beta_s /\ eta' = eta /\ h' = h /\ mu' = mu).
+Proof.
+  destruct root as [x [Hx [Hroot Hunique]]].
+  exists (x 0%nat), (x 1%nat), (x 2%nat), (x 3%nat), (x 4%nat).
+  assert (N : narrow (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat) (x 4%nat))
+    by (unfold narrow; repeat split; digits Hx reduce).
+  split; [exact N | split].
+  - apply cleared; [now apply narrow_is_wide |]. apply vanish_entries. exact Hroot.
+  - intros alpha' beta_s' eta' h' mu' W E. apply cleared in E; [| exact W].
+    assert (same : forall i, (i < 5)%nat -> entry [alpha'; beta_s'; eta'; h'; mu'] i = x i).
+    { apply Hunique; [intros i Hi; unfold wide in W; each i ltac:(reduce; inside) |].
+      intros j Hj. exact (proj1 (vanish_entries _) E j Hj). }
+    repeat split; [apply (same 0%nat); lia | apply (same 1%nat); lia | apply (same 2%nat); lia | apply (same 3%nat); lia | apply (same 4%nat); lia].
+Qed.
+
+Corollary digits alpha beta_s eta h mu :
+  wide alpha beta_s eta h mu -> equations alpha beta_s eta h mu ->
+  narrow alpha beta_s eta h mu.
+Proof.
+  destruct one_solution as (alpha' & beta_s' & eta' & h' & mu' & N & _ & unique).
+  intros W E. specialize (unique alpha beta_s eta h mu W E). clear W E.
+  conjuncts. subst. exact N.
+Qed.
+
+(** ** The printed values
+
+    Is the last digit right, that is, the value the nearest of its length? *)
+
+Corollary table_2_thickness_wrong alpha beta_s eta h mu :
+  wide alpha beta_s eta h mu -> equations alpha beta_s eta h mu ->
+  5e-17 < Rabs (eta - 0.8734660698200912).
+Proof. intros W E. apply (digits alpha beta_s eta h mu W) in E. unfold narrow in E. compare. Qed.
+
+Corollary table_2_friction_wrong alpha beta_s eta h mu :
+  wide alpha beta_s eta h mu -> equations alpha beta_s eta h mu ->
+  5e-16 < Rabs (mu - 1.537913842804309).
+Proof. intros W E. apply (digits alpha beta_s eta h mu W) in E. unfold narrow in E. compare. Qed.
+
+Corollary table_2_half_opening_right alpha beta_s eta h mu :
+  wide alpha beta_s eta h mu -> equations alpha beta_s eta h mu ->
+  Rabs (alpha - 2.531269027051532) <= 5e-16.
+Proof. intros W E. apply (digits alpha beta_s eta h mu W) in E. unfold narrow in E. compare. Qed.
+
+Corollary table_2_thrust_wrong alpha beta_s eta h mu :
+  wide alpha beta_s eta h mu -> equations alpha beta_s eta h mu ->
+  5e-18 < Rabs (h - 0.08555323265580009).
+Proof. intros W E. apply (digits alpha beta_s eta h mu W) in E. unfold narrow in E. compare. Qed.
+
+Corollary table_2_rotation_joint_right alpha beta_s eta h mu :
+  wide alpha beta_s eta h mu -> equations alpha beta_s eta h mu ->
+  Rabs (beta_s - 0.2797031945436853) <= 5e-17.
+Proof. intros W E. apply (digits alpha beta_s eta h mu W) in E. unfold narrow in E. compare. Qed.
+
+Corollary table_2_sliding_joint_right alpha beta_s eta h mu :
+  wide alpha beta_s eta h mu -> equations alpha beta_s eta h mu ->
+  Rabs (beta_s - 0.2797031945436853) <= 5e-17.
+Proof. intros W E. apply (digits alpha beta_s eta h mu W) in E. unfold narrow in E. compare. Qed.

@@ -1,0 +1,77 @@
+#!/bin/sh
+# After `make`: wrong copies of a generated file do not compile, each for the reason it should.
+#
+# Usage: spoil.sh [MODULE], by default TripleMilankovitch.
+set -eu
+cd "$(dirname "$0")"
+module=${1:-TripleMilankovitch}
+here=$PWD
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+wrong=0
+
+# The last Lemma, Theorem or Corollary that begins at or before a line.
+statement_at() {
+  head -n "$2" "$1" | sed -nE "s/^(Lemma|Theorem|Corollary) ([A-Za-z0-9_']+).*/\2/p" | tail -n 1
+}
+
+# What coqc stops at in a copy; nothing if it compiles.
+refused_at() {
+  if coqc -q -w -ambiguous-paths -R "$here" Couplet "$1" > /dev/null 2> "$work/message"; then
+    return
+  fi
+  line=$(sed -nE 's/^File "[^"]*", line ([0-9]+), .*/\1/p' "$work/message" | tail -n 1)
+  statement_at "$1" "${line:-1}"
+}
+
+# spoiled WHAT STATEMENT PERL: the copy that PERL makes is refused at STATEMENT.
+spoiled() {
+  copy="$work/Spoiled.v"
+  perl -0777 -pe "$3" "generated/$module.v" > "$copy"
+  if cmp -s "$copy" "generated/$module.v"; then
+    found="nothing to spoil"
+  else
+    found=$(refused_at "$copy")
+  fi
+  if [ "$found" = "$2" ]; then
+    echo "spoil.sh: $1: refused at $2"
+  else
+    echo "spoil.sh: $1: ${found:-accepted}, not refused at $2" >&2
+    wrong=1
+  fi
+}
+
+cp "generated/$module.v" "$work/Untouched.v"
+found=$(refused_at "$work/Untouched.v")
+if [ -n "$found" ]; then
+  cat "$work/message" >&2
+  echo "spoil.sh: the untouched copy is refused at $found" >&2
+  exit 1
+fi
+echo "spoil.sh: the untouched copy of $module: accepted"
+
+spoiled "a shifted centre" residuals_hold \
+  's/(Definition centre.*?\.\d{30})(\d)/$1 . ($2 + 5) % 10/se'
+spoiled "a shifted centre with a bound that allows it" starts \
+  's/(Definition centre.*?\.\d{28})(\d)/$1 . ($2 + 5) % 10/se; s/(Definition size : R := )\S+\./${1}1e-27./'
+spoiled "a wrong digit in the claim" one_solution \
+  's/(Definition narrow.*?\.\d{28})(\d)/$1 . ($2 + 5) % 10/se'
+spoiled "a box too wide in the claim" one_solution \
+  's/(Definition wide.*?<= \w+ <= \d\.\d)(\d)/$1 . ($2 + 1) % 10/se'
+spoiled "a wrong sign in an equation" derivatives \
+  's/(Definition residuals.*?) - /$1 + /s'
+spoiled "a wrong sign in (18), its derivatives and their values" residuals_hold \
+  's/beta_s \^ 2 - /beta_s ^ 2 + /; s/h - \(1 - h\)/1 - h - h/; s/-(0\.\d+; 0\] \]\.)/$1/'
+spoiled "a wrong partial derivative" derivatives \
+  's/(Definition jacobian.*?)\bcos\b/$1sin/s'
+spoiled "a spoiled preconditioner" contracts \
+  's/(Definition inverse.*?\[ \[)/${1}1 + /s'
+spoiled "a singular preconditioner" contracts \
+  's/(Definition inverse.*?\n  \[ )(\[.*?\])(;\s*)\[.*?\]/$1$2$3$2/s'
+spoiled "slopes that are too narrow" slopes_hold \
+  's/(Definition spreads.*?)0\.\d+/${1}0.0000001/s'
+spoiled "another printed equation" cleared \
+  's/(Definition equations.*?h_\w+ )(\d)/$1 . (1 - $2)/se'
+spoiled "a printed value that is off" "$(sed -nE 's/^Corollary (table_\w+_right).*/\1/p' "generated/$module.v" | head -n 1)" \
+  's/(_right .*?Rabs \([^)]*\d)(\d)\)/$1 . (($2 + 5) % 10) . ")"/se'
+exit $wrong

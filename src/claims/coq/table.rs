@@ -1,0 +1,274 @@
+//! The numbers with which `Contraction.v` proves one root of a system.
+//!
+//! Nothing here is trusted: Coq checks every number. Floats and balls only choose them, such that the
+//! check succeeds with some room.
+
+use super::numeral::{distance, down, exact, nearest, places, radius, up};
+use super::{Symbols, Term};
+use crate::arch::{Point, System, Unknown};
+use crate::certify::{CertifiedLandmark, Undecided};
+use crate::number::{Angle, Ball, Dual, Magnitude};
+use crate::solve::inverse;
+use rug::{Float, Rational};
+
+/// Decimals to which a centre is known.
+pub const DECIMALS: u32 = 30;
+/// Decimals of a centre as printed: the first Newton step has to stay far inside the small box.
+const CENTRE: u32 = DECIMALS + 6;
+/// Decimals of the preconditioner and of the slopes at the centre.
+const MATRIX: u32 = 7;
+/// Bits of the balls.
+const BITS: u32 = 256;
+/// The factor by which distances have to shrink.
+const CONTRACTION: (u32, u32) = (9, 10);
+/// By how much a bound is printed larger than the balls find it; Coq's intervals differ from them.
+const ROOM: (u32, u32) = (21, 20);
+/// The box is made smaller by a twentieth this often before it is given up.
+const TRIALS: u32 = 100;
+
+/// A system as terms, cleared of denominators, with its derivatives.
+pub struct Cleared {
+    /// One term for each equation.
+    pub residuals: Vec<Term>,
+    /// Their derivatives to the unknowns.
+    pub jacobian: Vec<Vec<Term>>,
+}
+
+impl Cleared {
+    /// The equations of the system, in its own order, in variables named by their symbols.
+    pub fn new(system: &System) -> Self {
+        let symbols = Symbols::of(system);
+        let variables: Vec<Term> = symbols.iter().map(Term::variable).collect();
+        let point = Point::with_angles(system, &variables, |k, _| Term::angle(symbols.get(k)));
+        let residuals: Vec<Term> =
+            system.residuals(&point).iter().map(|term| term.fraction().0).collect();
+        let slopes = |term: &Term| gradient(term, &symbols);
+        let jacobian = residuals.iter().map(slopes).collect();
+        Self { residuals, jacobian }
+    }
+}
+
+/// The derivatives of a term to some of its variables.
+fn gradient(term: &Term, symbols: &Symbols) -> Vec<Term> {
+    let like = Dual::constant(Term::constant(0));
+    let slope = term.evaluate(&like, &|name| match symbols.index(name) {
+        Some((k, symbol)) => Term::angle(symbol).variable(k),
+        None => Angle::zero(&like),
+    });
+    symbols.iter().enumerate().map(|(k, _)| slope.derivative(k)).collect()
+}
+
+/// The derivative of a term in one variable.
+pub fn derivative(term: &Term, variable: &'static str) -> Term {
+    let like = Dual::constant(Term::constant(0));
+    term.evaluate(&like, &|_| Term::angle(variable).variable(0)).derivative(0)
+}
+
+/// The numbers of one landmark.
+pub struct Table {
+    /// The centre `c`.
+    pub centre: Vec<Rational>,
+    /// The radii `r` of the wide box.
+    pub radii: Vec<Rational>,
+    /// A box of short decimals in the wide box, for people.
+    pub wide: Vec<(Rational, Rational)>,
+    /// The preconditioner `Y`.
+    pub inverse: Vec<Vec<Rational>>,
+    /// The slopes `M` at the centre.
+    pub slopes: Vec<Vec<Rational>>,
+    /// How far the slopes are from those on the wide box, `D`.
+    pub spreads: Vec<Vec<Rational>>,
+    /// A bound `e` of all residuals at the centre.
+    pub residual: Rational,
+    /// The factor `q`.
+    pub factor: Rational,
+}
+
+impl Table {
+    /// Chooses the numbers: the largest wide box of the shape that the isolation has found, on which
+    /// the system contracts well.
+    pub fn new(point: &CertifiedLandmark, cleared: &Cleared) -> Result<Self, Undecided> {
+        let failed = |what| Undecided(format!("{} for Coq: {what}", point.landmark().symbol()));
+        let system = point.isolated().system();
+        let refined = point.enclosure(BITS)?;
+        let values = system.unknowns.iter().map(|&unknown| refined.value(unknown));
+        let centre: Option<Vec<Rational>> =
+            values.map(|x| Some(nearest(&exact(x?.mid()), CENTRE))).collect();
+        let centre = centre.ok_or_else(|| failed("a value is missing"))?;
+
+        let at_centre = Values::new(system, &centre, &vec![Rational::new(); centre.len()]);
+        let slopes = matrix(&cleared.jacobian, |term| at_centre.nearest(term));
+        let floats = matrix(&slopes, |x| Float::with_val(BITS, x));
+        let inverse = inverse(floats).ok_or_else(|| failed("a singular Jacobian"))?;
+        let inverse = matrix(&inverse, |x| nearest(&exact(x), MATRIX));
+
+        let boxes = shrinking(point.isolated().domain());
+        let contracting = boxes.into_iter().find_map(|radii| {
+            let spreads = Values::new(system, &centre, &radii).spreads(cleared, &slopes);
+            let factor = up(&contraction(&inverse, &slopes, &spreads, &radii), 2);
+            (factor <= Rational::from(CONTRACTION)).then_some((radii, spreads, factor))
+        });
+        let (radii, spreads, factor) =
+            contracting.ok_or_else(|| failed("no box on which it contracts"))?;
+        let residual = at_centre.largest(&cleared.residuals);
+        let wide = short_bounds(&centre, &radii);
+        Ok(Self { centre, radii, wide, inverse, slopes, spreads, residual, factor })
+    }
+}
+
+/// Smaller and smaller boxes of one shape, with radii of two digits.
+fn shrinking(domain: &[Ball]) -> Vec<Vec<Rational>> {
+    let mut shape: Vec<Rational> = domain.iter().map(radius).collect();
+    let step = |_| {
+        let radii = shape.iter().map(|r| down(r, places(r, 2))).collect();
+        shape.iter_mut().for_each(|r| *r *= Rational::from((19, 20)));
+        radii
+    };
+    (0..TRIALS).map(step).collect()
+}
+
+/// A box of few digits that fits into the one given.
+fn short_bounds(centre: &[Rational], radii: &[Rational]) -> Vec<(Rational, Rational)> {
+    let bounds = |(c, r): (&Rational, &Rational)| {
+        let places = places(r, 2);
+        (up(&(c.clone() - r), places), down(&(c.clone() + r), places))
+    };
+    centre.iter().zip(radii).map(bounds).collect()
+}
+
+/// Enclosures of terms on a box.
+struct Values {
+    symbols: Symbols,
+    angles: Vec<Angle<Ball>>,
+}
+
+impl Values {
+    fn new(system: &System, centre: &[Rational], radii: &[Rational]) -> Self {
+        let angle = |((c, r), unknown): ((&Rational, &Rational), &Unknown)| {
+            let radius = Magnitude::upper(&Float::with_val(64, r));
+            let ball = Ball::enclosing(c, BITS).widened(radius);
+            if unknown.is_angle() {
+                Angle::new(ball)
+            } else {
+                Angle { rad: ball.clone(), ..Angle::zero(&ball) }
+            }
+        };
+        let angles = centre.iter().zip(radii).zip(system.unknowns).map(angle).collect();
+        Self { symbols: Symbols::of(system), angles }
+    }
+
+    fn of(&self, term: &Term) -> Ball {
+        let like = &self.angles[0].rad;
+        term.evaluate(like, &|name| match self.symbols.index(name) {
+            Some((k, _)) => self.angles[k].clone(),
+            None => Angle::zero(like),
+        })
+    }
+
+    /// The value with few decimals; exactly, where the term is constant.
+    fn nearest(&self, term: &Term) -> Rational {
+        match term.as_constant() {
+            Some(constant) => constant.clone(),
+            None => nearest(&exact(self.of(term).mid()), MATRIX),
+        }
+    }
+
+    /// How far the Jacobian on the box can be from the slopes at its centre, rounded up.
+    fn spreads(&self, cleared: &Cleared, slopes: &[Vec<Rational>]) -> Vec<Vec<Rational>> {
+        let spread = |(term, slope): (&Term, &Rational)| match term.as_constant() {
+            Some(_) => Rational::new(),
+            None => {
+                let spread = distance(&self.of(term), slope) * Rational::from(ROOM);
+                up(&spread, places(&spread, 2).min(MATRIX))
+            }
+        };
+        let rows = cleared.jacobian.iter().zip(slopes);
+        rows.map(|(terms, slopes)| terms.iter().zip(slopes).map(spread).collect()).collect()
+    }
+
+    /// A bound of one digit for all absolute values, with room.
+    fn largest(&self, terms: &[Term]) -> Rational {
+        let sizes = terms.iter().map(|term| distance(&self.of(term), &Rational::new()));
+        let largest = sizes.max().unwrap_or_default() * Rational::from(2);
+        up(&largest, CENTRE)
+    }
+}
+
+/// `|I - Y M| + |Y| D` in the norm weighted by the radii.
+fn contraction(
+    inverse: &[Vec<Rational>],
+    slopes: &[Vec<Rational>],
+    spreads: &[Vec<Rational>],
+    radii: &[Rational],
+) -> Rational {
+    let n = radii.len();
+    let entry = |i: usize, k: usize| {
+        let products = (0..n).map(|j| inverse[i][j].clone() * &slopes[j][k]);
+        let unit = Rational::from(u32::from(i == k));
+        let spread = (0..n).map(|j| inverse[i][j].clone().abs() * &spreads[j][k]);
+        products.fold(unit, |sum, x| sum - x).abs() + spread.fold(Rational::new(), |sum, x| sum + x)
+    };
+    let row = |i: usize| {
+        let terms = (0..n).map(|k| entry(i, k) * &radii[k]);
+        terms.fold(Rational::new(), |sum, x| sum + x) / &radii[i]
+    };
+    (0..n).map(row).max().unwrap_or_default()
+}
+
+fn matrix<T, U>(rows: &[Vec<T>], f: impl Fn(&T) -> U) -> Vec<Vec<U>> {
+    rows.iter().map(|row| row.iter().map(&f).collect()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arch::{Landmark, SelfWeight};
+    use crate::claims::coq::numeral::unit;
+
+    fn triple() -> (System, Cleared) {
+        let system = Landmark::Triple.system(SelfWeight::Milankovitch);
+        (system, Cleared::new(&system))
+    }
+
+    #[test]
+    fn a_cleared_system_has_no_quotients_and_its_own_zeros() {
+        let (system, cleared) = triple();
+        let point = CertifiedLandmark::new(Landmark::Triple, system.weight).unwrap();
+        let refined = point.enclosure(BITS).unwrap();
+        let centre: Vec<Rational> =
+            system.unknowns.iter().map(|&x| exact(refined.value(x).unwrap().mid())).collect();
+        let none = vec![Rational::new(); centre.len()];
+        let values = Values::new(&system, &centre, &none);
+        for term in &cleared.residuals {
+            assert!(!term.to_string().contains(" / "), "{term}");
+            assert!(distance(&values.of(term), &Rational::new()) < unit(60));
+        }
+    }
+
+    #[test]
+    fn the_jacobian_is_that_of_the_cleared_system() {
+        let (system, cleared) = triple();
+        let at = |shift: usize, by: Rational| -> Values {
+            let mut centre: Vec<Rational> = (2..8).map(|n| Rational::from((n, 7))).collect();
+            centre[shift] += by;
+            Values::new(&system, &centre, &vec![Rational::new(); 6])
+        };
+        let step = Rational::from((1, 1_000_000_000));
+        for k in 0..6 {
+            let (below, above) = (at(k, -step.clone()), at(k, step.clone()));
+            for (term, slopes) in cleared.residuals.iter().zip(&cleared.jacobian) {
+                let difference = exact(above.of(term).mid()) - exact(below.of(term).mid());
+                let slope = at(k, Rational::new()).of(&slopes[k]);
+                let quotient = difference / (step.clone() * Rational::from(2));
+                assert!(distance(&slope, &quotient) < unit(15), "{term}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_factor_of_a_perfect_preconditioner_is_the_spread() {
+        let row = |x: i32| vec![vec![Rational::from((x, 10))]];
+        let factor = contraction(&row(5), &row(20), &row(3), &[Rational::from(1)]);
+        assert_eq!(factor, Rational::from((15, 100)));
+    }
+}

@@ -1,0 +1,43 @@
+//! The two self-weights compared at the landmarks of the map.
+
+use super::landmark::title;
+use super::template::fill;
+use super::{Symbols, module, symbol};
+use crate::arch::{Landmark, SelfWeight};
+use crate::certify::{Comparison, Relation, Undecided, compare_weights};
+
+/// The file of the comparisons, one theorem for each landmark.
+pub fn file() -> Result<String, Undecided> {
+    let comparisons = compare_weights()?;
+    let mut landmarks: Vec<Landmark> = comparisons.iter().map(|c| c.landmark).collect();
+    landmarks.dedup();
+    let mut out = include_str!("templates/weights.v").to_owned();
+    for landmark in landmarks {
+        let claims = comparisons.iter().filter(|c| c.landmark == landmark).filter_map(claim);
+        let symbols = Symbols::of(&landmark.system(SelfWeight::Heyman));
+        let others: Vec<String> = symbols.iter().map(|x| format!("{x}'")).collect();
+        let values = [
+            ("title", title(landmark)),
+            ("name", landmark.name().replace(' ', "_")),
+            ("args", symbols.arguments()),
+            ("others", others.join(" ")),
+            ("heyman", module(landmark, SelfWeight::Heyman)),
+            ("milankovitch", module(landmark, SelfWeight::Milankovitch)),
+            ("claims", claims.collect::<Vec<_>>().join(" /\\ ")),
+        ];
+        out.push_str(&fill(include_str!("templates/weight.v"), &values));
+    }
+    Ok(out)
+}
+
+/// What is certified, if the quantity is one of the variables.
+fn claim(comparison: &Comparison) -> Option<String> {
+    let unknown = comparison.quantity.variable();
+    comparison.landmark.system(SelfWeight::Heyman).index(unknown)?;
+    let x = symbol(unknown);
+    Some(match comparison.certified {
+        Relation::Lower => format!("{x}' < {x}"),
+        Relation::Equal => format!("{x}' = {x}"),
+        Relation::Higher => format!("{x} < {x}'"),
+    })
+}
