@@ -1,7 +1,7 @@
 # `make` builds couplet and prints the landmark constants; `make test` runs every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build test lint docs bench proofs m4 coq
+.PHONY: run build test lint docs checker bench proofs m4 coq
 
 run: build
 	./target/release/couplet constants
@@ -18,6 +18,11 @@ lint: m4
 
 docs: m4
 	RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --locked
+
+# The checker of certificates alone, which must need neither GMP nor MPFR.
+checker:
+	cargo build --release --locked --no-default-features --features check --target-dir target/checker
+	@! cargo tree --locked --no-default-features --features check -e normal,build | grep -E "rug|gmp-mpfr"
 
 # Timings of this machine; nothing depends on them.
 bench: m4

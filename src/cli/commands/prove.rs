@@ -2,11 +2,12 @@
 
 use super::Failure;
 use super::output::Output;
-use crate::claims::{Claim, claims};
+use crate::claims::{Claim, claims, coq};
 use crate::report::{ClaimFormat, Claims};
 use clap::Args;
 use rayon::prelude::*;
-use std::path::PathBuf;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 /// Prove or refute the claims of the paper, one by one.
 ///
@@ -29,6 +30,10 @@ pub struct Arguments {
     /// Write to a file instead of standard output; it appears whole or not at all.
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
+
+    /// Instead, write the constants as theorems for the proof assistant Coq into a folder.
+    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["claims", "show", "format", "output"])]
+    coq: Option<PathBuf>,
 }
 
 fn format(text: &str) -> Result<ClaimFormat, String> {
@@ -41,6 +46,9 @@ fn format(text: &str) -> Result<ClaimFormat, String> {
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if let Some(folder) = &arguments.coq {
+        return write_coq(folder);
+    }
     let chosen = choose(&arguments.claims)?;
     let output = Output::open(arguments.output.as_deref())?;
     let decisions: Vec<_> = chosen.par_iter().map(Claim::decide).collect();
@@ -56,6 +64,19 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         true => Ok(()),
         false => Err(Failure::Undecided(format!("not everything was decided: {undecided}"))),
     }
+}
+
+/// Writes the Coq files into a folder, which is made if need be.
+fn write_coq(folder: &Path) -> Result<(), Failure> {
+    let files = coq::files().map_err(|undecided| Failure::Undecided(undecided.to_string()))?;
+    fs::create_dir_all(folder).map_err(|error| {
+        Failure::Io(format!("cannot write {}: {}", folder.display(), error.kind()))
+    })?;
+    for (name, text) in files {
+        let output = Output::open(Some(&folder.join(name)))?;
+        output.write(|out| out.write_all(text.as_bytes()))?;
+    }
+    Ok(())
 }
 
 /// The claims named, each by its id or by the beginning of it up to a hyphen.
