@@ -1,7 +1,7 @@
 # `make` builds couplet and prints the landmark constants; `make test` runs every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build test lint docs checker bench proofs m4 coq
+.PHONY: run build test lint docs constants checker bench proofs m4 coq
 
 run: build
 	./target/release/couplet constants
@@ -18,6 +18,10 @@ lint: m4
 
 docs: m4
 	RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --locked
+
+# The repository's certificates, 100 digits of every landmark; a test says whether they are up to date.
+constants: build
+	./target/release/couplet certify all --digits 100 --output proofs/constants
 
 # The checker of certificates alone, which must need neither GMP nor MPFR.
 checker:

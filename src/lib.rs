@@ -69,6 +69,34 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! Over polynomials the same equations are formulas, and an identity is proved by its normal form:
+//!
+//! ```
+//! use couplet::arch::cubic;
+//! use couplet::number::Field;
+//! use couplet::symbolic::{Relations, Symbol, along_the_joint};
+//!
+//! let joint = Symbol::joint();
+//! let slope = (joint.rad.clone() * &joint.sin).derivative(&along_the_joint());
+//! let difference = slope - cubic::abbreviations(&joint).f;
+//! assert!(difference.vanishes(&Relations::trigonometric())); // (8): f = (beta S)'
+//! ```
+//!
+//! What is certified can be handed on with a proof that needs no solver to check:
+//!
+//! ```
+//! use couplet::arch::{Landmark, SelfWeight};
+//! use couplet::certify::certify_landmark;
+//! use couplet::check::check;
+//! use couplet::number::AstroInterval;
+//!
+//! let certificate = certify_landmark(Landmark::Border, SelfWeight::Heyman, 40)?;
+//! let file = serde_json::to_vec(&certificate)?;
+//! let accepted = check::<AstroInterval>(&file, 1000)?;
+//! assert_eq!(accepted.digits, 40);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! # Where an equation is
 //!
 //! | paper | code |
@@ -85,6 +113,7 @@
 //! | (16) end of rotation, corrected | [`arch::overturning::end_of_rotation`] |
 //! | (17) shoulder sliding | [`arch::sliding::shoulder`], [`arch::sliding::shoulder_thrust`] |
 //! | (18) inner sliding | [`arch::sliding::inner`], [`arch::sliding::steepest`] |
+//! | what is claimed of them, proved or refuted | [`claims`] |
 //! | collapse modes, admissibility, least thickness | [`arch::Mode`], [`arch::contact`] |
 //! | Tables 1–4, 16-digit values of the text | [`arch::published`] |
 //!
