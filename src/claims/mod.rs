@@ -4,7 +4,8 @@
 //! |---|---|
 //! | moments, tangency, centroids: (2)–(6) | `moments.rs` |
 //! | the cubics and their abbreviations: (7), (8), the discriminants (12) | `cubics.rs` |
-//! | the closed forms (9)–(11), their branches, the widest joint | `branches.rs` |
+//! | the curve of rotational states, the widest joint | `curve.rs` |
+//! | the closed forms (9)–(11), their branches | `branches.rs` |
 //! | purely overturning states: (13)–(16) | `overturning.rs` |
 //! | how rotation and overturning join | `joining.rs` |
 //! | sliding: (17), (18) | `sliding.rs` |
@@ -19,7 +20,9 @@
 
 mod asymptotics;
 pub mod coq;
+mod branches;
 mod cubics;
+mod curve;
 mod derivation;
 mod joining;
 mod moments;
@@ -90,6 +93,8 @@ pub fn claims() -> Vec<Claim> {
     [
         moments::CLAIMS,
         cubics::CLAIMS,
+        curve::CLAIMS,
+        branches::CLAIMS,
         overturning::CLAIMS,
         joining::CLAIMS,
         sliding::CLAIMS,
