@@ -25,6 +25,7 @@ mod cubics;
 mod curve;
 mod derivation;
 mod joining;
+mod landmarks;
 mod moments;
 mod overturning;
 mod sliding;
@@ -99,6 +100,7 @@ pub fn claims() -> Vec<Claim> {
         joining::CLAIMS,
         sliding::CLAIMS,
         asymptotics::CLAIMS,
+        landmarks::CLAIMS,
     ]
     .concat()
 }
