@@ -19,10 +19,11 @@
 use super::{Claim, Derivation, Finding};
 use crate::arch::{Mode, Ring, cubic, overturning, thrust};
 use crate::certify::Undecided;
-use crate::number::{Angle, Dual, Field};
+use crate::number::{Angle, Ball, Dual, Field, Real};
 use crate::symbolic::{
     Fraction, Polynomial, Relations, Symbol, along_the_joint, along_the_opening,
 };
+use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
@@ -88,7 +89,7 @@ fn cubic_in_thickness() -> Fraction {
 pub(super) fn one_joint_for_each_thickness(d: &mut Derivation) -> Result<(), Undecided> {
     let (joint, ring, circle) = (Symbol::joint(), ring(), Relations::trigonometric());
     let (eta, delta, p) = (&ring.thickness, Symbol::Flag.number(), cubic_in_thickness());
-    d.assume("0 < beta < pi, 0 < eta < 2, and delta_M is 0 or 1");
+    d.assume("0 < beta < pi, 0 < eta < 2, 0 <= delta_M <= 1");
     let gap =
         thrust::lower(&joint, &ring).difference(&thrust::tangency(&joint.times_cotangent(), &ring));
     d.identity(
@@ -228,6 +229,47 @@ pub(super) fn states_in_order(d: &mut Derivation) -> Result<(), Undecided> {
          alpha < alpha_l, and none from alpha_l on.",
         Mode::Rotational.label()
     ));
+    Ok(())
+}
+
+/// At one thickness a larger `delta_M` means a smaller half opening and a smaller thrust.
+pub(super) fn states_of_one_thickness(d: &mut Derivation) -> Result<(), Undecided> {
+    let (joint, ring, eta) = (Symbol::joint(), ring(), Symbol::Thickness.number());
+    let lower = thrust::lower(&joint, &ring);
+    let (h_lower, lever) = (lower.value(), lower.denominator);
+    let rest = overturning::opening_variable(&ring).value();
+    let by_flag = [(Symbol::Flag, Polynomial::from(1))];
+    d.identity(
+        "the derivative of A = h_L + 2 fac/(2 + eta) to delta_M, at a fixed joint and thickness",
+        &(h_lower.clone() + &rest).derivative(&by_flag),
+        &(eta.square() * &eta * &joint.cos / (eta.int(3) * &lever * ring.extrados())),
+        &Relations::none(),
+    )?;
+    d.identity(
+        "the derivative of h_L to delta_M",
+        &h_lower.derivative(&by_flag),
+        &-(eta.square() * joint.versine() / (eta.int(6) * lever)),
+        &Relations::none(),
+    )?;
+    d.identity(
+        "the derivative of (13) to delta_M",
+        &rest.derivative(&by_flag),
+        &(eta.square() / (eta.int(6) * ring.extrados())),
+        &Relations::none(),
+    )?;
+    let at_right_angle = |eta: &Ball| {
+        let half = eta.pi() / eta.int(2);
+        let right = Angle { rad: half, sin: eta.int(1), cos: eta.int(0) };
+        cubic::in_thickness(&cubic::abbreviations(&right), &eta.int(0), eta)
+    };
+    let range = (&Rational::new(), &Rational::from(2));
+    d.positive("p at beta = pi/2 with delta_M = 0, in eta,", range, at_right_angle)?;
+    d.conclude(
+        "p grows with delta_M, so that it is positive at pi/2 for all of them: every rotational joint \
+         lies above, cos(beta) > 0. As h_L is stationary in beta, the partial derivatives are those \
+         along the states of one thickness: A grows with delta_M, so that alpha falls, and h falls. \
+         Where the state is overturning, A = 2 fac/(2 + eta) grows too.",
+    );
     Ok(())
 }
 

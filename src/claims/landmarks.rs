@@ -1,23 +1,18 @@
-//! The landmark points: what holds besides the equations that define them, the two self-weights
-//! compared, and the values that the text gives to few digits.
+//! The landmark points: what holds besides the equations that define them, and the values that the
+//! text gives to few digits.
 
-use super::curve::{one_joint_for_each_thickness, states_in_order};
 use super::{Claim, Derivation, Finding, Support};
 use crate::arch::{
-    Configuration, Fixed, Landmark, Mode, Quantity, Ring, SelfWeight, Unknown, contact, cubic,
+    Configuration, Fixed, Landmark, Mode, Quantity, Ring, SelfWeight, Unknown, contact,
     overturning, sliding, statics, thrust,
 };
 use crate::certify::state::{Arch, Friction, Outcome, State};
-use crate::certify::{
-    CertifiedLandmark, Comparison, Exact, Relation, Undecided, compare_weights,
-};
+use crate::certify::{CertifiedLandmark, Undecided};
 use crate::number::{
-    Angle, Ball, Decimal, Enclosure, ExactNumber, Field, Real, Rounded, Surd, Ternary,
-    arctangent,
+    Angle, Ball, Decimal, Enclosure, ExactNumber, Field, Real, Rounded, Ternary, arctangent,
 };
-use crate::symbolic::{Fraction, Polynomial, Relations, Symbol, along_the_joint};
+use crate::symbolic::{Fraction, Relations, Symbol, along_the_joint};
 use rug::Rational;
-use std::sync::OnceLock;
 
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
@@ -53,57 +48,6 @@ pub(super) const CLAIMS: &[Claim] = &[
         decide: no_thrust_needs_unlimited_friction,
     },
     Claim {
-        id: "weights-thickness",
-        place: "Sec. 3, Tables 1-2",
-        statement: "at T, S, J and B the thickness is lower for Milankovitch's weight",
-        decide: |d| compared(d, Quantity::Thickness, "lower at T, S and J; at B it is 2 for both"),
-    },
-    Claim {
-        id: "weights-friction",
-        place: "Sec. 3, Tables 1-2",
-        statement: "at T, S, J and B the friction is lower for Milankovitch's weight",
-        decide: |d| compared(d, Quantity::Friction, ""),
-    },
-    Claim {
-        id: "weights-opening",
-        place: "Sec. 3, Tables 1-2",
-        statement: "at T, S, J and B the half opening is lower for Milankovitch's weight",
-        decide: |d| compared(d, Quantity::HalfOpening, ""),
-    },
-    Claim {
-        id: "weights-thrust",
-        place: "Sec. 3, Tables 1-2",
-        statement: "at T, S, J and B the thrust is higher for Milankovitch's weight",
-        decide: |d| compared(d, Quantity::Thrust, ""),
-    },
-    Claim {
-        id: "weights-rotational-joint",
-        place: "Sec. 3, Tables 1-2",
-        statement: "at T, S, J and B the rotational joint is wider for Milankovitch's weight",
-        decide: |d| {
-            compared(d, Quantity::RotationJoint, "wider at T and S; at J and B it is 0 for both")
-        },
-    },
-    Claim {
-        id: "weights-sliding-joint",
-        place: "Sec. 3, Tables 1-2",
-        statement: "at T, S, J and B the sliding joint is wider for Milankovitch's weight",
-        decide: |d| compared(d, Quantity::SlidingJoint, ""),
-    },
-    Claim {
-        id: "weights-limits",
-        place: "Sec. 2.1, Tables 3-4",
-        statement: "eta_l, alpha_l and alpha_L are higher for Heyman's weight, A_l and A_L lower",
-        decide: limits_compared,
-    },
-    Claim {
-        id: "weights-same-opening",
-        place: "Sec. 3",
-        statement: "at the same half opening Milankovitch's weight leads to a lower thickness: its \
-                    iso-alpha curves lie below Heyman's",
-        decide: same_opening_compared,
-    },
-    Claim {
         id: "rounded-values",
         place: "Sec. 2.1-5, Fig. 7-12",
         statement: "the values given to few digits, such as beta_r = 59.7° at T, are roundings of the \
@@ -135,7 +79,7 @@ fn ring() -> Ring<Fraction> {
     Ring::with_flag(&Symbol::Flag.number(), &Symbol::Thickness.number())
 }
 
-fn certain_if(holds: bool) -> Ternary {
+pub(super) fn certain_if(holds: bool) -> Ternary {
     if holds { Ternary::True } else { Ternary::Undecided }
 }
 
@@ -265,141 +209,8 @@ fn lower_moment_slope() -> Fraction {
     bend.evaluate(&bend, crown)
 }
 
-/// The claims of the paper on the two weights, decided once.
-fn comparisons() -> Result<&'static [Comparison], Undecided> {
-    static DECIDED: OnceLock<Result<Vec<Comparison>, Undecided>> = OnceLock::new();
-    DECIDED.get_or_init(compare_weights).as_deref().map_err(Clone::clone)
-}
-
-/// A quantity at T, S, J and B: as claimed, or equal by exact values, which refutes the claim.
-fn compared(
-    d: &mut Derivation,
-    quantity: Quantity,
-    corrected: &'static str,
-) -> Result<Finding, Undecided> {
-    let mut counterexamples = Vec::new();
-    for comparison in comparisons()?.iter().filter(|c| c.quantity == quantity) {
-        let landmark = comparison.landmark;
-        let words = format!("{} at {}", quantity.name(), landmark.symbol());
-        if comparison.certified == Relation::Equal {
-            let exact = |weight| match CertifiedLandmark::new(landmark, weight)?.exact(quantity) {
-                Some(Exact::Surd(value)) => Ok(value),
-                _ => Err(Undecided(format!("{words} is not exact"))),
-            };
-            let [heyman, milankovitch] = SelfWeight::ALL.map(exact);
-            let value = heyman?;
-            d.equal(format!("{words} is the same for both weights"), &milankovitch?, &value)?;
-            counterexamples.push(format!("{words} is {value} for both weights"));
-        } else {
-            let strict = comparison.certified == comparison.claimed;
-            let words = format!("{words} is {}", comparison.certified.name());
-            d.certain(Support::Balls, words, certain_if(strict))?;
-        }
-    }
-    match counterexamples.is_empty() {
-        true => Ok(Finding::AsPrinted),
-        false => Ok(Finding::Misprint { counterexample: counterexamples.join("; "), corrected }),
-    }
-}
-
-fn enclosure_of(value: &Surd) -> Ball {
-    let (rational, factor, radicand) = value.parts();
-    let root = Ball::integer(radicand as i32, 128).sqrt();
-    Ball::enclosing(rational, 128) + Ball::enclosing(factor, 128) * root
-}
-
-fn limits_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
-    let exact = |landmark: Landmark, weight, quantity: Quantity| match CertifiedLandmark::new(
-        landmark, weight,
-    )?
-    .exact(quantity)
-    {
-        Some(Exact::Surd(value)) => Ok(enclosure_of(&value)),
-        _ => Err(Undecided(format!("{} at {}", quantity.name(), landmark.symbol()))),
-    };
-    use {Landmark::*, Quantity::*};
-    for (landmark, quantity, higher) in [
-        (RotationEnd, Thickness, false),
-        (RotationEnd, OpeningVariable, true),
-        (OverturningEnd, OpeningVariable, true),
-    ] {
-        let [heyman, milankovitch] = SelfWeight::ALL.map(|w| exact(landmark, w, quantity));
-        let (low, high) = match higher {
-            true => (heyman?, milankovitch?),
-            false => (milankovitch?, heyman?),
-        };
-        let relation = if higher { "higher" } else { "lower" };
-        let words = format!("{} at {} is {relation}", quantity.name(), landmark.symbol());
-        d.certain(Support::Balls, words, low.is_less_than(&high))?;
-    }
-    for landmark in [RotationEnd, OverturningEnd] {
-        let [heyman, milankovitch] = SelfWeight::ALL.map(|w| enclosed(landmark, w));
-        let (low, high) = (milankovitch?.1.half_opening.rad, heyman?.1.half_opening.rad);
-        let words = format!("alpha at {} is lower", landmark.symbol());
-        d.certain(Support::Balls, words, low.is_less_than(&high))?;
-    }
-    Ok(Finding::AsPrinted)
-}
-
-/// At one thickness, `A` grows with `delta_M`; so at one half opening the thickness does.
-fn same_opening_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
-    one_joint_for_each_thickness(d)?;
-    states_in_order(d)?;
-    let (joint, ring, eta) = (Symbol::joint(), ring(), Symbol::Thickness.number());
-    let lower = thrust::lower(&joint, &ring);
-    let opening = lower.value() + overturning::opening_variable(&ring).value();
-    let by_flag = [(Symbol::Flag, Polynomial::from(1))];
-    let expected =
-        eta.square() * &eta * &joint.cos / (eta.int(3) * &lower.denominator * ring.extrados());
-    d.identity(
-        "the derivative of A = h_L + 2 fac/(2 + eta) to delta_M, at a fixed joint and thickness",
-        &opening.derivative(&by_flag),
-        &expected,
-        &Relations::none(),
-    )?;
-    let at_right_angle = |delta: &Ball, eta: &Ball| {
-        let half = eta.pi() / eta.int(2);
-        let right = Angle { rad: half, sin: eta.int(1), cos: eta.int(0) };
-        cubic::in_thickness(&cubic::abbreviations(&right), delta, eta)
-    };
-    let (zero, two) = (Rational::new(), Rational::from(2));
-    d.positive("p at beta = pi/2 with delta_M = 0, as a function of eta,", (&zero, &two), |eta| {
-        at_right_angle(&eta.int(0), eta)
-    })?;
-    let overturned = overturning::opening_variable(&ring).value().derivative(&by_flag);
-    let gain = eta.square() / (eta.int(6) * ring.extrados());
-    d.identity("the derivative of (13) to delta_M", &overturned, &gain, &Relations::none())?;
-    d.conclude(
-        "The cubic grows with delta_M, so that it is positive at pi/2 for 0 <= delta_M <= 1: that every rotational joint is above \
-         it and cos(beta) > 0. By the curve, dA/d delta_M is this partial derivative, since h_L is \
-         stationary in beta: positive. So at one thickness alpha falls with delta_M, for rotation and \
-         for overturning; as alpha grows with eta, at one half opening the thickness grows.",
-    );
-    let thickness = |weight| semicircular_state(weight).map(|state| state.thickness);
-    let [heyman, milankovitch] = SelfWeight::ALL.map(thickness);
-    let (heyman, milankovitch) = (heyman?, milankovitch?);
-    let words = "the semicircle without limit of friction is thicker for Milankovitch's weight";
-    d.certain(Support::Balls, words, heyman.is_less_than(&milankovitch))?;
-    let shown = |value: &Ball| {
-        Rounded::from_ball(value, 8)
-            .map(|rounded| rounded.value.to_string())
-            .ok_or_else(|| Undecided("the thickness of the semicircle".into()))
-    };
-    Ok(Finding::Misprint {
-        counterexample: format!(
-            "alpha = pi/2 with unlimited friction: eta = {} for Milankovitch's weight is above {} for \
-             Heyman's",
-            shown(&milankovitch)?,
-            shown(&heyman)?
-        ),
-        corrected: "at the same half opening the thickness of the purely rotational and of the purely \
-                    overturning state is larger for Milankovitch's weight, so that Heyman's is not on \
-                    the safe side; at the same thickness the half opening is smaller",
-    })
-}
-
 /// A landmark with its variables.
-fn enclosed(
+pub(super) fn enclosed(
     landmark: Landmark,
     weight: SelfWeight,
 ) -> Result<(CertifiedLandmark, Configuration<Ball>), Undecided> {
@@ -409,7 +220,7 @@ fn enclosed(
 }
 
 /// The state of the semicircle without limit of friction.
-fn semicircular_state(weight: SelfWeight) -> Result<State, Undecided> {
+pub(super) fn semicircular_state(weight: SelfWeight) -> Result<State, Undecided> {
     let alpha: ExactNumber = "pi/2".parse().map_err(|e| Undecided(format!("{e}")))?;
     let arch =
         Arch::new(weight, alpha, Friction::Infinite).map_err(|e| Undecided(e.to_string()))?;

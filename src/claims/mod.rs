@@ -12,23 +12,29 @@
 //! | series for small openings and about `l` | `asymptotics.rs` |
 //! | the landmarks, and the two weights compared | `landmarks.rs` |
 //! | the landmarks again, as Coq theorems | [`coq`] |
+//! | the landmarks, values of few digits | `landmarks.rs` |
+//! | the two weights compared | `weights.rs` |
+//! | where on the map the modes are | `domains.rs`, with the states of `along.rs` |
 //!
 //! A claim is decided by a [`Derivation`]: the equations of `arch` are evaluated over
 //! [`symbolic`](crate::symbolic) numbers, and each step is checked exactly, or in balls over a whole
 //! range. A person can read the steps; a test spoils each of them in turn, and then the claim must
 //! fail.
 
+mod along;
 mod asymptotics;
 pub mod coq;
 mod branches;
 mod cubics;
 mod curve;
 mod derivation;
+mod domains;
 mod joining;
 mod landmarks;
 mod moments;
 mod overturning;
 mod sliding;
+mod weights;
 
 pub use derivation::{Derivation, Formula, Step, Support};
 
@@ -101,6 +107,8 @@ pub fn claims() -> Vec<Claim> {
         sliding::CLAIMS,
         asymptotics::CLAIMS,
         landmarks::CLAIMS,
+        weights::CLAIMS,
+        domains::CLAIMS,
     ]
     .concat()
 }
