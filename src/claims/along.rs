@@ -148,29 +148,42 @@ impl Along {
     }
 }
 
-/// Proves that `holds` on `[low, high]`, where it is asked with the states at the ends of a range and
-/// has to speak for all states between. Returns the number of ranges.
+/// Whether `holds` is proved on `[low, high]`, where it is asked with the states at the ends of a range and
+/// has to speak for all states between.
 pub(super) fn on_all(
     (low, high): (&Rational, &Rational),
     state: &dyn Fn(&Rational) -> Result<Along, Undecided>,
     holds: &dyn Fn(&Along, &Along) -> Ternary,
-) -> Result<usize, Undecided> {
+) -> Result<Ternary, Undecided> {
     let mut open = vec![((low.clone(), state(low)?), (high.clone(), state(high)?), 0)];
-    let mut ranges = 0;
     while let Some((left, right, depth)) = open.pop() {
         match holds(&left.1, &right.1) {
-            Ternary::True => ranges += 1,
+            Ternary::True => {}
             _ if depth < DEPTH => {
                 let middle: Rational = Rational::from(&left.0 + &right.0) / 2;
                 let middle = (middle.clone(), state(&middle)?);
                 open.push((middle.clone(), right, depth + 1));
                 open.push((left, middle, depth + 1));
             }
-            _ => {
-                let (from, to) = (left.0.to_f64(), right.0.to_f64());
-                return Err(Undecided(format!("not decided between {from} and {to}")));
-            }
+            _ => return Ok(Ternary::Undecided),
         }
     }
-    Ok(ranges)
+    Ok(Ternary::True)
+}
+
+/// Multiples of `1/scale` around a value, a little apart from it.
+pub(super) fn around(value: &Ball, scale: i32) -> Result<(Rational, Rational), Undecided> {
+    let low = multiple(value, scale)?;
+    Ok((Rational::from((low - 1, scale)), Rational::from((low + 2, scale))))
+}
+
+/// A multiple of `1/scale` close below a value.
+pub(super) fn below(value: &Ball, scale: i32) -> Result<Rational, Undecided> {
+    Ok(Rational::from((multiple(value, scale)? - 1, scale)))
+}
+
+fn multiple(value: &Ball, scale: i32) -> Result<i32, Undecided> {
+    let scaled = (value.clone() * value.int(scale)).lower();
+    let integer = scaled.floor().to_integer().and_then(|n| n.to_i32());
+    integer.ok_or_else(|| Undecided("an unbounded landmark".into()))
 }

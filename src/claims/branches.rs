@@ -13,7 +13,7 @@
 //! angles is the larger. Which sign belongs to which states is thereby decided without a number.
 
 use super::cubics::letters;
-use super::curve::{one_joint_for_each_thickness, states_in_order, two_thicknesses_for_each_joint};
+use super::curve::{STATES_IN_ORDER, TWO_THICKNESSES_FOR_EACH_JOINT};
 use super::{Claim, Derivation, Finding, Support};
 use crate::arch::cubic::Abbreviations;
 use crate::arch::{Landmark, Ring, SelfWeight, closed_form, cubic, overturning};
@@ -193,9 +193,8 @@ fn widest_joint(weight: SelfWeight) -> Result<Ball, Undecided> {
 }
 
 fn signs_of_the_branches(d: &mut Derivation) -> Result<Finding, Undecided> {
-    one_joint_for_each_thickness(d)?;
-    two_thicknesses_for_each_joint(d)?;
-    states_in_order(d)?;
+    d.lemma(&TWO_THICKNESSES_FOR_EACH_JOINT)?;
+    d.lemma(&STATES_IN_ORDER)?;
     // The cubic in eta is linear in g: its points are (eta, f, S), free.
     let Abbreviations { sin, f, .. } = letters();
     let eta = Symbol::Thickness.number();
@@ -293,8 +292,7 @@ fn sign_changes(weight: SelfWeight) -> [(i32, i32); 2] {
 }
 
 fn radicand_in_the_range_of_interest(d: &mut Derivation) -> Result<Finding, Undecided> {
-    one_joint_for_each_thickness(d)?;
-    two_thicknesses_for_each_joint(d)?;
+    d.lemma(&TWO_THICKNESSES_FOR_EACH_JOINT)?;
     let at = letters();
     let cubic = cubic::in_thickness(&at, &Symbol::Flag.number(), &Symbol::Thickness.number());
     d.identity(

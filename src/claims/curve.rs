@@ -26,46 +26,55 @@ use crate::symbolic::{
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
-    Claim {
-        id: "one-joint-for-each-thickness",
-        place: "Sec. 2.1",
-        statement: "for each thickness below eta_l the line of thrust can touch the intrados at \
-                    exactly one joint, and for none from eta_l up to 2",
-        decide: |d| {
-            one_joint_for_each_thickness(d)?;
-            Ok(Finding::Implicit)
-        },
-    },
-    Claim {
-        id: "two-thicknesses-for-each-joint",
-        place: "Eq. (7), (10)",
-        statement: "two real branches are meaningful: for each joint above beta_sb the cubic in eta \
-                    has exactly two roots between 0 and 2; the third, for delta_M = 1, is negative",
-        decide: |d| {
-            one_joint_for_each_thickness(d)?;
-            two_thicknesses_for_each_joint(d)?;
-            Ok(Finding::AsPrinted)
-        },
-    },
-    Claim {
-        id: "rotational-states-in-order",
-        place: "Sec. 2.1, Fig. 2",
-        statement: "along the purely rotational states the half opening grows from 0 to alpha_l and \
-                    the thrust falls from 1 to 0 as the thickness grows from 0 to eta_l; to each half \
-                    opening below alpha_l belongs exactly one state",
-        decide: |d| {
-            one_joint_for_each_thickness(d)?;
-            states_in_order(d)?;
-            Ok(Finding::Implicit)
-        },
-    },
-    Claim {
-        id: "widest-joint",
-        place: "Sec. 2.1",
-        statement: "beta_r(alpha) is stationary where (12) vanishes, and widest there",
-        decide: widest_joint,
-    },
+    ONE_JOINT_FOR_EACH_THICKNESS,
+    TWO_THICKNESSES_FOR_EACH_JOINT,
+    STATES_IN_ORDER,
+    STATES_OF_ONE_THICKNESS,
+    WIDEST_JOINT,
 ];
+
+pub(super) const ONE_JOINT_FOR_EACH_THICKNESS: Claim = Claim {
+    id: "one-joint-for-each-thickness",
+    place: "Sec. 2.1",
+    statement: "for each thickness below eta_l the line of thrust can touch the intrados at exactly one \
+                joint beta(eta), and for none from eta_l up to 2; p/S, where p is the cubic (7) in eta, \
+                grows with beta",
+    decide: one_joint_for_each_thickness,
+};
+
+pub(super) const TWO_THICKNESSES_FOR_EACH_JOINT: Claim = Claim {
+    id: "two-thicknesses-for-each-joint",
+    place: "Eq. (7), (10)",
+    statement: "two real branches are meaningful: for each joint above beta_sb the cubic in eta has \
+                exactly two roots between 0 and 2, a double one at beta_sb and none beyond; the third, \
+                for delta_M = 1, is negative",
+    decide: two_thicknesses_for_each_joint,
+};
+
+pub(super) const STATES_IN_ORDER: Claim = Claim {
+    id: "rotational-states-in-order",
+    place: "Sec. 2.1, Fig. 2",
+    statement: "along the purely rotational states the half opening grows from 0 to alpha_l and the \
+                thrust falls from 1 to 0 as the thickness grows from 0 to eta_l; to each half opening \
+                below alpha_l belongs exactly one state",
+    decide: states_in_order,
+};
+
+pub(super) const STATES_OF_ONE_THICKNESS: Claim = Claim {
+    id: "rotational-states-of-one-thickness",
+    place: "Sec. 3",
+    statement: "at the same thickness the purely rotational state of Milankovitch's weight has a smaller \
+                half opening and a smaller thrust than that of Heyman's, and the purely overturning one a \
+                smaller half opening; its rotational joint is the smaller one, and below a right angle",
+    decide: states_of_one_thickness,
+};
+
+const WIDEST_JOINT: Claim = Claim {
+    id: "widest-joint",
+    place: "Sec. 2.1",
+    statement: "beta_r(alpha) is stationary where (12) vanishes, and widest there",
+    decide: widest_joint,
+};
 
 /// `d/d eta`.
 fn along_the_thickness() -> [(Symbol, Polynomial); 1] {
@@ -85,8 +94,7 @@ fn cubic_in_thickness() -> Fraction {
     )
 }
 
-/// The module's first half.
-pub(super) fn one_joint_for_each_thickness(d: &mut Derivation) -> Result<(), Undecided> {
+fn one_joint_for_each_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (joint, ring, circle) = (Symbol::joint(), ring(), Relations::trigonometric());
     let (eta, delta, p) = (&ring.thickness, Symbol::Flag.number(), cubic_in_thickness());
     d.assume("0 < beta < pi, 0 < eta < 2, 0 <= delta_M <= 1");
@@ -130,11 +138,11 @@ pub(super) fn one_joint_for_each_thickness(d: &mut Derivation) -> Result<(), Und
          vanishes at eta_l. So p = 0 has exactly one root beta(eta) if eta < eta_l and none if \
          eta_l <= eta < 2; beta(eta) is analytic, since the slope is not zero.",
     );
-    Ok(())
+    Ok(Finding::Implicit)
 }
 
-/// The module's second half.
-pub(super) fn two_thicknesses_for_each_joint(d: &mut Derivation) -> Result<(), Undecided> {
+fn two_thicknesses_for_each_joint(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&ONE_JOINT_FOR_EACH_THICKNESS)?;
     let (joint, free) = (Symbol::joint(), Relations::none());
     let (p, delta) = (cubic_in_thickness(), Symbol::Flag.number());
     let one = p.int(1);
@@ -164,11 +172,12 @@ pub(super) fn two_thicknesses_for_each_joint(d: &mut Derivation) -> Result<(), U
          beta_sb, p(eta_sb) < 0, since p/S grows with beta: two roots, one on each side of eta_sb. At \
          beta_sb, p >= 0 and eta_sb is a double root. Beyond, p > 0 on [0, 2].",
     );
-    Ok(())
+    Ok(Finding::AsPrinted)
 }
 
 /// Thicker states are wider and carry less thrust.
-pub(super) fn states_in_order(d: &mut Derivation) -> Result<(), Undecided> {
+fn states_in_order(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&ONE_JOINT_FOR_EACH_THICKNESS)?;
     let (joint, ring, circle) = (Symbol::joint(), ring(), Relations::trigonometric());
     let (eta, delta) = (ring.thickness.clone(), Symbol::Flag.number());
     let lower = thrust::lower(&joint, &ring);
@@ -229,11 +238,12 @@ pub(super) fn states_in_order(d: &mut Derivation) -> Result<(), Undecided> {
          alpha < alpha_l, and none from alpha_l on.",
         Mode::Rotational.label()
     ));
-    Ok(())
+    Ok(Finding::Implicit)
 }
 
 /// At one thickness a larger `delta_M` means a smaller half opening and a smaller thrust.
-pub(super) fn states_of_one_thickness(d: &mut Derivation) -> Result<(), Undecided> {
+fn states_of_one_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&STATES_IN_ORDER)?;
     let (joint, ring, eta) = (Symbol::joint(), ring(), Symbol::Thickness.number());
     let lower = thrust::lower(&joint, &ring);
     let (h_lower, lever) = (lower.value(), lower.denominator);
@@ -265,19 +275,19 @@ pub(super) fn states_of_one_thickness(d: &mut Derivation) -> Result<(), Undecide
     let range = (&Rational::new(), &Rational::from(2));
     d.positive("p at beta = pi/2 with delta_M = 0, in eta,", range, at_right_angle)?;
     d.conclude(
-        "p grows with delta_M, so that it is positive at pi/2 for all of them: every rotational joint \
-         lies above, cos(beta) > 0. As h_L is stationary in beta, the partial derivatives are those \
+        "p grows with delta_M, and with beta over S: beta(eta) falls with delta_M. At pi/2 p is positive, \
+         so that every beta(eta) is smaller, cos(beta) > 0. As h_L is stationary in beta, the partial derivatives are those \
          along the states of one thickness: A grows with delta_M, so that alpha falls, and h falls. \
          Where the state is overturning, A = 2 fac/(2 + eta) grows too.",
     );
-    Ok(())
+    Ok(Finding::Implicit)
 }
 
 /// `d beta/d alpha = 0` exactly at the double root, which is the widest joint.
 fn widest_joint(d: &mut Derivation) -> Result<Finding, Undecided> {
-    one_joint_for_each_thickness(d)?;
-    two_thicknesses_for_each_joint(d)?;
-    states_in_order(d)?;
+    d.lemma(&ONE_JOINT_FOR_EACH_THICKNESS)?;
+    d.lemma(&TWO_THICKNESSES_FOR_EACH_JOINT)?;
+    d.lemma(&STATES_IN_ORDER)?;
     // The two equations that define the landmark `sb` besides (4): p and its derivative, up to 3 S.
     let (joint, ring) = (Symbol::joint(), ring());
     let eta = Dual::variable(ring.thickness.clone(), 0);

@@ -14,7 +14,8 @@
 //! | the landmarks again, as Coq theorems | [`coq`] |
 //! | the landmarks, values of few digits | `landmarks.rs` |
 //! | the two weights compared | `weights.rs` |
-//! | where on the map the modes are | `domains.rs`, with the states of `along.rs` |
+//! | friction along sliding and along rotation | `frictions.rs`, with the states of `along.rs` |
+//! | where on the map the modes are | `domains.rs` |
 //!
 //! A claim is decided by a [`Derivation`]: the equations of `arch` are evaluated over
 //! [`symbolic`](crate::symbolic) numbers, and each step is checked exactly, or in balls over a whole
@@ -29,6 +30,7 @@ mod cubics;
 mod curve;
 mod derivation;
 mod domains;
+mod frictions;
 mod joining;
 mod landmarks;
 mod moments;
@@ -108,6 +110,7 @@ pub fn claims() -> Vec<Claim> {
         asymptotics::CLAIMS,
         landmarks::CLAIMS,
         weights::CLAIMS,
+        frictions::CLAIMS,
         domains::CLAIMS,
     ]
     .concat()

@@ -1,7 +1,7 @@
 //! The two self-weights compared: at the landmarks, at the same half opening, on the map.
 
-use super::curve::{one_joint_for_each_thickness, states_in_order, states_of_one_thickness};
-use super::domains::{friction_slopes, frictions_grow};
+use super::curve::{STATES_IN_ORDER, STATES_OF_ONE_THICKNESS};
+use super::frictions::{FRICTION_FOR_ROTATION_GROWS, SLOPES_OF_FRICTION};
 use super::landmarks::{certain_if, enclosed, semicircular_state};
 use super::{Claim, Derivation, Finding, Support};
 use crate::arch::{Landmark, Quantity, SelfWeight, sliding};
@@ -60,6 +60,13 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "at the same half opening Milankovitch's weight leads to a lower thickness: its \
                     iso-alpha curves lie below Heyman's",
         decide: same_opening_compared,
+    },
+    Claim {
+        id: "weights-widest-joint",
+        place: "Sec. 2.1, Fig. 2",
+        statement: "the rotational joint of Heyman's solution overshoots that of Milankovitch's at the \
+                    peak of beta_r(alpha)",
+        decide: widest_joints_compared,
     },
     Claim {
         id: "weights-dividing-lines",
@@ -147,9 +154,8 @@ fn limits_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 fn same_opening_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
-    one_joint_for_each_thickness(d)?;
-    states_in_order(d)?;
-    states_of_one_thickness(d)?;
+    d.lemma(&STATES_IN_ORDER)?;
+    d.lemma(&STATES_OF_ONE_THICKNESS)?;
     d.conclude("As alpha grows with eta, at one half opening the thickness grows with delta_M.");
     let thickness = |weight| semicircular_state(weight).map(|state| state.thickness);
     let [heyman, milankovitch] = SelfWeight::ALL.map(thickness);
@@ -169,6 +175,17 @@ fn same_opening_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
     })
 }
 
+fn widest_joints_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&STATES_OF_ONE_THICKNESS)?;
+    let joint =
+        |weight| enclosed(Landmark::WidestJoint, weight).map(|(_, at)| at.rotation_joint.rad);
+    let [heyman, milankovitch] = SelfWeight::ALL.map(joint);
+    let words = "beta_sb is larger for Heyman's weight";
+    d.certain(Support::Balls, words, milankovitch?.is_less_than(&heyman?))?;
+    d.conclude("At the same thickness it is larger everywhere, not only at the peak.");
+    Ok(Finding::AsPrinted)
+}
+
 fn shown(value: &Ball) -> Result<String, Undecided> {
     let rounded = Rounded::from_ball(value, 6).map(|rounded| rounded.value.to_string());
     rounded.ok_or_else(|| Undecided("the semicircle".into()))
@@ -176,11 +193,9 @@ fn shown(value: &Ball) -> Result<String, Undecided> {
 
 /// The lines about pure rotation rise: what lies left of such a line lies above it.
 fn dividing_lines_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
-    one_joint_for_each_thickness(d)?;
-    states_in_order(d)?;
-    states_of_one_thickness(d)?;
-    friction_slopes(d)?;
-    frictions_grow(d)?;
+    d.lemma(&STATES_OF_ONE_THICKNESS)?;
+    d.lemma(&SLOPES_OF_FRICTION)?;
+    d.lemma(&FRICTION_FOR_ROTATION_GROWS)?;
     d.conclude(
         "On [r,r,r]|[s,r,r] the friction is M, on [r,r,r]|[r,r,s] it is m; both grow with eta. At one \
          thickness alpha and h are smaller for Milankovitch's weight, so that M is smaller, as mu_ss \
