@@ -83,13 +83,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             )
         },
     },
-    Claim {
-        id: "radicand-is-the-discriminant",
-        place: "Eq. (12)",
-        statement: "the radicand of (12) is the discriminant of each cubic (7), up to a negative \
-                    number and a square",
-        decide: radicand_is_the_discriminant,
-    },
+    RADICAND_IS_THE_DISCRIMINANT,
     Claim {
         id: "signs-of-the-branches",
         place: "Eq. (9)-(11)",
@@ -105,6 +99,14 @@ pub(super) const CLAIMS: &[Claim] = &[
         decide: radicand_in_the_range_of_interest,
     },
 ];
+
+const RADICAND_IS_THE_DISCRIMINANT: Claim = Claim {
+    id: "radicand-is-the-discriminant",
+    place: "Eq. (12)",
+    statement: "the radicand of (12) is the discriminant of each cubic (7), up to a negative number and a \
+                square",
+    decide: radicand_is_the_discriminant,
+};
 
 /// `u`, `q`, `k`.
 fn roots() -> [Fraction; 3] {
@@ -193,6 +195,7 @@ fn widest_joint(weight: SelfWeight) -> Result<Ball, Undecided> {
 }
 
 fn signs_of_the_branches(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&RADICAND_IS_THE_DISCRIMINANT)?;
     d.lemma(&TWO_THICKNESSES_FOR_EACH_JOINT)?;
     d.lemma(&STATES_IN_ORDER)?;
     // The cubic in eta is linear in g: its points are (eta, f, S), free.
@@ -276,7 +279,8 @@ fn signs_of_the_branches(d: &mut Derivation) -> Result<Finding, Undecided> {
          positive; the norm of u³ is P³ > 0. So u, the principal cube root, is √P e^(i t/3) with 0 < t < pi, and the two terms \
          are 2 √P cos(t/3 - pi/3) for (1 + k)/2 and 2 √P cos(t/3 + pi/3) for (1 - k)/2, where k = i√3; \
          the third root has -2 √P cos(t/3). As t/3 < pi/3, the first is the largest and the second the \
-         middle one. The upper sign is (1 + k)/2 in (9) and (11), which takes the larger A and h, and \
+         middle one; scale and shift, \
+         with positive scales, keep that order. The upper sign is (1 + k)/2 in (9) and (11), which takes the larger A and h, and \
          (1 - k)/2 in (10), which takes the smaller eta of the two: all belong to alpha_1. The lower \
          sign belongs to alpha_2.",
     );
@@ -292,15 +296,8 @@ fn sign_changes(weight: SelfWeight) -> [(i32, i32); 2] {
 }
 
 fn radicand_in_the_range_of_interest(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&RADICAND_IS_THE_DISCRIMINANT)?;
     d.lemma(&TWO_THICKNESSES_FOR_EACH_JOINT)?;
-    let at = letters();
-    let cubic = cubic::in_thickness(&at, &Symbol::Flag.number(), &Symbol::Thickness.number());
-    d.identity(
-        "(12) is the discriminant of the cubic in eta over -432",
-        &discriminant(cubic.numerator(), Symbol::Thickness).into(),
-        &(at.sin.int(-432) * cubic::radicand(&at, &Symbol::Flag.number())),
-        &Relations::none(),
-    )?;
     d.conclude(
         "For 0 < beta < beta_sb the roots are real and simple, so the discriminant is positive and (12) \
          negative (for delta_M = 0 the quadratic has two, and f + g = (beta + S)(1 + C) > 0). At \

@@ -45,7 +45,7 @@ pub(super) const ONE_JOINT_FOR_EACH_THICKNESS: Claim = Claim {
 pub(super) const TWO_THICKNESSES_FOR_EACH_JOINT: Claim = Claim {
     id: "two-thicknesses-for-each-joint",
     place: "Eq. (7), (10)",
-    statement: "two real branches are meaningful: for each joint above beta_sb the cubic in eta has \
+    statement: "two real branches are meaningful: for each joint beta < beta_sb the cubic in eta has \
                 exactly two roots between 0 and 2, a double one at beta_sb and none beyond; the third, \
                 for delta_M = 1, is negative",
     decide: two_thicknesses_for_each_joint,

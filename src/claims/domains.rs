@@ -179,8 +179,9 @@ fn inner_sliding_beyond_t(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.conclude(
         "If besides an inner joint slides, mu = m(alpha_0), and the shoulder gives mu >= mu_ss(alpha, h) \
          >= M(alpha_0), as mu_ss grows with alpha. So M <= m: alpha_0 >= alpha_T, h <= h_T and mu >= mu_T. \
-         With eta < eta_T, the rotational joint of that thickness, above a right angle, would be one of \
-         the arch, with h >= h_L > h_T: so eta >= eta_T. This is so for [r,r,s], [r,s,r] and [r,s].",
+         Were \
+         eta < eta_T, the joint of the rotational state of that thickness would be a joint of the arch, \
+         with h >= h_L > h_T: so eta >= eta_T. This is so for [r,r,s], [r,s,r] and [r,s].",
     );
     Ok(Finding::AsPrinted)
 }

@@ -39,8 +39,8 @@ pub(super) const CLAIMS: &[Claim] = &[
 pub(super) const SLOPES_OF_FRICTION: Claim = Claim {
     id: "slopes-of-friction",
     place: "Eq. (17), (18)",
-    statement: "mu_ss grows with the thrust and, from beta_s on, with the half opening, and is not \
-                positive before; mu_is falls as the thrust grows",
+    statement: "where N > 0, mu_ss grows with the thrust and, from beta_s on, with the half opening, and \
+                is not positive before; mu_is falls as the thrust grows",
     decide: friction_slopes,
 };
 

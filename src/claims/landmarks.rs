@@ -219,14 +219,16 @@ pub(super) fn enclosed(
     Ok((point, at))
 }
 
-/// The state of the semicircle without limit of friction.
-pub(super) fn semicircular_state(weight: SelfWeight) -> Result<State, Undecided> {
+/// The state of the semicircle.
+pub(super) fn semicircular_state(
+    weight: SelfWeight,
+    friction: Friction,
+) -> Result<State, Undecided> {
     let alpha: ExactNumber = "pi/2".parse().map_err(|e| Undecided(format!("{e}")))?;
-    let arch =
-        Arch::new(weight, alpha, Friction::Infinite).map_err(|e| Undecided(e.to_string()))?;
+    let arch = Arch::new(weight, alpha, friction).map_err(|e| Undecided(e.to_string()))?;
     match arch.state(128) {
-        Ok(Outcome::Stands(state)) if state.mode == Mode::Rotational => Ok(*state),
-        Ok(_) => Err(Undecided("the state is not purely rotational".into())),
+        Ok(Outcome::Stands(state)) => Ok(*state),
+        Ok(Outcome::Falls(_)) => Err(Undecided("the semicircle does not stand".into())),
         Err(doubt) => Err(Undecided(doubt.question.into())),
     }
 }
@@ -289,7 +291,7 @@ fn rounded_values(d: &mut Derivation) -> Result<Finding, Undecided> {
 
 fn semicircle(d: &mut Derivation) -> Result<Finding, Undecided> {
     for (weight, text) in [(SelfWeight::Milankovitch, "0.395"), (SelfWeight::Heyman, "0.396")] {
-        let state = semicircular_state(weight)?;
+        let state = semicircular_state(weight, Friction::Infinite)?;
         let half = state.thrust.pi() / state.thrust.int(2);
         let right = Angle { rad: half, sin: state.thrust.int(1), cos: state.thrust.int(0) };
         let friction = sliding::shoulder(&right, &state.thrust).value();

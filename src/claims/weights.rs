@@ -4,9 +4,12 @@ use super::curve::{STATES_IN_ORDER, STATES_OF_ONE_THICKNESS};
 use super::frictions::{FRICTION_FOR_ROTATION_GROWS, SLOPES_OF_FRICTION};
 use super::landmarks::{certain_if, enclosed, semicircular_state};
 use super::{Claim, Derivation, Finding, Support};
-use crate::arch::{Landmark, Quantity, SelfWeight, sliding};
+use crate::arch::{Landmark, Mode, Quantity, Ring, SelfWeight, sliding, statics, thrust};
+use crate::certify::state::Friction;
 use crate::certify::{CertifiedLandmark, Comparison, Exact, Relation, Undecided, compare_weights};
-use crate::number::{Angle, Ball, Enclosure, Field, Real, Rounded, Surd};
+use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Real, Rounded, Surd};
+use crate::symbolic::{Polynomial, Relations, Symbol};
+use rug::Rational;
 use std::sync::OnceLock;
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -54,11 +57,13 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "eta_l, alpha_l and alpha_L are higher for Heyman's weight, A_l and A_L lower",
         decide: limits_compared,
     },
+    WHERE_THE_SHOULDER_TURNS,
+    WHERE_THE_JOINT_IS_GIVEN,
     Claim {
         id: "weights-same-opening",
         place: "Sec. 3",
-        statement: "at the same half opening Milankovitch's weight leads to a lower thickness: its \
-                    iso-alpha curves lie below Heyman's",
+        statement: "in the eta-mu map the curves of one half opening lie lower for Milankovitch's weight: \
+                    Heyman's is on the safe side",
         decide: same_opening_compared,
     },
     Claim {
@@ -76,6 +81,22 @@ pub(super) const CLAIMS: &[Claim] = &[
         decide: dividing_lines_compared,
     },
 ];
+
+const WHERE_THE_SHOULDER_TURNS: Claim = Claim {
+    id: "weights-shoulder-turns",
+    place: "Sec. 3",
+    statement: "where the shoulder turns about the extrados, (3), the same thrust and half opening mean a \
+                larger thickness for Milankovitch's weight",
+    decide: thickness_where_the_shoulder_turns,
+};
+
+const WHERE_THE_JOINT_IS_GIVEN: Claim = Claim {
+    id: "weights-joint-given",
+    place: "Sec. 3",
+    statement: "where the line of thrust touches the intrados, (5), the same thrust and joint mean a \
+                smaller thickness for Milankovitch's weight",
+    decide: thickness_where_the_joint_is_given,
+};
 
 /// The claims of the paper on the two weights, decided once.
 fn comparisons() -> Result<&'static [Comparison], Undecided> {
@@ -153,42 +174,107 @@ fn limits_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
+/// Where the shoulder turns, (3) gives the thickness of a given thrust and half opening.
+fn thickness_where_the_shoulder_turns(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let (alpha, joint, h) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thrust.number());
+    let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
+    let ring = Ring::with_flag(&delta, &eta);
+    d.assume("0 < eta < 2, 0 <= delta_M <= 1, N(beta) > 0, beta < alpha");
+    let free = Relations::none();
+    let margin = -(thrust::upper(&alpha, &joint, &ring).residual(&h) / h.int(2));
+    let drop = joint.cos.clone() - &alpha.cos;
+    let (extrados, intrados) = (ring.extrados() / h.int(2), ring.intrados() / h.int(2));
+    let sum = extrados * statics::normal_force(&alpha, &h)
+        - intrados * statics::normal_force(&joint, &h)
+        - drop.clone() * &ring.centroid_factor;
+    d.identity(
+        "W, which vanishes where (3) holds, is the sum of the distances of the shoulder from the extrados \
+         and of a joint from the intrados",
+        &margin,
+        &sum,
+        &free,
+    )?;
+    let by = |symbol| [(symbol, Polynomial::from(1))];
+    d.identity(
+        "dW/d delta_M, negative",
+        &margin.derivative(&by(Symbol::Flag)),
+        &-(eta.square() * &drop / eta.int(12)),
+        &free,
+    )?;
+    let rest = eta.int(12) * (eta.int(1) - &delta) + delta * ring.intrados() * (eta.int(6) + &eta);
+    let normal = statics::normal_force(&joint, &h);
+    d.identity(
+        "(2 + eta) dW/d eta less W, positive",
+        &(margin.derivative(&by(Symbol::Thickness)) * ring.extrados() - &margin),
+        &(h.int(2) * normal + drop * rest / h.int(12)),
+        &free,
+    )?;
+    d.conclude(
+        "So W/(2 + eta) grows with eta, and W falls as delta_M grows. Let a state of thickness eta_0 have \
+         delta_M = 0, W = 0 at its joint, and an admissible one of thickness eta_1 have delta_M = 1 and \
+         the shoulder on the extrados, so that W >= 0 at each joint. With delta_M = 1, W < 0 at eta_0 and \
+         the joint of the first, and W >= 0 there at eta_1: eta_0 < eta_1.",
+    );
+    Ok(Finding::Implicit)
+}
+
+/// (5) gives the thickness of a given thrust and joint.
+fn thickness_where_the_joint_is_given(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
+    let ring = Ring::with_flag(&delta, &eta);
+    d.assume("0 < eta < 2, 0 <= delta_M <= 1");
+    let thrust = thrust::tangency(&Symbol::joint().times_cotangent(), &ring).value();
+    let by = |symbol| [(symbol, Polynomial::from(1))];
+    let slope = -(eta.square() / (eta.int(6) * ring.intrados()));
+    let words = "the derivative of h_e to delta_M, negative";
+    d.identity(words, &thrust.derivative(&by(Symbol::Flag)), &slope, &Relations::none())?;
+    let gain = delta * &eta * ring.intrados() / eta.int(3) + eta.int(2) * &ring.centroid_factor;
+    let slope = -(gain / ring.intrados().square());
+    let words = "the derivative of h_e to eta, negative";
+    d.identity(words, &thrust.derivative(&by(Symbol::Thickness)), &slope, &Relations::none())?;
+    d.conclude("So with the thrust and the joint kept, the thickness falls as delta_M grows.");
+    Ok(Finding::Implicit)
+}
+
 fn same_opening_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.lemma(&STATES_IN_ORDER)?;
     d.lemma(&STATES_OF_ONE_THICKNESS)?;
-    d.conclude("As alpha grows with eta, at one half opening the thickness grows with delta_M.");
-    let thickness = |weight| semicircular_state(weight).map(|state| state.thickness);
-    let [heyman, milankovitch] = SelfWeight::ALL.map(thickness);
-    let (heyman, milankovitch) = (heyman?, milankovitch?);
+    d.lemma(&WHERE_THE_SHOULDER_TURNS)?;
+    d.conclude(
+        "Pure rotation and overturning: alpha grows with eta and, at one eta, falls with delta_M; so at \
+         one half opening the thickness grows with delta_M. [r,r,s], [r,s,r] and [r,s]: friction gives \
+         the thrust by (18), and with (3) the thickness grows with delta_M. [s,r,r]: friction gives the \
+         thrust by (17), and with (2) and (5), where h falls with eta and with delta_M, the thickness \
+         falls with delta_M.",
+    );
+    let compare = |friction: fn() -> Result<Friction, Undecided>| {
+        let thickness = |weight| {
+            semicircular_state(weight, friction()?).map(|state| (state.mode, state.thickness))
+        };
+        let [heyman, milankovitch] = SelfWeight::ALL.map(thickness);
+        Ok::<_, Undecided>((heyman?, milankovitch?))
+    };
+    let (heyman, milankovitch) = compare(|| Ok(Friction::Infinite))?;
     let words = "the semicircle without limit of friction is thicker for Milankovitch's weight";
-    d.certain(Support::Balls, words, heyman.is_less_than(&milankovitch))?;
+    d.certain(Support::Balls, words, heyman.1.is_less_than(&milankovitch.1))?;
+    let (sliding, other) =
+        compare(|| Ok(Friction::Coefficient(ExactNumber::rational(Rational::from((38, 100))))))?;
+    let words = "the semicircle with mu = 0.38 slides at its shoulder, for both weights";
+    let mode = Mode::SlidingRotational;
+    d.certain(Support::Balls, words, certain_if(sliding.0 == mode && other.0 == mode))?;
+    let words = "it is thinner for Milankovitch's weight";
+    d.certain(Support::Balls, words, other.1.is_less_than(&sliding.1))?;
     Ok(Finding::Misprint {
         counterexample: format!(
             "alpha = pi/2 with unlimited friction: eta = {} for Milankovitch's weight is above {} for \
              Heyman's",
-            shown(&milankovitch)?,
-            shown(&heyman)?
+            shown(&milankovitch.1)?,
+            shown(&heyman.1)?
         ),
-        corrected: "at the same half opening the thickness of the purely rotational and of the purely \
-                    overturning state is larger for Milankovitch's weight, so that Heyman's is not on \
-                    the safe side; at the same thickness the half opening is smaller",
+        corrected: "at the same half opening and friction, in the same mode, the thickness is smaller for \
+                    Milankovitch's weight where the shoulder slides, [s,r,r], and larger in all other \
+                    modes, where Heyman's weight is not on the safe side",
     })
-}
-
-fn widest_joints_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&STATES_OF_ONE_THICKNESS)?;
-    let joint =
-        |weight| enclosed(Landmark::WidestJoint, weight).map(|(_, at)| at.rotation_joint.rad);
-    let [heyman, milankovitch] = SelfWeight::ALL.map(joint);
-    let words = "beta_sb is larger for Heyman's weight";
-    d.certain(Support::Balls, words, milankovitch?.is_less_than(&heyman?))?;
-    d.conclude("At the same thickness it is larger everywhere, not only at the peak.");
-    Ok(Finding::AsPrinted)
-}
-
-fn shown(value: &Ball) -> Result<String, Undecided> {
-    let rounded = Rounded::from_ball(value, 6).map(|rounded| rounded.value.to_string());
-    rounded.ok_or_else(|| Undecided("the semicircle".into()))
 }
 
 /// The lines about pure rotation rise: what lies left of such a line lies above it.
@@ -202,8 +288,17 @@ fn dividing_lines_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
          grows with both, and m = mu_is(h) is larger. So the first line lies left of Heyman's and, as it \
          rises, above it; the second lies right of it and below.",
     );
+    d.lemma(&WHERE_THE_SHOULDER_TURNS)?;
+    d.lemma(&WHERE_THE_JOINT_IS_GIVEN)?;
+    d.conclude(
+        "On the other lines friction gives the thrust by (18) and, on those about pure sliding, the half \
+         opening too, the same for both weights. On [s,r,r]|[s,s] the thickness follows from (2) and (5), \
+         on [r,r,s]|[r,s,r] and [r,s,r]|[r,s] from (5) at beta_s or at the crown: it is smaller for \
+         Milankovitch's weight. On the lines from T to B about pure sliding it follows from (3): it is \
+         larger.",
+    );
     let states = SelfWeight::ALL.map(|weight| {
-        let state = semicircular_state(weight)?;
+        let state = semicircular_state(weight, Friction::Infinite)?;
         let half = state.thrust.pi() / state.thrust.int(2);
         let right = Angle { rad: half, sin: state.thrust.int(1), cos: state.thrust.int(0) };
         Ok((state.thickness, sliding::shoulder(&right, &state.thrust).value()))
@@ -223,7 +318,24 @@ fn dividing_lines_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
             shown(&heyman.1)?,
             shown(&heyman.0)?
         ),
-        corrected: "Milankovitch's line [r,r,r]|[s,r,r] lies left of Heyman's and above it, \
-                    [r,r,r]|[r,r,s] below it and right of it",
+        corrected: "at the same friction Milankovitch's lines lie above Heyman's where they are \
+                    [r,r,r]|[s,r,r] or, from T to B, bound pure sliding; the others, [r,r,r]|[r,r,s], \
+                    [s,r,r]|[s,s], [r,r,s]|[r,s,r] and [r,s,r]|[r,s], lie below",
     })
+}
+
+fn widest_joints_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&STATES_OF_ONE_THICKNESS)?;
+    let joint =
+        |weight| enclosed(Landmark::WidestJoint, weight).map(|(_, at)| at.rotation_joint.rad);
+    let [heyman, milankovitch] = SelfWeight::ALL.map(joint);
+    let words = "beta_sb is larger for Heyman's weight";
+    d.certain(Support::Balls, words, milankovitch?.is_less_than(&heyman?))?;
+    d.conclude("At the same thickness it is larger everywhere, not only at the peak.");
+    Ok(Finding::AsPrinted)
+}
+
+fn shown(value: &Ball) -> Result<String, Undecided> {
+    let rounded = Rounded::from_ball(value, 6).map(|rounded| rounded.value.to_string());
+    rounded.ok_or_else(|| Undecided("the semicircle".into()))
 }
