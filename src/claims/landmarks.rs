@@ -219,16 +219,23 @@ pub(super) fn enclosed(
     Ok((point, at))
 }
 
-/// The state of the semicircle.
-pub(super) fn semicircular_state(
+/// The state of an arch at its least thickness; the half opening and the friction as text.
+pub(super) fn state_of(
+    half_opening: &str,
+    friction: Option<&str>,
     weight: SelfWeight,
-    friction: Friction,
 ) -> Result<State, Undecided> {
-    let alpha: ExactNumber = "pi/2".parse().map_err(|e| Undecided(format!("{e}")))?;
-    let arch = Arch::new(weight, alpha, friction).map_err(|e| Undecided(e.to_string()))?;
+    let number =
+        |text: &str| text.parse::<ExactNumber>().map_err(|error| Undecided(error.to_string()));
+    let friction = match friction {
+        Some(text) => Friction::Coefficient(number(text)?),
+        None => Friction::Infinite,
+    };
+    let arch = Arch::new(weight, number(half_opening)?, friction)
+        .map_err(|error| Undecided(error.to_string()))?;
     match arch.state(128) {
         Ok(Outcome::Stands(state)) => Ok(*state),
-        Ok(Outcome::Falls(_)) => Err(Undecided("the semicircle does not stand".into())),
+        Ok(Outcome::Falls(_)) => Err(Undecided("the arch does not stand".into())),
         Err(doubt) => Err(Undecided(doubt.question.into())),
     }
 }
@@ -291,7 +298,7 @@ fn rounded_values(d: &mut Derivation) -> Result<Finding, Undecided> {
 
 fn semicircle(d: &mut Derivation) -> Result<Finding, Undecided> {
     for (weight, text) in [(SelfWeight::Milankovitch, "0.395"), (SelfWeight::Heyman, "0.396")] {
-        let state = semicircular_state(weight, Friction::Infinite)?;
+        let state = state_of("pi/2", None, weight)?;
         let half = state.thrust.pi() / state.thrust.int(2);
         let right = Angle { rad: half, sin: state.thrust.int(1), cos: state.thrust.int(0) };
         let friction = sliding::shoulder(&right, &state.thrust).value();

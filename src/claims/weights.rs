@@ -2,14 +2,12 @@
 
 use super::curve::{STATES_IN_ORDER, STATES_OF_ONE_THICKNESS};
 use super::frictions::{FRICTION_FOR_ROTATION_GROWS, SLOPES_OF_FRICTION};
-use super::landmarks::{certain_if, enclosed, semicircular_state};
+use super::landmarks::{certain_if, enclosed, state_of};
 use super::{Claim, Derivation, Finding, Support};
 use crate::arch::{Landmark, Mode, Quantity, Ring, SelfWeight, sliding, statics, thrust};
-use crate::certify::state::Friction;
 use crate::certify::{CertifiedLandmark, Comparison, Exact, Relation, Undecided, compare_weights};
-use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Real, Rounded, Surd};
+use crate::number::{Angle, Ball, Enclosure, Field, Real, Rounded, Surd};
 use crate::symbolic::{Polynomial, Relations, Symbol};
-use rug::Rational;
 use std::sync::OnceLock;
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -247,33 +245,28 @@ fn same_opening_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
          thrust by (17), and with (2) and (5), where h falls with eta and with delta_M, the thickness \
          falls with delta_M.",
     );
-    let compare = |friction: fn() -> Result<Friction, Undecided>| {
-        let thickness = |weight| {
-            semicircular_state(weight, friction()?).map(|state| (state.mode, state.thickness))
-        };
-        let [heyman, milankovitch] = SelfWeight::ALL.map(thickness);
-        Ok::<_, Undecided>((heyman?, milankovitch?))
-    };
-    let (heyman, milankovitch) = compare(|| Ok(Friction::Infinite))?;
-    let words = "the semicircle without limit of friction is thicker for Milankovitch's weight";
-    d.certain(Support::Balls, words, heyman.1.is_less_than(&milankovitch.1))?;
-    let (sliding, other) =
-        compare(|| Ok(Friction::Coefficient(ExactNumber::rational(Rational::from((38, 100))))))?;
+    let mut counterexamples = Vec::new();
+    for (alpha, friction) in [("pi/2", None), ("2.6", Some("1.9"))] {
+        let [heyman, milankovitch] = SelfWeight::ALL.map(|w| state_of(alpha, friction, w));
+        let (heyman, milankovitch) = (heyman?.thickness, milankovitch?.thickness);
+        let place = format!("at alpha = {alpha}, mu = {}", friction.unwrap_or("inf"));
+        let words = format!("{place} the thickness is larger for Milankovitch's weight");
+        d.certain(Support::Balls, words, heyman.is_less_than(&milankovitch))?;
+        let (eta, other) = (shown(&milankovitch)?, shown(&heyman)?);
+        counterexamples.push(format!("{place}: eta = {eta}, but {other} for Heyman's weight"));
+    }
+    let [heyman, milankovitch] = SelfWeight::ALL.map(|w| state_of("pi/2", Some("0.38"), w));
+    let (heyman, milankovitch) = (heyman?, milankovitch?);
     let words = "the semicircle with mu = 0.38 slides at its shoulder, for both weights";
-    let mode = Mode::SlidingRotational;
-    d.certain(Support::Balls, words, certain_if(sliding.0 == mode && other.0 == mode))?;
+    let slides = [&heyman, &milankovitch].iter().all(|s| s.mode == Mode::SlidingRotational);
+    d.certain(Support::Balls, words, certain_if(slides))?;
     let words = "it is thinner for Milankovitch's weight";
-    d.certain(Support::Balls, words, other.1.is_less_than(&sliding.1))?;
+    d.certain(Support::Balls, words, milankovitch.thickness.is_less_than(&heyman.thickness))?;
     Ok(Finding::Misprint {
-        counterexample: format!(
-            "alpha = pi/2 with unlimited friction: eta = {} for Milankovitch's weight is above {} for \
-             Heyman's",
-            shown(&milankovitch.1)?,
-            shown(&heyman.1)?
-        ),
+        counterexample: counterexamples.join("; "),
         corrected: "at the same half opening and friction, in the same mode, the thickness is smaller for \
-                    Milankovitch's weight where the shoulder slides, [s,r,r], and larger in all other \
-                    modes, where Heyman's weight is not on the safe side",
+                    Milankovitch's weight where the shoulder slides, [s,r,r], and larger where it turns, in \
+                    all other modes: there Heyman's weight is not on the safe side",
     })
 }
 
@@ -298,7 +291,7 @@ fn dividing_lines_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
          larger.",
     );
     let states = SelfWeight::ALL.map(|weight| {
-        let state = semicircular_state(weight, Friction::Infinite)?;
+        let state = state_of("pi/2", None, weight)?;
         let half = state.thrust.pi() / state.thrust.int(2);
         let right = Angle { rad: half, sin: state.thrust.int(1), cos: state.thrust.int(0) };
         Ok((state.thickness, sliding::shoulder(&right, &state.thrust).value()))
