@@ -6,7 +6,7 @@
 //! states at the two ends of a range bound all states between.
 
 use crate::arch::{
-    Configuration, Landmark, Ring, SelfWeight, overturning, sliding, statics, thrust,
+    Configuration, Landmark, Mode, Ring, SelfWeight, overturning, sliding, statics, thrust,
 };
 use crate::certify::state::{Arch, Friction, Outcome, State};
 use crate::certify::{CertifiedLandmark, Undecided, between};
@@ -57,6 +57,9 @@ impl Along {
     /// The purely rotational state.
     pub(super) fn rotational(weight: SelfWeight, alpha: &Rational) -> Result<Self, Undecided> {
         let state = state(weight, alpha)?;
+        if state.mode != Mode::Rotational {
+            return Err(Undecided(format!("the state of {alpha} is not purely rotational")));
+        }
         Ok(Self {
             weight,
             alpha: Angle::new(Ball::enclosing(alpha, BITS)),

@@ -24,7 +24,7 @@ use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
-        id: "closed-form-opening",
+        id: "eq-9",
         place: "Eq. (9)",
         statement: "A_M of (9), with either sign, is a root of the first cubic (7)",
         decide: |d| {
@@ -48,7 +48,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         },
     },
     Claim {
-        id: "closed-form-thickness",
+        id: "eq-10",
         place: "Eq. (10)",
         statement: "eta_M of (10), with either sign, is a root of the second cubic (7)",
         decide: |d| {
@@ -66,7 +66,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         },
     },
     Claim {
-        id: "closed-form-thrust",
+        id: "eq-11",
         place: "Eq. (11)",
         statement: "h_M of (11), with either sign, is a root of the third cubic (7)",
         decide: |d| {
@@ -85,14 +85,14 @@ pub(super) const CLAIMS: &[Claim] = &[
     },
     RADICAND_IS_THE_DISCRIMINANT,
     Claim {
-        id: "signs-of-the-branches",
+        id: "eq-9-11-signs",
         place: "Eq. (9)-(11)",
         statement: "with principal roots the upper signs give the states with alpha < alpha_sb, the \
                     lower signs those with alpha > alpha_sb, the same sign in all three",
         decide: signs_of_the_branches,
     },
     Claim {
-        id: "radicand-in-the-range-of-interest",
+        id: "eq-12-range",
         place: "Eq. (12)",
         statement: "the term under the square root is negative in the range of interest until it \
                     vanishes at beta_sb",
@@ -101,7 +101,7 @@ pub(super) const CLAIMS: &[Claim] = &[
 ];
 
 const RADICAND_IS_THE_DISCRIMINANT: Claim = Claim {
-    id: "radicand-is-the-discriminant",
+    id: "eq-12",
     place: "Eq. (12)",
     statement: "the radicand of (12) is the discriminant of each cubic (7), up to a negative number and a \
                 square",

@@ -34,7 +34,7 @@ pub(super) const CLAIMS: &[Claim] = &[
 ];
 
 pub(super) const ONE_JOINT_FOR_EACH_THICKNESS: Claim = Claim {
-    id: "one-joint-for-each-thickness",
+    id: "curve-joint",
     place: "Sec. 2.1",
     statement: "for each thickness below eta_l the line of thrust can touch the intrados at exactly one \
                 joint beta(eta), and for none from eta_l up to 2; p/S, where p is the cubic (7) in eta, \
@@ -43,7 +43,7 @@ pub(super) const ONE_JOINT_FOR_EACH_THICKNESS: Claim = Claim {
 };
 
 pub(super) const TWO_THICKNESSES_FOR_EACH_JOINT: Claim = Claim {
-    id: "two-thicknesses-for-each-joint",
+    id: "curve-thicknesses",
     place: "Eq. (7), (10)",
     statement: "two real branches are meaningful: for each joint beta < beta_sb the cubic in eta has \
                 exactly two roots between 0 and 2, a double one at beta_sb and none beyond; the third, \
@@ -52,7 +52,7 @@ pub(super) const TWO_THICKNESSES_FOR_EACH_JOINT: Claim = Claim {
 };
 
 pub(super) const STATES_IN_ORDER: Claim = Claim {
-    id: "rotational-states-in-order",
+    id: "curve-order",
     place: "Sec. 2.1, Fig. 2",
     statement: "along the purely rotational states the half opening grows from 0 to alpha_l and the \
                 thrust falls from 1 to 0 as the thickness grows from 0 to eta_l; to each half opening \
@@ -61,7 +61,7 @@ pub(super) const STATES_IN_ORDER: Claim = Claim {
 };
 
 pub(super) const STATES_OF_ONE_THICKNESS: Claim = Claim {
-    id: "rotational-states-of-one-thickness",
+    id: "curve-weights",
     place: "Sec. 3",
     statement: "at the same thickness the purely rotational state of Milankovitch's weight has a smaller \
                 half opening and a smaller thrust than that of Heyman's, and the purely overturning one a \
@@ -70,7 +70,7 @@ pub(super) const STATES_OF_ONE_THICKNESS: Claim = Claim {
 };
 
 const WIDEST_JOINT: Claim = Claim {
-    id: "widest-joint",
+    id: "curve-widest",
     place: "Sec. 2.1",
     statement: "beta_r(alpha) is stationary where (12) vanishes, and widest there",
     decide: widest_joint,

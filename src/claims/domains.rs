@@ -22,7 +22,7 @@ use rug::Rational;
 pub(super) const CLAIMS: &[Claim] = &[
     DISTANCES_RISE_AND_FALL,
     Claim {
-        id: "no-shoulder-sliding-beyond-T",
+        id: "map-T-shoulder",
         place: "Sec. 3, 5",
         statement: "a friction above mu_T precludes any mixed sliding-rotational mode; its thickness is at \
                     most eta_T and its half opening at most alpha_T",
@@ -30,13 +30,13 @@ pub(super) const CLAIMS: &[Claim] = &[
     },
     INNER_SLIDING_BEYOND_T,
     Claim {
-        id: "overturning-sliding-beyond-J",
+        id: "map-J",
         place: "Sec. 3",
         statement: "overturning-sliding modes are seen only on the right of J, and above it",
         decide: overturning_sliding_beyond_j,
     },
     Claim {
-        id: "no-pure-sliding-beyond-B",
+        id: "map-B",
         place: "Sec. 3, 5",
         statement: "a friction above mu_B precludes any purely sliding mode of thickness up to 2",
         decide: no_pure_sliding_beyond_b,
@@ -44,7 +44,7 @@ pub(super) const CLAIMS: &[Claim] = &[
 ];
 
 const DISTANCES_RISE_AND_FALL: Claim = Claim {
-    id: "distances-rise-and-fall",
+    id: "map-distances",
     place: "Sec. 2.1",
     statement: "along an admissible arch the normal force N and the distance U from the extrados first \
                 grow and then fall",
@@ -52,7 +52,7 @@ const DISTANCES_RISE_AND_FALL: Claim = Claim {
 };
 
 const INNER_SLIDING_BEYOND_T: Claim = Claim {
-    id: "inner-sliding-beyond-T",
+    id: "map-T-inner",
     place: "Sec. 3, 5",
     statement: "modes with shoulder rotation and inner sliding are seen only on the right of T, and \
                 above it",

@@ -21,13 +21,13 @@ pub(super) const CLAIMS: &[Claim] = &[
     THRUST_OF_LARGE_FRICTION,
     SLIDING_STATES_IN_ORDER,
     Claim {
-        id: "sliding-thrust-goes-flatly-to-zero",
+        id: "sliding-flat",
         place: "Sec. 2.2",
         statement: "the thrust of the purely sliding states goes flatly to 0 as alpha -> pi",
         decide: sliding_thrust_goes_flatly_to_zero,
     },
     Claim {
-        id: "dividing-lines-tend-to-eta-l",
+        id: "map-asymptotes",
         place: "Sec. 3",
         statement: "the lines beta_r = beta_s and beta_r = 0 tend to eta_l as mu -> inf",
         decide: dividing_lines_tend_to_the_end_of_rotation,
@@ -37,7 +37,7 @@ pub(super) const CLAIMS: &[Claim] = &[
 ];
 
 pub(super) const SLOPES_OF_FRICTION: Claim = Claim {
-    id: "slopes-of-friction",
+    id: "friction-slopes",
     place: "Eq. (17), (18)",
     statement: "where N > 0, mu_ss grows with the thrust and, from beta_s on, with the half opening, and \
                 is not positive before; mu_is falls as the thrust grows",
@@ -45,21 +45,21 @@ pub(super) const SLOPES_OF_FRICTION: Claim = Claim {
 };
 
 const FRICTION_OF_SMALL_THRUST: Claim = Claim {
-    id: "friction-of-small-thrust",
+    id: "friction-unbounded",
     place: "Eq. (18)",
     statement: "mu_is is unbounded as the thrust falls to 0",
     decide: friction_of_small_thrust,
 };
 
 const THRUST_OF_LARGE_FRICTION: Claim = Claim {
-    id: "thrust-of-large-friction",
+    id: "friction-large",
     place: "Eq. (18)",
     statement: "where an inner joint slides, h <= 1/(4 mu²)",
     decide: thrust_of_large_friction,
 };
 
 pub(super) const SLIDING_STATES_IN_ORDER: Claim = Claim {
-    id: "sliding-states-in-order",
+    id: "sliding-order",
     place: "Sec. 2.2",
     statement: "to each half opening belongs one purely sliding state; as it grows, the friction grows \
                 and the thrust falls",
@@ -67,7 +67,7 @@ pub(super) const SLIDING_STATES_IN_ORDER: Claim = Claim {
 };
 
 pub(super) const FRICTION_FOR_ROTATION_GROWS: Claim = Claim {
-    id: "friction-for-rotation-grows",
+    id: "friction-rotation",
     place: "Sec. 5",
     statement: "along the purely rotational states the friction needed to prevent sliding grows with the \
                 half opening, M of the shoulder and m of an inner joint, and m is unbounded at the end",
@@ -75,7 +75,7 @@ pub(super) const FRICTION_FOR_ROTATION_GROWS: Claim = Claim {
 };
 
 pub(super) const ROTATION_MEETS_SLIDING: Claim = Claim {
-    id: "rotation-meets-sliding-at-T",
+    id: "map-T",
     place: "Sec. 2.2, 3",
     statement: "the lines h(alpha) of the purely rotational and of the purely sliding states intersect \
                 at T and nowhere else: before T the shoulder asks for more friction than an inner joint, \

@@ -16,32 +16,32 @@ use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
-        id: "triple-point",
+        id: "landmark-T",
         place: "Sec. 2.2, Fig. 8",
         statement: "at T the mode [r,r,s] meets the other three: (3) holds there besides",
         decide: triple_point,
     },
     Claim {
-        id: "shift-point",
+        id: "landmark-S",
         place: "Sec. 3, Fig. 9",
         statement: "at S, and where beta_r = beta_s, the modes [r,r,s] and [r,s,r] coincide",
         decide: shift_point,
     },
     Claim {
-        id: "junction-point",
+        id: "landmark-J",
         place: "Sec. 3, Fig. 10",
         statement: "at J the modes [r,s,r] and [r,s] meet: the line of thrust touches the intrados at \
                     the crown and has, to first order, the direction of the intrados there",
         decide: junction_point,
     },
     Claim {
-        id: "border-point",
+        id: "landmark-B",
         place: "Fig. 11",
         statement: "at B, where beta_r = 0, the tangency condition (5) does not hold",
         decide: border_point,
     },
     Claim {
-        id: "no-thrust-needs-unlimited-friction",
+        id: "landmark-l",
         place: "Sec. 3, Tables 3-4",
         statement: "states without thrust, l, L and all purely overturning ones, strictly require \
                     infinite friction, against inner sliding; and (2) holds at l besides",

@@ -3,9 +3,9 @@
 //! | claims about | file |
 //! |---|---|
 //! | moments, tangency, centroids: (2)–(6) | `moments.rs` |
-//! | the cubics and their abbreviations: (7), (8), the discriminants (12) | `cubics.rs` |
+//! | the cubics and their abbreviations: (7), (8) | `cubics.rs` |
 //! | the curve of rotational states, the widest joint | `curve.rs` |
-//! | the closed forms (9)–(11), their branches | `branches.rs` |
+//! | the closed forms (9)–(11), their branches, the range of (12) | `branches.rs` |
 //! | purely overturning states: (13)–(16) | `overturning.rs` |
 //! | how rotation and overturning join | `joining.rs` |
 //! | sliding: (17), (18) | `sliding.rs` |

@@ -36,7 +36,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         decide: |d| compared(d, Quantity::Thrust, ""),
     },
     Claim {
-        id: "weights-rotational-joint",
+        id: "weights-beta-r",
         place: "Sec. 3, Tables 1-2",
         statement: "at T, S, J and B the rotational joint is wider for Milankovitch's weight",
         decide: |d| {
@@ -44,7 +44,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         },
     },
     Claim {
-        id: "weights-sliding-joint",
+        id: "weights-beta-s",
         place: "Sec. 3, Tables 1-2",
         statement: "at T, S, J and B the sliding joint is wider for Milankovitch's weight",
         decide: |d| compared(d, Quantity::SlidingJoint, ""),
@@ -264,9 +264,10 @@ fn same_opening_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.certain(Support::Balls, words, milankovitch.thickness.is_less_than(&heyman.thickness))?;
     Ok(Finding::Misprint {
         counterexample: counterexamples.join("; "),
-        corrected: "at the same half opening and friction, in the same mode, the thickness is smaller for \
-                    Milankovitch's weight where the shoulder slides, [s,r,r], and larger where it turns, in \
-                    all other modes: there Heyman's weight is not on the safe side",
+        corrected: "at the same half opening and friction the thickness is smaller for Milankovitch's \
+                    weight if the shoulder slides with both weights, [s,r,r]; it is larger, so that \
+                    Heyman's weight is not on the safe side, if the collapse is purely rotational with \
+                    both, purely overturning with both, or has an inner sliding joint with both",
     })
 }
 
