@@ -10,9 +10,8 @@
 //! | how rotation and overturning join | `joining.rs` |
 //! | sliding: (17), (18) | `sliding.rs` |
 //! | series for small openings and about `l` | `asymptotics.rs` |
-//! | the landmarks, and the two weights compared | `landmarks.rs` |
-//! | the landmarks again, as Coq theorems | [`coq`] |
 //! | the landmarks, values of few digits | `landmarks.rs` |
+//! | the landmarks again, as Coq theorems | [`coq`] |
 //! | the two weights compared | `weights.rs` |
 //! | friction along sliding and along rotation | `frictions.rs`, with the states of `along.rs` |
 //! | where on the map the modes are | `domains.rs` |
@@ -24,8 +23,8 @@
 
 mod along;
 mod asymptotics;
-pub mod coq;
 mod branches;
+pub mod coq;
 mod cubics;
 mod curve;
 mod derivation;
