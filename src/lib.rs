@@ -108,6 +108,7 @@
 //! | (6) centroid factor | [`arch::Ring`] |
 //! | (7) cubics in `A`, `eta`, `h` | [`arch::cubic::in_opening_variable`], [`arch::cubic::in_thickness`], [`arch::cubic::in_thrust`] |
 //! | (8) `f`, `g` and their link | [`arch::cubic::abbreviations`], [`arch::cubic::link`] |
+//! | (9)–(11) closed forms | [`arch::closed_form`] |
 //! | (12) radicand | [`arch::cubic::radicand`] |
 //! | (13)–(15) purely overturning states | [`arch::overturning::opening_variable`], [`arch::overturning::thickness`] |
 //! | (16) end of rotation, corrected | [`arch::overturning::end_of_rotation`] |

@@ -97,7 +97,16 @@ fn impurity(code: &str) -> Option<&str> {
 #[test]
 fn equations_neither_loop_nor_compare_nor_round() {
     assert!(impurity("let x = 0.1;").is_some() && impurity("if a > b {").is_some());
-    for file in ["thrust", "cubic", "statics", "sliding", "overturning", "weight", "quotient"] {
+    for file in [
+        "thrust",
+        "cubic",
+        "closed_form",
+        "statics",
+        "sliding",
+        "overturning",
+        "weight",
+        "quotient",
+    ] {
         let path = root().join("arch").join(format!("{file}.rs"));
         assert_eq!(impurity(&code(&path)), None, "{}", path.display());
     }

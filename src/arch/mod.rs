@@ -6,6 +6,7 @@
 //! | (2)–(5), `A(alpha)` | [`thrust`] |
 //! | (6) | [`Ring`] |
 //! | (7), (8), (12) | [`cubic`] |
+//! | (9)–(11) | [`closed_form`] |
 //! | (13)–(16) | [`overturning`] |
 //! | (17), (18) | [`sliding`] |
 //! | the seven collapse modes | [`Mode`] |
@@ -15,6 +16,7 @@
 //! length of centreline times radius), angles in radians. Nothing here loops, compares or rounds:
 //! code that needs to belongs to `solve` or `certify`.
 
+pub mod closed_form;
 pub mod contact;
 pub mod cubic;
 mod landmark;

@@ -1,5 +1,6 @@
 //! The steps of a proof, checked as they are written down.
 
+use super::{Claim, Finding};
 use crate::certify::{Undecided, cover};
 use crate::number::{Ball, Enclosure, ExactField, Field, Ternary};
 use crate::symbolic::{Fraction, Notation, Polynomial, Relations, Series, Symbol};
@@ -83,6 +84,8 @@ pub struct Step {
 pub struct Derivation {
     steps: Vec<Step>,
     checks: usize,
+    /// What the claims used rest on.
+    beneath: Vec<Support>,
     /// The check that is made on a false twin.
     spoiled: Option<usize>,
 }
@@ -119,7 +122,7 @@ impl Derivation {
 
     /// What the derivation rests on, in words.
     pub fn method(&self) -> &'static str {
-        let uses = |support| self.steps.iter().any(|step| step.support == support);
+        let uses = |support| self.supports().any(|other| other == support);
         match (uses(Support::Algebra), uses(Support::Balls)) {
             (true, true) => "algebra (normal forms, exact) and analysis (balls over a whole range)",
             (false, true) => "analysis (balls)",
@@ -139,6 +142,27 @@ impl Derivation {
     /// Draws a conclusion from the checks before.
     pub fn conclude(&mut self, words: impl Into<String>) {
         self.push(Support::Conclusion, words, None);
+    }
+
+    /// Uses another claim, which is decided here once more; its steps are not repeated. One that is
+    /// false as printed cannot be used.
+    pub fn lemma(&mut self, claim: &Claim) -> Result<(), Undecided> {
+        let decision = claim.decide();
+        match decision.outcome {
+            Ok(Finding::AsPrinted | Finding::Implicit) => {}
+            Ok(Finding::Misprint { .. }) => {
+                return Err(Undecided(format!("{} is false", claim.id)));
+            }
+            Err(Undecided(reason)) => return Err(Undecided(format!("{}: {reason}", claim.id))),
+        }
+        self.beneath.extend(decision.derivation.supports());
+        self.push(Support::Conclusion, format!("By {}: {}", claim.id, claim.statement), None);
+        Ok(())
+    }
+
+    /// What the steps rest on, and those of the claims used.
+    fn supports(&self) -> impl Iterator<Item = Support> {
+        self.steps.iter().map(|step| step.support).chain(self.beneath.iter().copied())
     }
 
     /// Names a formula.

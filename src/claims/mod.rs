@@ -3,28 +3,39 @@
 //! | claims about | file |
 //! |---|---|
 //! | moments, tangency, centroids: (2)–(6) | `moments.rs` |
-//! | the cubics and their abbreviations: (7), (8), the discriminants (12) | `cubics.rs` |
-//! | the closed forms (9)–(11), their branches, the widest joint | `branches.rs` |
+//! | the cubics and their abbreviations: (7), (8) | `cubics.rs` |
+//! | the curve of rotational states, the widest joint | `curve.rs` |
+//! | the closed forms (9)–(11), their branches, the range of (12) | `branches.rs` |
 //! | purely overturning states: (13)–(16) | `overturning.rs` |
 //! | how rotation and overturning join | `joining.rs` |
 //! | sliding: (17), (18) | `sliding.rs` |
 //! | series for small openings and about `l` | `asymptotics.rs` |
-//! | the landmarks, and the two weights compared | `landmarks.rs` |
+//! | the landmarks, values of few digits | `landmarks.rs` |
 //! | the landmarks again, as Coq theorems | [`coq`] |
+//! | the two weights compared | `weights.rs` |
+//! | friction along sliding and along rotation | `frictions.rs`, with the states of `along.rs` |
+//! | where on the map the modes are | `domains.rs` |
 //!
 //! A claim is decided by a [`Derivation`]: the equations of `arch` are evaluated over
 //! [`symbolic`](crate::symbolic) numbers, and each step is checked exactly, or in balls over a whole
 //! range. A person can read the steps; a test spoils each of them in turn, and then the claim must
 //! fail.
 
+mod along;
 mod asymptotics;
+mod branches;
 pub mod coq;
 mod cubics;
+mod curve;
 mod derivation;
+mod domains;
+mod frictions;
 mod joining;
+mod landmarks;
 mod moments;
 mod overturning;
 mod sliding;
+mod weights;
 
 pub use derivation::{Derivation, Formula, Step, Support};
 
@@ -90,10 +101,16 @@ pub fn claims() -> Vec<Claim> {
     [
         moments::CLAIMS,
         cubics::CLAIMS,
+        curve::CLAIMS,
+        branches::CLAIMS,
         overturning::CLAIMS,
         joining::CLAIMS,
         sliding::CLAIMS,
         asymptotics::CLAIMS,
+        landmarks::CLAIMS,
+        weights::CLAIMS,
+        frictions::CLAIMS,
+        domains::CLAIMS,
     ]
     .concat()
 }

@@ -1,0 +1,192 @@
+//! Certified states on the curves of purely rotational and of purely sliding states, and statements on
+//! whole ranges of half openings.
+//!
+//! On both curves all variables are monotone in the half opening: on the rotational one the thickness
+//! grows and the thrust falls, on the sliding one the thrust falls and the friction grows. So the
+//! states at the two ends of a range bound all states between.
+
+use crate::arch::{
+    Configuration, Landmark, Mode, Ring, SelfWeight, overturning, sliding, statics, thrust,
+};
+use crate::certify::state::{Arch, Friction, Outcome, State};
+use crate::certify::{CertifiedLandmark, Undecided, between};
+use crate::number::{Angle, Ball, Dual, ExactNumber, Field, Real, Ternary};
+use rug::Rational;
+
+/// Bits of the states.
+const BITS: u32 = 128;
+/// A range is halved so often at the most.
+const DEPTH: usize = 16;
+
+/// A state, or all states of a range.
+#[derive(Clone, Debug)]
+pub(super) struct Along {
+    pub(super) weight: SelfWeight,
+    pub(super) alpha: Angle<Ball>,
+    pub(super) thrust: Ball,
+    /// The thickness and the rotational joint, where there are such.
+    rotation: Option<(Ball, Ball)>,
+}
+
+fn state(weight: SelfWeight, alpha: &Rational) -> Result<State, Undecided> {
+    let arch = Arch::new(weight, ExactNumber::rational(alpha.clone()), Friction::Infinite)
+        .map_err(|e| Undecided(e.to_string()))?;
+    match arch.state(BITS) {
+        Ok(Outcome::Stands(state)) => Ok(*state),
+        Ok(Outcome::Falls(_)) => Err(Undecided(format!("no arch of {alpha} stands"))),
+        Err(doubt) => Err(Undecided(doubt.question.into())),
+    }
+}
+
+/// The smallest ball that holds two, or nearly.
+fn hull(a: &Ball, b: &Ball) -> Result<Ball, Undecided> {
+    let end = |x: rug::Float| x.to_rational().ok_or_else(|| Undecided("an unbounded state".into()));
+    let (low, high) = (end(a.lower().min(&b.lower()))?, end(a.upper().max(&b.upper()))?);
+    Ok(between(&low, &high))
+}
+
+/// A landmark's variables.
+pub(super) fn landmark(
+    landmark: Landmark,
+    weight: SelfWeight,
+) -> Result<Configuration<Ball>, Undecided> {
+    Ok(CertifiedLandmark::new(landmark, weight)?.enclosure(BITS)?.configuration())
+}
+
+impl Along {
+    /// The purely rotational state.
+    pub(super) fn rotational(weight: SelfWeight, alpha: &Rational) -> Result<Self, Undecided> {
+        let state = state(weight, alpha)?;
+        if state.mode != Mode::Rotational {
+            return Err(Undecided(format!("the state of {alpha} is not purely rotational")));
+        }
+        Ok(Self {
+            weight,
+            alpha: Angle::new(Ball::enclosing(alpha, BITS)),
+            thrust: state.thrust,
+            rotation: Some((state.thickness, state.rotation_joint)),
+        })
+    }
+
+    /// The purely sliding state, up to `alpha_L` of Heyman's weight. It does not depend on the weight;
+    /// with Heyman's an arch of larger half openings stands.
+    pub(super) fn sliding(alpha: &Rational) -> Result<Self, Undecided> {
+        let weight = SelfWeight::Heyman;
+        let friction = state(weight, alpha)?.sliding_friction;
+        let alpha = Angle::new(Ball::enclosing(alpha, BITS));
+        let thrust = sliding::shoulder_thrust(&alpha, &friction).value();
+        Ok(Self { weight, alpha, thrust, rotation: None })
+    }
+
+    /// All states between two.
+    pub(super) fn up_to(&self, other: &Self) -> Result<Self, Undecided> {
+        let rotation = match (&self.rotation, &other.rotation) {
+            (Some(a), Some(b)) => Some((hull(&a.0, &b.0)?, hull(&a.1, &b.1)?)),
+            _ => None,
+        };
+        Ok(Self {
+            weight: self.weight,
+            alpha: Angle::new(hull(&self.alpha.rad, &other.alpha.rad)?),
+            thrust: hull(&self.thrust, &other.thrust)?,
+            rotation,
+        })
+    }
+
+    /// The friction that the shoulder asks for, (17).
+    pub(super) fn shoulder_friction(&self) -> Ball {
+        sliding::shoulder(&self.alpha, &self.thrust).value()
+    }
+
+    /// The friction that an inner joint asks for, (18).
+    pub(super) fn inner_friction(&self) -> Ball {
+        sliding::inner(&self.sliding_joint(), &self.thrust).value()
+    }
+
+    fn sliding_joint(&self) -> Angle<Ball> {
+        Angle::new((self.thrust.clone() * (self.thrust.int(1) - &self.thrust)).sqrt())
+    }
+
+    /// `-d mu_is/dh = beta_s/N(beta_s)²`.
+    fn inner_slope(&self) -> Ball {
+        let joint = self.sliding_joint();
+        joint.rad.clone() / statics::normal_force(&joint, &self.thrust).square()
+    }
+
+    /// The half opening and the thrust as functions of a parameter with the slopes given.
+    fn moving(&self, alpha: Ball, thrust: Ball) -> (Angle<Dual<Ball>>, Dual<Ball>) {
+        let Angle { rad, sin, cos } = self.alpha.clone();
+        let dual = |value: Ball, slope| Dual::with_derivative(value, 0, slope);
+        let (up, down) = (cos.clone() * &alpha, -(sin.clone() * &alpha));
+        let opening = Angle { rad: dual(rad, alpha), sin: dual(sin, up), cos: dual(cos, down) };
+        (opening, dual(self.thrust.clone(), thrust))
+    }
+
+    /// Along rotation, `d/d eta` of the friction of the shoulder less that of an inner joint.
+    pub(super) fn friction_gap_slope(&self) -> Result<Ball, Undecided> {
+        let (thickness, joint) =
+            self.rotation.clone().ok_or_else(|| Undecided("no rotational state".into()))?;
+        let ring = Ring::new(self.weight, &Dual::variable(thickness, 0));
+        let joint = Angle::new(joint).map(Dual::constant);
+        // (2) is stationary in the joint, so that its partial derivative is the whole.
+        let by_thickness = thrust::lower(&joint, &ring).value().derivative(0);
+        let opening = overturning::opening_variable(&ring).value().derivative(0) + &by_thickness;
+        let Angle { rad, sin, .. } = &self.alpha;
+        let alpha = -(opening * self.alpha.versine() / (rad.clone() - sin));
+        let (alpha, thrust) = self.moving(alpha, by_thickness.clone());
+        let shoulder = sliding::shoulder(&alpha, &thrust).value().derivative(0);
+        Ok(shoulder + self.inner_slope() * by_thickness)
+    }
+
+    /// Along sliding, `d/d alpha` of a function of the half opening and the thrust.
+    pub(super) fn slope_along_sliding(
+        &self,
+        value: impl Fn(&Angle<Dual<Ball>>, &Dual<Ball>) -> Dual<Ball>,
+    ) -> Ball {
+        let (alpha, h) = (&self.alpha.rad, &self.thrust);
+        let normal = statics::normal_force(&self.alpha, h).square();
+        let by_alpha = (alpha.square() + h.square() - h) / &normal;
+        let by_thrust = alpha.clone() / normal + self.inner_slope();
+        let (alpha, thrust) = self.moving(alpha.int(1), -(by_alpha / by_thrust));
+        value(&alpha, &thrust).derivative(0)
+    }
+}
+
+/// Whether `holds` is proved on `[low, high]`, where it is asked with the states at the ends of a range and
+/// has to speak for all states between.
+pub(super) fn on_all(
+    (low, high): (&Rational, &Rational),
+    state: &dyn Fn(&Rational) -> Result<Along, Undecided>,
+    holds: &dyn Fn(&Along, &Along) -> Ternary,
+) -> Result<Ternary, Undecided> {
+    let mut open = vec![((low.clone(), state(low)?), (high.clone(), state(high)?), 0)];
+    while let Some((left, right, depth)) = open.pop() {
+        match holds(&left.1, &right.1) {
+            Ternary::True => {}
+            _ if depth < DEPTH => {
+                let middle: Rational = Rational::from(&left.0 + &right.0) / 2;
+                let middle = (middle.clone(), state(&middle)?);
+                open.push((middle.clone(), right, depth + 1));
+                open.push((left, middle, depth + 1));
+            }
+            _ => return Ok(Ternary::Undecided),
+        }
+    }
+    Ok(Ternary::True)
+}
+
+/// Multiples of `1/scale` around a value, a little apart from it.
+pub(super) fn around(value: &Ball, scale: i32) -> Result<(Rational, Rational), Undecided> {
+    let low = multiple(value, scale)?;
+    Ok((Rational::from((low - 1, scale)), Rational::from((low + 2, scale))))
+}
+
+/// A multiple of `1/scale` close below a value.
+pub(super) fn below(value: &Ball, scale: i32) -> Result<Rational, Undecided> {
+    Ok(Rational::from((multiple(value, scale)? - 1, scale)))
+}
+
+fn multiple(value: &Ball, scale: i32) -> Result<i32, Undecided> {
+    let scaled = (value.clone() * value.int(scale)).lower();
+    let integer = scaled.floor().to_integer().and_then(|n| n.to_i32());
+    integer.ok_or_else(|| Undecided("an unbounded landmark".into()))
+}

@@ -1,0 +1,334 @@
+//! The closed forms (9)–(11), the radicand (12) under their root, and which sign belongs to which
+//! states.
+//!
+//! Cardano's formula with a negative radicand `q² < 0`: with `q = i |q|` the cube is
+//! `u³ = X + i c |q|`, and its norm `X² - c² q²` turns out to be `P³`. So `u = √P e^(i t/3)` with `t` in
+//! `(0, pi)` where `c > 0`, and `(1 ± k)/2 = e^(±i pi/3)` makes the two terms conjugate:
+//!
+//! ```text
+//! (1 ± k)/2 P/u + 2/(1 ± k) u = 2 √P cos(t/3 ∓ pi/3)
+//! ```
+//!
+//! Both values are real and above the third root, `-2 √P cos(t/3)`; that with the difference of the
+//! angles is the larger. Which sign belongs to which states is thereby decided without a number.
+
+use super::cubics::letters;
+use super::curve::{STATES_IN_ORDER, TWO_THICKNESSES_FOR_EACH_JOINT};
+use super::{Claim, Derivation, Finding, Support};
+use crate::arch::cubic::Abbreviations;
+use crate::arch::{Landmark, Ring, SelfWeight, closed_form, cubic, overturning};
+use crate::certify::{CertifiedLandmark, Undecided, between};
+use crate::number::{Angle, Ball, Dual, Enclosure, Field, Real, Ternary};
+use crate::symbolic::{Fraction, Polynomial, Relations, Symbol, discriminant};
+use rug::Rational;
+
+pub(super) const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "eq-9",
+        place: "Eq. (9)",
+        statement: "A_M of (9), with either sign, is a root of the first cubic (7)",
+        decide: |d| {
+            let [u, q, k] = roots();
+            let at = letters();
+            let relations = relations(&closed_form::opening_cube(&at, &q));
+            d.define("u³, half the bracket", &closed_form::opening_cube(&at, &q));
+            d.assume("S, 3g - 2S and u are not zero");
+            solves(
+                d,
+                &relations,
+                |k| {
+                    cubic::in_opening_variable(
+                        &at,
+                        &k.int(1),
+                        &closed_form::opening_variable(&at, &u, k),
+                    )
+                },
+                &k,
+            )
+        },
+    },
+    Claim {
+        id: "eq-10",
+        place: "Eq. (10)",
+        statement: "eta_M of (10), with either sign, is a root of the second cubic (7)",
+        decide: |d| {
+            let [u, q, k] = roots();
+            let at = letters();
+            let relations = relations(&closed_form::thickness_cube(&at, &q));
+            d.define("u³, the bracket", &closed_form::thickness_cube(&at, &q));
+            d.assume("S and u are not zero");
+            solves(
+                d,
+                &relations,
+                |k| cubic::in_thickness(&at, &k.int(1), &closed_form::thickness(&at, &u, k)),
+                &k,
+            )
+        },
+    },
+    Claim {
+        id: "eq-11",
+        place: "Eq. (11)",
+        statement: "h_M of (11), with either sign, is a root of the third cubic (7)",
+        decide: |d| {
+            let [u, q, k] = roots();
+            let at = letters();
+            let relations = relations(&closed_form::thrust_cube(&at, &q));
+            d.define("u³, the bracket", &closed_form::thrust_cube(&at, &q));
+            d.assume("S and u are not zero");
+            solves(
+                d,
+                &relations,
+                |k| cubic::in_thrust(&at, &k.int(1), &closed_form::thrust(&at, &u, k)),
+                &k,
+            )
+        },
+    },
+    RADICAND_IS_THE_DISCRIMINANT,
+    Claim {
+        id: "eq-9-11-signs",
+        place: "Eq. (9)-(11)",
+        statement: "with principal roots the upper signs give the states with alpha < alpha_sb, the \
+                    lower signs those with alpha > alpha_sb, the same sign in all three",
+        decide: signs_of_the_branches,
+    },
+    Claim {
+        id: "eq-12-range",
+        place: "Eq. (12)",
+        statement: "the term under the square root is negative in the range of interest until it \
+                    vanishes at beta_sb",
+        decide: radicand_in_the_range_of_interest,
+    },
+];
+
+const RADICAND_IS_THE_DISCRIMINANT: Claim = Claim {
+    id: "eq-12",
+    place: "Eq. (12)",
+    statement: "the radicand of (12) is the discriminant of each cubic (7), up to a negative number and a \
+                square",
+    decide: radicand_is_the_discriminant,
+};
+
+/// `u`, `q`, `k`.
+fn roots() -> [Fraction; 3] {
+    [Symbol::CubeRoot, Symbol::SquareRoot, Symbol::RootOfMinusThree].map(Symbol::number)
+}
+
+/// `u³` as given, `q²` the radicand (12), `k² = -3`.
+fn relations(cube: &Fraction) -> Relations {
+    let at = letters();
+    let radicand = cubic::radicand(&at, &at.sin.int(1));
+    Relations::none()
+        .with(Symbol::CubeRoot, 3, cube.numerator().clone())
+        .with(Symbol::SquareRoot, 2, radicand.numerator().clone())
+        .with(Symbol::RootOfMinusThree, 2, Polynomial::from(-3))
+}
+
+/// A closed form put into its cubic, with both signs.
+fn solves(
+    d: &mut Derivation,
+    relations: &Relations,
+    cubic: impl Fn(&Fraction) -> Fraction,
+    k: &Fraction,
+) -> Result<Finding, Undecided> {
+    d.assume("u has the cube given, q² is the radicand (12), k² = -3");
+    for (sign, k) in [("upper", k.clone()), ("lower", -k.clone())] {
+        let words = format!("the cubic at its closed form, {sign} signs");
+        d.identity(words, &cubic(&k), &k.int(0), relations)?;
+    }
+    Ok(Finding::AsPrinted)
+}
+
+fn radicand_is_the_discriminant(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let (at, free) = (letters(), Relations::none());
+    let (one, delta) = (at.sin.int(1), Symbol::Flag.number());
+    let of = |cubic: Fraction, x| Fraction::from(discriminant(cubic.numerator(), x));
+    let radicand = cubic::radicand(&at, &one);
+    d.identity(
+        "the discriminant of the cubic in eta, any delta_M",
+        &of(cubic::in_thickness(&at, &delta, &Symbol::Thickness.number()), Symbol::Thickness),
+        &(one.int(-432) * cubic::radicand(&at, &delta)),
+        &free,
+    )?;
+    let Abbreviations { sin, f, g } = &at;
+    d.identity(
+        "the discriminant of the cubic in A",
+        &of(
+            cubic::in_opening_variable(&at, &at.sin.int(1), &Symbol::OpeningVariable.number()),
+            Symbol::OpeningVariable,
+        ),
+        &(one.int(-27) * (g.square() * g * sin).square() * &radicand),
+        &free,
+    )?;
+    d.identity(
+        "the discriminant of the cubic in h",
+        &of(cubic::in_thrust(&at, &at.sin.int(1), &Symbol::Thrust.number()), Symbol::Thrust),
+        &(one.int(-27) * ((g.clone() - f) * sin).square() * radicand),
+        &free,
+    )?;
+    let heyman = f.square() - g.int(2) * g * sin + sin.square();
+    d.identity(
+        "for delta_M = 0 it is the discriminant of a quadratic times a square",
+        &cubic::radicand(&at, &one.int(0)),
+        &(heyman * (f.clone() + g).square() * one.int(-3)),
+        &free,
+    )?;
+    d.conclude(
+        "Where (12) is negative, and f + g is not zero, each cubic has only simple real roots.",
+    );
+    Ok(Finding::AsPrinted)
+}
+
+/// `beta_sb` is below a right angle.
+fn widest_joint_is_below_a_right_angle(d: &mut Derivation) -> Result<(), Undecided> {
+    for weight in SelfWeight::ALL {
+        let joint = widest_joint(weight)?;
+        let right = joint.pi() / joint.int(2);
+        let words = format!("beta_sb < pi/2, {} weight", weight.name());
+        d.certain(Support::Balls, words, joint.is_less_than(&right))?;
+    }
+    Ok(())
+}
+
+fn widest_joint(weight: SelfWeight) -> Result<Ball, Undecided> {
+    let point = CertifiedLandmark::new(Landmark::WidestJoint, weight)?;
+    Ok(point.enclosure(128)?.configuration().rotation_joint.rad)
+}
+
+fn signs_of_the_branches(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&RADICAND_IS_THE_DISCRIMINANT)?;
+    d.lemma(&TWO_THICKNESSES_FOR_EACH_JOINT)?;
+    d.lemma(&STATES_IN_ORDER)?;
+    // The cubic in eta is linear in g: its points are (eta, f, S), free.
+    let Abbreviations { sin, f, .. } = letters();
+    let eta = Symbol::Thickness.number();
+    let ring = Ring::with_flag(&eta.int(1), &eta);
+    let rest = sin.clone() * eta.square() * &eta
+        + f.int(3) * &f * eta.square()
+        + eta.int(12) * &sin * &eta
+        - f.int(12) * &f;
+    let g = -(rest / (eta.int(3) * ring.intrados().square()));
+    let at = Abbreviations { sin: sin.clone(), f: f.clone(), g };
+    let (zero, free) = (eta.int(0), Relations::none());
+    d.identity(
+        "g from the cubic in eta",
+        &cubic::in_thickness(&at, &eta.int(1), &eta),
+        &zero,
+        &free,
+    )?;
+    // beta cot(beta) = (f - S)/S.
+    let thrust = crate::arch::thrust::tangency(&((f - &sin) / &sin), &ring).value();
+    d.identity(
+        "(5) there is a root of the cubic in h",
+        &cubic::in_thrust(&at, &at.sin.int(1), &thrust),
+        &zero,
+        &free,
+    )?;
+    let opening = thrust + overturning::opening_variable(&ring).value();
+    let words = "(4) there is a root of the cubic in A";
+    d.identity(words, &cubic::in_opening_variable(&at, &at.sin.int(1), &opening), &zero, &free)?;
+    d.conclude(
+        "For beta < beta_sb let eta_1 < eta_2 be the two thicknesses. Their states have alpha_1 < \
+         alpha_sb < alpha_2, A_1 > A_2 > 0 and h_1 > h_2 > 0. In each cubic the product of the roots, \
+         -(constant)/(leading coefficient), is negative, so that the third root is negative: the two \
+         of the states are the two largest.",
+    );
+
+    let at = letters();
+    let (q, no_root) = (Symbol::SquareRoot.number(), at.sin.int(0));
+    let relations = relations(&closed_form::thickness_cube(&at, &q));
+    let norm = |cube: fn(&Abbreviations<Fraction>, &Fraction) -> Fraction| {
+        let conjugate = cube(&at, &-q.clone());
+        cube(&at, &q) * conjugate
+    };
+    let norms: [(&str, Fraction, Fraction); 3] = [
+        ("(9)", norm(closed_form::opening_cube), closed_form::opening_product(&at)),
+        ("(10)", norm(closed_form::thickness_cube), closed_form::thickness_product(&at)),
+        ("(11)", norm(closed_form::thrust_cube), closed_form::thrust_product(&at)),
+    ];
+    for (name, norm, product) in norms {
+        let words = format!("the norm of u³ in {name} is P³");
+        d.identity(words, &norm, &(product.square() * &product), &relations)?;
+    }
+    let factors: [(&str, Fraction, Fraction); 3] = [
+        (
+            "(9)",
+            closed_form::opening_cube(&at, &q),
+            closed_form::opening_root_factor(&at) / at.sin.int(2),
+        ),
+        ("(10)", closed_form::thickness_cube(&at, &q), at.sin.int(2) * &at.sin),
+        ("(11)", closed_form::thrust_cube(&at, &q), at.sin.int(3) * (at.g.clone() - &at.f)),
+    ];
+    let cubes: [fn(&Abbreviations<Fraction>, &Fraction) -> Fraction; 3] =
+        [closed_form::opening_cube, closed_form::thickness_cube, closed_form::thrust_cube];
+    for ((name, cube, factor), real) in factors.into_iter().zip(cubes) {
+        let words = format!("c, the factor of q in u³ of {name}");
+        d.identity(words, &((cube - real(&at, &no_root)) / &q), &factor, &Relations::none())?;
+    }
+    let joint = Symbol::joint();
+    let wide = cubic::abbreviations(&joint);
+    let excess = joint.rad.clone() - &joint.sin;
+    let positive =
+        excess.int(3) * &excess + joint.sin.int(3) * &joint.sin * &joint.cos + &joint.sin;
+    let words = "3g - 2S, a sum of positive parts for beta < pi/2";
+    d.identity(words, &closed_form::opening_root_factor(&wide), &positive, &Relations::none())?;
+    let words = "g - f, a product of positive factors";
+    d.identity(words, &(wide.g - &wide.f), &(excess * joint.versine()), &Relations::none())?;
+    widest_joint_is_below_a_right_angle(d)?;
+    d.conclude(
+        "For beta < beta_sb the cubic has three simple real roots, so that (12) is negative; each c is \
+         positive; the norm of u³ is P³ > 0. So u, the principal cube root, is √P e^(i t/3) with 0 < t < pi, and the two terms \
+         are 2 √P cos(t/3 - pi/3) for (1 + k)/2 and 2 √P cos(t/3 + pi/3) for (1 - k)/2, where k = i√3; \
+         the third root has -2 √P cos(t/3). As t/3 < pi/3, the first is the largest and the second the \
+         middle one; scale and shift, \
+         with positive scales, keep that order. The upper sign is (1 + k)/2 in (9) and (11), which takes the larger A and h, and \
+         (1 - k)/2 in (10), which takes the smaller eta of the two: all belong to alpha_1. The lower \
+         sign belongs to alpha_2.",
+    );
+    Ok(Finding::Implicit)
+}
+
+/// Where the radicand changes its sign: ends of intervals that hold `beta_sb` and the next zero.
+fn sign_changes(weight: SelfWeight) -> [(i32, i32); 2] {
+    match weight {
+        SelfWeight::Heyman => [(112, 114), (250, 251)],
+        SelfWeight::Milankovitch => [(111, 113), (271, 272)],
+    }
+}
+
+fn radicand_in_the_range_of_interest(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&RADICAND_IS_THE_DISCRIMINANT)?;
+    d.lemma(&TWO_THICKNESSES_FOR_EACH_JOINT)?;
+    d.conclude(
+        "For 0 < beta < beta_sb the roots are real and simple, so the discriminant is positive and (12) \
+         negative (for delta_M = 0 the quadratic has two, and f + g = (beta + S)(1 + C) > 0). At \
+         beta_sb there is a double root and (12) vanishes.",
+    );
+    for weight in SelfWeight::ALL {
+        let name = weight.name();
+        let hundredths = |n: i32| Rational::from((n, 100));
+        let [first, second] = sign_changes(weight).map(|(a, b)| (hundredths(a), hundredths(b)));
+        let radicand = |x: &Ball| {
+            cubic::radicand(&cubic::abbreviations(&Angle::new(x.clone())), &x.int(weight.flag()))
+        };
+        let slope = |x: &Ball| {
+            let joint = Angle::new(x.clone()).variable(0);
+            cubic::radicand(&cubic::abbreviations(&joint), &Dual::constant(x.int(weight.flag())))
+                .derivative(0)
+        };
+        let joint = widest_joint(weight)?;
+        let inside = joint.lies_inside(&between(&first.0, &first.1));
+        let inside = if inside { Ternary::True } else { Ternary::Undecided };
+        d.certain(Support::Balls, format!("beta_sb lies in the first range, {name}"), inside)?;
+        d.positive(&format!("the slope of (12), {name},"), (&first.0, &first.1), slope)?;
+        d.positive(&format!("(12), {name},"), (&first.1, &second.0), radicand)?;
+        let beyond = -radicand(&between(&second.1, &second.1));
+        let words = format!("(12) is negative again at {}, {name}", second.1);
+        d.certain(Support::Balls, words, beyond.is_positive())?;
+    }
+    d.conclude(
+        "So (12) is negative before beta_sb, zero there with a positive slope, and positive after it up \
+         to 5/2 (Heyman) and 271/100 (Milankovitch). It vanishes once more before 251/100 and 68/25; \
+         there the roots of the cubic lie outside of (0, 2]. The range of interest has to end before.",
+    );
+    Ok(Finding::AsPrinted)
+}

@@ -1,0 +1,312 @@
+//! The curve of purely rotational states, for both self-weights: to each thickness below that of `l`
+//! belongs one joint, one thrust and one half opening.
+//!
+//! Let `p` be the cubic (7) in `eta` with `delta_M` kept, `S`, `C` the sine and cosine of `beta`. All
+//! follows from one identity, on `0 < beta < pi`:
+//!
+//! ```text
+//! d(p/S)/d beta = 3 (2 - eta) (2 + eta - (2 - eta) C) (beta - S C) / S²
+//! ```
+//!
+//! For `0 < eta < 2` every factor is positive, so that **`p/S` grows with `beta`**: from
+//! `eta (delta_M eta² + 12 eta - 12)` at the crown, which is negative exactly below `eta_l`, to `+inf`
+//! at `pi`. So `p = 0` has one root `beta(eta)` if `eta < eta_l`, and none if `eta_l <= eta < 2`.
+//!
+//! In the other direction, at a fixed joint, `p` is convex in `eta > 0` and positive at 0 and at 2, so
+//! that it has two roots in `(0, 2)`, a double one or none. As `p/S` grows, it is two for
+//! `beta < beta_sb`, the double one at `beta_sb`, and none beyond.
+
+use super::{Claim, Derivation, Finding};
+use crate::arch::{Mode, Ring, cubic, overturning, thrust};
+use crate::certify::Undecided;
+use crate::number::{Angle, Ball, Dual, Field, Real};
+use crate::symbolic::{
+    Fraction, Polynomial, Relations, Symbol, along_the_joint, along_the_opening,
+};
+use rug::Rational;
+
+pub(super) const CLAIMS: &[Claim] = &[
+    ONE_JOINT_FOR_EACH_THICKNESS,
+    TWO_THICKNESSES_FOR_EACH_JOINT,
+    STATES_IN_ORDER,
+    STATES_OF_ONE_THICKNESS,
+    WIDEST_JOINT,
+];
+
+pub(super) const ONE_JOINT_FOR_EACH_THICKNESS: Claim = Claim {
+    id: "curve-joint",
+    place: "Sec. 2.1",
+    statement: "for each thickness below eta_l the line of thrust can touch the intrados at exactly one \
+                joint beta(eta), and for none from eta_l up to 2; p/S, where p is the cubic (7) in eta, \
+                grows with beta",
+    decide: one_joint_for_each_thickness,
+};
+
+pub(super) const TWO_THICKNESSES_FOR_EACH_JOINT: Claim = Claim {
+    id: "curve-thicknesses",
+    place: "Eq. (7), (10)",
+    statement: "two real branches are meaningful: for each joint beta < beta_sb the cubic in eta has \
+                exactly two roots between 0 and 2, a double one at beta_sb and none beyond; the third, \
+                for delta_M = 1, is negative",
+    decide: two_thicknesses_for_each_joint,
+};
+
+pub(super) const STATES_IN_ORDER: Claim = Claim {
+    id: "curve-order",
+    place: "Sec. 2.1, Fig. 2",
+    statement: "along the purely rotational states the half opening grows from 0 to alpha_l and the \
+                thrust falls from 1 to 0 as the thickness grows from 0 to eta_l; to each half opening \
+                below alpha_l belongs exactly one state",
+    decide: states_in_order,
+};
+
+pub(super) const STATES_OF_ONE_THICKNESS: Claim = Claim {
+    id: "curve-weights",
+    place: "Sec. 3",
+    statement: "at the same thickness the purely rotational state of Milankovitch's weight has a smaller \
+                half opening and a smaller thrust than that of Heyman's, and the purely overturning one a \
+                smaller half opening; its rotational joint is the smaller one, and below a right angle",
+    decide: states_of_one_thickness,
+};
+
+const WIDEST_JOINT: Claim = Claim {
+    id: "curve-widest",
+    place: "Sec. 2.1",
+    statement: "beta_r(alpha) is stationary where (12) vanishes, and widest there",
+    decide: widest_joint,
+};
+
+/// `d/d eta`.
+fn along_the_thickness() -> [(Symbol, Polynomial); 1] {
+    [(Symbol::Thickness, Polynomial::from(1))]
+}
+
+fn ring() -> Ring<Fraction> {
+    Ring::with_flag(&Symbol::Flag.number(), &Symbol::Thickness.number())
+}
+
+/// The cubic (7) in `eta`, with `beta`, `S`, `C`, `delta_M` as letters.
+fn cubic_in_thickness() -> Fraction {
+    cubic::in_thickness(
+        &cubic::abbreviations(&Symbol::joint()),
+        &Symbol::Flag.number(),
+        &Symbol::Thickness.number(),
+    )
+}
+
+fn one_joint_for_each_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let (joint, ring, circle) = (Symbol::joint(), ring(), Relations::trigonometric());
+    let (eta, delta, p) = (&ring.thickness, Symbol::Flag.number(), cubic_in_thickness());
+    d.assume("0 < beta < pi, 0 < eta < 2, 0 <= delta_M <= 1");
+    let gap =
+        thrust::lower(&joint, &ring).difference(&thrust::tangency(&joint.times_cotangent(), &ring));
+    d.identity(
+        "(2) = (5) is the cubic: 3 S times their difference, cleared of denominators",
+        &(gap * &joint.sin * p.int(3)),
+        &p,
+        &circle,
+    )?;
+    let slope = (p.clone() / &joint.sin).derivative(&along_the_joint());
+    let lever = ring.extrados() - ring.intrados() * &joint.cos;
+    let bow = joint.rad.clone() - joint.sin.clone() * &joint.cos;
+    let expected = p.int(3) * ring.intrados() * lever * bow / joint.sin.square();
+    d.identity("d(p/S)/d beta", &slope, &expected, &circle)?;
+    let crown = Angle { rad: p.int(1), sin: p.int(1), cos: p.int(1) };
+    let at_crown = (delta.clone() * eta.square() + eta.int(12) * eta - eta.int(12)) * eta;
+    d.identity(
+        "p/beta in the limit beta -> 0, where S/beta and C are 1",
+        &cubic::in_thickness(&cubic::abbreviations(&crown), &delta, eta),
+        &at_crown,
+        &Relations::none(),
+    )?;
+    let flat = Angle { rad: joint.rad.clone(), sin: p.int(0), cos: p.int(-1) };
+    d.identity(
+        "p at beta = pi, where S = 0 and C = -1",
+        &cubic::in_thickness(&cubic::abbreviations(&flat), &delta, eta),
+        &(ring.intrados() * &joint.rad * p.int(12)),
+        &Relations::none(),
+    )?;
+    d.identity(
+        "what is negative at the crown is the condition behind (16), so eta_l is where it changes sign",
+        &(at_crown / eta),
+        &(overturning::end_of_rotation(&ring) * p.int(-12)),
+        &Relations::none(),
+    )?;
+    d.conclude(
+        "As S < beta and C < 1, beta - S C > 0 and 2 + eta - (2 - eta) C > 0: p/S grows with beta on \
+         (0, pi), from eta (delta_M eta^2 + 12 eta - 12) to +inf. The bracket grows with eta and \
+         vanishes at eta_l. So p = 0 has exactly one root beta(eta) if eta < eta_l and none if \
+         eta_l <= eta < 2; beta(eta) is analytic, since the slope is not zero.",
+    );
+    Ok(Finding::Implicit)
+}
+
+fn two_thicknesses_for_each_joint(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&ONE_JOINT_FOR_EACH_THICKNESS)?;
+    let (joint, free) = (Symbol::joint(), Relations::none());
+    let (p, delta) = (cubic_in_thickness(), Symbol::Flag.number());
+    let one = p.int(1);
+    let (above, below) = (one.clone() - &joint.cos, one.clone() + &joint.cos);
+    let at = |eta: i32| cubic::in_thickness(&cubic::abbreviations(&joint), &delta, &one.int(eta));
+    let excess = joint.rad.clone() - &joint.sin;
+    d.identity("p at eta = 0", &at(0), &(excess * &above * one.int(12)), &free)?;
+    d.identity(
+        "p at eta = 2",
+        &at(2),
+        &((delta.clone() + one.int(3)) * &joint.sin * one.int(8)),
+        &free,
+    )?;
+    let rules = along_the_thickness();
+    let bend = p.derivative(&rules).derivative(&rules);
+    let sum = joint.rad.clone() + &joint.sin;
+    let expected = delta.clone() * &joint.sin * Symbol::Thickness.number() * one.int(6)
+        + sum * &below * one.int(6);
+    d.identity("d²p/d eta²", &bend, &expected, &free)?;
+    let leading = p.numerator().leading_coefficient(Symbol::Thickness);
+    d.identity("the coefficient of eta³", &leading.into(), &(delta * &joint.sin), &free)?;
+    d.conclude(
+        "At a fixed joint p is strictly convex in eta >= 0 and positive at 0 and at 2: it has two \
+         roots in (0, 2), a double one, or none. For delta_M = 1 it falls to -inf for eta -> -inf, so \
+         that the third root is negative. Let beta_sb be the largest beta(eta), taken at eta_sb (it \
+         exists, as beta(eta) -> 0 for eta -> 0, where p > 0, and for eta -> eta_l). For beta < \
+         beta_sb, p(eta_sb) < 0, since p/S grows with beta: two roots, one on each side of eta_sb. At \
+         beta_sb, p >= 0 and eta_sb is a double root. Beyond, p > 0 on [0, 2].",
+    );
+    Ok(Finding::AsPrinted)
+}
+
+/// Thicker states are wider and carry less thrust.
+fn states_in_order(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&ONE_JOINT_FOR_EACH_THICKNESS)?;
+    let (joint, ring, circle) = (Symbol::joint(), ring(), Relations::trigonometric());
+    let (eta, delta) = (ring.thickness.clone(), Symbol::Flag.number());
+    let lower = thrust::lower(&joint, &ring);
+    let (lever, h_lower) = (lower.denominator.clone(), lower.value());
+    let one = eta.int(1);
+    d.identity(
+        "h_L of (2) is stationary in beta where p = 0",
+        &h_lower.derivative(&along_the_joint()),
+        &-(cubic_in_thickness() / (one.int(3) * lever.square())),
+        &circle,
+    )?;
+    let loss = one.int(4) * &joint.sin * (joint.rad.clone() - &joint.sin)
+        + one.int(2) * joint.sin.square() * (one.int(2) - &ring.centroid_factor)
+        + delta.clone() * &eta * joint.versine() * &lever / one.int(3);
+    d.identity(
+        "h_L falls with eta",
+        &h_lower.derivative(&along_the_thickness()),
+        &-(loss / lever.square()),
+        &circle,
+    )?;
+    let rest = overturning::opening_variable(&ring).value();
+    let fall = one.int(12) * (one.clone() - &delta)
+        + delta.clone() * ring.intrados() * (one.int(6) + &eta);
+    d.identity(
+        "2 fac/(2 + eta) falls with eta",
+        &rest.derivative(&along_the_thickness()),
+        &-(fall / (one.int(6) * ring.extrados().square())),
+        &Relations::none(),
+    )?;
+    let alpha = Symbol::half_opening();
+    let opening = thrust::opening_variable(&alpha).value();
+    d.identity(
+        "A falls with alpha",
+        &opening.derivative(&along_the_opening()),
+        &-((alpha.rad.clone() - &alpha.sin) / alpha.versine()),
+        &circle,
+    )?;
+    let straight = Angle { rad: one.int(0), sin: one.int(0), cos: one.clone() };
+    d.identity(
+        "at beta = 0 (2) gives no thrust, so h -> 0 for eta -> eta_l",
+        &thrust::lower(&straight, &ring).value(),
+        &one.int(0),
+        &Relations::none(),
+    )?;
+    d.identity(
+        "at beta = 0 and eta = 0 (5) gives h = 1, so h -> 1 and A -> 2 for eta -> 0",
+        &thrust::tangency(&one, &Ring::with_flag(&delta, &one.int(0))).value(),
+        &one,
+        &Relations::none(),
+    )?;
+    d.conclude(
+        "Along the curve dh/d eta is the partial derivative of h_L, negative since S < beta and \
+         fac < 2, and with (4) dA/d eta is negative too, so that d alpha/d eta > 0: eta, alpha and -h \
+         grow together. (4) with 0 <= alpha < alpha_l is then met exactly once.",
+    );
+    d.conclude(format!(
+        "So the equations of {} have exactly one solution with 0 < beta < pi and 0 < eta < 2 for each \
+         alpha < alpha_l, and none from alpha_l on.",
+        Mode::Rotational.label()
+    ));
+    Ok(Finding::Implicit)
+}
+
+/// At one thickness a larger `delta_M` means a smaller half opening and a smaller thrust.
+fn states_of_one_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&STATES_IN_ORDER)?;
+    let (joint, ring, eta) = (Symbol::joint(), ring(), Symbol::Thickness.number());
+    let lower = thrust::lower(&joint, &ring);
+    let (h_lower, lever) = (lower.value(), lower.denominator);
+    let rest = overturning::opening_variable(&ring).value();
+    let by_flag = [(Symbol::Flag, Polynomial::from(1))];
+    d.identity(
+        "the derivative of A = h_L + 2 fac/(2 + eta) to delta_M, at a fixed joint and thickness",
+        &(h_lower.clone() + &rest).derivative(&by_flag),
+        &(eta.square() * &eta * &joint.cos / (eta.int(3) * &lever * ring.extrados())),
+        &Relations::none(),
+    )?;
+    d.identity(
+        "the derivative of h_L to delta_M",
+        &h_lower.derivative(&by_flag),
+        &-(eta.square() * joint.versine() / (eta.int(6) * lever)),
+        &Relations::none(),
+    )?;
+    d.identity(
+        "the derivative of (13) to delta_M",
+        &rest.derivative(&by_flag),
+        &(eta.square() / (eta.int(6) * ring.extrados())),
+        &Relations::none(),
+    )?;
+    let at_right_angle = |eta: &Ball| {
+        let half = eta.pi() / eta.int(2);
+        let right = Angle { rad: half, sin: eta.int(1), cos: eta.int(0) };
+        cubic::in_thickness(&cubic::abbreviations(&right), &eta.int(0), eta)
+    };
+    let range = (&Rational::new(), &Rational::from(2));
+    d.positive("p at beta = pi/2 with delta_M = 0, in eta,", range, at_right_angle)?;
+    d.conclude(
+        "p grows with delta_M, and with beta over S: beta(eta) falls with delta_M. At pi/2 p is positive, \
+         so that every beta(eta) is smaller, cos(beta) > 0. As h_L is stationary in beta, the partial derivatives are those \
+         along the states of one thickness: A grows with delta_M, so that alpha falls, and h falls. \
+         Where the state is overturning, A = 2 fac/(2 + eta) grows too.",
+    );
+    Ok(Finding::Implicit)
+}
+
+/// `d beta/d alpha = 0` exactly at the double root, which is the widest joint.
+fn widest_joint(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&ONE_JOINT_FOR_EACH_THICKNESS)?;
+    d.lemma(&TWO_THICKNESSES_FOR_EACH_JOINT)?;
+    d.lemma(&STATES_IN_ORDER)?;
+    // The two equations that define the landmark `sb` besides (4): p and its derivative, up to 3 S.
+    let (joint, ring) = (Symbol::joint(), ring());
+    let eta = Dual::variable(ring.thickness.clone(), 0);
+    let dual = joint.clone().map(Dual::constant);
+    let dual_ring = Ring::with_flag(&Dual::constant(Symbol::Flag.number()), &eta);
+    let gap = thrust::lower(&dual, &dual_ring)
+        .difference(&thrust::tangency(&dual.times_cotangent(), &dual_ring));
+    let p = cubic_in_thickness();
+    d.identity(
+        "the derivative of the cleared (2) = (5) to eta is that of p over 3 S",
+        &(gap.derivative(0) * p.int(3) * &joint.sin),
+        &p.derivative(&along_the_thickness()),
+        &Relations::trigonometric(),
+    )?;
+    d.conclude(
+        "d beta/d eta = -(dp/d eta)/(dp/d beta), and d alpha/d eta > 0: beta_r(alpha) is stationary \
+         exactly where dp/d eta = 0, at a double root of the cubic, where its discriminant, and with it \
+         (12), is zero. With p convex in eta this is a maximum of beta(eta); so there is only one, it is \
+         the widest joint of all, and it is the root of the system of sb.",
+    );
+    Ok(Finding::AsPrinted)
+}

@@ -1,0 +1,322 @@
+//! The landmark points: what holds besides the equations that define them, and the values that the
+//! text gives to few digits.
+
+use super::{Claim, Derivation, Finding, Support};
+use crate::arch::{
+    Configuration, Fixed, Landmark, Mode, Quantity, Ring, SelfWeight, Unknown, contact,
+    overturning, sliding, statics, thrust,
+};
+use crate::certify::state::{Arch, Friction, Outcome, State};
+use crate::certify::{CertifiedLandmark, Undecided};
+use crate::number::{
+    Angle, Ball, Decimal, Enclosure, ExactNumber, Field, Real, Rounded, Ternary, arctangent,
+};
+use crate::symbolic::{Fraction, Relations, Symbol, along_the_joint};
+use rug::Rational;
+
+pub(super) const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "landmark-T",
+        place: "Sec. 2.2, Fig. 8",
+        statement: "at T the mode [r,r,s] meets the other three: (3) holds there besides",
+        decide: triple_point,
+    },
+    Claim {
+        id: "landmark-S",
+        place: "Sec. 3, Fig. 9",
+        statement: "at S, and where beta_r = beta_s, the modes [r,r,s] and [r,s,r] coincide",
+        decide: shift_point,
+    },
+    Claim {
+        id: "landmark-J",
+        place: "Sec. 3, Fig. 10",
+        statement: "at J the modes [r,s,r] and [r,s] meet: the line of thrust touches the intrados at \
+                    the crown and has, to first order, the direction of the intrados there",
+        decide: junction_point,
+    },
+    Claim {
+        id: "landmark-B",
+        place: "Fig. 11",
+        statement: "at B, where beta_r = 0, the tangency condition (5) does not hold",
+        decide: border_point,
+    },
+    Claim {
+        id: "landmark-l",
+        place: "Sec. 3, Tables 3-4",
+        statement: "states without thrust, l, L and all purely overturning ones, strictly require \
+                    infinite friction, against inner sliding; and (2) holds at l besides",
+        decide: no_thrust_needs_unlimited_friction,
+    },
+    Claim {
+        id: "rounded-values",
+        place: "Sec. 2.1-5, Fig. 7-12",
+        statement: "the values given to few digits, such as beta_r = 59.7° at T, are roundings of the \
+                    true ones",
+        decide: rounded_values,
+    },
+    Claim {
+        id: "semicircle",
+        place: "Sec. 5",
+        statement: "for the semicircle a friction of about 0.395, 22°, suffices to prevent sliding of \
+                    the shoulder and warrants purely rotational collapse",
+        decide: semicircle,
+    },
+];
+
+/// All variables as letters; the sliding joint is the joint.
+fn letters() -> Configuration<Fraction> {
+    Configuration {
+        half_opening: Symbol::half_opening(),
+        rotation_joint: Symbol::joint(),
+        sliding_joint: Symbol::joint(),
+        thickness: Symbol::Thickness.number(),
+        thrust: Symbol::Thrust.number(),
+        friction: Symbol::Friction.number(),
+    }
+}
+
+fn ring() -> Ring<Fraction> {
+    Ring::with_flag(&Symbol::Flag.number(), &Symbol::Thickness.number())
+}
+
+pub(super) fn certain_if(holds: bool) -> Ternary {
+    if holds { Ternary::True } else { Ternary::Undecided }
+}
+
+fn triple_point(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let (at, ring) = (letters(), ring());
+    let upper = thrust::upper(&at.half_opening, &at.rotation_joint, &ring).residual(&at.thrust);
+    let whole = thrust::whole(&at.half_opening, &ring).residual(&at.thrust);
+    let lower = thrust::lower(&at.rotation_joint, &ring).residual(&at.thrust);
+    let words = "(3), cleared, is (4) less (2), cleared";
+    d.identity(words, &upper, &(whole - lower), &Relations::none())?;
+    for weight in SelfWeight::ALL {
+        let arm = {
+            let at = enclosed(Landmark::Triple, weight)?.1;
+            let ring = Ring::new(weight, &at.thickness);
+            thrust::upper(&at.half_opening, &at.rotation_joint, &ring).denominator
+        };
+        let words = format!("the lever arm in (3) at T, {} weight", weight.name());
+        d.certain(Support::Balls, words, arm.is_positive())?;
+    }
+    d.conclude(
+        "T is defined by (2), (4), (5), (17), (18), so (3), (5), (18) hold: those of [r,r,s].",
+    );
+    Ok(Finding::AsPrinted)
+}
+
+fn shift_point(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let [below, above] = [Mode::RotationalSliding, Mode::RotationalSlidingRotational];
+    d.certain(
+        Support::Algebra,
+        "both modes have the equations (3), (5), (18); only the order of the joints tells them apart",
+        certain_if(below.system() == above.system()),
+    )?;
+    for weight in SelfWeight::ALL {
+        let system = Landmark::Shift.system(weight);
+        let same = system.fixed_value(Unknown::RotationJoint)
+            == Some(Fixed::SameAs(Unknown::SlidingJoint));
+        let all = below.system().1.iter().all(|equation| system.equations.contains(equation));
+        d.certain(
+            Support::Algebra,
+            "S has them all, and beta_r = beta_s",
+            certain_if(same && all),
+        )?;
+    }
+    Ok(Finding::AsPrinted)
+}
+
+fn junction_point(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let at = letters();
+    for weight in SelfWeight::ALL {
+        let ring = Ring::new(weight, &at.thickness);
+        let tangency = thrust::tangency(&at.thrust.int(1), &ring).residual(&at.thrust);
+        let words = format!(
+            "(5) in the limit beta -> 0, cleared, is twice the slope of the distance from the \
+             intrados over sin(beta) at the crown, {} weight",
+            weight.name()
+        );
+        let slope = contact::crown_slope(weight, &at) * at.thrust.int(2);
+        d.identity(words, &tangency, &slope, &Relations::none())?;
+        let system = Landmark::Junction.system(weight);
+        let (_, equations) = Mode::OverturningSliding.system();
+        let all = equations.iter().all(|equation| system.equations.contains(equation));
+        let crown = system.fixed_value(Unknown::RotationJoint) == Some(Fixed::Integer(0));
+        let words = "J has (3) at beta = 0 and (18), the equations of [r,s]";
+        d.certain(Support::Algebra, words, certain_if(all && crown))?;
+    }
+    d.conclude(
+        "[r,s] needs this slope not to be negative, and [r,s,r] has the line of thrust touch at \
+         beta_r > 0: they meet where it is zero.",
+    );
+    Ok(Finding::AsPrinted)
+}
+
+fn border_point(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let two = Rational::from(2);
+    for weight in SelfWeight::ALL {
+        let ring = Ring::new(weight, &two);
+        let symbolic = Ring::new(weight, &Fraction::from(two.clone()));
+        let cotangent = Symbol::joint().times_cotangent();
+        let residual = thrust::tangency(&cotangent, &symbolic).residual(&Symbol::Thrust.number());
+        let value = two.clone() * &ring.centroid_factor;
+        let words = format!("(5), cleared, at eta = 2, {} weight", weight.name());
+        d.identity(words, &residual, &value.clone().into(), &Relations::none())?;
+        d.differ("its residual", &value, &Rational::new())?;
+    }
+    d.conclude("(5) holds at no joint and for no thrust at eta = 2, at B in particular.");
+    Ok(Finding::Implicit)
+}
+
+fn no_thrust_needs_unlimited_friction(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let joint = Symbol::joint();
+    let none = joint.rad.int(0);
+    let (shear, normal) =
+        (statics::shear_force(&joint, &none), statics::normal_force(&joint, &none));
+    let ratio = joint.cos.clone() / &joint.sin;
+    d.identity("T/N at any joint where h = 0", &(shear / normal), &ratio, &Relations::none())?;
+    d.conclude(
+        "It is cot(beta), which is unbounded next to the crown: no finite friction is enough there.",
+    );
+    let crown = Angle::zero(&none);
+    let lower = thrust::lower(&crown, &ring());
+    d.identity("(2) at beta = 0 and h = 0", &lower.residual(&none), &none, &Relations::none())?;
+    let double = ring().thickness.int(2) * ring().thickness;
+    d.identity("its lever arm, not zero", &lower.denominator, &double, &Relations::none())?;
+    let moved = lower_moment_slope();
+    d.identity(
+        "and the numerator of (2) grows from the crown like beta² times the condition behind (16)",
+        &moved,
+        &(overturning::end_of_rotation(&ring()) * ring().thickness.int(2)),
+        &Relations::none(),
+    )?;
+    d.conclude(
+        "At l that is zero too, so the line of thrust stays at the intrados to higher order.",
+    );
+    Ok(Finding::AsPrinted)
+}
+
+/// The second derivative of the numerator of (2) to `beta`, at the crown.
+fn lower_moment_slope() -> Fraction {
+    let rules = along_the_joint();
+    let numerator = thrust::lower(&Symbol::joint(), &ring()).numerator;
+    let bend = numerator.derivative(&rules).derivative(&rules);
+    let crown = |symbol: Symbol| match symbol {
+        Symbol::Joint | Symbol::Sine => bend.int(0),
+        Symbol::Cosine => bend.int(1),
+        other => other.number(),
+    };
+    bend.evaluate(&bend, crown)
+}
+
+/// A landmark with its variables.
+pub(super) fn enclosed(
+    landmark: Landmark,
+    weight: SelfWeight,
+) -> Result<(CertifiedLandmark, Configuration<Ball>), Undecided> {
+    let point = CertifiedLandmark::new(landmark, weight)?;
+    let at = point.enclosure(128)?.configuration();
+    Ok((point, at))
+}
+
+/// The state of an arch at its least thickness; the half opening and the friction as text.
+pub(super) fn state_of(
+    half_opening: &str,
+    friction: Option<&str>,
+    weight: SelfWeight,
+) -> Result<State, Undecided> {
+    let number =
+        |text: &str| text.parse::<ExactNumber>().map_err(|error| Undecided(error.to_string()));
+    let friction = match friction {
+        Some(text) => Friction::Coefficient(number(text)?),
+        None => Friction::Infinite,
+    };
+    let arch = Arch::new(weight, number(half_opening)?, friction)
+        .map_err(|error| Undecided(error.to_string()))?;
+    match arch.state(128) {
+        Ok(Outcome::Stands(state)) => Ok(*state),
+        Ok(Outcome::Falls(_)) => Err(Undecided("the arch does not stand".into())),
+        Err(doubt) => Err(Undecided(doubt.question.into())),
+    }
+}
+
+/// The values to few digits: landmark, weight, quantity, text, places where it stands.
+const ROUNDED: &[(Landmark, SelfWeight, Quantity, &[&str])] = {
+    use {Landmark::*, Quantity::*, SelfWeight::*};
+    &[
+        (WidestJoint, Milankovitch, RotationJointDegrees, &["64.2"]),
+        (WidestJoint, Milankovitch, HalfOpeningDegrees, &["125.8"]),
+        (RotationEnd, Milankovitch, HalfOpeningDegrees, &["148.4", "1.5e2"]),
+        (RotationEnd, Milankovitch, Thickness, &["0.93"]),
+        (RotationEnd, Heyman, HalfOpeningDegrees, &["151.7", "1.5e2"]),
+        (OverturningEnd, Heyman, HalfOpeningDegrees, &["159.7", "1.6e2"]),
+        (OverturningEnd, Milankovitch, HalfOpeningDegrees, &["151.7", "1.5e2"]),
+        (Triple, Milankovitch, HalfOpening, &["2.43"]),
+        (Triple, Milankovitch, HalfOpeningDegrees, &["139.2", "139", "1.4e2"]),
+        (Triple, Milankovitch, Friction, &["1.277"]),
+        (Triple, Milankovitch, FrictionAngleDegrees, &["51.9", "52", "5e1"]),
+        (Triple, Milankovitch, RotationJointDegrees, &["59.7", "60"]),
+        (Triple, Milankovitch, SlidingJointDegrees, &["18.3", "2e1"]),
+        (Shift, Milankovitch, HalfOpeningDegrees, &["145.0", "145"]),
+        (Shift, Milankovitch, FrictionAngleDegrees, &["57.0", "57"]),
+        (Shift, Milankovitch, SlidingJointDegrees, &["16.0", "16"]),
+        (Junction, Milankovitch, HalfOpeningDegrees, &["145.2"]),
+        (Junction, Milankovitch, FrictionAngleDegrees, &["57.1"]),
+        (Junction, Milankovitch, SlidingJointDegrees, &["16.0"]),
+        (Border, Milankovitch, HalfOpeningDegrees, &["150.3", "150"]),
+        (Border, Milankovitch, Friction, &["1.854"]),
+        (Border, Milankovitch, FrictionAngleDegrees, &["61.7", "62", "6e1"]),
+        (Border, Milankovitch, SlidingJointDegrees, &["13.9", "14"]),
+    ]
+};
+
+/// Checks that `text` is the value rounded to its digits.
+fn rounds_to(d: &mut Derivation, words: &str, value: &Ball, text: &str) -> Result<(), Undecided> {
+    let printed: Decimal = text.parse().map_err(|e| Undecided(format!("{e}")))?;
+    let rounded = Rounded::from_ball(value, printed.significant_digits())
+        .ok_or_else(|| Undecided(format!("the rounding of {words}")))?;
+    d.equal(
+        format!("{words} to the digits of {text}"),
+        &rounded.value.to_rational(),
+        &printed.to_rational(),
+    )
+}
+
+fn rounded_values(d: &mut Derivation) -> Result<Finding, Undecided> {
+    for (landmark, weight, quantity, texts) in ROUNDED {
+        let point = CertifiedLandmark::new(*landmark, *weight)?;
+        let words = format!("{} at {}, {}", quantity.name(), landmark.symbol(), weight.name());
+        let value = point
+            .quantity(&point.enclosure(128)?, *quantity)
+            .ok_or_else(|| Undecided(words.clone()))?;
+        for text in *texts {
+            rounds_to(d, &words, &value, text)?;
+        }
+    }
+    Ok(Finding::AsPrinted)
+}
+
+fn semicircle(d: &mut Derivation) -> Result<Finding, Undecided> {
+    for (weight, text) in [(SelfWeight::Milankovitch, "0.395"), (SelfWeight::Heyman, "0.396")] {
+        let state = state_of("pi/2", None, weight)?;
+        let half = state.thrust.pi() / state.thrust.int(2);
+        let right = Angle { rad: half, sin: state.thrust.int(1), cos: state.thrust.int(0) };
+        let friction = sliding::shoulder(&right, &state.thrust).value();
+        let words = format!("the friction the shoulder asks for, {} weight,", weight.name());
+        rounds_to(d, &words, &friction, text)?;
+        let degrees = arctangent(&friction) * friction.int(180) / friction.pi();
+        rounds_to(d, &format!("its angle in degrees, {} weight,", weight.name()), &degrees, "22")?;
+        let joint = (state.thrust.clone() * (state.thrust.int(1) - &state.thrust)).sqrt();
+        let inner = sliding::inner(&Angle::new(joint), &state.thrust).value();
+        let words = format!("an inner joint asks for less, {} weight", weight.name());
+        d.certain(Support::Balls, words, inner.is_less_than(&friction))?;
+        let printed = Ball::enclosing(&Rational::from((395, 1000)), 128);
+        let words = format!("it asks for more than 0.395 exactly, {} weight", weight.name());
+        d.certain(Support::Balls, words, printed.is_less_than(&friction))?;
+    }
+    d.conclude(
+        "0.395 is the rounded value for Milankovitch's weight; for Heyman's it is 0.396. Both round \
+         down: 0.395 itself is a little too small.",
+    );
+    Ok(Finding::AsPrinted)
+}
