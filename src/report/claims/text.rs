@@ -49,7 +49,7 @@ fn steps(decision: &Decision, out: &mut dyn io::Write) -> io::Result<()> {
             Support::Balls => "balls ",
             Support::Conclusion => "so    ",
         };
-        writeln!(out, "    {mark} {}", step.words)?;
+        lines(&step.words, &format!("    {mark} "), "           ", out)?;
         if let Some(formula) = &step.formula {
             writeln!(out, "             {}", formula.text)?;
         }
@@ -59,17 +59,24 @@ fn steps(decision: &Decision, out: &mut dyn io::Write) -> io::Result<()> {
 
 /// Words in lines of at most [`WIDTH`] characters.
 fn wrapped(words: &str, indent: &str, out: &mut dyn io::Write) -> io::Result<()> {
-    let mut line = String::new();
+    lines(words, indent, indent, out)
+}
+
+/// The same with another beginning of the first line.
+fn lines(words: &str, first: &str, indent: &str, out: &mut dyn io::Write) -> io::Result<()> {
+    let mut line = first.to_owned();
+    let mut fresh = true;
     for word in words.split_whitespace() {
-        let length = indent.len() + line.chars().count() + 1 + word.chars().count();
-        if !line.is_empty() && length > WIDTH {
-            writeln!(out, "{indent}{line}")?;
-            line.clear();
+        if !fresh && line.chars().count() + 1 + word.chars().count() > WIDTH {
+            writeln!(out, "{line}")?;
+            line = indent.to_owned();
+            fresh = true;
         }
-        if !line.is_empty() {
+        if !fresh {
             line.push(' ');
         }
         line += word;
+        fresh = false;
     }
-    writeln!(out, "{indent}{line}")
+    writeln!(out, "{line}")
 }
