@@ -59,6 +59,7 @@ assumptions() {
 assumptions "$work/theorems" > "$work/used"
 if cmp -s "$work/used" "$work/allowed"; then
   echo "check.sh: $(wc -l < "$work/theorems") theorems assume only the axioms of the real numbers"
+  sed "s/^/  /" "$work/used"
   exit 0
 fi
 comm -13 "$work/used" "$work/allowed" | sed 's/$/ is allowed but not used/' >&2
