@@ -140,4 +140,6 @@ pub mod report;
 #[cfg(feature = "full")]
 pub mod solve;
 #[cfg(feature = "full")]
+pub mod study;
+#[cfg(feature = "full")]
 pub mod symbolic;

@@ -4,6 +4,7 @@ mod anchor;
 mod astro;
 mod ball;
 mod burst;
+mod complex;
 mod decimal;
 mod exact;
 mod magnitude;

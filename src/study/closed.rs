@@ -1,0 +1,139 @@
+//! The closed forms (9)–(11): as printed, in complex doubles; and in their real, trigonometric form.
+
+use crate::arch::closed_form;
+use crate::arch::cubic::{self, Abbreviations};
+use crate::number::{Angle, Real};
+use num_complex::Complex;
+use rug::Float;
+
+/// Which of the closed forms.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// (9), `A`.
+    OpeningVariable,
+    /// (10), `eta`.
+    Thickness,
+    /// (11), `h`.
+    Thrust,
+}
+
+/// The two real branches: upper signs for `alpha < alpha_sb`, lower beyond.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Branch {
+    /// `alpha < alpha_sb`.
+    Upper,
+    /// `alpha > alpha_sb`.
+    Lower,
+}
+
+/// As printed, with complex square and cube roots in doubles; the real part.
+pub fn printed(form: Form, branch: Branch, joint: f64) -> f64 {
+    let real = cubic::abbreviations(&Angle::new(joint));
+    let complex = |x: f64| Complex::new(x, 0.0);
+    let at = Abbreviations { sin: complex(real.sin), f: complex(real.f), g: complex(real.g) };
+    let q = complex(cubic::radicand(&real, &1.0)).sqrt();
+    let sign = if branch == Branch::Upper { 1.0 } else { -1.0 };
+    let k = Complex::new(0.0, sign * 3f64.sqrt());
+    match form {
+        Form::OpeningVariable => {
+            closed_form::opening_variable(&at, &closed_form::opening_cube(&at, &q).cbrt(), &k).re
+        }
+        Form::Thickness => {
+            closed_form::thickness(&at, &closed_form::thickness_cube(&at, &q).cbrt(), &k).re
+        }
+        Form::Thrust => closed_form::thrust(&at, &closed_form::thrust_cube(&at, &q).cbrt(), &k).re,
+    }
+}
+
+/// A real number with an angle and a cosine: what the trigonometric form needs.
+pub trait Trigonometric: Real {
+    /// The angle of the point `(x, y)`, with `self` as `y`.
+    fn angle(&self, x: &Self) -> Self;
+}
+
+impl Trigonometric for f64 {
+    fn angle(&self, x: &Self) -> Self {
+        self.atan2(*x)
+    }
+}
+
+impl Trigonometric for Float {
+    fn angle(&self, x: &Self) -> Self {
+        self.clone().atan2(x)
+    }
+}
+
+/// The real form: with `q = i |q|` the cube root has the modulus `√P`, and the two terms are conjugate,
+/// `2 √P cos(t/3 ∓ pi/3)` with `t` the angle of the cube. `joint` is `beta` in `(0, beta_sb]`.
+pub fn trigonometric<T: Trigonometric>(form: Form, branch: Branch, joint: &Angle<T>) -> T {
+    let at = cubic::abbreviations(joint);
+    let (zero, one) = (joint.rad.int(0), joint.rad.int(1));
+    let size = (-cubic::radicand(&at, &one)).sqrt();
+    // The cube is linear in q: its real part at q = 0, its imaginary part the slope times |q|.
+    let parts = |cube: fn(&Abbreviations<T>, &T) -> T| {
+        let real = cube(&at, &zero);
+        let slope = cube(&at, &one) - &real;
+        (real, slope * &size)
+    };
+    let ((real, imaginary), product) = match form {
+        Form::OpeningVariable => {
+            (parts(closed_form::opening_cube), closed_form::opening_product(&at))
+        }
+        Form::Thickness => {
+            (parts(closed_form::thickness_cube), closed_form::thickness_product(&at))
+        }
+        Form::Thrust => (parts(closed_form::thrust_cube), closed_form::thrust_product(&at)),
+    };
+    let third = imaginary.angle(&real) / joint.rad.int(3);
+    let turn = joint.rad.pi() / joint.rad.int(3);
+    // (10) is printed with the signs the other way round.
+    let difference = (branch == Branch::Upper) != (form == Form::Thickness);
+    let angle = if difference { third - turn } else { third + turn };
+    let (_, cosine) = angle.sin_cos();
+    let terms = product.sqrt() * cosine * one.int(2);
+    let Abbreviations { sin, f, g } = at;
+    match form {
+        Form::OpeningVariable => {
+            let scale = g.clone() / (sin.clone() * (g.int(3) * &g - g.int(2) * &sin));
+            scale * (f - g + terms)
+        }
+        Form::Thickness => (terms - (f + g)) / sin,
+        Form::Thrust => (f.int(3) * &f - g - f.int(2) * &sin + terms) / (sin.int(6) * sin),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arch::{Ring, SelfWeight, overturning, thrust};
+    use crate::number::Field;
+
+    /// Both branches at a joint below that of `sb`: the thicknesses are roots, and `h` and `A` belong to
+    /// them.
+    #[test]
+    fn the_closed_forms_give_one_state_on_each_branch() {
+        for joint in [0.3, 0.7, 1.0, 1.1] {
+            for branch in [Branch::Upper, Branch::Lower] {
+                let all = [Form::Thickness, Form::Thrust, Form::OpeningVariable];
+                let [eta, h, a] = all.map(|form| printed(form, branch, joint));
+                let angle = Angle::new(joint);
+                let ring = Ring::new(SelfWeight::Milankovitch, &eta);
+                let thrust = thrust::tangency(&angle.times_cotangent(), &ring).value();
+                let opening = h + overturning::opening_variable(&ring).value();
+                approx::assert_relative_eq!(h, thrust, max_relative = 1e-9, epsilon = 1e-12);
+                approx::assert_relative_eq!(a, opening, max_relative = 1e-9);
+                let real = all.map(|form| trigonometric(form, branch, &angle));
+                for (x, y) in [eta, h, a].into_iter().zip(real) {
+                    approx::assert_relative_eq!(x, y, max_relative = 1e-8, epsilon = 1e-12);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_upper_branch_is_the_thinner() {
+        let [upper, lower] =
+            [Branch::Upper, Branch::Lower].map(|branch| printed(Form::Thickness, branch, 0.9));
+        assert!(0.0 < upper && upper < lower && lower < 2.0);
+    }
+}

@@ -1,0 +1,109 @@
+//! The root of a problem in a proved box: the reference for every error, and a method itself.
+
+use super::{Problem, newton};
+use crate::check::{Dyadic, Engine, krawczyk};
+use crate::number::{Ball, Enclosure, Magnitude};
+use crate::solve::inverse;
+use rug::Float;
+
+/// A box that holds exactly one root next to the start, to about `bits` bits, in the arithmetic `E`;
+/// `None` if that is not proved.
+///
+/// The centre comes from Newton's method in MPFR: where the box is does not need to be trusted.
+pub fn enclose<E: Engine>(problem: &Problem, start: &[f64], bits: u32) -> Option<Vec<E>> {
+    let centre = newton::doubling(problem, start, bits)?.root;
+    enclose_at(problem, &centre, bits)
+}
+
+/// The same around a centre that is known.
+pub fn enclose_at<E: Engine>(problem: &Problem, centre: &[Float], bits: u32) -> Option<Vec<E>> {
+    let n = centre.len();
+    let working = bits as usize;
+    let low: Vec<Ball> = centre
+        .iter()
+        .map(|x| Ball::exact(Float::with_val(bits.min(128), x), bits.min(128)))
+        .collect();
+    let slopes = problem.residuals(&low);
+    let jacobian = slopes
+        .iter()
+        .map(|r| (0..n).map(|k| Float::with_val(64, r.derivative(k).mid())).collect())
+        .collect();
+    let inverse = inverse(jacobian)?;
+    let exact = |x: &Float| E::exact(&Dyadic::from(x), working);
+    let rows: Vec<Vec<E>> = inverse.iter().map(|row| row.iter().map(exact).collect()).collect();
+    let points: Vec<E> = centre.iter().map(exact).collect();
+    let residuals: Vec<E> =
+        problem.residuals(&points).into_iter().map(|r| r.value().clone()).collect();
+    // A box several times as wide as the correction that the residuals ask for; in balls, to see sizes.
+    let balls: Vec<Ball> = centre.iter().map(|x| Ball::exact(x.clone(), bits)).collect();
+    let at_balls = problem.residuals(&balls);
+    let radii: Vec<Magnitude> = inverse
+        .iter()
+        .zip(centre)
+        .map(|(row, x)| {
+            let terms = row.iter().zip(&at_balls).map(|(y, r)| {
+                let size = Magnitude::upper(r.value().mid()).plus(r.value().rad());
+                Magnitude::upper(y).times(size)
+            });
+            let rounding = Magnitude::upper(x).shifted(-i64::from(bits));
+            terms.fold(rounding, Magnitude::plus)
+        })
+        .collect();
+    [2, 4, 8, 16, 24].into_iter().find_map(|inflation| {
+        let domain: Vec<E> = centre
+            .iter()
+            .zip(&radii)
+            .map(|(x, r)| {
+                let radius = r.shifted(inflation).to_float();
+                E::around(&Dyadic::from(x), &Dyadic::from(&radius), working)
+            })
+            .collect();
+        let slopes = problem.residuals(&domain);
+        let image = krawczyk::image(&points, &residuals, &slopes, &rows, &domain);
+        krawczyk::is_contracted(&image, &domain).then_some(image)
+    })
+}
+
+/// The distance of a value from an enclosure of the truth, relative to it: at least and at most, as
+/// binary logarithms rounded outward are not needed, a double rounded up is enough.
+pub fn error(value: &Float, truth: &Ball) -> Errors {
+    let bits = truth.prec().max(value.prec()) + 64;
+    let difference = Ball::exact(value.clone(), bits) - truth;
+    let up = |x: &Ball| Magnitude::upper(x.mid()).plus(x.rad());
+    let absolute = up(&difference);
+    let relative = match truth.excludes_zero() {
+        true => up(&(difference / truth)),
+        false => absolute,
+    };
+    let log2 = |x: Magnitude| x.to_float().to_f64_exp();
+    let (a, r) = (log2(absolute), log2(relative));
+    let ulp = absolute.shifted(i64::from(value.prec()) - i64::from(value.get_exp().unwrap_or(0)));
+    Errors {
+        absolute: decimal_exponent(a),
+        relative: decimal_exponent(r),
+        units: ulp.to_float().to_f64(),
+    }
+}
+
+/// `log10` of `m * 2^e`; negative infinity for zero.
+fn decimal_exponent((mantissa, exponent): (f64, i32)) -> f64 {
+    mantissa.abs().log10() + f64::from(exponent) * std::f64::consts::LOG10_2
+}
+
+/// How far a value is from the truth. Sizes are decimal logarithms, as errors of `10^-20000` occur;
+/// minus infinity is exact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Errors {
+    /// `log10 |value - truth|`.
+    pub absolute: f64,
+    /// `log10 |value - truth|/|truth|`.
+    pub relative: f64,
+    /// In units of the last place of the value.
+    pub units: f64,
+}
+
+/// `log10` of the radius of a ball relative to its midpoint.
+pub fn relative_radius(ball: &Ball) -> f64 {
+    let size = ball.rad().over(Magnitude::lower(ball.mid()));
+    decimal_exponent(size.to_float().to_f64_exp())
+}

@@ -1,0 +1,17 @@
+//! Measured, not proved: error against run time, and what is lost where the problem is hard.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `problem` | what is computed: systems with exact parameters |
+//! | `newton`, `closed` | how others would compute it |
+//! | `enclosure` | the truth: a proved box at a higher precision; and the error of a value |
+//!
+//! Every error is the distance to a certified enclosure, never to another float.
+
+pub mod closed;
+pub mod enclosure;
+pub mod newton;
+mod problem;
+pub mod row;
+
+pub use problem::Problem;
