@@ -1,0 +1,358 @@
+#!/usr/bin/env python3
+"""Checks certificates with Arb, independently of the program that made them.
+
+    python3 proofs/check_with_arb.py FILE...
+
+One line per file, `FILE: accepted ...` or `FILE: refused: reason`. The exit status is 0 if all are accepted,
+1 if one is refused, 2 if one cannot be read or the call is wrong. Needs Python 3.10, python-flint 0.8 or newer.
+
+What an acceptance proves. The large box X of the certificate holds exactly one common zero of the
+equations of the claim, this zero lies in the small box, there it has the signs which the claim demands, and
+each decimal number listed is the true value, correctly rounded. A refusal says only that this was not shown.
+
+What is trusted. Arb (FLINT) encloses sums, products, quotients, roots, sine, cosine, arctangent and pi as it
+says; Python and its JSON parser; `docs/certificate.md` for the meaning of a claim, from which alone this file
+was written: no line is taken over from the program. Behind the page stands the theory of the arch: that the
+equations describe it, and that for a state the listed signs are enough.
+
+Nothing is computed in machine floating point. Numbers of the file become exact balls of radius zero, every
+operation rounds outward, and a comparison of balls is true only if it holds for all their points (never for
+a ball that is not a number), so that everything is written as "refuse unless shown".
+"""
+import json
+import re
+import sys
+
+from flint import arb, ctx, fmpz
+
+MAX_BYTES = 64 << 20
+SHORT, LONG, GUARD = 256, 20_000, 128  # bits: radii and inverse, the centre of `unique`, of precision besides
+
+
+class Refused(Exception):
+    """The certificate does not show its claim."""
+
+
+def need(shown, reason):
+    if not shown:
+        raise Refused(reason)
+
+
+class Dual:
+    """A value with its gradient; the entries are integers, balls, or again such numbers."""
+
+    def __init__(self, value, gradient):
+        self.v, self.d = value, gradient
+
+    def lift(self, other):
+        return other if isinstance(other, Dual) else Dual(other, [0] * len(self.d))
+
+    def __add__(self, other):
+        o = self.lift(other)
+        return Dual(self.v + o.v, [x + y for x, y in zip(self.d, o.d, strict=True)])
+
+    def __mul__(self, other):
+        o = self.lift(other)
+        return Dual(self.v * o.v, [x * o.v + self.v * y for x, y in zip(self.d, o.d, strict=True)])
+
+    def __truediv__(self, other):
+        o, q = self.lift(other), self.v / self.lift(other).v
+        return Dual(q, [(x - q * y) / o.v for x, y in zip(self.d, o.d, strict=True)])
+
+    __radd__, __rmul__ = __add__, __mul__
+    __neg__ = lambda self: self * -1
+    __sub__ = lambda self, other: self + -other
+    __rsub__ = lambda self, other: -self + other
+    sin = lambda self: Dual(sin(self.v), [cos(self.v) * x for x in self.d])
+    cos = lambda self: Dual(cos(self.v), [-sin(self.v) * x for x in self.d])
+
+
+# The variables, and the equations: each gives one variable as numerator / denominator of the page.
+sin, cos = (lambda x: x.sin()), (lambda x: x.cos())
+fac = lambda η, δ: 1 + δ * η * η / 12
+SYMBOL = {"half_opening": "α", "rotation_joint": "β", "sliding_joint": "βs", "thickness": "η", "thrust": "h",
+          "friction": "μ"}
+QUOTIENT = {
+    "(2)": ("h", lambda β, η, δ, **_: (
+        (2 - η) * β * sin(β) - 2 * (1 - cos(β)) * fac(η, δ), 2 + η - (2 - η) * cos(β))),
+    "(3)": ("h", lambda α, β, η, δ, **_: (
+        (2 + η) * α * sin(α) - (2 - η) * β * sin(β) - 2 * (cos(β) - cos(α)) * fac(η, δ),
+        (2 - η) * cos(β) - (2 + η) * cos(α))),
+    "(4)": ("h", lambda α, η, δ, **_: (
+        (2 + η) * α * sin(α) - 2 * fac(η, δ) * (1 - cos(α)), (1 - cos(α)) * (2 + η))),
+    "(5)": ("h", lambda β, η, δ, **_: ((1 + β * cos(β) / sin(β)) * (2 - η) - 2 * fac(η, δ), 2 - η)),
+    "(5) at beta_r -> 0": ("h", lambda η, δ, **_: (2 * (2 - η) - 2 * fac(η, δ), 2 - η)),
+    "(17)": ("μ", lambda α, h, **_: (h * sin(α) - α * cos(α), h * cos(α) + α * sin(α))),
+    "(18)": ("μ", lambda βs, h, **_: ((1 - h) * cos(βs) - βs * sin(βs), (1 - h) * sin(βs) + βs * cos(βs))),
+}
+quotient = lambda label, v: QUOTIENT[label][1](**v)
+
+
+def residual(label, v):
+    if label == "beta_s^2 = h (1 - h)":
+        return v["βs"] * v["βs"] - v["h"] * (1 - v["h"])
+    if label == "d/d eta of (2) = (5)":
+        v = {name: Dual(x, [1 if name == "η" else 0]) for name, x in v.items()}
+        (n2, d2), (n5, d5) = quotient("(2)", v), quotient("(5)", v)
+        return (n2 * d5 - n5 * d2).d[0]
+    n, d = quotient(label, v)
+    return d * v[QUOTIENT[label][0]] - n
+
+
+# The claims: unknowns, equations, and what is fixed, as functions of the unknowns and for any precision.
+ZERO, TWO, INFINITE = (lambda v: arb(0)), (lambda v: arb(2)), (lambda v: arb.pos_inf())
+OVERTURNING = {"h": ZERO, "β": ZERO, "βs": ZERO, "μ": INFINITE}
+LANDMARKS = {
+    "T": ("half_opening, rotation_joint, sliding_joint, thickness, thrust, friction",
+          "(2), (4), (5), (17), (18), beta_s^2 = h (1 - h)", {}),
+    "S": ("half_opening, sliding_joint, thickness, thrust, friction",
+          "(3), (5), (17), (18), beta_s^2 = h (1 - h)", {"β": lambda v: v["βs"]}),
+    "J": ("half_opening, sliding_joint, thickness, thrust, friction",
+          "(3), (5) at beta_r -> 0, (17), (18), beta_s^2 = h (1 - h)", {"β": ZERO}),
+    "B": ("half_opening, sliding_joint, thrust, friction",
+          "(3), (17), (18), beta_s^2 = h (1 - h)", {"β": ZERO, "η": TWO}),
+    "l": ("half_opening, thickness", "(4), (5) at beta_r -> 0", OVERTURNING),
+    "L": ("half_opening", "(4)", OVERTURNING | {"η": TWO}),
+    "sb": ("half_opening, rotation_joint, thickness, thrust", "(2), (4), (5), d/d eta of (2) = (5)", {}),
+}
+MODES = {
+    "[r,r,r]": ("rotation_joint, thickness, thrust", "(2), (4), (5)", {}),
+    "[s,r,r]": ("rotation_joint, thickness, thrust", "(2), (5), (17)", {}),
+    "[r,r,s]": ("rotation_joint, thickness, thrust, sliding_joint", "(3), (5), (18), beta_s^2 = h (1 - h)", {}),
+    "[r,s,r]": ("rotation_joint, thickness, thrust, sliding_joint", "(3), (5), (18), beta_s^2 = h (1 - h)", {}),
+    "[r,s]": ("thickness, thrust, sliding_joint", "(3), (18), beta_s^2 = h (1 - h)", {"β": ZERO}),
+    "[r]": ("thickness", "(4)", {"h": ZERO, "β": ZERO}),
+}
+
+
+def fields(thing, where, **types):
+    need(type(thing) is dict and set(thing) == set(types), f"{where}: not an object with {', '.join(types)}")
+    for name, kind in types.items():
+        need(type(thing[name]) is kind, f"{where}: {name} is no {kind.__name__}")
+
+
+def exact_ratio(text):
+    parts = re.fullmatch(r"([0-9]+)/([0-9]+)( pi)?", text)
+    need(parts and fmpz(parts[2]) != 0, f"{text[:40]!a} is no exact number")
+    return lambda v: arb(fmpz(parts[1])) / fmpz(parts[2]) * (arb.pi() if parts[3] else 1)
+
+
+class Claim:
+    def __init__(self, claim):
+        self.kind, kind = ("landmark", str) if "landmark" in claim else ("state", dict)
+        fields(claim, "claim", weight=str, unknowns=list, equations=list, **{self.kind: kind})
+        self.name, given = claim[self.kind], {}
+        if self.kind == "state":
+            state = claim["state"]
+            fields(state, "state", mode=str, half_opening=str, friction=str)
+            self.name, unlimited = state["mode"], state["friction"] == "inf"
+            need(self.name == "[r,r,r]" or unlimited == (self.name == "[r]"), "claim: not the friction of the mode")
+            given = {"α": exact_ratio(state["half_opening"]),
+                     "μ": INFINITE if unlimited else exact_ratio(state["friction"])}
+        subject = (LANDMARKS if self.kind == "landmark" else MODES).get(self.name)
+        need(subject, "claim: no such subject")
+        unknowns, equations, fixed = subject
+        self.unknowns, self.equations = unknowns.split(", "), equations.split(", ")
+        need(claim["unknowns"] == self.unknowns, "claim: not the unknowns of the subject")
+        need(claim["equations"] == self.equations, "claim: not the equations of the subject")
+        need(claim["weight"] in ("heyman", "milankovitch"), "claim: no such weight")
+        self.weight, self.fixed = claim["weight"], fixed | given
+
+    def variables(self, x):
+        v = {SYMBOL[name]: entry for name, entry in zip(self.unknowns, x, strict=True)}
+        v["δ"] = 0 if self.weight == "heyman" else 1
+        return v | {name: value(v) for name, value in self.fixed.items()}
+
+    def residuals(self, x):
+        return [residual(label, self.variables(x)) for label in self.equations]
+
+    def jacobian(self, x):
+        n = range(len(x))
+        return [f.d for f in self.residuals([Dual(x[i], [int(i == j) for j in n]) for i in n])]
+
+
+def number(text, bits, where):
+    parts = type(text) is str and re.fullmatch(r"(-?)0x([0-9a-f]+)p(-?[0-9]{1,8})", text)
+    need(parts, f"{where}: no number")
+    mantissa, exponent = int(parts[2], 16), int(parts[3])
+    need(mantissa.bit_length() <= bits and abs(exponent) <= 10_000_000, f"{where}: too large a number")
+    return arb((-mantissa if parts[1] else mantissa, exponent))  # exact, whatever the precision
+
+
+class Box:
+    def __init__(self, box, n, bits, where):
+        fields(box, where, centre=list, radius=list)
+        need(len(box["centre"]) == len(box["radius"]) == n, f"{where}: not of dimension {n}")
+        self.centre = [number(x, bits, where) for x in box["centre"]]
+        self.radius = [number(x, SHORT, where) for x in box["radius"]]
+        need(all(r > 0 for r in self.radius), f"{where}: a radius is not positive")
+
+    def ball(self):
+        return [(m - r).union(m + r) for m, r in zip(self.centre, self.radius, strict=True)]
+
+    def contracts(self, F, Y, M):
+        """Does m - Y F + (I - Y M) (box - m) lie in the interior of the box, m its centre?"""
+        r, n = self.radius, range(len(self.radius))
+        move = [-sum(Y[i][j] * F[j] for j in n)
+                + sum(((i == k) - sum(Y[i][j] * M[j][k] for j in n)) * (-r[k]).union(r[k]) for k in n) for i in n]
+        return all(-r[i] < move[i] and move[i] < r[i] for i in n)
+
+
+def landmark_signs(unknowns, v):
+    """What has to be positive at a landmark: each unknown, and what it lacks to its upper bound."""
+    bound = {"β": v["α"], "βs": v["α"], "η": 2, "h": 1}
+    for name in unknowns:
+        yield name, v[SYMBOL[name]]
+        if SYMBOL[name] in bound:
+            yield f"upper bound - {name}", bound[SYMBOL[name]] - v[SYMBOL[name]]
+
+
+def state_signs(mode, v):
+    """What has to be positive in a state."""
+    α, β, η, h, μ, δ = (v[name] for name in ("α", "β", "η", "h", "μ", "δ"))
+    inner_slides = mode in ("[r,r,s]", "[r,s,r]", "[r,s]")
+    βs = v["βs"] if inner_slides else (h * (1 - h)).sqrt()
+    N = h * cos(α) + α * sin(α)
+    upper = (2 + η) * N / 2 - fac(η, δ) * (1 - cos(α))
+    yield from [("N(alpha)", N), ("eta", η), ("2 - eta", 2 - η), ("alpha - beta*", α - βs)]
+    yield "2 N(alpha) - (1 - cos alpha) (1 + delta/3)", 2 * N - (1 - cos(α)) * (1 + arb(δ) / 3)
+    if mode != "[r]":
+        yield from [("h", h), ("1 - h", 1 - h)]
+    if mode in ("[r,s]", "[r]"):  # no haunch hinge
+        yield "fac - (2 - eta) (2 - h)/2", fac(η, δ) - (2 - η) * (2 - h) / 2
+    else:
+        yield from [("beta", β), ("alpha - beta", α - β)]
+    if mode == "[s,r,r]":
+        yield "(2 + eta) N(alpha)/2 - fac (1 - cos alpha) - (2 + eta) h/2", upper - (2 + η) * h / 2
+        yield "sin alpha - mu cos alpha", sin(α) - μ * cos(α)
+    if mode in ("[r,r,s]", "[r,s,r]"):
+        yield "(2 + eta) h/2 - [(2 + eta) N(alpha)/2 - fac (1 - cos alpha)]", (2 + η) * h / 2 - upper
+        yield "the order of the joints", β - βs if mode == "[r,r,s]" else βs - β
+    for label, slides in [("(17)", mode == "[s,r,r]"), ("(18)", inner_slides)]:
+        if μ.is_finite() and not slides:
+            n, d = quotient(label, {"α": α, "βs": βs, "h": h})
+            yield f"mu - {label}", μ - n / d
+
+    a1, a2 = ((2 + η) - (2 - η) * cos(β)) / 2, ((2 - η) * cos(β) - (2 + η) * cos(α)) / 2
+    table = {"[r,r,r]": (1, 1 + a1 / a2, a1 / a2, a1 / a2), "[s,r,r]": (1, 1, 0, a1)}
+    c, b, s, rate = table.get(mode, (0, 1, 1, a2))
+    yield "the rate of the mechanism", rate
+    slope, bounds = c + b * cos(β) + s * cos(α), [arb(0)]
+    if not slope > 0:
+        need(μ.is_finite(), "not shown to be positive: c + b cos beta + s cos alpha")
+        yield "sin alpha - mu cos alpha", sin(α) - μ * cos(α)
+        bounds.append(α * (cos(α) + μ * sin(α)) / (sin(α) - μ * cos(α)))
+    for x in bounds:
+        W = b * β * sin(β) + s * α * sin(α) + slope * x
+        yield "W", W
+        yield "W/2 + ...", W / 2 + δ * (η / 6) * (b * (1 - cos(β)) - s * (1 - cos(α)))
+
+
+def quantities(kind, v):
+    q = {name: v[symbol] for name, symbol in SYMBOL.items() if symbol in v}
+    if "friction" in q:
+        q["friction_angle"] = q["friction"].atan() if q["friction"].is_finite() else arb.pi() / 2
+    for name in q.keys() & {"half_opening", "friction_angle", "rotation_joint", "sliding_joint"}:
+        q[name + "_degrees"] = 180 * q[name] / arb.pi()
+    q["intrinsic_thrust"] = v["η"] * v["h"]
+    if kind == "landmark":
+        q["A"] = v["α"] * sin(v["α"]) / (1 - cos(v["α"]))
+    return q
+
+
+def is_rounding(text, x, digits):
+    """Is the text the correct rounding of every point of the ball x to so many significant digits?"""
+    if text in ("0", "inf"):
+        return x == (arb.pos_inf() if text == "inf" else 0)
+    parts = re.fullmatch(r"(-?)(0|[1-9][0-9]*)(?:\.([0-9]+))?(?:e([+-]?[0-9]{1,8}))?", text)
+    need(parts, f"{text[:40]!a} is no decimal number")
+    behind = parts[3] or ""
+    mantissa, exponent = (parts[2] + behind).lstrip("0"), int(parts[4] or 0) - len(behind)
+    if not 1 <= len(mantissa) <= digits:
+        return False
+    value = fmpz(mantissa) * arb(10) ** exponent
+    x = -x if parts[1] else x
+    above = arb(10) ** (exponent + len(mantissa) - digits) / 2
+    below = above / 10 if mantissa.rstrip("0") == "1" else above
+    return value - below < x and x < value + above
+
+
+def parse(data):
+    def once(pairs):
+        need(len(dict(pairs)) == len(pairs), "a field stands twice")
+        return dict(pairs)
+
+    try:  # NaN, Infinity and 1.0 become floats, and no field admits a float
+        return json.loads(data.decode("utf-8"), object_pairs_hook=once)
+    except (ValueError, RecursionError) as error:
+        raise Refused(f"no JSON: {error}") from None
+
+
+def check(data):
+    need(len(data) <= MAX_BYTES, "too large a file")
+    file = parse(data)
+    fields(file, "certificate", schema=str, tool=str, claim=dict, digits=int, unique=dict, inverse=list,
+           root=dict, values=list)
+    need(file["schema"] == "couplet.certificate/1", "another schema")
+    claim, digits, Y = Claim(file["claim"]), file["digits"], file["inverse"]
+    need(digits >= 1, "no digits")
+    n = len(claim.unknowns)
+    large = Box(file["unique"], n, LONG, "unique")
+    small = Box(file["root"], n, LONG + 10 * digits // 3, "root")
+    need(len(Y) == n and all(type(row) is list and len(row) == n for row in Y), "inverse: not n by n")
+    Y = [[number(x, SHORT, "inverse") for x in row] for row in Y]
+
+    # Points 2, 3: exactly one root in the large box.
+    ctx.prec = LONG + GUARD
+    X = large.ball()
+    for label in filter(QUOTIENT.get, claim.equations):
+        _, d = quotient(label, claim.variables(X))
+        need(d > 0 or d < 0, f"the denominator of {label} may vanish")
+    M = claim.jacobian(X)
+    need(large.contracts(claim.residuals(large.centre), Y, M), "no contraction of the large box")
+
+    # Point 4: it lies in the small box. No file makes use of many more digits than it has characters.
+    ctx.prec = LONG + 10 * min(digits, len(data)) // 3 + GUARD
+    need(all(abs(m1 - m) + r1 < r for m, r, m1, r1
+             in zip(large.centre, large.radius, small.centre, small.radius)), "the small box is not in the large one")
+    need(small.contracts(claim.residuals(small.centre), Y, M), "no contraction of the small box")
+
+    # Point 5: signs.
+    v = claim.variables(small.ball())
+    need(v["α"] > 0 and v["α"] < arb.pi(), "half opening not between 0 and pi")
+    signs = landmark_signs(claim.unknowns, v) if claim.kind == "landmark" else state_signs(claim.name, v)
+    for name, value in signs:
+        need(value > 0, f"not shown to be positive: {name}")
+
+    # Point 6: decimals.
+    known, seen = quantities(claim.kind, v), set()
+    need(file["values"], "no values")
+    for entry in file["values"]:
+        fields(entry, "values", quantity=str, value=str)
+        name = entry["quantity"]
+        need(name in known and name not in seen, f"{name[:40]!a} is not known here or stands twice")
+        need(is_rounding(entry["value"], known[name], digits), f"{name} is not shown to round so")
+        seen.add(name)
+    return f"{claim.kind} {claim.name}, {claim.weight}, {len(seen)} values to {digits} digits"
+
+
+def main(paths):
+    if not paths:
+        print("usage: check_with_arb.py FILE...", file=sys.stderr)
+        return 2
+    status = 0
+    for path in paths:
+        try:
+            with open(path, "rb") as file:
+                print(f"{path}: accepted {check(file.read(MAX_BYTES + 1))}", flush=True)
+        except Refused as reason:
+            print(f"{path}: refused: {reason}", flush=True)
+            status = max(status, 1)
+        except OSError as error:
+            print(f"{path}: cannot be read: {error.strerror}", file=sys.stderr)
+            status = 2
+    return status
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
