@@ -1,7 +1,7 @@
 # `make` builds couplet and prints the landmark constants; `make test` runs every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build test lint docs constants checker bench proofs m4 coq
+.PHONY: run build test lint docs constants checker bench proofs witness m4 coq
 
 run: build
 	./target/release/couplet constants
@@ -33,10 +33,21 @@ bench: m4
 	cargo bench --locked
 
 # Every Coq proof: compiled, its assumptions compared with proofs/coq/axioms.txt, and wrong copies of a
-# generated file refused. Takes some minutes.
-proofs: coq
+# generated file refused. Takes some minutes. Before it the certificates, in a third arithmetic.
+proofs: witness coq
 	$(MAKE) -C proofs/coq -j2
 	$(MAKE) -C proofs/coq check spoil
+
+# The repository's certificates checked once more, by a script over Arb that knows docs/certificate.md and
+# nothing of this program. python-flint goes into a virtual environment of its own.
+ARB := target/arb
+witness:
+	@python3 -c 'import flint' 2>/dev/null || [ -x $(ARB)/bin/python3 ] || { \
+	  python3 -m venv $(ARB) && $(ARB)/bin/pip install --quiet 'python-flint>=0.8'; } || { \
+	  echo "couplet: the third check needs Python 3.10 or newer with venv and python-flint (pip install python-flint)" >&2; \
+	  exit 1; }
+	@if python3 -c 'import flint' 2>/dev/null; then python=python3; else python=$(ARB)/bin/python3; fi; \
+	$$python proofs/check_with_arb.py proofs/constants/*.json
 
 # GMP's configure script, run by the first build, needs m4.
 m4:

@@ -255,8 +255,9 @@ def quantities(kind, v):
     for name in q.keys() & {"half_opening", "friction_angle", "rotation_joint", "sliding_joint"}:
         q[name + "_degrees"] = 180 * q[name] / arb.pi()
     q["intrinsic_thrust"] = v["η"] * v["h"]
-    if kind == "landmark":
-        q["A"] = v["α"] * sin(v["α"]) / (1 - cos(v["α"]))
+    if kind != "landmark":  # what is given is not a result
+        return {name: x for name, x in q.items() if name.split("_")[0] not in ("half", "friction")}
+    q["A"] = v["α"] * sin(v["α"]) / (1 - cos(v["α"]))
     return q
 
 
@@ -264,10 +265,13 @@ def is_rounding(text, x, digits):
     """Is the text the correct rounding of every point of the ball x to so many significant digits?"""
     if text in ("0", "inf"):
         return x == (arb.pos_inf() if text == "inf" else 0)
-    parts = re.fullmatch(r"(-?)(0|[1-9][0-9]*)(?:\.([0-9]+))?(?:e([+-]?[0-9]{1,8}))?", text)
+    parts = re.fullmatch(r"(-?)(0|[1-9][0-9]*)(?:\.([0-9]+))?(?:e(-?[0-9]{1,7}))?", text)
     need(parts, f"{text[:40]!a} is no decimal number")
     behind = parts[3] or ""
     mantissa, exponent = (parts[2] + behind).lstrip("0"), int(parts[4] or 0) - len(behind)
+    if parts[3] is None:  # the zeros at the end of a whole number only show its size
+        exponent += len(mantissa) - len(mantissa.rstrip("0"))
+        mantissa = mantissa.rstrip("0")
     if not 1 <= len(mantissa) <= digits:
         return False
     value = fmpz(mantissa) * arb(10) ** exponent

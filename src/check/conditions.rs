@@ -95,7 +95,9 @@ pub fn conditions<E: Enclosure>(
     match (slope.is_positive(), friction) {
         (Ternary::True, _) => {}
         (_, Some(friction)) => {
-            thrusts.push(sliding::shoulder_thrust(&at.half_opening, friction).value());
+            let bound = sliding::shoulder_thrust(&at.half_opening, friction);
+            needs(bound.denominator.clone(), "a shoulder that bounds the thrust from above");
+            thrusts.push(bound.value());
         }
         (_, None) => needs(slope.clone(), "a combination that grows with the thrust"),
     }

@@ -8,6 +8,7 @@
 //!
 //! Every error is the distance to a certified enclosure, never to another float.
 
+pub mod accuracy;
 pub mod closed;
 pub mod enclosure;
 pub mod newton;
