@@ -4,10 +4,12 @@ mod claims;
 mod csv;
 mod json;
 mod rows;
+mod study;
 mod table;
 
 pub use claims::{ClaimFormat, Claims};
 pub use rows::{Answered, Rows};
+pub use study::{StudyFiles, accuracy_table, stability_table};
 
 use crate::arch::Mode;
 use crate::arch::{Landmark, SelfWeight, System};

@@ -130,7 +130,7 @@ fn states() -> Vec<Case> {
         (Mode::Rotational, (11, 7), (1, 2)),
         (Mode::SlidingRotational, (11, 7), (19, 50)),
         (Mode::RotationalSliding, (49, 20), (27, 20)),
-        (Mode::RotationalSlidingRotational, (1269, 500), (31, 20)),
+        (Mode::RotationalSlidingRotational, (1277, 500), (2, 1)),
         (Mode::OverturningSliding, (13, 5), (2, 1)),
     ];
     let cases = queries.into_iter().filter_map(|(mode, alpha, mu)| {

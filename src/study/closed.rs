@@ -106,7 +106,6 @@ pub fn trigonometric<T: Trigonometric>(form: Form, branch: Branch, joint: &Angle
 mod tests {
     use super::*;
     use crate::arch::{Ring, SelfWeight, overturning, thrust};
-    use crate::number::Field;
 
     /// Both branches at a joint below that of `sb`: the thicknesses are roots, and `h` and `A` belong to
     /// them.

@@ -19,14 +19,14 @@ pub fn enclose<E: Engine>(problem: &Problem, start: &[f64], bits: u32) -> Option
 pub fn enclose_at<E: Engine>(problem: &Problem, centre: &[Float], bits: u32) -> Option<Vec<E>> {
     let n = centre.len();
     let working = bits as usize;
-    let low: Vec<Ball> = centre
-        .iter()
-        .map(|x| Ball::exact(Float::with_val(bits.min(128), x), bits.min(128)))
-        .collect();
+    // The inverse only has to be near; but a stiff system is told from a singular one by many bits.
+    let near = bits.min(2048);
+    let low: Vec<Ball> =
+        centre.iter().map(|x| Ball::exact(Float::with_val(near, x), near)).collect();
     let slopes = problem.residuals(&low);
     let jacobian = slopes
         .iter()
-        .map(|r| (0..n).map(|k| Float::with_val(64, r.derivative(k).mid())).collect())
+        .map(|r| (0..n).map(|k| Float::with_val(near, r.derivative(k).mid())).collect())
         .collect();
     let inverse = inverse(jacobian)?;
     let exact = |x: &Float| E::exact(&Dyadic::from(x), working);

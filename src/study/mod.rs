@@ -14,5 +14,6 @@ pub mod enclosure;
 pub mod newton;
 mod problem;
 pub mod row;
+pub mod stability;
 
 pub use problem::Problem;

@@ -10,6 +10,7 @@ mod progress;
 mod prove;
 mod state;
 mod states;
+mod study;
 
 use super::{Failure, check};
 use crate::arch::{Landmark, SelfWeight};
@@ -27,12 +28,13 @@ pub enum Command {
     Prove(prove::Arguments),
     Certify(certify::Arguments),
     Check(check::Arguments),
+    Study(study::Arguments),
 }
 
 impl Command {
     /// What to say to someone who names another.
-    pub const NAMES: &str = "; the commands are constants, state, assess, states, audit, prove, certify \
-                             and check";
+    pub const NAMES: &str = "; the commands are constants, state, assess, states, audit, prove, certify, \
+                             check and study";
 
     /// Does what is asked.
     pub fn run(&self) -> Result<(), Failure> {
@@ -45,6 +47,7 @@ impl Command {
             Self::Prove(arguments) => prove::run(arguments),
             Self::Certify(arguments) => certify::run(arguments),
             Self::Check(arguments) => check::run(arguments),
+            Self::Study(arguments) => study::run(arguments),
         }
     }
 }

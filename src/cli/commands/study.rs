@@ -1,0 +1,143 @@
+//! `couplet study`.
+
+use super::Failure;
+use super::output::Output;
+use crate::report::{StudyFiles, accuracy_table, stability_table};
+use crate::study::accuracy::{self, QUANTITIES};
+use crate::study::stability::{self, LIMITS};
+use clap::{Args, Subcommand};
+use indicatif::{ProgressBar, ProgressStyle};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// Measure error against run time, or what is lost where the problem is hard.
+///
+/// Every error is the distance to a certified value of much higher precision. Nothing here is part of a
+/// proof.
+#[derive(Args)]
+pub struct Arguments {
+    #[command(subcommand)]
+    study: Study,
+}
+
+#[derive(Subcommand)]
+enum Study {
+    /// Error against run time, for every way to compute a value.
+    Accuracy(Options),
+    /// Digits lost on the way to each limit of the problem.
+    Stability(Options),
+}
+
+#[derive(Args)]
+struct Options {
+    /// Only these, separated by commas: kinds of quantity (eta-cubic, A-cubic, h-cubic, radicand,
+    /// half-opening, landmark, state) or limits (alpha-to-zero, …).
+    #[arg(long, value_delimiter = ',', value_name = "NAMES")]
+    only: Vec<String>,
+
+    /// A quick look, of some seconds.
+    #[arg(long)]
+    quick: bool,
+
+    /// Write raw numbers, figures and a README into a folder.
+    #[arg(long, value_name = "FOLDER")]
+    output: Option<PathBuf>,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    match &arguments.study {
+        Study::Accuracy(options) => accuracy(options),
+        Study::Stability(options) => stability(options),
+    }
+}
+
+/// Refuses a name that does not exist.
+fn known(only: &[String], names: &[&str]) -> Result<(), Failure> {
+    match only.iter().find(|name| !names.contains(&name.as_str())) {
+        Some(name) => {
+            let all = names.join(", ");
+            Err(Failure::Input(format!("there is no '{name}' to study; there are {all}")))
+        }
+        None => Ok(()),
+    }
+}
+
+fn accuracy(options: &Options) -> Result<(), Failure> {
+    known(&options.only, &QUANTITIES)?;
+    let folder = Folder::make(options)?;
+    let effort = if options.quick { accuracy::QUICK } else { accuracy::FULL };
+    let asked = |name: &str| options.only.is_empty() || options.only.iter().any(|o| o == name);
+    let cases: Vec<_> = accuracy::cases().into_iter().filter(|c| asked(c.quantity)).collect();
+    let bar = progress(cases.len());
+    let mut rows = Vec::new();
+    for case in &cases {
+        rows.extend(accuracy::measure(case, &effort));
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    Output::open(None)?.write(|out| accuracy_table(&rows, out))?;
+    folder.write(&StudyFiles::accuracy(&rows, &command()))
+}
+
+fn stability(options: &Options) -> Result<(), Failure> {
+    known(&options.only, &LIMITS.map(|limit| limit.name))?;
+    let folder = Folder::make(options)?;
+    let (steps, budget) = match options.quick {
+        true => (&stability::QUICK[..], Duration::from_millis(2)),
+        false => (&stability::FULL[..], Duration::from_millis(50)),
+    };
+    let asked = |name: &str| options.only.is_empty() || options.only.iter().any(|o| o == name);
+    let limits: Vec<_> = LIMITS.iter().filter(|limit| asked(limit.name)).collect();
+    let bar = progress(limits.len() * steps.len());
+    let mut rungs = Vec::new();
+    for limit in limits {
+        for &k in steps {
+            rungs.extend(stability::climb(limit, k, budget));
+            bar.inc(1);
+        }
+    }
+    bar.finish_and_clear();
+    Output::open(None)?.write(|out| stability_table(&rungs, out))?;
+    folder.write(&StudyFiles::stability(&rungs, &command()))
+}
+
+/// A bar on standard error; hidden where that is not a terminal.
+fn progress(length: usize) -> ProgressBar {
+    let bar = ProgressBar::new(length as u64);
+    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len}  about {eta} left") {
+        bar.set_style(style);
+    }
+    bar
+}
+
+/// The command as it was typed.
+fn command() -> String {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    format!("couplet {}", words.join(" "))
+}
+
+/// Where the files go, if anywhere; made before any work is done.
+struct Folder(Option<PathBuf>);
+
+impl Folder {
+    fn make(options: &Options) -> Result<Self, Failure> {
+        if let Some(folder) = &options.output {
+            fs::create_dir_all(folder).map_err(|error| cannot_write(folder, &error))?;
+        }
+        Ok(Self(options.output.clone()))
+    }
+
+    fn write(&self, files: &StudyFiles) -> Result<(), Failure> {
+        let Some(folder) = &self.0 else { return Ok(()) };
+        for (name, bytes) in &files.0 {
+            let output = Output::open(Some(&folder.join(name)))?;
+            output.write(|out| out.write_all(bytes))?;
+        }
+        Ok(())
+    }
+}
+
+fn cannot_write(path: &Path, error: &std::io::Error) -> Failure {
+    Failure::Io(format!("cannot write {}: {}", path.display(), error.kind()))
+}
