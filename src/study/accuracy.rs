@@ -5,6 +5,7 @@ use super::closed::{Branch, Form, printed, trigonometric};
 use super::enclosure::{Errors, enclose, enclose_at, error, relative_radius};
 use super::newton::{doubling, newton};
 use super::row::{Row, Timed, timed};
+use super::static_programme::least_thickness;
 use crate::arch::{Landmark, Mode, SelfWeight, cubic};
 use crate::certify::CertifiedLandmark;
 use crate::certify::state::{Arch, Friction, Outcome};
@@ -48,6 +49,9 @@ pub const FULL: Effort = Effort {
     astro_bits: 4096,
     budget: Duration::from_millis(100),
 };
+
+/// Joints of the static programme.
+const JOINTS: &[usize] = &[100, 1000];
 
 /// Bits by which the reference is more precise than what is measured.
 const REFERENCE: u32 = 160;
@@ -213,6 +217,11 @@ pub fn measure(case: &Case, effort: &Effort) -> Vec<Row> {
             timed(effort.budget, || Some(doubling(&case.problem, &case.start, bits)?.root));
         computed("Newton, MPFR", bits, steps, by_newton);
     }
+    for &joints in JOINTS {
+        if let Some(row) = case.static_programme(joints, effort, &truth) {
+            rows.push(row);
+        }
+    }
     for &bits in effort.bits {
         rows.push(case.certified_balls(bits, effort, &errors));
         if bits <= effort.astro_bits {
@@ -232,6 +241,20 @@ impl Case {
             threads: 1,
             ..Row::default()
         }
+    }
+
+    /// The discrete static programme, for the thickness of a state: its error is that of the joints.
+    fn static_programme(&self, joints: usize, effort: &Effort, truth: &[Ball]) -> Option<Row> {
+        let Problem::State { weight, mode, half_opening, friction } = &self.problem else {
+            return None;
+        };
+        let index = mode.system().0.iter().position(|u| *u == crate::arch::Unknown::Thickness)?;
+        let (alpha, mu) = (half_opening.to_f64(), friction.to_f64());
+        let timed = timed(effort.budget, || least_thickness(*weight, alpha, mu, joints));
+        let value = Float::with_val(53, timed.value);
+        let row = self.row(&format!("static programme, {joints} joints"), Some(53));
+        let row = row.with_times(&timed).with_errors(&[error(&value, &truth[index])], 53);
+        Some(Row { verdict: "computed".into(), working_bits: Some(53), ..row })
     }
 
     /// The product's own path: for landmarks and states with everything that their proof needs.

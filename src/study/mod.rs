@@ -3,7 +3,10 @@
 //! | file | what it does |
 //! |---|---|
 //! | `problem` | what is computed: systems with exact parameters |
-//! | `newton`, `closed` | how others would compute it |
+//! | `newton`, `closed`, `static_programme` | how others would compute it |
+//! | `accuracy` | every method on every case, at every precision |
+//! | `stability` | ladders of distances towards each limit |
+//! | `row` | what is measured, and the clock |
 //! | `enclosure` | the truth: a proved box at a higher precision; and the error of a value |
 //!
 //! Every error is the distance to a certified enclosure, never to another float.
@@ -15,5 +18,6 @@ pub mod newton;
 mod problem;
 pub mod row;
 pub mod stability;
+pub mod static_programme;
 
 pub use problem::Problem;

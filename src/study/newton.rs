@@ -75,17 +75,14 @@ pub fn step<T: Approximate>(problem: &Problem, x: &[T]) -> Option<Vec<T>> {
     for column in 0..n {
         let pivot = (column..n).max_by_key(|&row| rows[row][column].exponent())?;
         rows.swap(column, pivot);
-        let head = rows[column][column].clone();
-        if head.double() == 0.0 && head.exponent() == i64::MIN {
+        let head = rows[column].clone();
+        if head[column].exponent() == i64::MIN {
             return None;
         }
-        for row in 0..n {
-            if row != column {
-                let factor = rows[row][column].clone() / &head;
-                for k in column..=n {
-                    let product = factor.clone() * &rows[column][k];
-                    rows[row][k] = rows[row][k].clone() - product;
-                }
+        for (_, entries) in rows.iter_mut().enumerate().filter(|(row, _)| *row != column) {
+            let factor = entries[column].clone() / &head[column];
+            for (entry, above) in entries.iter_mut().zip(&head).skip(column) {
+                *entry = entry.clone() - factor.clone() * above;
             }
         }
     }
