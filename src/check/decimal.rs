@@ -3,7 +3,8 @@
 use super::Engine;
 use crate::number::Enclosure;
 
-/// A decimal number as it is written: `[-]d[.d…][e±n]`.
+/// A decimal number as it is written: `[-]d[.d…][e±n]`. The zeros at the end of a whole number without a
+/// point only show its size.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Written {
     negative: bool,
@@ -29,12 +30,18 @@ impl Written {
         };
         let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
         let is_number = |text: &str| text.bytes().all(|b| b.is_ascii_digit());
-        if whole.is_empty() || !is_number(whole) || !is_number(part) || power.abs() > MAX_EXPONENT {
+        let in_range = (-MAX_EXPONENT..=MAX_EXPONENT).contains(&power);
+        if whole.is_empty() || !is_number(whole) || !is_number(part) || !in_range {
             return None;
         }
         let all = whole.bytes().chain(part.bytes()).map(|b| b - b'0');
-        let digits: Vec<u8> = all.skip_while(|digit| *digit == 0).collect();
-        Some(Self { negative, digits, exponent: power - part.len() as i64 })
+        let mut digits: Vec<u8> = all.skip_while(|digit| *digit == 0).collect();
+        let mut exponent = power - part.len() as i64;
+        while !mantissa.contains('.') && digits.last() == Some(&0) {
+            digits.pop();
+            exponent += 1;
+        }
+        Some(Self { negative, digits, exponent })
     }
 
     /// Whether it is zero.
@@ -122,9 +129,21 @@ mod tests {
         let written = Written::parse("0.0120").unwrap();
         assert_eq!((written.significant_digits(), written.exponent), (3, -4));
         assert!(Written::parse("0").unwrap().is_zero());
-        for text in
-            ["", ".", ".5", "+1", "1e", "1e5000000", "0x1", "1..2", "nan", "inf", "1 ", "１"]
-        {
+        for text in [
+            "",
+            ".",
+            ".5",
+            "+1",
+            "1e",
+            "1e5000000",
+            "1e-9223372036854775808",
+            "0x1",
+            "1..2",
+            "nan",
+            "inf",
+            "1 ",
+            "１",
+        ] {
             assert_eq!(Written::parse(text), None, "{text}");
         }
         assert!(Written::parse("1.").is_some() && Written::parse("1.5e-8").is_some());
@@ -141,6 +160,8 @@ mod tests {
             ("1.00", 3, 1_004_999, 1_005_001),
             ("1.00", 3, 999_501, 999_499),
             ("1.25e-1", 3, 125_400, 125_600),
+            ("100", 1, 149_999_999, 150_000_001),
+            ("150", 2, 145_000_001, 144_999_999),
         ];
         for (text, digits, inside, outside) in cases {
             let [low, high] = Written::parse(text).unwrap().bounds(digits, &like).unwrap();
@@ -159,6 +180,7 @@ mod tests {
         assert!(third.overlaps(&wide.int(234_567_891)), "split and joined");
         assert!(!third.overlaps(&wide.int(234_567_892)));
         assert!(Written::parse("0.1234").unwrap().bounds(3, &like).is_none(), "too many digits");
+        assert!(Written::parse("150.0").unwrap().bounds(2, &like).is_none(), "the same");
         assert!(Written::parse("-1").unwrap().bounds(3, &like).is_none());
     }
 }
