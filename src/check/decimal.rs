@@ -37,9 +37,11 @@ impl Written {
         let all = whole.bytes().chain(part.bytes()).map(|b| b - b'0');
         let mut digits: Vec<u8> = all.skip_while(|digit| *digit == 0).collect();
         let mut exponent = power - part.len() as i64;
-        while !mantissa.contains('.') && digits.last() == Some(&0) {
-            digits.pop();
-            exponent += 1;
+        if !mantissa.contains('.') {
+            let significant =
+                digits.iter().rposition(|digit| *digit != 0).map_or(0, |last| last + 1);
+            exponent += (digits.len() - significant) as i64;
+            digits.truncate(significant);
         }
         Some(Self { negative, digits, exponent })
     }
