@@ -243,12 +243,12 @@ fn what_is_no_certificate_is_told_with_its_place() {
         "0x1p0\n", "inf",
     ] {
         let words =
-            format!("invalid value: string {text:?}, expected it is not of the form -0x1f3p-12");
+            format!("{text:?} is no number of a certificate: it is not of the form -0x1f3p-12");
         seen.with(base, "/root/centre/0", json!(text), &format(&words));
     }
-    for text in ["0x1p10000001", "0x1p-10000001", "0x0p10000001", "0x1p99999999999999999999"] {
+    for text in ["0x1p10000001", "0x1p-10000001", "0x0p10000001", "0x1p999999999999999999"] {
         let words =
-            format!("invalid value: string {text:?}, expected its exponent is beyond ±10000000");
+            format!("{text:?} is no number of a certificate: its exponent is beyond ±10000000");
         seen.with(base, "/inverse/0/0", json!(text), &format(&words));
     }
     seen.were(FILE);
