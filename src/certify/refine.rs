@@ -219,7 +219,8 @@ impl<'a> Level<'a> {
         // The slopes need only the accuracy of the inverse: a wider box with shorter numbers.
         let coarse: Vec<Ball> = domain.iter().map(|x| x.with_precision(self.step)).collect();
         let slopes = self.system.residuals(&self.point(&coarse, self.step).variables());
-        let spread = krawczyk::spread(&slopes, &self.inverse, &domain);
+        let offsets: Vec<Ball> = domain.iter().map(Ball::centred).collect();
+        let spread = krawczyk::spread(&slopes, &self.inverse, &offsets);
         let image: Vec<Ball> = centre
             .iter()
             .zip(corrections.iter().zip(spread))

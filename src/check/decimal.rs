@@ -3,7 +3,8 @@
 use super::Engine;
 use crate::number::Enclosure;
 
-/// A decimal number as it is written: `[-]d[.d…][e±n]`.
+/// A decimal number as it is written: `[-]d[.d…][e±n]`. The zeros at the end of a whole number without a
+/// point only show its size.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Written {
     negative: bool,
@@ -23,18 +24,30 @@ impl Written {
             Some(size) => (true, size),
             None => (false, text),
         };
-        let (mantissa, power) = match size.split_once('e') {
-            Some((mantissa, power)) => (mantissa, power.parse::<i64>().ok()?),
-            None => (size, 0),
-        };
-        let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-        let is_number = |text: &str| text.bytes().all(|b| b.is_ascii_digit());
-        if whole.is_empty() || !is_number(whole) || !is_number(part) || power.abs() > MAX_EXPONENT {
+        let (mantissa, power) = size.split_once('e').unwrap_or((size, "0"));
+        let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, "0"));
+        let is_number = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
+        let has_one_start = whole.len() == 1 || !whole.starts_with('0');
+        let is_sound = is_number(whole) && is_number(part) && has_one_start;
+        let power: i64 = power.parse().ok().filter(|_| !power.starts_with('+'))?;
+        if !is_sound || !(-MAX_EXPONENT..=MAX_EXPONENT).contains(&power) {
+            return None;
+        }
+        let part = if mantissa.contains('.') { part } else { "" };
+        // Zero has one form.
+        if whole == "0" && part.bytes().all(|b| b == b'0') && text != "0" {
             return None;
         }
         let all = whole.bytes().chain(part.bytes()).map(|b| b - b'0');
-        let digits: Vec<u8> = all.skip_while(|digit| *digit == 0).collect();
-        Some(Self { negative, digits, exponent: power - part.len() as i64 })
+        let mut digits: Vec<u8> = all.skip_while(|digit| *digit == 0).collect();
+        let mut exponent = power - part.len() as i64;
+        if !mantissa.contains('.') {
+            let significant =
+                digits.iter().rposition(|digit| *digit != 0).map_or(0, |last| last + 1);
+            exponent += (digits.len() - significant) as i64;
+            digits.truncate(significant);
+        }
+        Some(Self { negative, digits, exponent })
     }
 
     /// Whether it is zero.
@@ -122,12 +135,31 @@ mod tests {
         let written = Written::parse("0.0120").unwrap();
         assert_eq!((written.significant_digits(), written.exponent), (3, -4));
         assert!(Written::parse("0").unwrap().is_zero());
-        for text in
-            ["", ".", ".5", "+1", "1e", "1e5000000", "0x1", "1..2", "nan", "inf", "1 ", "１"]
-        {
+        for text in [
+            "",
+            ".",
+            ".5",
+            "+1",
+            "1e",
+            "1e5000000",
+            "1e-9223372036854775808",
+            "0x1",
+            "1..2",
+            "nan",
+            "inf",
+            "1 ",
+            "１",
+            "1.",
+            "01",
+            "00.5",
+            "1e+5",
+            "-0",
+            "0.0",
+            "0e0",
+        ] {
             assert_eq!(Written::parse(text), None, "{text}");
         }
-        assert!(Written::parse("1.").is_some() && Written::parse("1.5e-8").is_some());
+        assert!(Written::parse("10").is_some() && Written::parse("1.5e-8").is_some());
     }
 
     #[test]
@@ -141,6 +173,8 @@ mod tests {
             ("1.00", 3, 1_004_999, 1_005_001),
             ("1.00", 3, 999_501, 999_499),
             ("1.25e-1", 3, 125_400, 125_600),
+            ("100", 1, 149_999_999, 150_000_001),
+            ("150", 2, 145_000_001, 144_999_999),
         ];
         for (text, digits, inside, outside) in cases {
             let [low, high] = Written::parse(text).unwrap().bounds(digits, &like).unwrap();
@@ -159,6 +193,7 @@ mod tests {
         assert!(third.overlaps(&wide.int(234_567_891)), "split and joined");
         assert!(!third.overlaps(&wide.int(234_567_892)));
         assert!(Written::parse("0.1234").unwrap().bounds(3, &like).is_none(), "too many digits");
+        assert!(Written::parse("150.0").unwrap().bounds(2, &like).is_none(), "the same");
         assert!(Written::parse("-1").unwrap().bounds(3, &like).is_none());
     }
 }

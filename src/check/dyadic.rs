@@ -1,6 +1,6 @@
 //! Exact binary numbers as text: `-0x1f3p-12` is `-499 / 2^12`.
 
-use serde::de::{Error, Unexpected};
+use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
 use std::str::FromStr;
@@ -119,8 +119,7 @@ impl<'de> Deserialize<'de> for Dyadic {
         let text = String::deserialize(deserializer)?;
         text.parse().map_err(|error: ParseDyadicError| {
             let shown: String = text.chars().take(24).collect();
-            let message = error.to_string();
-            D::Error::invalid_value(Unexpected::Str(&shown), &message.as_str())
+            D::Error::custom(format_args!("{shown:?} is no number of a certificate: {error}"))
         })
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Dyadic;
 use super::claim::{Claim, Exact, State, Subject};
+use super::object::{Object, given, given_object, object, objects};
 use super::refusal::Refusal;
 use crate::arch::{Equation, Landmark, Mode, SelfWeight, Unknown};
 use serde::{Deserialize, Serialize};
@@ -18,16 +19,20 @@ pub struct Certificate {
     /// What made it, with the version; not checked.
     pub tool: String,
     /// What is claimed.
+    #[serde(deserialize_with = "object")]
     pub claim: ClaimFile,
     /// How many significant digits the values have.
     pub digits: usize,
     /// The witness of existence and uniqueness in a large box.
+    #[serde(deserialize_with = "object")]
     pub unique: Witness,
     /// An approximate inverse of the Jacobian at the centre of that box, row by row.
     pub inverse: Vec<Vec<Dyadic>>,
     /// A small box that holds the root.
+    #[serde(deserialize_with = "object")]
     pub root: Witness,
     /// The decimal values claimed.
+    #[serde(deserialize_with = "objects")]
     pub values: Vec<ValueFile>,
 }
 
@@ -58,10 +63,10 @@ pub struct ClaimFile {
     /// `heyman` or `milankovitch`.
     pub weight: String,
     /// The symbol of a landmark; not for a state.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
     pub landmark: Option<String>,
     /// The state of an arch; not for a landmark.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "given_object", skip_serializing_if = "Option::is_none")]
     pub state: Option<StateFile>,
     /// The names of what is solved for, in the order of every vector.
     pub unknowns: Vec<String>,
@@ -88,8 +93,8 @@ impl Certificate {
     /// Reads a file. A file that is not such a certificate is refused with the place and the cause.
     pub fn read(bytes: &[u8]) -> Result<Self, Refusal> {
         let text = str::from_utf8(bytes).map_err(|error| Refusal::Encoding(error.valid_up_to()))?;
-        let certificate: Self =
-            serde_json::from_str(text).map_err(|error| Refusal::Format(error.to_string()))?;
+        let Object(certificate): Object<Self> =
+            serde_json::from_str(text).map_err(|error| Refusal::Format(reason(&error)))?;
         if certificate.schema != SCHEMA {
             return Err(Refusal::Schema(shortened(&certificate.schema)));
         }
@@ -99,11 +104,31 @@ impl Certificate {
 
 /// The beginning of a text, to be shown.
 pub(super) fn shortened(text: &str) -> String {
-    let mut shown: String = text.chars().take(40).flat_map(char::escape_debug).collect();
-    if text.chars().nth(40).is_some() {
+    beginning(text, 40)
+}
+
+/// At most so many characters of a text, in one line.
+fn beginning(text: &str, length: usize) -> String {
+    let visible = |c: char| {
+        let quote = matches!(c, '"' | '\'' | '\\');
+        let escaped = (!quote).then(|| c.escape_debug());
+        quote.then_some(c).into_iter().chain(escaped.into_iter().flatten())
+    };
+    let mut shown: String = text.chars().take(length).flat_map(visible).collect();
+    if text.chars().nth(length).is_some() {
         shown.push('…');
     }
     shown
+}
+
+/// Why a text is no certificate. It may quote the text, which may be long and hold anything.
+fn reason(error: &serde_json::Error) -> String {
+    let words = error.to_string();
+    let place = format!(" at line {} column {}", error.line(), error.column());
+    match words.strip_suffix(&place) {
+        Some(words) => beginning(words, 160) + &place,
+        None => beginning(&words, 160),
+    }
 }
 
 impl ClaimFile {

@@ -1,6 +1,7 @@
 //! The Krawczyk operator: exactly one root in a box.
 //!
-//! For `F: R^n -> R^n` with a continuous derivative on a box `X` with centre `m`, and any matrix `Y`,
+//! For `F: R^n -> R^n` with a continuous derivative on a box `X`, a point `m` of it, its centre as a rule,
+//! and any matrix `Y`,
 //!
 //! ```text
 //! K(X) = m - Y F(m) + (I - Y F'(X)) (X - m)
@@ -16,9 +17,14 @@ use crate::arch::{Point, System};
 use crate::number::{Dual, Enclosure, Field};
 
 /// The last term of `K(X)`, `(I - Y F'(X)) (X - m)`. `preconditioner` is `Y`; `slopes` are the
-/// residuals as dual numbers on a box that holds `domain`, of which only the gradients are used.
-pub fn spread<E: Enclosure>(slopes: &[Dual<E>], preconditioner: &[Vec<E>], domain: &[E]) -> Vec<E> {
-    let n = domain.len();
+/// residuals as dual numbers on a box that holds `X`, of which only the gradients are used; `offsets` is
+/// `X - m`.
+pub fn spread<E: Enclosure>(
+    slopes: &[Dual<E>],
+    preconditioner: &[Vec<E>],
+    offsets: &[E],
+) -> Vec<E> {
+    let n = offsets.len();
     let contraction = |row: &[E], i: usize, k: usize| {
         let products = row
             .iter()
@@ -27,13 +33,14 @@ pub fn spread<E: Enclosure>(slopes: &[Dual<E>], preconditioner: &[Vec<E>], domai
         row[k].int(i32::from(i == k)) - sum(&row[k], products)
     };
     let component = |(i, row): (usize, &Vec<E>)| {
-        sum(&row[i], (0..n).map(|k| contraction(row, i, k) * domain[k].centred()))
+        sum(&row[i], (0..n).map(|k| contraction(row, i, k) * &offsets[k]))
     };
     preconditioner.iter().enumerate().map(component).collect()
 }
 
-/// `K(X)` on a box symmetric about `centre`, from enclosures of the residuals at the centre and of
-/// the slopes on the box.
+/// `K(X)` on the box `domain`, from enclosures of the residuals at `centre` and of the slopes on the box.
+///
+/// A box rounded outward need not be symmetric about its centre, so that its sides are measured from there.
 pub fn image<E: Enclosure>(
     centre: &[E],
     residuals: &[E],
@@ -44,7 +51,8 @@ pub fn image<E: Enclosure>(
     let newton = preconditioner
         .iter()
         .map(|row| sum(&row[0], row.iter().zip(residuals).map(|(y, r)| y.clone() * r)));
-    let spread = spread(slopes, preconditioner, domain);
+    let offsets: Vec<E> = domain.iter().zip(centre).map(|(x, m)| x.clone() - m).collect();
+    let spread = spread(slopes, preconditioner, &offsets);
     let parts = centre.iter().zip(newton).zip(spread);
     parts.map(|((x, newton), spread)| x.clone() - newton + spread).collect()
 }
@@ -70,4 +78,25 @@ pub fn unique_root<E: Enclosure>(
 /// Whether each component of `image` lies in the interior of that of `domain`.
 pub fn is_contracted<E: Enclosure>(image: &[E], domain: &[E]) -> bool {
     image.len() == domain.len() && image.iter().zip(domain).all(|(k, x)| k.lies_inside(x))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::AstroInterval;
+
+    /// `F(x) = x/8`, `Y = 1`: `K` is `7/8 x`, whatever the point from which the sides are measured.
+    #[test]
+    fn a_box_need_not_be_symmetric_about_its_centre() {
+        let like = AstroInterval::integer(0, 64);
+        let eighth = like.ratio(1, 8);
+        let slopes = [Dual::with_derivative(like.int(0), 0, eighth.clone())];
+        let domain = [like.int(2) + like.int(2).symmetric()];
+        let one = like.int(1);
+        let image =
+            image(std::slice::from_ref(&one), &[eighth], &slopes, &[vec![one.clone()]], &domain);
+        let (low, high) = (like.ratio(-1, 1000), like.ratio(3501, 1000));
+        assert!(image[0].overlaps(&like.int(0)) && image[0].overlaps(&like.ratio(7, 2)));
+        assert!(low.is_less_than(&image[0]).and(image[0].is_less_than(&high)).is_proved());
+    }
 }

@@ -11,6 +11,7 @@ mod dyadic;
 mod engine;
 mod format;
 pub mod krawczyk;
+mod object;
 mod quantity;
 mod refusal;
 

@@ -1,7 +1,5 @@
 //! Why a certificate is refused: the place and the cause.
 
-use super::MAX_EXPONENT;
-
 /// Why a certificate is refused. It says nothing about the truth of the claim.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Refusal {
@@ -55,8 +53,8 @@ pub enum Refusal {
         /// How many it should have.
         expected: usize,
     },
-    /// A number with more bits than its digits need, or an exponent out of range.
-    #[error("{place}: a number has more than {bits} bits or an exponent beyond ±{MAX_EXPONENT}")]
+    /// A number with more bits than its digits need.
+    #[error("{place}: a number has more than {bits} bits")]
     Large {
         /// Where.
         place: &'static str,

@@ -6,25 +6,17 @@ use rug::Float;
 
 /// A number with a size, so that a pivot and a last step can be chosen.
 pub trait Approximate: Real {
-    /// The nearest double.
-    fn double(&self) -> f64;
     /// The exponent of its size in base two; very small for zero.
     fn exponent(&self) -> i64;
 }
 
 impl Approximate for f64 {
-    fn double(&self) -> f64 {
-        *self
-    }
     fn exponent(&self) -> i64 {
         if *self == 0.0 { i64::MIN } else { self.abs().log2().floor() as i64 }
     }
 }
 
 impl Approximate for Float {
-    fn double(&self) -> f64 {
-        self.to_f64()
-    }
     fn exponent(&self) -> i64 {
         self.get_exp().map_or(i64::MIN, i64::from)
     }

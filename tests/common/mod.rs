@@ -1,6 +1,8 @@
 //! Hard arguments for property tests, and comparisons for every number type.
 #![allow(dead_code, reason = "each test file uses its part")]
 
+pub mod certificates;
+
 use couplet::number::{AstroInterval, Ball, Dual, Enclosure, Field};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
