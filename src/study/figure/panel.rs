@@ -74,7 +74,7 @@ pub struct Drawn<'a> {
     pub room: Room,
 }
 
-/// A line as unbroken runs of places.
+/// A line as unbroken runs of places: on the axes, then on the canvas.
 struct Trace<'a> {
     line: &'a Line,
     ink: Ink,
@@ -135,27 +135,19 @@ impl<'a> Drawn<'a> {
         };
         self.axes(canvas, [left, right], [top, bottom]);
 
-        let traces: Vec<(&Trace, Vec<Vec<(f64, f64)>>)> = self
-            .lines
-            .iter()
-            .map(|trace| {
-                (trace, trace.runs.iter().map(|run| run.iter().map(at).collect()).collect())
-            })
-            .collect();
-        let names = self.names(&traces, [top, bottom]);
+        let traces: Vec<Trace> = self.lines.iter().map(|trace| trace.map(at)).collect();
+        let names = names(&traces, [top, bottom]);
         for (trace, name) in traces.iter().zip(&names) {
-            leader(canvas, end(&trace.1), (right, *name));
+            leader(canvas, trace.end(), (right, *name));
         }
         // References below the measured.
         let (references, others): (Vec<_>, Vec<_>) =
-            traces.iter().partition(|(trace, _)| trace.line.kind == Kind::Reference);
-        for (trace, runs) in references.iter().chain(&others) {
-            runs.iter().for_each(|run| trace.ink.stroke(canvas, &trace.joined(run)));
+            traces.iter().partition(|trace| trace.line.kind == Kind::Reference);
+        for trace in references.into_iter().chain(others.iter().copied()) {
+            trace.runs.iter().for_each(|run| trace.ink.stroke(canvas, &trace.joined(run)));
         }
-        for (trace, runs) in others {
-            for point in trace.markers(runs) {
-                trace.ink.mark(canvas, point);
-            }
+        for trace in others {
+            trace.markers().into_iter().for_each(|point| trace.ink.mark(canvas, point));
         }
         for (trace, name) in self.lines.iter().zip(names) {
             let start = right + LEADER;
@@ -195,38 +187,41 @@ impl<'a> Drawn<'a> {
             canvas.upwards(line, (x, (top + bottom) / 2.0), LABEL, INK);
         }
     }
+}
 
-    /// The heights of the names: each at the end of its line, or as near as the others allow; those of
-    /// lines without a point last.
-    fn names(
-        &self,
-        traces: &[(&Trace, Vec<Vec<(f64, f64)>>)],
-        [top, bottom]: [f64; 2],
-    ) -> Vec<f64> {
-        let key = |k: &usize| {
-            let points = || traces[*k].1.iter().flatten();
-            let end = end(&traces[*k].1).map_or(bottom, |point| point.1);
-            // Where lines end together, that one first which was above the other.
-            let mean = points().map(|p| p.1).sum::<f64>() / points().count().max(1) as f64;
-            (end, mean)
-        };
-        let mut order: Vec<usize> = (0..traces.len()).collect();
-        order.sort_by(|a, b| {
-            let (a, b) = (key(a), key(b));
-            a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
-        });
-        let ends: Vec<f64> = order.iter().map(|k| key(k).0).collect();
-        let half = NAME_HEIGHT / 2.0;
-        let places = spread(&ends, NAME_HEIGHT, top + half, bottom - half);
-        let mut names = vec![0.0; traces.len()];
-        for (k, place) in order.into_iter().zip(places) {
-            names[k] = place;
-        }
-        names
+/// The heights of the names: each at the end of its line, or as near as the others allow; those of
+/// lines without a point last.
+fn names(traces: &[Trace], [top, bottom]: [f64; 2]) -> Vec<f64> {
+    let key = |trace: &Trace| {
+        let points = || trace.runs.iter().flatten();
+        // Where lines end together, that one first which was above the other.
+        let mean = points().map(|p| p.1).sum::<f64>() / points().count().max(1) as f64;
+        (trace.end().map_or(bottom, |point| point.1), mean)
+    };
+    let mut order: Vec<(usize, (f64, f64))> = traces.iter().map(key).enumerate().collect();
+    order.sort_by(|(_, a), (_, b)| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let ends: Vec<f64> = order.iter().map(|(_, key)| key.0).collect();
+    let half = NAME_HEIGHT / 2.0;
+    let places = spread(&ends, NAME_HEIGHT, top + half, bottom - half);
+    let mut names = vec![0.0; traces.len()];
+    for ((k, _), place) in order.into_iter().zip(places) {
+        names[k] = place;
     }
+    names
 }
 
 impl Trace<'_> {
+    /// With its places elsewhere.
+    fn map(&self, at: impl Fn(&(f64, f64)) -> (f64, f64)) -> Self {
+        let runs = self.runs.iter().map(|run| run.iter().map(&at).collect()).collect();
+        Self { runs, ..*self }
+    }
+
+    /// The right end on the canvas; of several points there, the last.
+    fn end(&self) -> Option<(f64, f64)> {
+        self.runs.iter().flatten().copied().max_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
     /// The corners of a run.
     fn joined(&self, run: &[(f64, f64)]) -> Vec<(f64, f64)> {
         if self.line.kind != Kind::Steps {
@@ -237,10 +232,10 @@ impl Trace<'_> {
     }
 
     /// Where the markers are.
-    fn markers(&self, runs: &[Vec<(f64, f64)>]) -> Vec<(f64, f64)> {
+    fn markers(&self) -> Vec<(f64, f64)> {
         let far = |(a, b): (f64, f64), (c, d): (f64, f64)| (c - a).hypot(d - b);
         let mut markers: Vec<(f64, f64)> = Vec::new();
-        for run in runs.iter().rev() {
+        for run in self.runs.iter().rev() {
             if self.line.kind == Kind::Steps && run.len() > 1 {
                 let mut ahead = STEP_MARKERS * (0.15 + 0.7 * self.ink.phase);
                 for pair in self.joined(run).windows(2) {
@@ -264,11 +259,6 @@ impl Trace<'_> {
         }
         markers
     }
-}
-
-/// The right end of a line; of several points there, the last.
-fn end(runs: &[Vec<(f64, f64)>]) -> Option<(f64, f64)> {
-    runs.iter().flatten().copied().max_by(|a, b| a.0.total_cmp(&b.0))
 }
 
 /// From the end of a line to its name.

@@ -62,7 +62,7 @@ fn errors() -> Figure {
 fn losses() -> Figure {
     let panel = |p: usize| {
         let lost = |m: usize, k: i32| {
-            let steep = [0.5, 1.0, 1.5, 2.0][m] * if p % 2 == 0 { 1.0 } else { 0.6 };
+            let steep = [0.5, 1.0, 1.5, 2.0][m] * if p.is_multiple_of(2) { 1.0 } else { 0.6 };
             steep * f64::from(k) * 0.98 + 0.8 * noise(31 * p + 7 * m + k as usize)
         };
         let mut lines: Vec<Line> =
