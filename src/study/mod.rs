@@ -8,12 +8,15 @@
 //! | `stability` | ladders of distances towards each limit |
 //! | `row` | what is measured, and the clock |
 //! | `enclosure` | the truth: a proved box at a higher precision; and the error of a value |
+//! | `row` | what is measured of one method on one case |
+//! | `figure` | it as figures |
 //!
 //! Every error is the distance to a certified enclosure, never to another float.
 
 pub mod accuracy;
 pub mod closed;
 pub mod enclosure;
+pub mod figure;
 pub mod newton;
 mod problem;
 pub mod row;
