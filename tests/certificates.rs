@@ -592,13 +592,15 @@ fn of_all_the_roots_one_is_accepted() {
         claims.extend(Landmark::ALL.map(|landmark| (landmark_claim(landmark, weight), 40)));
         let modes =
             Mode::ALL.into_iter().filter(|mode| !matches!(mode, Mode::Sliding | Mode::Overturning));
-        for (half_opening, friction) in [("pi/2", "0.38"), ("2.45", "1.35"), ("2.6", "2")] {
+        for (half_opening, friction) in
+            [("pi/2", "0.38"), ("2.45", "1.35"), ("2.6", "2"), ("3", "50"), ("2.9", "0.3")]
+        {
             claims.extend(
                 modes.clone().map(|mode| (state_claim(weight, mode, half_opening, friction), 12)),
             );
         }
     }
-    let (mut refused, mut accepted) = (0, 0);
+    let (mut refused, mut accepted, mut reasons) = (0, 0, BTreeSet::new());
     for (claim, starts) in &claims {
         let mut known: Option<Vec<f64>> = None;
         for _ in 0..*starts {
@@ -621,7 +623,10 @@ fn of_all_the_roots_one_is_accepted() {
                     let same = known.iter().zip(&root).all(|(a, b)| (a - b).abs() < 1e-12);
                     assert!(same, "{claim:?}: {known:?} and {root:?}");
                 }
-                Err(Refusal::Condition(_)) => refused += 1,
+                Err(Refusal::Condition(words)) => {
+                    refused += 1;
+                    reasons.insert(words);
+                }
                 other => assert!(other.is_err(), "{claim:?} {other:?}"),
             }
         }
@@ -632,6 +637,9 @@ fn of_all_the_roots_one_is_accepted() {
         }
     }
     assert!(refused > 200 && accepted > 200, "{refused} {accepted}");
+    for words in ["a positive thickness", "a thrust below one", "a positive thrust"] {
+        assert!(reasons.contains(words), "{words}: {reasons:?}");
+    }
 }
 
 #[test]
