@@ -637,12 +637,7 @@ fn of_all_the_roots_one_is_accepted() {
         }
     }
     assert!(refused > 200 && accepted > 200, "{refused} {accepted}");
-    for words in [
-        "a positive thickness",
-        "a thrust below one",
-        "a positive thrust",
-        "compression at the shoulder",
-    ] {
+    for words in ["a positive thickness", "a thrust below one", "a positive thrust"] {
         assert!(reasons.contains(words), "{words}: {reasons:?}");
     }
 }
