@@ -14,6 +14,7 @@
 //! Every error is the distance to a certified enclosure, never to another float.
 
 pub mod accuracy;
+pub mod accuracy_figures;
 pub mod closed;
 pub mod enclosure;
 pub mod figure;
@@ -21,6 +22,7 @@ pub mod newton;
 mod problem;
 pub mod row;
 pub mod stability;
+pub mod stability_figure;
 pub mod static_programme;
 
 pub use problem::Problem;

@@ -1,7 +1,9 @@
 //! The files of a study: raw numbers as CSV, and a README with what they mean and where they come from.
 
+use crate::study::figure::Figure;
 use crate::study::row::Row;
 use crate::study::stability::Rung;
+use crate::study::{accuracy_figures, stability_figure};
 use serde::Serialize;
 use std::process::Command;
 
@@ -11,19 +13,34 @@ pub struct StudyFiles(pub Vec<(String, Vec<u8>)>);
 impl StudyFiles {
     /// The files of `couplet study accuracy`.
     pub fn accuracy(rows: &[Row], command: &str) -> Self {
-        Self(vec![
+        let mut files = vec![
             ("accuracy.csv".into(), table(rows)),
             ("README.md".into(), readme("Error against run time", command, ACCURACY)),
-        ])
+        ];
+        for (name, figure) in accuracy_figures::figures(rows) {
+            files.extend(drawn(name, &figure));
+        }
+        Self(files)
     }
 
     /// The files of `couplet study stability`.
     pub fn stability(rungs: &[Rung], command: &str) -> Self {
-        Self(vec![
+        let mut files = vec![
             ("stability.csv".into(), table(rungs)),
             ("README.md".into(), readme("Digits lost towards the limits", command, STABILITY)),
-        ])
+        ];
+        files.extend(drawn("digits-lost", &stability_figure::figure(rungs)));
+        Self(files)
     }
+}
+
+/// The figure as SVG and, where that is built in, as PNG.
+fn drawn(name: &str, figure: &Figure) -> Vec<(String, Vec<u8>)> {
+    vec![
+        (format!("{name}.svg"), figure.svg().into_bytes()),
+        #[cfg(feature = "png")]
+        (format!("{name}.png"), figure.png()),
+    ]
 }
 
 fn table<T: Serialize>(rows: &[T]) -> Vec<u8> {
