@@ -1,7 +1,7 @@
 # `make` builds couplet and prints the landmark constants; `make test` runs every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build test lint docs constants checker bench proofs witness m4 coq
+.PHONY: run build test lint docs constants checker bench peers proofs witness m4 coq
 
 run: build
 	./target/release/couplet constants
@@ -31,6 +31,10 @@ checker:
 # Timings of this machine; nothing depends on them.
 bench: m4
 	cargo bench --locked
+
+# The same job by Arb, PARI, mpmath, ... beside couplet; about half an hour.
+peers: m4
+	benches/peers/run.py
 
 # Every Coq proof: compiled, its assumptions compared with proofs/coq/axioms.txt, and wrong copies of a
 # generated file refused. Takes some minutes. Before it the certificates, in a third arithmetic.

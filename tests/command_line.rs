@@ -163,7 +163,7 @@ fn the_audit_finds_what_the_tables_got_wrong() {
 
 #[test]
 fn wrong_input_is_told_in_one_line_with_what_is_possible() {
-    let cases: [(&[&str], &str); 17] = [
+    let cases: [(&[&str], &str); 19] = [
         (&["constants", "X"], "one of T, S, J, B, l, L, sb"),
         (&["constants", "t"], "one of T, S, J, B, l, L, sb"),
         (&["constants", "--weight", "both"], "one of heyman, milankovitch"),
@@ -181,6 +181,8 @@ fn wrong_input_is_told_in_one_line_with_what_is_possible() {
         (&["prove", "eq-99"], "the claims are eq-2, eq-3"),
         (&["prove", "eq-"], "the claims are eq-2, eq-3"),
         (&["prove", "--format", "csv"], "one of text, latex, json"),
+        (&["study", "accuracy", "--only", "T"], "there are eta-cubic, A-cubic"),
+        (&["study", "stability", "--only", "state"], "there are alpha-to-zero"),
     ];
     for (arguments, possible) in cases {
         let output = couplet(arguments);
@@ -452,6 +454,30 @@ fn a_derivation_can_be_followed() {
     let document = stdout(&couplet(&["prove", "eq-7-eta", "--show", "--format", "latex"]));
     assert!(document.starts_with("\\documentclass") && document.ends_with("\\end{document}\n"));
     assert!(document.contains(r"S \delta_M {\eta}^{3} + 3 (f + g) {\eta}^{2}"));
+}
+
+#[test]
+fn a_study_writes_its_numbers_and_its_figure() {
+    let scratch = Scratch::new("study");
+    let folder = scratch.path("out");
+    let table = stdout(&couplet(&[
+        "study",
+        "stability",
+        "--quick",
+        "--only",
+        "eta-to-two",
+        "--output",
+        &folder,
+    ]));
+    assert!(table.contains("lost by the problem itself") && table.contains("(15) as printed"));
+    let read = |name: &str| std::fs::read_to_string(format!("{folder}/{name}")).unwrap();
+    let rows = read("stability.csv");
+    assert_eq!(rows.matches(",proved").count(), 5, "{rows}");
+    assert!(read("README.md").contains("study stability --quick --only eta-to-two"));
+    assert!(read("digits-lost.svg").starts_with("<svg"));
+    let table = stdout(&couplet(&["study", "accuracy", "--quick", "--only", "half-opening"]));
+    assert!(table.contains("half-opening  certified balls"), "{table}");
+    assert!(!table.contains("fail"), "{table}");
 }
 
 #[test]
