@@ -10,6 +10,8 @@ const STEPS: usize = 200;
 /// Bits by which the last step may be longer than half the precision; the result has twice as many
 /// fewer than it holds.
 const SLACK: i64 = 6;
+/// Steps shorter than this part of their variables, in bits, are short.
+const SHORT: i64 = -24;
 
 /// A candidate root of `system` to `bits` bits, from a start value nearby. `None` if the iteration
 /// does not settle on positive numbers.
@@ -38,16 +40,20 @@ pub fn polish(
 }
 
 /// Newton's method for positive unknowns. `None` if it leaves the numbers or does not settle.
+///
+/// It settles when the steps are short, or when short steps no longer get shorter: then they are the
+/// rounding of an ill-conditioned system, and whether the digits are enough is for the proof to say.
 fn settle(
     mut x: Vec<Float>,
     residuals: impl Fn(&[Float]) -> Vec<Dual<Float>>,
 ) -> Option<Vec<Float>> {
+    let mut last = i64::MAX;
     for _ in 0..STEPS {
         let residuals = residuals(&x);
         let jacobian =
             residuals.iter().map(|r| (0..x.len()).map(|k| r.derivative(k)).collect()).collect();
         let inverse = inverse(jacobian)?;
-        let mut settled = true;
+        let (mut settled, mut longest) = (true, i64::MIN);
         for (x, row) in x.iter_mut().zip(&inverse) {
             let zero = Float::new(x.prec());
             let step =
@@ -56,31 +62,36 @@ fn settle(
             let next = Float::with_val(x.prec(), &*x - &step);
             if next > 0 {
                 settled &= is_last(&step, x);
+                longest = longest.max(relative_exponent(&step, x));
                 *x = next;
             } else {
-                settled = false;
+                (settled, longest) = (false, i64::MAX);
                 *x /= 2;
             }
             if !x.is_finite() || x.is_zero() {
                 return None;
             }
         }
-        if settled {
+        if settled || (longest < SHORT && longest >= last) {
             return Some(x);
         }
+        last = longest;
     }
     None
 }
 
+/// The size of a step beside its variable, in bits.
+fn relative_exponent(step: &Float, x: &Float) -> i64 {
+    match (step.get_exp(), x.get_exp()) {
+        (Some(step), Some(size)) => i64::from(step) - i64::from(size),
+        (None, _) => i64::MIN,
+        _ => i64::MAX,
+    }
+}
+
 /// Whether a step is so short that what it leaves, about its square, is as good as nothing.
 fn is_last(step: &Float, x: &Float) -> bool {
-    match (step.get_exp(), x.get_exp()) {
-        (None, _) => true,
-        (Some(step), Some(size)) => {
-            i64::from(step) < i64::from(size) - i64::from(x.prec()) / 2 + SLACK
-        }
-        _ => false,
-    }
+    relative_exponent(step, x) < SLACK - i64::from(x.prec()) / 2
 }
 
 #[cfg(test)]

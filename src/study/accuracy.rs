@@ -10,7 +10,7 @@ use crate::arch::{Landmark, Mode, SelfWeight, cubic};
 use crate::certify::CertifiedLandmark;
 use crate::certify::state::{Arch, Friction, Outcome};
 use crate::check::Engine;
-use crate::number::{Angle, AstroInterval, Ball, Enclosure, ExactNumber, rational_like};
+use crate::number::{Angle, AstroInterval, Ball, Enclosure, ExactNumber, Real, rational_like};
 use crate::solve::start;
 use rug::{Float, Rational};
 use std::time::Duration;
@@ -125,6 +125,29 @@ pub fn cases() -> Vec<Case> {
     }
     cases.extend(states());
     cases
+}
+
+/// The quantity of the rows of [`sines`].
+pub const SINES: &str = "sin-cos";
+
+/// One sine and cosine in MPFR at each precision: the unit in which everything else can be read.
+pub fn sines(effort: &Effort) -> Vec<Row> {
+    let measure = |&bits: &u32| {
+        let angle = Float::with_val(bits, 3).sqrt();
+        let timed = timed(effort.budget, || Real::sin_cos(&angle));
+        let digits = f64::from(bits) * std::f64::consts::LOG10_2;
+        let row = Row {
+            quantity: SINES.into(),
+            case: "sqrt(3)".into(),
+            method: "one sine and cosine, MPFR".into(),
+            precision_bits: Some(bits),
+            error_relative_log10: Some(-digits),
+            verdict: "computed".into(),
+            ..Row::default()
+        };
+        row.with_times(&timed)
+    };
+    effort.bits.iter().map(measure).collect()
 }
 
 /// A state of every mode that has a thickness and a finite friction, and pure rotation.

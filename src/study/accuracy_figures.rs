@@ -1,5 +1,6 @@
 //! The figures of the study of accuracy, from its rows.
 
+use super::accuracy::SINES;
 use super::figure::{Axis, Figure, Kind, Line, Panel, Scale};
 use super::row::Row;
 
@@ -40,6 +41,13 @@ fn family(row: &Row) -> &str {
 /// logarithmic axes sixteen digits and twenty thousand fit one panel, and where a method stops to improve
 /// its line turns flat.
 fn error_against_time(rows: &[Row]) -> Figure {
+    let (sines, rows): (Vec<Row>, Vec<Row>) =
+        rows.iter().cloned().partition(|row| row.quantity == SINES);
+    let rows = &rows;
+    let sine_points: Vec<(f64, f64)> = sines
+        .iter()
+        .filter_map(|row| Some((row.cpu_seconds, -row.error_relative_log10?)))
+        .collect();
     let panels = distinct(rows, |row| &row.quantity).into_iter().map(|quantity| {
         let here: Vec<Row> = rows.iter().filter(|r| r.quantity == *quantity).cloned().collect();
         let lines = distinct(&here, family).into_iter().map(|method| {
@@ -58,11 +66,16 @@ fn error_against_time(rows: &[Row]) -> Figure {
                 });
             Line { label: method.to_owned(), points: points.collect(), kind: Kind::Measured }
         });
+        let unit = Line {
+            label: "one sine and cosine".into(),
+            points: sine_points.clone(),
+            kind: Kind::Reference,
+        };
         Panel {
             title: quantity.clone(),
             x: Axis { label: "CPU time (s)".into(), scale: Scale::Log10 },
             y: Axis { label: "correct digits (median case)".into(), scale: Scale::Log10 },
-            lines: lines.collect(),
+            lines: lines.chain([unit]).collect(),
         }
     });
     Figure { title: "Correct digits against run time".into(), panels: panels.collect(), columns: 2 }
@@ -71,6 +84,7 @@ fn error_against_time(rows: &[Row]) -> Figure {
 /// Dolan and Moré's performance profile: the part of all cases that a method solves to twelve digits in at
 /// most so many times the time of the fastest method.
 fn profile(rows: &[Row]) -> Figure {
+    let rows: &[Row] = &rows.iter().filter(|r| r.quantity != SINES).cloned().collect::<Vec<_>>();
     let cases = distinct(rows, |row| (&row.quantity, &row.case));
     let methods = distinct(rows, family);
     let best = |case: &(&String, &String), method: Option<&str>| {

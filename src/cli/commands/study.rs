@@ -70,7 +70,7 @@ fn accuracy(options: &Options) -> Result<(), Failure> {
     let asked = |name: &str| options.only.is_empty() || options.only.iter().any(|o| o == name);
     let cases: Vec<_> = accuracy::cases().into_iter().filter(|c| asked(c.quantity)).collect();
     let bar = progress(cases.len());
-    let mut rows = Vec::new();
+    let mut rows = accuracy::sines(&effort);
     for case in &cases {
         rows.extend(accuracy::measure(case, &effort));
         bar.inc(1);
