@@ -32,7 +32,7 @@ checker:
 bench: m4
 	cargo bench --locked
 
-# The same job by Arb, PARI, mpmath, ... beside couplet; about half an hour.
+# The same job by Arb, PARI, mpmath, ... beside couplet; about 20 minutes.
 peers: m4
 	benches/peers/run.py
 

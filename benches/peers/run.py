@@ -97,7 +97,7 @@ def main():
                 if numbers:
                     values[program, method, digits] = numbers
     compared = agree(values)
-    text = report(cells, sizes, compared, missing, load, max(load, os.getloadavg()[1]), arguments.quick)
+    text = report(cells, sizes, compared, missing, load, arguments.quick)
     if arguments.quick:
         print(text)
     else:
@@ -218,7 +218,7 @@ def agree(values):
     return len(values)
 
 
-def report(cells, sizes, compared, missing, low, high, quick):
+def report(cells, sizes, compared, missing, load, quick):
     def seconds(kind, row, digits):
         cell = cells[kind, *row[1:], digits]
         return cell if isinstance(cell, str) else median(cell)
@@ -243,7 +243,7 @@ def report(cells, sizes, compared, missing, low, high, quick):
 
 {versions(missing)}
 
-Machine: {processor()}, {os.cpu_count()} cores, load average {low:.1f} to {high:.1f}; commit {commit()}; {date};
+Machine: {processor()}, {os.cpu_count()} cores, load average {load:.1f} at the start; commit {commit()}; {date};
 command `{command}`. What is compared, and what is fair in it: [README.md](README.md).
 
 CPU time on one thread, median of {ROUNDS} rounds (one where it exceeds {ONCE:.0f} s). In brackets the ratio to
@@ -279,7 +279,7 @@ above is the library's and not the method's.
 
 def time(seconds):
     for unit, name in ((1, "s"), (1e-3, "ms"), (1e-6, "µs")):
-        if seconds >= unit or unit == 1e-6:
+        if seconds >= 0.9995 * unit or unit == 1e-6:
             value = seconds / unit
             return f"{value:.0f} {name}" if value >= 100 else f"{value:.3g} {name}"
 
@@ -309,7 +309,7 @@ def versions(missing):
     python = """
 import flint, gmpy2, mpmath, platform, scipy, sympy
 print(f"Python {platform.python_version()}, python-flint {flint.__version__} (FLINT {flint.__FLINT_VERSION__}),",
-      f"gmpy2 {gmpy2.version()} ({gmpy2.mpfr_version()}, {gmpy2.mp_version()}),",
+      f"gmpy2 {gmpy2.version()} ({gmpy2.mpfr_version()}, {gmpy2.mp_version()}),\\n"
       f"mpmath {mpmath.__version__}, scipy {scipy.__version__}, SymPy {sympy.__version__}", end="")"""
     lock = (ROOT / "Cargo.lock").read_text().split("[[package]]")
     engine = next(p for p in lock if 'name = "gmp-mpfr-sys"' in p).split('version = "')[1].split('"')[0]
