@@ -540,4 +540,16 @@ fn the_readme_tells_the_truth() {
     for line in block.lines().map(str::trim).filter(|line| *line != "…") {
         assert!(audit.contains(line), "{line}");
     }
+    let claims = stdout(&couplet(&["prove", "eq-16"]));
+    let block =
+        readme.split("$ couplet prove eq-16\n").nth(1).unwrap().split("\n\n").next().unwrap();
+    // The first line has a time.
+    for line in block.lines().skip(1).map(str::trim) {
+        assert!(claims.contains(line), "{line}");
+    }
+    let scratch = Scratch::new("readme");
+    let file = scratch.path("T.json");
+    couplet(&["certify", "T", "--digits", "1000", "-o", &file]);
+    let verdict = stdout(&couplet(&["check", &file])).replace(&file, "T.json");
+    assert!(readme.contains(verdict.trim()), "{verdict}");
 }
