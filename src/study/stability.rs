@@ -435,10 +435,6 @@ mod tests {
                 let certified = rungs.last().unwrap();
                 assert_eq!(certified.verdict, "proved", "{} 1e-{k}: {certified:?}", limit.name);
                 assert!(certified.error_relative_log10.unwrap() <= -DIGITS);
-                println!(
-                    "{} {k} bits {} cond {:.1}",
-                    limit.name, certified.working_bits, certified.condition_log10
-                );
             }
         }
     }
