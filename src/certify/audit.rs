@@ -1,6 +1,6 @@
 //! The printed values against the certified ones, and the two weights against each other.
 
-use super::exact::{Exact, enclosure};
+use super::exact::Exact;
 use super::{CertifiedLandmark, Refined, Undecided};
 use crate::arch::published::{PRINTED, Printed};
 use crate::arch::{Landmark, Quantity, SelfWeight};
@@ -165,7 +165,7 @@ impl Points {
         match point.exact(quantity) {
             Some(Exact::Surd(surd)) => Ok(match surd.parts() {
                 (rational, factor, _) if factor.is_zero() => Known::Exact(rational.clone()),
-                _ => Known::Enclosed(enclosure(&surd, BITS)),
+                _ => Known::Enclosed(surd.enclosure(BITS)),
             }),
             _ => point.quantity(refined, quantity).map(Known::Enclosed).ok_or_else(missing),
         }

@@ -1,6 +1,6 @@
 //! The constants: each quantity of each landmark, with all its digits proved.
 
-use super::exact::{Exact, enclosure, exact};
+use super::exact::{Exact, exact};
 use super::{Isolated, Refined, Undecided, isolate, refine, refine_watched, stages};
 use crate::arch::{Landmark, Quantity, SelfWeight, System, Unknown, thrust};
 use crate::number::{Ball, Enclosure, Field, Real, Rounded, Ternary, bits_of};
@@ -170,7 +170,7 @@ impl CertifiedLandmark {
                 (rational, factor, _) if factor.is_zero() => {
                     Rounded::from_rational(rational, digits)?
                 }
-                _ => Rounded::from_ball(&enclosure(&surd, prec()?), digits)?,
+                _ => Rounded::from_ball(&surd.enclosure(prec()?), digits)?,
             },
             Some(Exact::Pi(_)) | None => {
                 Rounded::from_ball(&self.quantity(refined, quantity)?, digits)?

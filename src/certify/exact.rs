@@ -9,7 +9,7 @@ use super::Isolated;
 use crate::arch::{
     Configuration, Equation, Fixed, Landmark, Quantity, Ring, SelfWeight, Unknown, overturning,
 };
-use crate::number::{Angle, Ball, Dual, Enclosure, ExactField, Field, Real, Surd};
+use crate::number::{Angle, Ball, Dual, Enclosure, ExactField, Field, Surd};
 use rug::Rational;
 
 /// An exact value.
@@ -77,7 +77,7 @@ fn thickness(landmark: Landmark, isolated: &Isolated) -> Option<Surd> {
 fn is_thickness_without_thrust(weight: SelfWeight, value: &Surd, domain: &Ball) -> bool {
     let residual_is_zero = residual(weight, value).is_zero();
     let slope = residual(weight, &Dual::variable(domain.clone(), 0)).derivative(0);
-    let lies_in_domain = enclosure(value, domain.prec()).lies_inside(domain);
+    let lies_in_domain = value.enclosure(domain.prec()).lies_inside(domain);
     residual_is_zero && slope.excludes_zero() && lies_in_domain
 }
 
@@ -92,13 +92,6 @@ fn residual<T: Field>(weight: SelfWeight, thickness: &T) -> T {
         friction: thickness.int(0),
     };
     Equation::TangencyAtCrown.residual(weight, &at)
-}
-
-/// A ball that holds an exact value.
-pub fn enclosure(value: &Surd, prec: u32) -> Ball {
-    let (rational, factor, radicand) = value.parts();
-    let root = Ball::integer(radicand as i32, prec).sqrt();
-    Ball::enclosing(rational, prec) + Ball::enclosing(factor, prec) * root
 }
 
 #[cfg(test)]

@@ -16,6 +16,7 @@
 //! that it has two roots in `(0, 2)`, a double one or none. As `p/S` grows, it is two for
 //! `beta < beta_sb`, the double one at `beta_sb`, and none beyond.
 
+use super::letters::ring;
 use super::{Claim, Derivation, Finding};
 use crate::arch::{Mode, Ring, cubic, overturning, thrust};
 use crate::certify::Undecided;
@@ -79,10 +80,6 @@ const WIDEST_JOINT: Claim = Claim {
 /// `d/d eta`.
 fn along_the_thickness() -> [(Symbol, Polynomial); 1] {
     [(Symbol::Thickness, Polynomial::from(1))]
-}
-
-fn ring() -> Ring<Fraction> {
-    Ring::with_flag(&Symbol::Flag.number(), &Symbol::Thickness.number())
 }
 
 /// The cubic (7) in `eta`, with `beta`, `S`, `C`, `delta_M` as letters.

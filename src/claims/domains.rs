@@ -10,13 +10,14 @@ use super::frictions::{
     FRICTION_FOR_ROTATION_GROWS, ROTATION_MEETS_SLIDING, SLIDING_STATES_IN_ORDER,
     SLOPES_OF_FRICTION,
 };
+use super::letters::{ring, variables};
 use super::{Claim, Derivation, Finding, Support};
 use crate::arch::{
     Configuration, Landmark, Ring, SelfWeight, contact, overturning, sliding, statics, thrust,
 };
 use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Dual, Enclosure, Field, Real, Ternary};
-use crate::symbolic::{Fraction, Relations, Symbol, along_the_joint};
+use crate::symbolic::{Relations, Symbol, along_the_joint};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -59,25 +60,9 @@ const INNER_SLIDING_BEYOND_T: Claim = Claim {
     decide: inner_sliding_beyond_t,
 };
 
-fn ring() -> Ring<Fraction> {
-    Ring::with_flag(&Symbol::Flag.number(), &Symbol::Thickness.number())
-}
-
-/// All variables as letters.
-fn letters() -> Configuration<Fraction> {
-    Configuration {
-        half_opening: Symbol::half_opening(),
-        rotation_joint: Symbol::joint(),
-        sliding_joint: Symbol::joint(),
-        thickness: Symbol::Thickness.number(),
-        thrust: Symbol::Thrust.number(),
-        friction: Symbol::Friction.number(),
-    }
-}
-
 /// The shoulder's distance from the extrados with the crown's pressure point on the extrados.
 fn shoulder_margin(d: &mut Derivation) -> Result<(), Undecided> {
-    let at = letters();
+    let at = variables();
     for weight in SelfWeight::ALL {
         let ring = Ring::new(weight, &at.thickness);
         let whole = thrust::whole(&at.half_opening, &ring);
@@ -143,7 +128,7 @@ fn inner_sliding_beyond_t(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.lemma(&ROTATION_MEETS_SLIDING)?;
     d.lemma(&DISTANCES_RISE_AND_FALL)?;
     shoulder_margin(d)?;
-    let (at, ring) = (letters(), ring());
+    let (at, ring) = (variables(), ring());
     let joint = &at.rotation_joint;
     let lower = thrust::lower(joint, &ring);
     let two = at.thrust.int(2);
@@ -210,7 +195,7 @@ fn overturning_sliding_beyond_j(d: &mut Derivation) -> Result<Finding, Undecided
     d.lemma(&INNER_SLIDING_BEYOND_T)?;
     d.lemma(&SLIDING_STATES_IN_ORDER)?;
     d.lemma(&DISTANCES_RISE_AND_FALL)?;
-    let at = letters();
+    let at = variables();
     let ring = ring();
     let upper = thrust::upper(&at.half_opening, &Angle::zero(&at.thrust), &ring);
     let margin = margin_from_intrados(&ring, &at.half_opening, &at.thrust);
@@ -227,7 +212,7 @@ fn overturning_sliding_beyond_j(d: &mut Derivation) -> Result<Finding, Undecided
         (SelfWeight::Milankovitch, (q - &inner) * h.int(6)),
     ];
     for (weight, thickness) in cases {
-        let at = Configuration { thickness, ..letters() };
+        let at = Configuration { thickness, ..variables() };
         let slope = contact::crown_slope(weight, &at);
         let words = format!("the slope at the crown vanishes at eta_c, {} weight", weight.name());
         d.identity(words, &slope, &h.int(0), &rooted)?;

@@ -6,6 +6,7 @@
 
 use super::along::{Along, around, below, landmark, on_all};
 use super::curve::STATES_IN_ORDER;
+use super::letters::ring;
 use super::{Claim, Derivation, Finding, Support};
 use crate::arch::{Landmark, Ring, SelfWeight, overturning, sliding, statics, thrust};
 use crate::certify::Undecided;
@@ -82,10 +83,6 @@ pub(super) const ROTATION_MEETS_SLIDING: Claim = Claim {
                 M > m, beyond T for less, M < m",
     decide: order_of_frictions,
 };
-
-fn ring() -> Ring<Fraction> {
-    Ring::with_flag(&Symbol::Flag.number(), &Symbol::Thickness.number())
-}
 
 fn by(symbol: Symbol) -> [(Symbol, Polynomial); 1] {
     [(symbol, Polynomial::from(1))]

@@ -1,6 +1,7 @@
 //! The landmark points: what holds besides the equations that define them, and the values that the
 //! text gives to few digits.
 
+use super::letters::{ring, variables};
 use super::{Claim, Derivation, Finding, Support};
 use crate::arch::{
     Configuration, Fixed, Landmark, Mode, Quantity, Ring, SelfWeight, Unknown, contact,
@@ -63,28 +64,12 @@ pub(super) const CLAIMS: &[Claim] = &[
     },
 ];
 
-/// All variables as letters; the sliding joint is the joint.
-fn letters() -> Configuration<Fraction> {
-    Configuration {
-        half_opening: Symbol::half_opening(),
-        rotation_joint: Symbol::joint(),
-        sliding_joint: Symbol::joint(),
-        thickness: Symbol::Thickness.number(),
-        thrust: Symbol::Thrust.number(),
-        friction: Symbol::Friction.number(),
-    }
-}
-
-fn ring() -> Ring<Fraction> {
-    Ring::with_flag(&Symbol::Flag.number(), &Symbol::Thickness.number())
-}
-
 pub(super) fn certain_if(holds: bool) -> Ternary {
     if holds { Ternary::True } else { Ternary::Undecided }
 }
 
 fn triple_point(d: &mut Derivation) -> Result<Finding, Undecided> {
-    let (at, ring) = (letters(), ring());
+    let (at, ring) = (variables(), ring());
     let upper = thrust::upper(&at.half_opening, &at.rotation_joint, &ring).residual(&at.thrust);
     let whole = thrust::whole(&at.half_opening, &ring).residual(&at.thrust);
     let lower = thrust::lower(&at.rotation_joint, &ring).residual(&at.thrust);
@@ -127,7 +112,7 @@ fn shift_point(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 fn junction_point(d: &mut Derivation) -> Result<Finding, Undecided> {
-    let at = letters();
+    let at = variables();
     for weight in SelfWeight::ALL {
         let ring = Ring::new(weight, &at.thickness);
         let tangency = thrust::tangency(&at.thrust.int(1), &ring).residual(&at.thrust);

@@ -32,6 +32,7 @@ mod domains;
 mod frictions;
 mod joining;
 mod landmarks;
+mod letters;
 mod moments;
 mod overturning;
 mod sliding;

@@ -1,5 +1,6 @@
 //! Purely overturning states and the end of rotation: (13)–(16).
 
+use super::letters::ring;
 use super::{Claim, Derivation, Finding};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::certify::Undecided;
@@ -67,10 +68,6 @@ pub(super) const CLAIMS: &[Claim] = &[
         decide: shared_opening,
     },
 ];
-
-fn ring() -> Ring<Fraction> {
-    Ring::with_flag(&Symbol::Flag.number(), &Symbol::Thickness.number())
-}
 
 fn without_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.assume("h = 0; 2 + eta != 0; cos(alpha) != 1");

@@ -6,7 +6,7 @@ use super::landmarks::{certain_if, enclosed, state_of};
 use super::{Claim, Derivation, Finding, Support};
 use crate::arch::{Landmark, Mode, Quantity, Ring, SelfWeight, sliding, statics, thrust};
 use crate::certify::{CertifiedLandmark, Comparison, Exact, Relation, Undecided, compare_weights};
-use crate::number::{Angle, Ball, Enclosure, Field, Real, Rounded, Surd};
+use crate::number::{Angle, Ball, Enclosure, Field, Real, Rounded};
 use crate::symbolic::{Polynomial, Relations, Symbol};
 use std::sync::OnceLock;
 
@@ -133,19 +133,13 @@ fn compared(
     }
 }
 
-fn enclosure_of(value: &Surd) -> Ball {
-    let (rational, factor, radicand) = value.parts();
-    let root = Ball::integer(radicand as i32, 128).sqrt();
-    Ball::enclosing(rational, 128) + Ball::enclosing(factor, 128) * root
-}
-
 fn limits_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
     let exact = |landmark: Landmark, weight, quantity: Quantity| match CertifiedLandmark::new(
         landmark, weight,
     )?
     .exact(quantity)
     {
-        Some(Exact::Surd(value)) => Ok(enclosure_of(&value)),
+        Some(Exact::Surd(value)) => Ok(value.enclosure(128)),
         _ => Err(Undecided(format!("{} at {}", quantity.name(), landmark.symbol()))),
     };
     use {Landmark::*, Quantity::*};

@@ -1,7 +1,7 @@
 //! Exact numbers `a + b√d` with rational `a`, `b`: where the closed-form landmark values live.
 
-use super::{ExactField, Field};
-use rug::Rational;
+use super::{Ball, ExactField, Field, Real};
+use rug::{Integer, Rational};
 use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -33,6 +33,12 @@ impl Surd {
     /// The rational part, the factor of the root, and the radicand.
     pub fn parts(&self) -> (&Rational, &Rational, u32) {
         (&self.rational, &self.factor, self.radicand)
+    }
+
+    /// A ball of `prec` bits that holds it.
+    pub fn enclosure(&self, prec: u32) -> Ball {
+        let root = Ball::from_integer(&Integer::from(self.radicand), prec).sqrt();
+        Ball::enclosing(&self.rational, prec) + Ball::enclosing(&self.factor, prec) * root
     }
 
     fn map2(self, other: &Self, f: impl Fn(&Rational, &Rational) -> Rational) -> Self {
