@@ -92,7 +92,9 @@ impl Arch {
     }
 
     fn answer(&self, digits: usize, asked: Asked) -> Result<Answer, Doubt> {
-        self.raised(digits, |bits| {
+        let first = bits_of(digits) + GUARD;
+        let lost = if self.is_small(first) { 0 } else { self.bits_lost() };
+        raised(first + lost, |bits| {
             Ok(match Query::new(self, bits).outcome(asked)? {
                 Outcome::Falls(fall) => Some(Answer::Falls(fall)),
                 Outcome::Stands(state) => {
@@ -108,27 +110,24 @@ impl Arch {
         thickness: &ExactNumber,
         digits: usize,
     ) -> Result<AssessmentDigits, Doubt> {
-        self.raised(digits, |bits| Ok(self.assess(thickness, bits)?.digits(digits)))
-    }
-
-    fn raised<T>(
-        &self,
-        digits: usize,
-        proof: impl Fn(u32) -> Attempt<Option<T>>,
-    ) -> Result<T, Doubt> {
         let first = bits_of(digits) + GUARD + self.bits_lost();
-        let mut bits = first;
-        let mut last = Doubt { question: "the rounding", between: Vec::new(), gap: f64::NAN };
-        while bits <= ENOUGH.max(4 * first) {
-            match proof(bits) {
-                Ok(Some(answer)) => return Ok(answer),
-                Ok(None) => {}
-                Err(doubt) => last = doubt,
-            }
-            bits *= 2;
-        }
-        Err(last)
+        raised(first, |bits| Ok(self.assess(thickness, bits)?.digits(digits)))
     }
+}
+
+/// A proof that decides everything: `first` bits, and twice as many until they are enough.
+fn raised<T>(first: u32, proof: impl Fn(u32) -> Attempt<Option<T>>) -> Result<T, Doubt> {
+    let mut bits = first;
+    let mut last = Doubt { question: "the rounding", between: Vec::new(), gap: f64::NAN };
+    while bits <= ENOUGH.max(4 * first) {
+        match proof(bits) {
+            Ok(Some(answer)) => return Ok(answer),
+            Ok(None) => {}
+            Err(doubt) => last = doubt,
+        }
+        bits *= 2;
+    }
+    Err(last)
 }
 
 impl Assessment {
