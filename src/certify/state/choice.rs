@@ -2,7 +2,8 @@
 
 use super::question::{Arch, Attempt, Query, decide, require};
 use crate::arch::{
-    Configuration, Equation, Landmark, Mode, SelfWeight, Unknown, contact, sliding, tally, thrust,
+    Configuration, Equation, Landmark, Mode, Ring, SelfWeight, Unknown, contact, sliding, tally,
+    thrust,
 };
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::check::{conditions, inner_friction, room_for_steepest, shoulder_friction};
@@ -207,7 +208,13 @@ impl Query {
             return Ok(Rotation { state: root.into_state(Mode::Rotational), frictions });
         }
         let start = start_state::rotational(self.weight, &self.alpha());
-        let at = self.root(Mode::Rotational.system(), &start)?;
+        let mut at = self.root(Mode::Rotational.system(), &start)?;
+        let ring = Ring::new(self.weight, &at.thickness);
+        // The same number; next to the end of rotation it is tiny, and this encloses it better.
+        let touching = thrust::touching(&at.rotation_joint, &ring).value();
+        if touching.rad() < at.thrust.rad() {
+            at.thrust = touching;
+        }
         self.prove(Mode::Rotational, &at, false)?;
         let mut frictions = None;
         if friction_matters {
