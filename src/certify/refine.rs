@@ -14,7 +14,7 @@
 //! encloses in one. The box has to lie in the one where the root is known to be unique.
 
 use super::{Isolated, Undecided};
-use crate::arch::{Configuration, Fixed, Point, System, Unknown};
+use crate::arch::{Configuration, Fixed, Point, System, Unknown, tally};
 use crate::check::krawczyk;
 use crate::number::{Anchor, Angle, Ball, Enclosure, Magnitude, arctangent};
 use crate::solve::inverse;
@@ -120,6 +120,7 @@ impl<'a> Level<'a> {
     ) -> Result<Self, Undecided> {
         let step = bits / STRETCH + GUARD;
         let bits = bits + GUARD;
+        tally::working_bits(bits);
         let centre = approximate(system, start, step)?;
         let anchor = |index: usize| {
             system.unknowns[index].is_angle().then(|| {
@@ -148,6 +149,7 @@ impl<'a> Level<'a> {
 
     /// A Newton step to `bits` bits.
     fn advance(&mut self, bits: u32) {
+        tally::newton_step();
         let corrections = self.corrections(bits);
         for (x, (dx, _)) in self.centre.iter_mut().zip(corrections) {
             *x = Float::with_val(bits, &*x - dx.mid());
