@@ -403,7 +403,7 @@ pub fn climb(limit: &Limit, k: u32, budget: Duration) -> Vec<Rung> {
             });
         }
         if limit.is_small {
-            add("scaled equations, Newton, 53 bits", 53, &|| target.scaled(53));
+            add("scaled equations, 53 bits", 53, &|| target.scaled(53));
         }
         if matches!(target, Target::State { mode: Mode::Rotational, .. }) {
             add("series or table, double", 53, &|| Some(target.start(53)?.swap_remove(index)));
