@@ -8,6 +8,7 @@ mod constants;
 mod output;
 mod progress;
 mod prove;
+mod rows;
 mod state;
 mod states;
 mod study;
