@@ -9,15 +9,17 @@ mod constant;
 mod cover;
 mod exact;
 mod isolate;
+mod printed;
 mod refine;
 pub mod state;
 mod verdict;
 
-pub use audit::{Audited, Comparison, PrintedVerdict, Relation, audit, compare_weights};
+pub use audit::{Audited, Comparison, Relation, audit, compare_weights};
 pub use certificate::{certify_landmark, certify_state};
 pub use constant::{CertifiedLandmark, Constant, MAX_DIGITS, Value, quantities};
 pub use cover::{between, cover};
 pub use exact::Exact;
 pub use isolate::{Isolated, isolate};
+pub use printed::PrintedVerdict;
 pub use refine::{Refined, refine, refine_watched, stages};
 pub use verdict::Undecided;
