@@ -9,6 +9,7 @@ mod constant;
 mod cover;
 mod exact;
 mod isolate;
+pub mod judge;
 mod printed;
 mod refine;
 pub mod state;

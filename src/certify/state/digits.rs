@@ -103,7 +103,8 @@ impl Arch {
         self.raised(digits, |bits| Ok(self.assess(thickness, bits)?.digits(digits)))
     }
 
-    fn raised<T>(
+    /// What a proof finds, with more bits until it does; the doubt that stays otherwise.
+    pub(in crate::certify) fn raised<T>(
         &self,
         digits: usize,
         proof: impl Fn(u32) -> Attempt<Option<T>>,
