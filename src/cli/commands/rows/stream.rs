@@ -7,7 +7,7 @@ use std::io::Read;
 use std::time::Duration;
 
 /// Rows that are read, answered, and handed on before the next are read.
-const CHUNK: usize = 2048;
+pub const CHUNK: usize = 2048;
 
 /// Answers the rows on all cores and hands each chunk on in the order of the rows, until there are no
 /// more or `take` says with `false` that it has enough. Answers how many rows were handed on.
