@@ -26,6 +26,7 @@ pub struct Claimed {
     /// Whether it is an angle in degrees.
     pub degrees: bool,
     pub(super) value: Value,
+    size: u64,
 }
 
 #[derive(Clone, Debug)]
@@ -77,7 +78,7 @@ pub enum ClaimError {
 /// Digits of a claim; more are not printed by anybody, and cost a long time.
 const MAX_DIGITS: usize = 10_000;
 /// Powers of ten; the thickness of the smallest half opening that is read is above.
-const MAX_SIZE: u64 = 10_000;
+const MAX_SIZE: u64 = 5_000;
 
 /// How it is written that there is no solution, besides nothing at all.
 const NOTHING: [&str; 11] =
@@ -151,6 +152,7 @@ impl Claim {
 impl Claimed {
     fn read(measure: Measure, text: &str, degrees: bool) -> Result<Self, ClaimError> {
         let infinite = ["inf", "+inf", "infinity"];
+        let mut size = 0;
         let value = if measure == Measure::RotationalFriction && is_word(text, &infinite) {
             Value::Infinite
         } else if is_word(text, &NOTHING) {
@@ -162,7 +164,10 @@ impl Claimed {
                 Err(crate::number::ParseDecimalError::Exponent(_)) => return Err(range()),
                 Err(_) => return Err(ClaimError::Number(measure.name(), short(text))),
             };
-            let in_range = decimal.magnitude().unsigned_abs() <= MAX_SIZE
+            if !decimal.digits().is_empty() {
+                size = decimal.magnitude().unsigned_abs();
+            }
+            let in_range = size <= MAX_SIZE
                 && decimal.exponent().unsigned_abs() <= MAX_SIZE + MAX_DIGITS as u64
                 && decimal.significant_digits() <= MAX_DIGITS;
             if !in_range {
@@ -170,7 +175,12 @@ impl Claimed {
             }
             Value::Number(PrintedNumber::from_decimal(&decimal).ok_or_else(range)?)
         };
-        Ok(Self { measure, text: text.to_owned(), degrees, value })
+        Ok(Self { measure, text: text.to_owned(), degrees, value, size })
+    }
+
+    /// The power of ten next to it, of either sign; none for zero.
+    pub(super) fn size(&self) -> u64 {
+        self.size
     }
 
     /// Significant digits as written; none for zero.

@@ -65,8 +65,15 @@ pub enum CorrectDigits {
 const SHOWN: usize = 17;
 const BEYOND: usize = 3;
 
+/// Digits of the truth with which a claim is compared at first. A claim of an absurd size is told from
+/// round numbers only by digits as far from its own as that.
+pub(super) fn compared_digits(claimed: &Claimed) -> usize {
+    const ORDINARY: u64 = 100;
+    shown_digits(claimed) + claimed.size().saturating_sub(ORDINARY) as usize
+}
+
 /// Digits that the certified value beside a claim has.
-pub(super) fn shown_digits(claimed: &Claimed) -> usize {
+fn shown_digits(claimed: &Claimed) -> usize {
     SHOWN.max(claimed.significant_digits() + BEYOND)
 }
 
@@ -141,10 +148,12 @@ impl Judged {
         Some(())
     }
 
-    /// Whether the number is right as far as it goes: exact, or the correct rounding of the truth.
+    /// Whether the number is right as far as it goes: exact, or the correct rounding of the truth. A zero
+    /// that stands for a number below half a unit has no digit that could be right.
     pub fn is_correctly_rounded(&self) -> bool {
         self.correct_digits == CorrectDigits::Exact
-            || self.rounding == Some(PrintedVerdict::CorrectlyRounded)
+            || (self.rounding == Some(PrintedVerdict::CorrectlyRounded)
+                && self.correct_digits > CorrectDigits::Digits(0))
     }
 }
 
@@ -285,6 +294,12 @@ mod tests {
         let found = judged("1e-17", &zero);
         assert_eq!(found.correct_digits, CorrectDigits::Digits(16), "decimal places count");
         assert!(found.errors.unwrap().relative.is_none());
+    }
+
+    #[test]
+    fn a_zero_is_not_a_short_number() {
+        assert!(judged("0.3", &third()).is_correctly_rounded());
+        assert!(!judged("0", &third()).is_correctly_rounded());
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::claim::Claim;
 use super::measure::Measure;
-use super::number::{CorrectDigits, Judged, shown_digits};
+use super::number::{CorrectDigits, Judged, compared_digits};
 use crate::arch::Mode;
 use crate::certify::state::{Arch, Doubt, Fall, Outcome, State};
 use std::cmp::Ordering;
@@ -146,7 +146,7 @@ impl Judgement {
 /// comparison is decided.
 pub fn judge(arch: &Arch, claim: &Claim, demand: Demand) -> Judgement {
     let bare = |standing, verdict| Judgement { standing, verdict, numbers: Vec::new() };
-    let digits = claim.numbers.iter().map(shown_digits).max().unwrap_or(1);
+    let digits = claim.numbers.iter().map(compared_digits).max().unwrap_or(1);
     let compared = arch.raised(digits, |bits| {
         Ok(match (arch.state(bits)?, claim.stands) {
             (Outcome::Falls(fall), stands) => {

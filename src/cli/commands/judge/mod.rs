@@ -45,7 +45,6 @@ use std::path::PathBuf;
 /// Exit codes: 0 all rows are accepted; 1 some are not; 2 some cannot be read, or bad usage; 3 a
 /// resource or I/O failure.
 #[derive(Args)]
-#[command(verbatim_doc_comment)]
 pub struct Arguments {
     /// The results; `-` is standard input.
     #[arg(value_name = "FILE")]
@@ -66,7 +65,7 @@ pub struct Arguments {
     /// computed with if the file has all digits of its input. An angle in degrees is then rounded in
     /// degrees and again in radians. If the file has rounded its input further, nobody knows what was
     /// computed, and the errors are those of the input too.
-    #[arg(long, value_parser = ["exact", "double"], default_value = "exact", verbatim_doc_comment)]
+    #[arg(long, value_parser = ["exact", "double"], default_value = "exact")]
     inputs: String,
 
     /// Correct digits that every number of an accepted row has. Without this 3, or fewer where fewer
@@ -75,7 +74,7 @@ pub struct Arguments {
     accept: Option<usize>,
 
     /// How many of the worst rows are shown, up to 1000.
-    #[arg(long, value_name = "N", default_value = "5", value_parser = clap::value_parser!(u16).range(0..=1000))]
+    #[arg(long, value_name = "N", default_value = "5", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(0..=1000))]
     worst: u16,
 
     /// Output format: table or json, a summary with a histogram and the worst rows; csv or jsonl, every

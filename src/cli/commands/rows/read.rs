@@ -133,15 +133,23 @@ fn skip_line(input: &mut impl BufRead) {
 pub fn csv_records(
     input: impl Read + 'static,
 ) -> Result<(csv::StringRecord, impl Iterator<Item = Line<csv::StringRecord>>), Failure> {
-    let mut reader =
-        csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(input);
+    // A carriage return before the end of a line is trimmed away like a space; as a terminator of its
+    // own it would make the numbers of the lines one too small.
+    let mut reader = csv::ReaderBuilder::new()
+        .flexible(true)
+        .trim(csv::Trim::All)
+        .terminator(csv::Terminator::Any(b'\n'))
+        .from_reader(input);
     let header = reader.headers().map_err(|error| Failure::Input(error.to_string()))?.clone();
-    let rows = reader.into_records().map(|record| match record {
+    let columns = header.len();
+    let rows = reader.into_records().filter_map(move |record| match record {
         Err(error) => {
             let line = error.position().map_or(0, csv::Position::line);
-            (line, Err(error.to_string()))
+            Some((line, Err(error.to_string())))
         }
-        Ok(record) => (record.position().map_or(0, csv::Position::line), Ok(record)),
+        // A line of white space.
+        Ok(record) if columns > 1 && record.len() == 1 && record[0].is_empty() => None,
+        Ok(record) => Some((record.position().map_or(0, csv::Position::line), Ok(record))),
     });
     Ok((header, rows))
 }
