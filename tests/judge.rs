@@ -82,7 +82,7 @@ fn the_literature_is_right() {
 fn queries() -> String {
     let mut text = String::from("weight,half_opening,friction\n");
     for weight in ["heyman", "milankovitch"] {
-        for i in 1..=60 {
+        for i in (1..=60).step_by(2) {
             for friction in ["0.2", "1/3", "0.7", "1.3", "1.6", "40"] {
                 text += &format!("{weight},{i}/23,{friction}\n");
             }
@@ -100,7 +100,7 @@ fn our_own_states_are_right() {
         let states = run(&["states", "--digits", digits, "--format", format], queries().as_bytes());
         assert_eq!(states.status.code(), Some(0));
         let (code, rows) = rows(&["--accept", digits], &states.stdout);
-        assert_eq!((code, rows.len()), (Some(0), 960), "{digits} {format}");
+        assert_eq!((code, rows.len()), (Some(0), 480), "{digits} {format}");
         let wrong = rows.iter().find(|row| {
             row["verdict"] != if row["stands"] == true { "correctly rounded" } else { "correct" }
         });
@@ -108,7 +108,7 @@ fn our_own_states_are_right() {
         let count = |mode: &str| rows.iter().filter(|row| row["mode"] == *mode).count();
         assert!(["[r,r,r]", "[s,r,r]", "[r,r,s]", "[r,s]", "[r]"].iter().all(|m| count(m) > 0));
         let falls = rows.iter().filter(|row| row["stands"] == false).count();
-        assert!(falls > 100 && rows.len() - falls > 100);
+        assert!(falls > 50 && rows.len() - falls > 100);
     }
 }
 
@@ -153,7 +153,7 @@ fn a_wrong_last_digit_is_seen_everywhere() {
             seen += 1;
         }
     }
-    assert!(seen > 3000, "{seen}");
+    assert!(seen > 1500, "{seen}");
     assert!(verdicts(&rows).iter().all(|verdict| *verdict == "correct"));
 }
 
@@ -401,12 +401,12 @@ fn bad_rows_do_not_stop_the_others() {
     ];
     for row in bad {
         input.extend(row);
-        input.extend(b"\r\n\"1\",\"0.5\",\"1e-5000\"\r\n");
+        input.extend(b"\r\n\"1\",\"0.5\",\"1e-9\"\r\n");
     }
-    input.extend(b"1,1,1e3000\n1,1,-1\n1,\"0.5\",0.02");
+    input.extend(b"1,1,1e3000\n1,1,1e-5000\n1,1,-1\n1,\"0.5\",0.02");
     let (code, rows) = rows(&["--weight", "heyman"], &input);
     assert_eq!(code, Some(2));
-    assert_eq!(rows.len(), 2 * bad.len() + 3);
+    assert_eq!(rows.len(), 2 * bad.len() + 4);
     for (index, row) in rows.iter().take(2 * bad.len()).enumerate() {
         assert_eq!(row["line"], index + 2);
         let verdict = if index % 2 == 0 { "bad row" } else { "thinner than the least thickness" };
@@ -415,7 +415,8 @@ fn bad_rows_do_not_stop_the_others() {
     }
     let last = &verdicts(&rows)[2 * bad.len()..];
     let thicker = "thicker than the least thickness";
-    assert_eq!(last, [thicker, "thinner than the least thickness", "correctly rounded"]);
+    let thinner = "thinner than the least thickness";
+    assert_eq!(last, [thicker, thinner, thinner, "correctly rounded"]);
 }
 
 #[test]

@@ -65,11 +65,12 @@ pub enum CorrectDigits {
 const SHOWN: usize = 17;
 const BEYOND: usize = 3;
 
-/// Digits of the truth with which a claim is compared at first. A claim of an absurd size is told from
-/// round numbers only by digits as far from its own as that.
+/// Digits of the truth with which a claim is compared at first. A claim of an absurd size has a relative
+/// error so near to a round number that only digits as far from its own as that tell them apart.
 pub(super) fn compared_digits(claimed: &Claimed) -> usize {
     const ORDINARY: u64 = 100;
-    shown_digits(claimed) + claimed.size().saturating_sub(ORDINARY) as usize
+    let size = claimed.size();
+    shown_digits(claimed) + if size > ORDINARY { size as usize } else { 0 }
 }
 
 /// Digits that the certified value beside a claim has.

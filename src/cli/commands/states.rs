@@ -39,12 +39,14 @@ struct Query {
     thickness: Option<String>,
 }
 
+type Queries = Box<dyn Iterator<Item = Line<Query>>>;
+
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let source = Source::open(None)?;
     let progress = Progress::new(&source);
     let json_in = source.kind == Kind::JsonLines;
     let input = progress.counted(source.into_reader());
-    let (lines, thickness): (Box<dyn Iterator<Item = Line<Query>>>, bool) = if json_in {
+    let (lines, thickness): (Queries, bool) = if json_in {
         let mut lines = json_lines(input, json_query).peekable();
         // One shape of output for all: that of the first query.
         let first = lines.peek().and_then(|(_, query)| query.as_ref().ok());
@@ -185,9 +187,7 @@ fn json_query(bytes: &[u8]) -> Result<Query, String> {
 }
 
 /// The queries of a CSV file, and whether it has a column for the thickness.
-fn csv_lines(
-    input: impl Read + 'static,
-) -> Result<(Box<dyn Iterator<Item = Line<Query>>>, bool), Failure> {
+fn csv_lines(input: impl Read + 'static) -> Result<(Queries, bool), Failure> {
     let (header, records) = csv_records(input)?;
     let column = |names: &[&str]| header.iter().position(|name| names.contains(&name));
     let required = |names: &[&str]| {
