@@ -74,7 +74,9 @@ fn the_literature_is_right() {
     let table = String::from_utf8(table.stdout).unwrap();
     assert!(table.starts_with("11 rows: 11 accepted"), "{table}");
     assert!(
-        table.contains("thickness                  10        10         0         0       6"),
+        table.contains(
+            "thickness                  10        10         0         0         0       6"
+        ),
         "{table}"
     );
 }

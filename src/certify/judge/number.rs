@@ -3,7 +3,7 @@
 use super::claim::{Claimed, Value};
 use super::measure::{Measure, Truth};
 use crate::certify::printed::{Error, Known, PrintedNumber, PrintedVerdict};
-use crate::number::{Ball, Decimal, Field, Real, Rounded};
+use crate::number::{Ball, Decimal, ExactNumber, Field, Real, Rounded};
 use rug::ops::Pow;
 use rug::{Integer, Rational};
 use std::cmp::Ordering;
@@ -23,6 +23,9 @@ pub struct Judged {
     pub correct_digits: CorrectDigits,
     /// How the last place was rounded; `None` unless both are finite.
     pub rounding: Option<PrintedVerdict>,
+    /// Whether the claim, read as a double, is the double nearest to the truth: the best that a program
+    /// in double precision can print, however it rounds. `None` unless both are finite.
+    pub is_nearest_double: Option<bool>,
     /// Whether the claim is below, equal to or above the truth; `None` unless both are finite.
     pub order: Option<Ordering>,
 }
@@ -99,6 +102,7 @@ impl Judged {
             errors: None,
             correct_digits: CorrectDigits::Digits(0),
             rounding: None,
+            is_nearest_double: None,
             order: None,
         };
         match (&claimed.value, &truth) {
@@ -145,6 +149,12 @@ impl Judged {
             }
         };
         self.errors = Some(Errors { absolute: size, relative, units: units.shown()?, ulp });
+        let nearest = match truth {
+            Known::Exact(x) => ExactNumber::rational(x.clone()).nearest_double(),
+            Known::Enclosed(x) => Some(x.nearest_double()?),
+        };
+        let double = ExactNumber::rational(number.value.clone()).nearest_double();
+        self.is_nearest_double = Some(double.is_some() && double == nearest);
         (self.rounding, self.order) = (Some(rounding), Some(order));
         Some(())
     }
@@ -282,6 +292,14 @@ mod tests {
         assert!(judged("0", &tiny).errors.unwrap().ulp.unwrap().to_string() == "1.5");
         let huge = Truth::Finite(Known::Exact(Rational::from(1) << 1024u32));
         assert!(judged("1", &huge).errors.unwrap().ulp.is_none());
+    }
+
+    #[test]
+    fn the_nearest_double_whatever_its_digits() {
+        let nearest = |text: &str| judged(text, &third()).is_nearest_double.unwrap();
+        assert!(nearest("0.3333333333333333") && nearest(&format!("{:.40}", 1.0 / 3.0)));
+        assert!(nearest("0.33333333333333330"), "which is rounded wrongly as a decimal");
+        assert!(!nearest("0.333333333333333") && !nearest("0.33333333333333339"));
     }
 
     #[test]

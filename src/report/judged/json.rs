@@ -40,6 +40,7 @@ struct NumberEntry<'a> {
     error_ulp: Option<String>,
     correct_digits: String,
     rounding: Option<&'static str>,
+    nearest_double: Option<bool>,
 }
 
 impl<'a> NumberEntry<'a> {
@@ -62,6 +63,7 @@ impl<'a> NumberEntry<'a> {
             error_ulp: text(errors.and_then(|e| e.ulp.as_ref())),
             correct_digits: digits(number.correct_digits),
             rounding: number.rounding.map(|rounding| rounding.name()),
+            nearest_double: number.is_nearest_double,
         }
     }
 }
@@ -121,6 +123,7 @@ struct MeasureEntry {
     correctly_rounded: u64,
     faithful: u64,
     wrong: u64,
+    nearest_doubles: u64,
     least_correct_digits: String,
     largest_relative_error: Option<String>,
 }
@@ -139,6 +142,7 @@ pub fn summary(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()
             correctly_rounded: m.correctly_rounded,
             faithful: m.faithful,
             wrong: m.wrong(),
+            nearest_doubles: m.nearest_doubles,
             least_correct_digits: digits(m.least),
             largest_relative_error: m.largest_relative.as_ref().map(ToString::to_string),
         };

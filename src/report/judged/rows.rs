@@ -32,7 +32,7 @@ const COLUMNS: [&str; 13] = [
 ];
 
 /// The columns of a number, behind its name.
-const NUMBER_COLUMNS: [&str; 8] = [
+const NUMBER_COLUMNS: [&str; 9] = [
     "_claimed",
     "",
     "_error",
@@ -41,6 +41,7 @@ const NUMBER_COLUMNS: [&str; 8] = [
     "_error_ulp",
     "_correct_digits",
     "_rounding",
+    "_nearest_double",
 ];
 
 impl JudgedRows {
@@ -119,5 +120,6 @@ fn fields(number: &Judged) -> [String; NUMBER_COLUMNS.len()] {
         shown(ulp),
         digits(number.correct_digits),
         number.rounding.map_or(String::new(), |rounding| rounding.name().to_owned()),
+        number.is_nearest_double.map_or(String::new(), |nearest| nearest.to_string()),
     ]
 }

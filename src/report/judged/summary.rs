@@ -34,6 +34,7 @@ pub(super) struct MeasureSummary {
     pub(super) judged: u64,
     pub(super) correctly_rounded: u64,
     pub(super) faithful: u64,
+    pub(super) nearest_doubles: u64,
     pub(super) least: CorrectDigits,
     pub(super) largest_relative: Option<Decimal>,
 }
@@ -129,6 +130,7 @@ impl MeasureSummary {
             judged: 0,
             correctly_rounded: 0,
             faithful: 0,
+            nearest_doubles: 0,
             least,
             largest_relative: None,
         }
@@ -138,6 +140,7 @@ impl MeasureSummary {
         self.judged += 1;
         self.correctly_rounded += u64::from(number.is_correctly_rounded());
         self.faithful += u64::from(number.rounding == Some(PrintedVerdict::Faithful));
+        self.nearest_doubles += u64::from(number.is_nearest_double == Some(true));
         self.least = self.least.min(number.correct_digits);
         let relative = number.errors.as_ref().and_then(|errors| errors.relative.clone());
         if by_size(self.largest_relative.as_ref(), relative.as_ref()) == Ordering::Less {

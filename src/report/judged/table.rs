@@ -50,23 +50,28 @@ fn numbers(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
     }
     writeln!(
         out,
-        "\n{:<19} {:>9} {:>9} {:>9} {:>9} {:>7} {:>14}",
-        "numbers", "judged", "rounded", "faithful", "wrong", "digits", "relative error"
+        "\n{:<19} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7} {:>14}",
+        "numbers", "judged", "rounded", "faithful", "wrong", "doubles", "digits", "relative error"
     )?;
     for m in &summary.measures {
         writeln!(
             out,
-            "{:<19} {:>9} {:>9} {:>9} {:>9} {:>7} {:>14}",
+            "{:<19} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7} {:>14}",
             m.measure.name(),
             m.judged,
             m.correctly_rounded,
             m.faithful,
             m.wrong(),
+            m.nearest_doubles,
             digits(m.least),
             m.largest_relative.as_ref().map_or(String::new(), ToString::to_string),
         )?;
     }
-    writeln!(out, "rounded: correct in the last place; digits, relative error: of the worst")?;
+    writeln!(
+        out,
+        "rounded, faithful, wrong: in the last printed place; doubles: the nearest to the truth;"
+    )?;
+    writeln!(out, "digits, relative error: of the worst")?;
     if summary.thinner + summary.thicker > 0 {
         let (thinner, thicker) = (summary.thinner, summary.thicker);
         writeln!(

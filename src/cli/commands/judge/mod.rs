@@ -32,7 +32,8 @@ use std::path::PathBuf;
 ///
 /// A number is correct to k digits if its error is at most half a unit of the k-th significant digit of
 /// the true value (of the k-th decimal, where that is zero). How its last printed place is rounded is
-/// told besides: correctly rounded, faithful (less than a unit away) or wrong. Errors are absolute,
+/// told besides: correctly rounded, faithful (less than a unit away) or wrong; and whether the number is
+/// the double nearest to the truth, which is the best that double precision can do. Errors are absolute,
 /// relative, in units of the last printed place, and in units of the last place of the nearest double;
 /// they come from proved enclosures and are correctly rounded.
 ///
