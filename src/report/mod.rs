@@ -3,11 +3,13 @@
 mod claims;
 mod csv;
 mod json;
+mod judged;
 mod rows;
 mod study;
 mod table;
 
 pub use claims::{ClaimFormat, Claims};
+pub use judged::{JudgeSummary, JudgedRow, JudgedRows};
 pub use rows::{Answered, Rows};
 pub use study::{StudyFiles, accuracy_table, stability_table};
 

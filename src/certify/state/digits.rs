@@ -92,9 +92,7 @@ impl Arch {
     }
 
     fn answer(&self, digits: usize, asked: Asked) -> Result<Answer, Doubt> {
-        let first = bits_of(digits) + GUARD;
-        let lost = if self.is_small(first) { 0 } else { self.bits_lost() };
-        raised(first + lost, |bits| {
+        self.raised(digits, |bits| {
             Ok(match Query::new(self, bits).outcome(asked)? {
                 Outcome::Falls(fall) => Some(Answer::Falls(fall)),
                 Outcome::Stands(state) => {
@@ -112,6 +110,17 @@ impl Arch {
     ) -> Result<AssessmentDigits, Doubt> {
         let first = bits_of(digits) + GUARD + self.bits_lost();
         raised(first, |bits| Ok(self.assess(thickness, bits)?.digits(digits)))
+    }
+
+    /// What a proof of the state finds, with more bits until it does; the doubt that stays otherwise.
+    pub(in crate::certify) fn raised<T>(
+        &self,
+        digits: usize,
+        proof: impl Fn(u32) -> Attempt<Option<T>>,
+    ) -> Result<T, Doubt> {
+        let first = bits_of(digits) + GUARD;
+        let lost = if self.is_small(first) { 0 } else { self.bits_lost() };
+        raised(first + lost, proof)
     }
 }
 

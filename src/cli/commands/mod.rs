@@ -5,9 +5,11 @@ mod assess;
 mod audit;
 mod certify;
 mod constants;
+mod judge;
 mod output;
 mod progress;
 mod prove;
+mod rows;
 mod state;
 mod states;
 mod study;
@@ -24,6 +26,7 @@ pub enum Command {
     State(state::Arguments),
     Assess(assess::Arguments),
     States(states::Arguments),
+    Judge(judge::Arguments),
     Audit(audit::Arguments),
     Prove(prove::Arguments),
     Certify(certify::Arguments),
@@ -33,8 +36,8 @@ pub enum Command {
 
 impl Command {
     /// What to say to someone who names another.
-    pub const NAMES: &str = "; the commands are constants, state, assess, states, audit, prove, certify, \
-                             check and study";
+    pub const NAMES: &str = "; the commands are constants, state, assess, states, judge, audit, prove, \
+                             certify, check and study";
 
     /// Does what is asked.
     pub fn run(&self) -> Result<(), Failure> {
@@ -43,6 +46,7 @@ impl Command {
             Self::State(arguments) => state::run(arguments),
             Self::Assess(arguments) => assess::run(arguments),
             Self::States(arguments) => states::run(arguments),
+            Self::Judge(arguments) => judge::run(arguments),
             Self::Audit(arguments) => audit::run(arguments),
             Self::Prove(arguments) => prove::run(arguments),
             Self::Certify(arguments) => certify::run(arguments),

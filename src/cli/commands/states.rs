@@ -2,17 +2,15 @@
 
 use super::Failure;
 use super::arch::{angle, friction, thickness};
+use super::rows::{Kind, Line, Progress, Source, csv_records, in_order, json_lines};
 use crate::arch::SelfWeight;
 use crate::certify::state::{Answer, Arch};
 use crate::number::ExactNumber;
 use crate::report::{Answered, AssessReport, Rows, StateOf, StateReport};
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
-use rayon::prelude::*;
 use serde::Deserialize;
 use serde_json::value::RawValue;
-use std::io::{self, BufRead, BufReader, Read, Write};
-use std::time::Duration;
+use std::io::{self, Read, Write};
 
 /// Read queries from standard input, one a row, and write their states in the same order.
 ///
@@ -32,9 +30,6 @@ pub struct Arguments {
     format: Option<String>,
 }
 
-/// Rows that are read, computed on all cores, and written before the next are read.
-const CHUNK: usize = 2048;
-
 /// A query as it was read.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct Query {
@@ -44,61 +39,51 @@ struct Query {
     thickness: Option<String>,
 }
 
-/// A line of the input: its number, and the query or what is wrong with it.
-type Line = (u64, Result<Query, String>);
+type Queries = Box<dyn Iterator<Item = Line<Query>>>;
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let mut input = BufReader::new(io::stdin());
-    let json_in = first_character(&mut input).map_err(reading)? == Some(b'{');
-    let bar = bar();
-    let counted = bar.wrap_read(input);
-    let (mut lines, thickness): (Box<dyn Iterator<Item = Line>>, bool) = if json_in {
-        let mut lines = json_lines(counted).peekable();
+    let source = Source::open(None)?;
+    let progress = Progress::new(&source);
+    let json_in = source.kind == Kind::JsonLines;
+    let input = progress.counted(source.into_reader());
+    let (lines, thickness): (Queries, bool) = if json_in {
+        let mut lines = json_lines(input, json_query).peekable();
         // One shape of output for all: that of the first query.
         let first = lines.peek().and_then(|(_, query)| query.as_ref().ok());
         let thickness = first.is_some_and(|query| query.thickness.is_some());
         (Box::new(lines), thickness)
     } else {
-        csv_lines(counted)?
+        csv_lines(input)?
     };
     let json = arguments.format.as_deref().map_or(json_in, |format| format == "jsonl");
     let rows = Rows { json, thickness, doubles: arguments.digits == 17 };
-    let mut tally = Tally::default();
     let mut out = io::stdout().lock();
-    let mut put = |bytes: &[u8]| out.write_all(bytes).and_then(|()| out.flush());
-    let written = |result: io::Result<()>| match result {
+    let mut put = |bytes: &[u8]| match out.write_all(bytes).and_then(|()| out.flush()) {
         Ok(()) => Ok(true),
         // The reader has what it wanted.
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(false),
         Err(error) => Err(Failure::Io(format!("cannot write to standard output: {error}"))),
     };
-    if !written(rows.header().and_then(|header| put(&header)))? {
+    let header = rows.header().map_err(|error| Failure::Io(error.to_string()))?;
+    if !put(&header)? {
         return Ok(());
     }
-    loop {
-        let chunk: Vec<Line> = lines.by_ref().take(CHUNK).collect();
-        if chunk.is_empty() {
-            break;
-        }
-        let count = chunk.len() as u64;
-        let answers: Vec<(io::Result<Vec<u8>>, Tally)> = chunk
-            .into_par_iter()
-            .map(|(line, query)| answer(line, query, arguments.digits, &rows))
-            .collect();
-        let mut text = Vec::new();
-        for (row, outcome) in answers {
-            text.extend(row.map_err(|error| Failure::Io(error.to_string()))?);
-            tally.add(&outcome);
-        }
-        if !written(put(&text))? {
-            return Ok(());
-        }
-        tally.rows += count;
-        let rate = tally.rows as f64 / bar.elapsed().as_secs_f64().max(1e-3);
-        bar.set_message(format!("{} rows, {rate:.0} rows/s", tally.rows));
-    }
-    bar.finish_and_clear();
-    tally.verdict()
+    let (mut tally, mut closed) = (Tally::default(), false);
+    tally.rows = in_order(
+        lines,
+        &progress,
+        |(line, query)| answer(line, query, arguments.digits, &rows),
+        |answers| {
+            let mut text = Vec::new();
+            for (row, outcome) in answers {
+                text.extend(row.map_err(|error| Failure::Io(error.to_string()))?);
+                tally.add(&outcome);
+            }
+            closed = !put(&text)?;
+            Ok::<_, Failure>(!closed)
+        },
+    )?;
+    if closed { Ok(()) } else { tally.verdict() }
 }
 
 /// How many rows were bad, and how many undecided.
@@ -176,70 +161,6 @@ fn arch(query: &Query) -> Result<Arch, String> {
     Arch::new(weight, angle(&query.half_opening)?, friction).map_err(|error| error.to_string())
 }
 
-fn reading(error: io::Error) -> Failure {
-    Failure::Io(format!("cannot read standard input: {error}"))
-}
-
-/// The first character that is no white space, which is left unread.
-fn first_character(input: &mut impl BufRead) -> io::Result<Option<u8>> {
-    loop {
-        let buffer = input.fill_buf()?;
-        if buffer.is_empty() {
-            return Ok(None);
-        }
-        match buffer.iter().position(|c| !c.is_ascii_whitespace()) {
-            Some(place) => return Ok(Some(buffer[place])),
-            None => {
-                let length = buffer.len();
-                input.consume(length);
-            }
-        }
-    }
-}
-
-/// Lines longer than this are refused one by one; nothing that is read needs as much.
-const MAX_LINE: u64 = 1 << 17;
-
-/// The queries of JSON lines. Numbers are taken as they are written.
-fn json_lines(input: impl Read) -> impl Iterator<Item = Line> {
-    let mut input = BufReader::new(input);
-    let mut number = 0;
-    std::iter::from_fn(move || {
-        loop {
-            let mut bytes = Vec::new();
-            number += 1;
-            let read = input.by_ref().take(MAX_LINE).read_until(b'\n', &mut bytes);
-            match read {
-                Ok(0) => return None,
-                Err(error) => return Some((number, Err(error.to_string()))),
-                Ok(_) if bytes.len() as u64 == MAX_LINE && bytes.last() != Some(&b'\n') => {
-                    // The rest of the line is skipped in pieces, never held.
-                    skip_line(&mut input);
-                    return Some((number, Err(format!("a line of more than {MAX_LINE} bytes"))));
-                }
-                Ok(_) if bytes.iter().all(u8::is_ascii_whitespace) => {}
-                Ok(_) => return Some((number, json_query(&bytes))),
-            }
-        }
-    })
-}
-
-fn skip_line(input: &mut impl BufRead) {
-    while let Ok(buffer) = input.fill_buf() {
-        if buffer.is_empty() {
-            return;
-        }
-        let (length, ends) = match buffer.iter().position(|&c| c == b'\n') {
-            Some(place) => (place + 1, true),
-            None => (buffer.len(), false),
-        };
-        input.consume(length);
-        if ends {
-            return;
-        }
-    }
-}
-
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct JsonQuery<'a> {
@@ -266,13 +187,9 @@ fn json_query(bytes: &[u8]) -> Result<Query, String> {
 }
 
 /// The queries of a CSV file, and whether it has a column for the thickness.
-fn csv_lines(
-    input: impl Read + 'static,
-) -> Result<(Box<dyn Iterator<Item = Line>>, bool), Failure> {
-    let mut reader =
-        csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(input);
-    let headers = reader.headers().map_err(|error| Failure::Input(error.to_string()))?.clone();
-    let column = |names: &[&str]| headers.iter().position(|header| names.contains(&header));
+fn csv_lines(input: impl Read + 'static) -> Result<(Queries, bool), Failure> {
+    let (header, records) = csv_records(input)?;
+    let column = |names: &[&str]| header.iter().position(|name| names.contains(&name));
     let required = |names: &[&str]| {
         column(names).ok_or_else(|| {
             Failure::Input(format!(
@@ -287,42 +204,15 @@ fn csv_lines(
         required(&["friction", "mu"])?,
     );
     let thickness = column(&["thickness", "eta"]);
-    let lines = reader.into_records().map(move |record| match record {
-        Err(error) => {
-            let line = error.position().map_or(0, csv::Position::line);
-            (line, Err(error.to_string()))
+    let query = move |record: csv::StringRecord| {
+        let field = |place: usize| record.get(place).map(str::to_owned);
+        match (field(weight), field(half_opening), field(friction)) {
+            (Some(weight), Some(half_opening), Some(friction)) => {
+                Ok(Query { weight, half_opening, friction, thickness: thickness.and_then(field) })
+            }
+            _ => Err(format!("{} columns are too few", record.len())),
         }
-        Ok(record) => {
-            let line = record.position().map_or(0, csv::Position::line);
-            let field = |place: usize| record.get(place).map(str::to_owned);
-            let query = match (field(weight), field(half_opening), field(friction)) {
-                (Some(weight), Some(half_opening), Some(friction)) => Ok(Query {
-                    weight,
-                    half_opening,
-                    friction,
-                    thickness: thickness.and_then(field),
-                }),
-                _ => Err(format!("{} columns are too few", record.len())),
-            };
-            (line, query)
-        }
-    });
-    Ok((Box::new(lines), thickness.is_some()))
-}
-
-/// A bar with rate and time left, by the bytes read; hidden where standard error is no terminal.
-fn bar() -> ProgressBar {
-    let length = std::fs::metadata("/dev/stdin").ok().filter(|m| m.is_file()).map(|m| m.len());
-    let (bar, template) = match length {
-        Some(length) => (
-            ProgressBar::new(length),
-            "{spinner} {bar:40} {percent:>3}%  {msg}, {elapsed} elapsed, about {eta} left",
-        ),
-        None => (ProgressBar::new_spinner(), "{spinner} {msg}, {elapsed} elapsed"),
     };
-    if let Ok(style) = ProgressStyle::with_template(template) {
-        bar.set_style(style);
-    }
-    bar.enable_steady_tick(Duration::from_millis(200));
-    bar
+    let lines = records.map(move |(line, record)| (line, record.and_then(&query)));
+    Ok((Box::new(lines), thickness.is_some()))
 }
