@@ -3,7 +3,7 @@
 use super::exact::{Exact, exact};
 use super::{Isolated, Refined, Undecided, isolate, refine, refine_watched, stages};
 use crate::arch::{Landmark, Quantity, SelfWeight, System, Unknown, thrust};
-use crate::number::{Ball, Enclosure, Field, Real, Rounded, Ternary, bits_of};
+use crate::number::{Ball, Binary, Enclosure, Field, Real, Rounded, Ternary, bits_of};
 use crate::solve::{newton, start};
 use rayon::prelude::*;
 
@@ -24,7 +24,7 @@ pub struct CertifiedLandmark {
 }
 
 /// A quantity of a landmark with its digits.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Constant {
     /// The self-weight model.
     pub weight: SelfWeight,
@@ -36,6 +36,10 @@ pub struct Constant {
     pub value: Value,
     /// The exact value, where there is one.
     pub exact: Option<String>,
+    /// The nearest double of the true value, not of its digits; infinite where the value is.
+    pub double: f64,
+    /// What that double leaves open.
+    pub binary: Binary,
 }
 
 /// A finite value with bounds, or infinity.
@@ -130,7 +134,7 @@ impl CertifiedLandmark {
     ) -> Result<Vec<Constant>, Undecided> {
         let mut precision = Precision::new(digits)?;
         let mut refined = refine_watched(&self.isolated, precision.bits, tick)?;
-        let mut rounded: Vec<(Quantity, Option<Value>)> =
+        let mut rounded: Vec<(Quantity, Option<(Value, f64, Binary)>)> =
             quantities(self.landmark).map(|quantity| (quantity, None)).collect();
         loop {
             rounded.par_iter_mut().filter(|(_, value)| value.is_none()).for_each(
@@ -147,10 +151,11 @@ impl CertifiedLandmark {
             }
             refined = self.enclosure(precision.bits)?;
         }
-        let constant = |(quantity, value): (Quantity, Option<Value>)| {
+        let constant = |(quantity, found): (Quantity, Option<(Value, f64, Binary)>)| {
             let exact = self.exact(quantity).map(|exact| exact.text());
             let (weight, landmark) = (self.weight, self.landmark);
-            Some(Constant { weight, landmark, quantity, value: value?, exact })
+            let (value, double, binary) = found?;
+            Some(Constant { weight, landmark, quantity, value, exact, double, binary })
         };
         Ok(rounded.into_iter().filter_map(constant).collect())
     }
@@ -161,22 +166,34 @@ impl CertifiedLandmark {
         stages(&system) + quantities(landmark).count() as u64
     }
 
-    /// The rounded value, if the enclosure decides it.
-    fn rounded(&self, refined: &Refined, quantity: Quantity, digits: usize) -> Option<Value> {
+    /// The rounded value and its nearest double, if the enclosure decides both.
+    fn rounded(
+        &self,
+        refined: &Refined,
+        quantity: Quantity,
+        digits: usize,
+    ) -> Option<(Value, f64, Binary)> {
         let prec = || refined.value(Unknown::HalfOpening).map(|x| x.prec());
-        let rounded = match self.exact(quantity) {
-            Some(Exact::Infinite) => return Some(Value::Infinite),
+        let (rounded, ball) = match self.exact(quantity) {
+            Some(Exact::Infinite) => {
+                return Some((Value::Infinite, f64::INFINITY, Binary::infinite()));
+            }
             Some(Exact::Surd(surd)) => match surd.parts() {
                 (rational, factor, _) if factor.is_zero() => {
-                    Rounded::from_rational(rational, digits)?
+                    (Rounded::from_rational(rational, digits)?, Ball::enclosing(rational, prec()?))
                 }
-                _ => Rounded::from_ball(&surd.enclosure(prec()?), digits)?,
+                _ => {
+                    let ball = surd.enclosure(prec()?);
+                    (Rounded::from_ball(&ball, digits)?, ball)
+                }
             },
             Some(Exact::Pi(_)) | None => {
-                Rounded::from_ball(&self.quantity(refined, quantity)?, digits)?
+                let ball = self.quantity(refined, quantity)?;
+                (Rounded::from_ball(&ball, digits)?, ball)
             }
         };
-        Some(Value::Finite(rounded))
+        let double = ball.nearest_double()?;
+        Some((Value::Finite(rounded), double, Binary::new(&ball, double)))
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod claims;
 mod csv;
+pub mod export;
 mod json;
 mod rows;
 mod study;
@@ -15,6 +16,7 @@ use crate::arch::Mode;
 use crate::arch::{Landmark, SelfWeight, System};
 use crate::certify::state::{AssessmentDigits, Digits, Doubt, Fall};
 use crate::certify::{Audited, CertifiedLandmark, Comparison, Constant, Value};
+use export::{Export, ExportFormat, Subject};
 use std::io;
 
 /// An output format.
@@ -26,6 +28,28 @@ pub enum Format {
     Json,
     /// For a spreadsheet.
     Csv,
+}
+
+/// An output format of constants.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ConstantsFormat {
+    /// For a person.
+    Table,
+    /// For a spreadsheet.
+    Csv,
+    /// For another program.
+    Export(ExportFormat),
+}
+
+impl ConstantsFormat {
+    /// Whether it is not text.
+    pub fn is_binary(self) -> bool {
+        match self {
+            #[cfg(feature = "parquet")]
+            Self::Export(ExportFormat::Parquet) => true,
+            _ => false,
+        }
+    }
 }
 
 /// What `couplet constants` found.
@@ -46,6 +70,9 @@ pub struct LandmarkReport {
     pub weight: SelfWeight,
     /// What was proved, or why nothing is known.
     pub outcome: Result<Proved, String>,
+    /// The hash of its certificate ([`fingerprint`](crate::certify::fingerprint)) or why there is none;
+    /// `None` if it was not asked for.
+    pub fingerprint: Option<Result<String, String>>,
 }
 
 /// The box of the proof, and the constants.
@@ -194,11 +221,22 @@ fn reason(fall: Fall) -> &'static str {
 
 impl Constants {
     /// Writes the report.
-    pub fn write(&self, format: Format, out: &mut dyn io::Write) -> io::Result<()> {
+    pub fn write(&self, format: ConstantsFormat, out: &mut dyn io::Write) -> io::Result<()> {
         match format {
-            Format::Table => table::constants(self, out),
-            Format::Json => json::constants(self, out),
-            Format::Csv => csv::constants(self, out),
+            ConstantsFormat::Table => table::constants(self, out),
+            ConstantsFormat::Csv => csv::constants(self, out),
+            ConstantsFormat::Export(format) => export::write(format, &self.export(), out),
+        }
+    }
+
+    /// The constants for another program.
+    pub fn export(&self) -> Export {
+        let subject = |report| Subject::landmark(report, self.digits);
+        Export {
+            title: "Landmark constants of the finite-friction Couplet-Heyman problem",
+            schema: "couplet.constants/1",
+            digits: self.digits,
+            subjects: self.landmarks.iter().map(subject).collect(),
         }
     }
 }
