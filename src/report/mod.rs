@@ -192,8 +192,11 @@ impl StateAt {
     }
 }
 
-/// A double as C and many others write it in hexadecimal: exact.
+/// A double as C and many others write it in hexadecimal: exact. Infinity is `inf`, as `printf` has it.
 fn hexadecimal(x: f64) -> String {
+    if x.is_infinite() {
+        return x.to_string();
+    }
     if x == 0.0 {
         return "0x0p+0".to_owned();
     }
@@ -275,6 +278,7 @@ mod tests {
             (f64::MIN_POSITIVE, "0x1p-1022"),
             (5e-324, "0x1p-1074"),
             (f64::MAX, "0x1.fffffffffffffp+1023"),
+            (f64::NEG_INFINITY, "-inf"),
         ] {
             assert_eq!(hexadecimal(x), text);
         }
