@@ -134,30 +134,24 @@ impl CertifiedLandmark {
     ) -> Result<Vec<Constant>, Undecided> {
         let mut precision = Precision::new(digits)?;
         let mut refined = refine_watched(&self.isolated, precision.bits, tick)?;
-        let mut rounded: Vec<(Quantity, Option<(Value, f64, Binary)>)> =
+        let mut found: Vec<(Quantity, Option<Constant>)> =
             quantities(self.landmark).map(|quantity| (quantity, None)).collect();
         loop {
-            rounded.par_iter_mut().filter(|(_, value)| value.is_none()).for_each(
-                |(quantity, value)| {
-                    *value = self.rounded(&refined, *quantity, digits);
-                    if value.is_some() {
+            found.par_iter_mut().filter(|(_, constant)| constant.is_none()).for_each(
+                |(quantity, constant)| {
+                    *constant = self.constant(&refined, *quantity, digits);
+                    if constant.is_some() {
                         tick();
                     }
                 },
             );
-            match rounded.iter().find(|(_, value)| value.is_none()) {
+            match found.iter().find(|(_, constant)| constant.is_none()) {
                 None => break,
                 Some((quantity, _)) => precision.raise(*quantity)?,
             }
             refined = self.enclosure(precision.bits)?;
         }
-        let constant = |(quantity, found): (Quantity, Option<(Value, f64, Binary)>)| {
-            let exact = self.exact(quantity).map(|exact| exact.text());
-            let (weight, landmark) = (self.weight, self.landmark);
-            let (value, double, binary) = found?;
-            Some(Constant { weight, landmark, quantity, value, exact, double, binary })
-        };
-        Ok(rounded.into_iter().filter_map(constant).collect())
+        Ok(found.into_iter().filter_map(|(_, constant)| constant).collect())
     }
 
     /// How often [`CertifiedLandmark::constants`] reports progress for a landmark.
@@ -166,34 +160,32 @@ impl CertifiedLandmark {
         stages(&system) + quantities(landmark).count() as u64
     }
 
-    /// The rounded value and its nearest double, if the enclosure decides both.
-    fn rounded(
-        &self,
-        refined: &Refined,
-        quantity: Quantity,
-        digits: usize,
-    ) -> Option<(Value, f64, Binary)> {
+    /// The value rounded to digits and to a double, if the enclosure decides both.
+    fn constant(&self, refined: &Refined, quantity: Quantity, digits: usize) -> Option<Constant> {
         let prec = || refined.value(Unknown::HalfOpening).map(|x| x.prec());
-        let (rounded, ball) = match self.exact(quantity) {
-            Some(Exact::Infinite) => {
-                return Some((Value::Infinite, f64::INFINITY, Binary::infinite()));
-            }
-            Some(Exact::Surd(surd)) => match surd.parts() {
-                (rational, factor, _) if factor.is_zero() => {
-                    (Rounded::from_rational(rational, digits)?, Ball::enclosing(rational, prec()?))
-                }
-                _ => {
-                    let ball = surd.enclosure(prec()?);
-                    (Rounded::from_ball(&ball, digits)?, ball)
-                }
-            },
-            Some(Exact::Pi(_)) | None => {
-                let ball = self.quantity(refined, quantity)?;
-                (Rounded::from_ball(&ball, digits)?, ball)
-            }
+        let exact = self.exact(quantity);
+        let finite = |ball: Ball, rounded: Option<Rounded>| {
+            let double = ball.nearest_double()?;
+            Some((Value::Finite(rounded?), double, Binary::new(&ball, double)))
         };
-        let double = ball.nearest_double()?;
-        Some((Value::Finite(rounded), double, Binary::new(&ball, double)))
+        let from_ball = |ball: Ball| {
+            let rounded = Rounded::from_ball(&ball, digits);
+            finite(ball, rounded)
+        };
+        let (value, double, binary) = match &exact {
+            Some(Exact::Infinite) => (Value::Infinite, f64::INFINITY, Binary::infinite()),
+            Some(Exact::Surd(surd)) => match surd.parts() {
+                (rational, factor, _) if factor.is_zero() => finite(
+                    Ball::enclosing(rational, prec()?),
+                    Rounded::from_rational(rational, digits),
+                )?,
+                _ => from_ball(surd.enclosure(prec()?))?,
+            },
+            Some(Exact::Pi(_)) | None => from_ball(self.quantity(refined, quantity)?)?,
+        };
+        let exact = exact.map(|exact| exact.text());
+        let (weight, landmark) = (self.weight, self.landmark);
+        Some(Constant { weight, landmark, quantity, value, exact, double, binary })
     }
 }
 

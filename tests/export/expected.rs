@@ -5,6 +5,7 @@ use couplet::number::Decimal;
 use rug::{Float, Rational};
 use serde_json::Value;
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 /// A value: its nearest double, the doubles around it, and three of its digits.
 pub struct Expected {
@@ -80,7 +81,12 @@ fn expected(few: &Value, many: &Value) -> Expected {
 }
 
 /// All constants by name.
-pub fn all() -> BTreeMap<String, Expected> {
+pub fn all() -> &'static BTreeMap<String, Expected> {
+    static ALL: OnceLock<BTreeMap<String, Expected>> = OnceLock::new();
+    ALL.get_or_init(find)
+}
+
+fn find() -> BTreeMap<String, Expected> {
     let [few, many] = ["3", "60"].map(|digits| {
         let output = couplet(&["constants", "--digits", digits, "--format", "json"], "");
         serde_json::from_slice::<Value>(&output.stdout).unwrap()["constants"].clone()

@@ -57,5 +57,6 @@ fn value(
         writeln!(out, "  {name}.{field} = hex2num('{}');", bits(x))?;
     }
     writeln!(out, "  {name}.text = '{}';", value.texts()[0])?;
-    writeln!(out, "  {name}.digits = digits_of({name}.text, {digits});")
+    // `vpa` wants two digits at least.
+    writeln!(out, "  {name}.digits = digits_of({name}.text, {});", digits.max(2))
 }

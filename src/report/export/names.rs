@@ -25,7 +25,7 @@ pub fn capitals(subject: &Subject, value: &Exported) -> String {
     format!("{}_{}", words(&subject.of).join("_"), value.label.name).to_uppercase()
 }
 
-/// What stands at the top of a file, after the title.
+/// What stands at the top of a file.
 pub fn head(export: &Export) -> Vec<String> {
     let digits = export.digits;
     let plural = if digits == 1 { "" } else { "s" };
@@ -35,13 +35,14 @@ pub fn head(export: &Export) -> Vec<String> {
         format!("Every value is proved. Its text is the true value rounded to the nearest with {digits}"),
         format!("significant digit{plural}, exact where it ends before; inf is exactly infinite. Lengths are in"),
         "units of the centreline radius, forces of weight per length times radius, angles in radians".into(),
-        "unless the name says degrees. A is alpha cot(alpha/2). After each title stands a command that".into(),
-        "writes the certificate of the values, and the SHA-256 of what it writes.".into(),
+        "unless the name says degrees. A is alpha cot(alpha/2).".into(),
     ]
 }
 
-/// What is said of the numbers of a value, besides.
-pub const NUMBERS: [&str; 4] = [
+/// What is said in a program besides.
+const NUMBERS: [&str; 6] = [
+    "After each title stands the command that writes the certificate of the values, and the SHA-256 of",
+    "what it writes (| sha256sum).",
     "",
     "Numbers are doubles, bit for bit: the nearest to the true value (not to its text), one not above",
     "it (LOWER), one not below it (UPPER), and a bound of the error of the nearest (ERROR).",

@@ -66,16 +66,19 @@ impl ParquetRows {
     pub fn new(export: &Export) -> io::Result<Self> {
         let note = |key: &str, value: String| KeyValue::new(key.to_owned(), value);
         let certificate = "couplet certify LANDMARK --weight WEIGHT --digits DIGITS | sha256sum";
+        let mut notes = vec![
+            note("couplet.schema", export.schema.to_owned()),
+            note("couplet.tool", TOOL.to_owned()),
+            note("couplet.digits", export.digits.to_string()),
+            note("couplet.about", head(export).join("\n")),
+        ];
+        if export.subjects.iter().any(|subject| matches!(subject.of, Of::Landmark { .. })) {
+            notes.push(note("couplet.certificate", certificate.to_owned()));
+        }
         let properties = WriterProperties::builder()
             .set_compression(Compression::UNCOMPRESSED)
             .set_created_by(TOOL.to_owned())
-            .set_key_value_metadata(Some(vec![
-                note("couplet.schema", export.schema.to_owned()),
-                note("couplet.tool", TOOL.to_owned()),
-                note("couplet.digits", export.digits.to_string()),
-                note("couplet.about", head(export).join("\n")),
-                note("couplet.certificate", certificate.to_owned()),
-            ]))
+            .set_key_value_metadata(Some(notes))
             .build();
         let columns = COLUMNS.iter().map(|(name, column)| match column {
             Text(_) => format!("optional binary {name} (STRING);"),
