@@ -1,14 +1,18 @@
 //! Parquet files, read back.
 
-use crate::couplet;
 use crate::expected::all;
+use crate::{Scratch, couplet};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::{Field, Row};
 use std::collections::{BTreeMap, BTreeSet};
+use std::fs::File;
 
 /// The rows by column, and the metadata.
-fn read(file: Vec<u8>) -> (Vec<BTreeMap<String, Field>>, BTreeMap<String, String>) {
-    let reader = SerializedFileReader::new(bytes::Bytes::from(file)).unwrap();
+fn read(name: &str, file: Vec<u8>) -> (Vec<BTreeMap<String, Field>>, BTreeMap<String, String>) {
+    let scratch = Scratch::new(name);
+    scratch.write("table.parquet", file);
+    let file = File::open(scratch.0.join("table.parquet")).unwrap();
+    let reader = SerializedFileReader::new(file).unwrap();
     let notes = reader.metadata().file_metadata().key_value_metadata().unwrap();
     let notes = notes.iter().map(|note| (note.key.clone(), note.value.clone().unwrap()));
     let row = |row: Result<Row, _>| row.unwrap().into_columns().into_iter().collect();
@@ -25,7 +29,7 @@ fn double(field: &Field) -> u64 {
 
 #[test]
 fn constants_are_read_back_bit_for_bit() {
-    let (rows, notes) = read(crate::constants("parquet"));
+    let (rows, notes) = read("parquet-constants", crate::constants("parquet"));
     assert_eq!(
         (notes["couplet.digits"].as_str(), notes["couplet.schema"].as_str()),
         ("3", "couplet.constants/1")
@@ -59,7 +63,7 @@ fn states_have_a_row_for_each_value_and_for_each_that_has_none() {
     }
     let output = couplet(&["states", "--format", "parquet", "--digits", "5"], &input);
     assert_eq!(output.status.code(), Some(2), "one row is bad");
-    let (rows, notes) = read(output.stdout);
+    let (rows, notes) = read("parquet-states", output.stdout);
     assert_eq!(notes["couplet.schema"], "couplet.states/1");
     let lines: BTreeSet<i64> = rows
         .iter()
@@ -79,7 +83,7 @@ fn states_have_a_row_for_each_value_and_for_each_that_has_none() {
         &["states", "--format", "parquet"],
         "weight,alpha,mu,thickness\nheyman,pi/2,0.38,0.2\n",
     );
-    let (rows, _) = read(assessed.stdout);
+    let (rows, _) = read("parquet-assessed", assessed.stdout);
     assert_eq!(
         (text(&rows[0]["quantity"]), text(&rows[0]["thickness"])),
         ("least_thickness", "0.2")
@@ -90,5 +94,5 @@ fn states_have_a_row_for_each_value_and_for_each_that_has_none() {
 fn no_queries_make_a_file_without_rows() {
     let output = couplet(&["states", "--format", "parquet"], "weight,alpha,mu\n");
     assert_eq!(output.status.code(), Some(0));
-    assert!(read(output.stdout).0.is_empty());
+    assert!(read("parquet-empty", output.stdout).0.is_empty());
 }

@@ -9,7 +9,7 @@ const HEAD: &str = r"%
 % Needs \usepackage{booktabs,longtable,siunitx}.
 \begin{longtable}{lllll}
 \toprule
- & weight & quantity & certified value & printed in the paper, not certified \\
+ & weight & quantity & certified value & printed, not certified \\
 \midrule
 \endhead
 \bottomrule

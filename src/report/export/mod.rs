@@ -8,7 +8,7 @@
 //!
 //! In every language a value has one name, made of the subject, the weight and the quantity
 //! (`T_HEYMAN_THICKNESS`); the same name with `LOWER`, `UPPER`, `ERROR` added is what its double leaves
-//! open. [`names`] has the rules.
+//! open. `names.rs` has the rules.
 
 mod c;
 mod document;

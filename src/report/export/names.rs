@@ -123,3 +123,15 @@ pub fn doubles(value: &Exported) -> [(&'static str, f64); 4] {
         ("_ERROR", binary.error),
     ]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::safe;
+
+    #[test]
+    fn text_from_outside_ends_no_comment_and_no_string() {
+        assert_eq!(safe("2(2√3−3), pi/2, [r,r,s], 1e-3"), "2(2√3−3), pi/2, [r,r,s], 1e-3");
+        let hostile = "*/\"\"\"\n\r\\%}{#$`&~^?!|\u{2028}é";
+        assert_eq!(safe(hostile).replace('_', ""), "/");
+    }
+}

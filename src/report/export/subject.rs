@@ -201,10 +201,11 @@ impl Subject {
             landmark.symbol(),
             weight.name()
         );
-        let certificate = match &report.fingerprint {
-            Some(Ok(sha256)) => Certificate::Hash { command, sha256: sha256.clone() },
-            Some(Err(reason)) => Certificate::None(reason.clone()),
-            None => Certificate::None("not asked for".into()),
+        let certificate = match (&report.outcome, &report.fingerprint) {
+            (Err(_), _) => Certificate::None("nothing is proved".into()),
+            (_, Some(Ok(sha256))) => Certificate::Hash { command, sha256: sha256.clone() },
+            (_, Some(Err(reason))) => Certificate::None(reason.clone()),
+            (_, None) => Certificate::None("not asked for".into()),
         };
         let (status, values, proof) = match &report.outcome {
             Err(reason) => (Status::Undecided(reason.clone()), Vec::new(), None),
