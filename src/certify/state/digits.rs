@@ -4,7 +4,7 @@ use super::assess::{Assessment, Limit};
 use super::choice::{Asked, Fall, Frictions, Outcome, State};
 use super::question::{Arch, Attempt, Doubt, Query};
 use crate::arch::Mode;
-use crate::number::{Ball, ExactNumber, Rounded, bits_of};
+use crate::number::{Ball, Binary, ExactNumber, Rounded, bits_of};
 use rug::Rational;
 
 /// A proved state with its digits, or why nothing stands.
@@ -23,6 +23,8 @@ pub struct Figure {
     pub decimal: Rounded,
     /// The correctly rounded double.
     pub double: f64,
+    /// What that double leaves open.
+    pub binary: Binary,
 }
 
 /// The values of a proved state, correctly rounded.
@@ -177,7 +179,8 @@ impl Figure {
             true => Rounded::from_rational(&Rational::new(), digits)?,
             false => Rounded::from_ball(x, digits)?,
         };
-        Some(Self { decimal, double: x.nearest_double()? })
+        let double = x.nearest_double()?;
+        Some(Self { decimal, double, binary: Binary::new(x, double) })
     }
 }
 

@@ -17,7 +17,8 @@ mod study;
 use super::{Failure, check};
 use crate::arch::{Landmark, SelfWeight};
 use crate::certify::MAX_DIGITS;
-use crate::report::Format;
+use crate::report::export::ExportFormat;
+use crate::report::{ConstantsFormat, Format};
 use clap::Subcommand;
 
 #[derive(Subcommand)]
@@ -76,6 +77,36 @@ fn format(text: &str) -> Result<Format, String> {
         _ => Err("a format is one of table, json, csv".into()),
     }
 }
+
+fn constants_format(text: &str) -> Result<ConstantsFormat, String> {
+    use ConstantsFormat::Export;
+    match text {
+        "table" => Ok(ConstantsFormat::Table),
+        "json" => Ok(Export(ExportFormat::Json)),
+        "csv" => Ok(ConstantsFormat::Csv),
+        "toml" => Ok(Export(ExportFormat::Toml)),
+        "latex" => Ok(Export(ExportFormat::Latex)),
+        "c" => Ok(Export(ExportFormat::C)),
+        "rust" => Ok(Export(ExportFormat::Rust)),
+        "python" => Ok(Export(ExportFormat::Python)),
+        "julia" => Ok(Export(ExportFormat::Julia)),
+        "matlab" => Ok(Export(ExportFormat::Matlab)),
+        "fortran" => Ok(Export(ExportFormat::Fortran)),
+        #[cfg(feature = "parquet")]
+        "parquet" => Ok(Export(ExportFormat::Parquet)),
+        #[cfg(not(feature = "parquet"))]
+        "parquet" => Err(NO_PARQUET.into()),
+        _ => Err(
+            "a format is one of table, json, csv, toml, latex, c, rust, python, julia, matlab, \
+                  fortran, parquet"
+                .into(),
+        ),
+    }
+}
+
+/// What to say where Parquet is not built in.
+#[cfg(not(feature = "parquet"))]
+const NO_PARQUET: &str = "this couplet was built without the feature parquet (cargo install --path . --features parquet)";
 
 fn digits(text: &str) -> Result<usize, String> {
     text.parse()

@@ -6,6 +6,8 @@ use super::rows::{Kind, Line, Progress, Source, csv_records, in_order, json_line
 use crate::arch::SelfWeight;
 use crate::certify::state::{Answer, Arch};
 use crate::number::ExactNumber;
+#[cfg(feature = "parquet")]
+use crate::report::export::{Export, ParquetRows, Subject};
 use crate::report::{Answered, AssessReport, Rows, StateOf, StateReport};
 use clap::Args;
 use serde::Deserialize;
@@ -17,7 +19,11 @@ use std::io::{self, Read, Write};
 /// The input is CSV with a header (columns weight, half_opening, friction and, to assess an arch of a
 /// given thickness, thickness) or JSON lines with the same keys. Values are exact text, as for `state`.
 /// A bad row becomes a row with its error and the number of its line; the rest goes on. What is
-/// written stays written if the run is interrupted.
+/// written stays written if the run is interrupted, except in a parquet file, which ends with what makes
+/// it readable.
+///
+/// The format parquet, where couplet is built with that feature, has one row for each value: the query,
+/// mode, quantity, the value as text with its bounds, the nearest double with its bounds.
 #[derive(Args)]
 pub struct Arguments {
     /// Significant digits, 1 to 10000. With 17 each state also has the nearest double of its values,
@@ -25,9 +31,29 @@ pub struct Arguments {
     #[arg(long, default_value = "17", value_parser = super::state_digits, allow_negative_numbers = true)]
     digits: usize,
 
-    /// Output format, csv or jsonl; that of the input if not given.
-    #[arg(long, value_parser = ["csv", "jsonl"])]
-    format: Option<String>,
+    /// Output format, csv, jsonl or parquet; that of the input if not given.
+    #[arg(long, value_parser = format)]
+    format: Option<RowFormat>,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum RowFormat {
+    Csv,
+    JsonLines,
+    #[cfg(feature = "parquet")]
+    Parquet,
+}
+
+fn format(text: &str) -> Result<RowFormat, String> {
+    match text {
+        "csv" => Ok(RowFormat::Csv),
+        "jsonl" => Ok(RowFormat::JsonLines),
+        #[cfg(feature = "parquet")]
+        "parquet" => Ok(RowFormat::Parquet),
+        #[cfg(not(feature = "parquet"))]
+        "parquet" => Err(super::NO_PARQUET.into()),
+        _ => Err("a format is one of csv, jsonl, parquet".into()),
+    }
 }
 
 /// A query as it was read.
@@ -42,6 +68,10 @@ struct Query {
 type Queries = Box<dyn Iterator<Item = Line<Query>>>;
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    #[cfg(feature = "parquet")]
+    if arguments.format == Some(RowFormat::Parquet) {
+        super::output::not_a_terminal()?;
+    }
     let source = Source::open(None)?;
     let progress = Progress::new(&source);
     let json_in = source.kind == Kind::JsonLines;
@@ -55,35 +85,93 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     } else {
         csv_lines(input)?
     };
-    let json = arguments.format.as_deref().map_or(json_in, |format| format == "jsonl");
+    let given = if json_in { RowFormat::JsonLines } else { RowFormat::Csv };
+    let format = arguments.format.unwrap_or(given);
+    let json = format == RowFormat::JsonLines;
     let rows = Rows { json, thickness, doubles: arguments.digits == 17 };
-    let mut out = io::stdout().lock();
-    let mut put = |bytes: &[u8]| match out.write_all(bytes).and_then(|()| out.flush()) {
+    let (out, tally) = (io::stdout().lock(), Tally::default());
+    let mut run = Run { lines: Some(lines), digits: arguments.digits, rows, progress, tally, out };
+    let all = match format {
+        RowFormat::Csv | RowFormat::JsonLines => run.text()?,
+        #[cfg(feature = "parquet")]
+        RowFormat::Parquet => run.parquet()?,
+    };
+    if all { run.tally.verdict() } else { Ok(()) }
+}
+
+/// What goes on from chunk to chunk. A method says whether the reader still listens.
+struct Run<'a> {
+    lines: Option<Queries>,
+    digits: usize,
+    rows: Rows,
+    progress: Progress,
+    tally: Tally,
+    out: io::StdoutLock<'a>,
+}
+
+impl Run<'_> {
+    fn text(&mut self) -> Result<bool, Failure> {
+        let rows = self.rows;
+        Ok(self.put(rows.header())?
+            && self.chunks(
+                |line, answer| rows.row(line, answer),
+                |chunk| chunk.into_iter().collect::<io::Result<Vec<_>>>().map(|rows| rows.concat()),
+            )?)
+    }
+
+    #[cfg(feature = "parquet")]
+    fn parquet(&mut self) -> Result<bool, Failure> {
+        let export = Export {
+            title: "States of circular masonry arches of finite friction",
+            schema: "couplet.states/1",
+            digits: self.digits,
+            subjects: Vec::new(),
+        };
+        let unwritten = |error: io::Error| Failure::Io(error.to_string());
+        let mut file = ParquetRows::new(&export).map_err(unwritten)?;
+        let row = |line, answer: &Answered| match answer {
+            Answered::State(report) => Subject::state(line, report),
+            Answered::Assessment(report) => Subject::assessment(line, report),
+            Answered::Error(line, error) => Subject::refused(*line, error),
+        };
+        Ok(self.chunks(row, |subjects| file.group(&subjects))? && self.put(file.end())?)
+    }
+
+    /// Computes chunk after chunk on all cores, and writes each before the next is read.
+    fn chunks<T: Send>(
+        &mut self,
+        row: impl Fn(u64, &Answered) -> T + Sync,
+        mut bytes: impl FnMut(Vec<T>) -> io::Result<Vec<u8>>,
+    ) -> Result<bool, Failure> {
+        let (digits, rows, mut listens) = (self.digits, self.rows, true);
+        let lines = self.lines.take().into_iter().flatten();
+        let Self { progress, tally, out, .. } = self;
+        tally.rows = in_order(
+            lines,
+            progress,
+            |(line, query)| answer(line, query, digits, &rows, &row),
+            |answers| {
+                let (answers, outcomes): (Vec<T>, Vec<Tally>) = answers.into_iter().unzip();
+                outcomes.iter().for_each(|outcome| tally.add(outcome));
+                listens = put(out, bytes(answers))?;
+                Ok::<_, Failure>(listens)
+            },
+        )?;
+        Ok(listens)
+    }
+
+    fn put(&mut self, bytes: io::Result<Vec<u8>>) -> Result<bool, Failure> {
+        put(&mut self.out, bytes)
+    }
+}
+
+/// Writes; `false` if the reader has closed the pipe: it has what it wanted.
+fn put(out: &mut impl Write, bytes: io::Result<Vec<u8>>) -> Result<bool, Failure> {
+    match bytes.and_then(|bytes| out.write_all(&bytes).and_then(|()| out.flush())) {
         Ok(()) => Ok(true),
-        // The reader has what it wanted.
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(false),
         Err(error) => Err(Failure::Io(format!("cannot write to standard output: {error}"))),
-    };
-    let header = rows.header().map_err(|error| Failure::Io(error.to_string()))?;
-    if !put(&header)? {
-        return Ok(());
     }
-    let (mut tally, mut closed) = (Tally::default(), false);
-    tally.rows = in_order(
-        lines,
-        &progress,
-        |(line, query)| answer(line, query, arguments.digits, &rows),
-        |answers| {
-            let mut text = Vec::new();
-            for (row, outcome) in answers {
-                text.extend(row.map_err(|error| Failure::Io(error.to_string()))?);
-                tally.add(&outcome);
-            }
-            closed = !put(&text)?;
-            Ok::<_, Failure>(!closed)
-        },
-    )?;
-    if closed { Ok(()) } else { tally.verdict() }
 }
 
 /// How many rows were bad, and how many undecided.
@@ -114,12 +202,13 @@ impl Tally {
     }
 }
 
-fn answer(
+fn answer<T>(
     line: u64,
     query: Result<Query, String>,
     digits: usize,
     rows: &Rows,
-) -> (io::Result<Vec<u8>>, Tally) {
+    row: &impl Fn(u64, &Answered) -> T,
+) -> (T, Tally) {
     let read = query.and_then(|query| {
         let arch = arch(&query)?;
         let thickness = match query.thickness.as_deref().filter(|_| rows.thickness) {
@@ -133,7 +222,7 @@ fn answer(
         Ok(read) => read,
         Err(error) => {
             let error = Answered::Error(line, error);
-            return (rows.row(line, &error), Tally { bad: 1, ..Tally::default() });
+            return (row(line, &error), Tally { bad: 1, ..Tally::default() });
         }
     };
     let (weight, half_opening, friction) = (arch.weight(), query.half_opening, query.friction);
@@ -143,7 +232,7 @@ fn answer(
         let outcome = arch.certify_thickness(&eta, digits);
         let report =
             AssessReport { weight, half_opening, friction, thickness, doubles, outcome: &outcome };
-        return (rows.row(line, &Answered::Assessment(report)), undecided(outcome.is_err()));
+        return (row(line, &Answered::Assessment(report)), undecided(outcome.is_err()));
     }
     let found = arch.certify(digits);
     let outcome = match &found {
@@ -152,7 +241,7 @@ fn answer(
         Err(doubt) => StateOf::Undecided(doubt),
     };
     let report = StateReport { weight, half_opening, friction, doubles, outcome };
-    (rows.row(line, &Answered::State(report)), undecided(found.is_err()))
+    (row(line, &Answered::State(report)), undecided(found.is_err()))
 }
 
 fn arch(query: &Query) -> Result<Arch, String> {
