@@ -27,7 +27,10 @@ fn root() -> PathBuf {
 /// The code of a file without its unit tests and comments.
 fn code(path: &Path) -> String {
     let text = fs::read_to_string(path).unwrap();
-    let text = text.split("#[cfg(test)]\nmod tests").next().unwrap_or_default();
+    let mut text = text.as_str();
+    for condition in ["#[cfg(test)]", "#[cfg(all(test, feature = \"mpfr\"))]"] {
+        text = text.split(&format!("{condition}\nmod tests")).next().unwrap_or_default();
+    }
     text.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n")
 }
 

@@ -47,7 +47,7 @@ pub fn steepest<T: Field>(joint: &T, thrust: &T) -> T {
     joint.square() - (thrust.int(1) - thrust) * thrust
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "mpfr"))]
 mod tests {
     use super::*;
     use rug::Rational;

@@ -130,6 +130,8 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
+        #![proptest_config(crate::number::test_config::config(256))]
+
         #[test]
         fn text_and_back_loses_nothing(
             negative in any::<bool>(), words in prop::collection::vec(any::<u64>(), 0..6), exponent in -9999i32..9999,

@@ -36,21 +36,21 @@ macro_rules! owned_operators {
     };
 }
 
-#[cfg(feature = "full")]
+#[cfg(feature = "mpfr")]
 pub(crate) use owned_operators;
 
 mod angle;
 mod astro;
 mod double;
 mod dual;
-#[cfg(feature = "full")]
+#[cfg(feature = "mpfr")]
 mod gmp;
 mod ternary;
 
 pub use angle::Angle;
 pub use astro::AstroInterval;
 pub use dual::Dual;
-#[cfg(feature = "full")]
+#[cfg(feature = "mpfr")]
 pub use gmp::{
     Anchor, Ball, Decimal, ExactNumber, Magnitude, ParseDecimalError, ParseExactError, Rounded,
     Surd, arctangent, bits_of, rational_like,
@@ -145,7 +145,7 @@ pub trait Enclosure: Real {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "check"))]
 pub(crate) mod test_config {
     use proptest::test_runner::{Config, RngSeed};
 
