@@ -1,7 +1,7 @@
 # `make` builds couplet and prints the landmark constants; `make test` runs every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build test lint docs constants checker combinations crates bench peers proofs witness m4 coq
+.PHONY: run build test lint docs constants checker combinations crates examples bench peers proofs witness m4 coq
 
 run: build
 	./target/release/couplet constants
@@ -31,7 +31,7 @@ checker:
 
 # Every sensible build without a warning, and what must not be in it. One folder serves all of them, so
 # that no crate is compiled twice for the same features.
-COMBINATIONS := none check check,cli mpfr mpfr,check mpfr,cli mpfr,plots default default,plots
+COMBINATIONS := none check check,cli mpfr mpfr,check mpfr,cli mpfr,plots mpfr,proptest default default,plots,proptest
 COMMAND := clap|indicatif|ctrlc|tempfile|csv
 FIGURES := plotters|resvg
 combinations: m4
@@ -43,6 +43,7 @@ combinations: m4
 	  case $$features in *mpfr*|*default*) ;; *) left_out="$$left_out|rug|gmp-mpfr-sys|rayon";; esac; \
 	  case $$features in *cli*|*default*) ;; *) left_out="$$left_out|$(COMMAND)";; esac; \
 	  case $$features in *plots*) ;; *) left_out="$$left_out|$(FIGURES)";; esac; \
+	  case $$features in *proptest*) ;; *) left_out="$$left_out|proptest";; esac; \
 	  case $$features in none) left_out="$$left_out|serde|serde_json|thiserror";; esac; \
 	  if cargo tree $$chosen -e normal,build --prefix none | grep -E "^($$left_out) "; then \
 	    echo "couplet: a crate is in the build '$$features' that must not be" >&2; exit 1; \
@@ -52,6 +53,12 @@ combinations: m4
 # The columns `crates` and `seconds` of the README's table of features: each build from nothing.
 crates: m4
 	@benches/crates.sh
+
+# The programs of examples/; each ends with what it asserts.
+examples: m4
+	for name in constant state identity own_solver; do \
+	  cargo run --locked --quiet --features proptest --example $$name || exit 1; \
+	done
 
 # Timings of this machine; nothing depends on them.
 bench: m4

@@ -19,6 +19,7 @@
 //! | `mpfr` (default) | the engine: balls and exact numbers, [`symbolic`], [`solve`], [`certify`], [`claims`], [`study`]; brings `check`, and needs a C compiler and `m4` for GMP and MPFR |
 //! | `cli` (default) | the command, and [`report`], what it prints; brings `check`. A library does without |
 //! | `plots` | the figures of a study as SVG and PNG; brings `mpfr` |
+//! | `proptest` | [`strategies`]: arches for the property tests of a solver of your own; brings `mpfr` |
 //!
 //! A program that certifies: `couplet = { default-features = false, features = ["mpfr"] }`; one that
 //! checks what others have certified: `features = ["check"]`.
@@ -54,8 +55,15 @@
 //!
 //! Taken on trust: the compiler, GMP and MPFR, the hardware, and that the equations describe masonry.
 // The page speaks of rooms that a smaller build does not have.
-#![cfg_attr(not(all(feature = "mpfr", feature = "cli")), allow(rustdoc::broken_intra_doc_links))]
+#![cfg_attr(
+    not(all(feature = "mpfr", feature = "cli", feature = "proptest")),
+    allow(rustdoc::broken_intra_doc_links)
+)]
 #![warn(missing_docs)]
+
+/// The numbers of GMP and MPFR that balls are made of, in the version that this crate uses.
+#[cfg(feature = "mpfr")]
+pub use rug;
 
 pub mod arch;
 #[cfg(feature = "mpfr")]
@@ -71,6 +79,8 @@ pub mod number;
 pub mod report;
 #[cfg(feature = "mpfr")]
 pub mod solve;
+#[cfg(feature = "proptest")]
+pub mod strategies;
 #[cfg(feature = "mpfr")]
 pub mod study;
 #[cfg(feature = "mpfr")]
