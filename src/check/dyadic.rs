@@ -19,6 +19,7 @@ pub const MAX_EXPONENT: i32 = 10_000_000;
 
 /// Why a text is not an exact binary number.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ParseDyadicError {
     /// Not `[-]0x<hexadecimal digits>p<exponent>`.
     #[error("it is not of the form -0x1f3p-12")]

@@ -21,6 +21,7 @@ use std::time::Duration;
 
 /// One method on one rung.
 #[derive(Clone, Debug, Default, Serialize)]
+#[non_exhaustive]
 pub struct Rung {
     /// Which limit.
     pub limit: &'static str,
@@ -46,6 +47,7 @@ pub struct Rung {
 }
 
 /// A limit with the problem at each distance from it.
+#[non_exhaustive]
 pub struct Limit {
     /// A short name.
     pub name: &'static str,
