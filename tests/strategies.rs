@@ -44,7 +44,7 @@ fn every_query_is_in_the_domain_and_hard_ones_are_among_them() {
     };
     for (hard, at_least) in [
         (met(&|alpha, _| alpha < 1e-6), 50),
-        (met(&|alpha, _| alpha > 3.141592), 50),
+        (met(&|alpha, _| alpha > std::f64::consts::PI - 1e-6), 50),
         (met(&|_, mu| mu == 0.0), 30),
         (met(&|_, mu| mu > 1e6 && mu.is_finite()), 30),
         (met(&|_, mu| mu.is_infinite()), 50),
