@@ -14,6 +14,7 @@ const BITS: u32 = 256;
 
 /// A printed number beside the certified value.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Audited {
     /// What is printed, and where.
     pub printed: &'static Printed,
@@ -30,6 +31,7 @@ pub struct Audited {
 /// A claim of the paper: at a landmark, Milankovitch's weight gives a lower or a higher value than
 /// Heyman's.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Comparison {
     /// The landmark.
     pub landmark: Landmark,
@@ -70,14 +72,15 @@ impl Relation {
     }
 }
 
-/// Compares every printed number with its enclosure.
+/// Compares every printed number with its enclosure; undecided if a landmark cannot be proved or a
+/// comparison stays open.
 pub fn audit() -> Result<Vec<Audited>, Undecided> {
     let points = Points::new(&Landmark::ALL)?;
     PRINTED.iter().map(|printed| audit_one(printed, &points)).collect()
 }
 
 /// Decides the paper's claims on the two weights at T, S, J and B: lower thickness, friction and half
-/// opening, higher thrust and joints for Milankovitch's weight.
+/// opening, higher thrust and joints for Milankovitch's weight. Undecided as [`audit`].
 pub fn compare_weights() -> Result<Vec<Comparison>, Undecided> {
     use {Quantity::*, Relation::*};
     let landmarks = [Landmark::Triple, Landmark::Shift, Landmark::Junction, Landmark::Border];

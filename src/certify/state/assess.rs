@@ -26,6 +26,7 @@ use rug::Float;
 
 /// What is certain of an arch of a given thickness.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Assessment {
     /// Whether it stands.
     pub stands: bool,
@@ -43,6 +44,7 @@ pub struct Assessment {
 
 /// An end of the range of admissible thrusts.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Limit {
     /// The thrust; `None` if there is no bound.
     pub thrust: Option<Ball>,
@@ -52,6 +54,7 @@ pub struct Limit {
 
 /// What limits a thrust.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum Touch {
     /// The line of thrust touches the intrados at this joint.
     Haunch(Ball),
@@ -95,9 +98,12 @@ impl Touch {
 const BETWEEN: &[Mode] = &[];
 
 impl Arch {
-    /// Proves what holds for the arch with a given thickness, in `(0, 2)`, with numbers of `bits` bits.
+    /// Proves what holds for the arch with a given thickness `t/r`, with numbers of `bits` bits, at
+    /// least one. The doubt is what these could not tell, or that the thickness is not in `(0, 2)`.
     pub fn assess(&self, thickness: &ExactNumber, bits: u32) -> Attempt<Assessment> {
         let eta = thickness.enclosure(bits);
+        require(&eta, "whether the thickness is positive", BETWEEN)?;
+        require(&(eta.int(2) - &eta), "whether the thickness is below the limit 2", BETWEEN)?;
         let (least_thickness, stands) = match self.state_alone(bits)? {
             Outcome::Falls(fall) => (Err(fall), false),
             Outcome::Stands(state) => {

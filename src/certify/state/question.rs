@@ -27,6 +27,7 @@ pub struct Arch {
 
 /// Why an arch is refused.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ArchError {
     /// The half opening is not between 0 and pi.
     #[error("the half opening {0} is not between 0 and pi (180deg)")]
@@ -41,6 +42,7 @@ pub enum ArchError {
 
 /// A comparison that is not decided at some precision.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Doubt {
     /// What could not be told.
     pub question: &'static str,
@@ -54,7 +56,8 @@ pub struct Doubt {
 pub(super) type Attempt<T> = Result<T, Doubt>;
 
 impl Arch {
-    /// An arch, if its half opening and friction make sense.
+    /// An arch, if its half opening is in `(0, pi)`, in radians, and its friction coefficient in
+    /// `[0, inf)` or its friction angle in `[0, pi/2]`, in radians; pi/2 is [`Friction::Infinite`].
     pub fn new(
         weight: SelfWeight,
         half_opening: ExactNumber,
