@@ -19,6 +19,7 @@
 //! | `mpfr` (default) | the engine: balls and exact numbers, [`symbolic`], [`solve`], [`certify`], [`claims`], [`study`]; brings `check`, and needs a C compiler and `m4` for GMP and MPFR |
 //! | `cli` (default) | the command, and [`report`], what it prints; brings `check`. A library does without |
 //! | `plots` | the figures of a study as SVG and PNG; brings `mpfr` |
+//! | `parquet` | constants and states as Parquet files; brings `mpfr` and `cli` |
 //! | `proptest` | [`strategies`]: arches for the property tests of a solver of your own; brings `mpfr` |
 //!
 //! A program that certifies: `couplet = { default-features = false, features = ["mpfr"] }`; one that
@@ -42,6 +43,7 @@
 //! | (16) end of rotation, corrected | [`arch::overturning::end_of_rotation`] |
 //! | (17) shoulder sliding | [`arch::sliding::shoulder`], [`arch::sliding::shoulder_thrust`] |
 //! | (18) inner sliding | [`arch::sliding::inner`], [`arch::sliding::steepest`] |
+//! | (2), (4), (5), (17), (18) where the half opening is small | [`arch::small`] |
 //! | what is claimed of them, proved or refuted | [`claims`] |
 //! | collapse modes, admissibility, least thickness | [`arch::Mode`], [`arch::contact`] |
 //! | Tables 1–4, 16-digit values of the text | [`arch::published`] |
