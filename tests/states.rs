@@ -4,9 +4,11 @@
 mod common;
 
 use common::config;
-use couplet::arch::{Landmark, Mode, SelfWeight, Unknown};
+use couplet::arch::{Equation, Landmark, Mode, SelfWeight, Unknown, tally};
 use couplet::certify::CertifiedLandmark;
-use couplet::certify::state::{Answer, Arch, Digits, Fall, Friction, Outcome, State};
+use couplet::certify::state::{
+    Answer, Arch, Digits, Fall, Figure, Friction, Frictions, Outcome, State,
+};
 use couplet::number::{Ball, Enclosure, ExactNumber};
 use proptest::prelude::*;
 use rug::{Float, Rational};
@@ -50,8 +52,11 @@ fn the_semicircle_agrees_with_the_literature() {
     assert_eq!(rotational.thickness.decimal.value.to_string(), "0.107426");
     assert_eq!(rotational.rotation_joint.decimal.value.to_string(), "0.951141");
     assert!((rotational.thrust.double - 0.621772).abs() < 1e-6);
-    assert_eq!(rotational.rotational_friction.unwrap().decimal.value.to_string(), "0.395832");
-    assert_eq!(rotational.sliding_friction.decimal.value.to_string(), "0.309215");
+    assert_eq!(
+        frictions(&rotational).rotational.as_ref().unwrap().decimal.value.to_string(),
+        "0.395832"
+    );
+    assert_eq!(frictions(&rotational).sliding.decimal.value.to_string(), "0.309215");
     let table = [
         ("0.39", "0.112750"),
         ("0.38", "0.122192"),
@@ -107,6 +112,10 @@ fn beside(
 }
 
 /// Proved to 40 digits at the first precision that is enough and at twice as much: they overlap.
+fn frictions(state: &Digits) -> &Frictions<Figure> {
+    state.frictions.as_ref().unwrap()
+}
+
 fn proved_twice(weight: SelfWeight, half_opening: &str, friction: &str) -> Option<Mode> {
     let arch = arch(weight, half_opening, friction);
     let first = match arch.certify(40) {
@@ -116,12 +125,17 @@ fn proved_twice(weight: SelfWeight, half_opening: &str, friction: &str) -> Optio
     };
     let bits = 2000 + arch.bits_lost();
     let Ok(Outcome::Stands(second)) = arch.state(bits) else { panic!("{half_opening} {friction}") };
-    assert_eq!(first.mode, second.mode);
+    let Ok(Outcome::Stands(alone)) = arch.state_alone(bits) else { panic!("{friction} alone") };
+    assert_eq!([first.mode, first.mode], [second.mode, alone.mode]);
     for (figure, ball) in [
         (&first.thickness, &second.thickness),
         (&first.thrust, &second.thrust),
         (&first.rotation_joint, &second.rotation_joint),
-        (&first.sliding_friction, &second.sliding_friction),
+        (&frictions(&first).sliding, &second.frictions.as_ref().unwrap().sliding),
+        // The state alone, found on another way, is the same.
+        (&first.thickness, &alone.thickness),
+        (&first.thrust, &alone.thrust),
+        (&first.rotation_joint, &alone.rotation_joint),
     ] {
         let (lower, upper) =
             (figure.decimal.lower.to_rational(), figure.decimal.upper.to_rational());
@@ -212,7 +226,7 @@ fn frictions_just_above_and_below_the_purely_sliding_one() {
     for (weight, alpha) in
         [(H, "pi/2"), (M, "2.2"), (M, "2.5"), (H, "2.7"), (M, "2.61"), (H, "0.3")]
     {
-        let least = digits(weight, alpha, "3", 100).sliding_friction;
+        let least = frictions(&digits(weight, alpha, "3", 100)).sliding.clone();
         let (below, above) = (least.decimal.lower.to_rational(), least.decimal.upper.to_rational());
         let hair = Rational::from((1, 1)) / rug::Integer::from(rug::Integer::u_pow_u(10, 30));
         let text = |x: Rational| float_text(&Float::with_val(600, &x), 120);
@@ -229,8 +243,8 @@ fn around_the_triple_point() {
         for (up, between) in [(false, Mode::SlidingRotational), (true, Mode::RotationalSliding)] {
             let alpha = beside(Landmark::Triple, weight, Unknown::HalfOpening, 20, up);
             let limits = digits(weight, &alpha, "9", 80);
-            let low = limits.sliding_friction.decimal.value.to_rational();
-            let high = limits.rotational_friction.unwrap().decimal.value.to_rational();
+            let low = frictions(&limits).sliding.decimal.value.to_rational();
+            let high = frictions(&limits).rotational.as_ref().unwrap().decimal.value.to_rational();
             let gap = Rational::from(&high - &low);
             assert!(gap > 0 && gap < Rational::from((1, 1_000_000_000_000_000_000i64)));
             let at = |part: (i32, i32)| {
@@ -260,7 +274,7 @@ fn between_shift_and_junction() {
             let (s, j) = (at(Landmark::Shift), at(Landmark::Junction));
             let alpha = format!("{:.17}", s + part * (j - s));
             // A little more friction than on the divide, so that something stands.
-            let mu = digits(weight, &alpha, "9", 17).sliding_friction.double + 1e-6;
+            let mu = frictions(&digits(weight, &alpha, "9", 17)).sliding.double + 1e-6;
             modes.push(proved_twice(weight, &alpha, &format!("{mu:.17}")).unwrap());
         }
         assert_eq!(modes.first(), Some(&Mode::RotationalSliding));
@@ -294,7 +308,7 @@ fn beyond_the_last_precision_the_answer_is_undecided() {
     // Nearer to the boundary than any precision that is tried can tell.
     let alpha = "pi/2";
     let critical = match arch(H, alpha, "1").state(40_000) {
-        Ok(Outcome::Stands(state)) => state.rotational_friction.unwrap(),
+        Ok(Outcome::Stands(state)) => state.frictions.unwrap().rotational.unwrap(),
         other => panic!("{other:?}"),
     };
     let friction = float_text(critical.mid(), 11_000);
@@ -427,4 +441,46 @@ fn two_thousand_random_queries_are_proved() {
 fn a_hundred_thousand_random_queries_are_proved() {
     let met = BOTH.map(|weight| random_queries(50_000, weight));
     println!("by mode, then falls by sliding and by thickness: {met:?}");
+}
+
+/// Leaving out the frictions leaves out what they need, and nothing that decides the answer.
+#[test]
+fn a_state_alone_evaluates_only_what_its_proof_needs() {
+    let sliding = [Equation::ShoulderSliding, Equation::InnerSliding, Equation::Steepest];
+    let cost = |friction: &str| {
+        let (answer, tally) = tally::measure(|| arch(H, "pi/2", friction).certify_alone(17));
+        let Ok(Answer::Stands(state)) = answer else { panic!("{friction}") };
+        assert!(state.frictions.is_none());
+        tally
+    };
+    let rotational = cost("inf");
+    assert_eq!(sliding.map(|equation| rotational.of(equation)), [0; 3]);
+    assert_eq!(rotational.landmarks, 0);
+    assert!(rotational.of(Equation::Tangency) > 0 && rotational.conditions > 0);
+    // With a finite friction two values are compared with it, and no system of sliding is solved.
+    let limited = cost("1");
+    assert_eq!(limited.of(Equation::Steepest), 0);
+    assert_eq!(limited.landmarks, 0);
+    let (_, whole) = tally::measure(|| arch(H, "pi/2", "1").certify(17));
+    assert!(whole.of(Equation::Steepest) > 0, "the twin that is asked for more");
+    assert!(whole.evaluations() > limited.evaluations());
+}
+
+/// An arch that falls, falls for the same reason on either way.
+#[test]
+fn a_fall_needs_no_frictions_either() {
+    for (weight, alpha, friction) in [
+        (H, "pi/2", "0.3"),
+        (M, "2.5", "0.9"),
+        (H, "3", "inf"),
+        (H, "3", "5"),
+        (M, "0.001", "1e-12"),
+    ] {
+        let arch = arch(weight, alpha, friction);
+        let fall = |outcome| match outcome {
+            Ok(Outcome::Falls(fall)) => fall,
+            other => panic!("{alpha} {friction}: {other:?}"),
+        };
+        assert_eq!(fall(arch.state(300)), fall(arch.state_alone(300)), "{alpha} {friction}");
+    }
 }

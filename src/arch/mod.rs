@@ -11,9 +11,10 @@
 //! | (17), (18) | [`sliding`] |
 //! | the seven collapse modes | [`Mode`] |
 //! | landmark points, Tables 1–4 | [`Landmark`], [`System`], [`published`] |
+//! | how often what was evaluated | [`tally`] |
 //!
 //! Lengths are in units of the centreline radius `r`, forces in units of `w r` (weight per unit
-//! length of centreline times radius), angles in radians. Nothing here loops, compares or rounds:
+//! length of centreline times radius), angles in radians. No equation loops, compares or rounds:
 //! code that needs to belongs to `solve` or `certify`.
 
 pub mod closed_form;
@@ -28,6 +29,7 @@ mod quotient;
 pub mod sliding;
 pub mod statics;
 mod system;
+pub mod tally;
 pub mod thrust;
 mod weight;
 

@@ -1,6 +1,6 @@
 //! Square systems of the equations: named unknowns, named equations, and what is fixed.
 
-use super::{Ring, SelfWeight, sliding, thrust};
+use super::{Ring, SelfWeight, sliding, tally, thrust};
 use crate::number::{Angle, Dual, Field, Real};
 
 /// A variable of the problem.
@@ -65,6 +65,9 @@ pub enum Equation {
 }
 
 impl Equation {
+    /// How many there are; each has its own number below.
+    pub(super) const COUNT: usize = Self::Steepest as usize + 1;
+
     /// The number in the paper, and what is special about it.
     pub fn label(self) -> &'static str {
         match self {
@@ -82,6 +85,7 @@ impl Equation {
 
     /// The equation with its denominator cleared: zero where it holds.
     pub fn residual<T: Field>(self, weight: SelfWeight, at: &Configuration<T>) -> T {
+        tally::equation(self);
         let ring = || Ring::new(weight, &at.thickness);
         match self {
             Self::LowerThrust => thrust::lower(&at.rotation_joint, &ring()).residual(&at.thrust),

@@ -2,7 +2,7 @@
 //!
 //! The lemma behind it, and the multipliers, are in [`crate::arch::contact`].
 
-use crate::arch::{Configuration, Mode, SelfWeight, contact, sliding, statics};
+use crate::arch::{Configuration, Equation, Mode, SelfWeight, contact, sliding, statics, tally};
 use crate::number::{Angle, Enclosure, Ternary};
 
 /// What has to be positive: the admissibility of the whole half arch, and the least thickness. What is
@@ -58,15 +58,14 @@ pub fn conditions<E: Enclosure>(
         "every thicker arch stands up to the physical limit",
     );
     // Friction, at the steepest joint, which has to be a joint of the arch.
-    let steepest = match from_crown || mode == Overturning {
-        true => (at.thrust.clone() * (at.thrust.int(1) - &at.thrust)).sqrt(),
-        false => at.sliding_joint.rad.clone(),
-    };
-    needs(at.half_opening.rad.clone() - steepest, "the steepest joint above the shoulder");
     if let Some(friction) = friction {
+        let room = match from_crown {
+            true => room_for_steepest(at),
+            false => at.half_opening.rad.clone() - &at.sliding_joint.rad,
+        };
+        needs(room, "the steepest joint above the shoulder");
         if mode != SlidingRotational {
-            let asked = sliding::shoulder(&at.half_opening, &at.thrust).value();
-            needs(friction.clone() - asked, "friction enough at the shoulder");
+            needs(friction.clone() - shoulder_friction(at), "friction enough at the shoulder");
         }
         if from_crown {
             needs(friction.clone() - inner_friction(at), "friction enough inside");
@@ -106,11 +105,25 @@ pub fn conditions<E: Enclosure>(
         needs(term.clone(), "a positive weight of the mechanism");
         needs(contact::growth(weight, &rates, at, &term), "no admissible state in a thinner arch");
     }
+    tally::conditions(all.len());
     all
+}
+
+/// The friction that the shoulder asks for at the thrust of a state.
+pub fn shoulder_friction<E: Enclosure>(at: &Configuration<E>) -> E {
+    tally::equation(Equation::ShoulderSliding);
+    sliding::shoulder(&at.half_opening, &at.thrust).value()
+}
+
+/// What is left between the shoulder and the joint that is steepest at the thrust of a state, rad.
+pub fn room_for_steepest<E: Enclosure>(at: &Configuration<E>) -> E {
+    let square = at.thrust.clone() * (at.thrust.int(1) - &at.thrust);
+    at.half_opening.rad.clone() - square.sqrt()
 }
 
 /// The friction that the steepest joint asks for at the thrust of a state.
 pub fn inner_friction<E: Enclosure>(at: &Configuration<E>) -> E {
+    tally::equation(Equation::InnerSliding);
     let square = at.thrust.clone() * (at.thrust.int(1) - &at.thrust);
     sliding::inner(&Angle::new(square.sqrt()), &at.thrust).value()
 }

@@ -17,7 +17,7 @@ mod refusal;
 
 pub use checker::{Accepted, MAX_DIGITS, check, check_certificate};
 pub use claim::{Claim, Exact, State, Subject, first_failure};
-pub use conditions::{conditions, inner_friction};
+pub use conditions::{conditions, inner_friction, room_for_steepest, shoulder_friction};
 pub use decimal::Written;
 pub use dyadic::{Dyadic, MAX_EXPONENT, ParseDyadicError};
 pub use engine::Engine;

@@ -28,10 +28,13 @@ pub(super) struct Along {
     rotation: Option<(Ball, Ball)>,
 }
 
+fn arch(weight: SelfWeight, alpha: &Rational) -> Result<Arch, Undecided> {
+    Arch::new(weight, ExactNumber::rational(alpha.clone()), Friction::Infinite)
+        .map_err(|e| Undecided(e.to_string()))
+}
+
 fn state(weight: SelfWeight, alpha: &Rational) -> Result<State, Undecided> {
-    let arch = Arch::new(weight, ExactNumber::rational(alpha.clone()), Friction::Infinite)
-        .map_err(|e| Undecided(e.to_string()))?;
-    match arch.state(BITS) {
+    match arch(weight, alpha)?.state_alone(BITS) {
         Ok(Outcome::Stands(state)) => Ok(*state),
         Ok(Outcome::Falls(_)) => Err(Undecided(format!("no arch of {alpha} stands"))),
         Err(doubt) => Err(Undecided(doubt.question.into())),
@@ -68,11 +71,12 @@ impl Along {
         })
     }
 
-    /// The purely sliding state, up to `alpha_L` of Heyman's weight. It does not depend on the weight;
-    /// with Heyman's an arch of larger half openings stands.
+    /// The purely sliding state, which does not depend on the weight.
     pub(super) fn sliding(alpha: &Rational) -> Result<Self, Undecided> {
         let weight = SelfWeight::Heyman;
-        let friction = state(weight, alpha)?.sliding_friction;
+        let friction = arch(weight, alpha)?
+            .sliding_friction(BITS)
+            .map_err(|doubt| Undecided(doubt.question.into()))?;
         let alpha = Angle::new(Ball::enclosing(alpha, BITS));
         let thrust = sliding::shoulder_thrust(&alpha, &friction).value();
         Ok(Self { weight, alpha, thrust, rotation: None })

@@ -1,7 +1,7 @@
 //! CSV: one row per constant or printed number, with a header.
 
 use super::{AssessReport, Audit, Constants, StateAt, StateOf, StateReport, reason, texts};
-use crate::certify::state::Figure;
+use crate::certify::state::{Figure, Frictions};
 use std::io;
 
 pub fn constants(report: &Constants, out: &mut dyn io::Write) -> io::Result<()> {
@@ -85,8 +85,12 @@ pub fn state_record(report: &StateReport) -> Vec<String> {
                     .map(value),
             );
             record.push(state.sliding_joint.as_ref().map(value).unwrap_or_default());
-            record.push(value(&state.sliding_friction));
-            record.push(state.rotational_friction.as_ref().map_or("inf".to_owned(), value));
+            record.extend(match &state.frictions {
+                Some(Frictions { sliding, rotational }) => {
+                    [value(sliding), rotational.as_ref().map_or("inf".to_owned(), value)]
+                }
+                None => [const { String::new() }; 2],
+            });
             record.push(String::new());
         }
         StateOf::Falls(fall) => {
@@ -117,14 +121,15 @@ pub const STATE_VALUES: [&str; 7] = [
 /// The values of a state, in the order of [`STATE_VALUES`].
 pub fn state_values<'a>(report: &'a StateReport) -> [Option<&'a Figure>; 7] {
     let StateOf::Stands(state) = &report.outcome else { return [None; 7] };
+    let frictions = state.frictions.as_ref();
     [
         Some(&state.thickness),
         Some(&state.thrust),
         Some(&state.intrinsic_thrust),
         Some(&state.rotation_joint),
         state.sliding_joint.as_ref(),
-        Some(&state.sliding_friction),
-        state.rotational_friction.as_ref(),
+        frictions.map(|frictions| &frictions.sliding),
+        frictions.and_then(|frictions| frictions.rotational.as_ref()),
     ]
 }
 

@@ -229,14 +229,12 @@ impl<'a> StateEntry<'a> {
                 entry.intrinsic_thrust = some(&state.intrinsic_thrust);
                 entry.rotation_joint = some(&state.rotation_joint);
                 entry.sliding_joint = state.sliding_joint.as_ref().and_then(some);
-                entry.sliding_friction = some(&state.sliding_friction);
-                let infinite = || FigureEntry::text([(); 3].map(|()| "inf".to_owned()));
-                entry.rotational_friction = Some(
-                    state
-                        .rotational_friction
-                        .as_ref()
-                        .map_or_else(infinite, |figure| FigureEntry::new(figure, report.doubles)),
-                );
+                if let Some(frictions) = &state.frictions {
+                    let infinite = || FigureEntry::text([(); 3].map(|()| "inf".to_owned()));
+                    entry.sliding_friction = some(&frictions.sliding);
+                    entry.rotational_friction =
+                        frictions.rotational.as_ref().map_or_else(|| Some(infinite()), some);
+                }
             }
             StateOf::Falls(fall) => {
                 entry.stands = Some(false);

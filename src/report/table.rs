@@ -135,15 +135,13 @@ pub fn state(report: &StateReport, out: &mut dyn io::Write) -> io::Result<()> {
             row("intrinsic_thrust", "eta h", Some(&state.intrinsic_thrust), "")?;
             row("rotation_joint", "beta_r, rad", Some(&state.rotation_joint), "")?;
             row("sliding_joint", "beta_s, rad", state.sliding_joint.as_ref(), "none inside")?;
+            let Some(frictions) = &state.frictions else { return Ok(()) };
             writeln!(out)?;
             writeln!(out, "at this half opening")?;
             let limit = |x: &Figure| x.decimal.value.to_string();
-            writeln!(
-                out,
-                "   nothing stands below the friction       {}",
-                limit(&state.sliding_friction)
-            )?;
-            let rotational = state.rotational_friction.as_ref().map_or("inf".to_owned(), limit);
+            let sliding = limit(&frictions.sliding);
+            writeln!(out, "   nothing stands below the friction       {sliding}")?;
+            let rotational = frictions.rotational.as_ref().map_or("inf".to_owned(), limit);
             writeln!(out, "   collapse is purely rotational from      {rotational}")
         }
         StateOf::Falls(fall) => {

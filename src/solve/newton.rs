@@ -1,7 +1,7 @@
 //! Newton's method in MPFR arithmetic, with the Jacobian from dual numbers.
 
 use super::{Candidate, inverse};
-use crate::arch::{Configuration, Equation, Point, SelfWeight, System, Unknown};
+use crate::arch::{Configuration, Equation, Point, SelfWeight, System, Unknown, tally};
 use crate::number::Dual;
 use rug::Float;
 
@@ -49,6 +49,7 @@ fn settle(
 ) -> Option<Vec<Float>> {
     let mut last = i64::MAX;
     for _ in 0..STEPS {
+        tally::newton_step();
         let residuals = residuals(&x);
         let jacobian =
             residuals.iter().map(|r| (0..x.len()).map(|k| r.derivative(k)).collect()).collect();

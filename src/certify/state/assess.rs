@@ -98,7 +98,7 @@ impl Arch {
     /// Proves what holds for the arch with a given thickness, in `(0, 2)`, with numbers of `bits` bits.
     pub fn assess(&self, thickness: &ExactNumber, bits: u32) -> Attempt<Assessment> {
         let eta = thickness.enclosure(bits);
-        let (least_thickness, stands) = match self.state(bits)? {
+        let (least_thickness, stands) = match self.state_alone(bits)? {
             Outcome::Falls(fall) => (Err(fall), false),
             Outcome::Stands(state) => {
                 let margin = eta.clone() - &state.thickness;
@@ -138,7 +138,7 @@ impl Arch {
 
     /// Whether a line of thrust lies inside the arch at all: it would stand with unlimited friction.
     fn line_of_thrust_fits(&self, eta: &Ball, bits: u32) -> Attempt<bool> {
-        match self.with_friction(Friction::Infinite).state(bits)? {
+        match self.with_friction(Friction::Infinite).state_alone(bits)? {
             Outcome::Falls(_) => Ok(false),
             Outcome::Stands(state) => {
                 let margin = eta.clone() - &state.thickness;

@@ -2,10 +2,10 @@
 
 use super::question::{Arch, Attempt, Query, decide, require};
 use crate::arch::{
-    Configuration, Equation, Landmark, Mode, SelfWeight, Unknown, contact, sliding, thrust,
+    Configuration, Equation, Landmark, Mode, SelfWeight, Unknown, contact, sliding, tally, thrust,
 };
 use crate::certify::{CertifiedLandmark, Undecided};
-use crate::check::{conditions, inner_friction};
+use crate::check::{conditions, inner_friction, room_for_steepest, shoulder_friction};
 use crate::number::{Angle, Ball, Enclosure, Magnitude, Ternary};
 use crate::solve::start_state;
 use rug::Float;
@@ -42,117 +42,206 @@ pub struct State {
     pub rotation_joint: Ball,
     /// `beta_s`, rad, if an inner joint slides.
     pub sliding_joint: Option<Ball>,
-    /// The friction below which nothing stands at this half opening.
-    pub sliding_friction: Ball,
-    /// The friction from which collapse is purely rotational; `None` if no friction is enough.
-    pub rotational_friction: Option<Ball>,
+    /// The frictions at which the mode changes, if they are asked for.
+    pub frictions: Option<Frictions<Ball>>,
 }
 
-/// A purely rotational state with the frictions it asks for.
+/// The frictions between which a half opening has states that slide.
+#[derive(Clone, Debug)]
+pub struct Frictions<T> {
+    /// The friction below which nothing stands.
+    pub sliding: T,
+    /// The friction from which collapse is purely rotational; `None` if no friction is enough.
+    pub rotational: Option<T>,
+}
+
+/// What is asked of a state besides how thin the arch can be and how it falls.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Asked {
+    /// Nothing: only what its proof needs is evaluated.
+    Nothing,
+    /// The frictions at which the mode changes.
+    Frictions,
+}
+
+/// A purely rotational state.
 struct Rotation {
     at: Configuration<Ball>,
-    shoulder: Ball,
-    inner: Ball,
+    /// The frictions that the shoulder and an inner joint ask for, where friction matters.
+    frictions: Option<[Ball; 2]>,
 }
 
 impl Arch {
     /// Proves the state with numbers of `bits` bits.
     pub fn state(&self, bits: u32) -> Attempt<Outcome> {
-        Query::new(self, bits).outcome()
+        Query::new(self, bits).outcome(Asked::Frictions)
+    }
+
+    /// Proves the state without the frictions at which its mode changes: nothing is evaluated that its
+    /// proof does not need.
+    pub fn state_alone(&self, bits: u32) -> Attempt<Outcome> {
+        Query::new(self, bits).outcome(Asked::Nothing)
+    }
+
+    /// The friction below which nothing stands at this half opening: that of the purely sliding state.
+    pub fn sliding_friction(&self, bits: u32) -> Attempt<Ball> {
+        Ok(Query::new(self, bits).pure_sliding()?.friction)
     }
 }
 
 impl Query {
-    fn outcome(&self) -> Attempt<Outcome> {
+    /// The state, and why it is the one.
+    ///
+    /// A state that is admissible and the thinnest is a proof by itself. Whether the friction is below
+    /// the purely sliding one, and where the half opening is beside those of `l` and `L`, is proved where
+    /// it is the answer, or where a candidate says that there is no state.
+    pub(super) fn outcome(&self, asked: Asked) -> Attempt<Outcome> {
+        tally::working_bits(self.bits);
+        let mut least_friction = None;
+        if asked == Asked::Frictions || self.seems_to_slide() {
+            let slides = self.pure_sliding()?;
+            if self.falls_by_sliding(&slides)? {
+                return Ok(Outcome::Falls(Fall::Sliding));
+            }
+            least_friction = Some(slides.friction);
+        }
+        let found = self.state_above_sliding(asked);
+        let is_proved = matches!(found, Ok(Found::State(..)));
+        if !is_proved && least_friction.is_none() && self.friction.is_some() {
+            // Too little friction would be the reason, and comes before any other.
+            if self.falls_by_sliding(&self.pure_sliding()?)? {
+                return Ok(Outcome::Falls(Fall::Sliding));
+            }
+        }
+        match found? {
+            Found::Falls => Ok(Outcome::Falls(Fall::Thickness)),
+            Found::State(mode, at, rotational) => {
+                let frictions = match least_friction.filter(|_| asked == Asked::Frictions) {
+                    Some(sliding) => Some(Frictions { sliding, rotational }),
+                    None => None,
+                };
+                Ok(stands(mode, *at, frictions))
+            }
+        }
+    }
+
+    /// Whether the friction seems to be below the purely sliding one: a candidate.
+    fn seems_to_slide(&self) -> bool {
+        self.friction.as_ref().is_some_and(|friction| {
+            let [least, ..] = start_state::sliding(&Float::with_val(64, self.alpha()));
+            *friction.mid() < least * 1.001f64
+        })
+    }
+
+    /// The purely sliding state.
+    fn pure_sliding(&self) -> Attempt<Configuration<Ball>> {
         let slides = self.root(Mode::Sliding.system(), &start_state::sliding(&self.alpha()))?;
         require(&slides.friction, "a positive purely sliding friction", &[])?;
         let inside = slides.half_opening.rad.clone() - &slides.sliding_joint.rad;
         require(&inside, "the steepest joint above the shoulder", &[])?;
-        let least_friction = slides.friction.clone();
-        if let Some(friction) = &self.friction {
-            let between = [Mode::Sliding];
-            let margin = friction.clone() - &least_friction;
-            if !decide(&margin, "whether the friction is enough to stand", &between)? {
-                return Ok(Outcome::Falls(Fall::Sliding));
+        Ok(slides)
+    }
+
+    fn falls_by_sliding(&self, slides: &Configuration<Ball>) -> Attempt<bool> {
+        let Some(friction) = &self.friction else { return Ok(false) };
+        let margin = friction.clone() - &slides.friction;
+        let enough = decide(&margin, "whether the friction is enough to stand", &[Mode::Sliding])?;
+        Ok(!enough)
+    }
+
+    /// The state, if the friction is above the purely sliding one; below it the answer is not to be used
+    /// unless it is a state.
+    fn state_above_sliding(&self, asked: Asked) -> Attempt<Found> {
+        let Some(rotation) = self.rotation_if_any(asked)? else {
+            return match &self.friction {
+                Some(_) => self.inner_sliding(None),
+                None => self.overturning(),
+            };
+        };
+        let critical = rotation.friction();
+        let (Some(friction), Some([shoulder, inner])) = (&self.friction, &rotation.frictions)
+        else {
+            return Ok(Found::State(Mode::Rotational, Box::new(rotation.at), critical));
+        };
+        let margin = |critical: &Ball, mode| {
+            decide(
+                &(friction.clone() - critical),
+                "whether the friction is enough for pure rotation",
+                &[Mode::Rotational, mode],
+            )
+        };
+        let holds_shoulder = margin(shoulder, Mode::SlidingRotational);
+        let holds_inner = margin(inner, Mode::RotationalSliding);
+        // Both can fail only below the purely sliding friction.
+        match (holds_shoulder, holds_inner) {
+            (Ok(true), Ok(true)) => {
+                Ok(Found::State(Mode::Rotational, Box::new(rotation.at), critical))
             }
+            (Ok(false), _) => self.shoulder_sliding(critical),
+            (_, Ok(false)) => self.inner_sliding(critical),
+            (Err(doubt), _) | (_, Err(doubt)) => Err(doubt),
         }
-        let [end, limit] = limits(self.weight, self.bits);
-        let alpha = &self.given.half_opening.rad;
+    }
+
+    /// The purely rotational state, unless the half opening is beyond the end of rotation.
+    fn rotation_if_any(&self, asked: Asked) -> Attempt<Option<Rotation>> {
+        if start_state::seems_to_rotate(self.weight, &self.alpha())
+            && let Ok(rotation) = self.rotation(asked)
+        {
+            return Ok(Some(rotation));
+        }
+        let [end, _] = limits(self.weight, self.bits);
         let rotates = decide(
-            &(end - alpha),
+            &(end - &self.given.half_opening.rad),
             "whether the half opening is below that of the end of rotation",
             &[Mode::Rotational, Mode::Overturning],
         )?;
-        let rotation = if rotates { Some(self.rotation()?) } else { None };
-        let frictions = |rotation: Option<&Rotation>| {
-            (least_friction.clone(), rotation.map(Rotation::friction))
-        };
-        match (&rotation, &self.friction) {
-            (Some(rotation), None) => {
-                Ok(stands(Mode::Rotational, rotation.at.clone(), frictions(Some(rotation))))
-            }
-            (None, None) => {
-                if !decide(
-                    &(limit - alpha),
-                    "whether the half opening is below that of the end of overturning",
-                    &[Mode::Overturning],
-                )? {
-                    return Ok(Outcome::Falls(Fall::Thickness));
-                }
-                let at = self.root(Mode::Overturning.system(), &[self.overturning_start()])?;
-                self.proved(Mode::Overturning, at, frictions(None))
-            }
-            (Some(rotation), Some(friction)) => {
-                let frictions = frictions(Some(rotation));
-                let margin = |critical: &Ball, mode| {
-                    decide(
-                        &(friction.clone() - critical),
-                        "whether the friction is enough for pure rotation",
-                        &[Mode::Rotational, mode],
-                    )
-                };
-                let holds_shoulder = margin(&rotation.shoulder, Mode::SlidingRotational);
-                let holds_inner = margin(&rotation.inner, Mode::RotationalSliding);
-                // Both can fail only below the purely sliding friction, which is excluded above.
-                match (holds_shoulder, holds_inner) {
-                    (Ok(true), Ok(true)) => {
-                        Ok(stands(Mode::Rotational, rotation.at.clone(), frictions))
-                    }
-                    (Ok(false), _) => self.shoulder_sliding(&slides, frictions),
-                    (_, Ok(false)) => self.inner_sliding(frictions),
-                    (Err(doubt), _) | (_, Err(doubt)) => Err(doubt),
-                }
-            }
-            (None, Some(_)) => self.inner_sliding(frictions(None)),
-        }
+        if rotates { self.rotation(asked).map(Some) } else { Ok(None) }
     }
 
     /// The purely rotational state, proved for unlimited friction.
-    fn rotation(&self) -> Attempt<Rotation> {
+    fn rotation(&self, asked: Asked) -> Attempt<Rotation> {
         let start = start_state::rotational(self.weight, &self.alpha());
         let at = self.root(Mode::Rotational.system(), &start)?;
         self.prove(Mode::Rotational, &at, false)?;
-        let shoulder = sliding::shoulder(&at.half_opening, &at.thrust).value();
-        let inner = inner_friction(&at);
-        Ok(Rotation { at, shoulder, inner })
+        if asked == Asked::Nothing && self.friction.is_none() {
+            return Ok(Rotation { at, frictions: None });
+        }
+        require(&room_for_steepest(&at), "the steepest joint above the shoulder", &[])?;
+        let frictions = Some([shoulder_friction(&at), inner_friction(&at)]);
+        Ok(Rotation { at, frictions })
     }
 
-    fn shoulder_sliding(
-        &self,
-        slides: &Configuration<Ball>,
-        frictions: (Ball, Option<Ball>),
-    ) -> Attempt<Outcome> {
+    fn shoulder_sliding(&self, rotational: Option<Ball>) -> Attempt<Found> {
         let bound =
             sliding::shoulder_thrust(&self.given.half_opening, &self.given.friction).value();
-        // Near the purely sliding friction the two thrusts are close, and either is a good start.
-        let thrust = if bound.is_bounded() { bound } else { slides.thrust.clone() };
-        let thrust = Float::with_val(self.bits, thrust.mid());
+        let thrust = if bound.is_bounded() {
+            Float::with_val(self.bits, bound.mid())
+        } else {
+            // Near the purely sliding friction the two thrusts are close, and either is a good start.
+            let [_, thrust, _] = start_state::sliding(&self.alpha());
+            thrust
+        };
         let start = start_state::rotational_with_thrust(self.weight, &thrust);
         let at = self.root(Mode::SlidingRotational.system(), &start)?;
-        self.proved(Mode::SlidingRotational, at, frictions)
+        self.proved(Mode::SlidingRotational, at, rotational)
     }
 
-    fn inner_sliding(&self, frictions: (Ball, Option<Ball>)) -> Attempt<Outcome> {
+    /// The purely overturning state, where there is one.
+    fn overturning(&self) -> Attempt<Found> {
+        let [_, limit] = limits(self.weight, self.bits);
+        if !decide(
+            &(limit - &self.given.half_opening.rad),
+            "whether the half opening is below that of the end of overturning",
+            &[Mode::Overturning],
+        )? {
+            return Ok(Found::Falls);
+        }
+        let at = self.root(Mode::Overturning.system(), &[self.overturning_start()])?;
+        self.proved(Mode::Overturning, at, None)
+    }
+
+    fn inner_sliding(&self, rotational: Option<Ball>) -> Attempt<Found> {
         let friction = Float::with_val(self.bits, self.given.friction.mid());
         let [h, joint] = start_state::inner_sliding(&friction);
         let sliding = (
@@ -166,7 +255,7 @@ impl Query {
             "whether the physical limit of the thickness is enough",
             &[Mode::OverturningSliding],
         )? {
-            return Ok(Outcome::Falls(Fall::Thickness));
+            return Ok(Found::Falls);
         }
         let (h, joint) = (slid.thrust.mid(), slid.sliding_joint.rad.mid());
         let start = start_state::rotational_sliding(self.weight, self.alpha().to_f64(), h.to_f64());
@@ -182,7 +271,7 @@ impl Query {
         if start.joint.is_none() {
             let (at, nearest) = at_crown()?;
             if nearest {
-                return self.proved(Mode::OverturningSliding, at, frictions);
+                return self.proved(Mode::OverturningSliding, at, rotational);
             }
         }
         let beta = float(start.joint.unwrap_or(1e-6));
@@ -200,7 +289,7 @@ impl Query {
                 (_, false) => return Err(doubt),
             },
         };
-        self.proved(mode, at, frictions)
+        self.proved(mode, at, rotational)
     }
 
     fn overturning_start(&self) -> Float {
@@ -215,10 +304,10 @@ impl Query {
         &self,
         mode: Mode,
         at: Configuration<Ball>,
-        frictions: (Ball, Option<Ball>),
-    ) -> Attempt<Outcome> {
+        rotational: Option<Ball>,
+    ) -> Attempt<Found> {
         self.prove(mode, &at, self.friction.is_some())?;
-        Ok(stands(mode, at, frictions))
+        Ok(Found::State(mode, Box::new(at), rotational))
     }
 
     /// Parts 2 and 3 of the proof: the state is admissible, and none thinner is.
@@ -231,11 +320,16 @@ impl Query {
     }
 }
 
-fn stands(
-    mode: Mode,
-    at: Configuration<Ball>,
-    (sliding_friction, rotational_friction): (Ball, Option<Ball>),
-) -> Outcome {
+/// What is found where the friction is above the purely sliding one.
+enum Found {
+    /// A state, and the friction from which collapse is purely rotational, if any is enough and it was
+    /// asked for.
+    State(Mode, Box<Configuration<Ball>>, Option<Ball>),
+    /// It would have to be thicker than twice the radius.
+    Falls,
+}
+
+fn stands(mode: Mode, at: Configuration<Ball>, frictions: Option<Frictions<Ball>>) -> Outcome {
     let slides = matches!(
         mode,
         Mode::RotationalSliding | Mode::RotationalSlidingRotational | Mode::OverturningSliding
@@ -246,19 +340,19 @@ fn stands(
         thrust: at.thrust,
         rotation_joint: at.rotation_joint.rad,
         sliding_joint: slides.then_some(at.sliding_joint.rad),
-        sliding_friction,
-        rotational_friction,
+        frictions,
     }))
 }
 
 impl Rotation {
     /// The friction from which collapse is purely rotational: the larger of the two.
-    fn friction(&self) -> Ball {
-        match self.shoulder.is_less_than(&self.inner) {
-            Ternary::True => self.inner.clone(),
-            Ternary::False => self.shoulder.clone(),
-            Ternary::Undecided => hull(&self.shoulder, &self.inner),
-        }
+    fn friction(&self) -> Option<Ball> {
+        let [shoulder, inner] = self.frictions.as_ref()?;
+        Some(match shoulder.is_less_than(inner) {
+            Ternary::True => inner.clone(),
+            Ternary::False => shoulder.clone(),
+            Ternary::Undecided => hull(shoulder, inner),
+        })
     }
 }
 
@@ -272,6 +366,7 @@ pub(super) fn hull(a: &Ball, b: &Ball) -> Ball {
 fn limits(weight: SelfWeight, bits: u32) -> [Ball; 2] {
     static CACHED: [OnceLock<[Ball; 2]>; 2] = [OnceLock::new(), OnceLock::new()];
     const ENOUGH: u32 = 1024;
+    tally::landmark();
     let at = |bits: u32| {
         [Landmark::RotationEnd, Landmark::OverturningEnd].map(|landmark| {
             let opening = |point: CertifiedLandmark| -> Result<Ball, Undecided> {

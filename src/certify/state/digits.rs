@@ -1,8 +1,8 @@
 //! The digits of a proved state: the precision is raised until all are decided.
 
 use super::assess::{Assessment, Limit};
-use super::choice::{Fall, Outcome, State};
-use super::question::{Arch, Attempt, Doubt};
+use super::choice::{Asked, Fall, Frictions, Outcome, State};
+use super::question::{Arch, Attempt, Doubt, Query};
 use crate::arch::Mode;
 use crate::number::{Ball, ExactNumber, Rounded, bits_of};
 use rug::Rational;
@@ -40,10 +40,8 @@ pub struct Digits {
     pub rotation_joint: Figure,
     /// `beta_s`, rad, if an inner joint slides.
     pub sliding_joint: Option<Figure>,
-    /// The friction below which nothing stands at this half opening.
-    pub sliding_friction: Figure,
-    /// The friction from which collapse is purely rotational; `None` if no friction is enough.
-    pub rotational_friction: Option<Figure>,
+    /// The frictions at which the mode changes, if they are asked for.
+    pub frictions: Option<Frictions<Figure>>,
 }
 
 /// The precision is doubled up to this many bits, and at least twice, before a comparison or a rounding
@@ -84,8 +82,18 @@ impl Arch {
     /// Proves the state and rounds it to `digits` significant digits, raising the precision until
     /// every comparison and every rounding is decided. The doubt that stays is the answer otherwise.
     pub fn certify(&self, digits: usize) -> Result<Answer, Doubt> {
+        self.answer(digits, Asked::Frictions)
+    }
+
+    /// The same without the frictions at which the mode changes: nothing is evaluated that the proof of
+    /// the state does not need.
+    pub fn certify_alone(&self, digits: usize) -> Result<Answer, Doubt> {
+        self.answer(digits, Asked::Nothing)
+    }
+
+    fn answer(&self, digits: usize, asked: Asked) -> Result<Answer, Doubt> {
         self.raised(digits, |bits| {
-            Ok(match self.state(bits)? {
+            Ok(match Query::new(self, bits).outcome(asked)? {
                 Outcome::Falls(fall) => Some(Answer::Falls(fall)),
                 Outcome::Stands(state) => {
                     state.digits(digits).map(|digits| Answer::Stands(Box::new(digits)))
@@ -180,8 +188,13 @@ impl State {
             intrinsic_thrust: rounded(&(self.thickness.clone() * &self.thrust))?,
             rotation_joint: rounded(&self.rotation_joint)?,
             sliding_joint: optional(&self.sliding_joint)?,
-            sliding_friction: rounded(&self.sliding_friction)?,
-            rotational_friction: optional(&self.rotational_friction)?,
+            frictions: match &self.frictions {
+                Some(Frictions { sliding, rotational }) => Some(Frictions {
+                    sliding: rounded(sliding)?,
+                    rotational: optional(rotational)?,
+                }),
+                None => None,
+            },
         })
     }
 }

@@ -28,6 +28,6 @@ mod question;
 mod root;
 
 pub use assess::{Assessment, Limit, Touch};
-pub use choice::{Fall, Outcome, State};
+pub use choice::{Fall, Frictions, Outcome, State};
 pub use digits::{Answer, AssessmentDigits, Digits, Figure, LimitDigits};
 pub use question::{Arch, ArchError, Doubt, Friction};

@@ -83,6 +83,11 @@ fn given(alpha: f64) -> Configuration<Float> {
     Configuration::zero(&alpha).with(Unknown::HalfOpening, alpha)
 }
 
+/// Whether a half opening seems to be below that of `l`, by its first digits.
+pub fn seems_to_rotate(weight: SelfWeight, alpha: &Float) -> bool {
+    *alpha < Curve::of(weight).end
+}
+
 /// `beta_r`, `eta`, `h` of the purely rotational state at a half opening below that of `l`.
 pub fn rotational(weight: SelfWeight, alpha: &Float) -> [Float; 3] {
     let bits = alpha.prec();

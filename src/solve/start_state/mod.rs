@@ -20,7 +20,7 @@ mod quick;
 mod slide;
 mod touch;
 
-pub use curve::{rotational, rotational_with_thickness, rotational_with_thrust};
+pub use curve::{rotational, rotational_with_thickness, rotational_with_thrust, seems_to_rotate};
 pub use quick::{QuickState, quick_state};
 pub use slide::{inner_sliding, sliding};
 pub use touch::{InnerStart, largest_thrust, rotational_sliding};
