@@ -138,6 +138,8 @@ pub mod number;
 #[cfg(feature = "full")]
 pub mod report;
 #[cfg(feature = "full")]
+pub mod scene;
+#[cfg(feature = "full")]
 pub mod solve;
 #[cfg(feature = "full")]
 pub mod study;

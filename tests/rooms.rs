@@ -4,8 +4,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the top: what a room may use stands before it.
-const ROOMS: [&str; 10] =
-    ["number", "symbolic", "arch", "check", "solve", "certify", "claims", "study", "report", "cli"];
+const ROOMS: [&str; 11] = [
+    "number", "symbolic", "arch", "check", "solve", "certify", "claims", "study", "report",
+    "scene", "cli",
+];
 
 fn sources(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();

@@ -13,7 +13,10 @@ mod refine;
 pub mod state;
 mod verdict;
 
-pub use audit::{Audited, Comparison, PrintedVerdict, Relation, audit, compare_weights};
+pub use audit::{
+    Audited, Comparison, Enclosed, PrintedVerdict, Relation, audit, audit_of, compare_weights,
+    compare_weights_of, enclosed,
+};
 pub use certificate::{certify_landmark, certify_state};
 pub use constant::{CertifiedLandmark, Constant, MAX_DIGITS, Value, quantities};
 pub use cover::{between, cover};

@@ -14,7 +14,7 @@
 //! encloses in one. The box has to lie in the one where the root is known to be unique.
 
 use super::{Isolated, Undecided};
-use crate::arch::{Configuration, Fixed, Point, System, Unknown};
+use crate::arch::{Configuration, Fixed, Point, System, Unknown, tally};
 use crate::check::krawczyk;
 use crate::number::{Anchor, Angle, Ball, Enclosure, Magnitude, arctangent};
 use crate::solve::inverse;
@@ -77,6 +77,7 @@ pub fn refine_watched(
 ) -> Result<Refined, Undecided> {
     let system = *isolated.system();
     let bits = bits.max(FLOOR);
+    tally::working_bits(bits + GUARD);
     let mut start: Vec<Float> = isolated.image().iter().map(|x| x.mid().clone()).collect();
     start = newton(&system, start, FLOOR)?;
     let level = Level::new(&system, start, bits, tick)?;
@@ -184,6 +185,7 @@ impl<'a> Level<'a> {
     /// The Newton corrections `Y F(centre)` from residuals at `bits` bits, each with a bound of the
     /// sum of its terms' sizes.
     fn corrections(&self, bits: u32) -> Vec<(Ball, Magnitude)> {
+        tally::newton_step();
         let values: Vec<Ball> = self.centre.iter().map(|x| Ball::exact(x.clone(), bits)).collect();
         let residuals = self.system.residuals(&self.point(&values, bits));
         // Residuals are small and have few bits that mean anything; so have the products.

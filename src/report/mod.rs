@@ -1,5 +1,6 @@
 //! Output only: what a command found, written in a format. One file per format.
 
+mod arches;
 mod claims;
 mod csv;
 mod json;
@@ -7,6 +8,8 @@ mod rows;
 mod study;
 mod table;
 
+pub use self::csv::{ASSESS_VALUES, STATE_VALUES};
+pub use arches::{ArchEntries, Arches};
 pub use claims::{ClaimFormat, Claims};
 pub use rows::{Answered, Rows};
 pub use study::{StudyFiles, accuracy_table, stability_table};

@@ -56,9 +56,8 @@ impl Reader<'_> {
 
     fn file(&mut self, value: &Value, files: &mut Files) -> Option<PathBuf> {
         let text = self.text("output", value)?;
-        let inside = |component: &Component| {
-            matches!(component, Component::Normal(_) | Component::CurDir)
-        };
+        let inside =
+            |component: &Component| matches!(component, Component::Normal(_) | Component::CurDir);
         let is_file = !text.is_empty()
             && !text.ends_with(['/', '\\'])
             && !text.contains('\0')

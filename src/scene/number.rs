@@ -2,8 +2,8 @@
 
 use super::schema::MAX_ARCHES;
 use super::value::{Reader, Value};
-use crate::certify::state::{Arch, ArchError, Friction, is_thickness};
 use crate::arch::SelfWeight;
+use crate::certify::state::{Arch, ArchError, Friction, is_thickness};
 use crate::number::{Decimal, ExactNumber, ParseExactError};
 use rug::Rational;
 use std::collections::HashMap;
@@ -96,7 +96,8 @@ impl Reader<'_> {
             let Some(given) = self.number(meaning, element) else { continue };
             let number = given.number.as_ref().map(|x| (x.factor().clone(), x.is_rational()));
             if let Some(first) = seen.insert(number, element.span()) {
-                let (text, at) = (self.source.shown(element.span()), self.source.place(first.start));
+                let (text, at) =
+                    (self.source.shown(element.span()), self.source.place(first.start));
                 let message = format!(
                     "{} {text} is listed twice, first in line {}, column {}",
                     meaning.key(),

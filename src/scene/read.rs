@@ -1,7 +1,7 @@
 //! From TOML to a valid scene, or to everything that is wrong with it.
 
 use super::destination::Files;
-use super::fault::{Fault, list};
+use super::fault::{Fault, Source, list};
 use super::number::{Given, Meaning};
 use super::schema::{
     AskedArch, DIGITS, Item, Kind, MAX_ARCH_DIGITS, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, SCENE_KEYS,
@@ -22,13 +22,26 @@ struct Overall {
     weights: Option<Vec<SelfWeight>>,
 }
 
+/// Reads a scene from a file's bytes; see [`read`].
+pub fn read_bytes(bytes: &[u8]) -> Result<Scene, Vec<Fault>> {
+    let fault = |before: &str, message: String| {
+        Err(vec![Fault { place: Source(before).place(before.len()), message }])
+    };
+    if bytes.len() > MAX_BYTES {
+        return fault("", format!("a scene has at most {MAX_BYTES} bytes"));
+    }
+    match str::from_utf8(bytes) {
+        Ok(text) => read(text),
+        Err(error) => {
+            let before = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
+            fault(&before, "not TOML: this is no text in UTF-8".to_owned())
+        }
+    }
+}
+
 /// Reads a scene. Nothing is computed; the faults are all there are, in the order of the file.
 pub fn read(text: &str) -> Result<Scene, Vec<Fault>> {
     let mut reader = Reader::new(text);
-    if text.len() > MAX_BYTES {
-        reader.fault(0..0, format!("a scene has at most {MAX_BYTES} bytes"));
-        return Err(reader.faults);
-    }
     let (root, errors) = DeTable::parse_recoverable(text);
     if !errors.is_empty() {
         for error in errors {
@@ -57,10 +70,10 @@ impl<'s> Reader<'s> {
         if !self.schema(root) {
             return Vec::new();
         }
-        let keys: Vec<&str> =
-            SCENE_KEYS.into_iter().chain(Kind::ALL.map(Kind::name)).collect();
+        let keys: Vec<&str> = SCENE_KEYS.into_iter().chain(Kind::ALL.map(Kind::name)).collect();
         self.unknown_keys(root, "a scene", &keys);
-        let digits = root.get("digits").and_then(|value| self.whole("digits", value, 1..=MAX_DIGITS));
+        let digits =
+            root.get("digits").and_then(|value| self.whole("digits", value, 1..=MAX_DIGITS));
         let named = root.get("weight").and_then(|value| self.names("weight", value, &weights()));
         let overall = Overall { digits: digits.unwrap_or(DIGITS), weights: named };
         let mut tables = self.tables(root);
@@ -83,7 +96,8 @@ impl<'s> Reader<'s> {
                 if let What::Arches { arches: asked, .. } = &item.what {
                     arches += asked.len();
                     if arches > MAX_ARCHES {
-                        let message = format!("{arches} arches so far; a scene has at most {MAX_ARCHES}");
+                        let message =
+                            format!("{arches} arches so far; a scene has at most {MAX_ARCHES}");
                         self.fault(span, message);
                     }
                 }
@@ -227,9 +241,9 @@ impl<'s> Reader<'s> {
         };
         let frictions = self.frictions(span, table);
         let thicknesses = match table.get("thickness") {
-            Some(value) => self.numbers(Meaning::Thickness, value).map(|all| {
-                all.into_iter().map(|given| given.number).collect()
-            }),
+            Some(value) => self
+                .numbers(Meaning::Thickness, value)
+                .map(|all| all.into_iter().map(|given| given.number).collect()),
             None => Some(vec![None]),
         };
         let names: &[&'static str] = if with_thickness { &ASSESS_VALUES } else { &STATE_VALUES };
@@ -288,8 +302,7 @@ impl<'s> Reader<'s> {
             }
             [None, None] => {
                 let (mu, phi) = (Meaning::Friction.allowed(), Meaning::FrictionAngle.allowed());
-                let message =
-                    format!("friction is missing; give {mu}, or friction_angle, {phi}");
+                let message = format!("friction is missing; give {mu}, or friction_angle, {phi}");
                 self.fault(span.clone(), message);
                 None
             }

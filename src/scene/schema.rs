@@ -123,9 +123,7 @@ impl Kind {
     /// The keys that an item of this kind may have.
     pub fn keys(self) -> &'static [&'static str] {
         match self {
-            Self::Constants => {
-                &["landmarks", "quantities", "weight", "digits", "format", "output"]
-            }
+            Self::Constants => &["landmarks", "quantities", "weight", "digits", "format", "output"],
             Self::Arches => &[
                 "half_opening",
                 "friction",

@@ -42,7 +42,7 @@ impl<'s> Reader<'s> {
         }
     }
 
-    pub fn text<'v>(&mut self, key: &str, value: &'v Value<'s>) -> Option<&'v str> {
+    pub fn text<'v>(&mut self, key: &str, value: &'v Value) -> Option<&'v str> {
         let text = value.get_ref().as_str();
         if text.is_none() {
             self.is_not(key, value, "a text");
@@ -76,12 +76,12 @@ impl<'s> Reader<'s> {
     }
 
     /// The elements of a list, or a value that stands for itself.
-    pub fn elements<'v>(
+    pub fn elements<'v, 't>(
         &mut self,
         key: &str,
-        value: &'v Value<'s>,
+        value: &'v Value<'t>,
         allowed: &str,
-    ) -> Vec<&'v Value<'s>> {
+    ) -> Vec<&'v Value<'t>> {
         match value.get_ref() {
             DeValue::Array(array) => {
                 if array.is_empty() {
@@ -97,7 +97,7 @@ impl<'s> Reader<'s> {
     pub fn names<T: Copy + PartialEq>(
         &mut self,
         key: &str,
-        value: &Value<'s>,
+        value: &Value,
         known: &[(&'static str, T)],
     ) -> Option<Vec<T>> {
         let names: Vec<&str> = known.iter().map(|(name, _)| *name).collect();

@@ -1,10 +1,11 @@
-//! The digits of a proved state: the precision is raised until all are decided.
+//! The digits of a proved state.
 
-use super::assess::{Assessment, Limit};
-use super::choice::{Asked, Fall, Frictions, Outcome, State};
-use super::question::{Arch, Attempt, Doubt, Query};
+use super::assess::{Assessment, Limit, Wanted};
+use super::choice::{Fall, Frictions, State};
+use super::inquiry::Inquiry;
+use super::question::{Arch, Doubt};
 use crate::arch::Mode;
-use crate::number::{Ball, ExactNumber, Rounded, bits_of};
+use crate::number::{Ball, ExactNumber, Rounded};
 use rug::Rational;
 
 /// A proved state with its digits, or why nothing stands.
@@ -44,12 +45,6 @@ pub struct Digits {
     pub frictions: Option<Frictions<Figure>>,
 }
 
-/// The precision is doubled up to this many bits, and at least twice, before a comparison or a rounding
-/// counts as undecided.
-const ENOUGH: u32 = 8192;
-/// Bits beyond the digits asked for, at the first attempt.
-const GUARD: u32 = 48;
-
 /// What is certain of an arch of a given thickness, correctly rounded.
 #[derive(Clone, Debug)]
 pub struct AssessmentDigits {
@@ -82,24 +77,13 @@ impl Arch {
     /// Proves the state and rounds it to `digits` significant digits, raising the precision until
     /// every comparison and every rounding is decided. The doubt that stays is the answer otherwise.
     pub fn certify(&self, digits: usize) -> Result<Answer, Doubt> {
-        self.answer(digits, Asked::Frictions)
+        Inquiry::new(self, digits, true).state(digits, true)
     }
 
     /// The same without the frictions at which the mode changes: nothing is evaluated that the proof of
     /// the state does not need.
     pub fn certify_alone(&self, digits: usize) -> Result<Answer, Doubt> {
-        self.answer(digits, Asked::Nothing)
-    }
-
-    fn answer(&self, digits: usize, asked: Asked) -> Result<Answer, Doubt> {
-        self.raised(digits, |bits| {
-            Ok(match Query::new(self, bits).outcome(asked)? {
-                Outcome::Falls(fall) => Some(Answer::Falls(fall)),
-                Outcome::Stands(state) => {
-                    state.digits(digits).map(|digits| Answer::Stands(Box::new(digits)))
-                }
-            })
-        })
+        Inquiry::new(self, digits, false).state(digits, false)
     }
 
     /// Proves what holds for the arch with a given thickness, in `(0, 2)`, in the same way.
@@ -108,32 +92,13 @@ impl Arch {
         thickness: &ExactNumber,
         digits: usize,
     ) -> Result<AssessmentDigits, Doubt> {
-        self.raised(digits, |bits| Ok(self.assess(thickness, bits)?.digits(digits)))
-    }
-
-    fn raised<T>(
-        &self,
-        digits: usize,
-        proof: impl Fn(u32) -> Attempt<Option<T>>,
-    ) -> Result<T, Doubt> {
-        let first = bits_of(digits) + GUARD + self.bits_lost();
-        let mut bits = first;
-        let mut last = Doubt { question: "the rounding", between: Vec::new(), gap: f64::NAN };
-        while bits <= ENOUGH.max(4 * first) {
-            match proof(bits) {
-                Ok(Some(answer)) => return Ok(answer),
-                Ok(None) => {}
-                Err(doubt) => last = doubt,
-            }
-            bits *= 2;
-        }
-        Err(last)
+        Inquiry::new(self, digits, false).assess(thickness, digits, Wanted::Everything)
     }
 }
 
 impl Assessment {
     /// Every value rounded to `digits` significant digits, if the enclosures decide all of them.
-    fn digits(&self, digits: usize) -> Option<AssessmentDigits> {
+    pub(super) fn digits(&self, digits: usize) -> Option<AssessmentDigits> {
         let optional = |x: Option<&Ball>| match x {
             Some(x) => Figure::new(x, digits).map(Some),
             None => Some(None),
@@ -175,7 +140,7 @@ impl Figure {
 
 impl State {
     /// Every value rounded to `digits` significant digits, if the enclosures decide all of them.
-    fn digits(&self, digits: usize) -> Option<Digits> {
+    pub(super) fn digits(&self, digits: usize) -> Option<Digits> {
         let rounded = |x: &Ball| Figure::new(x, digits);
         let optional = |x: &Option<Ball>| match x {
             Some(x) => rounded(x).map(Some),

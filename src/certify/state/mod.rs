@@ -19,15 +19,18 @@
 //! | `choice` | part 4: which mode, and its start values |
 //! | [`check::conditions`](crate::check::conditions) | parts 2 and 3 |
 //! | `assess` | an arch of a given thickness |
-//! | `digits` | raises the precision until every digit is decided |
+//! | `digits` | the digits of what is proved |
+//! | `inquiry` | raises the precision until every digit is decided, once for all questions |
 
 mod assess;
 mod choice;
 mod digits;
+mod inquiry;
 mod question;
 mod root;
 
-pub use assess::{Assessment, Limit, Touch};
+pub use assess::{Assessment, Limit, Touch, Wanted};
 pub use choice::{Fall, Frictions, Outcome, State};
 pub use digits::{Answer, AssessmentDigits, Digits, Figure, LimitDigits};
-pub use question::{Arch, ArchError, Doubt, Friction};
+pub use inquiry::Inquiry;
+pub use question::{Arch, ArchError, Doubt, Friction, is_thickness};

@@ -1,0 +1,101 @@
+//! Several questions about one arch, which share what is proved on the way.
+
+use super::assess::Wanted;
+use super::choice::{Asked, Outcome};
+use super::digits::{Answer, AssessmentDigits};
+use super::question::{Arch, Attempt, Doubt, Friction, Query};
+use crate::number::{ExactNumber, bits_of};
+use std::collections::BTreeMap;
+
+/// Questions about an arch. Its state is proved once at each precision, whoever asks.
+pub struct Inquiry<'a> {
+    arch: &'a Arch,
+    /// What the state is asked for at every precision.
+    asked: Asked,
+    /// The precision of the first attempt: enough for the question with the most digits.
+    first_bits: u32,
+    states: BTreeMap<u32, Attempt<Outcome>>,
+    /// States with unlimited friction.
+    unlimited: BTreeMap<u32, Attempt<Outcome>>,
+}
+
+/// The precision is doubled up to this many bits, and at least twice, before a comparison or a rounding
+/// counts as undecided.
+const ENOUGH: u32 = 8192;
+/// Bits beyond the digits asked for, at the first attempt.
+const GUARD: u32 = 48;
+
+impl<'a> Inquiry<'a> {
+    /// Questions of at most so many digits; `frictions` says whether any asks for the frictions at which
+    /// the mode changes.
+    pub fn new(arch: &'a Arch, most_digits: usize, frictions: bool) -> Self {
+        let first_bits = bits_of(most_digits) + GUARD + arch.bits_lost();
+        let asked = if frictions { Asked::Frictions } else { Asked::Nothing };
+        let (states, unlimited) = (BTreeMap::new(), BTreeMap::new());
+        Self { arch, asked, first_bits, states, unlimited }
+    }
+
+    /// The state to so many digits. The frictions at which the mode changes are left out unless they are
+    /// asked for here and in [`Inquiry::new`].
+    pub fn state(&mut self, digits: usize, frictions: bool) -> Result<Answer, Doubt> {
+        self.raised(|inquiry, bits| {
+            Ok(match inquiry.outcome(bits)? {
+                Outcome::Falls(fall) => Some(Answer::Falls(fall)),
+                Outcome::Stands(mut state) => {
+                    state.frictions = state.frictions.filter(|_| frictions);
+                    state.digits(digits).map(|digits| Answer::Stands(Box::new(digits)))
+                }
+            })
+        })
+    }
+
+    /// What holds for the arch with a given thickness, in `(0, 2)`, to so many digits.
+    pub fn assess(
+        &mut self,
+        thickness: &ExactNumber,
+        digits: usize,
+        wanted: Wanted,
+    ) -> Result<AssessmentDigits, Doubt> {
+        self.raised(|inquiry, bits| Ok(inquiry.assessment(thickness, bits, wanted)?.digits(digits)))
+    }
+
+    /// The state of the arch with numbers of `bits` bits.
+    pub(super) fn outcome(&mut self, bits: u32) -> Attempt<Outcome> {
+        let (arch, asked) = (self.arch, self.asked);
+        let state = self.states.entry(bits);
+        state.or_insert_with(|| Query::new(arch, bits).outcome(asked)).clone()
+    }
+
+    /// The same with unlimited friction.
+    pub(super) fn unlimited(&mut self, bits: u32) -> Attempt<Outcome> {
+        if *self.arch.friction() == Friction::Infinite {
+            return self.outcome(bits);
+        }
+        let arch = self.arch;
+        let state = self.unlimited.entry(bits);
+        state.or_insert_with(|| arch.with_friction(Friction::Infinite).state_alone(bits)).clone()
+    }
+
+    /// The arch of the questions.
+    pub(super) fn arch(&self) -> &'a Arch {
+        self.arch
+    }
+
+    /// Raises the precision until every comparison and every rounding is decided.
+    fn raised<T>(
+        &mut self,
+        proof: impl Fn(&mut Self, u32) -> Attempt<Option<T>>,
+    ) -> Result<T, Doubt> {
+        let mut bits = self.first_bits;
+        let mut last = Doubt { question: "the rounding", between: Vec::new(), gap: f64::NAN };
+        while bits <= ENOUGH.max(4 * self.first_bits) {
+            match proof(self, bits) {
+                Ok(Some(answer)) => return Ok(answer),
+                Ok(None) => {}
+                Err(doubt) => last = doubt,
+            }
+            bits *= 2;
+        }
+        Err(last)
+    }
+}

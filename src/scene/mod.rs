@@ -1,0 +1,57 @@
+//! A scene: what a study needs, in a file, and exactly that computed and written.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `schema` | what a scene may hold, `couplet.scene/1` |
+//! | `read` | TOML to a valid scene, or all its faults; with `value`, `number`, `destination`, `fault` |
+//! | `format` | the formats of outputs |
+//! | `plan` | what has to be computed, each piece once |
+//! | `run` | computes it, item by item; `cost` counts |
+//! | `explain` | the plan as a tree |
+//! | `manifest` | which outputs are complete, told by their content |
+//!
+//! ```
+//! use couplet::scene::{Plan, Run, read};
+//!
+//! let text = r#"
+//!     schema = "couplet.scene/1"
+//!     [constants]
+//!     landmarks = "T"
+//!     quantities = "thickness"
+//!     weight = "milankovitch"
+//!     digits = 12
+//! "#;
+//! let scene = read(text).unwrap();
+//! let plan = Plan::new(&scene, vec![false]);
+//! let mut run = Run::new(&plan);
+//! let mut table = Vec::new();
+//! run.item(0, &|| ()).write(&mut table)?;
+//! assert!(String::from_utf8_lossy(&table).contains("0.618318241074"));
+//! # Ok::<(), std::io::Error>(())
+//! ```
+
+mod cost;
+mod destination;
+mod explain;
+mod fault;
+mod format;
+mod manifest;
+mod number;
+mod plan;
+mod read;
+mod run;
+mod schema;
+mod value;
+
+pub use cost::Cost;
+pub use explain::explain;
+pub use fault::{Fault, Place};
+pub use format::OutputFormat;
+pub use manifest::{Hashing, Manifest, NAME as MANIFEST};
+pub use plan::{ArchNode, AskedThickness, ClaimNode, LandmarkNode, Needs, Plan};
+pub use read::{read, read_bytes};
+pub use run::{Costs, Found, Run};
+pub use schema::{
+    AskedArch, EXAMPLE, Item, Kind, MAX_ARCH_DIGITS, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, SCHEMA,
+    Scene, What,
+};
