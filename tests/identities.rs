@@ -47,6 +47,24 @@ proptest! {
         prop_assert!(twin != 0 || joint.cos == shoulder.cos, "false twin");
     }
 
+    /// (2) and (5) have one thrust in common, whatever the weight: with the centroid factor that gives (5)
+    /// this thrust, (2) gives it too.
+    #[test]
+    fn the_touching_thrust_is_that_of_lower_and_tangency(
+        joint in circle_point(), beta in positive_rational(), eta in positive_rational(),
+    ) {
+        let joint = angle(joint, beta);
+        let ring = Ring::new(SelfWeight::Heyman, &eta);
+        let Some(h) = value(&thrust::touching(&joint, &ring)) else { return Ok(()) };
+        let cotangent = joint.times_cotangent();
+        let factor = |h: &Exact| (Exact::from(1) + &cotangent - h) * ring.intrados() / Exact::from(2);
+        let with = |h: &Exact| Ring { centroid_factor: factor(h), ..ring.clone() };
+        prop_assert_eq!(thrust::tangency(&cotangent, &with(&h)).residual(&h), Exact::new());
+        prop_assert_eq!(thrust::lower(&joint, &with(&h)).residual(&h), Exact::new());
+        let twin = h.clone() + Exact::from(1);
+        prop_assert_ne!(thrust::lower(&joint, &with(&twin)).residual(&twin), Exact::new());
+    }
+
     /// The thrust of (2) puts the pressure point on the extrados at the crown and on the intrados at
     /// the joint; that of (4) puts it on the extrados at both ends.
     #[test]

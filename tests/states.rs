@@ -170,6 +170,47 @@ fn tiny_openings_keep_full_relative_accuracy() {
     }
 }
 
+/// Small openings are proved in scaled variables, with as few bits as any other; with very many bits the
+/// printed equations are used, and say the same.
+#[test]
+fn small_openings_need_no_more_bits_and_agree_with_the_printed_equations() {
+    for weight in BOTH {
+        for (half_opening, part) in
+            [("0.18", "0.001"), ("0.01", "1.1e-7"), ("1e-9", "1.1e-28"), ("1e-40", "1.1e-121")]
+        {
+            for friction in ["inf", "0.3", part] {
+                let arch = arch(weight, half_opening, friction);
+                let (answer, cost) = tally::measure(|| arch.certify(20));
+                let Ok(Answer::Stands(small)) = answer else { panic!("{half_opening} {friction}") };
+                assert!(cost.working_bits < 150, "{half_opening} {friction}: {cost:?}");
+                let printed = |bits| match tally::measure(|| arch.state(bits)) {
+                    (Ok(Outcome::Stands(state)), cost) => (state, cost),
+                    other => panic!("{half_opening} {friction}: {other:?}"),
+                };
+                let (large, cost_of_printed) = printed(8_000 + arch.bits_lost());
+                assert!(cost_of_printed.of(Equation::Tangency) > 0);
+                assert_eq!(small.mode, large.mode);
+                for (figure, ball) in [
+                    (&small.thickness, &large.thickness),
+                    (&small.thrust, &large.thrust),
+                    (&small.rotation_joint, &large.rotation_joint),
+                    (&frictions(&small).sliding, &large.frictions.as_ref().unwrap().sliding),
+                    (
+                        frictions(&small).rotational.as_ref().unwrap(),
+                        large.frictions.as_ref().unwrap().rotational.as_ref().unwrap(),
+                    ),
+                ] {
+                    let again = Figure::new(ball, 20).unwrap();
+                    assert_eq!(
+                        figure.decimal.value, again.decimal.value,
+                        "{half_opening} {friction}"
+                    );
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn the_ends_of_the_branches_are_approached_from_both_sides() {
     for weight in BOTH {

@@ -11,6 +11,7 @@
 //! | (17), (18) | [`sliding`] |
 //! | the seven collapse modes | [`Mode`] |
 //! | landmark points, Tables 1–4 | [`Landmark`], [`System`], [`published`] |
+//! | the same equations where the half opening is small | [`small`] |
 //! | how often what was evaluated | [`tally`] |
 //!
 //! Lengths are in units of the centreline radius `r`, forces in units of `w r` (weight per unit
@@ -27,6 +28,7 @@ pub mod published;
 mod quantity;
 mod quotient;
 pub mod sliding;
+pub mod small;
 pub mod statics;
 mod system;
 pub mod tally;

@@ -77,6 +77,22 @@ pub fn opening_variable<T: Field>(half_opening: &Angle<T>) -> Quotient<T> {
     }
 }
 
+/// The thrust where (2) and (5) hold both, whatever the weight: its moment, `fac_M`, is eliminated.
+///
+/// ```text
+/// h = (2 - eta)/(2 eta) (1 - cos(beta)) (beta/sin(beta) - 1)
+/// ```
+///
+/// It is positive for `beta` in `(0, pi)` and `eta` in `(0, 2)`, and keeps its digits where the thrust falls
+/// to zero with the joint, towards the end of rotation, where (2) and (5) lose them.
+pub fn touching<T: Field>(joint: &Angle<T>, ring: &Ring<T>) -> Quotient<T> {
+    let two = ring.thickness.int(2);
+    Quotient {
+        numerator: (joint.rad.clone() - &joint.sin) * joint.versine() * ring.intrados(),
+        denominator: two * &ring.thickness * &joint.sin,
+    }
+}
+
 /// Eq. (5), `h_e`: the thrust at which the line of thrust touches the intrados at `beta` instead of
 /// crossing it.
 ///

@@ -58,7 +58,7 @@ impl<T: Field> Dual<T> {
     }
 
     /// The dual number with `value` and the gradient of `self` scaled by `factor`.
-    fn chain(&self, value: T, factor: &T) -> Self {
+    pub(super) fn chain(&self, value: T, factor: &T) -> Self {
         let gradient = self.gradient.iter().map(|g| g.clone().map(|g| g * factor)).collect();
         Self { value, gradient }
     }

@@ -45,6 +45,7 @@ mod double;
 mod dual;
 #[cfg(feature = "full")]
 mod gmp;
+mod stumpff;
 mod ternary;
 
 pub use angle::Angle;
@@ -55,6 +56,9 @@ pub use gmp::{
     Anchor, Ball, Decimal, ExactNumber, Magnitude, ParseDecimalError, ParseExactError, Rounded,
     Surd, arctangent, bits_of, rational_like,
 };
+pub use stumpff::Stumpff;
+#[cfg(feature = "full")]
+pub(crate) use stumpff::terms as stumpff_terms;
 pub use ternary::Ternary;
 
 use std::fmt::Debug;

@@ -7,7 +7,7 @@
 //! | `format` | the formats of outputs |
 //! | `plan` | what has to be computed, each piece once |
 //! | `run` | computes it, item by item; `cost` counts |
-//! | `explain` | the plan as a tree |
+//! | `explain` | the plan as a tree, with what `expected` says of the arches |
 //! | `manifest` | which outputs are complete, told by their content |
 //!
 //! ```
@@ -32,6 +32,7 @@
 
 mod cost;
 mod destination;
+mod expected;
 mod explain;
 mod fault;
 mod format;

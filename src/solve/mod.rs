@@ -7,7 +7,7 @@ mod start;
 pub mod start_state;
 
 pub use linear::inverse;
-pub use newton::{newton, polish};
+pub use newton::{newton, polish, settle};
 pub use start::start;
 
 use rug::Float;

@@ -43,7 +43,7 @@ pub fn polish(
 ///
 /// It settles when the steps are short, or when short steps no longer get shorter: then they are the
 /// rounding of an ill-conditioned system, and whether the digits are enough is for the proof to say.
-fn settle(
+pub fn settle(
     mut x: Vec<Float>,
     residuals: impl Fn(&[Float]) -> Vec<Dual<Float>>,
 ) -> Option<Vec<Float>> {

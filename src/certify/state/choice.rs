@@ -2,7 +2,8 @@
 
 use super::question::{Arch, Attempt, Query, decide, require};
 use crate::arch::{
-    Configuration, Equation, Landmark, Mode, SelfWeight, Unknown, contact, sliding, tally, thrust,
+    Configuration, Equation, Landmark, Mode, Ring, SelfWeight, Unknown, contact, sliding, tally,
+    thrust,
 };
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::check::{conditions, inner_friction, room_for_steepest, shoulder_friction};
@@ -66,7 +67,7 @@ pub(super) enum Asked {
 
 /// A purely rotational state.
 struct Rotation {
-    at: Configuration<Ball>,
+    state: State,
     /// The frictions that the shoulder and an inner joint ask for, where friction matters.
     frictions: Option<[Ball; 2]>,
 }
@@ -85,7 +86,7 @@ impl Arch {
 
     /// The friction below which nothing stands at this half opening: that of the purely sliding state.
     pub fn sliding_friction(&self, bits: u32) -> Attempt<Ball> {
-        Ok(Query::new(self, bits).pure_sliding()?.friction)
+        Query::new(self, bits).pure_sliding()
     }
 }
 
@@ -103,7 +104,7 @@ impl Query {
             if self.falls_by_sliding(&slides)? {
                 return Ok(Outcome::Falls(Fall::Sliding));
             }
-            least_friction = Some(slides.friction);
+            least_friction = Some(slides);
         }
         let found = self.state_above_sliding(asked);
         let is_proved = matches!(found, Ok(Found::State(..)));
@@ -115,12 +116,11 @@ impl Query {
         }
         match found? {
             Found::Falls => Ok(Outcome::Falls(Fall::Thickness)),
-            Found::State(mode, at, rotational) => {
-                let frictions = match least_friction.filter(|_| asked == Asked::Frictions) {
-                    Some(sliding) => Some(Frictions { sliding, rotational }),
-                    None => None,
-                };
-                Ok(stands(mode, *at, frictions))
+            Found::State(mut state, rotational) => {
+                state.frictions = least_friction
+                    .filter(|_| asked == Asked::Frictions)
+                    .map(|sliding| Frictions { sliding, rotational });
+                Ok(Outcome::Stands(state))
             }
         }
     }
@@ -133,20 +133,22 @@ impl Query {
         })
     }
 
-    /// The purely sliding state.
-    fn pure_sliding(&self) -> Attempt<Configuration<Ball>> {
+    /// The friction of the purely sliding state.
+    fn pure_sliding(&self) -> Attempt<Ball> {
+        if let Some(small) = self.small() {
+            return Ok(small.pure_sliding()?.friction());
+        }
         let slides = self.root(Mode::Sliding.system(), &start_state::sliding(&self.alpha()))?;
         require(&slides.friction, "a positive purely sliding friction", &[])?;
         let inside = slides.half_opening.rad.clone() - &slides.sliding_joint.rad;
         require(&inside, "the steepest joint above the shoulder", &[])?;
-        Ok(slides)
+        Ok(slides.friction)
     }
 
-    fn falls_by_sliding(&self, slides: &Configuration<Ball>) -> Attempt<bool> {
+    fn falls_by_sliding(&self, least_friction: &Ball) -> Attempt<bool> {
         let Some(friction) = &self.friction else { return Ok(false) };
-        let margin = friction.clone() - &slides.friction;
-        let enough = decide(&margin, "whether the friction is enough to stand", &[Mode::Sliding])?;
-        Ok(!enough)
+        let margin = friction.clone() - least_friction;
+        Ok(!decide(&margin, "whether the friction is enough to stand", &[Mode::Sliding])?)
     }
 
     /// The state, if the friction is above the purely sliding one; below it the answer is not to be used
@@ -161,7 +163,7 @@ impl Query {
         let critical = rotation.friction();
         let (Some(friction), Some([shoulder, inner])) = (&self.friction, &rotation.frictions)
         else {
-            return Ok(Found::State(Mode::Rotational, Box::new(rotation.at), critical));
+            return Ok(Found::State(Box::new(rotation.state), critical));
         };
         let margin = |critical: &Ball, mode| {
             decide(
@@ -174,9 +176,7 @@ impl Query {
         let holds_inner = margin(inner, Mode::RotationalSliding);
         // Both can fail only below the purely sliding friction.
         match (holds_shoulder, holds_inner) {
-            (Ok(true), Ok(true)) => {
-                Ok(Found::State(Mode::Rotational, Box::new(rotation.at), critical))
-            }
+            (Ok(true), Ok(true)) => Ok(Found::State(Box::new(rotation.state), critical)),
             (Ok(false), _) => self.shoulder_sliding(critical),
             (_, Ok(false)) => self.inner_sliding(critical),
             (Err(doubt), _) | (_, Err(doubt)) => Err(doubt),
@@ -201,18 +201,34 @@ impl Query {
 
     /// The purely rotational state, proved for unlimited friction.
     fn rotation(&self, asked: Asked) -> Attempt<Rotation> {
-        let start = start_state::rotational(self.weight, &self.alpha());
-        let at = self.root(Mode::Rotational.system(), &start)?;
-        self.prove(Mode::Rotational, &at, false)?;
-        if asked == Asked::Nothing && self.friction.is_none() {
-            return Ok(Rotation { at, frictions: None });
+        let friction_matters = asked == Asked::Frictions || self.friction.is_some();
+        if let Some(small) = self.small() {
+            let root = small.rotation()?;
+            let frictions = if friction_matters { Some(root.frictions()?) } else { None };
+            return Ok(Rotation { state: root.into_state(Mode::Rotational), frictions });
         }
-        require(&room_for_steepest(&at), "the steepest joint above the shoulder", &[])?;
-        let frictions = Some([shoulder_friction(&at), inner_friction(&at)]);
-        Ok(Rotation { at, frictions })
+        let start = start_state::rotational(self.weight, &self.alpha());
+        let mut at = self.root(Mode::Rotational.system(), &start)?;
+        let ring = Ring::new(self.weight, &at.thickness);
+        // The same number; next to the end of rotation it is tiny, and this encloses it better.
+        let touching = thrust::touching(&at.rotation_joint, &ring).value();
+        if touching.rad() < at.thrust.rad() {
+            at.thrust = touching;
+        }
+        self.prove(Mode::Rotational, &at, false)?;
+        let mut frictions = None;
+        if friction_matters {
+            require(&room_for_steepest(&at), "the steepest joint above the shoulder", &[])?;
+            frictions = Some([shoulder_friction(&at), inner_friction(&at)]);
+        }
+        Ok(Rotation { state: State::new(Mode::Rotational, at), frictions })
     }
 
     fn shoulder_sliding(&self, rotational: Option<Ball>) -> Attempt<Found> {
+        if let Some(small) = self.small() {
+            let state = small.shoulder_sliding()?.into_state(Mode::SlidingRotational);
+            return Ok(Found::State(Box::new(state), rotational));
+        }
         let bound =
             sliding::shoulder_thrust(&self.given.half_opening, &self.given.friction).value();
         let thrust = if bound.is_bounded() {
@@ -307,7 +323,7 @@ impl Query {
         rotational: Option<Ball>,
     ) -> Attempt<Found> {
         self.prove(mode, &at, self.friction.is_some())?;
-        Ok(Found::State(mode, Box::new(at), rotational))
+        Ok(Found::State(Box::new(State::new(mode, at)), rotational))
     }
 
     /// Parts 2 and 3 of the proof: the state is admissible, and none thinner is.
@@ -324,24 +340,27 @@ impl Query {
 enum Found {
     /// A state, and the friction from which collapse is purely rotational, if any is enough and it was
     /// asked for.
-    State(Mode, Box<Configuration<Ball>>, Option<Ball>),
+    State(Box<State>, Option<Ball>),
     /// It would have to be thicker than twice the radius.
     Falls,
 }
 
-fn stands(mode: Mode, at: Configuration<Ball>, frictions: Option<Frictions<Ball>>) -> Outcome {
-    let slides = matches!(
-        mode,
-        Mode::RotationalSliding | Mode::RotationalSlidingRotational | Mode::OverturningSliding
-    );
-    Outcome::Stands(Box::new(State {
-        mode,
-        thickness: at.thickness,
-        thrust: at.thrust,
-        rotation_joint: at.rotation_joint.rad,
-        sliding_joint: slides.then_some(at.sliding_joint.rad),
-        frictions,
-    }))
+impl State {
+    /// A state without the frictions at which its mode changes.
+    fn new(mode: Mode, at: Configuration<Ball>) -> Self {
+        let slides = matches!(
+            mode,
+            Mode::RotationalSliding | Mode::RotationalSlidingRotational | Mode::OverturningSliding
+        );
+        Self {
+            mode,
+            thickness: at.thickness,
+            thrust: at.thrust,
+            rotation_joint: at.rotation_joint.rad,
+            sliding_joint: slides.then_some(at.sliding_joint.rad),
+            frictions: None,
+        }
+    }
 }
 
 impl Rotation {

@@ -12,8 +12,8 @@ pub struct Inquiry<'a> {
     arch: &'a Arch,
     /// What the state is asked for at every precision.
     asked: Asked,
-    /// The precision of the first attempt: enough for the question with the most digits.
-    first_bits: u32,
+    /// Bits enough for the question with the most digits, if the equations lose none.
+    bits: u32,
     states: BTreeMap<u32, Attempt<Outcome>>,
     /// States with unlimited friction.
     unlimited: BTreeMap<u32, Attempt<Outcome>>,
@@ -29,16 +29,17 @@ impl<'a> Inquiry<'a> {
     /// Questions of at most so many digits; `frictions` says whether any asks for the frictions at which
     /// the mode changes.
     pub fn new(arch: &'a Arch, most_digits: usize, frictions: bool) -> Self {
-        let first_bits = bits_of(most_digits) + GUARD + arch.bits_lost();
+        let bits = bits_of(most_digits) + GUARD;
         let asked = if frictions { Asked::Frictions } else { Asked::Nothing };
         let (states, unlimited) = (BTreeMap::new(), BTreeMap::new());
-        Self { arch, asked, first_bits, states, unlimited }
+        Self { arch, asked, bits, states, unlimited }
     }
 
     /// The state to so many digits. The frictions at which the mode changes are left out unless they are
     /// asked for here and in [`Inquiry::new`].
     pub fn state(&mut self, digits: usize, frictions: bool) -> Result<Answer, Doubt> {
-        self.raised(|inquiry, bits| {
+        let lost = if self.arch.is_small(self.bits) { 0 } else { self.arch.bits_lost() };
+        self.raised(self.bits + lost, |inquiry, bits| {
             Ok(match inquiry.outcome(bits)? {
                 Outcome::Falls(fall) => Some(Answer::Falls(fall)),
                 Outcome::Stands(mut state) => {
@@ -56,7 +57,10 @@ impl<'a> Inquiry<'a> {
         digits: usize,
         wanted: Wanted,
     ) -> Result<AssessmentDigits, Doubt> {
-        self.raised(|inquiry, bits| Ok(inquiry.assessment(thickness, bits, wanted)?.digits(digits)))
+        let first = self.bits + self.arch.bits_lost();
+        self.raised(first, |inquiry, bits| {
+            Ok(inquiry.assessment(thickness, bits, wanted)?.digits(digits))
+        })
     }
 
     /// The state of the arch with numbers of `bits` bits.
@@ -81,14 +85,15 @@ impl<'a> Inquiry<'a> {
         self.arch
     }
 
-    /// Raises the precision until every comparison and every rounding is decided.
+    /// A proof that decides everything: `first` bits, and twice as many until they are enough.
     fn raised<T>(
         &mut self,
+        first: u32,
         proof: impl Fn(&mut Self, u32) -> Attempt<Option<T>>,
     ) -> Result<T, Doubt> {
-        let mut bits = self.first_bits;
+        let mut bits = first;
         let mut last = Doubt { question: "the rounding", between: Vec::new(), gap: f64::NAN };
-        while bits <= ENOUGH.max(4 * self.first_bits) {
+        while bits <= ENOUGH.max(4 * first) {
             match proof(self, bits) {
                 Ok(Some(answer)) => return Ok(answer),
                 Ok(None) => {}

@@ -17,6 +17,7 @@
 //! | `question` | an arch, as it is asked about |
 //! | `root` | part 1 |
 //! | `choice` | part 4: which mode, and its start values |
+//! | `small` | parts 1 to 3 for small half openings |
 //! | [`check::conditions`](crate::check::conditions) | parts 2 and 3 |
 //! | `assess` | an arch of a given thickness |
 //! | `digits` | the digits of what is proved |
@@ -28,6 +29,7 @@ mod digits;
 mod inquiry;
 mod question;
 mod root;
+mod small;
 
 pub use assess::{Assessment, Limit, Touch, Wanted};
 pub use choice::{Fall, Frictions, Outcome, State};

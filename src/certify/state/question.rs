@@ -1,5 +1,6 @@
 //! An arch, as it is asked about, and the doubt that may be the answer.
 
+use super::small::is_small;
 use crate::arch::{Configuration, Mode, SelfWeight, Unknown};
 use crate::number::{
     Ball, Enclosure, ExactNumber, Field, Magnitude, ParseExactError, Real, Ternary,
@@ -119,7 +120,14 @@ impl Arch {
         &self.friction
     }
 
-    /// Bits that the equations lose by cancellation: the thickness falls like the fourth power of a
+    /// Whether the half opening is so small that the equations are used in the form of
+    /// [`arch::small`](crate::arch::small), which loses nothing, at a precision of `bits` bits.
+    pub(super) fn is_small(&self, bits: u32) -> bool {
+        let exponent = self.half_opening.enclosure(64).mid().get_exp();
+        exponent.is_some_and(|exponent| is_small(2 * i64::from(exponent), bits))
+    }
+
+    /// Bits that the printed equations lose by cancellation: the thickness falls like the fourth power of a
     /// small half opening, the thrust like the inverse square of a large friction.
     pub fn bits_lost(&self) -> u32 {
         let exponent = |x: &ExactNumber| x.enclosure(64).mid().get_exp().unwrap_or(0);

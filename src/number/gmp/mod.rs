@@ -10,6 +10,7 @@ mod exact;
 mod magnitude;
 mod mpfr;
 mod rational;
+mod stumpff;
 mod surd;
 
 pub use anchor::{Anchor, arctangent};

@@ -10,8 +10,8 @@ use std::sync::OnceLock;
 /// Terms of the series: more than eight digits where they are used, and the more the nearer to the end.
 const TERMS: usize = 9;
 
-/// The series for small openings, found once: coefficients of `beta²/alpha²`, `eta/alpha⁴` and `h` by
-/// powers of `alpha²`.
+/// The series for small openings, found once: coefficients of `beta²/alpha²`, `eta/alpha⁴` and
+/// `(1 - h)/alpha²` by powers of `alpha²`.
 pub(super) struct Small([Vec<Rational>; 3]);
 
 impl Small {
@@ -22,7 +22,7 @@ impl Small {
             Some(Self([
                 found.joint_squared.coefficients(1),
                 found.thickness.coefficients(2),
-                found.thrust.coefficients(0),
+                (-found.thrust).coefficients(1),
             ]))
         });
         series.as_ref()
@@ -30,12 +30,18 @@ impl Small {
 
     /// `beta`, `eta`, `h`.
     pub(super) fn at(&self, alpha: &Float) -> [Float; 3] {
-        let bits = alpha.prec();
-        let square = Float::with_val(bits, alpha.square_ref());
-        let [ratio, eta, h] = self.0.each_ref().map(|coefficients| {
-            coefficients.iter().rev().fold(Float::new(bits), |sum, c| sum * &square + c)
-        });
+        let square = Float::with_val(alpha.prec(), alpha.square_ref());
+        let [ratio, eta, deficit] = self.scaled(&square);
+        let h = 1 - deficit * &square;
         [ratio.sqrt() * alpha, eta * square.square(), h]
+    }
+
+    /// `(beta/alpha)²`, `eta/alpha⁴`, `(1 - h)/alpha²` at `alpha²`.
+    pub(super) fn scaled(&self, square: &Float) -> [Float; 3] {
+        let zero = Float::new(square.prec());
+        self.0.each_ref().map(|coefficients| {
+            coefficients.iter().rev().fold(zero.clone(), |sum, c| sum * square + c)
+        })
     }
 }
 

@@ -1,0 +1,245 @@
+//! States of small half openings: the same proof in variables of order one, in which nothing cancels.
+//!
+//! Three modes are met there: pure rotation, sliding of the shoulder, and pure sliding. The equations and
+//! margins are those of [`arch::small`], the printed ones divided by a power of the half opening.
+
+use super::choice::State;
+use super::question::{Attempt, Query, require};
+use super::root::unique_root;
+use crate::arch::small::{self, Scaled};
+use crate::arch::{Equation, Mode, SelfWeight, Unknown, tally};
+use crate::number::{Ball, Dual, Enclosure, Field, Real, Stumpff, stumpff_terms};
+use crate::solve::{settle, start_state};
+use rug::Float;
+
+/// More terms than this, and sines and cosines with a few more bits are cheaper.
+const MANY_TERMS: i32 = 24;
+/// `alpha²` is below two to this power: then the series of the start values hold.
+const SMALL: i64 = -4;
+
+/// Whether a half opening of a number of bits is treated as small: that of a bound `2^exponent` of its
+/// square.
+pub(super) fn is_small(exponent: i64, bits: u32) -> bool {
+    exponent <= SMALL && stumpff_terms(bits, exponent) <= MANY_TERMS
+}
+
+/// An arch of a small half opening at one precision.
+pub(super) struct Small {
+    weight: SelfWeight,
+    bits: u32,
+    alpha: Ball,
+    /// The half opening and, if finite, the friction.
+    given: Scaled<Ball>,
+    is_limited: bool,
+}
+
+/// The root of a mode's equations in scaled variables.
+pub(super) struct SmallRoot {
+    pub(super) at: Scaled<Ball>,
+    alpha: Ball,
+}
+
+impl Query {
+    /// The arch in scaled variables, if its half opening is small.
+    pub(super) fn small(&self) -> Option<Small> {
+        let alpha = &self.given.half_opening.rad;
+        let exponent = 2 * i64::from(alpha.mid().get_exp()?);
+        if !is_small(exponent, self.bits) {
+            return None;
+        }
+        let y = alpha.square();
+        let cube = y.clone() * alpha;
+        let mut given = Scaled::new(&y);
+        if let Some(friction) = &self.friction {
+            given = given.with(Unknown::Friction, friction.clone() / cube);
+        }
+        Some(Small {
+            weight: self.weight,
+            bits: self.bits,
+            alpha: alpha.clone(),
+            given,
+            is_limited: self.friction.is_some(),
+        })
+    }
+}
+
+impl Small {
+    /// The purely rotational state, proved for unlimited friction.
+    pub(super) fn rotation(&self) -> Attempt<SmallRoot> {
+        let start = start_state::scaled_rotational(self.weight, &self.candidate().opening.square);
+        self.state(Mode::Rotational, start, false)
+    }
+
+    /// The state in which the shoulder slides.
+    pub(super) fn shoulder_sliding(&self) -> Attempt<SmallRoot> {
+        let start = start_state::scaled_shoulder_sliding(self.weight, &self.candidate());
+        self.state(Mode::SlidingRotational, start, self.is_limited)
+    }
+
+    /// The purely sliding state.
+    pub(super) fn pure_sliding(&self) -> Attempt<SmallRoot> {
+        let start = start_state::scaled_sliding(&self.candidate().opening.square);
+        let slides = self.root(Mode::Sliding, Some(start))?;
+        require(&slides.at.friction, "a positive purely sliding friction", &[])?;
+        require(&slides.room_for_steepest(), "the steepest joint above the shoulder", &[])?;
+        Ok(slides)
+    }
+
+    fn candidate(&self) -> Scaled<Float> {
+        self.given.clone().map(|x| Float::with_val(self.bits, x.mid()))
+    }
+
+    fn state(&self, mode: Mode, start: Option<[Float; 3]>, limited: bool) -> Attempt<SmallRoot> {
+        let root = self.root(mode, start)?;
+        let conditions = self.conditions(mode, &root, limited);
+        tally::conditions(conditions.len());
+        conditions.iter().try_for_each(|(margin, question)| require(margin, question, &[mode]))?;
+        Ok(root)
+    }
+
+    fn root(&self, mode: Mode, start: Option<[Float; 3]>) -> Attempt<SmallRoot> {
+        let (unknowns, equations) = mode.system();
+        let given = self.candidate();
+        let candidate = start.and_then(|start| {
+            settle(start.to_vec(), |x| residuals(self.weight, unknowns, equations, &given, x))
+        });
+        let slopes = |x: &[Ball]| residuals(self.weight, unknowns, equations, &self.given, x);
+        // The denominators that are cleared: (2), (4) and (5) have none that can vanish for half openings
+        // below a right angle and thicknesses below 2; those of (17) and (18) are tested here.
+        let place = |x: &[Ball]| {
+            unknowns.iter().zip(x).fold(self.given.clone(), |at, (&u, x)| at.with(u, x.clone()))
+        };
+        let is_regular = |x: &[Ball]| {
+            let at = place(x);
+            let inner = || small::inner(&at).denominator.excludes_zero();
+            small::shoulder(&at).denominator.excludes_zero()
+                && (!unknowns.contains(&Unknown::SlidingJoint) || inner())
+        };
+        let root = unique_root(self.bits, candidate, slopes, is_regular)?;
+        Ok(SmallRoot { at: place(&root), alpha: self.alpha.clone() })
+    }
+
+    /// What [`check::conditions`](crate::check::conditions) lists for these modes, each divided by a power
+    /// of the half opening.
+    fn conditions(&self, mode: Mode, root: &SmallRoot, limited: bool) -> Vec<(Ball, &'static str)> {
+        let (weight, at) = (self.weight, &root.at);
+        let (one, two) = (at.deficit.int(1), at.deficit.int(2));
+        let (y, haunch) = (&at.opening, &at.rotation);
+        let (eta, normal) = (small::thickness(at), small::normal_force(at));
+        let (upper, lower) = small::arms(at);
+        let at_limit = one.clone() + one.ratio(weight.flag(), 3);
+        let mut all = vec![
+            (normal.clone(), "compression at the shoulder"),
+            (at.thickness.clone(), "a positive thickness"),
+            (two.clone() - &eta, "a thickness below the physical limit"),
+            (one.clone() - small::rest(at), "a positive thrust"),
+            (at.deficit.clone(), "a thrust below one"),
+            (haunch.square.clone(), "a rotational joint below the crown"),
+            (one.clone() - &haunch.square, "a rotational joint above the shoulder"),
+            (
+                two * normal - at_limit * &y.square * &y.functions[2],
+                "every thicker arch stands up to the physical limit",
+            ),
+        ];
+        let slides = mode == Mode::SlidingRotational;
+        if slides {
+            all.push((
+                small::extrados_margin_at_shoulder(weight, at),
+                "the line of thrust inside the extrados at the shoulder",
+            ));
+            all.push((upper.clone(), "a mechanism that slides the right way"));
+        }
+        if limited {
+            let [_, inner] = root.scaled_frictions();
+            all.push((root.room_for_steepest(), "the steepest joint above the shoulder"));
+            all.push((self.given.friction.clone() - inner, "friction enough inside"));
+            // The denominator of the thrust that the shoulder can bear, over alpha.
+            let depth = y.square.clone() * &self.given.friction;
+            all.push((
+                y.functions[1].clone() - depth * &y.functions[0],
+                "a shoulder that bounds the thrust from above",
+            ));
+        }
+        // The least thickness: the rates are one at the crown, one more than the shoulder's at the haunch.
+        let shoulder = if slides { one.int(0) } else { upper / lower };
+        let turned = shoulder.clone() + &one;
+        if !slides {
+            all.push((shoulder.clone(), "a mechanism that opens at the shoulder"));
+        }
+        let slope = one.clone()
+            + turned.clone() * &haunch.functions[0]
+            + shoulder.clone() * &y.functions[0];
+        all.push((slope, "a combination that grows with the thrust"));
+        let weight_term = turned.clone() * &haunch.square * &haunch.functions[1]
+            + shoulder.clone() * &y.functions[1];
+        let drop = turned * &haunch.square * &haunch.functions[2] - shoulder * &y.functions[2];
+        let growth =
+            weight_term.clone() / one.int(2) + one.int(weight.flag()) * eta * drop / one.int(6);
+        all.push((weight_term, "a positive weight of the mechanism"));
+        all.push((growth, "no admissible state in a thinner arch"));
+        all
+    }
+}
+
+/// The equations with their derivatives to the unknowns.
+fn residuals<T: Stumpff>(
+    weight: SelfWeight,
+    unknowns: &[Unknown],
+    equations: &[Equation],
+    given: &Scaled<T>,
+    x: &[T],
+) -> Vec<Dual<T>> {
+    let given = given.clone().map(Dual::constant);
+    let variables = unknowns.iter().zip(x).enumerate();
+    let at =
+        variables.fold(given, |at, (index, (&u, x))| at.with(u, Dual::variable(x.clone(), index)));
+    equations.iter().filter_map(|equation| equation.scaled_residual(weight, &at)).collect()
+}
+
+impl SmallRoot {
+    /// `mu`.
+    pub(super) fn friction(&self) -> Ball {
+        self.unscaled(&self.at.friction)
+    }
+
+    /// The frictions that the shoulder and an inner joint ask for.
+    pub(super) fn frictions(&self) -> Attempt<[Ball; 2]> {
+        require(&self.room_for_steepest(), "the steepest joint above the shoulder", &[])?;
+        Ok(self.scaled_frictions().map(|m| self.unscaled(&m)))
+    }
+
+    /// The state, without the frictions at which its mode changes.
+    pub(super) fn into_state(self, mode: Mode) -> State {
+        let joint = self.at.rotation.square.sqrt() * &self.alpha;
+        // As many bits as the difference from one has: they cost nothing, and show that it is not one.
+        let rest = small::rest(&self.at);
+        let gap = rest.mid().get_exp().map_or(0, |exponent| exponent.min(0).unsigned_abs());
+        State {
+            mode,
+            thickness: small::thickness(&self.at),
+            thrust: Ball::integer(1, joint.prec() + gap) - rest,
+            rotation_joint: joint,
+            sliding_joint: None,
+            frictions: None,
+        }
+    }
+
+    fn unscaled(&self, m: &Ball) -> Ball {
+        m.clone() * &self.at.opening.square * &self.alpha
+    }
+
+    fn scaled_frictions(&self) -> [Ball; 2] {
+        let h = self.at.deficit.int(1) - small::rest(&self.at);
+        let steepest = (h * &self.at.deficit).sqrt();
+        let at = self.at.clone().with(Unknown::SlidingJoint, steepest);
+        tally::equation(Equation::ShoulderSliding);
+        tally::equation(Equation::InnerSliding);
+        [small::shoulder(&at).value(), small::inner(&at).value()]
+    }
+
+    /// `1 - (beta_s/alpha)²` at the joint that is steepest at this thrust.
+    fn room_for_steepest(&self) -> Ball {
+        let h = self.at.deficit.int(1) - small::rest(&self.at);
+        h.int(1) - h * &self.at.deficit
+    }
+}
