@@ -35,7 +35,7 @@ impl Reader<'_> {
             (None, _, _) => Some(OutputFormat::for_a_person(kind)),
             (Some(value), Some(path), None) => {
                 let end = path.extension().and_then(|end| end.to_str()).unwrap_or_default();
-                let told = OutputFormat::of_extension(kind, end);
+                let told = OutputFormat::of_extension(kind, &end.to_ascii_lowercase());
                 if told.is_none() {
                     let ends = list(OutputFormat::extensions(kind));
                     let names = list(OutputFormat::names(kind));

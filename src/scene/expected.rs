@@ -3,7 +3,6 @@
 
 use crate::arch::{Equation, Mode};
 use crate::certify::state::{Arch, Friction};
-use crate::number::Enclosure;
 use crate::solve::start_state::{quick_state, seems_to_rotate};
 use rug::Float;
 

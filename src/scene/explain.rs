@@ -1,6 +1,7 @@
 //! A plan as a tree: what each item needs, what that cost, and what was left out and why.
 
 use super::cost::Cost;
+use super::expected;
 use super::fault::list;
 use super::plan::{ArchNode, FRICTIONS, LandmarkNode, Plan, RANGE_OF_THRUSTS};
 use super::run::Costs;
@@ -61,7 +62,7 @@ pub fn explain(plan: &Plan, costs: Option<&Costs>, out: &mut dyn io::Write) -> i
     }
     write_all(&branches, "", out)?;
     if let Some(costs) = costs {
-        writeln!(out, "in all {}", spent(&costs.total()))?;
+        writeln!(out, "in all, summed over the cores: {}", spent(&costs.total()))?;
     }
     Ok(())
 }
@@ -173,8 +174,10 @@ fn arches(plan: &Plan, costs: Option<&Costs>, index: usize) -> Vec<Branch> {
 
 fn arch(node: &ArchNode) -> Vec<String> {
     let (half_opening, weight) = (node.arch.half_opening(), node.arch.weight().name());
-    let mut lines =
-        vec![format!("half opening {half_opening}, friction {}, {weight}", node.friction)];
+    let mut lines = vec![
+        format!("half opening {half_opening}, friction {}, {weight}", node.friction),
+        expected::in_words(node.arch),
+    ];
     lines.extend(node.states.iter().map(|(digits, frictions)| {
         let with = if *frictions { " and the frictions at which its mode changes" } else { "" };
         format!("to {digits} digits: its state{with}")
@@ -212,14 +215,14 @@ fn spent(cost: &Cost) -> String {
     let mut words = vec![format!("{:.1} ms", 1000.0 * cost.time.as_secs_f64())];
     let mut count = |n: u64, what: &str| {
         if n > 0 {
-            words.push(format!("{n} {what}"));
+            words.push(format!("{n} {what}{}", if n == 1 { "" } else { "s" }));
         }
     };
-    count(u64::from(tally.working_bits), "bits");
-    count(tally.conditions, "conditions");
-    count(tally.landmarks, "landmarks consulted");
-    count(tally.newton_steps, "Newton steps");
-    count(tally.evaluations(), "evaluations");
+    count(u64::from(tally.working_bits), "bit");
+    count(tally.conditions, "condition");
+    count(tally.landmarks, "comparison with landmark");
+    count(tally.newton_steps, "Newton step");
+    count(tally.evaluations(), "evaluation");
     let of = |equation: &Equation| Some((equation.label(), tally.of(*equation)));
     let each: Vec<String> = EQUATIONS
         .iter()

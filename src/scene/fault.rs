@@ -40,14 +40,18 @@ impl Source<'_> {
 
     /// A value as it is written, on one line and not too long.
     pub fn shown(&self, span: Range<usize>) -> String {
-        let text = self.0.get(span).unwrap_or_default();
-        let mut shown: String =
-            text.chars().take(SHOWN).map(|c| if c.is_control() { ' ' } else { c }).collect();
-        if shown.len() < text.len() {
-            shown.push('…');
-        }
-        shown
+        on_one_line(self.0.get(span).unwrap_or_default())
     }
+}
+
+/// A text on one line and not too long.
+pub fn on_one_line(text: &str) -> String {
+    let mut shown: String =
+        text.chars().take(SHOWN).map(|c| if c.is_control() { ' ' } else { c }).collect();
+    if shown.len() < text.len() {
+        shown.push('…');
+    }
+    shown
 }
 
 /// Names in a sentence: `a, b, c`.
@@ -66,7 +70,7 @@ const SYMBOLS: [(&str, &str); 5] = [
 /// Names less alike than this are not what was meant.
 const ALIKE: f64 = 0.75;
 
-/// `; did you mean "…"?`, if one of the names is close to what was written.
+/// ` (did you mean "…"?)`, if one of the names is close to what was written.
 pub fn did_you_mean(written: &str, names: &[&str]) -> String {
     let symbol = SYMBOLS.iter().find(|(symbol, _)| *symbol == written).map(|(_, name)| *name);
     let alike = |name: &str| strsim::jaro_winkler(&written.to_lowercase(), &name.to_lowercase());
@@ -79,7 +83,7 @@ pub fn did_you_mean(written: &str, names: &[&str]) -> String {
     symbol
         .filter(|name| names.contains(name))
         .or(nearest)
-        .map_or(String::new(), |name| format!("; did you mean \"{name}\"?"))
+        .map_or(String::new(), |name| format!(" (did you mean \"{name}\"?)"))
 }
 
 #[cfg(test)]
@@ -106,8 +110,8 @@ mod tests {
     #[test]
     fn the_nearest_name_is_offered_if_one_is_near() {
         let names = ["half_opening", "friction", "friction_angle"];
-        assert_eq!(did_you_mean("half_openning", &names), "; did you mean \"half_opening\"?");
-        assert_eq!(did_you_mean("mu", &names), "; did you mean \"friction\"?");
+        assert_eq!(did_you_mean("half_openning", &names), " (did you mean \"half_opening\"?)");
+        assert_eq!(did_you_mean("mu", &names), " (did you mean \"friction\"?)");
         assert_eq!(did_you_mean("colour", &names), "");
         assert_eq!(did_you_mean("eta", &names), "", "not a key here");
     }

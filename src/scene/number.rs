@@ -1,5 +1,6 @@
 //! Exact numbers of a scene: one, a list, or a range `{ from, to, steps }`.
 
+use super::fault::on_one_line;
 use super::schema::MAX_ARCHES;
 use super::value::{Reader, Value};
 use crate::arch::SelfWeight;
@@ -155,29 +156,26 @@ impl Reader<'_> {
         }
         let ends = ["from", "to"].map(|key| self.number(meaning, table.get(key)?));
         let steps = table.get("steps").and_then(|steps| self.whole("steps", steps, 2..=MAX_ARCHES));
-        let ([Some(from), Some(to)], Some(steps)) = (ends, steps) else { return None };
-        let (Some(first), Some(last)) = (scaled(&from), scaled(&to)) else {
+        let [Some(from), Some(to)] = ends else { return None };
+        let (Some((first, unit)), Some((last, unit_of_last))) = (scaled(&from), scaled(&to)) else {
             self.fault(value.span(), format!("{} has a range without end", meaning.key()));
             return None;
         };
-        if first.1 != last.1 {
+        let (key, from, to) = (meaning.key(), on_one_line(&from.text), on_one_line(&to.text));
+        if unit != unit_of_last {
             let message = format!(
-                "{} from {} to {} is in two units; give both in radians, as multiples of pi, or \
-                 in degrees",
-                meaning.key(),
-                from.text,
-                to.text
+                "{key} from {from} to {to} is in two units; give both in radians, as multiples of pi, or \
+                 in degrees"
             );
             self.fault(value.span(), message);
-        } else if first.0 >= last.0 {
-            let (key, from, to) = (meaning.key(), from.text, to.text);
+        } else if first >= last {
             self.fault(value.span(), format!("{key} from {from} to {to} does not rise"));
         }
+        let steps = steps?;
         if self.faults.len() > before {
             return None;
         }
-        let (first, unit) = first;
-        let step = (last.0 - &first) / Rational::from(steps - 1);
+        let step = (last - &first) / Rational::from(steps - 1);
         let texts = (0..steps).map(|k| text(&(Rational::from(&step * k) + &first), unit));
         let numbers: Result<Vec<Given>, ParseExactError> =
             texts.map(|text| Ok(Given { number: meaning.parse(&text)?, text })).collect();

@@ -1,7 +1,7 @@
 //! From TOML to a valid scene, or to everything that is wrong with it.
 
 use super::destination::Files;
-use super::fault::{Fault, Source, list};
+use super::fault::{Fault, Source, did_you_mean, list};
 use super::number::{Given, Meaning};
 use super::schema::{
     AskedArch, DIGITS, Item, Kind, MAX_ARCH_DIGITS, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, SCENE_KEYS,
@@ -351,7 +351,7 @@ impl<'s> Reader<'s> {
             let name = element.get_ref().as_str().unwrap_or_default();
             if !all.iter().any(|claim| claim.is_named(name)) {
                 let ids: Vec<&str> = all.iter().map(|claim| claim.id).collect();
-                let hint = super::fault::did_you_mean(name, &ids);
+                let hint = did_you_mean(name, &ids);
                 let ids = list(ids);
                 self.is_not("prove", element, &format!("a claim{hint}; the claims are {ids}"));
             } else if names.contains(&name) {

@@ -1,6 +1,6 @@
 //! TOML values of the types that a scene has; what is of another type becomes a fault.
 
-use super::fault::{Fault, Source, did_you_mean, list};
+use super::fault::{Fault, Source, did_you_mean, list, on_one_line};
 use std::ops::{Range, RangeInclusive};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -32,13 +32,10 @@ impl<'s> Reader<'s> {
     /// Every key that is not one of those a table may have.
     pub fn unknown_keys(&mut self, table: &DeTable, of: &str, known: &[&str]) {
         for key in table.keys().filter(|key| !known.contains(&key.get_ref().as_ref())) {
-            let name = key.get_ref();
-            let hint = did_you_mean(name, known);
-            let known = list(known.iter().copied());
-            self.fault(
-                key.span(),
-                format!("there is no key \"{name}\" in {of}{hint}; the keys are {known}"),
-            );
+            let hint = did_you_mean(key.get_ref(), known);
+            let (name, known) = (on_one_line(key.get_ref()), list(known.iter().copied()));
+            let message = format!("there is no key \"{name}\" in {of}{hint}; the keys are {known}");
+            self.fault(key.span(), message);
         }
     }
 

@@ -24,8 +24,8 @@ pub struct Arguments {
     scene: Option<PathBuf>,
 
     /// The folder of the outputs, made if need be; the current one if not given.
-    #[arg(short, long, value_name = "FOLDER", default_value = ".", hide_default_value = true)]
-    output: PathBuf,
+    #[arg(short, long, value_name = "FOLDER")]
+    output: Option<PathBuf>,
 
     /// Keep each output that is there already: asked for in the same words of the same version, and with
     /// the content that was written then.
@@ -51,7 +51,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Output::Standard.write(|out| out.write_all(EXAMPLE.as_bytes()));
     };
     let scene = scene(path)?;
-    let folder = arguments.output.as_path();
+    // Nothing before a file's name is the current folder.
+    let folder = arguments.output.as_deref().unwrap_or(Path::new(""));
     let mut manifest = Manifest::of(folder);
     let is_complete = |item: &Item| arguments.resume && manifest.is_complete(folder, item);
     let complete: Vec<bool> = scene.items.iter().map(is_complete).collect();
@@ -120,6 +121,7 @@ fn carry_out(
     let tick = || bar.inc(1);
     let mut run = Run::new(plan);
     let mut undecided = Vec::new();
+    let mut printed = false;
     for (index, item) in plan.scene.items.iter().enumerate() {
         let path = item.output.as_ref().map(|output| folder.join(output));
         let say = |what: &str| {
@@ -144,6 +146,9 @@ fn carry_out(
         let mut hash = String::new();
         bar.suspend(|| {
             output.write(|out| {
+                if path.is_none() && std::mem::replace(&mut printed, true) {
+                    writeln!(out)?;
+                }
                 let mut hashing = Hashing::new(out);
                 found.write(&mut hashing)?;
                 hash = hashing.hash();

@@ -75,7 +75,7 @@ pub fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
             reason,
             hypotheses: decision.derivation.hypotheses().collect(),
             method: decision.derivation.method(),
-            seconds: report.timed.then(|| decision.time.as_secs_f64()),
+            seconds: report.timed.then_some(decision.time.as_secs_f64()),
             derivation: report.show.then(|| steps.iter().map(StepEntry::from).collect()),
         }
     });
