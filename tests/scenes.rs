@@ -347,6 +347,37 @@ fn what_is_no_scene_of_this_version_is_said_and_no_more() {
     assert!(read(&format!("{HEAD}x = {}", "[".repeat(100_000))).is_err());
 }
 
+/// What a hasty hand makes of a file: cut, or with a piece gone, or twice.
+#[test]
+fn a_spoiled_scene_is_a_scene_or_has_faults_with_places() {
+    let lines = EXAMPLE.lines().count();
+    let (mut good, mut bad) = (0, 0);
+    let pieces = (0..EXAMPLE.len()).step_by(17).filter(|k| EXAMPLE.is_char_boundary(*k));
+    for k in pieces {
+        let end = (k + 1..).find(|end| EXAMPLE.is_char_boundary(*end)).unwrap();
+        for spoiled in [
+            EXAMPLE[..k].to_owned(),
+            format!("{}{}", &EXAMPLE[..k], &EXAMPLE[end..]),
+            format!("{}{}", &EXAMPLE[..end], &EXAMPLE[k..]),
+            format!("{}\"{}", &EXAMPLE[..k], &EXAMPLE[k..]),
+            format!("{}]\n[{}", &EXAMPLE[..k], &EXAMPLE[k..]),
+        ] {
+            match read(&spoiled) {
+                Ok(scene) => good += usize::from(!scene.items.is_empty()),
+                Err(faults) => {
+                    bad += 1;
+                    assert!(!faults.is_empty() && faults.is_sorted());
+                    for fault in faults {
+                        assert!((1..=lines + 2).contains(&fault.place.line), "{fault:?}");
+                        assert_eq!(fault.message.lines().count(), 1, "{fault:?}");
+                    }
+                }
+            }
+        }
+    }
+    assert!(good > 100 && bad > 100, "{good} good, {bad} bad");
+}
+
 #[test]
 fn all_faults_are_said_at_once_and_nothing_is_computed() {
     let scratch = Scratch::new("faults");

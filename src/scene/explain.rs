@@ -42,16 +42,24 @@ const SHOWN: usize = 12;
 
 /// Writes the plan; with costs, what was spent.
 pub fn explain(plan: &Plan, costs: Option<&Costs>, out: &mut dyn io::Write) -> io::Result<()> {
-    let count = |n: usize, one: &str| format!("{n} {one}{}", if n == 1 { "" } else { "s" });
-    let mut pieces = vec![
-        count(plan.landmarks.len(), "landmark"),
-        number_of_arches(plan.arches.len()),
-        count(plan.claims.len(), "claim"),
-    ];
-    pieces.retain(|piece| !piece.starts_with("0 "));
-    let pieces = if pieces.is_empty() { "nothing".to_owned() } else { pieces.join(", ") };
-    let items = count(plan.scene.items.len(), "item");
-    writeln!(out, "{items}; to compute: {pieces}, each once")?;
+    let count = |n: usize, one: &str, more: &str| match n {
+        0 => None,
+        1 => Some(format!("1 {one}")),
+        n => Some(format!("{n} {more}")),
+    };
+    let pieces: Vec<String> = [
+        count(plan.landmarks.len(), "landmark", "landmarks"),
+        count(plan.arches.len(), "arch", "arches"),
+        count(plan.claims.len(), "claim", "claims"),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    let items = count(plan.scene.items.len(), "item", "items").unwrap_or_default();
+    match pieces.is_empty() {
+        true => writeln!(out, "{items}; nothing to compute")?,
+        false => writeln!(out, "{items}; to compute: {}, each once", pieces.join(", "))?,
+    }
     let mut branches: Vec<Branch> =
         (0..plan.scene.items.len()).map(|index| item(plan, costs, index)).collect();
     let left_out = left_out(plan, costs);
@@ -213,16 +221,17 @@ const EQUATIONS: [Equation; 9] = [
 fn spent(cost: &Cost) -> String {
     let tally = &cost.tally;
     let mut words = vec![format!("{:.1} ms", 1000.0 * cost.time.as_secs_f64())];
-    let mut count = |n: u64, what: &str| {
-        if n > 0 {
-            words.push(format!("{n} {what}{}", if n == 1 { "" } else { "s" }));
+    for (count, one, more) in [
+        (u64::from(tally.working_bits), "bit", "bits"),
+        (tally.conditions, "condition", "conditions"),
+        (tally.landmarks, "comparison with l and L", "comparisons with l and L"),
+        (tally.newton_steps, "Newton step", "Newton steps"),
+        (tally.evaluations(), "evaluation", "evaluations"),
+    ] {
+        if count > 0 {
+            words.push(format!("{count} {}", if count == 1 { one } else { more }));
         }
-    };
-    count(u64::from(tally.working_bits), "bit");
-    count(tally.conditions, "condition");
-    count(tally.landmarks, "comparison with landmark");
-    count(tally.newton_steps, "Newton step");
-    count(tally.evaluations(), "evaluation");
+    }
     let of = |equation: &Equation| Some((equation.label(), tally.of(*equation)));
     let each: Vec<String> = EQUATIONS
         .iter()
@@ -261,7 +270,7 @@ fn left_out(plan: &Plan, costs: Option<&Costs>) -> Vec<String> {
     let arches = |without: &dyn Fn(&ArchNode) -> bool| {
         plan.arches.iter().filter(|node| without(node)).count()
     };
-    let frictions = arches(&|node| node.states.values().any(|frictions| !frictions));
+    let frictions = arches(&|node| !node.states.is_empty() && !node.frictions());
     if frictions > 0 {
         let names = FRICTIONS.join(", ");
         lines.push(not_asked(format!("{names} of {}", number_of_arches(frictions))));

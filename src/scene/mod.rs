@@ -6,7 +6,8 @@
 //! | `read` | TOML to a valid scene, or all its faults; with `value`, `number`, `destination`, `fault` |
 //! | `format` | the formats of outputs |
 //! | `plan` | what has to be computed, each piece once |
-//! | `run` | computes it, item by item; `cost` counts |
+//! | `run` | computes the `pieces`, item by item; `cost` counts |
+//! | `found` | what an item asked for, as a report |
 //! | `explain` | the plan as a tree, with what `expected` says of the arches |
 //! | `manifest` | which outputs are complete, told by their content |
 //!
@@ -36,8 +37,10 @@ mod expected;
 mod explain;
 mod fault;
 mod format;
+mod found;
 mod manifest;
 mod number;
+mod pieces;
 mod plan;
 mod read;
 mod run;
@@ -48,10 +51,11 @@ pub use cost::Cost;
 pub use explain::explain;
 pub use fault::{Fault, Place};
 pub use format::OutputFormat;
+pub use found::Found;
 pub use manifest::{Hashing, Manifest, NAME as MANIFEST};
 pub use plan::{ArchNode, AskedThickness, ClaimNode, LandmarkNode, Needs, Plan};
 pub use read::{read, read_bytes};
-pub use run::{Costs, Found, Run};
+pub use run::{Costs, Run};
 pub use schema::{
     AskedArch, EXAMPLE, Item, Kind, MAX_ARCH_DIGITS, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, SCHEMA,
     Scene, What,
