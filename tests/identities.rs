@@ -55,7 +55,10 @@ proptest! {
     ) {
         let joint = angle(joint, beta);
         let ring = Ring::new(SelfWeight::Heyman, &eta);
-        let Some(h) = value(&thrust::touching(&joint, &ring)) else { return Ok(()) };
+        let excess = joint.rad.clone() / &joint.sin - Exact::from(1);
+        let Some(h) = value(&thrust::touching(&joint.versine(), &excess, &ring)) else {
+            return Ok(());
+        };
         let cotangent = joint.times_cotangent();
         let factor = |h: &Exact| (Exact::from(1) + &cotangent - h) * ring.intrados() / Exact::from(2);
         let with = |h: &Exact| Ring { centroid_factor: factor(h), ..ring.clone() };

@@ -83,13 +83,13 @@ pub fn opening_variable<T: Field>(half_opening: &Angle<T>) -> Quotient<T> {
 /// h = (2 - eta)/(2 eta) (1 - cos(beta)) (beta/sin(beta) - 1)
 /// ```
 ///
-/// It is positive for `beta` in `(0, pi)` and `eta` in `(0, 2)`, and keeps its digits where the thrust falls
-/// to zero with the joint, towards the end of rotation, where (2) and (5) lose them.
-pub fn touching<T: Field>(joint: &Angle<T>, ring: &Ring<T>) -> Quotient<T> {
-    let two = ring.thickness.int(2);
+/// The joint enters through `1 - cos(beta)` and `beta/sin(beta) - 1`. The thrust is positive for `beta` in
+/// `(0, pi)` and `eta` in `(0, 2)`, and keeps its digits where it falls to zero with the joint, towards the
+/// end of rotation, where (2) and (5) lose them.
+pub fn touching<T: Field>(versine: &T, excess: &T, ring: &Ring<T>) -> Quotient<T> {
     Quotient {
-        numerator: (joint.rad.clone() - &joint.sin) * joint.versine() * ring.intrados(),
-        denominator: two * &ring.thickness * &joint.sin,
+        numerator: ring.intrados() * versine * excess,
+        denominator: ring.thickness.int(2) * &ring.thickness,
     }
 }
 

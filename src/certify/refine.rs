@@ -121,6 +121,7 @@ impl<'a> Level<'a> {
     ) -> Result<Self, Undecided> {
         let step = bits / STRETCH + GUARD;
         let bits = bits + GUARD;
+        tally::working_bits(bits);
         let centre = approximate(system, start, step)?;
         let anchor = |index: usize| {
             system.unknowns[index].is_angle().then(|| {
@@ -149,6 +150,7 @@ impl<'a> Level<'a> {
 
     /// A Newton step to `bits` bits.
     fn advance(&mut self, bits: u32) {
+        tally::newton_step();
         let corrections = self.corrections(bits);
         for (x, (dx, _)) in self.centre.iter_mut().zip(corrections) {
             *x = Float::with_val(bits, &*x - dx.mid());

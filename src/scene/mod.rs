@@ -3,7 +3,7 @@
 //! | file | what it does |
 //! |---|---|
 //! | `schema` | what a scene may hold, `couplet.scene/1` |
-//! | `read` | TOML to a valid scene, or all its faults; with `value`, `number`, `destination`, `fault` |
+//! | `read` | TOML to a valid scene, or all its faults; with `read_arches`, `value`, `number`, `destination`, `fault` |
 //! | `format` | the formats of outputs |
 //! | `plan` | what has to be computed, each piece once |
 //! | `run` | computes the `pieces`, item by item; `cost` counts |
@@ -43,6 +43,7 @@ mod number;
 mod pieces;
 mod plan;
 mod read;
+mod read_arches;
 mod run;
 mod schema;
 mod value;

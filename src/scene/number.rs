@@ -20,6 +20,37 @@ pub enum Meaning {
     Thickness,
 }
 
+/// The numbers of a key. A range is written out only when it is known not to be too much.
+pub enum Numbers {
+    /// As they were given.
+    Listed(Vec<Given>),
+    /// `steps` numbers, so many times `step` above the first.
+    Range { meaning: Meaning, first: Rational, step: Rational, unit: Unit, steps: usize },
+}
+
+impl Numbers {
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Listed(all) => all.len(),
+            Self::Range { steps, .. } => *steps,
+        }
+    }
+
+    /// All of them, if they can be written as numbers that are read.
+    pub fn all(self) -> Result<Vec<Given>, ParseExactError> {
+        match self {
+            Self::Listed(all) => Ok(all),
+            Self::Range { meaning, first, step, unit, steps } => (0..steps)
+                .map(|k| {
+                    let text = text(&(Rational::from(&step * k) + &first), unit);
+                    Ok(Given { number: meaning.parse(&text)?, text })
+                })
+                .collect(),
+        }
+    }
+}
+
 /// A number, or `inf`, as it was written.
 #[derive(Clone)]
 pub struct Given {
@@ -78,7 +109,7 @@ impl Meaning {
 
 /// Unit in which a number is written; a range keeps that of its ends.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Unit {
+pub enum Unit {
     One,
     Pi,
     Degrees,
@@ -86,7 +117,7 @@ enum Unit {
 
 impl Reader<'_> {
     /// The numbers of a key, each once. `None` if any is wrong.
-    pub fn numbers(&mut self, meaning: Meaning, value: &Value) -> Option<Vec<Given>> {
+    pub fn numbers(&mut self, meaning: Meaning, value: &Value) -> Option<Numbers> {
         if let DeValue::Table(table) = value.get_ref() {
             return self.range(meaning, value, table);
         }
@@ -109,7 +140,7 @@ impl Reader<'_> {
             }
             found.push(given);
         }
-        (self.faults.len() == before).then_some(found)
+        (self.faults.len() == before).then_some(Numbers::Listed(found))
     }
 
     /// One number, read from its text: `0.1` is one tenth with and without quotes.
@@ -144,7 +175,7 @@ impl Reader<'_> {
     }
 
     /// `{ from, to, steps }`: so many numbers at equal distances, both ends among them.
-    fn range(&mut self, meaning: Meaning, value: &Value, table: &DeTable) -> Option<Vec<Given>> {
+    fn range(&mut self, meaning: Meaning, value: &Value, table: &DeTable) -> Option<Numbers> {
         let before = self.faults.len();
         self.unknown_keys(table, "a range", &["from", "to", "steps"]);
         for key in ["from", "to", "steps"].iter().filter(|key| !table.contains_key(**key)) {
@@ -176,13 +207,7 @@ impl Reader<'_> {
             return None;
         }
         let step = (last - &first) / Rational::from(steps - 1);
-        let texts = (0..steps).map(|k| text(&(Rational::from(&step * k) + &first), unit));
-        let numbers: Result<Vec<Given>, ParseExactError> =
-            texts.map(|text| Ok(Given { number: meaning.parse(&text)?, text })).collect();
-        if let Err(error) = &numbers {
-            self.fault(value.span(), format!("{}: {error}", meaning.key()));
-        }
-        numbers.ok()
+        Some(Numbers::Range { meaning, first, step, unit, steps })
     }
 }
 

@@ -2,24 +2,25 @@
 
 use super::destination::Files;
 use super::fault::{Fault, Source, did_you_mean, list};
-use super::number::{Given, Meaning};
-use super::schema::{
-    AskedArch, DIGITS, Item, Kind, MAX_ARCH_DIGITS, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, SCENE_KEYS,
-    SCHEMA, Scene, What,
-};
+use super::schema::{DIGITS, Item, Kind, MAX_BYTES, MAX_ITEMS, SCENE_KEYS, SCHEMA, Scene, What};
 use super::value::{Reader, Value};
 use crate::arch::{Landmark, Quantity, SelfWeight};
-use crate::certify::state::{Arch, Friction};
 use crate::certify::{MAX_DIGITS, quantities};
 use crate::claims::{Claim, claims};
-use crate::report::{ASSESS_VALUES, STATE_VALUES};
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 /// What holds for items that say nothing else.
-struct Overall {
-    digits: usize,
+pub struct Overall {
+    pub digits: usize,
     weights: Option<Vec<SelfWeight>>,
+}
+
+/// What the items so far have taken.
+#[derive(Default)]
+struct Used {
+    files: Files,
+    arches: usize,
 }
 
 /// Reads a scene from a file's bytes; see [`read`].
@@ -88,21 +89,10 @@ impl<'s> Reader<'s> {
             let names = list(names.iter().map(String::as_str));
             self.fault(0..0, format!("the scene asks for nothing; it may have {names}"));
         }
-        let (mut files, mut arches) = (Files::default(), 0);
+        let mut used = Used::default();
         tables
             .into_iter()
-            .filter_map(|(kind, span, table)| {
-                let item = self.item(kind, &span, table, &overall, &mut files)?;
-                if let What::Arches { arches: asked, .. } = &item.what {
-                    arches += asked.len();
-                    if arches > MAX_ARCHES {
-                        let message =
-                            format!("{arches} arches so far; a scene has at most {MAX_ARCHES}");
-                        self.fault(span, message);
-                    }
-                }
-                Some(item)
-            })
+            .filter_map(|(kind, span, table)| self.item(kind, &span, table, &overall, &mut used))
             .collect()
     }
 
@@ -144,18 +134,18 @@ impl<'s> Reader<'s> {
         span: &Range<usize>,
         table: &DeTable<'s>,
         overall: &Overall,
-        files: &mut Files,
+        used: &mut Used,
     ) -> Option<Item> {
         let before = self.faults.len();
         self.unknown_keys(table, &format!("[[{}]]", kind.name()), kind.keys());
         let what = match kind {
             Kind::Constants => self.constants(span, table, overall),
-            Kind::Arches => self.arches(span, table, overall),
+            Kind::Arches => self.arches(span, table, overall, &mut used.arches),
             Kind::Claims => self.claims(table),
             Kind::Audit => self.points(table, overall).map(|points| What::Audit { points }),
         };
         let destination =
-            self.destination(kind, ["output", "format"].map(|key| table.get(key)), files);
+            self.destination(kind, ["output", "format"].map(|key| table.get(key)), &mut used.files);
         let (output, format) = destination?;
         let place = self.source.place(span.start);
         let item = Item { place, what: what?, format, output };
@@ -211,7 +201,7 @@ impl<'s> Reader<'s> {
         Some(all.flat_map(|weight| landmarks().map(move |landmark| (landmark, weight))).collect())
     }
 
-    fn item_weights(
+    pub fn item_weights(
         &mut self,
         table: &DeTable<'s>,
         overall: &Overall,
@@ -220,113 +210,6 @@ impl<'s> Reader<'s> {
         match table.get("weight") {
             Some(value) => self.names("weight", value, &weights()),
             None => Some(overall.weights.clone().unwrap_or(otherwise.to_vec())),
-        }
-    }
-
-    fn arches(
-        &mut self,
-        span: &Range<usize>,
-        table: &DeTable<'s>,
-        overall: &Overall,
-    ) -> Option<What> {
-        let with_thickness = table.contains_key("thickness");
-        let weights = self.item_weights(table, overall, &[SelfWeight::Milankovitch]);
-        let half_openings = match table.get("half_opening") {
-            Some(value) => self.numbers(Meaning::HalfOpening, value),
-            None => {
-                let allowed = Meaning::HalfOpening.allowed();
-                self.fault(span.clone(), format!("half_opening is missing; give {allowed}"));
-                None
-            }
-        };
-        let frictions = self.frictions(span, table);
-        let thicknesses = match table.get("thickness") {
-            Some(value) => self
-                .numbers(Meaning::Thickness, value)
-                .map(|all| all.into_iter().map(|given| given.number).collect()),
-            None => Some(vec![None]),
-        };
-        let names: &[&'static str] = if with_thickness { &ASSESS_VALUES } else { &STATE_VALUES };
-        let known: Vec<(&'static str, &'static str)> = names.iter().map(|&n| (n, n)).collect();
-        let asked = match table.get("quantities") {
-            Some(value) => self.names("quantities", value, &known),
-            None => Some(names.to_vec()),
-        };
-        let digits = self.arch_digits(span, table, overall);
-        let (weights, half_openings, (meaning, frictions)) = (weights?, half_openings?, frictions?);
-        let (thicknesses, asked, digits) = (thicknesses?, asked?, digits?);
-        let count = [weights.len(), half_openings.len(), frictions.len(), thicknesses.len()]
-            .into_iter()
-            .fold(1usize, usize::saturating_mul);
-        if count > MAX_ARCHES {
-            let message = format!("{count} arches are too many; a scene has at most {MAX_ARCHES}");
-            self.fault(span.clone(), message);
-            return None;
-        }
-        let mut arches = Vec::with_capacity(count);
-        for &weight in &weights {
-            for half_opening in &half_openings {
-                for friction in &frictions {
-                    let (friction, text) = in_words(meaning, friction);
-                    let half_opening = half_opening.number.clone()?;
-                    // Each number was found in its range before.
-                    let arch = Arch::new(weight, half_opening, friction).ok()?;
-                    arches.extend(thicknesses.iter().map(|thickness| AskedArch {
-                        arch: arch.clone(),
-                        friction: text.clone(),
-                        thickness: thickness.clone(),
-                    }));
-                }
-            }
-        }
-        let quantities = names.iter().copied().filter(|name| asked.contains(name)).collect();
-        Some(What::Arches { arches, quantities, with_thickness, digits })
-    }
-
-    fn frictions(
-        &mut self,
-        span: &Range<usize>,
-        table: &DeTable<'s>,
-    ) -> Option<(Meaning, Vec<Given>)> {
-        let given = [Meaning::Friction, Meaning::FrictionAngle].map(|meaning| {
-            let value = table.get(meaning.key())?;
-            Some((meaning, value.span(), self.numbers(meaning, value)))
-        });
-        match given {
-            [Some(_), Some((_, angle, _))] => {
-                self.fault(angle, "friction_angle besides friction; give one of them".to_owned());
-                None
-            }
-            [Some((meaning, _, numbers)), None] | [None, Some((meaning, _, numbers))] => {
-                Some((meaning, numbers?))
-            }
-            [None, None] => {
-                let (mu, phi) = (Meaning::Friction.allowed(), Meaning::FrictionAngle.allowed());
-                let message = format!("friction is missing; give {mu}, or friction_angle, {phi}");
-                self.fault(span.clone(), message);
-                None
-            }
-        }
-    }
-
-    fn arch_digits(
-        &mut self,
-        span: &Range<usize>,
-        table: &DeTable<'s>,
-        overall: &Overall,
-    ) -> Option<usize> {
-        match table.get("digits") {
-            Some(value) => self.whole("digits", value, 1..=MAX_ARCH_DIGITS),
-            None if overall.digits > MAX_ARCH_DIGITS => {
-                let message = format!(
-                    "the scene's {} digits are too many for arches; give this item digits of its own, 1 \
-                     to {MAX_ARCH_DIGITS}",
-                    overall.digits
-                );
-                self.fault(span.clone(), message);
-                None
-            }
-            None => Some(overall.digits),
         }
     }
 
@@ -362,16 +245,5 @@ impl<'s> Reader<'s> {
         }
         let is_chosen = |claim: &&Claim| names.iter().any(|name| claim.is_named(name));
         (self.faults.len() == before).then(|| all.iter().filter(is_chosen).copied().collect())
-    }
-}
-
-/// A friction and how it is shown.
-fn in_words(meaning: Meaning, given: &Given) -> (Friction, String) {
-    match (&given.number, meaning) {
-        (None, _) => (Friction::Infinite, given.text.clone()),
-        (Some(phi), Meaning::FrictionAngle) => {
-            (Friction::Angle(phi.clone()), format!("tan({phi})"))
-        }
-        (Some(mu), _) => (Friction::Coefficient(mu.clone()), given.text.clone()),
     }
 }

@@ -2,16 +2,18 @@
 
 use super::Problem;
 use super::closed::{Branch, Form, printed, trigonometric};
+use super::double_double;
 use super::enclosure::{Errors, enclose, enclose_at, error, relative_radius};
 use super::newton::{doubling, newton};
 use super::row::{Row, Timed, timed};
 use super::static_programme::least_thickness;
-use crate::arch::{Landmark, Mode, SelfWeight, cubic};
+use crate::arch::{Landmark, Mode, SelfWeight, cubic, tally};
 use crate::certify::CertifiedLandmark;
 use crate::certify::state::{Arch, Friction, Outcome};
 use crate::check::Engine;
 use crate::number::{Angle, AstroInterval, Ball, Enclosure, ExactNumber, Real, rational_like};
 use crate::solve::start;
+use qd::Quad;
 use rug::{Float, Rational};
 use std::time::Duration;
 
@@ -203,8 +205,8 @@ pub fn measure(case: &Case, effort: &Effort) -> Vec<Row> {
     };
     let mut computed =
         |method: &str, bits: u32, steps: Option<usize>, timed: Timed<Option<Vec<Float>>>| {
-            let row =
-                Row { newton_steps: steps, evaluations: steps, ..case.row(method, Some(bits)) };
+            let evaluations = steps.map(|steps| steps * truth.len());
+            let row = Row { newton_steps: steps, evaluations, ..case.row(method, Some(bits)) };
             let row = row.with_times(&timed);
             rows.push(match &timed.value {
                 Some(values) => Row { verdict: "computed".into(), working_bits: Some(bits), ..row }
@@ -227,6 +229,13 @@ pub fn measure(case: &Case, effort: &Effort) -> Vec<Row> {
         Some(found.root.iter().map(|x| Float::with_val(53, x)).collect())
     });
     computed("Newton, double", 53, steps, by_newton);
+    let start: Vec<Quad> = case.start.iter().map(|&x| Quad::from(x)).collect();
+    let steps = newton(&case.problem, &start, double_double::BITS).map(|found| found.steps);
+    let by_newton = timed(effort.budget, || {
+        let found = newton(&case.problem, &start, double_double::BITS)?;
+        Some(found.root.iter().map(double_double::to_float).collect())
+    });
+    computed("Newton, double-double", double_double::BITS, steps, by_newton);
     for &bits in effort.bits {
         if let Some((form, branch, joint)) = &case.closed {
             let by_form = timed(effort.budget, || {
@@ -288,6 +297,8 @@ impl Case {
         errors: &dyn Fn(&[Float]) -> Vec<Errors>,
     ) -> Row {
         let timed = timed(effort.budget, || self.certified(bits));
+        let (_, tally) = tally::measure(|| self.certified(bits));
+        let counted = |count: u64| (count > 0).then_some(count as usize);
         let row = self.row("certified balls", Some(bits)).with_times(&timed);
         let Some(balls) = &timed.value else {
             return Row { verdict: "undecided".into(), ..row };
@@ -300,6 +311,8 @@ impl Case {
             claimed_relative_log10: Some(claimed),
             certified_digits: Some(-claimed),
             working_bits: working,
+            evaluations: counted(tally.evaluations()),
+            newton_steps: counted(tally.newton_steps),
             ..row
         }
         .with_errors(&errors(&values), bits)
@@ -315,7 +328,7 @@ impl Case {
             }
             Problem::State { weight, mode, half_opening, friction } => {
                 let Outcome::Stands(state) =
-                    arch(*weight, half_opening, friction)?.state(bits).ok()?
+                    arch(*weight, half_opening, friction)?.state_alone(bits).ok()?
                 else {
                     return None;
                 };

@@ -3,10 +3,10 @@
 //! | file | what it does |
 //! |---|---|
 //! | `problem` | what is computed: systems with exact parameters |
-//! | `newton`, `closed`, `static_programme` | how others would compute it |
+//! | `newton`, `closed`, `double_double`, `static_programme` | how others would compute it |
+//! | `condition` | what the problem itself loses |
 //! | `accuracy` | every method on every case, at every precision |
 //! | `stability` | ladders of distances towards each limit |
-//! | `row` | what is measured, and the clock |
 //! | `enclosure` | the truth: a proved box at a higher precision; and the error of a value |
 //! | `row` | what is measured of one method on one case |
 //! | `figure` | it as figures |
@@ -16,6 +16,8 @@
 pub mod accuracy;
 pub mod accuracy_figures;
 pub mod closed;
+pub mod condition;
+pub mod double_double;
 pub mod enclosure;
 pub mod figure;
 pub mod newton;

@@ -76,42 +76,63 @@ impl Problem {
         }
     }
 
+    /// The exact parameters, in numbers like `like`.
+    pub fn parameters<T: Field>(&self, like: &T) -> Vec<T> {
+        let given = match self {
+            Self::Thickness { joint, .. }
+            | Self::OpeningVariable { joint, .. }
+            | Self::Thrust { joint, .. }
+            | Self::Radicand { joint, .. } => vec![joint],
+            Self::HalfOpening { a } => vec![a],
+            Self::Landmark { .. } => Vec::new(),
+            Self::State { half_opening, friction, .. } => vec![half_opening, friction],
+        };
+        given.into_iter().map(|value| rational_like(like, value)).collect()
+    }
+
     /// The residuals with their derivatives to the unknowns, at `x`.
     pub fn residuals<T: Real>(&self, x: &[T]) -> Vec<Dual<T>> {
-        let constant = |value: &Rational| rational_like(&x[0], value);
+        let parameters = self.parameters(&x[0]);
+        self.equations(x, parameters.into_iter().map(Dual::constant).collect())
+    }
+
+    /// The same, with the derivatives to the parameters after those to the unknowns.
+    pub fn residuals_with_parameters<T: Real>(&self, x: &[T]) -> Vec<Dual<T>> {
+        let parameters = self.parameters(&x[0]).into_iter().enumerate();
+        let variables = parameters.map(|(k, a)| Dual::variable(a, x.len() + k)).collect();
+        self.equations(x, variables)
+    }
+
+    fn equations<T: Real>(&self, x: &[T], parameters: Vec<Dual<T>>) -> Vec<Dual<T>> {
         let variable = Dual::variable(x[0].clone(), 0);
-        // The joint is a parameter: a constant for the derivatives.
-        let letters = |joint: &Rational| {
-            cubic::abbreviations(&Angle::new(constant(joint)).map(Dual::constant))
-        };
+        let letters = || cubic::abbreviations(&Angle::new(parameters[0].clone()));
         let flag = |weight: SelfWeight| variable.int(weight.flag());
         match self {
-            Self::Thickness { weight, joint } => {
-                vec![cubic::in_thickness(&letters(joint), &flag(*weight), &variable)]
+            Self::Thickness { weight, .. } => {
+                vec![cubic::in_thickness(&letters(), &flag(*weight), &variable)]
             }
-            Self::OpeningVariable { weight, joint } => {
-                vec![cubic::in_opening_variable(&letters(joint), &flag(*weight), &variable)]
+            Self::OpeningVariable { weight, .. } => {
+                vec![cubic::in_opening_variable(&letters(), &flag(*weight), &variable)]
             }
-            Self::Thrust { weight, joint } => {
-                vec![cubic::in_thrust(&letters(joint), &flag(*weight), &variable)]
+            Self::Thrust { weight, .. } => {
+                vec![cubic::in_thrust(&letters(), &flag(*weight), &variable)]
             }
-            Self::Radicand { weight, joint } => {
-                vec![variable.clone() - cubic::radicand(&letters(joint), &flag(*weight))]
+            Self::Radicand { weight, .. } => {
+                vec![variable.clone() - cubic::radicand(&letters(), &flag(*weight))]
             }
-            Self::HalfOpening { a } => {
+            Self::HalfOpening { .. } => {
                 let alpha = Angle::new(x[0].clone()).variable(0);
-                vec![thrust::opening_variable(&alpha).residual(&Dual::constant(constant(a)))]
+                vec![thrust::opening_variable(&alpha).residual(&parameters[0])]
             }
             Self::Landmark { weight, landmark } => {
                 let system: System = landmark.system(*weight);
                 system.residuals(&Point::new(&system, x).variables())
             }
-            Self::State { weight, mode, half_opening, friction } => {
+            Self::State { weight, mode, .. } => {
                 let (unknowns, equations) = mode.system();
-                let given = Configuration::zero(&x[0])
-                    .with(Unknown::HalfOpening, constant(half_opening))
-                    .with(Unknown::Friction, constant(friction))
-                    .map(Dual::constant);
+                let given = Configuration::zero(&variable)
+                    .with(Unknown::HalfOpening, parameters[0].clone())
+                    .with(Unknown::Friction, parameters[1].clone());
                 let at = unknowns.iter().zip(x).enumerate().fold(given, |at, (index, (&u, x))| {
                     at.with(u, Dual::variable(x.clone(), index))
                 });

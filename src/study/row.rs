@@ -37,7 +37,8 @@ pub struct Row {
     pub digits_lost: Option<f64>,
     /// The bits that the method needed to work in.
     pub working_bits: Option<u32>,
-    /// Evaluations of the system.
+    /// Evaluations of single equations, each with its slopes; those of (7) and (12) by balls are not
+    /// counted.
     pub evaluations: Option<usize>,
     /// Newton steps.
     pub newton_steps: Option<usize>,

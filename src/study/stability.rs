@@ -1,19 +1,22 @@
 //! What is lost where the problem is hard: ladders of distances towards each limit.
 //!
-//! The **condition number** of a problem says how many digits of the result the input decides: the
-//! relative change of the result over that of the input, from two certified results. What a method loses
-//! beyond it, the method has lost.
+//! The [condition number](super::condition) of a problem says how many digits of the result the input
+//! decides. What a method loses beyond it, the method has lost.
 
 use super::Problem;
 use super::closed::{Branch, Form, printed, trigonometric};
+use super::condition::condition;
+use super::double_double;
 use super::enclosure::{enclose_at, error, relative_radius};
 use super::newton::{doubling, newton};
 use super::row::timed;
-use crate::arch::{Configuration, Landmark, Mode, SelfWeight, Unknown, overturning};
+use crate::arch::small::Scaled;
+use crate::arch::{Landmark, Mode, SelfWeight, Unknown, overturning};
 use crate::certify::CertifiedLandmark;
 use crate::certify::state::{Arch, Friction, Outcome};
-use crate::number::{Angle, Ball, Enclosure, ExactNumber, Real, rational_like};
-use crate::solve::{polish, start_state};
+use crate::number::{Angle, Ball, Dual, ExactNumber, Real, rational_like};
+use crate::solve::{settle, start_state};
+use qd::Quad;
 use rug::ops::Pow;
 use rug::{Float, Integer, Rational};
 use serde::Serialize;
@@ -53,6 +56,8 @@ pub struct Limit {
     pub words: &'static str,
     /// What is computed.
     pub output: &'static str,
+    /// Whether it is that of small half openings.
+    is_small: bool,
     /// The problem at the distance `10^-k`.
     at: fn(&Rational) -> Option<Target>,
 }
@@ -63,12 +68,14 @@ pub const LIMITS: [Limit; 8] = [
         name: "alpha-to-zero",
         words: "a tiny half opening: eta falls like alpha^4, h tends to 1",
         output: "thickness",
+        is_small: true,
         at: |x| rotational(x.clone(), Unknown::Thickness),
     },
     Limit {
         name: "radicand-to-zero",
         words: "a joint below that of sb, where two roots of the cubic meet",
         output: "thickness",
+        is_small: false,
         at: |x| {
             let joint = before(Landmark::WidestJoint, Unknown::RotationJoint, x)?;
             Some(Target::Closed { joint })
@@ -78,6 +85,7 @@ pub const LIMITS: [Limit; 8] = [
         name: "joint-to-crown",
         words: "a half opening below that of l: beta_r falls like the root of the distance",
         output: "rotation_joint",
+        is_small: false,
         at: |x| {
             let alpha = before(Landmark::RotationEnd, Unknown::HalfOpening, x)?;
             rotational(alpha, Unknown::RotationJoint)
@@ -87,12 +95,14 @@ pub const LIMITS: [Limit; 8] = [
         name: "eta-to-two",
         words: "overturning at A above 2/3: the square root in (15) tends to 0",
         output: "thickness",
+        is_small: false,
         at: |x| Some(Target::Overturning { distance: x.clone() }),
     },
     Limit {
         name: "mu-to-infinity",
         words: "a large friction: an inner joint slides at a thrust like 1/(4 mu^2)",
         output: "thrust",
+        is_small: false,
         at: |x| {
             Some(Target::State {
                 mode: Mode::OverturningSliding,
@@ -106,12 +116,14 @@ pub const LIMITS: [Limit; 8] = [
         name: "mu-to-zero",
         words: "pure sliding of a tiny half opening: mu falls like alpha^3/12",
         output: "friction",
+        is_small: true,
         at: |x| Some(Target::Sliding { half_opening: x.clone() }),
     },
     Limit {
         name: "alpha-to-pi",
         words: "pure sliding towards the full circle: mu grows without bound",
         output: "friction",
+        is_small: false,
         at: |x| {
             // pi to far more places than the distance has.
             let places = 60 + 4 * x.denom().significant_bits();
@@ -123,6 +135,7 @@ pub const LIMITS: [Limit; 8] = [
         name: "next-to-T",
         words: "a half opening and a friction above those of T: four modes meet",
         output: "thickness",
+        is_small: false,
         at: |x| {
             let zero = Rational::new();
             let alpha = before(Landmark::Triple, Unknown::HalfOpening, &zero)? + x;
@@ -183,7 +196,7 @@ impl Target {
         match self {
             Self::State { half_opening, friction, output, mode } => {
                 let Outcome::Stands(state) =
-                    arch(half_opening, friction.as_ref())?.state(bits).ok()?
+                    arch(half_opening, friction.as_ref())?.state_alone(bits).ok()?
                 else {
                     return None;
                 };
@@ -193,13 +206,7 @@ impl Target {
                     _ => state.thickness,
                 })
             }
-            Self::Sliding { half_opening } => {
-                let alpha = Float::with_val(bits, half_opening);
-                let given = Configuration::zero(&alpha).with(Unknown::HalfOpening, alpha.clone());
-                let start = start_state::sliding(&alpha);
-                let root = polish(WEIGHT, Mode::Sliding.system(), &given, &start)?;
-                Some(enclose_at::<Ball>(&self.problem()?, &root, bits)?.swap_remove(0))
-            }
+            Self::Sliding { half_opening } => arch(half_opening, None)?.sliding_friction(bits).ok(),
             Self::Closed { joint } => {
                 let at = Angle::new(rational_like(&Float::new(bits), joint));
                 let centre = trigonometric(Form::Thickness, Branch::Upper, &at);
@@ -274,21 +281,47 @@ impl Target {
         })
     }
 
-    /// The problem with its input changed by one part in `10^places`.
-    fn nudged(&self, places: u32) -> Self {
-        let factor = Rational::from(1) + tenth_to(places);
-        let mut other = self.clone();
-        match &mut other {
-            Self::State { friction: Some(input), .. }
-            | Self::State { half_opening: input, .. }
-            | Self::Sliding { half_opening: input }
-            | Self::Closed { joint: input } => *input *= factor,
-            Self::Overturning { distance } => {
-                // The input is A.
-                *distance += (distance.clone() + Rational::from((2, 3))) * tenth_to(places);
-            }
+    /// `log10` of the condition number, from numbers of `bits` bits; minus infinity where the result does
+    /// not depend on what is given.
+    fn condition(&self, bits: u32) -> Option<f64> {
+        if let Self::Overturning { distance } = self {
+            // What is given is A.
+            let a = Float::with_val(bits, Rational::from((2, 3)) + distance);
+            let eta = overturning::thickness(WEIGHT, &Dual::variable(a.clone(), 0));
+            return Some((eta.derivative(0) * a / eta.value()).abs().log10().to_f64());
         }
-        other
+        let problem = self.problem()?;
+        let root = newton(&problem, &self.start(bits)?, bits)?.root;
+        condition(&problem, &root, self.index())
+    }
+
+    /// The output by Newton's method on the equations in scaled variables, in numbers of `bits` bits.
+    fn scaled(&self, bits: u32) -> Option<Float> {
+        let (mode, half_opening, start): (_, _, fn(&Float) -> Option<[Float; 3]>) = match self {
+            Self::State { mode: Mode::Rotational, half_opening, .. } => {
+                (Mode::Rotational, half_opening, |y| start_state::scaled_rotational(WEIGHT, y))
+            }
+            Self::Sliding { half_opening } => {
+                (Mode::Sliding, half_opening, |y| Some(start_state::scaled_sliding(y)))
+            }
+            _ => return None,
+        };
+        let (unknowns, equations) = mode.system();
+        let alpha = Float::with_val(bits, half_opening);
+        let y = alpha.clone().square();
+        let given = Scaled::new(&Dual::constant(y.clone()));
+        let root = settle(start(&y)?.to_vec(), |x| {
+            let variables = unknowns.iter().zip(x).enumerate();
+            let at = variables.fold(given.clone(), |at, (index, (&u, x))| {
+                at.with(u, Dual::variable(x.clone(), index))
+            });
+            equations.iter().filter_map(|e| e.scaled_residual(WEIGHT, &at)).collect()
+        })?;
+        let [first, second, _] = &root[..] else { return None };
+        Some(match mode {
+            Mode::Sliding => first.clone() * y * alpha,
+            _ => second.clone() * y.square(),
+        })
     }
 }
 
@@ -316,13 +349,8 @@ pub fn climb(limit: &Limit, k: u32, budget: Duration) -> Vec<Rung> {
     let Some(target) = (limit.at)(&tenth_to(k)) else { return nothing("no problem") };
     // The reference: many more bits than any method is given.
     let high = 2048 + 48 * k;
-    // The change of the input stays far below the distance from the limit.
-    let places = 60 + 2 * k;
-    let nudged = target.nudged(places).enclosure(high);
-    let (Some(truth), Some(other)) = (target.enclosure(high), nudged) else {
-        return nothing("no reference");
-    };
-    let condition_log10 = condition(&truth, &other, places);
+    let Some(truth) = target.enclosure(high) else { return nothing("no reference") };
+    let Some(condition_log10) = target.condition(high) else { return nothing("no condition") };
     let mut rungs = Vec::new();
     let mut add = |method, bits: u32, job: &dyn Fn() -> Option<Float>| {
         let timed = timed(budget, job);
@@ -365,9 +393,17 @@ pub fn climb(limit: &Limit, k: u32, budget: Duration) -> Vec<Rung> {
             add("equations, Newton, double", 53, &|| {
                 double(newton(&problem, &start, 53)?.root[index])
             });
+            add("equations, Newton, double-double", double_double::BITS, &|| {
+                let start: Vec<Quad> = start.iter().map(|&x| Quad::from(x)).collect();
+                let found = newton(&problem, &start, double_double::BITS)?;
+                Some(double_double::to_float(&found.root[index]))
+            });
             add("equations, Newton, 256 bits", 256, &|| {
                 Some(doubling(&problem, &start, 256)?.root.swap_remove(index))
             });
+        }
+        if limit.is_small {
+            add("scaled equations, 53 bits", 53, &|| target.scaled(53));
         }
         if matches!(target, Target::State { mode: Mode::Rotational, .. }) {
             add("series or table, double", 53, &|| Some(target.start(53)?.swap_remove(index)));
@@ -405,16 +441,6 @@ fn certified(
         bits += (bits / 4).next_multiple_of(32);
     }
     Rung { condition_log10, verdict: "undecided", ..rung }
-}
-
-/// `log10` of the relative change of the result over that of the input.
-fn condition(truth: &Ball, other: &Ball, places: u32) -> f64 {
-    let change = (other.clone() - truth) / truth;
-    let size = change.mid().clone().abs();
-    if size.is_zero() || !change.is_bounded() {
-        return f64::NEG_INFINITY;
-    }
-    size.log10().to_f64() + f64::from(places)
 }
 
 /// The rungs that are climbed: powers of a tenth.

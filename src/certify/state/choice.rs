@@ -2,8 +2,7 @@
 
 use super::question::{Arch, Attempt, Query, decide, require};
 use crate::arch::{
-    Configuration, Equation, Landmark, Mode, Ring, SelfWeight, Unknown, contact, sliding, tally,
-    thrust,
+    Configuration, Equation, Landmark, Mode, SelfWeight, Unknown, contact, sliding, tally, thrust,
 };
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::check::{conditions, inner_friction, room_for_steepest, shoulder_friction};
@@ -207,14 +206,8 @@ impl Query {
             let frictions = if friction_matters { Some(root.frictions()?) } else { None };
             return Ok(Rotation { state: root.into_state(Mode::Rotational), frictions });
         }
-        let start = start_state::rotational(self.weight, &self.alpha());
-        let mut at = self.root(Mode::Rotational.system(), &start)?;
-        let ring = Ring::new(self.weight, &at.thickness);
-        // The same number; next to the end of rotation it is tiny, and this encloses it better.
-        let touching = thrust::touching(&at.rotation_joint, &ring).value();
-        if touching.rad() < at.thrust.rad() {
-            at.thrust = touching;
-        }
+        let [beta, eta, _] = start_state::rotational(self.weight, &self.alpha());
+        let at = self.rotational_root([beta, eta])?;
         self.prove(Mode::Rotational, &at, false)?;
         let mut frictions = None;
         if friction_matters {

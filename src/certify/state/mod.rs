@@ -15,7 +15,7 @@
 //! | file | what it does |
 //! |---|---|
 //! | `question` | an arch, as it is asked about |
-//! | `root` | part 1 |
+//! | `root`, `rotation` | part 1 |
 //! | `choice` | part 4: which mode, and its start values |
 //! | `small` | parts 1 to 3 for small half openings |
 //! | [`check::conditions`](crate::check::conditions) | parts 2 and 3 |
@@ -29,6 +29,7 @@ mod digits;
 mod inquiry;
 mod question;
 mod root;
+mod rotation;
 mod small;
 
 pub use assess::{Assessment, Limit, Touch, Wanted};

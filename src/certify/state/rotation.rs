@@ -1,0 +1,116 @@
+//! The purely rotational state: (2), (4) and (5) with the thrust eliminated.
+//!
+//! Next to the end of rotation the joint goes to the crown and the thrust falls like its fourth power. As
+//! an unknown of its own the thrust would need twice the digits, and in the joint the equations have a
+//! double root: there the square of the joint is the unknown, in which they are smooth.
+
+use super::question::{Attempt, Query};
+use super::root::unique_root;
+use super::small::is_small;
+use crate::arch::{Configuration, Equation, Ring, SelfWeight, Unknown, tally, thrust};
+use crate::number::{Angle, Ball, Dual, Enclosure, Field, Real, Stumpff};
+use crate::solve::settle;
+use rug::Float;
+
+/// What the equations know of the rotational joint.
+struct Haunch<T> {
+    /// `beta cot(beta)`.
+    times_cotangent: T,
+    /// `1 - cos(beta)`.
+    versine: T,
+    /// `beta/sin(beta) - 1`.
+    excess: T,
+}
+
+impl<T: Real> Haunch<T> {
+    fn at_angle(joint: T) -> Self {
+        let joint = Angle::new(joint);
+        Self {
+            times_cotangent: joint.times_cotangent(),
+            versine: joint.versine(),
+            excess: (joint.rad.clone() - &joint.sin) / &joint.sin,
+        }
+    }
+}
+
+impl<T: Stumpff> Haunch<T> {
+    /// The same by the square of the joint.
+    fn at_square(u: T) -> Self {
+        let c = u.stumpff(4);
+        Self {
+            times_cotangent: u.int(1) - (c[2].clone() - &c[3]) * &u / &c[1],
+            versine: u.clone() * &c[2],
+            excess: u * &c[3] / &c[1],
+        }
+    }
+}
+
+/// The joint itself as the unknown, or its square.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Joint {
+    Angle,
+    Square,
+}
+
+impl Joint {
+    fn haunch<T: Real + Stumpff>(self, unknown: T) -> Haunch<T> {
+        match self {
+            Self::Angle => Haunch::at_angle(unknown),
+            Self::Square => Haunch::at_square(unknown),
+        }
+    }
+}
+
+impl Query {
+    /// The root of (2), (4) and (5) next to `beta_r`, `eta`, proved to exist and to be unique in a box.
+    pub(super) fn rotational_root(&self, [beta, eta]: [Float; 2]) -> Attempt<Configuration<Ball>> {
+        let exponent = beta.get_exp().map_or(0, |exponent| 2 * i64::from(exponent));
+        let (joint, start) = match is_small(exponent, self.bits) {
+            true => (Joint::Square, vec![beta.square(), eta]),
+            false => (Joint::Angle, vec![beta, eta]),
+        };
+        let given = self.given.clone().map(|x| Float::with_val(self.bits, x.mid()));
+        let candidate = settle(start, |x| residuals(self.weight, joint, &given, x));
+        // Where the factors that are divided by or cleared do not vanish, (2) follows: with the thrust that
+        // (2) and (5) have in common, it is a multiple of (5).
+        let is_regular = |x: &[Ball]| {
+            let ring = Ring::new(self.weight, &x[1]);
+            let haunch = joint.haunch(x[0].clone());
+            let lever =
+                ring.extrados() - ring.intrados() * (ring.thickness.int(1) - &haunch.versine);
+            let divisors = [x[1].clone(), ring.intrados(), ring.extrados(), lever];
+            haunch.excess.is_bounded() && divisors.iter().all(Enclosure::excludes_zero)
+        };
+        let slopes = |x: &[Ball]| residuals(self.weight, joint, &self.given, x);
+        let root = unique_root(self.bits, candidate, slopes, is_regular)?;
+        let thrust = thrust_at(self.weight, &joint.haunch(root[0].clone()), &root[1]);
+        let beta = match joint {
+            Joint::Angle => root[0].clone(),
+            Joint::Square => root[0].sqrt(),
+        };
+        let at = self.given.clone().with(Unknown::RotationJoint, beta);
+        Ok(at.with(Unknown::Thickness, root[1].clone()).with(Unknown::Thrust, thrust))
+    }
+}
+
+fn thrust_at<T: Field>(weight: SelfWeight, haunch: &Haunch<T>, eta: &T) -> T {
+    thrust::touching(&haunch.versine, &haunch.excess, &Ring::new(weight, eta)).value()
+}
+
+/// (4) and (5) with their derivatives to the joint or its square, and to the thickness.
+fn residuals<T: Real + Stumpff>(
+    weight: SelfWeight,
+    joint: Joint,
+    given: &Configuration<T>,
+    x: &[T],
+) -> Vec<Dual<T>> {
+    let haunch = joint.haunch(Dual::variable(x[0].clone(), 0));
+    let eta = Dual::variable(x[1].clone(), 1);
+    let thrust = thrust_at(weight, &haunch, &eta);
+    let ring = Ring::new(weight, &eta);
+    tally::equation(Equation::Tangency);
+    let tangency = thrust::tangency(&haunch.times_cotangent, &ring).residual(&thrust);
+    let given = given.clone().map(Dual::constant);
+    let at = given.with(Unknown::Thickness, eta).with(Unknown::Thrust, thrust);
+    vec![Equation::WholeThrust.residual(weight, &at), tangency]
+}
