@@ -750,6 +750,32 @@ fn what_was_computed_is_explained_with_its_cost() {
 }
 
 #[test]
+fn a_file_of_arches_has_what_is_asked_and_null_for_the_rest() {
+    let scratch = Scratch::new("null");
+    let scene = scratch.scene(
+        "digits = 17\n[[arches]]\nhalf_opening = 1\nfriction = 1\nquantities = \"thrust\"\noutput = \"a.json\"\n\
+         [[arches]]\nhalf_opening = 1\nfriction = 1\nthickness = 0.1\nquantities = \"largest_thrust\"\n\
+         output = \"b.json\"\n",
+    );
+    let out = scratch.path("out");
+    assert_eq!(couplet(&["run", &scene, "--output", &out]).status.code(), Some(0));
+    for (name, asked, others) in [
+        ("a.json", "thrust", &couplet::report::STATE_VALUES[..]),
+        ("b.json", "largest_thrust", &couplet::report::ASSESS_VALUES[..]),
+    ] {
+        let file: Value = serde_json::from_str(&scratch.read(&format!("out/{name}"))).unwrap();
+        assert_eq!(file["schema"], "couplet.arches/1");
+        assert_eq!(file["quantities"], serde_json::json!([asked]));
+        let arch = &file["arches"][0];
+        for value in others {
+            assert_eq!(arch[value].is_object(), *value == asked, "{name} {value}");
+        }
+    }
+    let state: Value = serde_json::from_str(&scratch.read("out/a.json")).unwrap();
+    assert!(state["arches"][0]["thrust"]["hex"].as_str().unwrap().starts_with("0x1."));
+}
+
+#[test]
 fn what_cannot_be_decided_is_said_and_tried_again() {
     let scratch = Scratch::new("undecided");
     // A friction nearer to the one at which the mode changes than any precision that is tried can tell.

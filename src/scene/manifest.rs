@@ -91,6 +91,9 @@ fn hexadecimal(bytes: impl AsRef<[u8]>) -> String {
 }
 
 fn hash_of(path: &Path) -> io::Result<String> {
+    if !path.is_file() {
+        return Err(io::ErrorKind::InvalidInput.into());
+    }
     let mut file = BufReader::new(File::open(path)?);
     let mut hashing = Hashing::new(io::sink());
     let mut buffer = [0; 1 << 16];

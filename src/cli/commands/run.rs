@@ -8,7 +8,7 @@ use crate::scene::{
 };
 use clap::Args;
 use std::fs::{self, File};
-use std::io::{self, Read};
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
 /// Compute exactly what a scene asks for, and write it.
@@ -64,6 +64,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     carry_out(&plan, folder, &mut manifest, arguments.explain)
 }
 
+/// Says something on standard error, if anybody listens there.
+fn say(text: &str) {
+    let _ = io::stderr().write_all(text.as_bytes());
+}
+
 /// Reads a scene; its faults go to standard error, a line each.
 fn scene(path: &Path) -> Result<Scene, Failure> {
     let name = path.display();
@@ -73,7 +78,7 @@ fn scene(path: &Path) -> Result<Scene, Failure> {
     file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(failed)?;
     read_bytes(&bytes).map_err(|faults| {
         for Fault { place, message } in &faults {
-            eprintln!("{name}:{}:{}: {message}", place.line, place.column);
+            say(&format!("{name}:{}:{}: {message}\n", place.line, place.column));
         }
         let plural = if faults.len() == 1 { "" } else { "s" };
         Failure::Input(format!("{name} has {} error{plural}; nothing was computed", faults.len()))
@@ -102,7 +107,10 @@ fn prepare(plan: &Plan, folder: &Path, scene: &Path) -> Result<(), Failure> {
         fs::create_dir_all(parent).map_err(|error| {
             Failure::Io(format!("cannot write {}: {}", parent.display(), error.kind()))
         })?;
-        Output::open(Some(output))?;
+        // A pipe is not opened before there is something for its reader.
+        if !output.exists() || output.is_file() || output.is_dir() {
+            Output::open(Some(output))?;
+        }
     }
     match outputs.is_empty() {
         true => Ok(()),
@@ -124,13 +132,13 @@ fn carry_out(
     let mut printed = false;
     for (index, item) in plan.scene.items.iter().enumerate() {
         let path = item.output.as_ref().map(|output| folder.join(output));
-        let say = |what: &str| {
+        let tell = |what: &str| {
             if let Some(path) = &path {
-                bar.suspend(|| eprintln!("{what} {}", path.display()));
+                bar.suspend(|| say(&format!("{what} {}\n", path.display())));
             }
         };
         if plan.complete[index] {
-            say("kept   ");
+            tell("kept   ");
             continue;
         }
         let found = run.item(index, &tick);
@@ -162,7 +170,7 @@ fn carry_out(
                 false => manifest.forget(item),
             }
             Output::open(Some(&folder.join(MANIFEST)))?.write(|out| manifest.write(out))?;
-            say("written");
+            tell("written");
         }
     }
     bar.finish_and_clear();
@@ -170,7 +178,7 @@ fn carry_out(
         let mut tree = Vec::new();
         let written = explain(plan, Some(run.costs()), &mut tree);
         written.map_err(|error| Failure::Io(error.to_string()))?;
-        eprint!("{}", String::from_utf8_lossy(&tree));
+        say(&String::from_utf8_lossy(&tree));
     }
     match undecided.is_empty() {
         true => Ok(()),
