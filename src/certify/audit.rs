@@ -5,7 +5,6 @@ use super::{CertifiedLandmark, Refined, Undecided};
 use crate::arch::published::{PRINTED, Printed};
 use crate::arch::{Landmark, Quantity, SelfWeight};
 use crate::number::{Ball, Decimal, Enclosure, Field, Rounded, Ternary};
-use rayon::prelude::*;
 use rug::{Integer, Rational, ops::Pow};
 
 /// Bits that decide every comparison of 16-digit values with a wide margin.
@@ -165,7 +164,9 @@ fn all_enclosed(landmarks: &[Landmark]) -> Result<Vec<Enclosed>, Undecided> {
         .iter()
         .flat_map(|&landmark| SelfWeight::ALL.map(|weight| (landmark, weight)))
         .collect();
-    let points = all.into_par_iter();
+    // One after the other: claims that are decided in parallel wait for the same comparisons, and a thread
+    // that waits for parts of them could meanwhile take up one of those claims.
+    let points = all.into_iter();
     points.map(|(landmark, weight)| enclosed(CertifiedLandmark::new(landmark, weight)?)).collect()
 }
 
