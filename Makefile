@@ -1,7 +1,7 @@
 # `make` builds couplet and prints the landmark constants; `make test` runs every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build test lint docs constants checker bench peers proofs witness m4 coq
+.PHONY: run build test lint docs constants checker exporters bench peers proofs witness m4 coq
 
 run: build
 	./target/release/couplet constants
@@ -27,6 +27,20 @@ constants: build
 checker:
 	cargo build --release --locked --no-default-features --features check --target-dir target/checker
 	@! cargo tree --locked --no-default-features --features check -e normal,build | grep -E "rug|gmp-mpfr"
+
+# The exported constants read back bit for bit by every language they are written for. `make test` does so
+# with those it finds; here the others are installed (but for Julia, which has no package), and Parquet too.
+EXPORTERS := g++ gfortran octave python3 texlive-latex-recommended texlive-science
+exporters: m4
+	@command -v g++ gfortran octave-cli python3 pdflatex >/dev/null && kpsewhich siunitx.sty booktabs.sty >/dev/null || { \
+	  if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
+	    apt-get update -qq && apt-get install -y -qq --no-install-recommends $(EXPORTERS); \
+	  else \
+	    echo "couplet: not every language is there; install the packages '$(EXPORTERS)' (sudo apt-get install $(EXPORTERS))" >&2; \
+	    exit 1; \
+	  fi; }
+	cargo clippy --all-targets --locked --features parquet -- -D warnings
+	cargo test --locked --features parquet --test export
 
 # Timings of this machine; nothing depends on them.
 bench: m4

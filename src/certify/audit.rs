@@ -1,16 +1,15 @@
 //! The printed values against the certified ones, and the two weights against each other.
 
 use super::exact::Exact;
+use super::printed::{Known, PrintedNumber, PrintedVerdict};
 use super::{CertifiedLandmark, Refined, Undecided};
 use crate::arch::published::{PRINTED, Printed};
 use crate::arch::{Landmark, Quantity, SelfWeight};
-use crate::number::{Ball, Decimal, Enclosure, Field, Rounded, Ternary};
-use rug::{Integer, Rational, ops::Pow};
+use crate::number::{Ball, Decimal, Enclosure, Rounded, Ternary};
+use rug::{Integer, Rational};
 
 /// Bits that decide every comparison of 16-digit values with a wide margin.
 const BITS: u32 = 256;
-/// Significant digits of an error in units of the last place.
-const ERROR_DIGITS: usize = 3;
 
 /// A printed number beside the certified value.
 #[derive(Clone, Debug)]
@@ -25,28 +24,6 @@ pub struct Audited {
     pub correct_digits: usize,
     /// How good the last place is.
     pub verdict: PrintedVerdict,
-}
-
-/// How good the last printed place is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PrintedVerdict {
-    /// The error is at most half a unit of the last place.
-    CorrectlyRounded,
-    /// The error is below one unit.
-    Faithful,
-    /// The error is one unit or more.
-    Wrong,
-}
-
-impl PrintedVerdict {
-    /// The words used in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::CorrectlyRounded => "correctly rounded",
-            Self::Faithful => "faithful",
-            Self::Wrong => "wrong",
-        }
-    }
 }
 
 /// A claim of the paper: at a landmark, Milankovitch's weight gives a lower or a higher value than
@@ -152,12 +129,6 @@ pub fn compare_weights_of(points: &[Enclosed]) -> Result<Vec<Comparison>, Undeci
         .collect()
 }
 
-/// A certified value: exact, or in an enclosure.
-enum Known {
-    Exact(Rational),
-    Enclosed(Ball),
-}
-
 /// Landmarks of both weights with an enclosure each.
 fn all_enclosed(landmarks: &[Landmark]) -> Result<Vec<Enclosed>, Undecided> {
     let all: Vec<(Landmark, SelfWeight)> = landmarks
@@ -199,19 +170,15 @@ impl Points<'_> {
 
 fn audit_one(printed: &'static Printed, points: &Points<'_>) -> Result<Audited, Undecided> {
     let undecided = || Undecided(format!("{} {}", printed.place, printed.text));
-    let Figures { value, unit, digits } = figures(printed.text).ok_or_else(undecided)?;
-    let (error, shared) = match points.value(printed.landmark, printed.weight, printed.quantity)? {
-        Known::Exact(truth) => {
-            let error = Rational::from(&value - &truth).abs() / unit;
-            let shown = Rounded::from_rational(&truth, digits.len());
-            let shared = shown.map_or(0, |shown| shared_digits(&digits, &value, &shown.value));
-            (Error::Exact(error), shared)
-        }
+    let PrintedNumber { value, unit, digits } = figures(printed.text).ok_or_else(undecided)?;
+    let truth = points.value(printed.landmark, printed.weight, printed.quantity)?;
+    let error = truth.error_of(&value, &unit);
+    let shared = match &truth {
+        Known::Exact(truth) => Rounded::from_rational(truth, digits.len())
+            .map_or(0, |shown| shared_digits(&digits, &value, &shown.value)),
         Known::Enclosed(truth) => {
-            let difference = truth.clone() - Ball::enclosing(&value, BITS);
-            let error = difference / Ball::enclosing(&unit, BITS);
-            let shown = Rounded::from_ball(&truth, digits.len()).ok_or_else(undecided)?;
-            (Error::Enclosed(error), shared_digits(&digits, &value, &shown.lower))
+            let shown = Rounded::from_ball(truth, digits.len()).ok_or_else(undecided)?;
+            shared_digits(&digits, &value, &shown.lower)
         }
     };
     let verdict = error.verdict().ok_or_else(undecided)?;
@@ -221,14 +188,7 @@ fn audit_one(printed: &'static Printed, points: &Points<'_>) -> Result<Audited, 
     Ok(Audited { printed, error_units, correct_digits, verdict })
 }
 
-/// A printed number as it is meant: its value, one unit of its last place, its digits.
-struct Figures {
-    value: Rational,
-    unit: Rational,
-    digits: String,
-}
-
-fn figures(text: &str) -> Option<Figures> {
+fn figures(text: &str) -> Option<PrintedNumber> {
     if let Some((numerator, denominator)) = text.split_once('/') {
         // A fraction is exact and has no last place; its unit is one.
         let value = Rational::from((
@@ -236,13 +196,9 @@ fn figures(text: &str) -> Option<Figures> {
             denominator.parse::<Integer>().ok().filter(|d| !d.is_zero())?,
         ));
         let digits = format!("{numerator}{denominator}");
-        return Some(Figures { value, unit: Rational::from(1), digits });
+        return Some(PrintedNumber { value, unit: Rational::from(1), digits });
     }
-    let decimal: Decimal = text.parse().ok()?;
-    let power = Integer::from(10).pow(u32::try_from(decimal.exponent().unsigned_abs()).ok()?);
-    let unit = if decimal.exponent() < 0 { Rational::from((1, power)) } else { power.into() };
-    let digits = if decimal.digits().is_empty() { "0" } else { decimal.digits() };
-    Some(Figures { value: decimal.to_rational(), unit, digits: digits.to_owned() })
+    PrintedNumber::from_decimal(&text.parse().ok()?)
 }
 
 /// How many leading digits of a printed number are those of the true value cut off.
@@ -252,50 +208,6 @@ fn shared_digits(printed: &str, value: &Rational, truth: &Decimal) -> usize {
         return 0;
     }
     printed.bytes().zip(truth.digits().bytes()).take_while(|(a, b)| a == b).count()
-}
-
-enum Error {
-    Exact(Rational),
-    /// Either sign.
-    Enclosed(Ball),
-}
-
-impl Error {
-    fn verdict(&self) -> Option<PrintedVerdict> {
-        let half = Rational::from((1, 2));
-        let (within_half, within_one) = match self {
-            Self::Exact(error) => (*error <= half, *error < 1),
-            Self::Enclosed(error) => {
-                let within =
-                    |limit: Ball| error.is_less_than(&limit).and((-limit).is_less_than(error));
-                (decided(within(Ball::enclosing(&half, BITS)))?, decided(within(error.int(1)))?)
-            }
-        };
-        Some(match (within_half, within_one) {
-            (true, _) => PrintedVerdict::CorrectlyRounded,
-            (false, true) => PrintedVerdict::Faithful,
-            (false, false) => PrintedVerdict::Wrong,
-        })
-    }
-
-    fn shown(&self) -> Option<Decimal> {
-        match self {
-            Self::Exact(error) => Some(Rounded::from_rational(error, ERROR_DIGITS)?.value),
-            Self::Enclosed(error) => {
-                let negative = decided((-error.clone()).is_positive())?;
-                let size = if negative { -error.clone() } else { error.clone() };
-                Some(Rounded::from_ball(&size, ERROR_DIGITS)?.value)
-            }
-        }
-    }
-}
-
-fn decided(answer: Ternary) -> Option<bool> {
-    match answer {
-        Ternary::True => Some(true),
-        Ternary::False => Some(false),
-        Ternary::Undecided => None,
-    }
 }
 
 fn relation(a: &Known, b: &Known) -> Option<Relation> {
@@ -319,16 +231,6 @@ fn relation(a: &Known, b: &Known) -> Option<Relation> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn verdicts_at_the_borders() {
-        let verdict = |n: i32, d: i32| Error::Exact(Rational::from((n, d))).verdict().unwrap();
-        assert_eq!(verdict(1, 2), PrintedVerdict::CorrectlyRounded);
-        assert_eq!(verdict(501, 1000), PrintedVerdict::Faithful);
-        assert_eq!(verdict(1, 1), PrintedVerdict::Wrong);
-        let wide = Ball::enclosing(&Rational::from((1, 2)), BITS) + Ball::whole(BITS);
-        assert_eq!(Error::Enclosed(wide).verdict(), None);
-    }
 
     #[test]
     fn a_relation_of_overlapping_enclosures_is_unknown() {

@@ -3,7 +3,7 @@
 use super::exact::{Exact, exact};
 use super::{Isolated, Refined, Undecided, isolate, refine, refine_watched, stages};
 use crate::arch::{Landmark, Quantity, SelfWeight, System, Unknown, thrust};
-use crate::number::{Ball, Enclosure, Field, Real, Rounded, Ternary, bits_of};
+use crate::number::{Ball, Binary, Enclosure, Field, Real, Rounded, Ternary, bits_of};
 use crate::solve::{newton, start};
 use rayon::prelude::*;
 
@@ -24,7 +24,7 @@ pub struct CertifiedLandmark {
 }
 
 /// A quantity of a landmark with its digits.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Constant {
     /// The self-weight model.
     pub weight: SelfWeight,
@@ -36,6 +36,10 @@ pub struct Constant {
     pub value: Value,
     /// The exact value, where there is one.
     pub exact: Option<String>,
+    /// The nearest double of the true value, not of its digits; infinite where the value is.
+    pub double: f64,
+    /// What that double leaves open.
+    pub binary: Binary,
 }
 
 /// A finite value with bounds, or infinity.
@@ -148,29 +152,24 @@ impl CertifiedLandmark {
         let most = asked.iter().map(|(_, digits)| *digits).max();
         let mut precision = Precision::new(most.unwrap_or(1))?;
         let mut refined = refine_watched(&self.isolated, precision.bits, tick)?;
-        let mut rounded: Vec<((Quantity, usize), Option<Value>)> =
+        let mut found: Vec<((Quantity, usize), Option<Constant>)> =
             asked.iter().map(|&asked| (asked, None)).collect();
         loop {
-            rounded.par_iter_mut().filter(|(_, value)| value.is_none()).for_each(
-                |((quantity, digits), value)| {
-                    *value = self.rounded(&refined, *quantity, *digits);
-                    if value.is_some() {
+            found.par_iter_mut().filter(|(_, constant)| constant.is_none()).for_each(
+                |((quantity, digits), constant)| {
+                    *constant = self.constant(&refined, *quantity, *digits);
+                    if constant.is_some() {
                         tick();
                     }
                 },
             );
-            match rounded.iter().find(|(_, value)| value.is_none()) {
+            match found.iter().find(|(_, constant)| constant.is_none()) {
                 None => break,
                 Some(((quantity, _), _)) => precision.raise(*quantity)?,
             }
             refined = self.enclosure(precision.bits)?;
         }
-        let constant = |((quantity, _), value): ((Quantity, usize), Option<Value>)| {
-            let exact = self.exact(quantity).map(|exact| exact.text());
-            let (weight, landmark) = (self.weight, self.landmark);
-            Some(Constant { weight, landmark, quantity, value: value?, exact })
-        };
-        Ok(rounded.into_iter().filter_map(constant).collect())
+        Ok(found.into_iter().filter_map(|(_, constant)| constant).collect())
     }
 
     /// How often [`CertifiedLandmark::constants`] reports progress for a landmark.
@@ -183,22 +182,32 @@ impl CertifiedLandmark {
         stages(&landmark.system(SelfWeight::Heyman)) + quantities as u64
     }
 
-    /// The rounded value, if the enclosure decides it.
-    fn rounded(&self, refined: &Refined, quantity: Quantity, digits: usize) -> Option<Value> {
+    /// The value rounded to digits and to a double, if the enclosure decides both.
+    fn constant(&self, refined: &Refined, quantity: Quantity, digits: usize) -> Option<Constant> {
         let prec = || refined.value(Unknown::HalfOpening).map(|x| x.prec());
-        let rounded = match self.exact(quantity) {
-            Some(Exact::Infinite) => return Some(Value::Infinite),
-            Some(Exact::Surd(surd)) => match surd.parts() {
-                (rational, factor, _) if factor.is_zero() => {
-                    Rounded::from_rational(rational, digits)?
-                }
-                _ => Rounded::from_ball(&surd.enclosure(prec()?), digits)?,
-            },
-            Some(Exact::Pi(_)) | None => {
-                Rounded::from_ball(&self.quantity(refined, quantity)?, digits)?
-            }
+        let exact = self.exact(quantity);
+        let finite = |ball: Ball, rounded: Option<Rounded>| {
+            let double = ball.nearest_double()?;
+            Some((Value::Finite(rounded?), double, Binary::new(&ball, double)))
         };
-        Some(Value::Finite(rounded))
+        let from_ball = |ball: Ball| {
+            let rounded = Rounded::from_ball(&ball, digits);
+            finite(ball, rounded)
+        };
+        let (value, double, binary) = match &exact {
+            Some(Exact::Infinite) => (Value::Infinite, f64::INFINITY, Binary::infinite()),
+            Some(Exact::Surd(surd)) => match surd.parts() {
+                (rational, factor, _) if factor.is_zero() => finite(
+                    Ball::enclosing(rational, prec()?),
+                    Rounded::from_rational(rational, digits),
+                )?,
+                _ => from_ball(surd.enclosure(prec()?))?,
+            },
+            Some(Exact::Pi(_)) | None => from_ball(self.quantity(refined, quantity)?)?,
+        };
+        let exact = exact.map(|exact| exact.text());
+        let (weight, landmark) = (self.weight, self.landmark);
+        Some(Constant { weight, landmark, quantity, value, exact, double, binary })
     }
 }
 

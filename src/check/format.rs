@@ -6,6 +6,7 @@ use super::object::{Object, given, given_object, object, objects};
 use super::refusal::Refusal;
 use crate::arch::{Equation, Landmark, Mode, SelfWeight, Unknown};
 use serde::{Deserialize, Serialize};
+use std::io;
 
 /// The schema of this version.
 pub const SCHEMA: &str = "couplet.certificate/1";
@@ -34,6 +35,14 @@ pub struct Certificate {
     /// The decimal values claimed.
     #[serde(deserialize_with = "objects")]
     pub values: Vec<ValueFile>,
+}
+
+impl Certificate {
+    /// Writes the file, whose bytes depend on the certificate only.
+    pub fn write(&self, out: &mut dyn io::Write) -> io::Result<()> {
+        serde_json::to_writer_pretty(&mut *out, self)?;
+        writeln!(out)
+    }
 }
 
 /// A box: all points within `radius` of `centre`, unknown by unknown.

@@ -53,8 +53,8 @@ pub use astro::AstroInterval;
 pub use dual::Dual;
 #[cfg(feature = "full")]
 pub use gmp::{
-    Anchor, Ball, Decimal, ExactNumber, Magnitude, ParseDecimalError, ParseExactError, Rounded,
-    Surd, arctangent, bits_of, rational_like,
+    Anchor, Ball, Binary, Decimal, ExactNumber, Magnitude, ParseDecimalError, ParseExactError,
+    Rounded, Surd, arctangent, bits_of, rational_like,
 };
 pub use stumpff::Stumpff;
 #[cfg(feature = "full")]

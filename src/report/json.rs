@@ -1,97 +1,11 @@
-//! JSON: `couplet.constants/1`, `couplet.audit/1`, `couplet.state/1`,
-//! `couplet.assess/1`. Fields may be added, none changes its meaning.
+//! JSON: `couplet.audit/1`, `couplet.state/1`, `couplet.assess/1`. Fields may be added, none changes its
+//! meaning. `couplet.constants/1` is a document for other programs, in `export`.
 
-use super::{
-    AssessReport, Audit, Constants, StateAt, StateOf, StateReport, hexadecimal, reason, texts,
-};
-use crate::arch::{Equation, Unknown};
+use super::{AssessReport, Audit, StateAt, StateOf, StateReport, hexadecimal, reason, texts};
 use crate::certify::state::{Figure, LimitDigits};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::io;
-
-#[derive(Serialize)]
-struct ConstantsFile<'a> {
-    schema: &'static str,
-    digits: usize,
-    constants: Vec<ConstantEntry<'a>>,
-    proofs: Vec<ProofEntry<'a>>,
-}
-
-#[derive(Serialize)]
-struct ConstantEntry<'a> {
-    weight: &'static str,
-    landmark: &'static str,
-    quantity: &'static str,
-    value: String,
-    lower: String,
-    upper: String,
-    exact: Option<&'a str>,
-}
-
-#[derive(Serialize)]
-struct ProofEntry<'a> {
-    weight: &'static str,
-    landmark: &'static str,
-    verdict: &'static str,
-    reason: Option<&'a str>,
-    equations: Vec<&'static str>,
-    /// Radius of the box of uniqueness for each unknown, relative to its value.
-    box_relative_radius: BTreeMap<&'static str, f64>,
-}
-
-pub fn constants(report: &Constants, out: &mut dyn io::Write) -> io::Result<()> {
-    let proofs = report.landmarks.iter().map(|entry| {
-        let (weight, landmark) = (entry.weight.name(), entry.landmark.symbol());
-        match &entry.outcome {
-            Ok(proved) => ProofEntry {
-                weight,
-                landmark,
-                verdict: "proved",
-                reason: None,
-                equations: proved.system.equations.iter().copied().map(Equation::label).collect(),
-                box_relative_radius: proved
-                    .system
-                    .unknowns
-                    .iter()
-                    .copied()
-                    .map(Unknown::name)
-                    .zip(proved.relative_radii.iter().copied())
-                    .collect(),
-            },
-            Err(reason) => ProofEntry {
-                weight,
-                landmark,
-                verdict: "undecided",
-                reason: Some(reason),
-                equations: Vec::new(),
-                box_relative_radius: BTreeMap::new(),
-            },
-        }
-    });
-    let proved = report.landmarks.iter().filter_map(|entry| entry.outcome.as_ref().ok());
-    let constants = proved.flat_map(|proved| &proved.constants).map(|constant| {
-        let [value, lower, upper] = texts(&constant.value);
-        ConstantEntry {
-            weight: constant.weight.name(),
-            landmark: constant.landmark.symbol(),
-            quantity: constant.quantity.name(),
-            value,
-            lower,
-            upper,
-            exact: constant.exact.as_deref(),
-        }
-    });
-    write(
-        &ConstantsFile {
-            schema: "couplet.constants/1",
-            digits: report.digits,
-            constants: constants.collect(),
-            proofs: proofs.collect(),
-        },
-        out,
-    )
-}
 
 #[derive(Serialize)]
 struct AuditFile {

@@ -3,7 +3,9 @@
 mod arches;
 mod claims;
 mod csv;
+pub mod export;
 mod json;
+mod judged;
 mod rows;
 mod study;
 mod table;
@@ -11,6 +13,7 @@ mod table;
 pub use self::csv::{ASSESS_VALUES, STATE_VALUES};
 pub use arches::{ArchEntries, Arches};
 pub use claims::{ClaimFormat, Claims};
+pub use judged::{JudgeSummary, JudgedRow, JudgedRows};
 pub use rows::{Answered, Rows};
 pub use study::{StudyFiles, accuracy_table, stability_table};
 
@@ -18,6 +21,7 @@ use crate::arch::Mode;
 use crate::arch::{Landmark, SelfWeight, System};
 use crate::certify::state::{AssessmentDigits, Digits, Doubt, Fall};
 use crate::certify::{Audited, CertifiedLandmark, Comparison, Constant, Value};
+use export::{Export, ExportFormat, Subject};
 use std::io;
 
 /// An output format.
@@ -29,6 +33,28 @@ pub enum Format {
     Json,
     /// For a spreadsheet.
     Csv,
+}
+
+/// An output format of constants.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ConstantsFormat {
+    /// For a person.
+    Table,
+    /// For a spreadsheet.
+    Csv,
+    /// For another program.
+    Export(ExportFormat),
+}
+
+impl ConstantsFormat {
+    /// Whether it is not text.
+    pub fn is_binary(self) -> bool {
+        match self {
+            #[cfg(feature = "parquet")]
+            Self::Export(ExportFormat::Parquet) => true,
+            _ => false,
+        }
+    }
 }
 
 /// What `couplet constants` found.
@@ -49,6 +75,9 @@ pub struct LandmarkReport {
     pub weight: SelfWeight,
     /// What was proved, or why nothing is known.
     pub outcome: Result<Proved, String>,
+    /// The hash of its certificate ([`fingerprint`](crate::certify::fingerprint)) or why there is none;
+    /// `None` if it was not asked for.
+    pub fingerprint: Option<Result<String, String>>,
 }
 
 /// The box of the proof, and the constants.
@@ -168,8 +197,11 @@ impl StateAt {
     }
 }
 
-/// A double as C and many others write it in hexadecimal: exact.
+/// A double as C and many others write it in hexadecimal: exact. Infinity is `inf`, as `printf` has it.
 fn hexadecimal(x: f64) -> String {
+    if x.is_infinite() {
+        return x.to_string();
+    }
     if x == 0.0 {
         return "0x0p+0".to_owned();
     }
@@ -197,11 +229,22 @@ fn reason(fall: Fall) -> &'static str {
 
 impl Constants {
     /// Writes the report.
-    pub fn write(&self, format: Format, out: &mut dyn io::Write) -> io::Result<()> {
+    pub fn write(&self, format: ConstantsFormat, out: &mut dyn io::Write) -> io::Result<()> {
         match format {
-            Format::Table => table::constants(self, out),
-            Format::Json => json::constants(self, out),
-            Format::Csv => csv::constants(self, out),
+            ConstantsFormat::Table => table::constants(self, out),
+            ConstantsFormat::Csv => csv::constants(self, out),
+            ConstantsFormat::Export(format) => export::write(format, &self.export(), out),
+        }
+    }
+
+    /// The constants for another program.
+    pub fn export(&self) -> Export {
+        let subject = |report| Subject::landmark(report, self.digits);
+        Export {
+            title: "Landmark constants of the finite-friction Couplet-Heyman problem",
+            schema: "couplet.constants/1",
+            digits: self.digits,
+            subjects: self.landmarks.iter().map(subject).collect(),
         }
     }
 }
@@ -240,6 +283,7 @@ mod tests {
             (f64::MIN_POSITIVE, "0x1p-1022"),
             (5e-324, "0x1p-1074"),
             (f64::MAX, "0x1.fffffffffffffp+1023"),
+            (f64::NEG_INFINITY, "-inf"),
         ] {
             assert_eq!(hexadecimal(x), text);
         }

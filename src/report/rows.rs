@@ -89,7 +89,8 @@ impl Rows {
     }
 }
 
-fn csv_line(record: &[String]) -> io::Result<Vec<u8>> {
+/// One line of CSV.
+pub(super) fn csv_line(record: &[String]) -> io::Result<Vec<u8>> {
     let mut csv = ::csv::Writer::from_writer(Vec::new());
     csv.write_record(record)?;
     csv.into_inner().map_err(|error| io::Error::other(error.to_string()))

@@ -17,12 +17,12 @@ impl Reader<'_> {
     pub fn destination(
         &mut self,
         kind: Kind,
-        [output, format]: [Option<&Value>; 2],
+        [output, format_value]: [Option<&Value>; 2],
         files: &mut Files,
     ) -> Option<(Option<PathBuf>, OutputFormat)> {
         let before = self.faults.len();
         let path = output.and_then(|value| self.file(value, files));
-        let named = format.and_then(|value| {
+        let named = format_value.and_then(|value| {
             let text = value.get_ref().as_str();
             let found = text.and_then(|name| OutputFormat::named(kind, name));
             if found.is_none() {
@@ -31,7 +31,7 @@ impl Reader<'_> {
             }
             found
         });
-        let told = match (output, &path, format) {
+        let told = match (output, &path, format_value) {
             (None, _, _) => Some(OutputFormat::for_a_person(kind)),
             (Some(value), Some(path), None) => {
                 let end = path.extension().and_then(|end| end.to_str()).unwrap_or_default();
@@ -51,6 +51,9 @@ impl Reader<'_> {
             _ => None,
         };
         let format = named.or(told)?;
+        if let (true, None, Some(value)) = (format.is_binary(), output, format_value) {
+            self.is_not("format", value, "text; give it an output");
+        }
         (self.faults.len() == before).then_some((path, format))
     }
 

@@ -140,6 +140,17 @@ fn landmark(node: &LandmarkNode) -> Vec<String> {
         let names = list(asked.map(|(quantity, _)| quantity.name()));
         lines.push(format!("to {digits} digits: {names}"));
     }
+    if !node.certificates.is_empty() {
+        let digits = list(
+            node.certificates
+                .iter()
+                .map(ToString::to_string)
+                .collect::<Vec<_>>()
+                .iter()
+                .map(String::as_str),
+        );
+        lines.push(format!("the hash of its certificate, to {digits} digits"));
+    }
     if node.audited {
         lines.push("for the printed numbers".to_owned());
     }

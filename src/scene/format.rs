@@ -2,40 +2,59 @@
 //! knows them.
 
 use super::schema::Kind;
-use crate::report::{ClaimFormat, Format};
+use crate::report::export::ExportFormat as E;
+use crate::report::{ClaimFormat, ConstantsFormat, Format};
 
 /// How an output is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OutputFormat {
-    /// Constants, arches, an audit.
+    /// Constants.
+    Constants(ConstantsFormat),
+    /// Arches, or an audit.
     Report(Format),
     /// Claims.
     Claims(ClaimFormat),
 }
 
-/// A format of one kind of item.
-struct Known {
-    name: &'static str,
-    /// What the name of a file ends with.
-    extension: &'static str,
-    format: OutputFormat,
+/// A format of one kind of item: its name, what the name of a file ends with, and itself.
+type Known = (&'static str, &'static str, OutputFormat);
+
+const fn export(format: E) -> OutputFormat {
+    OutputFormat::Constants(ConstantsFormat::Export(format))
 }
 
+const CONSTANTS: &[Known] = &[
+    ("table", "txt", OutputFormat::Constants(ConstantsFormat::Table)),
+    ("json", "json", export(E::Json)),
+    ("csv", "csv", OutputFormat::Constants(ConstantsFormat::Csv)),
+    ("toml", "toml", export(E::Toml)),
+    ("latex", "tex", export(E::Latex)),
+    ("c", "h", export(E::C)),
+    ("rust", "rs", export(E::Rust)),
+    ("python", "py", export(E::Python)),
+    ("julia", "jl", export(E::Julia)),
+    ("matlab", "m", export(E::Matlab)),
+    ("fortran", "f90", export(E::Fortran)),
+    #[cfg(feature = "parquet")]
+    ("parquet", "parquet", export(E::Parquet)),
+];
+
 const REPORTS: &[Known] = &[
-    Known { name: "table", extension: "txt", format: OutputFormat::Report(Format::Table) },
-    Known { name: "json", extension: "json", format: OutputFormat::Report(Format::Json) },
-    Known { name: "csv", extension: "csv", format: OutputFormat::Report(Format::Csv) },
+    ("table", "txt", OutputFormat::Report(Format::Table)),
+    ("json", "json", OutputFormat::Report(Format::Json)),
+    ("csv", "csv", OutputFormat::Report(Format::Csv)),
 ];
 
 const CLAIMS: &[Known] = &[
-    Known { name: "text", extension: "txt", format: OutputFormat::Claims(ClaimFormat::Text) },
-    Known { name: "latex", extension: "tex", format: OutputFormat::Claims(ClaimFormat::Latex) },
-    Known { name: "json", extension: "json", format: OutputFormat::Claims(ClaimFormat::Json) },
+    ("text", "txt", OutputFormat::Claims(ClaimFormat::Text)),
+    ("latex", "tex", OutputFormat::Claims(ClaimFormat::Latex)),
+    ("json", "json", OutputFormat::Claims(ClaimFormat::Json)),
 ];
 
 fn known(kind: Kind) -> &'static [Known] {
     match kind {
-        Kind::Constants | Kind::Arches | Kind::Audit => REPORTS,
+        Kind::Constants => CONSTANTS,
+        Kind::Arches | Kind::Audit => REPORTS,
         Kind::Claims => CLAIMS,
     }
 }
@@ -43,33 +62,45 @@ fn known(kind: Kind) -> &'static [Known] {
 impl OutputFormat {
     /// The names of the formats of a kind of item.
     pub fn names(kind: Kind) -> Vec<&'static str> {
-        known(kind).iter().map(|known| known.name).collect()
+        known(kind).iter().map(|(name, ..)| *name).collect()
     }
 
     /// The ends of file names that tell the format.
     pub fn extensions(kind: Kind) -> Vec<&'static str> {
-        known(kind).iter().map(|known| known.extension).collect()
+        known(kind).iter().map(|(_, extension, _)| *extension).collect()
     }
 
     /// The format of a name.
     pub fn named(kind: Kind, name: &str) -> Option<Self> {
-        known(kind).iter().find(|known| known.name == name).map(|known| known.format)
+        known(kind).iter().find(|(known, ..)| *known == name).map(|(.., format)| *format)
     }
 
     /// The format that the end of a file name tells.
     pub fn of_extension(kind: Kind, extension: &str) -> Option<Self> {
-        known(kind).iter().find(|known| known.extension == extension).map(|known| known.format)
+        known(kind).iter().find(|(_, known, _)| *known == extension).map(|(.., format)| *format)
     }
 
     /// The format for standard output, if none is named: for a person.
     pub fn for_a_person(kind: Kind) -> Self {
-        known(kind)[0].format
+        let (.., format) = known(kind)[0];
+        format
     }
 
     /// The name of the format.
     pub fn name(self) -> &'static str {
-        let found = REPORTS.iter().chain(CLAIMS).find(|known| known.format == self);
-        found.map_or("", |known| known.name)
+        let all = CONSTANTS.iter().chain(REPORTS).chain(CLAIMS);
+        let found = all.into_iter().find(|(.., format)| *format == self);
+        found.map_or("", |(name, ..)| *name)
+    }
+
+    /// Whether it names the certificate of each landmark by its hash.
+    pub fn has_certificates(self) -> bool {
+        matches!(self, Self::Constants(ConstantsFormat::Export(_)))
+    }
+
+    /// Whether it is not text.
+    pub fn is_binary(self) -> bool {
+        matches!(self, Self::Constants(format) if format.is_binary())
     }
 }
 

@@ -36,7 +36,7 @@ impl Found<'_> {
     pub fn write(&self, out: &mut dyn io::Write) -> io::Result<()> {
         use OutputFormat as F;
         match (&self.report, self.format) {
-            (Some(Report::Constants(report)), F::Report(format)) => report.write(format, out),
+            (Some(Report::Constants(report)), F::Constants(format)) => report.write(format, out),
             (Some(Report::Arches(report)), F::Report(format)) => report.write(format, out),
             (Some(Report::Audit(report)), F::Report(format)) => report.write(format, out),
             (Some(Report::Claims(report)), F::Claims(format)) => report.write(format, out),
@@ -63,7 +63,7 @@ impl Run<'_> {
         let (item, needs) = (&self.plan.scene.items[index], &self.plan.needs[index]);
         let (report, undecided) = match &item.what {
             What::Constants { quantities, digits, .. } => {
-                self.constants(needs, quantities, *digits)
+                self.constants(item.format, needs, (quantities, *digits))
             }
             What::Arches { arches, quantities, with_thickness, digits } => {
                 let taken = || {
@@ -91,14 +91,24 @@ impl Run<'_> {
         Found { format: item.format, report, undecided }
     }
 
-    fn constants(&self, needs: &Needs, quantities: &[Quantity], digits: usize) -> Told<'_> {
+    fn constants(
+        &self,
+        format: OutputFormat,
+        needs: &Needs,
+        (quantities, digits): (&[Quantity], usize),
+    ) -> Told<'_> {
         let entry = |&place: &usize| {
             let node = &self.plan.landmarks[place];
             let found = self.landmarks[place].as_ref()?.as_ref();
+            let fingerprint = match found {
+                Ok(found) if format.has_certificates() => found.certificates.get(&digits).cloned(),
+                _ => None,
+            };
             let outcome = found
                 .map(|found| found.proved(node, quantities, digits))
                 .map_err(ToString::to_string);
-            Some(LandmarkReport { landmark: node.landmark, weight: node.weight, outcome })
+            let (landmark, weight) = (node.landmark, node.weight);
+            Some(LandmarkReport { landmark, weight, outcome, fingerprint })
         };
         let landmarks: Vec<LandmarkReport> = needs.landmarks.iter().filter_map(entry).collect();
         let undecided = landmarks

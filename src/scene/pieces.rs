@@ -3,7 +3,7 @@
 use super::plan::{ArchNode, LandmarkNode};
 use crate::arch::{Quantity, System};
 use crate::certify::state::{Answer, AssessmentDigits, Doubt, Inquiry};
-use crate::certify::{CertifiedLandmark, Constant, Enclosed, Undecided, enclosed};
+use crate::certify::{CertifiedLandmark, Constant, Enclosed, Undecided, enclosed, fingerprint};
 use crate::report::Proved;
 use std::collections::BTreeMap;
 
@@ -13,6 +13,8 @@ pub struct LandmarkFound {
     relative_radii: Vec<f64>,
     /// In the order in which they are asked for.
     constants: Vec<Constant>,
+    /// The hash of its certificate, or why there is none, by the number of digits.
+    pub certificates: BTreeMap<usize, Result<String, String>>,
     /// For the printed numbers, if they are asked for.
     pub enclosed: Option<Enclosed>,
 }
@@ -35,8 +37,13 @@ impl LandmarkFound {
         };
         let isolated = point.isolated();
         let (system, relative_radii) = (*isolated.system(), isolated.relative_radii());
+        let hash = |&digits: &usize| {
+            let hash = fingerprint(node.landmark, node.weight, digits);
+            (digits, hash.map_err(|undecided| undecided.0))
+        };
+        let certificates = node.certificates.iter().map(hash).collect();
         let enclosed = if node.audited { Some(enclosed(point)?) } else { None };
-        Ok(Self { system, relative_radii, constants, enclosed })
+        Ok(Self { system, relative_radii, constants, certificates, enclosed })
     }
 
     /// What one item asks for.

@@ -1,4 +1,5 @@
-//! What a scene needs computed: each piece once, to the most digits that any item asks of it.
+//! What a scene needs computed: each piece once, to the most digits that any item asks of it. The first
+//! item that needs a piece waits for all of its digits.
 
 use super::schema::{AskedArch, Scene, What};
 use crate::arch::{Landmark, Quantity, SelfWeight};
@@ -7,7 +8,7 @@ use crate::certify::{CertifiedLandmark, quantities};
 use crate::claims::Claim;
 use crate::number::ExactNumber;
 use rug::Rational;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// What is computed, and what each item takes from it.
 #[derive(Debug)]
@@ -35,6 +36,8 @@ pub struct LandmarkNode {
     pub weight: SelfWeight,
     /// Each quantity with each number of digits in which it is asked for.
     pub asked: Vec<(Quantity, usize)>,
+    /// The digits of the certificates whose hashes the outputs name.
+    pub certificates: BTreeSet<usize>,
     /// Whether printed numbers are compared with it.
     pub audited: bool,
     /// The items that take it.
@@ -137,6 +140,9 @@ impl<'s> Plan<'s> {
                         for &point in points {
                             let node = plan.landmark(point, index);
                             plan.landmarks[node].ask(quantities, *digits);
+                            if item.format.has_certificates() {
+                                plan.landmarks[node].certificates.insert(*digits);
+                            }
                             needs.landmarks.push(node);
                         }
                     }
@@ -172,8 +178,14 @@ impl<'s> Plan<'s> {
     fn landmark(&mut self, (landmark, weight): (Landmark, SelfWeight), item: usize) -> usize {
         let is_it = |node: &LandmarkNode| (node.landmark, node.weight) == (landmark, weight);
         let place = self.landmarks.iter().position(is_it).unwrap_or_else(|| {
-            let (asked, items) = (Vec::new(), Vec::new());
-            self.landmarks.push(LandmarkNode { landmark, weight, asked, audited: false, items });
+            self.landmarks.push(LandmarkNode {
+                landmark,
+                weight,
+                asked: Vec::new(),
+                certificates: BTreeSet::new(),
+                audited: false,
+                items: Vec::new(),
+            });
             self.landmarks.len() - 1
         });
         self.landmarks[place].items.push(item);

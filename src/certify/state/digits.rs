@@ -1,11 +1,11 @@
-//! The digits of a proved state.
+//! The digits of a proved state: the precision is raised until all are decided.
 
 use super::assess::{Assessment, Limit, Wanted};
 use super::choice::{Fall, Frictions, State};
 use super::inquiry::Inquiry;
-use super::question::{Arch, Doubt};
+use super::question::{Arch, Attempt, Doubt};
 use crate::arch::Mode;
-use crate::number::{Ball, ExactNumber, Rounded};
+use crate::number::{Ball, Binary, ExactNumber, Rounded, bits_of};
 use rug::Rational;
 
 /// A proved state with its digits, or why nothing stands.
@@ -24,6 +24,8 @@ pub struct Figure {
     pub decimal: Rounded,
     /// The correctly rounded double.
     pub double: f64,
+    /// What that double leaves open.
+    pub binary: Binary,
 }
 
 /// The values of a proved state, correctly rounded.
@@ -44,6 +46,12 @@ pub struct Digits {
     /// The frictions at which the mode changes, if they are asked for.
     pub frictions: Option<Frictions<Figure>>,
 }
+
+/// The precision is doubled up to this many bits, and at least twice, before a comparison or a rounding
+/// counts as undecided.
+const ENOUGH: u32 = 8192;
+/// Bits beyond the digits asked for, at the first attempt.
+pub(super) const GUARD: u32 = 48;
 
 /// What is certain of an arch of a given thickness, correctly rounded.
 #[derive(Clone, Debug)]
@@ -94,6 +102,35 @@ impl Arch {
     ) -> Result<AssessmentDigits, Doubt> {
         Inquiry::new(self, digits, false).assess(thickness, digits, Wanted::Everything)
     }
+
+    /// What a proof of the state finds, with more bits until it does; the doubt that stays otherwise.
+    pub(in crate::certify) fn raised<T>(
+        &self,
+        digits: usize,
+        proof: impl Fn(u32) -> Attempt<Option<T>>,
+    ) -> Result<T, Doubt> {
+        let first = bits_of(digits) + GUARD;
+        let lost = if self.is_small(first) { 0 } else { self.bits_lost() };
+        raised(first + lost, proof)
+    }
+}
+
+/// A proof that decides everything: `first` bits, and twice as many until they are enough.
+pub(super) fn raised<T>(
+    first: u32,
+    mut proof: impl FnMut(u32) -> Attempt<Option<T>>,
+) -> Result<T, Doubt> {
+    let mut bits = first;
+    let mut last = Doubt { question: "the rounding", between: Vec::new(), gap: f64::NAN };
+    while bits <= ENOUGH.max(4 * first) {
+        match proof(bits) {
+            Ok(Some(answer)) => return Ok(answer),
+            Ok(None) => {}
+            Err(doubt) => last = doubt,
+        }
+        bits *= 2;
+    }
+    Err(last)
 }
 
 impl Assessment {
@@ -134,7 +171,8 @@ impl Figure {
             true => Rounded::from_rational(&Rational::new(), digits)?,
             false => Rounded::from_ball(x, digits)?,
         };
-        Some(Self { decimal, double: x.nearest_double()? })
+        let double = x.nearest_double()?;
+        Some(Self { decimal, double, binary: Binary::new(x, double) })
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::assess::Wanted;
 use super::choice::{Asked, Outcome};
-use super::digits::{Answer, AssessmentDigits};
+use super::digits::{Answer, AssessmentDigits, GUARD, raised};
 use super::question::{Arch, Attempt, Doubt, Friction, Query};
 use crate::number::{ExactNumber, bits_of};
 use std::collections::BTreeMap;
@@ -19,12 +19,6 @@ pub struct Inquiry<'a> {
     unlimited: BTreeMap<u32, Attempt<Outcome>>,
 }
 
-/// The precision is doubled up to this many bits, and at least twice, before a comparison or a rounding
-/// counts as undecided.
-const ENOUGH: u32 = 8192;
-/// Bits beyond the digits asked for, at the first attempt.
-const GUARD: u32 = 48;
-
 impl<'a> Inquiry<'a> {
     /// Questions of at most so many digits; `frictions` says whether any asks for the frictions at which
     /// the mode changes.
@@ -39,8 +33,8 @@ impl<'a> Inquiry<'a> {
     /// asked for here and in [`Inquiry::new`].
     pub fn state(&mut self, digits: usize, frictions: bool) -> Result<Answer, Doubt> {
         let lost = if self.arch.is_small(self.bits) { 0 } else { self.arch.bits_lost() };
-        self.raised(self.bits + lost, |inquiry, bits| {
-            Ok(match inquiry.outcome(bits)? {
+        raised(self.bits + lost, |bits| {
+            Ok(match self.outcome(bits)? {
                 Outcome::Falls(fall) => Some(Answer::Falls(fall)),
                 Outcome::Stands(mut state) => {
                     state.frictions = state.frictions.filter(|_| frictions);
@@ -58,9 +52,7 @@ impl<'a> Inquiry<'a> {
         wanted: Wanted,
     ) -> Result<AssessmentDigits, Doubt> {
         let first = self.bits + self.arch.bits_lost();
-        self.raised(first, |inquiry, bits| {
-            Ok(inquiry.assessment(thickness, bits, wanted)?.digits(digits))
-        })
+        raised(first, |bits| Ok(self.assessment(thickness, bits, wanted)?.digits(digits)))
     }
 
     /// The state of the arch with numbers of `bits` bits.
@@ -83,24 +75,5 @@ impl<'a> Inquiry<'a> {
     /// The arch of the questions.
     pub(super) fn arch(&self) -> &'a Arch {
         self.arch
-    }
-
-    /// A proof that decides everything: `first` bits, and twice as many until they are enough.
-    fn raised<T>(
-        &mut self,
-        first: u32,
-        proof: impl Fn(&mut Self, u32) -> Attempt<Option<T>>,
-    ) -> Result<T, Doubt> {
-        let mut bits = first;
-        let mut last = Doubt { question: "the rounding", between: Vec::new(), gap: f64::NAN };
-        while bits <= ENOUGH.max(4 * first) {
-            match proof(self, bits) {
-                Ok(Some(answer)) => return Ok(answer),
-                Ok(None) => {}
-                Err(doubt) => last = doubt,
-            }
-            bits *= 2;
-        }
-        Err(last)
     }
 }

@@ -20,8 +20,8 @@
 //! | `small` | parts 1 to 3 for small half openings |
 //! | [`check::conditions`](crate::check::conditions) | parts 2 and 3 |
 //! | `assess` | an arch of a given thickness |
-//! | `digits` | the digits of what is proved |
-//! | `inquiry` | raises the precision until every digit is decided, once for all questions |
+//! | `digits` | raises the precision until every digit is decided |
+//! | `inquiry` | several questions about one arch, which share its state |
 
 mod assess;
 mod choice;

@@ -3,9 +3,153 @@
 use super::question::{Attempt, Doubt, Query};
 use crate::arch::{Configuration, Equation, Unknown};
 use crate::check::krawczyk;
-use crate::number::{Ball, Dual, Enclosure, Magnitude};
-use crate::solve::{inverse, polish};
+use crate::number::{Ball, Dual, Enclosure, Magnitude, Real};
+use crate::solve::{inverse, settle};
 use rug::Float;
+
+/// As many equations as unknowns, over candidates and over balls.
+pub(super) trait Equations {
+    /// The residuals of candidates with `bits` bits.
+    fn approximate(&self, bits: u32, x: Vec<Dual<Float>>) -> Vec<Dual<Float>>;
+
+    /// The residuals enclosed, with `bits` bits.
+    fn enclose(&self, bits: u32, x: Vec<Dual<Ball>>) -> Vec<Dual<Ball>>;
+
+    /// Whether nothing that was divided by or cleared vanishes anywhere in a box.
+    fn is_regular(&self, x: &[Ball]) -> bool;
+}
+
+/// Up to this precision one is as dear as another.
+const SHORT: u32 = 512;
+
+/// Encloses the root of equations next to a start value, proved to exist and to be unique in a box on which
+/// the equations are regular.
+pub(super) fn unique_root(
+    equations: &impl Equations,
+    bits: u32,
+    start: Vec<Float>,
+) -> Attempt<Vec<Ball>> {
+    let doubt = |question| Doubt { question, between: Vec::new(), gap: f64::NAN };
+    let candidate = climb(equations, bits, start).ok_or_else(|| doubt("no candidate is found"))?;
+    let centre: Vec<Ball> = candidate.into_iter().map(|x| Ball::exact(x, bits)).collect();
+    let constants = centre.iter().cloned().map(Dual::constant).collect();
+    let residuals: Vec<Ball> =
+        equations.enclose(bits, constants).into_iter().map(|r| r.value().clone()).collect();
+    // What a slope is multiplied with is small, so that a part of its digits is enough, as a rule.
+    let few = (bits / 4).max(SHORT).min(bits);
+    let mut answer = contracted(equations, (bits, few), &centre, &residuals);
+    if few < bits && answer.is_err() {
+        answer = contracted(equations, (bits, bits), &centre, &residuals);
+    }
+    answer.map_err(doubt)
+}
+
+fn doubt(question: &'static str) -> Doubt {
+    Doubt { question, between: Vec::new(), gap: f64::NAN }
+}
+
+/// The doubt where there is nothing to prove.
+pub(super) fn no_candidate() -> Doubt {
+    doubt("no candidate is found")
+}
+
+/// Newton's method with more and more bits: at each precision it starts from the root to half of it.
+fn climb(equations: &impl Equations, bits: u32, start: Vec<Float>) -> Option<Vec<Float>> {
+    let halves =
+        std::iter::successors(Some(bits), |bits| (*bits > SHORT).then(|| bits.div_ceil(2)));
+    let precisions: Vec<u32> = halves.collect();
+    let settled = |x: Vec<Float>, bits| {
+        let x = x.iter().map(|x| Float::with_val(bits, x)).collect();
+        settle(x, |x| equations.approximate(bits, variables(x)))
+    };
+    // Where the equations lose more digits than the first precision has, only the last is of use.
+    let root = precisions.into_iter().rev().try_fold(start.clone(), settled);
+    root.or_else(|| settled(start, bits))
+}
+
+/// The Krawczyk operator on boxes around the centre, with slopes of `few` bits.
+fn contracted(
+    equations: &impl Equations,
+    (bits, few): (u32, u32),
+    centre: &[Ball],
+    residuals: &[Ball],
+) -> Result<Vec<Ball>, &'static str> {
+    let n = centre.len();
+    let slopes = |x: &[Ball]| {
+        let coarse: Vec<Ball> = x.iter().map(|x| x.with_precision(few)).collect();
+        equations.enclose(few, variables(&coarse))
+    };
+    let entry = |r: &Dual<Ball>, k| {
+        r.slope(k).map_or_else(|| Float::new(few), |s| Float::with_val(few, s.mid()))
+    };
+    let jacobian = slopes(centre).iter().map(|r| (0..n).map(|k| entry(r, k)).collect()).collect();
+    let preconditioner: Vec<Vec<Ball>> = inverse(jacobian)
+        .ok_or("the Jacobian is singular")?
+        .into_iter()
+        .map(|row| row.into_iter().map(|y| Ball::exact(y, few)).collect())
+        .collect();
+    // A box several times as wide as the correction that the residuals ask for.
+    let radius = |(row, x): (&Vec<Ball>, &Ball)| {
+        let terms = row.iter().zip(residuals).map(|(y, r)| y.clone() * r);
+        let size =
+            terms.fold(Magnitude::ZERO, |sum, t| sum.plus(Magnitude::upper(t.mid())).plus(t.rad()));
+        size.plus(Magnitude::upper(x.mid()).shifted(-i64::from(bits)))
+    };
+    let radii: Vec<Magnitude> = preconditioner.iter().zip(centre).map(radius).collect();
+    for inflation in [2, 8, 20] {
+        let widened = |(x, r): (&Ball, &Magnitude)| x.clone().widened(r.shifted(inflation));
+        let domain: Vec<Ball> = centre.iter().zip(&radii).map(widened).collect();
+        if !equations.is_regular(&domain) {
+            continue;
+        }
+        let image = krawczyk::image(centre, residuals, &slopes(&domain), &preconditioner, &domain);
+        if krawczyk::is_contracted(&image, &domain) {
+            return Ok(image);
+        }
+    }
+    Err("no box around the candidate is mapped into itself")
+}
+
+/// Each value as an unknown.
+fn variables<T: crate::number::Field>(x: &[T]) -> Vec<Dual<T>> {
+    x.iter().enumerate().map(|(index, x)| Dual::variable(x.clone(), index)).collect()
+}
+
+/// The printed equations of a mode.
+struct Printed<'a> {
+    query: &'a Query,
+    unknowns: &'a [Unknown],
+    equations: &'a [Equation],
+}
+
+impl Printed<'_> {
+    fn place<T: Real>(&self, given: Configuration<T>, x: Vec<T>) -> Configuration<T> {
+        self.unknowns.iter().zip(x).fold(given, |at, (&unknown, x)| at.with(unknown, x))
+    }
+
+    fn residuals<T: Real>(&self, given: Configuration<T>, x: Vec<Dual<T>>) -> Vec<Dual<T>> {
+        let at = self.place(given.map(Dual::constant), x);
+        self.equations.iter().map(|equation| equation.residual(self.query.weight, &at)).collect()
+    }
+}
+
+impl Equations for Printed<'_> {
+    fn approximate(&self, bits: u32, x: Vec<Dual<Float>>) -> Vec<Dual<Float>> {
+        self.residuals(self.query.given.clone().map(|x| Float::with_val(bits, x.mid())), x)
+    }
+
+    fn enclose(&self, bits: u32, x: Vec<Dual<Ball>>) -> Vec<Dual<Ball>> {
+        self.residuals(self.query.given.clone().map(|x| x.with_precision(bits)), x)
+    }
+
+    fn is_regular(&self, x: &[Ball]) -> bool {
+        let at = self.place(self.query.given.clone(), x.to_vec());
+        self.equations
+            .iter()
+            .filter_map(|equation| equation.denominator(self.query.weight, &at))
+            .all(|denominator| denominator.excludes_zero())
+    }
+}
 
 impl Query {
     /// The root of a system next to a start value, proved to exist and to be unique in a box.
@@ -14,80 +158,8 @@ impl Query {
         (unknowns, equations): (&[Unknown], &[Equation]),
         start: &[Float],
     ) -> Attempt<Configuration<Ball>> {
-        let mid = |x: Ball| Float::with_val(self.bits, x.mid());
-        let given = self.given.clone().map(mid);
-        let candidate = polish(self.weight, (unknowns, equations), &given, start);
-        let place = |values: &[Ball]| {
-            unknowns
-                .iter()
-                .zip(values)
-                .fold(self.given.clone(), |at, (&u, x)| at.with(u, x.clone()))
-        };
-        let slopes = |values: &[Ball]| -> Vec<Dual<Ball>> {
-            let given = self.given.clone().map(Dual::constant);
-            let at =
-                unknowns.iter().zip(values).enumerate().fold(given, |at, (index, (&u, x))| {
-                    at.with(u, Dual::variable(x.clone(), index))
-                });
-            equations.iter().map(|e| e.residual(self.weight, &at)).collect()
-        };
-        let is_regular = |values: &[Ball]| {
-            let placed = place(values);
-            equations
-                .iter()
-                .filter_map(|e| e.denominator(self.weight, &placed))
-                .all(|d| d.excludes_zero())
-        };
-        unique_root(self.bits, candidate, slopes, is_regular).map(|root| place(&root))
+        let printed = Printed { query: self, unknowns, equations };
+        let root = unique_root(&printed, self.bits, start.to_vec())?;
+        Ok(printed.place(self.given.clone(), root))
     }
-}
-
-/// Encloses the root of equations next to a candidate, proved to exist and to be unique in a box on which
-/// the equations are regular. `slopes` gives the equations with their derivatives to the unknowns.
-pub(super) fn unique_root(
-    bits: u32,
-    candidate: Option<Vec<Float>>,
-    slopes: impl Fn(&[Ball]) -> Vec<Dual<Ball>>,
-    is_regular: impl Fn(&[Ball]) -> bool,
-) -> Attempt<Vec<Ball>> {
-    let doubt = |question| Doubt { question, between: Vec::new(), gap: f64::NAN };
-    let candidate = candidate.ok_or_else(|| doubt("no candidate is found"))?;
-    let n = candidate.len();
-    let exact = |x: &Float| Ball::exact(x.clone(), bits);
-    let centre: Vec<Ball> = candidate.iter().map(exact).collect();
-    let at_centre = slopes(&centre);
-    let residuals: Vec<Ball> = at_centre.iter().map(|r| r.value().clone()).collect();
-    let entry = |r: &Dual<Ball>, k| {
-        r.slope(k).map_or_else(|| Float::new(bits), |s| Float::with_val(bits, s.mid()))
-    };
-    let jacobian = at_centre.iter().map(|r| (0..n).map(|k| entry(r, k)).collect()).collect();
-    let preconditioner: Vec<Vec<Ball>> = inverse(jacobian)
-        .ok_or_else(|| doubt("the Jacobian is singular"))?
-        .iter()
-        .map(|row| row.iter().map(exact).collect())
-        .collect();
-    // A box several times as wide as the correction that the residuals ask for.
-    let radius = |(row, x): (&Vec<Ball>, &Ball)| {
-        let terms = row.iter().zip(&residuals).map(|(y, r)| y.clone() * r);
-        let size =
-            terms.fold(Magnitude::ZERO, |sum, t| sum.plus(Magnitude::upper(t.mid())).plus(t.rad()));
-        size.plus(Magnitude::upper(x.mid()).shifted(-i64::from(bits)))
-    };
-    let radii: Vec<Magnitude> = preconditioner.iter().zip(&centre).map(radius).collect();
-    for inflation in [2, 8, 20] {
-        let domain: Vec<Ball> = centre
-            .iter()
-            .zip(&radii)
-            .map(|(x, r)| x.clone().widened(r.shifted(inflation)))
-            .collect();
-        if !is_regular(&domain) {
-            continue;
-        }
-        let image =
-            krawczyk::image(&centre, &residuals, &slopes(&domain), &preconditioner, &domain);
-        if krawczyk::is_contracted(&image, &domain) {
-            return Ok(image);
-        }
-    }
-    Err(doubt("no box around the candidate is mapped into itself"))
 }

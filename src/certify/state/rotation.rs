@@ -5,11 +5,10 @@
 //! double root: there the square of the joint is the unknown, in which they are smooth.
 
 use super::question::{Attempt, Query};
-use super::root::unique_root;
+use super::root::{Equations, unique_root};
 use super::small::is_small;
 use crate::arch::{Configuration, Equation, Ring, SelfWeight, Unknown, tally, thrust};
 use crate::number::{Angle, Ball, Dual, Enclosure, Field, Real, Stumpff};
-use crate::solve::settle;
 use rug::Float;
 
 /// What the equations know of the rotational joint.
@@ -69,20 +68,8 @@ impl Query {
             true => (Joint::Square, vec![beta.square(), eta]),
             false => (Joint::Angle, vec![beta, eta]),
         };
-        let given = self.given.clone().map(|x| Float::with_val(self.bits, x.mid()));
-        let candidate = settle(start, |x| residuals(self.weight, joint, &given, x));
-        // Where the factors that are divided by or cleared do not vanish, (2) follows: with the thrust that
-        // (2) and (5) have in common, it is a multiple of (5).
-        let is_regular = |x: &[Ball]| {
-            let ring = Ring::new(self.weight, &x[1]);
-            let haunch = joint.haunch(x[0].clone());
-            let lever =
-                ring.extrados() - ring.intrados() * (ring.thickness.int(1) - &haunch.versine);
-            let divisors = [x[1].clone(), ring.intrados(), ring.extrados(), lever];
-            haunch.excess.is_bounded() && divisors.iter().all(Enclosure::excludes_zero)
-        };
-        let slopes = |x: &[Ball]| residuals(self.weight, joint, &self.given, x);
-        let root = unique_root(self.bits, candidate, slopes, is_regular)?;
+        let equations = Rotation { query: self, joint };
+        let root = unique_root(&equations, self.bits, start)?;
         let thrust = thrust_at(self.weight, &joint.haunch(root[0].clone()), &root[1]);
         let beta = match joint {
             Joint::Angle => root[0].clone(),
@@ -97,20 +84,45 @@ fn thrust_at<T: Field>(weight: SelfWeight, haunch: &Haunch<T>, eta: &T) -> T {
     thrust::touching(&haunch.versine, &haunch.excess, &Ring::new(weight, eta)).value()
 }
 
-/// (4) and (5) with their derivatives to the joint or its square, and to the thickness.
-fn residuals<T: Real + Stumpff>(
-    weight: SelfWeight,
+/// (4) and (5) for the joint or its square, and the thickness.
+struct Rotation<'a> {
+    query: &'a Query,
     joint: Joint,
-    given: &Configuration<T>,
-    x: &[T],
-) -> Vec<Dual<T>> {
-    let haunch = joint.haunch(Dual::variable(x[0].clone(), 0));
-    let eta = Dual::variable(x[1].clone(), 1);
-    let thrust = thrust_at(weight, &haunch, &eta);
-    let ring = Ring::new(weight, &eta);
-    tally::equation(Equation::Tangency);
-    let tangency = thrust::tangency(&haunch.times_cotangent, &ring).residual(&thrust);
-    let given = given.clone().map(Dual::constant);
-    let at = given.with(Unknown::Thickness, eta).with(Unknown::Thrust, thrust);
-    vec![Equation::WholeThrust.residual(weight, &at), tangency]
+}
+
+impl Rotation<'_> {
+    fn residuals<T>(&self, given: Configuration<T>, x: Vec<Dual<T>>) -> Vec<Dual<T>>
+    where
+        T: Real + Stumpff,
+    {
+        let weight = self.query.weight;
+        let [joint, eta] = [0, 1].map(|index| x[index].clone());
+        let haunch = self.joint.haunch(joint);
+        let thrust = thrust_at(weight, &haunch, &eta);
+        let ring = Ring::new(weight, &eta);
+        tally::equation(Equation::Tangency);
+        let tangency = thrust::tangency(&haunch.times_cotangent, &ring).residual(&thrust);
+        let given = given.map(Dual::constant);
+        let at = given.with(Unknown::Thickness, eta).with(Unknown::Thrust, thrust);
+        vec![Equation::WholeThrust.residual(weight, &at), tangency]
+    }
+}
+
+impl Equations for Rotation<'_> {
+    fn approximate(&self, bits: u32, x: Vec<Dual<Float>>) -> Vec<Dual<Float>> {
+        self.residuals(self.query.given.clone().map(|x| Float::with_val(bits, x.mid())), x)
+    }
+
+    fn enclose(&self, bits: u32, x: Vec<Dual<Ball>>) -> Vec<Dual<Ball>> {
+        self.residuals(self.query.given.clone().map(|x| x.with_precision(bits)), x)
+    }
+
+    /// Then (2) follows: with the thrust that (2) and (5) have in common, it is a multiple of (5).
+    fn is_regular(&self, x: &[Ball]) -> bool {
+        let ring = Ring::new(self.query.weight, &x[1]);
+        let haunch = self.joint.haunch(x[0].clone());
+        let lever = ring.extrados() - ring.intrados() * (x[1].int(1) - &haunch.versine);
+        let divisors = [x[1].clone(), ring.intrados(), ring.extrados(), lever];
+        haunch.excess.is_bounded() && divisors.iter().all(Enclosure::excludes_zero)
+    }
 }

@@ -5,11 +5,11 @@
 
 use super::choice::State;
 use super::question::{Attempt, Query, require};
-use super::root::unique_root;
+use super::root::{Equations, no_candidate, unique_root};
 use crate::arch::small::{self, Scaled};
 use crate::arch::{Equation, Mode, SelfWeight, Unknown, tally};
 use crate::number::{Ball, Dual, Enclosure, Field, Real, Stumpff, stumpff_terms};
-use crate::solve::{settle, start_state};
+use crate::solve::start_state;
 use rug::Float;
 
 /// More terms than this, and sines and cosines with a few more bits are cheaper.
@@ -98,25 +98,11 @@ impl Small {
     }
 
     fn root(&self, mode: Mode, start: Option<[Float; 3]>) -> Attempt<SmallRoot> {
-        let (unknowns, equations) = mode.system();
-        let given = self.candidate();
-        let candidate = start.and_then(|start| {
-            settle(start.to_vec(), |x| residuals(self.weight, unknowns, equations, &given, x))
-        });
-        let slopes = |x: &[Ball]| residuals(self.weight, unknowns, equations, &self.given, x);
-        // The denominators that are cleared: (2), (4) and (5) have none that can vanish for half openings
-        // below a right angle and thicknesses below 2; those of (17) and (18) are tested here.
-        let place = |x: &[Ball]| {
-            unknowns.iter().zip(x).fold(self.given.clone(), |at, (&u, x)| at.with(u, x.clone()))
-        };
-        let is_regular = |x: &[Ball]| {
-            let at = place(x);
-            let inner = || small::inner(&at).denominator.excludes_zero();
-            small::shoulder(&at).denominator.excludes_zero()
-                && (!unknowns.contains(&Unknown::SlidingJoint) || inner())
-        };
-        let root = unique_root(self.bits, candidate, slopes, is_regular)?;
-        Ok(SmallRoot { at: place(&root), alpha: self.alpha.clone() })
+        let equations = ScaledEquations { small: self, mode };
+        let start = start.ok_or_else(no_candidate)?;
+        let root = unique_root(&equations, self.bits, start.to_vec())?;
+        let at = equations.place(self.given.clone(), root);
+        Ok(SmallRoot { at, alpha: self.alpha.clone() })
     }
 
     /// What [`check::conditions`](crate::check::conditions) lists for these modes, each divided by a power
@@ -181,19 +167,41 @@ impl Small {
     }
 }
 
-/// The equations with their derivatives to the unknowns.
-fn residuals<T: Stumpff>(
-    weight: SelfWeight,
-    unknowns: &[Unknown],
-    equations: &[Equation],
-    given: &Scaled<T>,
-    x: &[T],
-) -> Vec<Dual<T>> {
-    let given = given.clone().map(Dual::constant);
-    let variables = unknowns.iter().zip(x).enumerate();
-    let at =
-        variables.fold(given, |at, (index, (&u, x))| at.with(u, Dual::variable(x.clone(), index)));
-    equations.iter().filter_map(|equation| equation.scaled_residual(weight, &at)).collect()
+/// The equations of a mode in scaled variables.
+struct ScaledEquations<'a> {
+    small: &'a Small,
+    mode: Mode,
+}
+
+impl ScaledEquations<'_> {
+    fn place<T: Stumpff>(&self, given: Scaled<T>, x: Vec<T>) -> Scaled<T> {
+        let (unknowns, _) = self.mode.system();
+        unknowns.iter().zip(x).fold(given, |at, (&unknown, x)| at.with(unknown, x))
+    }
+
+    fn residuals<T: Stumpff>(&self, given: Scaled<T>, x: Vec<Dual<T>>) -> Vec<Dual<T>> {
+        let (_, equations) = self.mode.system();
+        let at = self.place(given.map(Dual::constant), x);
+        equations.iter().filter_map(|e| e.scaled_residual(self.small.weight, &at)).collect()
+    }
+}
+
+impl Equations for ScaledEquations<'_> {
+    fn approximate(&self, bits: u32, x: Vec<Dual<Float>>) -> Vec<Dual<Float>> {
+        self.residuals(self.small.given.clone().map(|x| Float::with_val(bits, x.mid())), x)
+    }
+
+    fn enclose(&self, bits: u32, x: Vec<Dual<Ball>>) -> Vec<Dual<Ball>> {
+        self.residuals(self.small.given.clone().map(|x| x.with_precision(bits)), x)
+    }
+
+    /// (2), (4) and (5) have no denominator that can vanish for half openings below a right angle and
+    /// thicknesses below 2; those of (17) and (18) are looked at.
+    fn is_regular(&self, x: &[Ball]) -> bool {
+        let at = self.place(self.small.given.clone(), x.to_vec());
+        let inner = || small::inner(&at).denominator.excludes_zero();
+        small::shoulder(&at).denominator.excludes_zero() && (self.mode != Mode::Sliding || inner())
+    }
 }
 
 impl SmallRoot {

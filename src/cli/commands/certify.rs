@@ -128,8 +128,5 @@ fn file_name(landmark: Landmark, weight: SelfWeight) -> String {
 }
 
 fn write(output: Output, certificate: &Certificate) -> Result<(), Failure> {
-    output.write(|out| {
-        serde_json::to_writer_pretty(&mut *out, certificate)?;
-        writeln!(out)
-    })
+    output.write(|out| certificate.write(out))
 }

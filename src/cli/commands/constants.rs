@@ -1,15 +1,22 @@
 //! `couplet constants`.
 
-use super::output::Destination;
+use super::output::{Place, not_a_terminal};
 use super::{Failure, progress};
 use crate::arch::{Landmark, SelfWeight};
-use crate::certify::CertifiedLandmark;
-use crate::report::{Constants, LandmarkReport, Proved};
+use crate::certify::{CertifiedLandmark, fingerprint};
+use crate::report::{Constants, ConstantsFormat, LandmarkReport, Proved};
 use clap::Args;
 use rayon::prelude::*;
 
 /// Print the landmark constants, each with a proof that it exists, is unique, and has the digits
 /// shown.
+///
+/// The formats toml, c, rust, python, julia, matlab and fortran are files for other programs: each value
+/// as the nearest double of the true value (whatever --digits is), with outward bounds and a bound of its
+/// error, and as text with all digits; latex is a table with siunitx beside what the paper prints; parquet
+/// is for data frames, where couplet is built with that feature. A name is landmark, weight, quantity, as
+/// in COUPLET_T_HEYMAN_THICKNESS (c). Each of them, and json, names the certificate of each landmark by its
+/// SHA-256, up to 10000 digits; `couplet certify T --weight heyman --digits 30 | sha256sum` prints it again.
 #[derive(Args)]
 pub struct Arguments {
     /// Landmarks to print, of T, S, J, B, l, L, sb; all if none is named.
@@ -27,12 +34,20 @@ pub struct Arguments {
     #[arg(long, default_value = "30", value_parser = super::digits, allow_negative_numbers = true)]
     digits: usize,
 
+    /// Output format: table, json, csv, toml, latex, c, rust, python, julia, matlab, fortran or parquet.
+    #[arg(long, default_value = "table", value_parser = super::constants_format)]
+    format: ConstantsFormat,
+
     #[command(flatten)]
-    destination: Destination,
+    place: Place,
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let output = arguments.destination.open()?;
+    if arguments.format.is_binary() && arguments.place.is_standard() {
+        not_a_terminal()?;
+    }
+    let output = arguments.place.open()?;
+    let hashed = matches!(arguments.format, ConstantsFormat::Export(_));
     let asked = |landmark: &Landmark| {
         arguments.landmarks.is_empty() || arguments.landmarks.contains(landmark)
     };
@@ -54,7 +69,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
                     Ok(Proved::new(&point, constants))
                 })
                 .map_err(|undecided| undecided.to_string());
-            LandmarkReport { landmark, weight, outcome }
+            let fingerprint = (hashed && outcome.is_ok()).then(|| {
+                fingerprint(landmark, weight, arguments.digits).map_err(|undecided| undecided.0)
+            });
+            LandmarkReport { landmark, weight, outcome, fingerprint }
         })
         .collect();
     bar.finish_and_clear();
@@ -65,7 +83,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         .collect();
     let undecided = undecided.join(", ");
     let report = Constants { digits: arguments.digits, landmarks };
-    output.write(|out| report.write(arguments.destination.format, out))?;
+    output.write(|out| report.write(arguments.format, out))?;
     match undecided.is_empty() {
         true => Ok(()),
         false => Err(Failure::Undecided(format!("not everything was proved: {undecided}"))),

@@ -5,9 +5,11 @@ mod assess;
 mod audit;
 mod certify;
 mod constants;
+mod judge;
 mod output;
 mod progress;
 mod prove;
+mod rows;
 mod run;
 mod state;
 mod states;
@@ -16,7 +18,8 @@ mod study;
 use super::{Failure, check};
 use crate::arch::{Landmark, SelfWeight};
 use crate::certify::MAX_DIGITS;
-use crate::report::Format;
+use crate::report::export::ExportFormat;
+use crate::report::{ConstantsFormat, Format};
 use crate::scene::MAX_ARCH_DIGITS;
 use clap::Subcommand;
 
@@ -26,6 +29,7 @@ pub enum Command {
     State(state::Arguments),
     Assess(assess::Arguments),
     States(states::Arguments),
+    Judge(judge::Arguments),
     Audit(audit::Arguments),
     Prove(prove::Arguments),
     Run(run::Arguments),
@@ -36,7 +40,7 @@ pub enum Command {
 
 impl Command {
     /// What to say to someone who names another.
-    pub const NAMES: &str = "; the commands are constants, state, assess, states, audit, prove, run, \
+    pub const NAMES: &str = "; the commands are constants, state, assess, states, judge, audit, prove, run, \
                              certify, check and study";
 
     /// Does what is asked.
@@ -46,6 +50,7 @@ impl Command {
             Self::State(arguments) => state::run(arguments),
             Self::Assess(arguments) => assess::run(arguments),
             Self::States(arguments) => states::run(arguments),
+            Self::Judge(arguments) => judge::run(arguments),
             Self::Audit(arguments) => audit::run(arguments),
             Self::Prove(arguments) => prove::run(arguments),
             Self::Run(arguments) => run::run(arguments),
@@ -76,6 +81,36 @@ fn format(text: &str) -> Result<Format, String> {
         _ => Err("a format is one of table, json, csv".into()),
     }
 }
+
+fn constants_format(text: &str) -> Result<ConstantsFormat, String> {
+    use ConstantsFormat::Export;
+    match text {
+        "table" => Ok(ConstantsFormat::Table),
+        "json" => Ok(Export(ExportFormat::Json)),
+        "csv" => Ok(ConstantsFormat::Csv),
+        "toml" => Ok(Export(ExportFormat::Toml)),
+        "latex" => Ok(Export(ExportFormat::Latex)),
+        "c" => Ok(Export(ExportFormat::C)),
+        "rust" => Ok(Export(ExportFormat::Rust)),
+        "python" => Ok(Export(ExportFormat::Python)),
+        "julia" => Ok(Export(ExportFormat::Julia)),
+        "matlab" => Ok(Export(ExportFormat::Matlab)),
+        "fortran" => Ok(Export(ExportFormat::Fortran)),
+        #[cfg(feature = "parquet")]
+        "parquet" => Ok(Export(ExportFormat::Parquet)),
+        #[cfg(not(feature = "parquet"))]
+        "parquet" => Err(NO_PARQUET.into()),
+        _ => Err(
+            "a format is one of table, json, csv, toml, latex, c, rust, python, julia, matlab, \
+                  fortran, parquet"
+                .into(),
+        ),
+    }
+}
+
+/// What to say where Parquet is not built in.
+#[cfg(not(feature = "parquet"))]
+const NO_PARQUET: &str = "this couplet was built without the feature parquet (cargo install --path . --features parquet)";
 
 fn digits(text: &str) -> Result<usize, String> {
     text.parse()

@@ -4,7 +4,7 @@ use super::Failure;
 use crate::report::Format;
 use clap::Args;
 use std::fs;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, Once};
 use tempfile::NamedTempFile;
@@ -16,6 +16,13 @@ pub struct Destination {
     #[arg(long, default_value = "table", value_parser = super::format)]
     pub format: Format,
 
+    #[command(flatten)]
+    place: Place,
+}
+
+/// Where a report is written.
+#[derive(Args)]
+pub struct Place {
     /// Write to a file instead of standard output; it appears whole or not at all.
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -24,7 +31,29 @@ pub struct Destination {
 impl Destination {
     /// Opens the destination, before any work is done.
     pub fn open(&self) -> Result<Output, Failure> {
+        self.place.open()
+    }
+}
+
+impl Place {
+    /// Opens the destination, before any work is done.
+    pub fn open(&self) -> Result<Output, Failure> {
         Output::open(self.output.as_deref())
+    }
+
+    /// Whether it is standard output.
+    pub fn is_standard(&self) -> bool {
+        self.output.is_none()
+    }
+}
+
+/// Refuses to write a binary file to a terminal.
+pub fn not_a_terminal() -> Result<(), Failure> {
+    match io::stdout().is_terminal() {
+        true => Err(Failure::Input(
+            "a parquet file is not for a terminal: redirect it to a file".into(),
+        )),
+        false => Ok(()),
     }
 }
 

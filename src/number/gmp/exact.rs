@@ -75,6 +75,15 @@ impl ExactNumber {
         &self.factor
     }
 
+    /// The double nearest to it, ties to even: what a program in double precision makes of it at best.
+    /// `None` beyond the largest double.
+    pub fn nearest_double(&self) -> Option<f64> {
+        // Few bits decide nearly always; a tie is rational, and exact in the bits of a long number.
+        let found =
+            [128, 4096, 80_000].iter().find_map(|&bits| self.enclosure(bits).nearest_double());
+        found.filter(|x| x.is_finite())
+    }
+
     /// An enclosure of `prec` bits.
     pub fn enclosure(&self, prec: u32) -> Ball {
         let factor = Ball::enclosing(&self.factor, prec);
@@ -189,6 +198,20 @@ mod tests {
         ] {
             assert!(bad.parse::<ExactNumber>().is_err(), "{}", &bad[..bad.len().min(20)]);
         }
+    }
+
+    #[test]
+    fn the_nearest_double_is_that_of_the_compiler() {
+        for text in ["0.1", "1e-320", "1.5707963267948966", "2.4703282292062328e-324", "1e-400"] {
+            let number: ExactNumber = text.parse().unwrap();
+            assert_eq!(number.nearest_double(), text.parse().ok(), "{text}");
+        }
+        let right = "90".parse::<ExactNumber>().unwrap().degrees();
+        assert_eq!(right.nearest_double(), Some(std::f64::consts::FRAC_PI_2));
+        assert_eq!("1e309".parse::<ExactNumber>().unwrap().nearest_double(), None);
+        // Exactly between two doubles.
+        let tie: ExactNumber = "9007199254740993".parse().unwrap();
+        assert_eq!(tie.nearest_double(), Some(9007199254740992.0));
     }
 
     #[test]

@@ -3,6 +3,7 @@
 mod anchor;
 mod astro;
 mod ball;
+mod binary;
 mod burst;
 mod complex;
 mod decimal;
@@ -15,6 +16,7 @@ mod surd;
 
 pub use anchor::{Anchor, arctangent};
 pub use ball::Ball;
+pub use binary::Binary;
 pub use decimal::{Decimal, ParseDecimalError, Rounded, bits_of};
 pub use exact::{ExactNumber, ParseExactError};
 pub use magnitude::Magnitude;

@@ -1,0 +1,29 @@
+//! The hash of a landmark's certificate: what ties a number that was handed on to a proof of it.
+
+use super::{Undecided, certify_landmark};
+use crate::arch::{Landmark, SelfWeight};
+use sha2::{Digest, Sha256};
+
+/// The largest number of digits for which a hash is made: a certificate costs several times as much as
+/// the digits themselves.
+pub const MAX_FINGERPRINT_DIGITS: usize = 10_000;
+
+/// SHA-256, in hexadecimal, of the file that `couplet certify` writes for a landmark with `digits`
+/// digits.
+///
+/// `couplet certify T --weight heyman --digits 30 | sha256sum` prints the same. An error says why there
+/// is none; beyond [`MAX_FINGERPRINT_DIGITS`] it comes at once.
+pub fn fingerprint(
+    landmark: Landmark,
+    weight: SelfWeight,
+    digits: usize,
+) -> Result<String, Undecided> {
+    if digits > MAX_FINGERPRINT_DIGITS {
+        return Err(Undecided(format!("made up to {MAX_FINGERPRINT_DIGITS} digits only")));
+    }
+    let mut file = Vec::new();
+    certify_landmark(landmark, weight, digits)?
+        .write(&mut file)
+        .map_err(|error| Undecided(format!("the certificate cannot be written: {error}")))?;
+    Ok(Sha256::digest(&file).iter().map(|byte| format!("{byte:02x}")).collect())
+}

@@ -1,0 +1,256 @@
+//! What a row of results says.
+
+use super::measure::Measure;
+use crate::arch::Mode;
+use crate::certify::printed::PrintedNumber;
+use crate::number::Decimal;
+
+/// What a row says of an arch.
+#[derive(Clone, Debug)]
+pub struct Claim {
+    /// Whether the arch stands at some thickness; `None` if the row does not say.
+    pub stands: Option<bool>,
+    /// How it collapses.
+    pub mode: Option<Mode>,
+    /// Its numbers.
+    pub numbers: Vec<Claimed>,
+}
+
+/// A number that is claimed.
+#[derive(Clone, Debug)]
+pub struct Claimed {
+    /// Which.
+    pub measure: Measure,
+    /// As it is written.
+    pub text: String,
+    /// Whether it is an angle in degrees.
+    pub degrees: bool,
+    pub(super) value: Value,
+    size: u64,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum Value {
+    Number(PrintedNumber),
+    Infinite,
+    /// That there is none.
+    Nothing,
+}
+
+/// The text of a row, by column; a column that the file does not have is `None`.
+#[derive(Clone, Debug, Default)]
+pub struct Said<'a> {
+    /// Whether the arch stands.
+    pub stands: Option<&'a str>,
+    /// The mode.
+    pub mode: Option<&'a str>,
+    /// The numbers, and whether they are angles in degrees.
+    pub numbers: Vec<(Measure, &'a str, bool)>,
+}
+
+/// Why a row says nothing that can be judged.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ClaimError {
+    /// Neither yes nor no.
+    #[error(
+        "'{0}' does not say whether the arch stands: true, yes, 1, stands or false, no, 0, falls"
+    )]
+    Stands(String),
+    /// Not the letters of a mode.
+    #[error(
+        "'{0}' is not a mode: [r,r,r], [s,r,r], [r,r,s], [r,s,r], [r,s], [r] or [s,s], with or without \
+         brackets and commas"
+    )]
+    Mode(String),
+    /// Not a decimal number.
+    #[error("the {0} '{1}' is not a decimal number, nor empty, nan, inf, none or falls")]
+    Number(&'static str, String),
+    /// Too long or too far from one to be meant.
+    #[error(
+        "the {0} '{1}' is out of range: at most {MAX_DIGITS} digits, from 1e-{MAX_SIZE} to 1e{MAX_SIZE}"
+    )]
+    Range(&'static str, String),
+    /// One column says that the arch stands, another that it falls.
+    #[error("the {0} says that the arch stands, the {1} that it falls")]
+    Contradiction(&'static str, &'static str),
+}
+
+/// Digits of a claim; more are not printed by anybody, and cost a long time.
+const MAX_DIGITS: usize = 10_000;
+/// Powers of ten; the thickness of the smallest half opening that is read is above.
+const MAX_SIZE: u64 = 5_000;
+
+/// How it is written that there is no solution, besides nothing at all.
+const NOTHING: [&str; 11] =
+    ["nan", "-nan", "inf", "+inf", "-inf", "infinity", "none", "null", "falls", "-", "n/a"];
+
+fn is_word(text: &str, words: &[&str]) -> bool {
+    words.iter().any(|word| text.eq_ignore_ascii_case(word))
+}
+
+fn short(text: &str) -> String {
+    text.chars().take(40).collect()
+}
+
+impl Claim {
+    /// Reads what a row says.
+    ///
+    /// That there is no solution is said by `stands`, by the thickness or by the mode: by one of the
+    /// words for it, by an empty thickness where there is no column `stands`, or by the mode `[s,s]`
+    /// alone. Any other empty field says nothing.
+    pub fn read(said: &Said) -> Result<Self, ClaimError> {
+        let numbers: Vec<Claimed> = said
+            .numbers
+            .iter()
+            .filter(|(_, text, _)| !text.is_empty())
+            .map(|&(measure, text, degrees)| Claimed::read(measure, text, degrees))
+            .collect::<Result<_, _>>()?;
+        let no_mode = |text: &&str| is_word(text, &NOTHING);
+        let mode = match said.mode.filter(|text| !text.is_empty() && !no_mode(text)) {
+            Some(text) => Some(mode(text).ok_or_else(|| ClaimError::Mode(short(text)))?),
+            None => None,
+        };
+        let mut votes: Vec<(&'static str, bool)> = Vec::new();
+        match said.stands.filter(|text| !text.is_empty()) {
+            Some(text) if is_word(text, &["true", "yes", "1", "stands"]) => {
+                votes.push(("column stands", true));
+            }
+            Some(text) if is_word(text, &["false", "no", "0", "falls"]) => {
+                votes.push(("column stands", false));
+            }
+            Some(text) => return Err(ClaimError::Stands(short(text))),
+            None => {}
+        }
+        let has_thickness = said.numbers.iter().any(|(m, ..)| *m == Measure::Thickness);
+        match numbers.iter().find(|number| number.measure == Measure::Thickness) {
+            Some(number) => {
+                votes.push(("thickness", matches!(number.value, Value::Number(_))));
+            }
+            None if has_thickness && said.stands.is_none() => votes.push(("thickness", false)),
+            None => {}
+        }
+        match (mode, said.mode) {
+            (Some(Mode::Sliding), _) => {}
+            (Some(_), _) => votes.push(("mode", true)),
+            (None, Some(text)) if no_mode(&text) => votes.push(("mode", false)),
+            (None, _) => {}
+        }
+        let who = |stands| votes.iter().find(|(_, vote)| *vote == stands).map(|(name, _)| *name);
+        let any_number = || numbers.iter().any(|number| matches!(number.value, Value::Number(_)));
+        let stands = match (who(true), who(false)) {
+            (Some(yes), Some(no)) => return Err(ClaimError::Contradiction(yes, no)),
+            (Some(_), None) => Some(true),
+            (None, Some(_)) => Some(false),
+            // Where the joints slide whatever the thickness, nothing stands.
+            (None, None) if mode.is_some() => Some(false),
+            (None, None) => any_number().then_some(true),
+        };
+        Ok(Self { stands, mode, numbers })
+    }
+}
+
+impl Claimed {
+    fn read(measure: Measure, text: &str, degrees: bool) -> Result<Self, ClaimError> {
+        let infinite = ["inf", "+inf", "infinity"];
+        let mut size = 0;
+        let value = if measure == Measure::RotationalFriction && is_word(text, &infinite) {
+            Value::Infinite
+        } else if is_word(text, &NOTHING) {
+            Value::Nothing
+        } else {
+            let range = || ClaimError::Range(measure.name(), short(text));
+            let decimal: Decimal = match text.parse() {
+                Ok(decimal) => decimal,
+                Err(crate::number::ParseDecimalError::Exponent(_)) => return Err(range()),
+                Err(_) => return Err(ClaimError::Number(measure.name(), short(text))),
+            };
+            if !decimal.digits().is_empty() {
+                size = decimal.magnitude().unsigned_abs();
+            }
+            let in_range = size <= MAX_SIZE
+                && decimal.exponent().unsigned_abs() <= MAX_SIZE + MAX_DIGITS as u64
+                && decimal.significant_digits() <= MAX_DIGITS;
+            if !in_range {
+                return Err(range());
+            }
+            Value::Number(PrintedNumber::from_decimal(&decimal).ok_or_else(range)?)
+        };
+        Ok(Self { measure, text: text.to_owned(), degrees, value, size })
+    }
+
+    /// The power of ten next to it, of either sign; none for zero.
+    pub(super) fn size(&self) -> u64 {
+        self.size
+    }
+
+    /// Significant digits as written; none for zero.
+    pub(super) fn significant_digits(&self) -> usize {
+        match &self.value {
+            Value::Number(number) if number.value != 0 => number.digits.len(),
+            _ => 0,
+        }
+    }
+}
+
+/// A mode by its letters: brackets, commas, spaces and hyphens are left out.
+fn mode(text: &str) -> Option<Mode> {
+    let letters = |text: &str| -> String {
+        let kept = text.chars().filter(|c| !"[](){},; -".contains(*c));
+        kept.map(|c| c.to_ascii_lowercase()).collect()
+    };
+    let asked = letters(text);
+    Mode::ALL.into_iter().find(|mode| letters(mode.label()) == asked)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(stands: Option<&str>, mode: Option<&str>, thickness: Option<&str>) -> Option<bool> {
+        let numbers = thickness.map(|text| (Measure::Thickness, text, false)).into_iter().collect();
+        Claim::read(&Said { stands, mode, numbers }).unwrap().stands
+    }
+
+    #[test]
+    fn what_stands_and_what_falls() {
+        for nothing in ["", "NaN", "-nan", "inf", "None", "falls"] {
+            assert_eq!(read(None, None, Some(nothing)), Some(false), "{nothing}");
+        }
+        assert_eq!(read(None, None, Some("0.1")), Some(true));
+        assert_eq!(read(Some("FALSE"), None, Some("")), Some(false));
+        assert_eq!(read(Some("true"), None, Some("")), Some(true));
+        assert_eq!(read(Some(""), None, Some("")), None, "nothing is said");
+        assert_eq!(read(None, Some("s,s"), None), Some(false));
+        assert_eq!(read(None, Some("s,s"), Some("0.1")), Some(true));
+        assert_eq!(read(None, Some("none"), None), Some(false));
+        assert_eq!(read(None, Some(""), None), None);
+    }
+
+    #[test]
+    fn a_mode_is_known_by_its_letters() {
+        for text in ["[r,r,s]", "rrs", "R-R-S", "( r, r, s )"] {
+            assert_eq!(mode(text), Some(Mode::RotationalSliding), "{text}");
+        }
+        for text in ["", "[]", "rr", "rrrr", "rotational", "s,s,s"] {
+            assert_eq!(mode(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_makes_no_sense_is_told() {
+        let error = |stands, mode, thickness: &str| {
+            let numbers = vec![(Measure::Thickness, thickness, false)];
+            Claim::read(&Said { stands, mode, numbers }).unwrap_err()
+        };
+        assert!(matches!(error(Some("false"), None, "0.1"), ClaimError::Contradiction(..)));
+        assert!(matches!(error(None, Some("rrr"), "nan"), ClaimError::Contradiction(..)));
+        assert!(matches!(error(Some("perhaps"), None, "1"), ClaimError::Stands(_)));
+        assert!(matches!(error(None, Some("x"), "1"), ClaimError::Mode(_)));
+        assert!(matches!(error(None, None, "0,1"), ClaimError::Number(..)));
+        for far in ["1e-999999999", "1e99999", "1e-99999999999999999999"] {
+            assert!(matches!(error(None, None, far), ClaimError::Range(..)), "{far}");
+        }
+        let long = format!("0.{}", "1".repeat(10_001));
+        assert!(matches!(error(None, None, &long), ClaimError::Range(..)));
+    }
+}

@@ -1,0 +1,27 @@
+//! Somebody else's state of an arch against the certified one.
+//!
+//! A claim is what a row of results says: that the arch stands or falls, the mode, some numbers. Each
+//! number is compared with a proved enclosure, which is narrowed until every comparison is decided;
+//! nothing here is told by a double.
+//!
+//! A number is **correct to `k` digits** if its error is at most half a unit of the `k`-th significant
+//! digit of the true value; where that is exactly zero, of the `k`-th decimal place. (The audit of the
+//! paper counts equal leading digits instead, which is what a reader of a table sees.) How the last
+//! printed place was rounded is told besides.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `claim` | what a row says |
+//! | `measure` | the numbers of a state that can be claimed |
+//! | `number` | one number against its enclosure |
+//! | `verdict` | the row as a whole |
+
+mod claim;
+mod measure;
+mod number;
+mod verdict;
+
+pub use claim::{Claim, ClaimError, Claimed, Said};
+pub use measure::Measure;
+pub use number::{Certified, CorrectDigits, Errors, Judged};
+pub use verdict::{Demand, Judgement, Side, Standing, Verdict, judge};

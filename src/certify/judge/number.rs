@@ -1,0 +1,344 @@
+//! One claimed number against its enclosure.
+
+use super::claim::{Claimed, Value};
+use super::measure::{Measure, Truth};
+use crate::certify::printed::{Error, Known, PrintedNumber, PrintedVerdict};
+use crate::number::{Ball, Decimal, ExactNumber, Field, Real, Rounded};
+use rug::ops::Pow;
+use rug::{Integer, Rational};
+use std::cmp::Ordering;
+
+/// A claimed number beside the certified one.
+#[derive(Clone, Debug)]
+pub struct Judged {
+    /// Which.
+    pub measure: Measure,
+    /// As it is claimed.
+    pub claimed: String,
+    /// The true value, in the unit of the claim.
+    pub certified: Certified,
+    /// How far they are apart; `None` unless both are finite.
+    pub errors: Option<Errors>,
+    /// To how many digits the claim is correct.
+    pub correct_digits: CorrectDigits,
+    /// How the last place was rounded; `None` unless both are finite.
+    pub rounding: Option<PrintedVerdict>,
+    /// Whether the claim, read as a double, is the double nearest to the truth: the best that a program
+    /// in double precision can print, however it rounds. `None` unless both are finite.
+    pub is_nearest_double: Option<bool>,
+    /// Whether the claim is below, equal to or above the truth; `None` unless both are finite.
+    pub order: Option<Ordering>,
+}
+
+/// The certified value of a number.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Certified {
+    /// Correctly rounded, with outward bounds.
+    Finite(Rounded),
+    /// Unbounded.
+    Infinite,
+    /// The state has no such number.
+    Missing,
+}
+
+/// How far a claim is from the truth: each correctly rounded to three digits.
+#[derive(Clone, Debug)]
+pub struct Errors {
+    /// `|claimed - true|`, in the unit of the claim.
+    pub absolute: Decimal,
+    /// The same over the true value; `None` where that is zero and the claim is not.
+    pub relative: Option<Decimal>,
+    /// In units of the last claimed place.
+    pub units: Decimal,
+    /// In units of the last place of the double next to the true value; `None` where that is zero or
+    /// beyond all doubles.
+    pub ulp: Option<Decimal>,
+}
+
+/// To how many digits a number is correct.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum CorrectDigits {
+    /// So many.
+    Digits(usize),
+    /// All there are: the claim is exactly the truth.
+    Exact,
+}
+
+/// Digits with which a certified value is shown at least, and beyond the digits of the claim.
+const SHOWN: usize = 17;
+const BEYOND: usize = 3;
+
+/// Digits of the truth with which a claim is compared at first. A claim of an absurd size has a relative
+/// error so near to a round number that only digits as far from its own as that tell them apart.
+pub(super) fn compared_digits(claimed: &Claimed) -> usize {
+    const ORDINARY: u64 = 100;
+    let size = claimed.size();
+    shown_digits(claimed) + if size > ORDINARY { size as usize } else { 0 }
+}
+
+/// Digits that the certified value beside a claim has.
+fn shown_digits(claimed: &Claimed) -> usize {
+    SHOWN.max(claimed.significant_digits() + BEYOND)
+}
+
+impl Judged {
+    /// Compares a claim with the truth; `None` asks for a narrower enclosure.
+    pub(super) fn new(claimed: &Claimed, truth: Truth) -> Option<Self> {
+        let digits = shown_digits(claimed);
+        let truth = match truth {
+            Truth::Finite(known) if claimed.degrees => Truth::Finite(in_degrees(known)),
+            truth => truth,
+        };
+        let certified = match &truth {
+            Truth::Finite(Known::Exact(x)) => Certified::Finite(Rounded::from_rational(x, digits)?),
+            Truth::Finite(Known::Enclosed(x)) => Certified::Finite(Rounded::from_ball(x, digits)?),
+            Truth::Infinite => Certified::Infinite,
+            Truth::Missing => Certified::Missing,
+        };
+        let mut judged = Self {
+            measure: claimed.measure,
+            claimed: claimed.text.clone(),
+            certified,
+            errors: None,
+            correct_digits: CorrectDigits::Digits(0),
+            rounding: None,
+            is_nearest_double: None,
+            order: None,
+        };
+        match (&claimed.value, &truth) {
+            (Value::Infinite, Truth::Infinite) | (Value::Nothing, Truth::Missing) => {
+                judged.correct_digits = CorrectDigits::Exact;
+            }
+            (Value::Number(number), Truth::Finite(known)) => judged.compare(number, known)?,
+            // One is a number and the other is not: no digit is correct.
+            _ => {}
+        }
+        Some(judged)
+    }
+
+    fn compare(&mut self, number: &PrintedNumber, truth: &Known) -> Option<()> {
+        let one = Rational::from(1);
+        let absolute = truth.error_of(&number.value, &one);
+        let units = truth.error_of(&number.value, &number.unit);
+        let rounding = units.verdict()?;
+        let order = order(&absolute)?;
+        let size = absolute.shown()?;
+        let relative = match (truth, order) {
+            (_, Ordering::Equal) => Some(size.clone()),
+            // Exactly one, which no enclosure decides.
+            _ if number.value == 0 => Some(Rounded::from_rational(&one, 1)?.value),
+            (Known::Exact(x), _) if *x == 0 => None,
+            (Known::Exact(x), _) => Some(truth.error_of(&number.value, x).shown()?),
+            (Known::Enclosed(x), _) => match &absolute {
+                Error::Enclosed(error) => Some(Error::Enclosed(error.clone() / x).shown()?),
+                Error::Exact(_) => None,
+            },
+        };
+        let ulp = match spacing_of_doubles(truth)? {
+            Some(spacing) => Some(truth.error_of(&number.value, &spacing).shown()?),
+            None => None,
+        };
+        let Certified::Finite(rounded) = &self.certified else { return None };
+        self.correct_digits = match order {
+            Ordering::Equal => CorrectDigits::Exact,
+            _ => {
+                let within = correct_digits(&absolute, &size, rounded)?;
+                let rounded = rounding == PrintedVerdict::CorrectlyRounded && number.value != 0;
+                let printed = if rounded { number.digits.len() } else { 0 };
+                CorrectDigits::Digits(within.max(printed))
+            }
+        };
+        self.errors = Some(Errors { absolute: size, relative, units: units.shown()?, ulp });
+        let nearest = match truth {
+            Known::Exact(x) => ExactNumber::rational(x.clone()).nearest_double(),
+            Known::Enclosed(x) => Some(x.nearest_double()?),
+        };
+        let double = ExactNumber::rational(number.value.clone()).nearest_double();
+        self.is_nearest_double = Some(double.is_some() && double == nearest);
+        (self.rounding, self.order) = (Some(rounding), Some(order));
+        Some(())
+    }
+
+    /// Whether the number is right as far as it goes: exact, or the correct rounding of the truth. A zero
+    /// that stands for a number below half a unit has no digit that could be right.
+    pub fn is_correctly_rounded(&self) -> bool {
+        self.correct_digits == CorrectDigits::Exact
+            || (self.rounding == Some(PrintedVerdict::CorrectlyRounded)
+                && self.correct_digits > CorrectDigits::Digits(0))
+    }
+}
+
+fn order(error: &Error) -> Option<Ordering> {
+    match error {
+        Error::Exact(error) => Some(error.cmp0()),
+        Error::Enclosed(_) => {
+            Some(if error.is_negative()? { Ordering::Less } else { Ordering::Greater })
+        }
+    }
+}
+
+fn in_degrees(known: Known) -> Known {
+    match known {
+        // Only zero is known exactly, and has no unit; any other angle becomes an enclosure.
+        Known::Exact(x) if x == 0 => Known::Exact(x),
+        Known::Exact(x) => in_degrees(Known::Enclosed(Ball::enclosing(&x, 128))),
+        Known::Enclosed(x) => Known::Enclosed(x.int(180) * &x / x.pi()),
+    }
+}
+
+/// The most digits `k` for which the error is at most half a unit of the `k`-th digit of the truth.
+fn correct_digits(error: &Error, size: &Decimal, truth: &Rounded) -> Option<usize> {
+    // For zero, decimal places are counted.
+    let zero = truth.value.digits().is_empty();
+    let magnitude = if zero { 0 } else { truth.lower.magnitude() };
+    // The size may have been rounded up to a power of ten or down from above a half of one.
+    let mut digits = magnitude - size.magnitude() + 1;
+    while digits > 0 {
+        if error.is_within(&(power_of_ten(magnitude - digits) / 2u32))? {
+            return usize::try_from(digits).ok();
+        }
+        digits -= 1;
+    }
+    Some(0)
+}
+
+fn power_of_ten(exponent: i64) -> Rational {
+    // Exponents of claims and of states are moderate.
+    let power = Integer::from(10).pow(exponent.unsigned_abs() as u32);
+    if exponent < 0 { Rational::from((1, power)) } else { power.into() }
+}
+
+/// Bits of a double, and the exponents of its smallest and of its largest numbers.
+const DOUBLE_BITS: i32 = 53;
+const LEAST_SPACING: i32 = -1074;
+const LARGEST: i32 = 1024;
+
+/// The distance of the doubles next to the truth, if there are any: `Some(None)` if there are none,
+/// `None` if the enclosure does not tell.
+fn spacing_of_doubles(truth: &Known) -> Option<Option<Rational>> {
+    let exponent = match truth {
+        Known::Exact(x) if *x == 0 => return Some(None),
+        Known::Exact(x) => {
+            rug::Float::with_val_round(64, x, rug::float::Round::Zero).0.get_exp()?
+        }
+        Known::Enclosed(x) => {
+            let (low, high) = (x.lower().get_exp()?, x.upper().get_exp()?);
+            if low != high {
+                return None;
+            }
+            low
+        }
+    };
+    let spacing = (exponent - DOUBLE_BITS).max(LEAST_SPACING);
+    Some((exponent <= LARGEST).then(|| Rational::from(1) << spacing))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn judged(text: &str, truth: &Truth) -> Judged {
+        let said = super::super::Said {
+            numbers: vec![(Measure::Thrust, text, false)],
+            ..Default::default()
+        };
+        let claim = super::super::Claim::read(&said).unwrap();
+        Judged::new(&claim.numbers[0], truth.clone()).unwrap()
+    }
+
+    /// A third and a hair, so that no error is a round number: those no enclosure decides.
+    fn third() -> Truth {
+        let third = Rational::from((1, 3)) + (Rational::from(1) >> 150u32);
+        Truth::Finite(Known::Enclosed(Ball::enclosing(&third, 300)))
+    }
+
+    #[test]
+    fn digits_and_units() {
+        use CorrectDigits::Digits;
+        use PrintedVerdict::{CorrectlyRounded, Faithful, Wrong};
+        for (text, digits, rounding, units) in [
+            ("0.333", Digits(3), CorrectlyRounded, "0.333"),
+            ("0.3333333333333333", Digits(16), CorrectlyRounded, "0.333"),
+            // Half a unit of the third digit is 0.0005.
+            ("0.334", Digits(2), Faithful, "0.667"),
+            ("0.3338", Digits(3), Wrong, "4.67"),
+            ("0.335", Digits(2), Wrong, "1.67"),
+            ("0.4", Digits(0), Faithful, "0.667"),
+            ("0.30", Digits(1), Wrong, "3.33"),
+            ("3.33", Digits(0), Wrong, "300"),
+            ("-0.333", Digits(0), Wrong, "666"),
+            ("0", Digits(0), CorrectlyRounded, "0.333"),
+        ] {
+            let found = judged(text, &third());
+            assert_eq!(found.correct_digits, digits, "{text}");
+            assert_eq!(found.rounding, Some(rounding), "{text}");
+            assert_eq!(found.errors.unwrap().units.to_string(), units, "{text}");
+        }
+    }
+
+    #[test]
+    fn leading_digits_need_not_agree() {
+        let truth = Truth::Finite(Known::Exact(Rational::from((10_001, 10_000))));
+        assert_eq!(judged("0.9999", &truth).correct_digits, CorrectDigits::Digits(4));
+        assert_eq!(judged("1.0001", &truth).correct_digits, CorrectDigits::Exact);
+    }
+
+    #[test]
+    fn units_of_doubles() {
+        // The double next to 1/3 is (1 - 2^-54)/3, a third of 2^-54 below: a third of 2^-54 / 2^-54.
+        let errors = judged(&format!("{:.60}", 1.0 / 3.0), &third()).errors.unwrap();
+        assert_eq!(errors.ulp.unwrap().to_string(), "0.333");
+        let tiny = Truth::Finite(Known::Exact(Rational::from(3) >> 1075u32));
+        assert!(judged("0", &tiny).errors.unwrap().ulp.unwrap().to_string() == "1.5");
+        let huge = Truth::Finite(Known::Exact(Rational::from(1) << 1024u32));
+        assert!(judged("1", &huge).errors.unwrap().ulp.is_none());
+    }
+
+    #[test]
+    fn the_nearest_double_whatever_its_digits() {
+        let nearest = |text: &str| judged(text, &third()).is_nearest_double.unwrap();
+        assert!(nearest("0.3333333333333333") && nearest(&format!("{:.40}", 1.0 / 3.0)));
+        assert!(nearest("0.33333333333333330"), "which is rounded wrongly as a decimal");
+        assert!(!nearest("0.333333333333333") && !nearest("0.33333333333333339"));
+    }
+
+    #[test]
+    fn an_exact_zero() {
+        let zero = Truth::Finite(Known::Exact(Rational::new()));
+        for text in ["0", "-0.0", "0e5"] {
+            let found = judged(text, &zero);
+            assert_eq!(found.correct_digits, CorrectDigits::Exact, "{text}");
+            assert_eq!(found.errors.unwrap().relative.unwrap().to_string(), "0");
+        }
+        let found = judged("1e-17", &zero);
+        assert_eq!(found.correct_digits, CorrectDigits::Digits(16), "decimal places count");
+        assert!(found.errors.unwrap().relative.is_none());
+    }
+
+    #[test]
+    fn a_zero_is_not_a_short_number() {
+        assert!(judged("0.3", &third()).is_correctly_rounded());
+        assert!(!judged("0", &third()).is_correctly_rounded());
+    }
+
+    #[test]
+    fn what_is_no_number() {
+        assert_eq!(judged("none", &Truth::Missing).correct_digits, CorrectDigits::Exact);
+        for (text, truth) in [("none", third()), ("1", Truth::Missing), ("1", Truth::Infinite)] {
+            let found = judged(text, &truth);
+            assert_eq!(found.correct_digits, CorrectDigits::Digits(0));
+            assert!(found.errors.is_none() && !found.is_correctly_rounded());
+        }
+    }
+
+    #[test]
+    fn a_wide_enclosure_decides_nothing() {
+        let said = super::super::Said {
+            numbers: vec![(Measure::Thrust, "0.333", false)],
+            ..Default::default()
+        };
+        let claim = super::super::Claim::read(&said).unwrap();
+        let wide = Known::Enclosed(Ball::integer(1, 20) / Ball::integer(3, 20));
+        assert!(Judged::new(&claim.numbers[0], Truth::Finite(wide)).is_none());
+    }
+}

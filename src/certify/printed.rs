@@ -1,0 +1,165 @@
+//! A printed number against the true value: the error, and how good the last place is.
+
+use crate::number::{Ball, Decimal, Enclosure, Rounded, Ternary};
+use rug::{Integer, Rational, ops::Pow};
+
+/// Significant digits of an error.
+const ERROR_DIGITS: usize = 3;
+
+/// How good the last printed place is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PrintedVerdict {
+    /// The error is at most half a unit of the last place.
+    CorrectlyRounded,
+    /// The error is below one unit.
+    Faithful,
+    /// The error is one unit or more.
+    Wrong,
+}
+
+impl PrintedVerdict {
+    /// The words used in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::CorrectlyRounded => "correctly rounded",
+            Self::Faithful => "faithful",
+            Self::Wrong => "wrong",
+        }
+    }
+}
+
+/// A printed number as it is meant: its value, one unit of its last place, its digits.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct PrintedNumber {
+    pub(super) value: Rational,
+    pub(super) unit: Rational,
+    pub(super) digits: String,
+}
+
+impl PrintedNumber {
+    /// A decimal, with the unit of its last written place.
+    pub(super) fn from_decimal(decimal: &Decimal) -> Option<Self> {
+        let power = Integer::from(10).pow(u32::try_from(decimal.exponent().unsigned_abs()).ok()?);
+        let unit = if decimal.exponent() < 0 { Rational::from((1, power)) } else { power.into() };
+        let digits = if decimal.digits().is_empty() { "0" } else { decimal.digits() };
+        Some(Self { value: decimal.to_rational(), unit, digits: digits.to_owned() })
+    }
+}
+
+/// A certified value: exact, or in an enclosure.
+#[derive(Clone, Debug)]
+pub(super) enum Known {
+    Exact(Rational),
+    Enclosed(Ball),
+}
+
+impl Known {
+    /// What is printed minus this, in a unit that is not zero.
+    pub(super) fn error_of(&self, printed: &Rational, unit: &Rational) -> Error {
+        match self {
+            Self::Exact(truth) => Error::Exact(Rational::from(printed - truth) / unit),
+            Self::Enclosed(truth) => {
+                let bits = truth.prec();
+                let difference = Ball::enclosing(printed, bits) - truth;
+                Error::Enclosed(difference / Ball::enclosing(unit, bits))
+            }
+        }
+    }
+}
+
+/// An error in some unit, of either sign.
+#[derive(Clone, Debug)]
+pub(super) enum Error {
+    Exact(Rational),
+    Enclosed(Ball),
+}
+
+impl Error {
+    /// How good the last place is, of an error in its units; `None` asks for a narrower enclosure.
+    pub(super) fn verdict(&self) -> Option<PrintedVerdict> {
+        Some(match self.is_within(&Rational::from((1, 2)))? {
+            true => PrintedVerdict::CorrectlyRounded,
+            false if self.is_below(&Rational::from(1))? => PrintedVerdict::Faithful,
+            false => PrintedVerdict::Wrong,
+        })
+    }
+
+    /// Whether its size is at most so much. An enclosure never decides a tie.
+    pub(super) fn is_within(&self, limit: &Rational) -> Option<bool> {
+        match self {
+            Self::Exact(error) => Some(error.clone().abs() <= *limit),
+            Self::Enclosed(_) => self.is_below(limit),
+        }
+    }
+
+    /// Whether its size is less than so much.
+    fn is_below(&self, limit: &Rational) -> Option<bool> {
+        match self {
+            Self::Exact(error) => Some(error.clone().abs() < *limit),
+            Self::Enclosed(error) => {
+                let limit = Ball::enclosing(limit, error.prec());
+                decided(error.is_less_than(&limit).and((-limit).is_less_than(error)))
+            }
+        }
+    }
+
+    /// Whether it is below zero.
+    pub(super) fn is_negative(&self) -> Option<bool> {
+        match self {
+            Self::Exact(error) => Some(*error < 0),
+            Self::Enclosed(error) => decided((-error.clone()).is_positive()),
+        }
+    }
+
+    /// Its size, correctly rounded to three digits; `0` where it is exactly zero.
+    pub(super) fn shown(&self) -> Option<Decimal> {
+        match self {
+            Self::Exact(error) => {
+                Some(Rounded::from_rational(&error.clone().abs(), ERROR_DIGITS)?.value)
+            }
+            Self::Enclosed(error) => {
+                let negative = self.is_negative()?;
+                let size = if negative { -error.clone() } else { error.clone() };
+                Some(Rounded::from_ball(&size, ERROR_DIGITS)?.value)
+            }
+        }
+    }
+}
+
+pub(super) fn decided(answer: Ternary) -> Option<bool> {
+    match answer {
+        Ternary::True => Some(true),
+        Ternary::False => Some(false),
+        Ternary::Undecided => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn verdicts_at_the_borders() {
+        let verdict = |n: i32, d: i32| Error::Exact(Rational::from((n, d))).verdict().unwrap();
+        assert_eq!(verdict(1, 2), PrintedVerdict::CorrectlyRounded);
+        assert_eq!(verdict(-1, 2), PrintedVerdict::CorrectlyRounded);
+        assert_eq!(verdict(501, 1000), PrintedVerdict::Faithful);
+        assert_eq!(verdict(-501, 1000), PrintedVerdict::Faithful);
+        assert_eq!(verdict(1, 1), PrintedVerdict::Wrong);
+        let wide = Ball::enclosing(&Rational::from((1, 2)), 256) + Ball::whole(256);
+        assert_eq!(Error::Enclosed(wide).verdict(), None);
+    }
+
+    #[test]
+    fn an_enclosure_decides_as_its_numbers_do() {
+        let third = Known::Enclosed(Ball::integer(1, 100) / Ball::integer(3, 100));
+        let exact = Known::Exact(Rational::from((1, 3)));
+        for text in ["0.3333", "0.3334", "0.3335", "-0.3333", "0.33333333333333333333"] {
+            let printed = PrintedNumber::from_decimal(&text.parse().unwrap()).unwrap();
+            let error = |known: &Known| known.error_of(&printed.value, &printed.unit);
+            assert_eq!(error(&third).verdict(), error(&exact).verdict(), "{text}");
+            assert_eq!(error(&third).shown(), error(&exact).shown(), "{text}");
+            assert_eq!(error(&third).is_negative(), error(&exact).is_negative(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,241 @@
+//! Which column of a file is what.
+
+use super::super::Failure;
+use crate::certify::judge::Measure;
+
+/// What a column can be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Field {
+    Weight,
+    HalfOpening,
+    Friction,
+    FrictionAngle,
+    Stands,
+    Mode,
+    Number(Measure),
+}
+
+impl Field {
+    fn all() -> impl Iterator<Item = Self> {
+        use Field::*;
+        let others = [Weight, HalfOpening, Friction, FrictionAngle, Stands, Mode];
+        others.into_iter().chain(Measure::ALL.map(Number))
+    }
+
+    /// Our name for it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Weight => "weight",
+            Self::HalfOpening => "half_opening",
+            Self::Friction => "friction",
+            Self::FrictionAngle => "friction_angle",
+            Self::Stands => "stands",
+            Self::Mode => "mode",
+            Self::Number(measure) => measure.name(),
+        }
+    }
+
+    /// What else it is called where no columns are named.
+    fn alias(self) -> Option<&'static str> {
+        match self {
+            Self::HalfOpening => Some("alpha"),
+            Self::Friction => Some("mu"),
+            Self::Number(Measure::Thickness) => Some("eta"),
+            _ => None,
+        }
+    }
+
+    fn is_angle(self) -> bool {
+        match self {
+            Self::HalfOpening | Self::FrictionAngle => true,
+            Self::Number(measure) => measure.is_angle(),
+            _ => false,
+        }
+    }
+
+    /// Whether it is something that can be judged.
+    fn is_claim(self) -> bool {
+        matches!(self, Self::Stands | Self::Mode | Self::Number(_))
+    }
+}
+
+/// A column, and what it is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Column {
+    /// Its name in the file.
+    pub theirs: String,
+    /// What it is.
+    pub field: Field,
+    /// Whether it is an angle in degrees.
+    pub degrees: bool,
+}
+
+/// The columns of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Columns {
+    /// Those that may be there.
+    pub all: Vec<Column>,
+    /// Whether they were named, and so have to be there.
+    named: bool,
+}
+
+impl Columns {
+    /// Columns as they are named on the command line, `theirs=ours` or `theirs=ours:deg`; our own names
+    /// if none are named.
+    pub fn new(named: &[String]) -> Result<Self, String> {
+        if named.is_empty() {
+            let own = Field::all().flat_map(|field| {
+                let names = [Some(field.name()), field.alias()].into_iter().flatten();
+                names.map(move |name| Column { theirs: name.to_owned(), field, degrees: false })
+            });
+            return Ok(Self { all: own.collect(), named: false });
+        }
+        let mut all: Vec<Column> = Vec::new();
+        for text in named {
+            let column = column(text)?;
+            if let Some(other) = all.iter().find(|other| other.field == column.field) {
+                let (a, b) = (&other.theirs, &column.theirs);
+                return Err(format!("'{a}' and '{b}' are both named {}", column.field.name()));
+            }
+            if all.iter().any(|other| other.theirs == column.theirs) {
+                return Err(format!("the column '{}' is named twice", column.theirs));
+            }
+            all.push(column);
+        }
+        Ok(Self { all, named: true })
+    }
+
+    /// Keeps the columns that a CSV file has, with their places.
+    pub fn places(&mut self, header: &csv::StringRecord) -> Result<Vec<usize>, Failure> {
+        let place = |column: &Column| header.iter().position(|name| name == column.theirs);
+        let seen: Vec<bool> = self.all.iter().map(|column| place(column).is_some()).collect();
+        self.check(&seen, "the file has")?;
+        self.all.retain(|column| place(column).is_some());
+        for column in &self.all {
+            if header.iter().filter(|name| *name == column.theirs).count() > 1 {
+                let message = format!("the file has two columns '{}'", column.theirs);
+                return Err(Failure::Input(message));
+            }
+        }
+        Ok(self.all.iter().filter_map(place).collect())
+    }
+
+    /// Refuses what cannot be judged, by the columns that are there.
+    pub fn check(&self, seen: &[bool], have: &str) -> Result<(), Failure> {
+        let missing = self.all.iter().zip(seen).find(|(_, seen)| self.named && !**seen);
+        if let Some((column, _)) = missing {
+            return Err(Failure::Input(format!("{have} no column '{}'", column.theirs)));
+        }
+        let there = || self.all.iter().zip(seen).filter(|(_, seen)| **seen).map(|(c, _)| c);
+        let has = |field: Field| there().any(|column| column.field == field);
+        for (index, column) in there().enumerate() {
+            if let Some(other) = there().skip(index + 1).find(|c| c.field == column.field) {
+                let (a, b) = (&column.theirs, &other.theirs);
+                let message = format!("{have} '{a}' and '{b}', which are the same: use --columns");
+                return Err(Failure::Input(message));
+            }
+        }
+        let wanted = |what: &str, how: &str| {
+            Err(Failure::Input(format!("{have} no column for {what}: name one, --columns {how}")))
+        };
+        if !has(Field::HalfOpening) {
+            return wanted("the half opening", "theirs=half_opening");
+        }
+        match (has(Field::Friction), has(Field::FrictionAngle)) {
+            (false, false) => return wanted("the friction", "theirs=friction"),
+            (true, true) => {
+                let message = format!("{have} both friction and friction_angle: name one of them");
+                return Err(Failure::Input(message));
+            }
+            _ => {}
+        }
+        if !there().any(|column| column.field.is_claim()) {
+            return wanted("anything to judge", "theirs=thickness");
+        }
+        Ok(())
+    }
+
+    /// The weight is in a column or given for all rows, and not both.
+    pub fn check_weight(&self, seen: &[bool], is_given: bool) -> Result<(), Failure> {
+        let column = self.all.iter().zip(seen).any(|(c, seen)| *seen && c.field == Field::Weight);
+        match (column, is_given) {
+            (true, true) => Err("the file has a column for the weight, so --weight is not needed"),
+            (false, false) => {
+                Err("the weight is missing: --weight heyman or --weight milankovitch, or a column")
+            }
+            _ => Ok(()),
+        }
+        .map_err(|message| Failure::Input(message.into()))
+    }
+}
+
+/// `theirs=ours`, `theirs=ours:deg`, or a name that is theirs and ours.
+fn column(text: &str) -> Result<Column, String> {
+    let (theirs, ours) = text.rsplit_once('=').unwrap_or((text, text));
+    let (ours, unit) = match ours.rsplit_once(':') {
+        Some((ours, unit)) => (ours, Some(unit)),
+        None => (ours, None),
+    };
+    let theirs = if text.contains('=') { theirs } else { ours };
+    let Some(field) = Field::all().find(|field| field.name() == ours.trim()) else {
+        let names: Vec<_> = Field::all().map(Field::name).collect();
+        return Err(format!("'{ours}' is no column of ours: {}", names.join(", ")));
+    };
+    if theirs.trim().is_empty() {
+        return Err(format!("'{text}' names no column: theirs={}", field.name()));
+    }
+    let degrees = match unit {
+        None => false,
+        Some("rad") if field.is_angle() => false,
+        Some("deg") if field.is_angle() => true,
+        Some(unit) if field.is_angle() => {
+            return Err(format!("'{unit}' is no unit of an angle: rad or deg"));
+        }
+        Some(_) => return Err(format!("{} has no unit; only angles have", field.name())),
+    };
+    Ok(Column { theirs: theirs.trim().to_owned(), field, degrees })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn named(text: &str) -> Result<Columns, String> {
+        Columns::new(&text.split(',').map(str::to_owned).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn columns_are_named() {
+        let columns =
+            named("a=half_opening:deg,mu=friction,t/r = thickness,x=y=thrust,mode").unwrap();
+        let shown: Vec<_> =
+            columns.all.iter().map(|c| (c.theirs.as_str(), c.field.name(), c.degrees)).collect();
+        assert_eq!(
+            shown,
+            [
+                ("a", "half_opening", true),
+                ("mu", "friction", false),
+                ("t/r", "thickness", false),
+                ("x=y", "thrust", false),
+                ("mode", "mode", false),
+            ]
+        );
+    }
+
+    #[test]
+    fn wrong_names_are_refused() {
+        for (text, why) in [
+            ("a=opening", "is no column of ours"),
+            ("a", "is no column of ours"),
+            ("=thrust", "names no column"),
+            ("", "is no column of ours"),
+            ("a=thrust,b=thrust", "both named thrust"),
+            ("a=thrust,a=mode", "named twice"),
+            ("a=thrust:deg", "has no unit"),
+            ("a=half_opening:grad", "rad or deg"),
+        ] {
+            let error = named(text).unwrap_err();
+            assert!(error.contains(why), "{text}: {error}");
+        }
+    }
+}

@@ -1,0 +1,213 @@
+//! `couplet judge`.
+
+mod columns;
+mod row;
+
+use super::Failure;
+use super::output::Output;
+use super::rows::{
+    CHUNK, JsonObject, Kind, Line, Progress, Source, csv_records, in_order, json_lines,
+};
+use crate::arch::SelfWeight;
+use crate::certify::judge::{Demand, Measure, Verdict};
+use crate::report::{JudgeSummary, JudgedRows};
+use clap::Args;
+use columns::{Columns, Field};
+use row::{Cells, Judge};
+use std::io;
+use std::path::PathBuf;
+
+/// Judge somebody else's results: each row against the certified state of its arch.
+///
+/// The file is CSV with a header, or JSON lines. Our names for columns are weight, half_opening,
+/// friction or friction_angle; and, to be judged, stands, mode, thickness, thrust, intrinsic_thrust,
+/// rotation_joint, sliding_joint, sliding_friction, rotational_friction. Other columns are ignored; the
+/// number of the line joins the output with the input. The output of `couplet states` can be judged as
+/// it is.
+///
+/// That there is no solution is said by `stands` (false, no, 0), by the words nan, inf, none or falls
+/// for the thickness or the mode, by the mode [s,s] without a thickness, or by an empty thickness where
+/// there is no column `stands`. Any other empty field says nothing. A mode is known by its letters: rrs
+/// is [r,r,s].
+///
+/// A number is correct to k digits if its error is at most half a unit of the k-th significant digit of
+/// the true value (of the k-th decimal, where that is zero). How its last printed place is rounded is
+/// told besides: correctly rounded, faithful (less than a unit away) or wrong; and whether the number is
+/// the double nearest to the truth, which is the best that double precision can do. Errors are absolute,
+/// relative, in units of the last printed place, and in units of the last place of the nearest double;
+/// they come from proved enclosures and are correctly rounded.
+///
+/// The verdict of a row is one of: correctly rounded; correct; inaccurate; thicker than the least
+/// thickness; wrong mode; claims that an arch falls which stands; thinner than the least thickness;
+/// claims an arch that cannot stand; no claim; undecided; bad row. The first two are accepted. With
+/// several faults the later one in this list is said. Thinner (the unsafe side), thicker and inaccurate
+/// are said of numbers that do not meet --accept.
+///
+/// Exit codes: 0 all rows are accepted; 1 some are not; 2 some cannot be read, or bad usage; 3 a
+/// resource or I/O failure.
+#[derive(Args)]
+pub struct Arguments {
+    /// The results; `-` is standard input.
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+
+    /// Which of their columns is what, theirs=ours, separated by commas; an angle in degrees is
+    /// theirs=ours:deg, and a name that is the same for both is enough alone. Only the columns named
+    /// are read. Without this our own names are expected, in radians.
+    #[arg(long, value_delimiter = ',', value_name = "THEIRS=OURS,…")]
+    columns: Vec<String>,
+
+    /// Self-weight model of all rows, heyman or milankovitch, if it is not in a column.
+    #[arg(long, value_parser = super::weight)]
+    weight: Option<SelfWeight>,
+
+    /// The half opening and the friction with which the results were computed: exact, the decimal as it
+    /// is written; or double, the nearest double to it, which is what a program in double precision has
+    /// computed with if the file has all digits of its input. An angle in degrees is then rounded in
+    /// degrees and again in radians. If the file has rounded its input further, nobody knows what was
+    /// computed, and the errors are those of the input too.
+    #[arg(long, value_parser = ["exact", "double"], default_value = "exact")]
+    inputs: String,
+
+    /// Correct digits that every number of an accepted row has. Without this 3, or fewer where fewer
+    /// are printed and correctly rounded.
+    #[arg(long, value_name = "DIGITS", value_parser = super::state_digits, allow_negative_numbers = true)]
+    accept: Option<usize>,
+
+    /// How many of the worst rows are shown, up to 1000.
+    #[arg(long, value_name = "N", default_value = "5", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(0..=1000))]
+    worst: u16,
+
+    /// Output format: table or json, a summary with a histogram and the worst rows; csv or jsonl, every
+    /// row, with a short summary on standard error.
+    #[arg(long, default_value = "table", value_parser = ["table", "csv", "jsonl", "json"])]
+    format: String,
+
+    /// Write to a file instead of standard output; it appears whole or not at all.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+/// Correct digits that are demanded if none are asked for.
+const DEMANDED: usize = 3;
+
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let columns = Columns::new(&arguments.columns).map_err(Failure::Input)?;
+    let source = Source::open(Some(&arguments.file))?;
+    let progress = Progress::new(&source);
+    let kind = source.kind;
+    let input = progress.counted(source.into_reader());
+    let is_given = arguments.weight.is_some();
+    let (columns, lines) = match kind {
+        Kind::Csv => csv_cells(columns, input, is_given)?,
+        Kind::JsonLines => json_cells(columns, input, is_given)?,
+    };
+    let measures = Measure::ALL
+        .into_iter()
+        .filter(|&m| columns.all.iter().any(|column| column.field == Field::Number(m)));
+    let rows = JudgedRows { json: arguments.format == "jsonl", measures: measures.collect() };
+    let every_row = rows.json || arguments.format == "csv";
+    let demand = Demand {
+        digits: arguments.accept.unwrap_or(DEMANDED),
+        or_all_printed: arguments.accept.is_none(),
+    };
+    let doubles = arguments.inputs == "double";
+    let judge = Judge { columns, weight: arguments.weight, doubles, demand };
+    let mut summary = JudgeSummary::new(demand, usize::from(arguments.worst));
+    let output = Output::open(arguments.output.as_deref())?;
+    let mut complete = false;
+    output.write(|out| {
+        if every_row {
+            out.write_all(&rows.header()?)?;
+        }
+        let answer = |(line, cells)| {
+            let row = judge.row(line, cells);
+            let text = if every_row { rows.row(&row) } else { Ok(Vec::new()) };
+            (row, text)
+        };
+        in_order(lines, &progress, answer, |answers| {
+            for (row, text) in answers {
+                summary.add(row);
+                out.write_all(&text?)?;
+            }
+            out.flush()?;
+            Ok::<_, io::Error>(true)
+        })?;
+        match arguments.format.as_str() {
+            "table" => summary.write_table(out)?,
+            "json" => summary.write_json(out)?,
+            _ => {}
+        }
+        complete = true;
+        Ok(())
+    })?;
+    // A reader that has closed the pipe has what it wanted.
+    if !complete {
+        return Ok(());
+    }
+    if every_row {
+        // A summary that nobody can read is no failure.
+        let _ = summary.write_verdicts(&mut io::stderr());
+    }
+    verdict(&summary)
+}
+
+fn verdict(summary: &JudgeSummary) -> Result<(), Failure> {
+    let (rows, bad) = (summary.rows(), summary.count(Verdict::BadRow));
+    match (bad, rows - summary.accepted()) {
+        _ if rows == 0 => Err(Failure::Input("the file has no rows".into())),
+        (0, 0) => Ok(()),
+        (0, others) => Err(Failure::Undecided(format!("{others} of {rows} rows are not accepted"))),
+        (bad, _) => Err(Failure::Input(format!("{bad} of {rows} rows could not be read"))),
+    }
+}
+
+type Rows = Box<dyn Iterator<Item = Line<Cells>>>;
+
+/// The columns that a CSV file has, and its rows.
+fn csv_cells(
+    mut columns: Columns,
+    input: impl io::Read + 'static,
+    is_given: bool,
+) -> Result<(Columns, Rows), Failure> {
+    let (header, records) = csv_records(input)?;
+    if header.iter().all(str::is_empty) {
+        return Err(Failure::Input("the file is empty".into()));
+    }
+    let places = columns.places(&header)?;
+    columns.check_weight(&vec![true; places.len()], is_given)?;
+    let width = header.len();
+    let cells = move |record: csv::StringRecord| match record.len() {
+        found if found == width => {
+            Ok(places.iter().map(|&place| record.get(place).map(str::to_owned)).collect())
+        }
+        found => Err(format!(
+            "{found} fields where the header has {width}; a field with commas has to be quoted"
+        )),
+    };
+    let rows = records.map(move |(line, record)| (line, record.and_then(&cells)));
+    Ok((columns, Box::new(rows)))
+}
+
+/// The columns that the first rows of JSON lines have, and all rows.
+fn json_cells(
+    columns: Columns,
+    input: impl io::Read + 'static,
+    is_given: bool,
+) -> Result<(Columns, Rows), Failure> {
+    let keys: Vec<String> = columns.all.iter().map(|column| column.theirs.clone()).collect();
+    let mut rows = json_lines(input, move |bytes| {
+        let object = JsonObject::parse(bytes)?;
+        Ok(keys.iter().map(|key| object.text(key)).collect::<Cells>())
+    });
+    let first: Vec<Line<Cells>> = rows.by_ref().take(CHUNK).collect();
+    let read = || first.iter().filter_map(|(_, cells)| cells.as_ref().ok());
+    // Where no row can be read each says why.
+    if read().next().is_some() {
+        let has = |place: usize| read().any(|cells| cells[place].is_some());
+        let seen: Vec<bool> = (0..columns.all.len()).map(has).collect();
+        columns.check(&seen, "the first rows have")?;
+        columns.check_weight(&seen, is_given)?;
+    }
+    Ok((columns, Box::new(first.into_iter().chain(rows))))
+}

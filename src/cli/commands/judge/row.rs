@@ -1,0 +1,131 @@
+//! A row of results: the arch it is about, and what it says of it.
+
+use super::super::arch::{angle, friction};
+use super::columns::{Columns, Field};
+use crate::arch::SelfWeight;
+use crate::certify::judge::{Claim, Demand, Said, judge};
+use crate::certify::state::{Arch, Friction};
+use crate::number::ExactNumber;
+use crate::report::JudgedRow;
+use rug::Rational;
+
+/// The text of a row, column by column; `None` where the row has no such column.
+pub type Cells = Vec<Option<String>>;
+
+/// How rows are read and judged.
+pub struct Judge {
+    pub columns: Columns,
+    /// The weight of all rows, if it is not in a column.
+    pub weight: Option<SelfWeight>,
+    /// Whether the solver was run at the nearest doubles of what the file has.
+    pub doubles: bool,
+    pub demand: Demand,
+}
+
+impl Judge {
+    /// Judges a row.
+    pub fn row(&self, line: u64, cells: Result<Cells, String>) -> JudgedRow {
+        let mut row = JudgedRow {
+            line,
+            weight: self.weight.map_or("", SelfWeight::name).to_owned(),
+            half_opening: String::new(),
+            friction: String::new(),
+            claimed_stands: None,
+            claimed_mode: None,
+            outcome: Err(String::new()),
+        };
+        row.outcome = cells.and_then(|cells| {
+            self.describe(&cells, &mut row);
+            let arch = self.arch(&cells)?;
+            let claim = self.claim(&cells)?;
+            row.claimed_stands = claim.stands;
+            row.claimed_mode = claim.mode.map(|mode| mode.label());
+            Ok(judge(&arch, &claim, self.demand))
+        });
+        row
+    }
+
+    /// The text of a field, with whether it is in degrees.
+    fn said<'a>(&self, cells: &'a Cells, field: Field) -> Option<(&'a str, bool)> {
+        self.columns.all.iter().zip(cells).find_map(|(column, cell)| {
+            let text = cell.as_deref().filter(|_| column.field == field)?;
+            Some((text, column.degrees && !text.ends_with("deg")))
+        })
+    }
+
+    /// What the row is about, as far as it can be read.
+    fn describe(&self, cells: &Cells, row: &mut JudgedRow) {
+        let text = |field| {
+            let (text, degrees) = self.said(cells, field)?;
+            Some(format!("{text}{}", if degrees { "deg" } else { "" }))
+        };
+        row.weight = text(Field::Weight).unwrap_or(std::mem::take(&mut row.weight));
+        row.half_opening = text(Field::HalfOpening).unwrap_or_default();
+        let angle = || text(Field::FrictionAngle).map(|angle| format!("tan({angle})"));
+        row.friction = text(Field::Friction).or_else(angle).unwrap_or_default();
+    }
+
+    fn arch(&self, cells: &Cells) -> Result<Arch, String> {
+        let weight = match (self.weight, self.said(cells, Field::Weight)) {
+            (Some(weight), _) => weight,
+            (None, Some((text, _))) => super::super::weight(text)?,
+            (None, None) => return Err("the weight is missing".into()),
+        };
+        let given = |field: Field| match self.said(cells, field) {
+            Some(("", _)) => Err(format!("the {} is empty", field.name())),
+            said => Ok(said),
+        };
+        let half_opening = given(Field::HalfOpening)?.ok_or("the half opening is missing")?;
+        let friction = match (given(Field::Friction)?, given(Field::FrictionAngle)?) {
+            (Some((text, _)), None) => self.coefficient(text)?,
+            (None, Some(phi)) => Friction::Angle(self.angle(phi)?),
+            (None, None) => return Err("the friction is missing".into()),
+            (Some(_), Some(_)) => return Err("both friction and friction_angle are there".into()),
+        };
+        Arch::new(weight, self.angle(half_opening)?, friction).map_err(|error| error.to_string())
+    }
+
+    fn coefficient(&self, text: &str) -> Result<Friction, String> {
+        let unlimited = ["inf", "+inf", "infinity"];
+        if unlimited.iter().any(|word| text.eq_ignore_ascii_case(word)) {
+            return Ok(Friction::Infinite);
+        }
+        match friction(text)? {
+            Friction::Coefficient(mu) if self.doubles => nearest(&mu).map(Friction::Coefficient),
+            friction => Ok(friction),
+        }
+    }
+
+    /// An angle. In doubles, degrees are rounded as they are read and once more in radians.
+    fn angle(&self, (text, degrees): (&str, bool)) -> Result<ExactNumber, String> {
+        let text = if degrees { format!("{text}deg") } else { text.to_owned() };
+        let exact = angle(&text)?;
+        if !self.doubles {
+            return Ok(exact);
+        }
+        match text.strip_suffix("deg") {
+            Some(degrees) => nearest(&nearest(&angle(degrees)?)?.degrees()),
+            None => nearest(&exact),
+        }
+    }
+
+    fn claim(&self, cells: &Cells) -> Result<Claim, String> {
+        let text = |field| self.said(cells, field).map(|(text, _)| text);
+        let numbers = self.columns.all.iter().zip(cells).filter_map(|(column, cell)| {
+            let Field::Number(measure) = column.field else { return None };
+            Some((measure, cell.as_deref()?, column.degrees))
+        });
+        let said = Said {
+            stands: text(Field::Stands),
+            mode: text(Field::Mode),
+            numbers: numbers.collect(),
+        };
+        Claim::read(&said).map_err(|error| error.to_string())
+    }
+}
+
+/// The nearest double, exactly.
+fn nearest(x: &ExactNumber) -> Result<ExactNumber, String> {
+    let exact = x.nearest_double().and_then(Rational::from_f64);
+    exact.map(ExactNumber::rational).ok_or_else(|| format!("'{x}' is beyond all doubles"))
+}

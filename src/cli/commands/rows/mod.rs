@@ -1,0 +1,9 @@
+//! Files of many rows: read as they come, answered on all cores, in the order in which they stand.
+
+mod object;
+mod read;
+mod stream;
+
+pub use object::JsonObject;
+pub use read::{Kind, Line, Source, csv_records, json_lines};
+pub use stream::{CHUNK, Progress, in_order};

@@ -1,0 +1,69 @@
+//! A JSON object with its values as they are written.
+
+use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
+use serde_json::value::RawValue;
+use std::fmt;
+
+/// Objects of more keys are refused: each key is compared with all others.
+const MAX_KEYS: usize = 1000;
+
+/// A JSON object with its values as they are written, so that a number keeps all its digits.
+pub struct JsonObject<'a>(Vec<(String, &'a RawValue)>);
+
+impl<'a> JsonObject<'a> {
+    /// Reads one; a key that is there twice is an error.
+    pub fn parse(bytes: &'a [u8]) -> Result<Self, String> {
+        serde_json::from_slice(bytes).map_err(|error| error.to_string())
+    }
+
+    /// The text of a value: of a text what it says, of an object its entry `value`, of `null`
+    /// nothing, of all else what is written. `None` if there is no such key.
+    pub fn text(&self, key: &str) -> Option<String> {
+        let (_, raw) = self.0.iter().find(|(name, _)| name == key)?;
+        Some(text(raw))
+    }
+}
+
+fn text(raw: &RawValue) -> String {
+    let written = raw.get();
+    let meant = match written.as_bytes().first() {
+        Some(b'n') => Some(String::new()),
+        Some(b'"') => serde_json::from_str(written).ok(),
+        // As `couplet states` writes a value with its bounds.
+        Some(b'{') => JsonObject::parse(written.as_bytes()).ok().and_then(|inner| {
+            let (_, value) = inner.0.into_iter().find(|(name, _)| name == "value")?;
+            (!value.get().starts_with('{')).then(|| text(value))
+        }),
+        _ => None,
+    };
+    meant.unwrap_or_else(|| written.to_owned())
+}
+
+impl<'de> Deserialize<'de> for JsonObject<'de> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Entries;
+        impl<'de> Visitor<'de> for Entries {
+            type Value = JsonObject<'de>;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("a JSON object")
+            }
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
+                let mut entries: Vec<(String, &'de RawValue)> = Vec::new();
+                while let Some((key, value)) = map.next_entry::<String, &RawValue>()? {
+                    let shown = || key.chars().take(40).collect::<String>();
+                    if entries.iter().any(|(name, _)| *name == key) {
+                        let message = format!("the key '{}' is there twice", shown());
+                        return Err(serde::de::Error::custom(message));
+                    }
+                    if entries.len() == MAX_KEYS {
+                        let message = format!("an object of more than {MAX_KEYS} keys");
+                        return Err(serde::de::Error::custom(message));
+                    }
+                    entries.push((key, value));
+                }
+                Ok(JsonObject(entries))
+            }
+        }
+        deserializer.deserialize_map(Entries)
+    }
+}

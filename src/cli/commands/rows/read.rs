@@ -1,0 +1,155 @@
+//! CSV with a header, or JSON lines: one row at a time, each with the number of its line.
+
+use super::super::Failure;
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Read};
+use std::path::Path;
+
+/// A row of the input: the number of its line, and what it says or what is wrong with it.
+pub type Line<T> = (u64, Result<T, String>);
+
+/// What the rows are written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// CSV with a header.
+    Csv,
+    /// A JSON object on each line.
+    JsonLines,
+}
+
+/// Rows from standard input or from a file.
+pub struct Source {
+    input: Box<dyn BufRead>,
+    /// Bytes in all, where that is known.
+    pub length: Option<u64>,
+    /// What the rows are written in.
+    pub kind: Kind,
+}
+
+impl Source {
+    /// Standard input, or the file named; `-` is standard input too.
+    pub fn open(path: Option<&Path>) -> Result<Self, Failure> {
+        let path = path.filter(|path| *path != Path::new("-"));
+        let name = path.map_or("standard input".into(), |path| path.display().to_string());
+        let reading = |error: io::Error| Failure::Io(format!("cannot read {name}: {error}"));
+        let mut input: Box<dyn BufRead> = match path {
+            None => Box::new(BufReader::new(io::stdin())),
+            Some(path) => Box::new(BufReader::new(File::open(path).map_err(reading)?)),
+        };
+        let file = std::fs::metadata(path.unwrap_or(Path::new("/dev/stdin")));
+        let length = file.ok().filter(|m| m.is_file()).map(|m| m.len());
+        let kind = match first_character(&mut input).map_err(reading)? {
+            Some(b'{') => Kind::JsonLines,
+            Some(b'[') => {
+                let message = "a JSON array is not read: give JSON lines, one object on each line";
+                return Err(Failure::Input(message.into()));
+            }
+            _ => Kind::Csv,
+        };
+        Ok(Self { input, length, kind })
+    }
+
+    /// The rows as bytes.
+    pub fn into_reader(self) -> impl Read + 'static {
+        self.input
+    }
+}
+
+/// What some programs write before the text.
+const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
+
+/// The first character that is neither white space nor a byte order mark, which is left unread.
+fn first_character(input: &mut impl BufRead) -> io::Result<Option<u8>> {
+    loop {
+        let buffer = input.fill_buf()?;
+        if buffer.is_empty() {
+            return Ok(None);
+        }
+        let skipped = |c: &u8| c.is_ascii_whitespace() || BYTE_ORDER_MARK.contains(c);
+        match buffer.iter().position(|c| !skipped(c)) {
+            Some(place) => return Ok(Some(buffer[place])),
+            None => {
+                let length = buffer.len();
+                input.consume(length);
+            }
+        }
+    }
+}
+
+/// Lines longer than this are refused one by one; nothing that is read needs as much.
+const MAX_LINE: u64 = 1 << 17;
+
+/// The rows of JSON lines, each read by `parse`. An error of the stream itself ends them.
+pub fn json_lines<T>(
+    input: impl Read,
+    parse: impl Fn(&[u8]) -> Result<T, String>,
+) -> impl Iterator<Item = Line<T>> {
+    let mut input = BufReader::new(input);
+    let (mut number, mut broken) = (0, false);
+    std::iter::from_fn(move || {
+        while !broken {
+            let mut bytes = Vec::new();
+            number += 1;
+            let read = input.by_ref().take(MAX_LINE).read_until(b'\n', &mut bytes);
+            match read {
+                Ok(0) => return None,
+                Err(error) => {
+                    broken = true;
+                    return Some((number, Err(error.to_string())));
+                }
+                Ok(_) if bytes.len() as u64 == MAX_LINE && bytes.last() != Some(&b'\n') => {
+                    // The rest of the line is skipped in pieces, never held.
+                    skip_line(&mut input);
+                    return Some((number, Err(format!("a line of more than {MAX_LINE} bytes"))));
+                }
+                Ok(_) if bytes.iter().all(u8::is_ascii_whitespace) => {}
+                Ok(_) => {
+                    let marked = bytes.strip_prefix(BYTE_ORDER_MARK).filter(|_| number == 1);
+                    return Some((number, parse(marked.unwrap_or(&bytes))));
+                }
+            }
+        }
+        None
+    })
+}
+
+fn skip_line(input: &mut impl BufRead) {
+    while let Ok(buffer) = input.fill_buf() {
+        if buffer.is_empty() {
+            return;
+        }
+        let (length, ends) = match buffer.iter().position(|&c| c == b'\n') {
+            Some(place) => (place + 1, true),
+            None => (buffer.len(), false),
+        };
+        input.consume(length);
+        if ends {
+            return;
+        }
+    }
+}
+
+/// The header of a CSV file, and its rows.
+pub fn csv_records(
+    input: impl Read + 'static,
+) -> Result<(csv::StringRecord, impl Iterator<Item = Line<csv::StringRecord>>), Failure> {
+    // A carriage return before the end of a line is trimmed away like a space; as a terminator of its
+    // own it would make the numbers of the lines one too small.
+    let mut reader = csv::ReaderBuilder::new()
+        .flexible(true)
+        .trim(csv::Trim::All)
+        .terminator(csv::Terminator::Any(b'\n'))
+        .from_reader(input);
+    let header = reader.headers().map_err(|error| Failure::Input(error.to_string()))?.clone();
+    let columns = header.len();
+    let rows = reader.into_records().filter_map(move |record| match record {
+        Err(error) => {
+            let line = error.position().map_or(0, csv::Position::line);
+            Some((line, Err(error.to_string())))
+        }
+        // A line of white space.
+        Ok(record) if columns > 1 && record.len() == 1 && record[0].is_empty() => None,
+        Ok(record) => Some((record.position().map_or(0, csv::Position::line), Ok(record))),
+    });
+    Ok((header, rows))
+}

@@ -1,0 +1,73 @@
+//! Fortran: a module of parameters of two kinds.
+
+use super::names::{about, capitals, doubles, preface, remark};
+use super::{Export, Exported, Subject};
+use std::io;
+
+const NOTES: &str = "!
+! name_quad is the nearest number of kind real128, an IEEE quadruple. Literals have 17 and 36 significant
+! digits, which tell every number of the kind from its neighbours. All digits are in the comments.
+module couplet_constants
+  use, intrinsic :: iso_fortran_env, only: int64, real64, real128
+  implicit none
+  private :: int64
+";
+
+/// Digits of a comment's line.
+const WIDTH: usize = 100;
+
+pub fn write(export: &Export, out: &mut dyn io::Write) -> io::Result<()> {
+    for line in preface(export) {
+        writeln!(out, "{}", format!("! {line}").trim_end())?;
+    }
+    write!(out, "{NOTES}")?;
+    for subject in &export.subjects {
+        writeln!(out)?;
+        for line in about(subject) {
+            writeln!(out, "  ! {line}")?;
+        }
+        for value in &subject.values {
+            self::value(subject, value, out)?;
+        }
+    }
+    writeln!(out, "end module couplet_constants")
+}
+
+fn value(subject: &Subject, value: &Exported, out: &mut dyn io::Write) -> io::Result<()> {
+    let name = capitals(subject, value).to_lowercase();
+    writeln!(out, "  ! {}", remark(value))?;
+    let text = &value.texts()[0];
+    for (index, piece) in text.as_bytes().chunks(WIDTH).enumerate() {
+        let start = if index == 0 { "" } else { "  " };
+        writeln!(out, "  ! {start}{}", String::from_utf8_lossy(piece))?;
+    }
+    for (suffix, x) in doubles(value) {
+        let suffix = suffix.to_lowercase();
+        writeln!(out, "  real(real64), parameter :: {name}{suffix} = {}", literal(x))?;
+    }
+    let quad = match value.quad() {
+        Some(quad) => format!("{}_real128", decimal(&quad)),
+        // Its bits depend on the order of the bytes.
+        None if value.decimal.is_none() => {
+            return writeln!(out, "  ! no {name}_quad: at run time real({name}, real128)");
+        }
+        None => return writeln!(out, "  ! no {name}_quad: not known to the digits it needs"),
+    };
+    // With the longest name and literal it would be too long for one line.
+    writeln!(out, "  real(real128), parameter :: {name}_quad = &\n    {quad}")
+}
+
+/// Infinity has no literal: its bits are given.
+fn literal(x: f64) -> String {
+    match x {
+        x if x.is_infinite() => format!("transfer({}_int64, 0.0_real64)", x.to_bits() as i64),
+        x => format!("{x:.16e}_real64"),
+    }
+}
+
+/// A real literal has a point.
+fn decimal(text: &str) -> String {
+    let (digits, power) = text.split_once('e').unwrap_or((text, "0"));
+    let point = if digits.contains('.') { "" } else { "." };
+    format!("{digits}{point}e{power}")
+}

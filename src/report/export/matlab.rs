@@ -1,0 +1,62 @@
+//! MATLAB and Octave: a function that returns a structure.
+
+use super::names::{about, bits, doubles, preface, remark, words};
+use super::{Export, Exported, Subject};
+use std::io;
+
+const NOTES: &str = "%
+%   c = couplet_constants()  has the double  c.T.heyman.thickness.value  and beside it lower, upper,
+%   error, text (all digits), and digits: the same for the Symbolic Math Toolbox (in Octave, the loaded
+%   package symbolic), or [] without it. Name the file couplet_constants.m.
+";
+
+const SYMBOLIC: &str = "
+function x = digits_of(text, digits)
+% The number with all its digits, where there is symbolic arithmetic.
+  x = [];
+  if any(exist('vpa') == [2 3 5 6 103])
+    try
+      x = vpa(text, digits);
+    catch
+      x = [];
+    end
+  end
+end
+";
+
+pub fn write(export: &Export, out: &mut dyn io::Write) -> io::Result<()> {
+    writeln!(out, "function c = couplet_constants()")?;
+    for line in preface(export) {
+        writeln!(out, "{}", format!("%   {line}").trim_end())?;
+    }
+    write!(out, "{NOTES}")?;
+    writeln!(out, "  c = struct();")?;
+    for subject in &export.subjects {
+        writeln!(out)?;
+        for line in about(subject) {
+            writeln!(out, "  % {line}")?;
+        }
+        for value in &subject.values {
+            self::value(subject, value, export.digits, out)?;
+        }
+    }
+    writeln!(out, "end")?;
+    write!(out, "{SYMBOLIC}")
+}
+
+fn value(
+    subject: &Subject,
+    value: &Exported,
+    digits: usize,
+    out: &mut dyn io::Write,
+) -> io::Result<()> {
+    let name = format!("c.{}.{}", words(&subject.of).join("."), value.label.name);
+    writeln!(out, "  % {}", remark(value))?;
+    for (suffix, x) in doubles(value) {
+        let field = suffix.strip_prefix('_').unwrap_or("value").to_lowercase();
+        writeln!(out, "  {name}.{field} = hex2num('{}');", bits(x))?;
+    }
+    writeln!(out, "  {name}.text = '{}';", value.texts()[0])?;
+    // `vpa` wants two digits at least.
+    writeln!(out, "  {name}.digits = digits_of({name}.text, {});", digits.max(2))
+}

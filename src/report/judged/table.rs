@@ -1,0 +1,179 @@
+//! All rows for a person at a terminal: verdicts, numbers, a histogram, the worst rows.
+
+use super::rows::certified;
+use super::{JudgeSummary, JudgedRow, digits};
+use crate::certify::judge::{CorrectDigits, Judged, Verdict};
+use std::io;
+
+pub fn write(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
+    verdicts(summary, out)?;
+    numbers(summary, out)?;
+    histogram(summary, out)?;
+    if !summary.worst.is_empty() {
+        writeln!(out, "\nworst rows")?;
+        summary.worst.iter().try_for_each(|row| judged_row(row, out))?;
+    }
+    if !summary.unjudged.is_empty() {
+        writeln!(out, "\nfirst rows that are not judged")?;
+        for row in &summary.unjudged {
+            let reason = if row.reason().is_empty() { "" } else { ": " };
+            let (line, verdict) = (row.line, row.verdict().name());
+            writeln!(out, "   line {line}: {verdict}{reason}{}", row.reason())?;
+        }
+    }
+    Ok(())
+}
+
+pub fn verdicts(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
+    let (rows, accepted) = (summary.rows, summary.accepted());
+    let or = if summary.demand.or_all_printed { ", or correctly rounded" } else { "" };
+    let demanded = count(summary.demand.digits as u64, "digit");
+    let rows = count(rows, "row");
+    writeln!(out, "{rows}: {accepted} accepted (every number correct to {demanded}{or})\n")?;
+    for verdict in Verdict::ALL {
+        let rows = summary.count(verdict);
+        if rows > 0 {
+            let side = match verdict {
+                Verdict::Thinner => " (the unsafe side)",
+                Verdict::Thicker => " (the safe side)",
+                _ => "",
+            };
+            writeln!(out, "{rows:>9}  {}{side}", verdict.name())?;
+        }
+    }
+    Ok(())
+}
+
+fn numbers(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
+    if summary.measures.is_empty() {
+        return Ok(());
+    }
+    writeln!(
+        out,
+        "\n{:<19} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7} {:>14}",
+        "numbers", "judged", "rounded", "faithful", "wrong", "doubles", "digits", "relative error"
+    )?;
+    for m in &summary.measures {
+        writeln!(
+            out,
+            "{:<19} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7} {:>14}",
+            m.measure.name(),
+            m.judged,
+            m.correctly_rounded,
+            m.faithful,
+            m.wrong(),
+            m.nearest_doubles,
+            digits(m.least),
+            m.largest_relative.as_ref().map_or(String::new(), ToString::to_string),
+        )?;
+    }
+    writeln!(
+        out,
+        "rounded, faithful, wrong: in the last printed place; doubles: the nearest to the truth;"
+    )?;
+    writeln!(out, "digits, relative error: of the worst")?;
+    if summary.thinner + summary.thicker > 0 {
+        let (thinner, thicker) = (summary.thinner, summary.thicker);
+        writeln!(
+            out,
+            "thicknesses below the least: {thinner} (the unsafe side, were it only by a rounding); above: {thicker}"
+        )?;
+    }
+    Ok(())
+}
+
+/// Characters of the longest bar.
+const BAR: u64 = 40;
+
+fn histogram(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
+    let Some(most) = summary.histogram.values().max() else { return Ok(()) };
+    writeln!(out, "\ncorrect digits of the worst number of a row")?;
+    for (correct, rows) in &summary.histogram {
+        let name = match correct {
+            CorrectDigits::Exact => "exact".to_owned(),
+            CorrectDigits::Digits(digits) => digits.to_string(),
+        };
+        let bar = "#".repeat((rows * BAR).div_ceil(*most) as usize);
+        writeln!(out, "{name:>9}  {bar:<40} {rows:>9}")?;
+    }
+    Ok(())
+}
+
+/// What is wrong with a row, and then its worst number.
+fn judged_row(row: &JudgedRow, out: &mut dyn io::Write) -> io::Result<()> {
+    let Ok(judgement) = &row.outcome else { return Ok(()) };
+    let what = match row.verdict() {
+        Verdict::Correct => match judgement.correct_digits() {
+            Some(CorrectDigits::Digits(digits)) => {
+                format!("correct to {}", count(digits as u64, "digit"))
+            }
+            _ => "correct".to_owned(),
+        },
+        verdict => verdict.name().to_owned(),
+    };
+    writeln!(
+        out,
+        "   line {}: {what}; {}, half opening {}, friction {}",
+        row.line,
+        row.weight,
+        short(&row.half_opening),
+        short(&row.friction)
+    )?;
+    match row.verdict() {
+        Verdict::WrongMode => {
+            let claimed = row.claimed_mode.unwrap_or_default();
+            writeln!(out, "      mode {claimed}, certified {}", row.modes())?;
+        }
+        Verdict::Falls => writeln!(out, "      it falls by {}", row.reason())?,
+        Verdict::Stands => writeln!(out, "      it stands, and collapses as {}", row.modes())?,
+        _ => {}
+    }
+    match judgement.numbers.iter().min_by_key(|number| number.correct_digits) {
+        Some(number) if number.correct_digits != CorrectDigits::Exact => {
+            writeln!(out, "      {}", number_text(number))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Powers of ten of ulp beyond which a person is not told.
+const MANY_ULP: i64 = 6;
+
+fn number_text(number: &Judged) -> String {
+    let mut text = format!(
+        "{} {}, certified {}",
+        number.measure.name(),
+        short(&number.claimed),
+        short(&certified(&number.certified))
+    );
+    if let Some(errors) = &number.errors {
+        let relative = match &errors.relative {
+            Some(relative) => format!(", relative {relative}"),
+            None => String::new(),
+        };
+        text += &format!(": error {}{relative}", errors.absolute);
+        text += &format!(", {} of the last place", count_text(&errors.units.to_string()));
+        // Of a number with few digits they are many, and say nothing.
+        if let Some(ulp) = errors.ulp.as_ref().filter(|ulp| ulp.magnitude() <= MANY_ULP) {
+            text += &format!(", {ulp} ulp of a double");
+        }
+    }
+    text
+}
+
+fn count_text(units: &str) -> String {
+    format!("{units} {}", if units == "1" { "unit" } else { "units" })
+}
+
+fn count(n: u64, what: &str) -> String {
+    format!("{n} {what}{}", if n == 1 { "" } else { "s" })
+}
+
+/// A long number is cut for a person.
+fn short(text: &str) -> String {
+    const LONG: usize = 40;
+    if text.chars().count() <= LONG {
+        return text.to_owned();
+    }
+    text.chars().take(LONG - 1).chain(['…']).collect()
+}

@@ -1,0 +1,80 @@
+//! What is handed to other programs is compiled and run by them, and compared bit for bit.
+
+mod documents;
+mod expected;
+mod languages;
+#[cfg(feature = "parquet")]
+mod parquet;
+mod refused;
+mod states;
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+/// The command with a text as its input.
+fn couplet(arguments: &[&str], input: &str) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_couplet"))
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // A command that reads nothing closes the pipe.
+    let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
+    child.wait_with_output().unwrap()
+}
+
+/// What `couplet constants` writes in a format, with as few digits as would show a double made of them.
+fn constants(format: &str) -> Vec<u8> {
+    let output = couplet(&["constants", "--digits", "3", "--format", format], "");
+    assert_eq!(output.status.code(), Some(0), "{format}");
+    assert!(output.stderr.is_empty(), "{format}");
+    output.stdout
+}
+
+/// A folder of the test's own, removed at the end.
+struct Scratch(PathBuf);
+
+impl Scratch {
+    fn new(name: &str) -> Self {
+        let folder = std::env::temp_dir().join(format!("couplet-{name}-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        Self(folder)
+    }
+
+    fn write(&self, name: &str, content: impl AsRef<[u8]>) {
+        std::fs::write(self.0.join(name), content).unwrap();
+    }
+
+    /// Runs a program here; it has to succeed without a word on standard error.
+    fn run(&self, program: impl AsRef<Path>, arguments: &[&str]) -> String {
+        let program = program.as_ref();
+        let output = Command::new(program).args(arguments).current_dir(&self.0).output().unwrap();
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        // Octave 7 has words on its own end.
+        let stderr = stderr
+            .replace("error: ignoring const execution_exception& while preparing to exit\n", "");
+        let stdout = String::from_utf8_lossy(&output.stdout);
+        assert!(output.status.success() && stderr.is_empty(), "{program:?} {stdout} {stderr}");
+        stdout.into_owned()
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+/// Whether a program is there. A test that needs one that is not says so, past the capture of the test
+/// harness, and passes.
+fn has(program: &str, question: &str) -> bool {
+    let asked = Command::new(program).arg(question).output();
+    let found = asked.is_ok_and(|output| output.status.success());
+    if !found {
+        let _ = writeln!(std::io::stderr(), "skipped: there is no {program}");
+    }
+    found
+}
