@@ -270,13 +270,20 @@ fn left_out(plan: &Plan, costs: Option<&Costs>) -> Vec<String> {
             lines.push(not_asked(format!("landmarks {symbols} {}", weight.name())));
         }
     }
+    let mut partly: Vec<((SelfWeight, usize), Vec<&str>)> = Vec::new();
     for node in plan.landmarks.iter().filter(|node| !node.asked.is_empty()) {
         let asked = |quantity: &Quantity| node.asked.iter().any(|(of, _)| of == quantity);
         let rest = quantities(node.landmark).filter(|quantity| !asked(quantity)).count();
-        if rest > 0 {
-            let (symbol, weight) = (node.landmark.symbol(), node.weight.name());
-            lines.push(not_asked(format!("{rest} quantities of {symbol} {weight}")));
+        let (key, symbol) = ((node.weight, rest), node.landmark.symbol());
+        match partly.iter_mut().find(|(other, _)| *other == key) {
+            Some((_, symbols)) => symbols.push(symbol),
+            None => partly.push((key, vec![symbol])),
         }
+    }
+    for ((weight, rest), symbols) in partly.into_iter().filter(|((_, rest), _)| *rest > 0) {
+        let plural = if rest == 1 { "quantity" } else { "quantities" };
+        let (symbols, weight) = (list(symbols), weight.name());
+        lines.push(not_asked(format!("{rest} {plural} each of {symbols} {weight}")));
     }
     let arches = |without: &dyn Fn(&ArchNode) -> bool| {
         plan.arches.iter().filter(|node| without(node)).count()
