@@ -1,7 +1,7 @@
 # `make` builds couplet and prints the landmark constants; `make test` runs every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build test lint docs constants checker exporters bench peers proofs witness m4 coq
+.PHONY: run build test lint docs constants checker combinations crates examples exporters bench peers proofs witness m4 coq
 
 run: build
 	./target/release/couplet constants
@@ -10,23 +10,56 @@ build: m4
 	cargo build --release --locked
 
 test: m4
-	cargo test --locked
+	cargo test --locked --all-features
 
 lint: m4
 	cargo fmt --check
-	cargo clippy --all-targets --locked -- -D warnings
+	cargo clippy --all-targets --all-features --locked -- -D warnings
 
 docs: m4
-	RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --locked
+	RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --all-features --locked
 
 # The repository's certificates, 100 digits of every landmark; a test says whether they are up to date.
 constants: build
 	./target/release/couplet certify all --digits 100 --output proofs/constants
 
-# The checker of certificates alone, which must need neither GMP nor MPFR.
+# The checker of certificates alone, which must need neither GMP nor MPFR: `couplet check`, and its tests.
 checker:
-	cargo build --release --locked --no-default-features --features check --target-dir target/checker
-	@! cargo tree --locked --no-default-features --features check -e normal,build | grep -E "rug|gmp-mpfr"
+	cargo build --release --locked --no-default-features --features check,cli --target-dir target/checker
+	@! cargo tree --locked --no-default-features --features check,cli -e normal,build | grep -E "rug|gmp-mpfr"
+	cargo test --locked --no-default-features --features check,cli --target-dir target/checker
+
+# Every sensible build without a warning, and what must not be in it. One folder serves all of them, so
+# that no crate is compiled twice for the same features.
+COMBINATIONS := none check check,cli mpfr mpfr,check mpfr,cli mpfr,plots mpfr,proptest default default,plots,parquet,proptest
+COMMAND := clap|indicatif|ctrlc|tempfile|csv
+FIGURES := plotters|resvg
+combinations: m4
+	@set -e; for features in $(COMBINATIONS); do \
+	  echo "features: $$features"; \
+	  chosen="--locked --no-default-features --features=$$(echo $$features | sed s/none//)"; \
+	  cargo clippy $$chosen --all-targets --quiet --target-dir target/combinations -- -D warnings; \
+	  left_out="a-crate-that-is-not"; \
+	  case $$features in *mpfr*|*default*) ;; *) left_out="$$left_out|rug|gmp-mpfr-sys|rayon";; esac; \
+	  case $$features in *cli*|*default*) ;; *) left_out="$$left_out|$(COMMAND)";; esac; \
+	  case $$features in *plots*) ;; *) left_out="$$left_out|$(FIGURES)";; esac; \
+	  case $$features in *parquet*) ;; *) left_out="$$left_out|parquet";; esac; \
+	  case $$features in *proptest*) ;; *) left_out="$$left_out|proptest";; esac; \
+	  case $$features in none) left_out="$$left_out|serde|serde_json|thiserror";; esac; \
+	  if cargo tree $$chosen -e normal,build --prefix none | grep -E "^($$left_out) "; then \
+	    echo "couplet: a crate is in the build '$$features' that must not be" >&2; exit 1; \
+	  fi; \
+	done
+
+# The columns `crates` and `seconds` of the README's table of features: each build from nothing.
+crates: m4
+	@benches/crates.sh
+
+# The programs of examples/; each ends with what it asserts.
+examples: m4
+	for name in constant state identity own_solver; do \
+	  cargo run --locked --quiet --features proptest --example $$name || exit 1; \
+	done
 
 # The exported constants read back bit for bit by every language they are written for. `make test` does so
 # with those it finds; here the others are installed (but for Julia, which has no package), and Parquet too.

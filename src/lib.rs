@@ -10,92 +10,20 @@
 //! of symmetric circular masonry arches, Part II: Milankovitch-like self-weight distribution*
 //! (accepted preprint, 25 March 2025), "the paper" in all that follows.
 //!
-//! # A short tour
+//! # Features
 //!
-//! Every equation is written once, over a number type. In `f64` it is a quick look:
+//! | feature | what it adds |
+//! |---|---|
+//! | none | [`arch`], the equations, and [`number`] with `f64` and the pure-Rust intervals |
+//! | `check` (default) | [`check`](mod@check): the checker of certificates, pure Rust |
+//! | `mpfr` (default) | the engine: balls and exact numbers, [`symbolic`], [`solve`], [`certify`], [`claims`], [`study`]; brings `check`, and needs a C compiler and `m4` for GMP and MPFR |
+//! | `cli` (default) | the command, and [`report`], what it prints; brings `check`. A library does without |
+//! | `plots` | the figures of a study as SVG and PNG; brings `mpfr` |
+//! | `proptest` | [`strategies`]: arches for the property tests of a solver of your own; brings `mpfr` |
 //!
-//! ```
-//! use couplet::arch::{Ring, SelfWeight, thrust};
-//! use couplet::number::Angle;
-//!
-//! let ring = Ring::new(SelfWeight::Milankovitch, &0.1);
-//! let thrust = thrust::lower(&Angle::new(0.95), &ring).value();
-//! assert!((thrust - 0.63).abs() < 0.01);
-//! ```
-//!
-//! Over balls the same text encloses, over dual numbers it differentiates, over rationals it is
-//! exact:
-//!
-//! ```
-//! use couplet::arch::cubic;
-//! use couplet::number::{Angle, Ball};
-//! use rug::Rational;
-//!
-//! // Identity (8) at a rational point of the unit circle: exactly zero.
-//! let joint = Angle { rad: Rational::from((7, 5)), sin: (3, 5).into(), cos: (4, 5).into() };
-//! assert_eq!(cubic::link(&joint), 0);
-//!
-//! // And enclosed, at a real angle.
-//! let joint = Angle::new(Ball::integer(1, 200));
-//! assert!(cubic::link(&joint).contains(&Rational::from(0)));
-//! ```
-//!
-//! A landmark is a square system of equations. [`certify::CertifiedLandmark::new`] finds its root and
-//! proves it; there is no other way to get one:
-//!
-//! ```
-//! use couplet::arch::{Landmark, Quantity, SelfWeight};
-//! use couplet::certify::{CertifiedLandmark, Value};
-//!
-//! let triple = CertifiedLandmark::new(Landmark::Triple, SelfWeight::Milankovitch)?;
-//! let constants = triple.constants(30, &|| ())?;
-//! let thickness = constants.iter().find(|c| c.quantity == Quantity::Thickness).unwrap();
-//! let Value::Finite(digits) = &thickness.value else { panic!() };
-//! assert_eq!(digits.value.to_string(), "0.618318241074323446374432256517");
-//! # Ok::<(), couplet::certify::Undecided>(())
-//! ```
-//!
-//! And the state of any arch, from exact input:
-//!
-//! ```
-//! use couplet::arch::{Mode, SelfWeight};
-//! use couplet::certify::state::{Answer, Arch, Friction};
-//!
-//! let friction = Friction::Coefficient("0.38".parse()?);
-//! let arch = Arch::new(SelfWeight::Heyman, "pi/2".parse()?, friction)?;
-//! let Ok(Answer::Stands(state)) = arch.certify(12) else { panic!() };
-//! assert_eq!(state.mode, Mode::SlidingRotational);
-//! assert_eq!(state.thickness.decimal.value.to_string(), "0.122191586363");
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
-//!
-//! Over polynomials the same equations are formulas, and an identity is proved by its normal form:
-//!
-//! ```
-//! use couplet::arch::cubic;
-//! use couplet::number::Field;
-//! use couplet::symbolic::{Relations, Symbol, along_the_joint};
-//!
-//! let joint = Symbol::joint();
-//! let slope = (joint.rad.clone() * &joint.sin).derivative(&along_the_joint());
-//! let difference = slope - cubic::abbreviations(&joint).f;
-//! assert!(difference.vanishes(&Relations::trigonometric())); // (8): f = (beta S)'
-//! ```
-//!
-//! What is certified can be handed on with a proof that needs no solver to check:
-//!
-//! ```
-//! use couplet::arch::{Landmark, SelfWeight};
-//! use couplet::certify::certify_landmark;
-//! use couplet::check::check;
-//! use couplet::number::AstroInterval;
-//!
-//! let certificate = certify_landmark(Landmark::Border, SelfWeight::Heyman, 40)?;
-//! let file = serde_json::to_vec(&certificate)?;
-//! let accepted = check::<AstroInterval>(&file, 1000)?;
-//! assert_eq!(accepted.digits, 40);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
+//! A program that certifies: `couplet = { default-features = false, features = ["mpfr"] }`; one that
+//! checks what others have certified: `features = ["check"]`.
+#![cfg_attr(feature = "mpfr", doc = "", doc = include_str!("../docs/tour.md"))]
 //!
 //! # Where an equation is
 //!
@@ -126,22 +54,36 @@
 //! [`certify::state`].
 //!
 //! Taken on trust: the compiler, GMP and MPFR, the hardware, and that the equations describe masonry.
+// The page speaks of rooms that a smaller build does not have.
+#![cfg_attr(
+    not(all(feature = "mpfr", feature = "cli", feature = "proptest")),
+    allow(rustdoc::broken_intra_doc_links)
+)]
+#![warn(missing_docs)]
+
+/// The numbers of GMP and MPFR that balls are made of, in the version that this crate uses.
+#[cfg(feature = "mpfr")]
+pub use rug;
 
 pub mod arch;
-#[cfg(feature = "full")]
+#[cfg(feature = "mpfr")]
 pub mod certify;
+#[cfg(feature = "check")]
 pub mod check;
-#[cfg(feature = "full")]
+#[cfg(feature = "mpfr")]
 pub mod claims;
+#[cfg(feature = "cli")]
 pub mod cli;
 pub mod number;
-#[cfg(feature = "full")]
+#[cfg(all(feature = "mpfr", feature = "cli"))]
 pub mod report;
-#[cfg(feature = "full")]
+#[cfg(all(feature = "mpfr", feature = "cli"))]
 pub mod scene;
-#[cfg(feature = "full")]
+#[cfg(feature = "mpfr")]
 pub mod solve;
-#[cfg(feature = "full")]
+#[cfg(feature = "proptest")]
+pub mod strategies;
+#[cfg(feature = "mpfr")]
 pub mod study;
-#[cfg(feature = "full")]
+#[cfg(feature = "mpfr")]
 pub mod symbolic;

@@ -3,7 +3,7 @@
 use couplet::number::Decimal;
 use rug::Rational;
 use serde_json::Value;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 fn couplet(arguments: &[&str]) -> Output {
@@ -457,24 +457,26 @@ fn a_derivation_can_be_followed() {
 }
 
 #[test]
-fn a_study_writes_its_numbers_and_its_figure() {
+fn a_study_writes_its_numbers_and_what_figures_are_built_in() {
     let scratch = Scratch::new("study");
     let folder = scratch.path("out");
-    let table = stdout(&couplet(&[
-        "study",
-        "stability",
-        "--quick",
-        "--only",
-        "eta-to-two",
-        "--output",
-        &folder,
-    ]));
+    let output =
+        couplet(&["study", "stability", "--quick", "--only", "eta-to-two", "--output", &folder]);
+    let table = stdout(&output);
     assert!(table.contains("lost by the problem itself") && table.contains("(15) as printed"));
     let read = |name: &str| std::fs::read_to_string(format!("{folder}/{name}")).unwrap();
     let rows = read("stability.csv");
     assert_eq!(rows.matches(",proved").count(), 5, "{rows}");
     assert!(read("README.md").contains("study stability --quick --only eta-to-two"));
-    assert!(read("digits-lost.svg").starts_with("<svg"));
+    let figures = ["svg", "png"].map(|kind| Path::new(&folder).join(format!("digits-lost.{kind}")));
+    assert!(figures.iter().all(|figure| figure.exists() == cfg!(feature = "plots")));
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(said.is_empty(), cfg!(feature = "plots"), "{said}");
+    if cfg!(feature = "plots") {
+        assert!(read("digits-lost.svg").starts_with("<svg"));
+    } else {
+        assert!(said.lines().count() == 1 && said.contains("no figures"), "{said}");
+    }
     let table = stdout(&couplet(&["study", "accuracy", "--quick", "--only", "half-opening"]));
     assert!(table.contains("half-opening  certified balls"), "{table}");
     assert!(!table.contains("fail"), "{table}");

@@ -1,7 +1,6 @@
-//! The certificates in `proofs/constants` are those that the program makes, and are accepted.
+//! The certificates in `proofs/constants` are accepted, and are those that the program makes.
 
 use couplet::arch::{Landmark, SelfWeight};
-use couplet::certify::certify_landmark;
 use couplet::check::{Subject, check};
 use couplet::number::AstroInterval;
 use std::fs;
@@ -14,16 +13,19 @@ fn stored() -> Vec<PathBuf> {
 }
 
 #[test]
-fn every_landmark_has_an_accepted_and_fresh_certificate() {
+fn every_landmark_has_an_accepted_certificate() {
     let mut subjects: Vec<(Landmark, SelfWeight)> = Vec::new();
     for path in stored() {
         let text = fs::read_to_string(&path).unwrap();
         let accepted = check::<AstroInterval>(text.as_bytes(), 1000).unwrap();
         let Subject::Landmark(landmark) = accepted.claim.subject else { panic!("{path:?}") };
         let weight = accepted.claim.weight;
-        let made = certify_landmark(landmark, weight, accepted.digits).unwrap();
-        let made = serde_json::to_string_pretty(&made).unwrap() + "\n";
-        assert!(text == made, "{}: run `make constants`", path.display());
+        #[cfg(feature = "mpfr")]
+        {
+            let made = couplet::certify::certify_landmark(landmark, weight, 100).unwrap();
+            let made = serde_json::to_string_pretty(&made).unwrap() + "\n";
+            assert!(text == made, "{}: run `make constants`", path.display());
+        }
         assert_eq!(accepted.digits, 100);
         subjects.push((landmark, weight));
     }

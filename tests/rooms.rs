@@ -4,9 +4,19 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the top: what a room may use stands before it.
-const ROOMS: [&str; 11] = [
-    "number", "symbolic", "arch", "check", "solve", "certify", "claims", "study", "report",
-    "scene", "cli",
+const ROOMS: [&str; 12] = [
+    "number",
+    "symbolic",
+    "arch",
+    "check",
+    "solve",
+    "certify",
+    "claims",
+    "study",
+    "strategies",
+    "report",
+    "scene",
+    "cli",
 ];
 
 fn sources(folder: &Path) -> Vec<PathBuf> {
@@ -29,7 +39,10 @@ fn root() -> PathBuf {
 /// The code of a file without its unit tests and comments.
 fn code(path: &Path) -> String {
     let text = fs::read_to_string(path).unwrap();
-    let text = text.split("#[cfg(test)]\nmod tests").next().unwrap_or_default();
+    let mut text = text.as_str();
+    for condition in ["#[cfg(test)]", "#[cfg(all(test, feature = \"mpfr\"))]"] {
+        text = text.split(&format!("{condition}\nmod tests")).next().unwrap_or_default();
+    }
     text.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n")
 }
 

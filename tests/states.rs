@@ -395,6 +395,21 @@ proptest! {
     }
 }
 
+/// A thickness outside `(0, 2)` is none: nothing is said of it.
+#[test]
+fn an_impossible_thickness_is_a_doubt() {
+    for (thickness, question) in [
+        ("0", "whether the thickness is positive"),
+        ("-1/10", "whether the thickness is positive"),
+        ("2", "whether the thickness is below the limit 2"),
+        ("3", "whether the thickness is below the limit 2"),
+    ] {
+        let doubt = arch(H, "pi/2", "0.5").certify_thickness(&number(thickness), 6).unwrap_err();
+        assert_eq!(doubt.question, question, "{thickness}");
+    }
+    assert!(arch(H, "pi/2", "0.5").certify_thickness(&number("1.99"), 6).unwrap().stands);
+}
+
 /// Arches on which a comparison of the assessment is an exact tie that does not matter for the answer.
 #[test]
 fn exact_ties_do_not_hide_the_answer() {

@@ -171,7 +171,7 @@ pub fn growth<T: Field>(
     normal_term.clone() / at.thickness.int(2) + centroid
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "mpfr"))]
 mod tests {
     use super::*;
     use crate::number::{Angle, Dual};

@@ -106,7 +106,7 @@ pub fn radicand<T: Field>(at: &Abbreviations<T>, delta: &T) -> T {
     delta.clone() * (delta.clone() * first - second) - third
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "mpfr"))]
 mod tests {
     use super::*;
     use crate::arch::{Ring, SelfWeight, thrust};

@@ -35,7 +35,7 @@ pub fn end_of_rotation<T: Field>(ring: &Ring<T>) -> T {
     ring.intrados() - &ring.centroid_factor
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "mpfr"))]
 mod tests {
     use super::*;
     use crate::number::{ExactField, Surd};

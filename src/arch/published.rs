@@ -9,6 +9,7 @@ use SelfWeight::*;
 
 /// One printed number.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Printed {
     /// The table, section or figure caption.
     pub place: &'static str,

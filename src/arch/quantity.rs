@@ -4,6 +4,7 @@ use super::Unknown;
 
 /// A quantity of an arch state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Quantity {
     /// `eta = t/r`, thickness over centreline radius.
     Thickness,

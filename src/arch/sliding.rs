@@ -8,6 +8,9 @@ use crate::number::{Angle, Field};
 /// ```text
 /// mu = (h sin(alpha) - alpha cos(alpha)) / (h cos(alpha) + alpha sin(alpha))
 /// ```
+///
+/// `alpha` in `(0, pi)`, rad; `h` in units of `w r`, such that the normal force, the denominator, is
+/// positive. Negative where the shoulder would slide the other way.
 pub fn shoulder<T: Field>(half_opening: &Angle<T>, thrust: &T) -> Quotient<T> {
     Quotient {
         numerator: -statics::shear_force(half_opening, thrust),
@@ -20,6 +23,9 @@ pub fn shoulder<T: Field>(half_opening: &Angle<T>, thrust: &T) -> Quotient<T> {
 /// ```text
 /// h = alpha (cos(alpha) + mu sin(alpha)) / (sin(alpha) - mu cos(alpha))
 /// ```
+///
+/// `mu` is not negative; where `mu >= tan(alpha) > 0` the shoulder does not slide at any thrust and the
+/// value means nothing.
 pub fn shoulder_thrust<T: Field>(half_opening: &Angle<T>, friction: &T) -> Quotient<T> {
     let Angle { rad, sin, cos } = half_opening;
     Quotient {
@@ -34,6 +40,8 @@ pub fn shoulder_thrust<T: Field>(half_opening: &Angle<T>, friction: &T) -> Quoti
 /// ```text
 /// mu = ((1-h) cos(beta) - beta sin(beta)) / ((1-h) sin(beta) + beta cos(beta))
 /// ```
+///
+/// `beta` in `[0, pi/2)`, rad, and `h` in `[0, 1]`, in units of `w r`; infinite where both are zero.
 pub fn inner<T: Field>(joint: &Angle<T>, thrust: &T) -> Quotient<T> {
     let rest = thrust.int(1) - thrust;
     Quotient {
@@ -47,7 +55,7 @@ pub fn steepest<T: Field>(joint: &T, thrust: &T) -> T {
     joint.square() - (thrust.int(1) - thrust) * thrust
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "mpfr"))]
 mod tests {
     use super::*;
     use rug::Rational;

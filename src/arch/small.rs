@@ -239,7 +239,7 @@ pub fn arms<T: Field>(at: &Scaled<T>) -> (T, T) {
     (haunch.clone() + &depth, shoulder - haunch - depth)
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "mpfr"))]
 mod tests {
     use super::*;
     use crate::arch::{Configuration, contact, statics};

@@ -19,7 +19,8 @@ pub fn shear_force<T: Field>(joint: &Angle<T>, thrust: &T) -> T {
 /// The eccentricity `e` of the pressure point in the joint, in units of `r`, from the moments about
 /// the centre: `1 + e = (h (1 + e0) + fac_M (1 - cos(beta))) / N(beta)`.
 ///
-/// The line of thrust lies inside the arch where `|e| <= eta/2`.
+/// The line of thrust lies inside the arch where `|e| <= eta/2`. Undefined where the normal force is
+/// zero.
 pub fn eccentricity<T: Field>(
     joint: &Angle<T>,
     thrust: &T,

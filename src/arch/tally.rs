@@ -94,19 +94,19 @@ pub(crate) fn conditions(count: usize) {
 }
 
 /// Counts a landmark that is consulted.
-#[cfg(feature = "full")]
+#[cfg(feature = "mpfr")]
 pub(crate) fn landmark() {
     change(|tally| tally.landmarks += 1);
 }
 
 /// Counts a step of Newton's method.
-#[cfg(feature = "full")]
+#[cfg(feature = "mpfr")]
 pub(crate) fn newton_step() {
     change(|tally| tally.newton_steps += 1);
 }
 
 /// Notes a working precision.
-#[cfg(feature = "full")]
+#[cfg(feature = "mpfr")]
 pub(crate) fn working_bits(bits: u32) {
     change(|tally| tally.working_bits = tally.working_bits.max(bits));
 }

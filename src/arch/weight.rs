@@ -64,7 +64,7 @@ impl<T: Field> Ring<T> {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "mpfr"))]
 mod tests {
     use super::*;
     use rug::Rational;

@@ -13,6 +13,7 @@ const BITS: u32 = 256;
 
 /// A printed number beside the certified value.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Audited {
     /// What is printed, and where.
     pub printed: &'static Printed,
@@ -29,6 +30,7 @@ pub struct Audited {
 /// A claim of the paper: at a landmark, Milankovitch's weight gives a lower or a higher value than
 /// Heyman's.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Comparison {
     /// The landmark.
     pub landmark: Landmark,
@@ -78,7 +80,8 @@ pub fn enclosed(point: CertifiedLandmark) -> Result<Enclosed, Undecided> {
     Ok((point, refined))
 }
 
-/// Compares every printed number with its enclosure.
+/// Compares every printed number with its enclosure; undecided if a landmark cannot be proved or a
+/// comparison stays open.
 pub fn audit() -> Result<Vec<Audited>, Undecided> {
     audit_of(&all_enclosed(&Landmark::ALL)?)
 }
@@ -91,7 +94,7 @@ pub fn audit_of(points: &[Enclosed]) -> Result<Vec<Audited>, Undecided> {
 }
 
 /// Decides the paper's claims on the two weights at T, S, J and B: lower thickness, friction and half
-/// opening, higher thrust and joints for Milankovitch's weight.
+/// opening, higher thrust and joints for Milankovitch's weight. Undecided as [`audit`].
 pub fn compare_weights() -> Result<Vec<Comparison>, Undecided> {
     compare_weights_of(&all_enclosed(&COMPARED)?)
 }

@@ -26,7 +26,8 @@ const BITS: u32 = 64;
 /// A large box is tried with the scales `0.8^k`.
 const TRIALS: i32 = 800;
 
-/// A certificate of a landmark with `digits` digits of each of its quantities.
+/// A certificate of a landmark with `digits` significant digits of each of its quantities, 1 to
+/// [`MAX_DIGITS`](super::MAX_DIGITS); else, or if a proof fails, undecided.
 pub fn certify_landmark(
     landmark: Landmark,
     weight: SelfWeight,
@@ -49,7 +50,9 @@ pub fn certify_landmark(
     })
 }
 
-/// A certificate of the state of an arch at its least thickness, with `digits` digits of each value.
+/// A certificate of the state of an arch at its least thickness, with `digits` significant digits of
+/// each value, at least one. Undecided if the arch does not stand, if a comparison stays open, or if the
+/// friction is given as an angle: the format has the coefficient only.
 pub fn certify_state(arch: &Arch, digits: usize) -> Result<Certificate, Undecided> {
     let given = |x: &ExactNumber| Exact {
         numerator: x.factor().numer().to_string(),

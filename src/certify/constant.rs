@@ -25,6 +25,7 @@ pub struct CertifiedLandmark {
 
 /// A quantity of a landmark with its digits.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Constant {
     /// The self-weight model.
     pub weight: SelfWeight,
@@ -62,7 +63,8 @@ pub fn quantities(landmark: Landmark) -> impl Iterator<Item = Quantity> {
 }
 
 impl CertifiedLandmark {
-    /// Finds the landmark and proves that it exists and is unique in a box.
+    /// Finds the landmark and proves that it exists and is unique in a box; undecided if the proof fails,
+    /// which it does for none of [`Landmark::ALL`].
     pub fn new(landmark: Landmark, weight: SelfWeight) -> Result<Self, Undecided> {
         let system = landmark.system(weight);
         let candidate = newton(&system, start(landmark, weight), 64)
@@ -90,7 +92,8 @@ impl CertifiedLandmark {
         &self.isolated
     }
 
-    /// An enclosure of all variables to about `bits` bits.
+    /// An enclosure of all variables to about `bits` bits (and never fewer than 256);
+    /// undecided if the proof fails at that precision.
     pub fn enclosure(&self, bits: u32) -> Result<Refined, Undecided> {
         refine(&self.isolated, bits)
     }
@@ -124,7 +127,8 @@ impl CertifiedLandmark {
         }
     }
 
-    /// All quantities of the landmark, correctly rounded to `digits` significant digits.
+    /// All quantities of the landmark, correctly rounded to `digits` significant digits, 1 to
+    /// [`MAX_DIGITS`]; else, or if a rounding stays open, undecided.
     ///
     /// `tick` is called [`CertifiedLandmark::ticks`] times on the way.
     pub fn constants(

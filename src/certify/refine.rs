@@ -68,7 +68,8 @@ impl Refined {
     }
 }
 
-/// Encloses the isolated root to about `bits` bits.
+/// Encloses the isolated root to about `bits` bits; undecided if Newton's method does not settle or the
+/// last step is not contracted into the box of uniqueness.
 pub fn refine(isolated: &Isolated, bits: u32) -> Result<Refined, Undecided> {
     refine_watched(isolated, bits, &|| ())
 }

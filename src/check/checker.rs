@@ -39,7 +39,8 @@ const GUARD: usize = 64;
 /// The largest number of digits of any certificate.
 pub const MAX_DIGITS: usize = 1_000_000;
 
-/// Checks the bytes of a file in the arithmetic `E`, up to `max_digits` digits.
+/// Checks the bytes of a file in the arithmetic `E`, up to `max_digits` digits and never more than
+/// [`MAX_DIGITS`]. Whatever the bytes are, the answer is a verdict: a [`Refusal`] names the place.
 pub fn check<E: Engine>(bytes: &[u8], max_digits: usize) -> Result<Accepted, Refusal> {
     check_certificate::<E>(&Certificate::read(bytes)?, max_digits)
 }

@@ -6,7 +6,8 @@ use crate::arch::{Configuration, Equation, Mode, SelfWeight, contact, sliding, s
 use crate::number::{Angle, Enclosure, Ternary};
 
 /// What has to be positive: the admissibility of the whole half arch, and the least thickness. What is
-/// zero by the equations of the mode is not listed. Without `friction` it is taken as unlimited.
+/// zero by the equations of the mode is not listed. Without `friction` it is taken as unlimited. `at` has
+/// angles in radians, lengths in `r` and the thrust in `w r`; each margin comes with what it says.
 pub fn conditions<E: Enclosure>(
     weight: SelfWeight,
     mode: Mode,

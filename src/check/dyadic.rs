@@ -19,6 +19,7 @@ pub const MAX_EXPONENT: i32 = 10_000_000;
 
 /// Why a text is not an exact binary number.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ParseDyadicError {
     /// Not `[-]0x<hexadecimal digits>p<exponent>`.
     #[error("it is not of the form -0x1f3p-12")]
@@ -130,6 +131,8 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
+        #![proptest_config(crate::number::test_config::config(256))]
+
         #[test]
         fn text_and_back_loses_nothing(
             negative in any::<bool>(), words in prop::collection::vec(any::<u64>(), 0..6), exponent in -9999i32..9999,

@@ -23,7 +23,7 @@ impl Engine for AstroInterval {
     }
 }
 
-#[cfg(feature = "full")]
+#[cfg(feature = "mpfr")]
 mod mpfr {
     use super::{Dyadic, Engine};
     use crate::number::{Ball, Magnitude};

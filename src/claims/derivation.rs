@@ -8,6 +8,7 @@ use rug::Rational;
 
 /// A formula in both notations.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Formula {
     /// For a terminal.
     pub text: String,
@@ -42,6 +43,7 @@ impl From<&Fraction> for Formula {
 
 /// What a step rests on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Support {
     /// It is assumed.
     Hypothesis,
@@ -70,6 +72,7 @@ impl Support {
 
 /// One line of a derivation.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Step {
     /// What it rests on.
     pub support: Support,

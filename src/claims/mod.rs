@@ -73,6 +73,7 @@ pub enum Finding {
 
 /// How a claim was decided.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Decision {
     /// The claim.
     pub claim: Claim,

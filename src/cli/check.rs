@@ -26,29 +26,29 @@ pub struct Arguments {
 #[derive(Clone, Copy)]
 enum EngineChoice {
     Astro,
-    #[cfg(feature = "full")]
+    #[cfg(feature = "mpfr")]
     Mpfr,
 }
 
 fn engine(text: &str) -> Result<EngineChoice, String> {
     match text {
         "astro" => Ok(EngineChoice::Astro),
-        #[cfg(feature = "full")]
+        #[cfg(feature = "mpfr")]
         "mpfr" => Ok(EngineChoice::Mpfr),
-        #[cfg(not(feature = "full"))]
+        #[cfg(not(feature = "mpfr"))]
         "mpfr" => Err("mpfr is not built in; the arithmetic is astro".into()),
         _ => Err("an arithmetic is one of astro, mpfr".into()),
     }
 }
 
 /// The commands of the small program.
-#[cfg(not(feature = "full"))]
+#[cfg(not(feature = "mpfr"))]
 #[derive(clap::Subcommand)]
 pub enum Command {
     Check(Arguments),
 }
 
-#[cfg(not(feature = "full"))]
+#[cfg(not(feature = "mpfr"))]
 impl Command {
     /// What to say to someone who names another.
     pub const NAMES: &str = "; this build has the command check only";
@@ -93,7 +93,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 fn checked(bytes: &[u8], engine: EngineChoice) -> Result<Accepted, Refusal> {
     match engine {
         EngineChoice::Astro => check::<AstroInterval>(bytes, ASTRO_DIGITS),
-        #[cfg(feature = "full")]
+        #[cfg(feature = "mpfr")]
         EngineChoice::Mpfr => check::<crate::number::Ball>(bytes, crate::check::MAX_DIGITS),
     }
 }

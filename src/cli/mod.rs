@@ -4,15 +4,15 @@
 //! usage or input; 3 a resource or I/O failure.
 
 mod check;
-#[cfg(feature = "full")]
+#[cfg(feature = "mpfr")]
 mod commands;
 
 use clap::Parser;
 use std::process::ExitCode;
 
-#[cfg(not(feature = "full"))]
+#[cfg(not(feature = "mpfr"))]
 use check::Command;
-#[cfg(feature = "full")]
+#[cfg(feature = "mpfr")]
 use commands::Command;
 
 /// Certified constants of the finite-friction Couplet–Heyman problem: how thin a circular masonry
@@ -32,7 +32,7 @@ Exit codes: 0 everything asked was proved; 1 something was refuted, refused or u
 #[derive(Debug, thiserror::Error)]
 enum Failure {
     /// The input makes no sense.
-    #[cfg(feature = "full")]
+    #[cfg(feature = "mpfr")]
     #[error("{0}")]
     Input(String),
     /// Not everything could be proved; what could has been printed.
@@ -55,7 +55,7 @@ pub fn run() -> ExitCode {
             eprintln!("couplet: {failure}");
             ExitCode::from(match failure {
                 Failure::Undecided(_) => 1,
-                #[cfg(feature = "full")]
+                #[cfg(feature = "mpfr")]
                 Failure::Input(_) => 2,
                 Failure::Io(_) => 3,
             })

@@ -158,7 +158,7 @@ impl<T: Field> Div<&Dual<T>> for Dual<T> {
 
 owned_operators!([T: Field] Dual<T>);
 
-#[cfg(test)]
+#[cfg(all(test, feature = "mpfr"))]
 mod tests {
     use super::*;
     use rug::Rational;

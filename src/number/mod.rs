@@ -36,14 +36,14 @@ macro_rules! owned_operators {
     };
 }
 
-#[cfg(feature = "full")]
+#[cfg(feature = "mpfr")]
 pub(crate) use owned_operators;
 
 mod angle;
 mod astro;
 mod double;
 mod dual;
-#[cfg(feature = "full")]
+#[cfg(feature = "mpfr")]
 mod gmp;
 mod stumpff;
 mod ternary;
@@ -51,13 +51,13 @@ mod ternary;
 pub use angle::Angle;
 pub use astro::AstroInterval;
 pub use dual::Dual;
-#[cfg(feature = "full")]
+#[cfg(feature = "mpfr")]
 pub use gmp::{
     Anchor, Ball, Binary, Decimal, ExactNumber, Magnitude, ParseDecimalError, ParseExactError,
     Rounded, Surd, arctangent, bits_of, rational_like,
 };
 pub use stumpff::Stumpff;
-#[cfg(feature = "full")]
+#[cfg(feature = "mpfr")]
 pub(crate) use stumpff::terms as stumpff_terms;
 pub use ternary::Ternary;
 
@@ -149,7 +149,7 @@ pub trait Enclosure: Real {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "check"))]
 pub(crate) mod test_config {
     use proptest::test_runner::{Config, RngSeed};
 

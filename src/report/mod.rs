@@ -26,6 +26,7 @@ use std::io;
 
 /// An output format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Format {
     /// For a person.
     Table,

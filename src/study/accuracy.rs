@@ -18,6 +18,7 @@ use rug::{Float, Rational};
 use std::time::Duration;
 
 /// A problem with its names and the numbers from which every method starts.
+#[non_exhaustive]
 pub struct Case {
     /// The kind of quantity.
     pub quantity: &'static str,
@@ -33,6 +34,7 @@ pub struct Case {
 
 /// How much is measured.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Effort {
     /// Precisions in bits.
     pub bits: &'static [u32],

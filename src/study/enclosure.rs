@@ -64,8 +64,7 @@ pub fn enclose_at<E: Engine>(problem: &Problem, centre: &[Float], bits: u32) -> 
     })
 }
 
-/// The distance of a value from an enclosure of the truth, relative to it: at least and at most, as
-/// binary logarithms rounded outward are not needed, a double rounded up is enough.
+/// An upper bound of the distance of a value from the truth, which `truth` encloses.
 pub fn error(value: &Float, truth: &Ball) -> Errors {
     let bits = truth.prec().max(value.prec()) + 64;
     let difference = Ball::exact(value.clone(), bits) - truth;
@@ -93,6 +92,7 @@ fn decimal_exponent((mantissa, exponent): (f64, i32)) -> f64 {
 /// How far a value is from the truth. Sizes are decimal logarithms, as errors of `10^-20000` occur;
 /// minus infinity is exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Errors {
     /// `log10 |value - truth|`.
     pub absolute: f64,

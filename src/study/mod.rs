@@ -9,21 +9,24 @@
 //! | `stability` | ladders of distances towards each limit |
 //! | `enclosure` | the truth: a proved box at a higher precision; and the error of a value |
 //! | `row` | what is measured of one method on one case |
-//! | `figure` | it as figures |
+//! | `figure` | it as figures (feature `plots`) |
 //!
 //! Every error is the distance to a certified enclosure, never to another float.
 
 pub mod accuracy;
+#[cfg(feature = "plots")]
 pub mod accuracy_figures;
 pub mod closed;
 pub mod condition;
 pub mod double_double;
 pub mod enclosure;
+#[cfg(feature = "plots")]
 pub mod figure;
 pub mod newton;
 mod problem;
 pub mod row;
 pub mod stability;
+#[cfg(feature = "plots")]
 pub mod stability_figure;
 pub mod static_programme;
 

@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 
 /// One measurement. Empty where a column does not apply.
 #[derive(Clone, Debug, Default, Serialize)]
+#[non_exhaustive]
 pub struct Row {
     /// The kind of quantity: `eta-cubic`, `landmark`, `state`, …
     pub quantity: String,

@@ -24,6 +24,7 @@ use std::time::Duration;
 
 /// One method on one rung.
 #[derive(Clone, Debug, Default, Serialize)]
+#[non_exhaustive]
 pub struct Rung {
     /// Which limit.
     pub limit: &'static str,
@@ -49,6 +50,7 @@ pub struct Rung {
 }
 
 /// A limit with the problem at each distance from it.
+#[non_exhaustive]
 pub struct Limit {
     /// A short name.
     pub name: &'static str,
@@ -297,20 +299,22 @@ impl Target {
 
     /// The output by Newton's method on the equations in scaled variables, in numbers of `bits` bits.
     fn scaled(&self, bits: u32) -> Option<Float> {
-        let (mode, half_opening, start): (_, _, fn(&Float) -> Option<[Float; 3]>) = match self {
+        let (mode, half_opening) = match self {
             Self::State { mode: Mode::Rotational, half_opening, .. } => {
-                (Mode::Rotational, half_opening, |y| start_state::scaled_rotational(WEIGHT, y))
+                (Mode::Rotational, half_opening)
             }
-            Self::Sliding { half_opening } => {
-                (Mode::Sliding, half_opening, |y| Some(start_state::scaled_sliding(y)))
-            }
+            Self::Sliding { half_opening } => (Mode::Sliding, half_opening),
             _ => return None,
         };
         let (unknowns, equations) = mode.system();
         let alpha = Float::with_val(bits, half_opening);
         let y = alpha.clone().square();
+        let start = match mode {
+            Mode::Sliding => start_state::scaled_sliding(&y),
+            _ => start_state::scaled_rotational(WEIGHT, &y)?,
+        };
         let given = Scaled::new(&Dual::constant(y.clone()));
-        let root = settle(start(&y)?.to_vec(), |x| {
+        let root = settle(start.to_vec(), |x| {
             let variables = unknowns.iter().zip(x).enumerate();
             let at = variables.fold(given.clone(), |at, (index, (&u, x))| {
                 at.with(u, Dual::variable(x.clone(), index))

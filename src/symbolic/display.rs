@@ -6,6 +6,7 @@ use std::fmt;
 
 /// How a formula is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Notation {
     /// For a terminal: `3 S eta^2`.
     Text,

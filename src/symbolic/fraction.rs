@@ -68,7 +68,8 @@ impl Fraction {
         relations.normal_form(&self.numerator).is_zero()
     }
 
-    /// The fraction with another number in place of each symbol.
+    /// The fraction with another number in place of each symbol. Where the denominator vanishes there the
+    /// answer is that of the number's own division by zero.
     pub fn evaluate<T: Field>(&self, like: &T, value: impl Fn(super::Symbol) -> T) -> T {
         self.numerator.evaluate(like, &value) / self.denominator.evaluate(like, &value)
     }

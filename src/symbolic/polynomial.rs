@@ -192,7 +192,7 @@ impl Polynomial {
     }
 
     /// The derivation that takes each symbol listed to the polynomial beside it and every other
-    /// symbol to zero. With [`ALONG_THE_JOINT`](super::along_the_joint) it is `d/d beta`.
+    /// symbol to zero. With the rules of [`along_the_joint`](super::along_the_joint) it is `d/d beta`.
     pub fn derivative(&self, rules: &[(Symbol, Self)]) -> Self {
         rules
             .iter()

@@ -9,6 +9,7 @@ use crate::symbolic::{Fraction, Polynomial};
 /// [relation](super::Relations); so is a square root. The order of the variants is the order in
 /// which a polynomial is sorted: what it is solved for comes first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum Symbol {
     /// `A = alpha cot(alpha/2)`.
     OpeningVariable,

@@ -10,11 +10,17 @@ use couplet::report::{StateOf, StateReport};
 const HOSTILE: &str =
     "pi/2 */ \"\"\" ' \" \\ \n\r%} =# -- $(x) ??/\n \\input{/etc/passwd} # ! & \u{2028}";
 
+/// Something that cannot be told: an arch thicker than twice its radius.
+fn doubt() -> Doubt {
+    let arch = Arch::new(SelfWeight::Heyman, "pi/2".parse().unwrap(), Friction::Infinite).unwrap();
+    arch.certify_thickness(&"3".parse().unwrap(), 10).unwrap_err()
+}
+
 fn export() -> Export {
     let friction = Friction::Coefficient("0.38".parse().unwrap());
     let arch = Arch::new(SelfWeight::Heyman, "pi/2".parse().unwrap(), friction).unwrap();
     let Ok(Answer::Stands(state)) = arch.certify(40) else { panic!() };
-    let doubt = Doubt { question: "the rounding", between: Vec::new(), gap: f64::NAN };
+    let doubt = doubt();
     let report = |outcome| StateReport {
         weight: SelfWeight::Heyman,
         half_opening: HOSTILE.into(),
@@ -47,7 +53,7 @@ fn only_what_is_proved_has_values() {
     for format in [ExportFormat::C, ExportFormat::Rust, ExportFormat::Python, ExportFormat::Julia] {
         let text = text(format);
         assert!(text.contains("STATE_2_THICKNESS") && !text.contains("STATE_4"), "{text}");
-        assert!(text.contains("undecided, no values: the rounding"), "{text}");
+        assert!(text.contains(&format!("undecided, no values: {}", doubt().question)), "{text}");
         assert!(text.contains("proved, no values: sliding"), "{text}");
         assert!(text.contains("refused, no values: pi/2"), "{text}");
     }

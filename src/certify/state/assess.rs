@@ -18,7 +18,7 @@
 
 use super::choice::{Fall, Outcome, hull};
 use super::inquiry::Inquiry;
-use super::question::{Attempt, Query, decide, require};
+use super::question::{Arch, Attempt, Query, decide, require};
 use crate::arch::{Equation, Mode, Ring, Unknown, contact, sliding, thrust};
 use crate::check::inner_friction;
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Real, Ternary};
@@ -27,6 +27,7 @@ use rug::Float;
 
 /// What is certain of an arch of a given thickness.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Assessment {
     /// Whether it stands.
     pub stands: bool,
@@ -44,6 +45,7 @@ pub struct Assessment {
 
 /// An end of the range of admissible thrusts.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Limit {
     /// The thrust; `None` if there is no bound.
     pub thrust: Option<Ball>,
@@ -53,6 +55,7 @@ pub struct Limit {
 
 /// What limits a thrust.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum Touch {
     /// The line of thrust touches the intrados at this joint.
     Haunch(Ball),
@@ -104,8 +107,16 @@ pub enum Wanted {
     Everything,
 }
 
+impl Arch {
+    /// Proves what holds for the arch with a given thickness `t/r`, with numbers of `bits` bits, at
+    /// least one. The doubt is what these could not tell, or that the thickness is not in `(0, 2)`.
+    pub fn assess(&self, thickness: &ExactNumber, bits: u32) -> Attempt<Assessment> {
+        Inquiry::new(self, 1, false).assessment(thickness, bits, Wanted::Everything)
+    }
+}
+
 impl Inquiry<'_> {
-    /// Proves what holds for the arch with a given thickness, in `(0, 2)`, with numbers of `bits` bits.
+    /// The same, as far as it is wanted, with what the inquiry knows already.
     pub(super) fn assessment(
         &mut self,
         thickness: &ExactNumber,
@@ -113,6 +124,8 @@ impl Inquiry<'_> {
         wanted: Wanted,
     ) -> Attempt<Assessment> {
         let eta = thickness.enclosure(bits);
+        require(&eta, "whether the thickness is positive", BETWEEN)?;
+        require(&(eta.int(2) - &eta), "whether the thickness is below the limit 2", BETWEEN)?;
         let (least_thickness, stands) = match self.outcome(bits)? {
             Outcome::Falls(fall) => (Err(fall), false),
             Outcome::Stands(state) => {

@@ -31,6 +31,7 @@ pub enum Fall {
 
 /// The state at the least thickness: enclosures, all proved.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct State {
     /// How it collapses.
     pub mode: Mode,
@@ -72,7 +73,9 @@ struct Rotation {
 }
 
 impl Arch {
-    /// Proves the state with numbers of `bits` bits.
+    /// Proves the state with numbers of `bits` bits, at least one: 64 are enough for an ordinary arch,
+    /// more are lost where [`Arch::bits_lost`] says so. The doubt is what these could not tell; more
+    /// bits may.
     pub fn state(&self, bits: u32) -> Attempt<Outcome> {
         Query::new(self, bits).outcome(Asked::Frictions)
     }

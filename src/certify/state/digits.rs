@@ -19,6 +19,7 @@ pub enum Answer {
 
 /// A proved value: decimal digits with bounds, and the nearest double.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Figure {
     /// Correctly rounded, with outward bounds.
     pub decimal: Rounded,
@@ -30,6 +31,7 @@ pub struct Figure {
 
 /// The values of a proved state, correctly rounded.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Digits {
     /// How it collapses.
     pub mode: Mode,
@@ -55,6 +57,7 @@ pub(super) const GUARD: u32 = 48;
 
 /// What is certain of an arch of a given thickness, correctly rounded.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct AssessmentDigits {
     /// Whether it stands.
     pub stands: bool,
@@ -72,6 +75,7 @@ pub struct AssessmentDigits {
 
 /// An end of the range of admissible thrusts, correctly rounded.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct LimitDigits {
     /// The thrust; `None` if there is no bound.
     pub thrust: Option<Figure>,
@@ -83,7 +87,9 @@ pub struct LimitDigits {
 
 impl Arch {
     /// Proves the state and rounds it to `digits` significant digits, raising the precision until
-    /// every comparison and every rounding is decided. The doubt that stays is the answer otherwise.
+    /// every comparison and every rounding is decided. `digits` is at least one. The doubt that stays
+    /// is the answer otherwise: the query lies on a boundary, or nearer to one than 8192 bits or four
+    /// times those of the digits can tell.
     pub fn certify(&self, digits: usize) -> Result<Answer, Doubt> {
         Inquiry::new(self, digits, true).state(digits, true)
     }
@@ -94,7 +100,8 @@ impl Arch {
         Inquiry::new(self, digits, false).state(digits, false)
     }
 
-    /// Proves what holds for the arch with a given thickness, in `(0, 2)`, in the same way.
+    /// Proves what holds for the arch with a given thickness `t/r` in `(0, 2)`, in the same way; any other
+    /// thickness is a doubt.
     pub fn certify_thickness(
         &self,
         thickness: &ExactNumber,
@@ -165,7 +172,8 @@ impl Assessment {
 }
 
 impl Figure {
-    /// The value of a ball, if the ball decides it.
+    /// The value of a ball to `digits` significant digits, at least one; `None` if the ball is too wide to
+    /// decide them or the double.
     pub fn new(x: &Ball, digits: usize) -> Option<Self> {
         let decimal = match x.mid().is_zero() && x.rad().is_zero() {
             true => Rounded::from_rational(&Rational::new(), digits)?,

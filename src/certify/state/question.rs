@@ -30,6 +30,7 @@ pub struct Arch {
 
 /// Why an arch is refused.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ArchError {
     /// The half opening is not between 0 and pi.
     #[error("the half opening {0} is not between 0 and pi (180deg)")]
@@ -44,6 +45,7 @@ pub enum ArchError {
 
 /// A comparison that is not decided at some precision.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Doubt {
     /// What could not be told.
     pub question: &'static str,
@@ -74,7 +76,8 @@ pub fn is_thickness(thickness: &ExactNumber) -> bool {
 }
 
 impl Arch {
-    /// An arch, if its half opening and friction make sense.
+    /// An arch, if its half opening is in `(0, pi)`, in radians, and its friction coefficient in
+    /// `[0, inf)` or its friction angle in `[0, pi/2]`, in radians; pi/2 is [`Friction::Infinite`].
     pub fn new(
         weight: SelfWeight,
         half_opening: ExactNumber,

@@ -1,4 +1,4 @@
-//! The commands of the full program.
+//! The commands of the whole program.
 
 mod arch;
 mod assess;

@@ -40,7 +40,7 @@ struct Options {
     #[arg(long)]
     quick: bool,
 
-    /// Write raw numbers, figures and a README into a folder.
+    /// Write raw numbers, a README and, where they are built in (feature plots), figures into a folder.
     #[arg(long, value_name = "FOLDER")]
     output: Option<PathBuf>,
 }
@@ -133,6 +133,9 @@ impl Folder {
         for (name, bytes) in &files.0 {
             let output = Output::open(Some(&folder.join(name)))?;
             output.write(|out| out.write_all(bytes))?;
+        }
+        if !cfg!(feature = "plots") {
+            eprintln!("couplet: no figures: they are left out of this build (feature plots)");
         }
         Ok(())
     }

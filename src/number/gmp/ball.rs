@@ -18,7 +18,8 @@ use std::cmp::Ordering;
 use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// All real numbers within `radius` of `midpoint`.
+/// All real numbers within `radius` of `midpoint`. A precision is a number of bits, at least one: MPFR
+/// knows no fewer.
 #[derive(Clone)]
 pub struct Ball {
     mid: Float,

@@ -30,6 +30,7 @@ pub struct Rounded {
 
 /// Why a text is not a decimal number.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ParseDecimalError {
     /// Not digits with at most one point, a sign and an exponent.
     #[error("'{0}' is not a decimal number")]

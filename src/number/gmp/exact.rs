@@ -24,6 +24,7 @@ const MAX_BITS: u32 = 3_330;
 
 /// Why a text is not an exact number.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ParseExactError {
     /// None of the forms that are read.
     #[error(
@@ -49,7 +50,8 @@ impl ExactNumber {
         Self { factor, times_pi: false, text }
     }
 
-    /// The angle of so many degrees, in radians: `value pi / 180`.
+    /// The angle of so many degrees, in radians: `value pi / 180`. For a rational number; a multiple of
+    /// pi has its unit already.
     pub fn degrees(&self) -> Self {
         let factor = Rational::from(&self.factor / 180);
         Self { factor, times_pi: true, text: format!("{}deg", self.text) }
@@ -84,7 +86,7 @@ impl ExactNumber {
         found.filter(|x| x.is_finite())
     }
 
-    /// An enclosure of `prec` bits.
+    /// An enclosure of `prec` bits, at least one.
     pub fn enclosure(&self, prec: u32) -> Ball {
         let factor = Ball::enclosing(&self.factor, prec);
         if self.times_pi { factor.pi() * factor } else { factor }

@@ -9,6 +9,7 @@ use std::io;
 
 /// An output format for claims.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum ClaimFormat {
     /// For a person at a terminal.
     Text,

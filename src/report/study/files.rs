@@ -1,9 +1,10 @@
-//! The files of a study: raw numbers as CSV, and a README with what they mean and where they come from.
+//! The files of a study: raw numbers as CSV, a README with what they mean and where they come from, and
+//! the figures where they are built in.
 
-use crate::study::figure::Figure;
 use crate::study::row::Row;
 use crate::study::stability::Rung;
-use crate::study::{accuracy_figures, stability_figure};
+#[cfg(feature = "plots")]
+use crate::study::{accuracy_figures, figure::Figure, stability_figure};
 use serde::Serialize;
 use std::process::Command;
 
@@ -13,34 +14,34 @@ pub struct StudyFiles(pub Vec<(String, Vec<u8>)>);
 impl StudyFiles {
     /// The files of `couplet study accuracy`.
     pub fn accuracy(rows: &[Row], command: &str) -> Self {
-        let mut files = vec![
+        let files = vec![
             ("accuracy.csv".into(), table(rows)),
             ("README.md".into(), readme("Error against run time", command, ACCURACY)),
         ];
-        for (name, figure) in accuracy_figures::figures(rows) {
-            files.extend(drawn(name, &figure));
-        }
+        #[cfg(feature = "plots")]
+        let files = [files, drawn(accuracy_figures::figures(rows))].concat();
         Self(files)
     }
 
     /// The files of `couplet study stability`.
     pub fn stability(rungs: &[Rung], command: &str) -> Self {
-        let mut files = vec![
+        let files = vec![
             ("stability.csv".into(), table(rungs)),
             ("README.md".into(), readme("Digits lost towards the limits", command, STABILITY)),
         ];
-        files.extend(drawn("digits-lost", &stability_figure::figure(rungs)));
+        #[cfg(feature = "plots")]
+        let files = [files, drawn(vec![("digits-lost", stability_figure::figure(rungs))])].concat();
         Self(files)
     }
 }
 
-/// The figure as SVG and, where that is built in, as PNG.
-fn drawn(name: &str, figure: &Figure) -> Vec<(String, Vec<u8>)> {
-    vec![
-        (format!("{name}.svg"), figure.svg().into_bytes()),
-        #[cfg(feature = "png")]
-        (format!("{name}.png"), figure.png()),
-    ]
+/// Each figure as SVG and as PNG.
+#[cfg(feature = "plots")]
+fn drawn(figures: Vec<(&str, Figure)>) -> Vec<(String, Vec<u8>)> {
+    let files = |(name, figure): (&str, Figure)| {
+        [(format!("{name}.svg"), figure.svg().into_bytes()), (format!("{name}.png"), figure.png())]
+    };
+    figures.into_iter().flat_map(files).collect()
 }
 
 fn table<T: Serialize>(rows: &[T]) -> Vec<u8> {

@@ -88,7 +88,8 @@ pub fn seems_to_rotate(weight: SelfWeight, alpha: &Float) -> bool {
     *alpha < Curve::of(weight).end
 }
 
-/// `beta_r`, `eta`, `h` of the purely rotational state at a half opening below that of `l`.
+/// A candidate: `beta_r` (rad), `eta`, `h` of the purely rotational state at a half opening (rad) above
+/// zero and below that of `l`.
 pub fn rotational(weight: SelfWeight, alpha: &Float) -> [Float; 3] {
     let bits = alpha.prec();
     if let (true, Some(series)) = (*alpha < SMALL, Small::of(weight)) {
@@ -105,7 +106,7 @@ pub fn rotational(weight: SelfWeight, alpha: &Float) -> [Float; 3] {
     [beta, eta * alpha.powi(4), h.max(LEAST_JOINT)].map(|x| Float::with_val(bits, x))
 }
 
-/// `beta_r`, `eta`, `h` where the curve of rotational states has the thrust `h`.
+/// A candidate: `beta_r`, `eta`, `h` where the curve of rotational states has the thrust `h`.
 pub fn rotational_with_thrust(weight: SelfWeight, h: &Float) -> [Float; 3] {
     let bits = h.prec();
     // 1 - h = alpha²/6 for small openings.
@@ -120,7 +121,7 @@ pub fn rotational_with_thrust(weight: SelfWeight, h: &Float) -> [Float; 3] {
     [beta, eta, h.clone()]
 }
 
-/// `beta_r`, `h` where the curve of rotational states has the thickness `eta`, below that of `l`.
+/// A candidate: `beta_r`, `h` where the curve of rotational states has the thickness `eta`, below that of `l`.
 pub fn rotational_with_thickness(weight: SelfWeight, eta: &Float) -> [Float; 2] {
     let bits = eta.prec();
     // eta = alpha⁴/48 for small openings.

@@ -7,6 +7,7 @@ use crate::arch::{Mode, SelfWeight};
 
 /// A state as doubles: a quick look, of which nothing is certain.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct QuickState {
     /// How it seems to collapse; `None` if nothing seems to stand.
     pub mode: Option<Mode>,

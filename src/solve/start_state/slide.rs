@@ -3,7 +3,7 @@
 use rug::Float;
 use rug::float::Constant;
 
-/// The thrust and the sliding joint at which an inner joint just slides: `h = sin²θ` with
+/// A candidate for a positive friction: the thrust and the sliding joint (rad) at which an inner joint just slides: `h = sin²θ` with
 /// `θ + sin θ cos θ = acot(mu)`, which is (18) with `beta_s = sin θ cos θ`.
 pub fn inner_sliding(friction: &Float) -> [Float; 2] {
     let bits = friction.prec();
@@ -22,7 +22,7 @@ pub(super) fn slope_angle(target: f64) -> f64 {
     zero(0.0, right, 0.5 * target, |t| (t + t.sin() * t.cos() - target, 2.0 * t.cos().powi(2)))
 }
 
-/// `mu`, `h`, `beta_s` of the purely sliding state at a half opening.
+/// A candidate: `mu`, `h`, `beta_s` (rad) of the purely sliding state at a half opening in `(0, pi)`, rad.
 pub fn sliding(alpha: &Float) -> [Float; 3] {
     let bits = alpha.prec();
     let square = Float::with_val(bits, alpha.square_ref());

@@ -12,7 +12,7 @@ pub struct InnerStart {
     pub joint: Option<f64>,
 }
 
-/// The thickness at a half opening and a thrust that the sliding of an inner joint fixes.
+/// A candidate: the thickness at a half opening (rad) and a thrust that the sliding of an inner joint fixes.
 pub fn rotational_sliding(weight: SelfWeight, alpha: f64, h: f64) -> InnerStart {
     let delta = f64::from(weight.flag());
     let (sin, cos) = alpha.sin_cos();

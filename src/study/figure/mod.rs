@@ -1,4 +1,4 @@
-//! Figures: panels of labelled lines, as SVG and, with the feature `png`, as PNG.
+//! Figures: panels of labelled lines, as SVG and as PNG.
 //!
 //! | file | what it does |
 //! |---|---|
@@ -15,7 +15,6 @@
 mod canvas;
 mod ink;
 mod panel;
-#[cfg(feature = "png")]
 mod png;
 mod scale;
 mod spread;
@@ -142,7 +141,6 @@ impl Figure {
     }
 
     /// The figure as a PNG file, one pixel a unit of the SVG.
-    #[cfg(feature = "png")]
     pub fn png(&self) -> Vec<u8> {
         png::render(&self.svg())
     }

@@ -33,6 +33,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(crate::number::test_config::config(256))]
+
         #[test]
         fn places_are_apart_and_within(mut wanted in prop::collection::vec(-50.0..150.0, 1..10)) {
             wanted.sort_by(f64::total_cmp);

@@ -227,7 +227,6 @@ fn everything_is_labelled() {
     }
 }
 
-#[cfg(feature = "png")]
 mod pixels {
     use super::*;
     use resvg::tiny_skia::Rect;

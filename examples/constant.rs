@@ -1,0 +1,33 @@
+//! A landmark constant to any number of digits: `cargo run --example constant -- 100`.
+
+use couplet::arch::{Landmark, Quantity, SelfWeight};
+use couplet::certify::{CertifiedLandmark, MAX_DIGITS, Value};
+use std::error::Error;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let digits = std::env::args().nth(1).map_or(Ok(50), |text| text.parse())?;
+    if !(1..=MAX_DIGITS).contains(&digits) {
+        return Err(format!("digits are a whole number from 1 to {MAX_DIGITS}").into());
+    }
+    // Found, isolated and proved; without a proof there is no value of this type.
+    let triple = CertifiedLandmark::new(Landmark::Triple, SelfWeight::Milankovitch)?;
+    // One tick for each step of the work; nobody watches it here.
+    let constants = triple.constants(digits, &|| ())?;
+
+    for constant in &constants {
+        if let Value::Finite(number) = &constant.value {
+            println!("{:24} {}", constant.quantity.name(), number.value);
+        }
+    }
+
+    let thickness = constants.iter().find(|constant| constant.quantity == Quantity::Thickness);
+    let Some(Value::Finite(thickness)) = thickness.map(|constant| &constant.value) else {
+        return Err("T has a thickness".into());
+    };
+    // The value is the true one correctly rounded; the true one lies between the bounds.
+    let [value, lower, upper] =
+        [&thickness.value, &thickness.lower, &thickness.upper].map(|decimal| decimal.to_rational());
+    assert!(lower <= value && value <= upper);
+    assert_eq!(thickness.value.significant_digits(), digits);
+    Ok(())
+}

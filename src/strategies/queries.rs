@@ -1,0 +1,84 @@
+//! A question about an arch, as it is typed.
+
+use super::numbers::{friction, half_opening};
+use super::places::{DIGITS, beside};
+use super::weight;
+use crate::arch::{Landmark, SelfWeight, Unknown};
+use crate::certify::state::{Arch, ArchError, Friction};
+use crate::number::{ExactNumber, Real};
+use proptest::prelude::*;
+use proptest::sample::select;
+use std::fmt;
+
+/// What is asked of an arch. It is shown as the command that answers it.
+#[derive(Clone, PartialEq, Eq)]
+pub struct Query {
+    /// The self-weight model.
+    pub weight: SelfWeight,
+    /// The half opening, rad; its text is what was drawn.
+    pub half_opening: ExactNumber,
+    /// The friction.
+    pub friction: Friction,
+}
+
+impl Query {
+    /// The arch, to be certified; an error for a query that no strategy here draws.
+    pub fn arch(&self) -> Result<Arch, ArchError> {
+        Arch::new(self.weight, self.half_opening.clone(), self.friction.clone())
+    }
+
+    /// Half opening (rad) and friction coefficient as the nearest doubles, for a solver that has no more;
+    /// unlimited friction is infinite.
+    pub fn doubles(&self) -> (f64, f64) {
+        // More bits than a tie between two doubles could hide in.
+        let ball = |x: &ExactNumber| x.enclosure(256);
+        let friction = match &self.friction {
+            Friction::Coefficient(mu) => ball(mu).mid().to_f64(),
+            Friction::Angle(phi) => {
+                let (sin, cos) = ball(phi).sin_cos();
+                (sin / cos).mid().to_f64()
+            }
+            Friction::Infinite => f64::INFINITY,
+        };
+        (ball(&self.half_opening).mid().to_f64(), friction)
+    }
+}
+
+impl fmt::Display for Query {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { weight, half_opening, friction } = self;
+        write!(f, "couplet state --weight {} --half-opening {half_opening}", weight.name())?;
+        match friction {
+            Friction::Coefficient(mu) => write!(f, " --friction {mu}"),
+            Friction::Angle(phi) => write!(f, " --friction-angle {phi}"),
+            Friction::Infinite => f.write_str(" --friction inf"),
+        }
+    }
+}
+
+impl fmt::Debug for Query {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+/// Any query of the domain: half opening in `(0, pi)`, friction in `[0, inf]`; one in five next to a
+/// landmark, of which it shares 3 to 40 digits.
+pub fn query() -> impl Strategy<Value = Query> {
+    let anywhere = (weight(), half_opening(), friction())
+        .prop_map(|(weight, half_opening, friction)| Query { weight, half_opening, friction });
+    prop_oneof![4 => anywhere, 1 => beside_a_landmark()]
+}
+
+/// Half opening and, where the landmark has one, friction just below or above those of a landmark.
+fn beside_a_landmark() -> impl Strategy<Value = Query> {
+    let digits = || (3..=DIGITS, any::<bool>());
+    let drawn = (weight(), select(&Landmark::ALL), digits(), digits(), friction());
+    drawn.prop_filter_map("the landmark is certified", |(weight, landmark, first, second, any)| {
+        let beside = |unknown, (digits, above)| {
+            beside(landmark, weight, unknown, digits, above)?.parse::<ExactNumber>().ok()
+        };
+        let friction = beside(Unknown::Friction, second).map_or(any, Friction::Coefficient);
+        Some(Query { weight, half_opening: beside(Unknown::HalfOpening, first)?, friction })
+    })
+}
