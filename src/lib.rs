@@ -79,6 +79,8 @@ pub mod cli;
 pub mod number;
 #[cfg(all(feature = "mpfr", feature = "cli"))]
 pub mod report;
+#[cfg(all(feature = "mpfr", feature = "cli"))]
+pub mod scene;
 #[cfg(feature = "mpfr")]
 pub mod solve;
 #[cfg(feature = "proptest")]

@@ -555,3 +555,30 @@ fn the_readme_tells_the_truth() {
     let verdict = stdout(&couplet(&["check", &file])).replace(&file, "T.json");
     assert!(readme.contains(verdict.trim()), "{verdict}");
 }
+
+/// Claims are decided in parallel, and many of them wait for the same comparison of the weights.
+#[test]
+fn no_claim_waits_for_one_that_waits_for_it() {
+    for _ in 0..10 {
+        for threads in ["3", "6", "12"] {
+            let mut child = Command::new(env!("CARGO_BIN_EXE_couplet"))
+                .args(["prove", "weights", "friction"])
+                .env("RAYON_NUM_THREADS", threads)
+                .stdout(std::process::Stdio::null())
+                .spawn()
+                .unwrap();
+            let start = std::time::Instant::now();
+            let status = loop {
+                if let Some(status) = child.try_wait().unwrap() {
+                    break status;
+                }
+                if start.elapsed() > std::time::Duration::from_secs(60) {
+                    child.kill().unwrap();
+                    panic!("{threads} threads wait for one another");
+                }
+                std::thread::sleep(std::time::Duration::from_millis(5));
+            };
+            assert!(status.success());
+        }
+    }
+}

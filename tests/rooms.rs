@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the top: what a room may use stands before it.
-const ROOMS: [&str; 11] = [
+const ROOMS: [&str; 12] = [
     "number",
     "symbolic",
     "arch",
@@ -15,6 +15,7 @@ const ROOMS: [&str; 11] = [
     "study",
     "strategies",
     "report",
+    "scene",
     "cli",
 ];
 

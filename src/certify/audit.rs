@@ -6,7 +6,6 @@ use super::{CertifiedLandmark, Refined, Undecided};
 use crate::arch::published::{PRINTED, Printed};
 use crate::arch::{Landmark, Quantity, SelfWeight};
 use crate::number::{Ball, Decimal, Enclosure, Rounded, Ternary};
-use rayon::prelude::*;
 use rug::{Integer, Rational};
 
 /// Bits that decide every comparison of 16-digit values with a wide margin.
@@ -72,18 +71,46 @@ impl Relation {
     }
 }
 
+/// A landmark with an enclosure that decides every comparison with what is printed.
+pub type Enclosed = (CertifiedLandmark, Refined);
+
+/// The enclosure of a landmark for [`audit_of`].
+pub fn enclosed(point: CertifiedLandmark) -> Result<Enclosed, Undecided> {
+    let refined = point.enclosure(BITS)?;
+    Ok((point, refined))
+}
+
 /// Compares every printed number with its enclosure; undecided if a landmark cannot be proved or a
 /// comparison stays open.
 pub fn audit() -> Result<Vec<Audited>, Undecided> {
-    let points = Points::new(&Landmark::ALL)?;
-    PRINTED.iter().map(|printed| audit_one(printed, &points)).collect()
+    audit_of(&all_enclosed(&Landmark::ALL)?)
+}
+
+/// Compares the printed numbers of some landmarks with their enclosures.
+pub fn audit_of(points: &[Enclosed]) -> Result<Vec<Audited>, Undecided> {
+    let points = Points(points);
+    let known = |printed: &&Printed| points.find(printed.landmark, printed.weight).is_some();
+    PRINTED.iter().filter(known).map(|printed| audit_one(printed, &points)).collect()
 }
 
 /// Decides the paper's claims on the two weights at T, S, J and B: lower thickness, friction and half
 /// opening, higher thrust and joints for Milankovitch's weight. Undecided as [`audit`].
 pub fn compare_weights() -> Result<Vec<Comparison>, Undecided> {
+    compare_weights_of(&all_enclosed(&COMPARED)?)
+}
+
+/// The landmarks at which the paper compares the weights.
+const COMPARED: [Landmark; 4] =
+    [Landmark::Triple, Landmark::Shift, Landmark::Junction, Landmark::Border];
+
+/// The same at those of some landmarks that are there for both weights.
+pub fn compare_weights_of(points: &[Enclosed]) -> Result<Vec<Comparison>, Undecided> {
     use {Quantity::*, Relation::*};
-    let landmarks = [Landmark::Triple, Landmark::Shift, Landmark::Junction, Landmark::Border];
+    let points = Points(points);
+    let both = |landmark: &Landmark| {
+        SelfWeight::ALL.iter().all(|&weight| points.find(*landmark, weight).is_some())
+    };
+    let landmarks: Vec<Landmark> = COMPARED.into_iter().filter(both).collect();
     let claims = [
         (Thickness, Lower),
         (Friction, Lower),
@@ -92,7 +119,6 @@ pub fn compare_weights() -> Result<Vec<Comparison>, Undecided> {
         (RotationJoint, Higher),
         (SlidingJoint, Higher),
     ];
-    let points = Points::new(&landmarks)?;
     let pairs = landmarks.iter().flat_map(|&landmark| claims.map(|claim| (landmark, claim)));
     pairs
         .map(|(landmark, (quantity, claimed))| {
@@ -106,21 +132,24 @@ pub fn compare_weights() -> Result<Vec<Comparison>, Undecided> {
         .collect()
 }
 
-/// Landmarks with an enclosure each.
-struct Points(Vec<(CertifiedLandmark, Refined)>);
+/// Landmarks of both weights with an enclosure each.
+fn all_enclosed(landmarks: &[Landmark]) -> Result<Vec<Enclosed>, Undecided> {
+    let all: Vec<(Landmark, SelfWeight)> = landmarks
+        .iter()
+        .flat_map(|&landmark| SelfWeight::ALL.map(|weight| (landmark, weight)))
+        .collect();
+    // One after the other: claims that are decided in parallel wait for the same comparisons, and a thread
+    // that waits for parts of them could meanwhile take up one of those claims.
+    let points = all.into_iter();
+    points.map(|(landmark, weight)| enclosed(CertifiedLandmark::new(landmark, weight)?)).collect()
+}
 
-impl Points {
-    fn new(landmarks: &[Landmark]) -> Result<Self, Undecided> {
-        let all: Vec<(Landmark, SelfWeight)> = landmarks
-            .iter()
-            .flat_map(|&landmark| SelfWeight::ALL.map(|weight| (landmark, weight)))
-            .collect();
-        let points = all.into_par_iter().map(|(landmark, weight)| {
-            let point = CertifiedLandmark::new(landmark, weight)?;
-            let refined = point.enclosure(BITS)?;
-            Ok((point, refined))
-        });
-        points.collect::<Result<_, _>>().map(Self)
+/// Landmarks with an enclosure each.
+struct Points<'a>(&'a [Enclosed]);
+
+impl Points<'_> {
+    fn find(&self, landmark: Landmark, weight: SelfWeight) -> Option<&Enclosed> {
+        self.0.iter().find(|(point, _)| point.landmark() == landmark && point.weight() == weight)
     }
 
     fn value(
@@ -131,11 +160,7 @@ impl Points {
     ) -> Result<Known, Undecided> {
         let missing =
             || Undecided(format!("{} has no finite {}", landmark.symbol(), quantity.name()));
-        let (point, refined) = self
-            .0
-            .iter()
-            .find(|(point, _)| point.landmark() == landmark && point.weight() == weight)
-            .ok_or_else(missing)?;
+        let (point, refined) = self.find(landmark, weight).ok_or_else(missing)?;
         match point.exact(quantity) {
             Some(Exact::Surd(surd)) => Ok(match surd.parts() {
                 (rational, factor, _) if factor.is_zero() => Known::Exact(rational.clone()),
@@ -146,7 +171,7 @@ impl Points {
     }
 }
 
-fn audit_one(printed: &'static Printed, points: &Points) -> Result<Audited, Undecided> {
+fn audit_one(printed: &'static Printed, points: &Points<'_>) -> Result<Audited, Undecided> {
     let undecided = || Undecided(format!("{} {}", printed.place, printed.text));
     let PrintedNumber { value, unit, digits } = figures(printed.text).ok_or_else(undecided)?;
     let truth = points.value(printed.landmark, printed.weight, printed.quantity)?;

@@ -136,14 +136,32 @@ impl CertifiedLandmark {
         digits: usize,
         tick: &(dyn Fn() + Sync),
     ) -> Result<Vec<Constant>, Undecided> {
-        let mut precision = Precision::new(digits)?;
+        let all: Vec<_> = quantities(self.landmark).map(|quantity| (quantity, digits)).collect();
+        self.constants_of(&all, tick)
+    }
+
+    /// Some quantities of the landmark, each correctly rounded to its own number of significant digits:
+    /// the landmark is refined once, to the most that are asked for. A quantity that the landmark does
+    /// not have is undecided.
+    ///
+    /// `tick` is called [`CertifiedLandmark::ticks_of`] times on the way.
+    pub fn constants_of(
+        &self,
+        asked: &[(Quantity, usize)],
+        tick: &(dyn Fn() + Sync),
+    ) -> Result<Vec<Constant>, Undecided> {
+        for (_, digits) in asked {
+            Precision::new(*digits)?;
+        }
+        let most = asked.iter().map(|(_, digits)| *digits).max();
+        let mut precision = Precision::new(most.unwrap_or(1))?;
         let mut refined = refine_watched(&self.isolated, precision.bits, tick)?;
-        let mut found: Vec<(Quantity, Option<Constant>)> =
-            quantities(self.landmark).map(|quantity| (quantity, None)).collect();
+        let mut found: Vec<((Quantity, usize), Option<Constant>)> =
+            asked.iter().map(|&asked| (asked, None)).collect();
         loop {
             found.par_iter_mut().filter(|(_, constant)| constant.is_none()).for_each(
-                |(quantity, constant)| {
-                    *constant = self.constant(&refined, *quantity, digits);
+                |((quantity, digits), constant)| {
+                    *constant = self.constant(&refined, *quantity, *digits);
                     if constant.is_some() {
                         tick();
                     }
@@ -151,7 +169,7 @@ impl CertifiedLandmark {
             );
             match found.iter().find(|(_, constant)| constant.is_none()) {
                 None => break,
-                Some((quantity, _)) => precision.raise(*quantity)?,
+                Some(((quantity, _), _)) => precision.raise(*quantity)?,
             }
             refined = self.enclosure(precision.bits)?;
         }
@@ -160,8 +178,12 @@ impl CertifiedLandmark {
 
     /// How often [`CertifiedLandmark::constants`] reports progress for a landmark.
     pub fn ticks(landmark: Landmark) -> u64 {
-        let system = landmark.system(SelfWeight::Heyman);
-        stages(&system) + quantities(landmark).count() as u64
+        Self::ticks_of(landmark, quantities(landmark).count())
+    }
+
+    /// How often [`CertifiedLandmark::constants_of`] reports progress for so many quantities.
+    pub fn ticks_of(landmark: Landmark, quantities: usize) -> u64 {
+        stages(&landmark.system(SelfWeight::Heyman)) + quantities as u64
     }
 
     /// The value rounded to digits and to a double, if the enclosure decides both.
@@ -259,6 +281,25 @@ mod tests {
         let point = CertifiedLandmark::new(Landmark::OverturningEnd, SelfWeight::Heyman).unwrap();
         assert!(point.constants(0, &|| ()).is_err());
         assert!(point.constants(MAX_DIGITS + 1, &|| ()).is_err());
+    }
+
+    #[test]
+    fn what_is_asked_together_is_what_is_asked_alone() {
+        let point = CertifiedLandmark::new(Landmark::Triple, SelfWeight::Heyman).unwrap();
+        let asked = [(Quantity::Friction, 12), (Quantity::Thickness, 60), (Quantity::Friction, 3)];
+        let together = point.constants_of(&asked, &|| ()).unwrap();
+        for (constant, (quantity, digits)) in together.iter().zip(asked) {
+            let alone = point.constants(digits, &|| ()).unwrap();
+            assert!(alone.contains(constant), "{quantity:?} to {digits} digits");
+            assert_eq!(constant.quantity, quantity);
+        }
+        assert_eq!(together.len(), asked.len());
+    }
+
+    #[test]
+    fn a_quantity_that_a_landmark_does_not_have_is_undecided() {
+        let widest = CertifiedLandmark::new(Landmark::WidestJoint, SelfWeight::Heyman).unwrap();
+        assert!(widest.constants_of(&[(Quantity::Friction, 5)], &|| ()).is_err());
     }
 
     #[test]

@@ -16,7 +16,10 @@ mod refine;
 pub mod state;
 mod verdict;
 
-pub use audit::{Audited, Comparison, Relation, audit, compare_weights};
+pub use audit::{
+    Audited, Comparison, Enclosed, Relation, audit, audit_of, compare_weights, compare_weights_of,
+    enclosed,
+};
 pub use certificate::{certify_landmark, certify_state};
 pub use constant::{CertifiedLandmark, Constant, MAX_DIGITS, Value, quantities};
 pub use cover::{between, cover};

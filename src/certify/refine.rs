@@ -28,6 +28,10 @@ const SPAN: u32 = 4;
 const STRETCH: u32 = 16;
 /// Bits of a level beyond its share, so that the condition of the system eats no digits.
 const GUARD: u32 = 32;
+/// With fewer bits the angles are quicker one after the other. More than that: what is kept for the whole
+/// process is refined to fewer bits, and a thread that waits for others on the way could meanwhile be
+/// given work that waits for it.
+const WORTH_THREADS: u32 = 1 << 14;
 /// At this size a level is one plain Newton iteration.
 const FLOOR: u32 = 256;
 
@@ -78,6 +82,7 @@ pub fn refine_watched(
 ) -> Result<Refined, Undecided> {
     let system = *isolated.system();
     let bits = bits.max(FLOOR);
+    tally::working_bits(bits + GUARD);
     let mut start: Vec<Float> = isolated.image().iter().map(|x| x.mid().clone()).collect();
     start = newton(&system, start, FLOOR)?;
     let level = Level::new(&system, start, bits, tick)?;
@@ -130,7 +135,10 @@ impl<'a> Level<'a> {
                 anchor
             })
         };
-        let anchors = (0..centre.len()).into_par_iter().map(anchor).collect();
+        let anchors = match bits < WORTH_THREADS {
+            true => (0..centre.len()).map(anchor).collect(),
+            false => (0..centre.len()).into_par_iter().map(anchor).collect(),
+        };
         let mut level = Self { system, bits, anchors, centre, step, inverse: Vec::new() };
         level.inverse = level.inverse()?;
         while level.step * SPAN < bits {
@@ -187,6 +195,7 @@ impl<'a> Level<'a> {
     /// The Newton corrections `Y F(centre)` from residuals at `bits` bits, each with a bound of the
     /// sum of its terms' sizes.
     fn corrections(&self, bits: u32) -> Vec<(Ball, Magnitude)> {
+        tally::newton_step();
         let values: Vec<Ball> = self.centre.iter().map(|x| Ball::exact(x.clone(), bits)).collect();
         let residuals = self.system.residuals(&self.point(&values, bits));
         // Residuals are small and have few bits that mean anything; so have the products.

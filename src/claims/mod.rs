@@ -86,6 +86,11 @@ pub struct Decision {
 }
 
 impl Claim {
+    /// Whether a name means this claim: its id, or the beginning of it up to a hyphen.
+    pub fn is_named(&self, name: &str) -> bool {
+        self.id.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
+    }
+
     /// Decides the claim.
     pub fn decide(&self) -> Decision {
         self.decide_with(Derivation::new())

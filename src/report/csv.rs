@@ -176,6 +176,16 @@ pub const ASSESS_COLUMNS: [&str; 14] = [
     "reason",
 ];
 
+/// The columns of an assessment that hold values.
+pub const ASSESS_VALUES: [&str; 6] = [
+    "least_thickness",
+    "geometric_safety",
+    "required_friction",
+    "friction_safety",
+    "least_thrust",
+    "largest_thrust",
+];
+
 /// The fields of an assessment, in the order of [`ASSESS_COLUMNS`].
 pub fn assess_record(report: &AssessReport) -> Vec<String> {
     let mut record = vec![
@@ -238,7 +248,7 @@ fn one(columns: &[&str], record: &[String], out: &mut dyn io::Write) -> io::Resu
 }
 
 /// The error of the stream itself: its kind tells a closed pipe from a full disk.
-fn io_error(error: ::csv::Error) -> io::Error {
+pub fn io_error(error: ::csv::Error) -> io::Error {
     match error.into_kind() {
         ::csv::ErrorKind::Io(error) => error,
         other => io::Error::other(format!("{other:?}")),

@@ -165,6 +165,23 @@ impl<'a> StateEntry<'a> {
     }
 }
 
+impl StateEntry<'_> {
+    /// Without the values that are not among these.
+    pub(super) fn only(mut self, quantities: &[&str]) -> Self {
+        let keep = |name: &str, value: &mut Option<FigureEntry>| {
+            *value = value.take().filter(|_| quantities.contains(&name));
+        };
+        keep("thickness", &mut self.thickness);
+        keep("thrust", &mut self.thrust);
+        keep("intrinsic_thrust", &mut self.intrinsic_thrust);
+        keep("rotation_joint", &mut self.rotation_joint);
+        keep("sliding_joint", &mut self.sliding_joint);
+        keep("sliding_friction", &mut self.sliding_friction);
+        keep("rotational_friction", &mut self.rotational_friction);
+        self
+    }
+}
+
 pub fn state(report: &StateReport, out: &mut dyn io::Write) -> io::Result<()> {
     write(&StateEntry::new(report), out)
 }
@@ -230,6 +247,20 @@ impl<'a> AssessEntry<'a> {
             largest_thrust: limits.map(|[_, largest]| LimitEntry::new(largest, report.doubles)),
             reason: doubt.or(fall.map(|fall| reason(*fall))),
         }
+    }
+}
+
+impl AssessEntry<'_> {
+    /// Without the values that are not among these.
+    pub(super) fn only(mut self, quantities: &[&str]) -> Self {
+        let asked = |name: &str| quantities.contains(&name);
+        self.least_thickness = self.least_thickness.filter(|_| asked("least_thickness"));
+        self.geometric_safety = self.geometric_safety.filter(|_| asked("geometric_safety"));
+        self.required_friction = self.required_friction.filter(|_| asked("required_friction"));
+        self.friction_safety = self.friction_safety.filter(|_| asked("friction_safety"));
+        self.least_thrust = self.least_thrust.filter(|_| asked("least_thrust"));
+        self.largest_thrust = self.largest_thrust.filter(|_| asked("largest_thrust"));
+        self
     }
 }
 

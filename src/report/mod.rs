@@ -1,5 +1,6 @@
 //! Output only: what a command found, written in a format. One file per format.
 
+mod arches;
 mod claims;
 mod csv;
 pub mod export;
@@ -9,6 +10,8 @@ mod rows;
 mod study;
 mod table;
 
+pub use self::csv::{ASSESS_VALUES, STATE_VALUES};
+pub use arches::{ArchEntries, Arches};
 pub use claims::{ClaimFormat, Claims};
 pub use judged::{JudgeSummary, JudgedRow, JudgedRows};
 pub use rows::{Answered, Rows};

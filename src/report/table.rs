@@ -82,9 +82,12 @@ pub fn audit(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
     let all = report.printed.len();
     writeln!(
         out,
-        "\n{all} printed numbers: {right} correctly rounded, {faithful} faithful, {wrong} wrong\n"
+        "\n{all} printed numbers: {right} correctly rounded, {faithful} faithful, {wrong} wrong"
     )?;
-    writeln!(out, "Milankovitch's weight compared with Heyman's\n")?;
+    if report.comparisons.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "\nMilankovitch's weight compared with Heyman's\n")?;
     writeln!(out, "{:<2} {:<20} {:<8} {:<10} verdict", "", "quantity", "claimed", "certified")?;
     for entry in &report.comparisons {
         writeln!(

@@ -17,7 +17,8 @@
 //! thickness of the arch, proved on its own, has to say the same.
 
 use super::choice::{Fall, Outcome, hull};
-use super::question::{Arch, Attempt, Friction, Query, decide, require};
+use super::inquiry::Inquiry;
+use super::question::{Arch, Attempt, Query, decide, require};
 use crate::arch::{Equation, Mode, Ring, Unknown, contact, sliding, thrust};
 use crate::check::inner_friction;
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Real, Ternary};
@@ -97,14 +98,35 @@ impl Touch {
 
 const BETWEEN: &[Mode] = &[];
 
+/// What is asked of an arch of a given thickness.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wanted {
+    /// Whether it stands, and how far its thickness is from the least: its state says so.
+    Standing,
+    /// Also the range of thrusts, and the friction that it asks for.
+    Everything,
+}
+
 impl Arch {
     /// Proves what holds for the arch with a given thickness `t/r`, with numbers of `bits` bits, at
     /// least one. The doubt is what these could not tell, or that the thickness is not in `(0, 2)`.
     pub fn assess(&self, thickness: &ExactNumber, bits: u32) -> Attempt<Assessment> {
+        Inquiry::new(self, 1, false).assessment(thickness, bits, Wanted::Everything)
+    }
+}
+
+impl Inquiry<'_> {
+    /// The same, as far as it is wanted, with what the inquiry knows already.
+    pub(super) fn assessment(
+        &mut self,
+        thickness: &ExactNumber,
+        bits: u32,
+        wanted: Wanted,
+    ) -> Attempt<Assessment> {
         let eta = thickness.enclosure(bits);
         require(&eta, "whether the thickness is positive", BETWEEN)?;
         require(&(eta.int(2) - &eta), "whether the thickness is below the limit 2", BETWEEN)?;
-        let (least_thickness, stands) = match self.state_alone(bits)? {
+        let (least_thickness, stands) = match self.outcome(bits)? {
             Outcome::Falls(fall) => (Err(fall), false),
             Outcome::Stands(state) => {
                 let margin = eta.clone() - &state.thickness;
@@ -112,9 +134,9 @@ impl Arch {
                 (Ok(state.thickness), stands)
             }
         };
-        let mut query = Query::new(self, bits);
+        let mut query = Query::new(self.arch(), bits);
         query.given = query.given.with(Unknown::Thickness, eta.clone());
-        let geometric = if self.line_of_thrust_fits(&eta, bits)? {
+        let geometric = if wanted == Wanted::Everything && self.line_of_thrust_fits(&eta, bits)? {
             Some([query.least_thrust()?, query.largest_thrust()?])
         } else {
             None
@@ -143,8 +165,8 @@ impl Arch {
     }
 
     /// Whether a line of thrust lies inside the arch at all: it would stand with unlimited friction.
-    fn line_of_thrust_fits(&self, eta: &Ball, bits: u32) -> Attempt<bool> {
-        match self.with_friction(Friction::Infinite).state_alone(bits)? {
+    fn line_of_thrust_fits(&mut self, eta: &Ball, bits: u32) -> Attempt<bool> {
+        match self.unlimited(bits)? {
             Outcome::Falls(_) => Ok(false),
             Outcome::Stands(state) => {
                 let margin = eta.clone() - &state.thickness;

@@ -1,8 +1,9 @@
 //! The digits of a proved state: the precision is raised until all are decided.
 
-use super::assess::{Assessment, Limit};
-use super::choice::{Asked, Fall, Frictions, Outcome, State};
-use super::question::{Arch, Attempt, Doubt, Query};
+use super::assess::{Assessment, Limit, Wanted};
+use super::choice::{Fall, Frictions, State};
+use super::inquiry::Inquiry;
+use super::question::{Arch, Attempt, Doubt};
 use crate::arch::Mode;
 use crate::number::{Ball, Binary, ExactNumber, Rounded, bits_of};
 use rug::Rational;
@@ -52,7 +53,7 @@ pub struct Digits {
 /// counts as undecided.
 const ENOUGH: u32 = 8192;
 /// Bits beyond the digits asked for, at the first attempt.
-const GUARD: u32 = 48;
+pub(super) const GUARD: u32 = 48;
 
 /// What is certain of an arch of a given thickness, correctly rounded.
 #[derive(Clone, Debug)]
@@ -90,24 +91,13 @@ impl Arch {
     /// is the answer otherwise: the query lies on a boundary, or nearer to one than 8192 bits or four
     /// times those of the digits can tell.
     pub fn certify(&self, digits: usize) -> Result<Answer, Doubt> {
-        self.answer(digits, Asked::Frictions)
+        Inquiry::new(self, digits, true).state(digits, true)
     }
 
     /// The same without the frictions at which the mode changes: nothing is evaluated that the proof of
     /// the state does not need.
     pub fn certify_alone(&self, digits: usize) -> Result<Answer, Doubt> {
-        self.answer(digits, Asked::Nothing)
-    }
-
-    fn answer(&self, digits: usize, asked: Asked) -> Result<Answer, Doubt> {
-        self.raised(digits, |bits| {
-            Ok(match Query::new(self, bits).outcome(asked)? {
-                Outcome::Falls(fall) => Some(Answer::Falls(fall)),
-                Outcome::Stands(state) => {
-                    state.digits(digits).map(|digits| Answer::Stands(Box::new(digits)))
-                }
-            })
-        })
+        Inquiry::new(self, digits, false).state(digits, false)
     }
 
     /// Proves what holds for the arch with a given thickness `t/r` in `(0, 2)`, in the same way; any other
@@ -117,8 +107,7 @@ impl Arch {
         thickness: &ExactNumber,
         digits: usize,
     ) -> Result<AssessmentDigits, Doubt> {
-        let first = bits_of(digits) + GUARD + self.bits_lost();
-        raised(first, |bits| Ok(self.assess(thickness, bits)?.digits(digits)))
+        Inquiry::new(self, digits, false).assess(thickness, digits, Wanted::Everything)
     }
 
     /// What a proof of the state finds, with more bits until it does; the doubt that stays otherwise.
@@ -134,7 +123,10 @@ impl Arch {
 }
 
 /// A proof that decides everything: `first` bits, and twice as many until they are enough.
-fn raised<T>(first: u32, proof: impl Fn(u32) -> Attempt<Option<T>>) -> Result<T, Doubt> {
+pub(super) fn raised<T>(
+    first: u32,
+    mut proof: impl FnMut(u32) -> Attempt<Option<T>>,
+) -> Result<T, Doubt> {
     let mut bits = first;
     let mut last = Doubt { question: "the rounding", between: Vec::new(), gap: f64::NAN };
     while bits <= ENOUGH.max(4 * first) {
@@ -150,7 +142,7 @@ fn raised<T>(first: u32, proof: impl Fn(u32) -> Attempt<Option<T>>) -> Result<T,
 
 impl Assessment {
     /// Every value rounded to `digits` significant digits, if the enclosures decide all of them.
-    fn digits(&self, digits: usize) -> Option<AssessmentDigits> {
+    pub(super) fn digits(&self, digits: usize) -> Option<AssessmentDigits> {
         let optional = |x: Option<&Ball>| match x {
             Some(x) => Figure::new(x, digits).map(Some),
             None => Some(None),
@@ -194,7 +186,7 @@ impl Figure {
 
 impl State {
     /// Every value rounded to `digits` significant digits, if the enclosures decide all of them.
-    fn digits(&self, digits: usize) -> Option<Digits> {
+    pub(super) fn digits(&self, digits: usize) -> Option<Digits> {
         let rounded = |x: &Ball| Figure::new(x, digits);
         let optional = |x: &Option<Ball>| match x {
             Some(x) => rounded(x).map(Some),

@@ -21,16 +21,19 @@
 //! | [`check::conditions`](crate::check::conditions) | parts 2 and 3 |
 //! | `assess` | an arch of a given thickness |
 //! | `digits` | raises the precision until every digit is decided |
+//! | `inquiry` | several questions about one arch, which share its state |
 
 mod assess;
 mod choice;
 mod digits;
+mod inquiry;
 mod question;
 mod root;
 mod rotation;
 mod small;
 
-pub use assess::{Assessment, Limit, Touch};
+pub use assess::{Assessment, Limit, Touch, Wanted};
 pub use choice::{Fall, Frictions, Outcome, State};
 pub use digits::{Answer, AssessmentDigits, Digits, Figure, LimitDigits};
-pub use question::{Arch, ArchError, Doubt, Friction};
+pub use inquiry::Inquiry;
+pub use question::{Arch, ArchError, Doubt, Friction, is_thickness};

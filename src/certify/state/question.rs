@@ -2,9 +2,12 @@
 
 use super::small::is_small;
 use crate::arch::{Configuration, Mode, SelfWeight, Unknown};
-use crate::number::{Ball, Enclosure, ExactNumber, Field, Magnitude, Real, Ternary};
+use crate::number::{
+    Ball, Enclosure, ExactNumber, Field, Magnitude, ParseExactError, Real, Ternary,
+};
 use rug::float::Round;
 use rug::{Float, Rational};
+use std::str::FromStr;
 
 /// The friction of the joints.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -54,6 +57,23 @@ pub struct Doubt {
 
 /// The result of a step of the proof at one precision.
 pub(super) type Attempt<T> = Result<T, Doubt>;
+
+impl FromStr for Friction {
+    type Err = ParseExactError;
+
+    /// A coefficient, or `inf`.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        match text {
+            "inf" => Ok(Self::Infinite),
+            _ => text.parse().map(Self::Coefficient),
+        }
+    }
+}
+
+/// Whether a thickness is between 0 and the physical limit 2.
+pub fn is_thickness(thickness: &ExactNumber) -> bool {
+    thickness.is_rational() && *thickness.factor() > 0 && *thickness.factor() < 2
+}
 
 impl Arch {
     /// An arch, if its half opening is in `(0, pi)`, in radians, and its friction coefficient in

@@ -2,8 +2,8 @@
 
 use super::Failure;
 use crate::arch::SelfWeight;
-use crate::certify::state::{Arch, Friction};
-use crate::number::ExactNumber;
+use crate::certify::state::{Arch, Friction, is_thickness};
+use crate::number::{ExactNumber, ParseExactError};
 use clap::Args;
 
 /// An arch, all of it exact: `0.1` is one tenth, `80deg` and `pi/2` are what they say.
@@ -58,35 +58,19 @@ impl ArchArguments {
 
 /// An angle in radians, or in degrees with `deg` behind.
 pub fn angle(text: &str) -> Result<ExactNumber, String> {
-    let number = |text: &str| text.parse::<ExactNumber>().map_err(|error| error.to_string());
-    match text.strip_suffix("deg") {
-        Some(degrees) => number(degrees).and_then(|degrees| {
-            degrees
-                .is_rational()
-                .then(|| degrees.degrees())
-                .ok_or(format!("'{text}' has two units"))
-        }),
-        None => number(text),
-    }
+    ExactNumber::angle(text).map_err(|error| error.to_string())
 }
 
 /// A friction coefficient, or `inf`.
 pub fn friction(text: &str) -> Result<Friction, String> {
-    match text {
-        "inf" => Ok(Friction::Infinite),
-        _ => text
-            .parse()
-            .map(Friction::Coefficient)
-            .map_err(|error: crate::number::ParseExactError| error.to_string()),
-    }
+    text.parse().map_err(|error: ParseExactError| error.to_string())
 }
 
 /// A thickness-to-radius ratio between 0 and the physical limit 2.
 pub fn thickness(text: &str) -> Result<ExactNumber, String> {
     let thickness: ExactNumber =
-        text.parse().map_err(|error: crate::number::ParseExactError| error.to_string())?;
-    let in_range = thickness.is_rational() && *thickness.factor() > 0 && *thickness.factor() < 2;
-    in_range
+        text.parse().map_err(|error: ParseExactError| error.to_string())?;
+    is_thickness(&thickness)
         .then_some(thickness)
         .ok_or_else(|| format!("the thickness {text} is not between 0 and 2"))
 }

@@ -10,6 +10,7 @@ mod output;
 mod progress;
 mod prove;
 mod rows;
+mod run;
 mod state;
 mod states;
 mod study;
@@ -19,6 +20,7 @@ use crate::arch::{Landmark, SelfWeight};
 use crate::certify::MAX_DIGITS;
 use crate::report::export::ExportFormat;
 use crate::report::{ConstantsFormat, Format};
+use crate::scene::MAX_ARCH_DIGITS;
 use clap::Subcommand;
 
 #[derive(Subcommand)]
@@ -30,6 +32,7 @@ pub enum Command {
     Judge(judge::Arguments),
     Audit(audit::Arguments),
     Prove(prove::Arguments),
+    Run(run::Arguments),
     Certify(certify::Arguments),
     Check(check::Arguments),
     Study(study::Arguments),
@@ -37,7 +40,7 @@ pub enum Command {
 
 impl Command {
     /// What to say to someone who names another.
-    pub const NAMES: &str = "; the commands are constants, state, assess, states, judge, audit, prove, \
+    pub const NAMES: &str = "; the commands are constants, state, assess, states, judge, audit, prove, run, \
                              certify, check and study";
 
     /// Does what is asked.
@@ -50,6 +53,7 @@ impl Command {
             Self::Judge(arguments) => judge::run(arguments),
             Self::Audit(arguments) => audit::run(arguments),
             Self::Prove(arguments) => prove::run(arguments),
+            Self::Run(arguments) => run::run(arguments),
             Self::Certify(arguments) => certify::run(arguments),
             Self::Check(arguments) => check::run(arguments),
             Self::Study(arguments) => study::run(arguments),
@@ -115,14 +119,11 @@ fn digits(text: &str) -> Result<usize, String> {
         .ok_or_else(|| format!("digits are a whole number from 1 to {MAX_DIGITS}"))
 }
 
-/// States are proved in numbers of moderate length.
-const MAX_STATE_DIGITS: usize = 10_000;
-
 fn state_digits(text: &str) -> Result<usize, String> {
     digits(text)
         .ok()
-        .filter(|digits| *digits <= MAX_STATE_DIGITS)
-        .ok_or_else(|| format!("digits are a whole number from 1 to {MAX_STATE_DIGITS}"))
+        .filter(|digits| *digits <= MAX_ARCH_DIGITS)
+        .ok_or_else(|| format!("digits are a whole number from 1 to {MAX_ARCH_DIGITS}"))
 }
 
 fn list<const N: usize>(names: [&str; N]) -> String {

@@ -58,7 +58,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         .map(|decision| decision.claim.id)
         .collect();
     let undecided = undecided.join(", ");
-    let report = Claims { decisions, show: arguments.show };
+    let report = Claims { decisions, show: arguments.show, timed: true };
     output.write(|out| report.write(arguments.format, out))?;
     match undecided.is_empty() {
         true => Ok(()),
@@ -82,15 +82,11 @@ fn write_coq(folder: &Path) -> Result<(), Failure> {
 /// The claims named, each by its id or by the beginning of it up to a hyphen.
 fn choose(names: &[String]) -> Result<Vec<Claim>, Failure> {
     let all = claims();
-    let is_named = |claim: &Claim, name: &str| {
-        claim.id.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
-    };
-    if let Some(unknown) = names.iter().find(|name| !all.iter().any(|claim| is_named(claim, name)))
-    {
+    if let Some(unknown) = names.iter().find(|name| !all.iter().any(|claim| claim.is_named(name))) {
         let ids: Vec<&str> = all.iter().map(|claim| claim.id).collect();
         let ids = ids.join(", ");
         return Err(Failure::Input(format!("there is no claim '{unknown}'; the claims are {ids}")));
     }
-    let chosen = |claim: &Claim| names.is_empty() || names.iter().any(|name| is_named(claim, name));
+    let chosen = |claim: &Claim| names.is_empty() || names.iter().any(|name| claim.is_named(name));
     Ok(all.into_iter().filter(chosen).collect())
 }

@@ -37,6 +37,9 @@ pub enum ParseExactError {
     /// Too large or too small to be meant.
     #[error("'{0}' is out of range: numbers from 1e-{MAX_EXPONENT} to 1e{MAX_EXPONENT} are read")]
     Range(String),
+    /// Degrees of a multiple of pi.
+    #[error("'{0}' has two units")]
+    Units(String),
 }
 
 impl ExactNumber {
@@ -52,6 +55,16 @@ impl ExactNumber {
     pub fn degrees(&self) -> Self {
         let factor = Rational::from(&self.factor / 180);
         Self { factor, times_pi: true, text: format!("{}deg", self.text) }
+    }
+
+    /// Reads an angle in radians, or in degrees with `deg` behind.
+    pub fn angle(text: &str) -> Result<Self, ParseExactError> {
+        let Some(degrees) = text.strip_suffix("deg") else { return text.parse() };
+        let degrees: Self = degrees.parse()?;
+        match degrees.is_rational() {
+            true => Ok(degrees.degrees()),
+            false => Err(ParseExactError::Units(text.to_owned())),
+        }
     }
 
     /// Whether this is a rational number, not a multiple of pi.

@@ -26,7 +26,8 @@ struct Entry<'a> {
     reason: Option<&'a str>,
     hypotheses: Vec<&'a str>,
     method: &'static str,
-    seconds: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    seconds: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     derivation: Option<Vec<StepEntry<'a>>>,
 }
@@ -74,7 +75,7 @@ pub fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
             reason,
             hypotheses: decision.derivation.hypotheses().collect(),
             method: decision.derivation.method(),
-            seconds: decision.time.as_secs_f64(),
+            seconds: report.timed.then_some(decision.time.as_secs_f64()),
             derivation: report.show.then(|| steps.iter().map(StepEntry::from).collect()),
         }
     });

@@ -26,6 +26,8 @@ pub struct Claims {
     pub decisions: Vec<Decision>,
     /// Whether to give the derivations too.
     pub show: bool,
+    /// Whether to say how long each took, which is another time in every run.
+    pub timed: bool,
 }
 
 impl Claims {

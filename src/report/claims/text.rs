@@ -7,7 +7,7 @@ use std::io;
 
 pub fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
     for decision in &report.decisions {
-        heading(decision, out)?;
+        heading(decision, report.timed, out)?;
         if report.show {
             steps(decision, out)?;
             writeln!(out)?;
@@ -18,16 +18,15 @@ pub fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
 
 const WIDTH: usize = 100;
 
-fn heading(decision: &Decision, out: &mut dyn io::Write) -> io::Result<()> {
+fn heading(decision: &Decision, timed: bool, out: &mut dyn io::Write) -> io::Result<()> {
     let claim = &decision.claim;
-    let time = 1000.0 * decision.time.as_secs_f64();
-    writeln!(
-        out,
-        "{:<10} {:<22} {:<28} {time:>8.1} ms",
-        as_printed(decision),
-        claim.id,
-        claim.place
-    )?;
+    let (verdict, id, place) = (as_printed(decision), claim.id, claim.place);
+    if timed {
+        let time = 1000.0 * decision.time.as_secs_f64();
+        writeln!(out, "{verdict:<10} {id:<22} {place:<28} {time:>8.1} ms")?;
+    } else {
+        writeln!(out, "{verdict:<10} {id:<22} {place}")?;
+    }
     wrapped(claim.statement, "           ", out)?;
     match &decision.outcome {
         Ok(Finding::Misprint { counterexample, corrected }) => {

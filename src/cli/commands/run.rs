@@ -1,0 +1,189 @@
+//! `couplet run`.
+
+use super::output::Output;
+use super::{Failure, progress};
+use crate::scene::{
+    EXAMPLE, Fault, Hashing, Item, MANIFEST, MAX_BYTES, Manifest, Plan, Run, Scene, explain,
+    read_bytes,
+};
+use clap::Args;
+use std::fs::{self, File};
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+
+/// Compute exactly what a scene asks for, and write it.
+///
+/// A scene is a TOML file that lists landmarks, arches and claims, with digits, formats and files;
+/// --schema prints one with every key. Everything wrong in it is said at once, and nothing is computed
+/// then. What is asked for twice is computed once. Beside the outputs stands couplet-run.json, which
+/// tells --resume what is complete.
+#[derive(Args)]
+pub struct Arguments {
+    /// The scene.
+    #[arg(value_name = "SCENE", required_unless_present = "schema")]
+    scene: Option<PathBuf>,
+
+    /// The folder of the outputs, made if need be; the current one if not given.
+    #[arg(short, long, value_name = "FOLDER")]
+    output: Option<PathBuf>,
+
+    /// Keep each output that is there already: asked for in the same words of the same version, and with
+    /// the content that was written then.
+    #[arg(long)]
+    resume: bool,
+
+    /// Print what would be computed, as a tree, and compute nothing.
+    #[arg(long)]
+    plan: bool,
+
+    /// Print on standard error, as a tree, what was computed, what each piece cost, and what was left
+    /// out and why.
+    #[arg(long, conflicts_with = "plan")]
+    explain: bool,
+
+    /// Print a scene with every key and what it means.
+    #[arg(long, conflicts_with_all = ["scene", "output", "resume", "plan", "explain"])]
+    schema: bool,
+}
+
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let Some(path) = arguments.scene.as_deref().filter(|_| !arguments.schema) else {
+        return Output::Standard.write(|out| out.write_all(EXAMPLE.as_bytes()));
+    };
+    let scene = scene(path)?;
+    // Nothing before a file's name is the current folder.
+    let folder = arguments.output.as_deref().unwrap_or(Path::new(""));
+    let mut manifest = Manifest::of(folder);
+    let is_complete = |item: &Item| arguments.resume && manifest.is_complete(folder, item);
+    let complete: Vec<bool> = scene.items.iter().map(is_complete).collect();
+    let plan = Plan::new(&scene, complete);
+    if arguments.plan {
+        return Output::Standard.write(|out| explain(&plan, None, out));
+    }
+    prepare(&plan, folder, path)?;
+    carry_out(&plan, folder, &mut manifest, arguments.explain)
+}
+
+/// Says something on standard error, if anybody listens there.
+fn say(text: &str) {
+    let _ = io::stderr().write_all(text.as_bytes());
+}
+
+/// Reads a scene; its faults go to standard error, a line each.
+fn scene(path: &Path) -> Result<Scene, Failure> {
+    let name = path.display();
+    let failed = |error: io::Error| Failure::Io(format!("cannot read {name}: {}", error.kind()));
+    let mut bytes = Vec::new();
+    let file = File::open(path).map_err(failed)?;
+    file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(failed)?;
+    read_bytes(&bytes).map_err(|faults| {
+        for Fault { place, message } in &faults {
+            say(&format!("{name}:{}:{}: {message}\n", place.line, place.column));
+        }
+        let plural = if faults.len() == 1 { "" } else { "s" };
+        Failure::Input(format!("{name} has {} error{plural}; nothing was computed", faults.len()))
+    })
+}
+
+/// Makes the folders, and sees whether every output can be written, before any work.
+fn prepare(plan: &Plan, folder: &Path, scene: &Path) -> Result<(), Failure> {
+    let items = plan.scene.items.iter().zip(&plan.complete);
+    let outputs: Vec<PathBuf> = items
+        .filter(|(_, complete)| !**complete)
+        .filter_map(|(item, _)| Some(folder.join(item.output.as_ref()?)))
+        .collect();
+    let same = |output: &Path| match (fs::canonicalize(output), fs::canonicalize(scene)) {
+        (Ok(output), Ok(scene)) => output == scene,
+        _ => false,
+    };
+    if let Some(output) = outputs.iter().find(|output| same(output)) {
+        let output = output.display();
+        return Err(Failure::Input(format!(
+            "{output} is the scene itself and is not written over"
+        )));
+    }
+    for output in &outputs {
+        let parent = output.parent().unwrap_or(folder);
+        fs::create_dir_all(parent).map_err(|error| {
+            Failure::Io(format!("cannot write {}: {}", parent.display(), error.kind()))
+        })?;
+        // A pipe is not opened before there is something for its reader.
+        if !output.exists() || output.is_file() || output.is_dir() {
+            Output::open(Some(output))?;
+        }
+    }
+    match outputs.is_empty() {
+        true => Ok(()),
+        false => Output::open(Some(&folder.join(MANIFEST))).map(drop),
+    }
+}
+
+/// Computes and writes one item after the other; each output is noted as soon as it is there.
+fn carry_out(
+    plan: &Plan,
+    folder: &Path,
+    manifest: &mut Manifest,
+    explained: bool,
+) -> Result<(), Failure> {
+    let bar = progress::bar(plan.ticks(), plan.size());
+    let tick = || bar.inc(1);
+    let mut run = Run::new(plan);
+    let mut undecided = Vec::new();
+    let mut printed = false;
+    for (index, item) in plan.scene.items.iter().enumerate() {
+        let path = item.output.as_ref().map(|output| folder.join(output));
+        let tell = |what: &str| {
+            if let Some(path) = &path {
+                bar.suspend(|| say(&format!("{what} {}\n", path.display())));
+            }
+        };
+        if plan.complete[index] {
+            tell("kept   ");
+            continue;
+        }
+        let found = run.item(index, &tick);
+        let open = found.undecided.iter();
+        undecided.extend(open.map(|what| match &path {
+            Some(path) => format!("{what} in {}", path.display()),
+            None => what.clone(),
+        }));
+        if !found.is_known() {
+            continue;
+        }
+        let output = Output::open(path.as_deref())?;
+        let mut hash = String::new();
+        bar.suspend(|| {
+            output.write(|out| {
+                if path.is_none() && std::mem::replace(&mut printed, true) {
+                    writeln!(out)?;
+                }
+                let mut hashing = Hashing::new(out);
+                found.write(&mut hashing)?;
+                hash = hashing.hash();
+                Ok(())
+            })
+        })?;
+        if path.is_some() {
+            // What is undecided is tried again.
+            match found.undecided.is_empty() {
+                true => manifest.note(item, hash),
+                false => manifest.forget(item),
+            }
+            Output::open(Some(&folder.join(MANIFEST)))?.write(|out| manifest.write(out))?;
+            tell("written");
+        }
+    }
+    bar.finish_and_clear();
+    if explained {
+        let mut tree = Vec::new();
+        let written = explain(plan, Some(run.costs()), &mut tree);
+        written.map_err(|error| Failure::Io(error.to_string()))?;
+        say(&String::from_utf8_lossy(&tree));
+    }
+    match undecided.is_empty() {
+        true => Ok(()),
+        false => {
+            Err(Failure::Undecided(format!("not everything was proved: {}", undecided.join(", "))))
+        }
+    }
+}

@@ -1,0 +1,315 @@
+//! A plan as a tree: what each item needs, what that cost, and what was left out and why.
+
+use super::cost::Cost;
+use super::expected;
+use super::fault::list;
+use super::plan::{ArchNode, FRICTIONS, LandmarkNode, Plan, RANGE_OF_THRUSTS};
+use super::run::Costs;
+use super::schema::Item;
+use crate::arch::{Equation, Landmark, Quantity, SelfWeight};
+use crate::certify::quantities;
+use crate::certify::state::Wanted;
+use crate::claims::claims;
+use std::io;
+
+/// A node of the tree: its lines, and what hangs on it.
+struct Branch {
+    lines: Vec<String>,
+    branches: Vec<Branch>,
+}
+
+impl Branch {
+    fn new(lines: impl IntoIterator<Item = String>) -> Self {
+        Self { lines: lines.into_iter().collect(), branches: Vec::new() }
+    }
+
+    fn write(&self, indent: &str, last: bool, out: &mut dyn io::Write) -> io::Result<()> {
+        let (fork, beside) = if last { ("└─ ", "   ") } else { ("├─ ", "│  ") };
+        for (k, line) in self.lines.iter().enumerate() {
+            writeln!(out, "{indent}{}{line}", if k == 0 { fork } else { beside })?;
+        }
+        write_all(&self.branches, &format!("{indent}{beside}"), out)
+    }
+}
+
+fn write_all(branches: &[Branch], indent: &str, out: &mut dyn io::Write) -> io::Result<()> {
+    let last = branches.len().saturating_sub(1);
+    branches.iter().enumerate().try_for_each(|(k, branch)| branch.write(indent, k == last, out))
+}
+
+/// More arches of one item than this are shown as a sum.
+const SHOWN: usize = 12;
+
+/// Writes the plan; with costs, what was spent.
+pub fn explain(plan: &Plan, costs: Option<&Costs>, out: &mut dyn io::Write) -> io::Result<()> {
+    let count = |n: usize, one: &str, more: &str| match n {
+        0 => None,
+        1 => Some(format!("1 {one}")),
+        n => Some(format!("{n} {more}")),
+    };
+    let pieces: Vec<String> = [
+        count(plan.landmarks.len(), "landmark", "landmarks"),
+        count(plan.arches.len(), "arch", "arches"),
+        count(plan.claims.len(), "claim", "claims"),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    let items = count(plan.scene.items.len(), "item", "items").unwrap_or_default();
+    match pieces.is_empty() {
+        true => writeln!(out, "{items}; nothing to compute")?,
+        false => writeln!(out, "{items}; to compute: {}, each once", pieces.join(", "))?,
+    }
+    let mut branches: Vec<Branch> =
+        (0..plan.scene.items.len()).map(|index| item(plan, costs, index)).collect();
+    let left_out = left_out(plan, costs);
+    if !left_out.is_empty() {
+        let mut branch = Branch::new(["left out".to_owned()]);
+        branch.branches = left_out.into_iter().map(|line| Branch::new([line])).collect();
+        branches.push(branch);
+    }
+    write_all(&branches, "", out)?;
+    if let Some(costs) = costs {
+        writeln!(out, "in all, summed over the cores: {}", spent(&costs.total()))?;
+    }
+    Ok(())
+}
+
+fn item(plan: &Plan, costs: Option<&Costs>, index: usize) -> Branch {
+    let mut branch = Branch::new([heading(&plan.scene.items[index])]);
+    if plan.complete[index] {
+        branch.lines.push("complete: nothing is computed".to_owned());
+        return branch;
+    }
+    let needs = &plan.needs[index];
+    for &place in &needs.landmarks {
+        let node = &plan.landmarks[place];
+        let name = format!("{} {}", node.landmark.symbol(), node.weight.name());
+        branch.branches.push(match earlier(&node.items, index) {
+            Some(other) => Branch::new([format!("{name}: {}", computed_for(plan, other))]),
+            None => {
+                let mut lines = vec![name];
+                lines.extend(landmark(node));
+                lines.extend(costs.and_then(|costs| costs.landmarks[place]).as_ref().map(spent));
+                Branch::new(lines)
+            }
+        });
+    }
+    branch.branches.extend(arches(plan, costs, index));
+    for &place in &needs.claims {
+        let node = &plan.claims[place];
+        let name = format!("{}, {}", node.claim.id, node.claim.place);
+        branch.branches.push(match earlier(&node.items, index) {
+            Some(other) => Branch::new([format!("{name}: {}", computed_for(plan, other))]),
+            None => {
+                let cost = costs.and_then(|costs| costs.claims[place]);
+                Branch::new(std::iter::once(name).chain(cost.as_ref().map(spent)))
+            }
+        });
+    }
+    branch
+}
+
+fn heading(item: &Item) -> String {
+    let output = match &item.output {
+        Some(output) => output.display().to_string(),
+        None => "standard output".to_owned(),
+    };
+    let (kind, format) = (item.what.kind().name(), item.format.name());
+    format!("{kind} in line {} -> {output} ({format})", item.place.line)
+}
+
+/// The item before this one for which a piece is computed.
+fn earlier(items: &[usize], index: usize) -> Option<usize> {
+    items.first().copied().filter(|first| *first != index)
+}
+
+fn computed_for(plan: &Plan, item: usize) -> String {
+    format!("computed for the item in line {}", plan.scene.items[item].place.line)
+}
+
+fn landmark(node: &LandmarkNode) -> Vec<String> {
+    let system = node.landmark.system(node.weight);
+    let equations = list(system.equations.iter().map(|equation| equation.label()));
+    let mut lines = vec![format!("from {equations}")];
+    let mut digits: Vec<usize> = node.asked.iter().map(|(_, digits)| *digits).collect();
+    digits.sort_unstable();
+    digits.dedup();
+    for digits in digits {
+        let asked = node.asked.iter().filter(|(_, of)| *of == digits);
+        let names = list(asked.map(|(quantity, _)| quantity.name()));
+        lines.push(format!("to {digits} digits: {names}"));
+    }
+    if !node.certificates.is_empty() {
+        let digits = list(
+            node.certificates
+                .iter()
+                .map(ToString::to_string)
+                .collect::<Vec<_>>()
+                .iter()
+                .map(String::as_str),
+        );
+        lines.push(format!("the hash of its certificate, to {digits} digits"));
+    }
+    if node.audited {
+        lines.push("for the printed numbers".to_owned());
+    }
+    lines
+}
+
+/// The arches that are computed for an item, the first of them one by one.
+fn arches(plan: &Plan, costs: Option<&Costs>, index: usize) -> Vec<Branch> {
+    let mut places: Vec<usize> = plan.needs[index].arches.iter().map(|(place, _)| *place).collect();
+    places.sort_unstable();
+    places.dedup();
+    let (mine, others): (Vec<usize>, Vec<usize>) =
+        places.into_iter().partition(|&place| earlier(&plan.arches[place].items, index).is_none());
+    let cost = |place: usize| costs.and_then(|costs| costs.arches[place]);
+    let mut branches: Vec<Branch> = Vec::new();
+    // One more is shown by itself rather than as "1 more".
+    let shown = if mine.len() <= SHOWN + 1 { mine.len() } else { SHOWN };
+    for &place in &mine[..shown] {
+        let lines = arch(&plan.arches[place]).into_iter();
+        branches.push(Branch::new(lines.chain(cost(place).as_ref().map(spent))));
+    }
+    if shown < mine.len() {
+        let costs: Option<Vec<Cost>> = mine[shown..].iter().map(|&place| cost(place)).collect();
+        let sum = costs.map(|costs| spent(&costs.iter().sum()));
+        let words = format!("{} more", mine.len() - shown);
+        branches.push(Branch::new(std::iter::once(words).chain(sum)));
+    }
+    let mut from: Vec<(usize, usize)> = Vec::new();
+    for other in others.into_iter().filter_map(|place| earlier(&plan.arches[place].items, index)) {
+        match from.iter_mut().find(|(item, _)| *item == other) {
+            Some((_, count)) => *count += 1,
+            None => from.push((other, 1)),
+        }
+    }
+    branches.extend(from.into_iter().map(|(other, count)| {
+        Branch::new([format!("{}: {}", number_of_arches(count), computed_for(plan, other))])
+    }));
+    branches
+}
+
+fn arch(node: &ArchNode) -> Vec<String> {
+    let (half_opening, weight) = (node.arch.half_opening(), node.arch.weight().name());
+    let mut lines = vec![
+        format!("half opening {half_opening}, friction {}, {weight}", node.friction),
+        expected::in_words(node.arch),
+    ];
+    lines.extend(node.states.iter().map(|(digits, frictions)| {
+        let with = if *frictions { " and the frictions at which its mode changes" } else { "" };
+        format!("to {digits} digits: its state{with}")
+    }));
+    lines.extend(node.thicknesses.iter().map(|asked| {
+        let what = match asked.wanted {
+            Wanted::Standing => "whether it stands",
+            Wanted::Everything => "whether it stands, and the range of thrusts",
+        };
+        format!("to {} digits, thickness {}: {what}", asked.digits, asked.thickness)
+    }));
+    lines
+}
+
+fn number_of_arches(count: usize) -> String {
+    format!("{count} arch{}", if count == 1 { "" } else { "es" })
+}
+
+/// Every equation, in the order of the paper.
+const EQUATIONS: [Equation; 9] = [
+    Equation::LowerThrust,
+    Equation::UpperThrust,
+    Equation::WholeThrust,
+    Equation::Tangency,
+    Equation::TangencyAtCrown,
+    Equation::DoubleThickness,
+    Equation::ShoulderSliding,
+    Equation::InnerSliding,
+    Equation::Steepest,
+];
+
+/// A cost in words.
+fn spent(cost: &Cost) -> String {
+    let tally = &cost.tally;
+    let mut words = vec![format!("{:.1} ms", 1000.0 * cost.time.as_secs_f64())];
+    for (count, one, more) in [
+        (u64::from(tally.working_bits), "bit", "bits"),
+        (tally.conditions, "condition", "conditions"),
+        (tally.landmarks, "comparison with l and L", "comparisons with l and L"),
+        (tally.newton_steps, "Newton step", "Newton steps"),
+        (tally.evaluations(), "evaluation", "evaluations"),
+    ] {
+        if count > 0 {
+            words.push(format!("{count} {}", if count == 1 { one } else { more }));
+        }
+    }
+    let of = |equation: &Equation| Some((equation.label(), tally.of(*equation)));
+    let each: Vec<String> = EQUATIONS
+        .iter()
+        .filter_map(of)
+        .filter(|(_, count)| *count > 0)
+        .map(|(label, count)| format!("{label} {count}"))
+        .collect();
+    match each.is_empty() {
+        true => words.join(", "),
+        false => format!("{}: {}", words.join(", "), each.join(", ")),
+    }
+}
+
+/// What is not computed, and why.
+fn left_out(plan: &Plan, costs: Option<&Costs>) -> Vec<String> {
+    let mut lines = Vec::new();
+    let not_asked = |what: String| format!("{what}: not asked for");
+    for weight in SelfWeight::ALL {
+        let asked = |landmark: &Landmark| {
+            plan.landmarks.iter().any(|n| (n.landmark, n.weight) == (*landmark, weight))
+        };
+        let rest: Vec<Landmark> = Landmark::ALL.into_iter().filter(|l| !asked(l)).collect();
+        if !rest.is_empty() && !plan.landmarks.is_empty() {
+            let symbols = list(rest.into_iter().map(Landmark::symbol));
+            lines.push(not_asked(format!("landmarks {symbols} {}", weight.name())));
+        }
+    }
+    let mut partly: Vec<((SelfWeight, usize), Vec<&str>)> = Vec::new();
+    for node in plan.landmarks.iter().filter(|node| !node.asked.is_empty()) {
+        let asked = |quantity: &Quantity| node.asked.iter().any(|(of, _)| of == quantity);
+        let rest = quantities(node.landmark).filter(|quantity| !asked(quantity)).count();
+        let (key, symbol) = ((node.weight, rest), node.landmark.symbol());
+        match partly.iter_mut().find(|(other, _)| *other == key) {
+            Some((_, symbols)) => symbols.push(symbol),
+            None => partly.push((key, vec![symbol])),
+        }
+    }
+    for ((weight, rest), symbols) in partly.into_iter().filter(|((_, rest), _)| *rest > 0) {
+        let plural = if rest == 1 { "quantity" } else { "quantities" };
+        let (symbols, weight) = (list(symbols), weight.name());
+        lines.push(not_asked(format!("{rest} {plural} each of {symbols} {weight}")));
+    }
+    let arches = |without: &dyn Fn(&ArchNode) -> bool| {
+        plan.arches.iter().filter(|node| without(node)).count()
+    };
+    let frictions = arches(&|node| !node.states.is_empty() && !node.frictions());
+    if frictions > 0 {
+        let names = FRICTIONS.join(", ");
+        lines.push(not_asked(format!("{names} of {}", number_of_arches(frictions))));
+    }
+    let ranges =
+        arches(&|node| node.thicknesses.iter().any(|asked| asked.wanted == Wanted::Standing));
+    if ranges > 0 {
+        let names = RANGE_OF_THRUSTS.join(", ");
+        lines.push(not_asked(format!("{names} of {}", number_of_arches(ranges))));
+    }
+    let all = claims().len();
+    if !plan.claims.is_empty() && plan.claims.len() < all {
+        lines.push(not_asked(format!("{} of {all} claims", all - plan.claims.len())));
+    }
+    if let Some(costs) = costs {
+        let total = costs.total();
+        let unused = EQUATIONS.iter().filter(|equation| total.tally.of(**equation) == 0);
+        let unused = list(unused.map(|equation| equation.label()));
+        if !unused.is_empty() {
+            lines.push(format!("equations {unused}: nothing needed them"));
+        }
+    }
+    lines
+}

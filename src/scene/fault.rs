@@ -1,0 +1,118 @@
+//! What is wrong in a scene file, and where.
+
+use std::ops::Range;
+
+/// A line and a column of a file, both from 1; a column is a character.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Place {
+    /// The line.
+    pub line: usize,
+    /// The character of the line.
+    pub column: usize,
+}
+
+/// Something wrong, and what is allowed instead: one line of text.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Fault {
+    /// Where it begins.
+    pub place: Place,
+    /// What it is.
+    pub message: String,
+}
+
+/// The text of a scene file.
+pub struct Source<'s>(pub &'s str);
+
+/// What is shown of a value; more would hide the message.
+const SHOWN: usize = 40;
+
+impl Source<'_> {
+    /// The place of a byte.
+    pub fn place(&self, offset: usize) -> Place {
+        let before = &self.0[..offset.min(self.0.len())];
+        let line = before.rfind('\n').map_or(before, |end| &before[end + 1..]);
+        Place {
+            line: before.matches('\n').count() + 1,
+            // A byte order mark is no character that an editor counts.
+            column: line.trim_start_matches('\u{feff}').chars().count() + 1,
+        }
+    }
+
+    /// A value as it is written, on one line and not too long.
+    pub fn shown(&self, span: Range<usize>) -> String {
+        on_one_line(self.0.get(span).unwrap_or_default())
+    }
+}
+
+/// A text on one line and not too long.
+pub fn on_one_line(text: &str) -> String {
+    let mut shown: String =
+        text.chars().take(SHOWN).map(|c| if c.is_control() { ' ' } else { c }).collect();
+    if shown.len() < text.len() {
+        shown.push('…');
+    }
+    shown
+}
+
+/// Names in a sentence: `a, b, c`.
+pub fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
+    names.into_iter().collect::<Vec<_>>().join(", ")
+}
+
+/// Symbols of the field for which people reach first.
+const SYMBOLS: [(&str, &str); 5] = [
+    ("alpha", "half_opening"),
+    ("mu", "friction"),
+    ("phi", "friction_angle"),
+    ("eta", "thickness"),
+    ("h", "thrust"),
+];
+/// Names less alike than this are not what was meant.
+const ALIKE: f64 = 0.75;
+
+/// ` (did you mean "…"?)`, if one of the names is close to what was written.
+pub fn did_you_mean(written: &str, names: &[&str]) -> String {
+    let symbol = SYMBOLS.iter().find(|(symbol, _)| *symbol == written).map(|(_, name)| *name);
+    let alike = |name: &str| strsim::jaro_winkler(&written.to_lowercase(), &name.to_lowercase());
+    let nearest = names
+        .iter()
+        .map(|name| (alike(name), *name))
+        .filter(|(alike, _)| *alike >= ALIKE)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, name)| name);
+    symbol
+        .filter(|name| names.contains(name))
+        .or(nearest)
+        .map_or(String::new(), |name| format!(" (did you mean \"{name}\"?)"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_are_counted_in_characters() {
+        let source = Source("\u{feff}ä = 1\nβ = \"x\"\n");
+        assert_eq!(source.place(3), Place { line: 1, column: 1 });
+        assert_eq!(source.place(5), Place { line: 1, column: 2 });
+        let x = source.0.find('"').unwrap();
+        assert_eq!(source.place(x), Place { line: 2, column: 5 });
+        assert_eq!(source.place(1_000), Place { line: 3, column: 1 });
+    }
+
+    #[test]
+    fn a_value_is_shown_on_one_short_line() {
+        assert_eq!(Source("a\nb").shown(0..3), "a b");
+        let long = "1".repeat(100);
+        assert_eq!(Source(&long).shown(0..100).chars().count(), SHOWN + 1);
+    }
+
+    #[test]
+    fn the_nearest_name_is_offered_if_one_is_near() {
+        let names = ["half_opening", "friction", "friction_angle"];
+        assert_eq!(did_you_mean("half_openning", &names), " (did you mean \"half_opening\"?)");
+        assert_eq!(did_you_mean("mu", &names), " (did you mean \"friction\"?)");
+        assert_eq!(did_you_mean("colour", &names), "");
+        assert_eq!(did_you_mean("eta", &names), "", "not a key here");
+    }
+}

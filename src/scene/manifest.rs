@@ -1,0 +1,151 @@
+//! The record of a run, `couplet.run/1`: what was asked of each output, and what was written.
+//!
+//! An output is complete if the same was asked of the same version of the program and the file holds
+//! what was written then. Both are told by hashes: times and names prove nothing.
+
+use super::schema::Item;
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::{self, BufReader, Read, Write};
+use std::path::Path;
+
+/// The name of the record in the folder of outputs.
+pub const NAME: &str = "couplet-run.json";
+const SCHEMA: &str = "couplet.run/1";
+
+/// The outputs that were completed, by their paths in the folder.
+#[derive(Debug, Serialize, Deserialize)]
+pub struct Manifest {
+    schema: String,
+    outputs: BTreeMap<String, Entry>,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+struct Entry {
+    /// SHA-256 of the version of the program and the description of the item.
+    asked: String,
+    /// SHA-256 of the file.
+    content: String,
+}
+
+impl Default for Manifest {
+    fn default() -> Self {
+        Self { schema: SCHEMA.to_owned(), outputs: BTreeMap::new() }
+    }
+}
+
+impl Manifest {
+    /// The record in a folder; an empty one if there is none that can be read.
+    pub fn of(folder: &Path) -> Self {
+        let read = || {
+            let file = BufReader::new(File::open(folder.join(NAME)).ok()?);
+            serde_json::from_reader::<_, Self>(file).ok()
+        };
+        read().filter(|manifest| manifest.schema == SCHEMA).unwrap_or_default()
+    }
+
+    /// Whether the output of an item is there and is what would be written again.
+    pub fn is_complete(&self, folder: &Path, item: &Item) -> bool {
+        let Some(output) = &item.output else { return false };
+        let entry = self.outputs.get(&key(output));
+        entry.is_some_and(|entry| {
+            entry.asked == asked(item)
+                && hash_of(&folder.join(output)).is_ok_and(|content| content == entry.content)
+        })
+    }
+
+    /// Notes that an output was written.
+    pub fn note(&mut self, item: &Item, content: String) {
+        if let Some(output) = &item.output {
+            self.outputs.insert(key(output), Entry { asked: asked(item), content });
+        }
+    }
+
+    /// Forgets an output that is about to be written anew.
+    pub fn forget(&mut self, item: &Item) {
+        if let Some(output) = &item.output {
+            self.outputs.remove(&key(output));
+        }
+    }
+
+    /// Writes the record.
+    pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+        serde_json::to_writer_pretty(&mut *out, self)?;
+        writeln!(out)
+    }
+}
+
+fn key(output: &Path) -> String {
+    output.to_string_lossy().into_owned()
+}
+
+fn asked(item: &Item) -> String {
+    let text = format!("couplet {}\n{}", env!("CARGO_PKG_VERSION"), item.description());
+    hexadecimal(Sha256::digest(text))
+}
+
+fn hexadecimal(bytes: impl AsRef<[u8]>) -> String {
+    bytes.as_ref().iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+fn hash_of(path: &Path) -> io::Result<String> {
+    if !path.is_file() {
+        return Err(io::ErrorKind::InvalidInput.into());
+    }
+    let mut file = BufReader::new(File::open(path)?);
+    let mut hashing = Hashing::new(io::sink());
+    let mut buffer = [0; 1 << 16];
+    loop {
+        match file.read(&mut buffer)? {
+            0 => return Ok(hashing.hash()),
+            length => hashing.write_all(&buffer[..length])?,
+        }
+    }
+}
+
+/// Writes through, and knows the hash of what was written.
+pub struct Hashing<W> {
+    inner: W,
+    hash: Sha256,
+}
+
+impl<W: Write> Hashing<W> {
+    /// Nothing is written yet.
+    pub fn new(inner: W) -> Self {
+        Self { inner, hash: Sha256::new() }
+    }
+
+    /// SHA-256 of all that was written.
+    pub fn hash(self) -> String {
+        hexadecimal(self.hash.finalize())
+    }
+}
+
+impl<W: Write> Write for Hashing<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = self.inner.write(bytes)?;
+        self.hash.update(&bytes[..written]);
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.inner.flush()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_hash_is_that_of_what_was_written() {
+        let mut hashing = Hashing::new(Vec::new());
+        hashing.write_all(b"ab").unwrap();
+        hashing.write_all(b"c").unwrap();
+        assert_eq!(hashing.inner, b"abc");
+        let abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+        assert_eq!(hashing.hash(), abc);
+    }
+}

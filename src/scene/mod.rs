@@ -1,0 +1,63 @@
+//! A scene: what a study needs, in a file, and exactly that computed and written.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `schema` | what a scene may hold, `couplet.scene/1` |
+//! | `read` | TOML to a valid scene, or all its faults; with `read_arches`, `value`, `number`, `destination`, `fault` |
+//! | `format` | the formats of outputs |
+//! | `plan` | what has to be computed, each piece once |
+//! | `run` | computes the `pieces`, item by item; `cost` counts |
+//! | `found` | what an item asked for, as a report |
+//! | `explain` | the plan as a tree, with what `expected` says of the arches |
+//! | `manifest` | which outputs are complete, told by their content |
+//!
+//! ```
+//! use couplet::scene::{Plan, Run, read};
+//!
+//! let text = r#"
+//!     schema = "couplet.scene/1"
+//!     [constants]
+//!     landmarks = "T"
+//!     quantities = "thickness"
+//!     weight = "milankovitch"
+//!     digits = 12
+//! "#;
+//! let scene = read(text).unwrap();
+//! let plan = Plan::new(&scene, vec![false]);
+//! let mut run = Run::new(&plan);
+//! let mut table = Vec::new();
+//! run.item(0, &|| ()).write(&mut table)?;
+//! assert!(String::from_utf8_lossy(&table).contains("0.618318241074"));
+//! # Ok::<(), std::io::Error>(())
+//! ```
+
+mod cost;
+mod destination;
+mod expected;
+mod explain;
+mod fault;
+mod format;
+mod found;
+mod manifest;
+mod number;
+mod pieces;
+mod plan;
+mod read;
+mod read_arches;
+mod run;
+mod schema;
+mod value;
+
+pub use cost::Cost;
+pub use explain::explain;
+pub use fault::{Fault, Place};
+pub use format::OutputFormat;
+pub use found::Found;
+pub use manifest::{Hashing, Manifest, NAME as MANIFEST};
+pub use plan::{ArchNode, AskedThickness, ClaimNode, LandmarkNode, Needs, Plan};
+pub use read::{read, read_bytes};
+pub use run::{Costs, Run};
+pub use schema::{
+    AskedArch, EXAMPLE, Item, Kind, MAX_ARCH_DIGITS, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, SCHEMA,
+    Scene, What,
+};

@@ -1,0 +1,267 @@
+//! Exact numbers of a scene: one, a list, or a range `{ from, to, steps }`.
+
+use super::fault::on_one_line;
+use super::schema::MAX_ARCHES;
+use super::value::{Reader, Value};
+use crate::arch::SelfWeight;
+use crate::certify::state::{Arch, ArchError, Friction, is_thickness};
+use crate::number::{Decimal, ExactNumber, ParseExactError};
+use rug::Rational;
+use std::collections::HashMap;
+use std::ops::Range;
+use toml::de::{DeTable, DeValue};
+
+/// What an exact number is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Meaning {
+    HalfOpening,
+    Friction,
+    FrictionAngle,
+    Thickness,
+}
+
+/// The numbers of a key. A range is written out only when it is known not to be too much.
+pub enum Numbers {
+    /// As they were given.
+    Listed(Vec<Given>),
+    /// `steps` numbers, so many times `step` above the first.
+    Range { meaning: Meaning, first: Rational, step: Rational, unit: Unit, steps: usize },
+}
+
+impl Numbers {
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Listed(all) => all.len(),
+            Self::Range { steps, .. } => *steps,
+        }
+    }
+
+    /// All of them, if they can be written as numbers that are read.
+    pub fn all(self) -> Result<Vec<Given>, ParseExactError> {
+        match self {
+            Self::Listed(all) => Ok(all),
+            Self::Range { meaning, first, step, unit, steps } => (0..steps)
+                .map(|k| {
+                    let text = text(&(Rational::from(&step * k) + &first), unit);
+                    Ok(Given { number: meaning.parse(&text)?, text })
+                })
+                .collect(),
+        }
+    }
+}
+
+/// A number, or `inf`, as it was written.
+#[derive(Clone)]
+pub struct Given {
+    /// `None` is infinite.
+    pub number: Option<ExactNumber>,
+    pub text: String,
+}
+
+impl Meaning {
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::HalfOpening => "half_opening",
+            Self::Friction => "friction",
+            Self::FrictionAngle => "friction_angle",
+            Self::Thickness => "thickness",
+        }
+    }
+
+    /// What may be given.
+    pub fn allowed(self) -> &'static str {
+        match self {
+            Self::HalfOpening => "an angle (2.45, \"pi/2\", \"80deg\")",
+            Self::Friction => "a coefficient (0.6, \"3/5\", \"inf\")",
+            Self::FrictionAngle => "an angle (0.5, \"pi/6\", \"21deg\")",
+            Self::Thickness => "a ratio of thickness to radius (0.12, \"3/25\")",
+        }
+    }
+
+    fn parse(self, text: &str) -> Result<Option<ExactNumber>, ParseExactError> {
+        match self {
+            Self::Friction if text == "inf" => Ok(None),
+            Self::HalfOpening | Self::FrictionAngle => ExactNumber::angle(text).map(Some),
+            Self::Friction | Self::Thickness => text.parse().map(Some),
+        }
+    }
+
+    /// The range that a number is not in, if it is not.
+    fn outside(self, number: &ExactNumber) -> Option<&'static str> {
+        let weight = SelfWeight::Milankovitch;
+        let one = || ExactNumber::rational(1);
+        let made = match self {
+            Self::HalfOpening => Arch::new(weight, number.clone(), Friction::Infinite),
+            Self::Friction => Arch::new(weight, one(), Friction::Coefficient(number.clone())),
+            Self::FrictionAngle => Arch::new(weight, one(), Friction::Angle(number.clone())),
+            Self::Thickness => {
+                return (!is_thickness(number)).then_some("between 0 and 2");
+            }
+        };
+        made.err().map(|error| match error {
+            ArchError::HalfOpening(_) => "between 0 and pi (180deg)",
+            ArchError::Friction(_) => "0 or more",
+            ArchError::FrictionAngle(_) => "between 0 and pi/2 (90deg)",
+        })
+    }
+}
+
+/// Unit in which a number is written; a range keeps that of its ends.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Unit {
+    One,
+    Pi,
+    Degrees,
+}
+
+impl Reader<'_> {
+    /// The numbers of a key, each once. `None` if any is wrong.
+    pub fn numbers(&mut self, meaning: Meaning, value: &Value) -> Option<Numbers> {
+        if let DeValue::Table(table) = value.get_ref() {
+            return self.range(meaning, value, table);
+        }
+        let before = self.faults.len();
+        let mut found: Vec<Given> = Vec::new();
+        let mut seen: HashMap<Option<(Rational, bool)>, Range<usize>> = HashMap::new();
+        for element in self.elements(meaning.key(), value, meaning.allowed()) {
+            let Some(given) = self.number(meaning, element) else { continue };
+            let number = given.number.as_ref().map(|x| (x.factor().clone(), x.is_rational()));
+            if let Some(first) = seen.insert(number, element.span()) {
+                let (text, at) =
+                    (self.source.shown(element.span()), self.source.place(first.start));
+                let message = format!(
+                    "{} {text} is listed twice, first in line {}, column {}",
+                    meaning.key(),
+                    at.line,
+                    at.column
+                );
+                self.fault(element.span(), message);
+            }
+            found.push(given);
+        }
+        (self.faults.len() == before).then_some(Numbers::Listed(found))
+    }
+
+    /// One number, read from its text: `0.1` is one tenth with and without quotes.
+    fn number(&mut self, meaning: Meaning, value: &Value) -> Option<Given> {
+        let text = match value.get_ref() {
+            DeValue::String(text) => text.as_ref(),
+            DeValue::Float(float) => float.as_str(),
+            DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str(),
+            _ => {
+                self.is_not(meaning.key(), value, meaning.allowed());
+                return None;
+            }
+        };
+        let text = text.strip_prefix('+').unwrap_or(text);
+        match meaning.parse(text) {
+            Ok(number) => {
+                if let Some(range) = number.as_ref().and_then(|number| meaning.outside(number)) {
+                    self.is_not(meaning.key(), value, range);
+                    return None;
+                }
+                Some(Given { number, text: text.to_owned() })
+            }
+            Err(ParseExactError::Syntax(_)) => {
+                self.is_not(meaning.key(), value, meaning.allowed());
+                None
+            }
+            Err(error) => {
+                self.fault(value.span(), format!("{}: {error}", meaning.key()));
+                None
+            }
+        }
+    }
+
+    /// `{ from, to, steps }`: so many numbers at equal distances, both ends among them.
+    fn range(&mut self, meaning: Meaning, value: &Value, table: &DeTable) -> Option<Numbers> {
+        let before = self.faults.len();
+        self.unknown_keys(table, "a range", &["from", "to", "steps"]);
+        for key in ["from", "to", "steps"].iter().filter(|key| !table.contains_key(**key)) {
+            let message = format!(
+                "{} has no {key}; a range is {{ from = …, to = …, steps = … }}",
+                meaning.key()
+            );
+            self.fault(value.span(), message);
+        }
+        let ends = ["from", "to"].map(|key| self.number(meaning, table.get(key)?));
+        let steps = table.get("steps").and_then(|steps| self.whole("steps", steps, 2..=MAX_ARCHES));
+        let [Some(from), Some(to)] = ends else { return None };
+        let (Some((first, unit)), Some((last, unit_of_last))) = (scaled(&from), scaled(&to)) else {
+            self.fault(value.span(), format!("{} has a range without end", meaning.key()));
+            return None;
+        };
+        let (key, from, to) = (meaning.key(), on_one_line(&from.text), on_one_line(&to.text));
+        if unit != unit_of_last {
+            let message = format!(
+                "{key} from {from} to {to} is in two units; give both in radians, as multiples of pi, or \
+                 in degrees"
+            );
+            self.fault(value.span(), message);
+        } else if first >= last {
+            self.fault(value.span(), format!("{key} from {from} to {to} does not rise"));
+        }
+        let steps = steps?;
+        if self.faults.len() > before {
+            return None;
+        }
+        let step = (last - &first) / Rational::from(steps - 1);
+        Some(Numbers::Range { meaning, first, step, unit, steps })
+    }
+}
+
+/// A number in the unit in which it is written; none that is infinite has one.
+fn scaled(given: &Given) -> Option<(Rational, Unit)> {
+    let number = given.number.as_ref()?;
+    let factor = number.factor().clone();
+    Some(match (number.is_rational(), given.text.ends_with("deg")) {
+        (_, true) => (factor * 180, Unit::Degrees),
+        (true, false) => (factor, Unit::One),
+        (false, false) => (factor, Unit::Pi),
+    })
+}
+
+/// Decimals up to this length are written as such, others as fractions.
+const SHORT: usize = 30;
+
+/// A number as a person would write it.
+fn text(value: &Rational, unit: Unit) -> String {
+    let plain = || match Decimal::terminating(value, SHORT) {
+        Some(decimal) => decimal.to_string(),
+        None => value.to_string(),
+    };
+    match unit {
+        Unit::One => plain(),
+        Unit::Degrees => format!("{}deg", plain()),
+        Unit::Pi => match (*value.numer() == 1, *value.denom() == 1) {
+            (true, true) => "pi".to_owned(),
+            (true, false) => format!("pi/{}", value.denom()),
+            (false, true) => format!("{}pi", value.numer()),
+            (false, false) => format!("{}pi/{}", value.numer(), value.denom()),
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_of_a_range_is_what_its_text_says() {
+        for (value, unit, written) in [
+            ((3, 20), Unit::One, "0.15"),
+            ((1, 3), Unit::One, "1/3"),
+            ((1, 2), Unit::Pi, "pi/2"),
+            ((1, 1), Unit::Pi, "pi"),
+            ((5, 6), Unit::Pi, "5pi/6"),
+            ((245, 2), Unit::Degrees, "122.5deg"),
+        ] {
+            let value = Rational::from(value);
+            assert_eq!(text(&value, unit), written);
+            let number = ExactNumber::angle(written).unwrap();
+            let read = scaled(&Given { number: Some(number), text: written.to_owned() }).unwrap();
+            assert!(read.0 == value && read.1 == unit, "{written}");
+        }
+    }
+}

@@ -1,0 +1,302 @@
+//! What a scene needs computed: each piece once, to the most digits that any item asks of it. The first
+//! item that needs a piece waits for all of its digits.
+
+use super::schema::{AskedArch, Scene, What};
+use crate::arch::{Landmark, Quantity, SelfWeight};
+use crate::certify::state::{Arch, Friction, Wanted};
+use crate::certify::{CertifiedLandmark, quantities};
+use crate::claims::Claim;
+use crate::number::ExactNumber;
+use rug::Rational;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+/// What is computed, and what each item takes from it.
+#[derive(Debug)]
+pub struct Plan<'s> {
+    /// What was asked for.
+    pub scene: &'s Scene,
+    /// For each item, whether its output is complete already, so that nothing is computed for it.
+    pub complete: Vec<bool>,
+    /// The landmarks, each once.
+    pub landmarks: Vec<LandmarkNode>,
+    /// The arches, each once.
+    pub arches: Vec<ArchNode<'s>>,
+    /// The claims, each once.
+    pub claims: Vec<ClaimNode>,
+    /// For each item, what it takes.
+    pub needs: Vec<Needs>,
+}
+
+/// A landmark and what is asked of it.
+#[derive(Debug)]
+pub struct LandmarkNode {
+    /// The landmark.
+    pub landmark: Landmark,
+    /// The self-weight model.
+    pub weight: SelfWeight,
+    /// Each quantity with each number of digits in which it is asked for.
+    pub asked: Vec<(Quantity, usize)>,
+    /// The digits of the certificates whose hashes the outputs name.
+    pub certificates: BTreeSet<usize>,
+    /// Whether printed numbers are compared with it.
+    pub audited: bool,
+    /// The items that take it.
+    pub items: Vec<usize>,
+}
+
+/// An arch and what is asked of it.
+#[derive(Debug)]
+pub struct ArchNode<'s> {
+    /// The arch.
+    pub arch: &'s Arch,
+    /// Its friction as it was given first.
+    pub friction: &'s str,
+    /// The digits in which its state is asked for, and whether with the frictions at which the mode
+    /// changes.
+    pub states: BTreeMap<usize, bool>,
+    /// The thicknesses with which it is asked about.
+    pub thicknesses: Vec<AskedThickness>,
+    /// The items that take it.
+    pub items: Vec<usize>,
+}
+
+/// A thickness of an arch, and what is asked.
+#[derive(Debug)]
+pub struct AskedThickness {
+    /// The thickness.
+    pub thickness: ExactNumber,
+    /// Significant digits.
+    pub digits: usize,
+    /// How much is to be found out.
+    pub wanted: Wanted,
+}
+
+/// A claim.
+#[derive(Debug)]
+pub struct ClaimNode {
+    /// The claim.
+    pub claim: Claim,
+    /// The items that take it.
+    pub items: Vec<usize>,
+}
+
+/// What an item takes: places in the lists of the plan.
+#[derive(Debug, Default)]
+pub struct Needs {
+    /// Landmarks.
+    pub landmarks: Vec<usize>,
+    /// Arches, each with the place of its thickness if it has one.
+    pub arches: Vec<(usize, Option<usize>)>,
+    /// Claims.
+    pub claims: Vec<usize>,
+}
+
+/// An arch takes as long as a landmark of so many digits, roughly.
+const ARCH: usize = 200;
+/// And a claim.
+const CLAIM: usize = 10_000;
+
+/// What makes two arches the same, however they are written.
+type ArchKey = (SelfWeight, Number, Option<(bool, Number)>);
+type Number = (Rational, bool);
+
+fn number(x: &ExactNumber) -> Number {
+    (x.factor().clone(), x.is_rational())
+}
+
+fn arch_key(arch: &Arch) -> ArchKey {
+    let friction = match arch.friction() {
+        Friction::Infinite => None,
+        Friction::Coefficient(mu) => Some((false, number(mu))),
+        Friction::Angle(phi) => Some((true, number(phi))),
+    };
+    (arch.weight(), number(arch.half_opening()), friction)
+}
+
+/// The values of an arch of a given thickness that need more than its state.
+pub const RANGE_OF_THRUSTS: [&str; 4] =
+    ["required_friction", "friction_safety", "least_thrust", "largest_thrust"];
+/// The values of a state that its proof does not need.
+pub const FRICTIONS: [&str; 2] = ["sliding_friction", "rotational_friction"];
+
+impl<'s> Plan<'s> {
+    /// The plan of a scene, without the items whose outputs are complete.
+    pub fn new(scene: &'s Scene, complete: Vec<bool>) -> Self {
+        let mut plan = Self {
+            scene,
+            complete,
+            landmarks: Vec::new(),
+            arches: Vec::new(),
+            claims: Vec::new(),
+            needs: Vec::new(),
+        };
+        let mut known = HashMap::new();
+        let mut thicknesses = HashMap::new();
+        for (index, item) in scene.items.iter().enumerate() {
+            let mut needs = Needs::default();
+            if !plan.complete.get(index).copied().unwrap_or(false) {
+                match &item.what {
+                    What::Constants { points, quantities, digits } => {
+                        for &point in points {
+                            let node = plan.landmark(point, index);
+                            plan.landmarks[node].ask(quantities, *digits);
+                            if item.format.has_certificates() {
+                                plan.landmarks[node].certificates.insert(*digits);
+                            }
+                            needs.landmarks.push(node);
+                        }
+                    }
+                    What::Audit { points } => {
+                        for &point in points {
+                            let node = plan.landmark(point, index);
+                            plan.landmarks[node].audited = true;
+                            needs.landmarks.push(node);
+                        }
+                    }
+                    What::Arches { arches, quantities, digits, .. } => {
+                        for asked in arches {
+                            let node = plan.arch(asked, index, &mut known);
+                            let place = plan.arches[node].ask(
+                                (node, asked.thickness.as_ref()),
+                                quantities,
+                                *digits,
+                                &mut thicknesses,
+                            );
+                            needs.arches.push((node, place));
+                        }
+                    }
+                    What::Claims { claims, .. } => {
+                        needs.claims.extend(claims.iter().map(|claim| plan.claim(*claim, index)));
+                    }
+                }
+            }
+            plan.needs.push(needs);
+        }
+        plan
+    }
+
+    fn landmark(&mut self, (landmark, weight): (Landmark, SelfWeight), item: usize) -> usize {
+        let is_it = |node: &LandmarkNode| (node.landmark, node.weight) == (landmark, weight);
+        let place = self.landmarks.iter().position(is_it).unwrap_or_else(|| {
+            self.landmarks.push(LandmarkNode {
+                landmark,
+                weight,
+                asked: Vec::new(),
+                certificates: BTreeSet::new(),
+                audited: false,
+                items: Vec::new(),
+            });
+            self.landmarks.len() - 1
+        });
+        self.landmarks[place].items.push(item);
+        place
+    }
+
+    fn arch(
+        &mut self,
+        asked: &'s AskedArch,
+        item: usize,
+        known: &mut HashMap<ArchKey, usize>,
+    ) -> usize {
+        let place = *known.entry(arch_key(&asked.arch)).or_insert_with(|| {
+            self.arches.push(ArchNode {
+                arch: &asked.arch,
+                friction: &asked.friction,
+                states: BTreeMap::new(),
+                thicknesses: Vec::new(),
+                items: Vec::new(),
+            });
+            self.arches.len() - 1
+        });
+        let items = &mut self.arches[place].items;
+        if items.last() != Some(&item) {
+            items.push(item);
+        }
+        place
+    }
+
+    fn claim(&mut self, claim: Claim, item: usize) -> usize {
+        let is_it = |node: &ClaimNode| node.claim.id == claim.id;
+        let place = self.claims.iter().position(is_it).unwrap_or_else(|| {
+            self.claims.push(ClaimNode { claim, items: Vec::new() });
+            self.claims.len() - 1
+        });
+        self.claims[place].items.push(item);
+        place
+    }
+
+    /// How much work it is, in digits of landmarks that would take as long.
+    pub fn size(&self) -> usize {
+        let landmarks: usize = self.landmarks.iter().map(LandmarkNode::digits).sum();
+        let arches: usize = self.arches.iter().map(|node| ARCH.max(node.digits())).sum();
+        landmarks + arches + CLAIM * self.claims.len()
+    }
+
+    /// How often the run reports progress.
+    pub fn ticks(&self) -> u64 {
+        let landmarks = self.landmarks.iter().map(LandmarkNode::ticks).sum::<u64>();
+        landmarks + (self.arches.len() + self.claims.len()) as u64
+    }
+}
+
+impl LandmarkNode {
+    /// Asks for quantities, those that the landmark has.
+    fn ask(&mut self, asked: &[Quantity], digits: usize) {
+        for quantity in quantities(self.landmark).filter(|quantity| asked.contains(quantity)) {
+            if !self.asked.contains(&(quantity, digits)) {
+                self.asked.push((quantity, digits));
+            }
+        }
+    }
+
+    fn ticks(&self) -> u64 {
+        match self.asked.len() {
+            0 => 0,
+            asked => CertifiedLandmark::ticks_of(self.landmark, asked),
+        }
+    }
+
+    /// The most digits that are asked for.
+    pub fn digits(&self) -> usize {
+        self.asked.iter().map(|(_, digits)| *digits).max().unwrap_or(0)
+    }
+}
+
+impl ArchNode<'_> {
+    /// Asks for the state, or for what holds with a thickness, whose place is returned.
+    fn ask(
+        &mut self,
+        (node, thickness): (usize, Option<&ExactNumber>),
+        quantities: &[&str],
+        digits: usize,
+        known: &mut HashMap<(usize, Rational, usize), usize>,
+    ) -> Option<usize> {
+        let any = |names: &[&str]| quantities.iter().any(|name| names.contains(name));
+        let Some(thickness) = thickness else {
+            *self.states.entry(digits).or_default() |= any(&FRICTIONS);
+            return None;
+        };
+        let wanted = if any(&RANGE_OF_THRUSTS) { Wanted::Everything } else { Wanted::Standing };
+        let key = (node, thickness.factor().clone(), digits);
+        let place = *known.entry(key).or_insert_with(|| {
+            let thickness = thickness.clone();
+            self.thicknesses.push(AskedThickness { thickness, digits, wanted });
+            self.thicknesses.len() - 1
+        });
+        if wanted == Wanted::Everything {
+            self.thicknesses[place].wanted = wanted;
+        }
+        Some(place)
+    }
+
+    /// Whether the frictions at which the mode changes are asked for.
+    pub fn frictions(&self) -> bool {
+        self.states.values().any(|frictions| *frictions)
+    }
+
+    /// The most digits that are asked for.
+    pub fn digits(&self) -> usize {
+        let states = self.states.keys().copied();
+        states.chain(self.thicknesses.iter().map(|asked| asked.digits)).max().unwrap_or(1)
+    }
+}

@@ -1,0 +1,189 @@
+//! What a scene may hold: `couplet.scene/1`. Keys may be added, none changes its meaning.
+
+use super::fault::Place;
+use super::format::OutputFormat;
+use crate::arch::{Landmark, Quantity, SelfWeight};
+use crate::certify::state::Arch;
+use crate::claims::Claim;
+use crate::number::ExactNumber;
+use std::path::PathBuf;
+
+/// The name and the version of the schema, which every scene begins with.
+pub const SCHEMA: &str = "couplet.scene/1";
+
+/// A scene with every key and what it means, which is itself a scene.
+pub const EXAMPLE: &str = include_str!("example.toml");
+
+/// Digits where a scene does not say how many.
+pub const DIGITS: usize = 30;
+/// States are proved in numbers of moderate length.
+pub const MAX_ARCH_DIGITS: usize = 10_000;
+/// The most arches of a scene, and the most steps of a range.
+pub const MAX_ARCHES: usize = 100_000;
+/// The most items of a scene.
+pub const MAX_ITEMS: usize = 1_000;
+/// The most bytes of a scene.
+pub const MAX_BYTES: usize = 1 << 20;
+
+/// A valid scene.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// What is asked for, in the order of the file.
+    pub items: Vec<Item>,
+}
+
+/// Something that is asked for, and where it goes.
+#[derive(Clone, Debug)]
+pub struct Item {
+    /// Where the file asks for it.
+    pub place: Place,
+    /// What is asked.
+    pub what: What,
+    /// How it is written.
+    pub format: OutputFormat,
+    /// The file, relative to the folder of outputs; standard output if there is none.
+    pub output: Option<PathBuf>,
+}
+
+/// What can be asked for.
+#[derive(Clone, Debug)]
+pub enum What {
+    /// Landmark constants.
+    Constants {
+        /// The landmarks.
+        points: Vec<(Landmark, SelfWeight)>,
+        /// Which quantities of them, where they exist.
+        quantities: Vec<Quantity>,
+        /// Significant digits.
+        digits: usize,
+    },
+    /// Arches at their least thickness, or with a thickness.
+    Arches {
+        /// The arches.
+        arches: Vec<AskedArch>,
+        /// The names of the values asked for.
+        quantities: Vec<&'static str>,
+        /// Whether they have a thickness.
+        with_thickness: bool,
+        /// Significant digits.
+        digits: usize,
+    },
+    /// Claims of the paper to prove or refute.
+    Claims {
+        /// The claims, in the order of the paper.
+        claims: Vec<Claim>,
+        /// Whether to give the derivations.
+        show: bool,
+    },
+    /// Printed numbers against certified values.
+    Audit {
+        /// The landmarks whose printed numbers are compared.
+        points: Vec<(Landmark, SelfWeight)>,
+    },
+}
+
+/// An arch as it is asked about.
+#[derive(Clone, Debug)]
+pub struct AskedArch {
+    /// The arch.
+    pub arch: Arch,
+    /// Its friction as given.
+    pub friction: String,
+    /// Its thickness, if it has one.
+    pub thickness: Option<ExactNumber>,
+}
+
+/// A kind of item, by the table that asks for it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// `[[constants]]`.
+    Constants,
+    /// `[[arches]]`.
+    Arches,
+    /// `[[claims]]`.
+    Claims,
+    /// `[[audit]]`.
+    Audit,
+}
+
+impl Kind {
+    /// All kinds.
+    pub const ALL: [Self; 4] = [Self::Constants, Self::Arches, Self::Claims, Self::Audit];
+
+    /// The name of the table.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Constants => "constants",
+            Self::Arches => "arches",
+            Self::Claims => "claims",
+            Self::Audit => "audit",
+        }
+    }
+
+    /// The keys that an item of this kind may have.
+    pub fn keys(self) -> &'static [&'static str] {
+        match self {
+            Self::Constants => &["landmarks", "quantities", "weight", "digits", "format", "output"],
+            Self::Arches => &[
+                "half_opening",
+                "friction",
+                "friction_angle",
+                "thickness",
+                "quantities",
+                "weight",
+                "digits",
+                "format",
+                "output",
+            ],
+            Self::Claims => &["prove", "show", "format", "output"],
+            Self::Audit => &["landmarks", "weight", "format", "output"],
+        }
+    }
+}
+
+/// The keys of a scene beside its items.
+pub const SCENE_KEYS: [&str; 3] = ["schema", "digits", "weight"];
+
+impl What {
+    /// The kind of item.
+    pub fn kind(&self) -> Kind {
+        match self {
+            Self::Constants { .. } => Kind::Constants,
+            Self::Arches { .. } => Kind::Arches,
+            Self::Claims { .. } => Kind::Claims,
+            Self::Audit { .. } => Kind::Audit,
+        }
+    }
+}
+
+impl Item {
+    /// All that its output depends on, in words that are the same however the file has them.
+    pub fn description(&self) -> String {
+        let points = |points: &[(Landmark, SelfWeight)]| -> String {
+            points.iter().map(|(l, w)| format!(" {} {},", l.symbol(), w.name())).collect()
+        };
+        let what = match &self.what {
+            What::Constants { points: at, quantities, digits } => {
+                let names: Vec<_> = quantities.iter().map(|q| q.name()).collect();
+                format!("{} quantities {} digits {digits}", points(at), names.join(" "))
+            }
+            What::Arches { arches, quantities, digits, .. } => {
+                let arch = |asked: &AskedArch| {
+                    let (weight, half_opening) =
+                        (asked.arch.weight().name(), asked.arch.half_opening());
+                    let thickness = asked.thickness.as_ref().map(ToString::to_string);
+                    let thickness = thickness.unwrap_or_default();
+                    format!(" {weight} {half_opening} {} {thickness},", asked.friction)
+                };
+                let all: String = arches.iter().map(arch).collect();
+                format!("{all} quantities {} digits {digits}", quantities.join(" "))
+            }
+            What::Claims { claims, show } => {
+                let ids: Vec<_> = claims.iter().map(|claim| claim.id).collect();
+                format!(" {} show {show}", ids.join(" "))
+            }
+            What::Audit { points: at } => points(at),
+        };
+        format!("{} format {}{what}", self.what.kind().name(), self.format.name())
+    }
+}

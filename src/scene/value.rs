@@ -1,0 +1,119 @@
+//! TOML values of the types that a scene has; what is of another type becomes a fault.
+
+use super::fault::{Fault, Source, did_you_mean, list, on_one_line};
+use std::ops::{Range, RangeInclusive};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// A value and where it is.
+pub type Value<'s> = Spanned<DeValue<'s>>;
+
+/// The text that is read, and what was wrong so far.
+pub struct Reader<'s> {
+    pub source: Source<'s>,
+    pub faults: Vec<Fault>,
+}
+
+impl<'s> Reader<'s> {
+    pub fn new(text: &'s str) -> Self {
+        Self { source: Source(text), faults: Vec::new() }
+    }
+
+    pub fn fault(&mut self, span: Range<usize>, message: String) {
+        self.faults.push(Fault { place: self.source.place(span.start), message });
+    }
+
+    /// `key "value" is not allowed`.
+    pub fn is_not(&mut self, key: &str, value: &Value, allowed: &str) {
+        let shown = self.source.shown(value.span());
+        self.fault(value.span(), format!("{key} {shown} is not {allowed}"));
+    }
+
+    /// Every key that is not one of those a table may have.
+    pub fn unknown_keys(&mut self, table: &DeTable, of: &str, known: &[&str]) {
+        for key in table.keys().filter(|key| !known.contains(&key.get_ref().as_ref())) {
+            let hint = did_you_mean(key.get_ref(), known);
+            let (name, known) = (on_one_line(key.get_ref()), list(known.iter().copied()));
+            let message = format!("there is no key \"{name}\" in {of}{hint}; the keys are {known}");
+            self.fault(key.span(), message);
+        }
+    }
+
+    pub fn text<'v>(&mut self, key: &str, value: &'v Value) -> Option<&'v str> {
+        let text = value.get_ref().as_str();
+        if text.is_none() {
+            self.is_not(key, value, "a text");
+        }
+        text
+    }
+
+    pub fn truth(&mut self, key: &str, value: &Value) -> Option<bool> {
+        let truth = value.get_ref().as_bool();
+        if truth.is_none() {
+            self.is_not(key, value, "true or false");
+        }
+        truth
+    }
+
+    pub fn whole(
+        &mut self,
+        key: &str,
+        value: &Value,
+        allowed: RangeInclusive<usize>,
+    ) -> Option<usize> {
+        let number = value.get_ref().as_integer().and_then(|integer| {
+            usize::from_str_radix(integer.as_str().trim_start_matches('+'), integer.radix()).ok()
+        });
+        let number = number.filter(|number| allowed.contains(number));
+        if number.is_none() {
+            let (least, most) = allowed.into_inner();
+            self.is_not(key, value, &format!("a whole number from {least} to {most}"));
+        }
+        number
+    }
+
+    /// The elements of a list, or a value that stands for itself.
+    pub fn elements<'v, 't>(
+        &mut self,
+        key: &str,
+        value: &'v Value<'t>,
+        allowed: &str,
+    ) -> Vec<&'v Value<'t>> {
+        match value.get_ref() {
+            DeValue::Array(array) => {
+                if array.is_empty() {
+                    self.fault(value.span(), format!("{key} is an empty list; give {allowed}"));
+                }
+                array.iter().collect()
+            }
+            _ => vec![value],
+        }
+    }
+
+    /// Names, each once: a list or one by itself. `None` if any is wrong.
+    pub fn names<T: Copy + PartialEq>(
+        &mut self,
+        key: &str,
+        value: &Value,
+        known: &[(&'static str, T)],
+    ) -> Option<Vec<T>> {
+        let names: Vec<&str> = known.iter().map(|(name, _)| *name).collect();
+        let allowed = format!("one of {}", list(names.iter().copied()));
+        let before = self.faults.len();
+        let mut found = Vec::new();
+        for element in self.elements(key, value, &allowed) {
+            let text = element.get_ref().as_str();
+            match known.iter().find(|(name, _)| Some(*name) == text) {
+                Some((name, named)) if found.contains(named) => {
+                    self.fault(element.span(), format!("{key} \"{name}\" is listed twice"));
+                }
+                Some((_, named)) => found.push(*named),
+                None => {
+                    let hint = text.map_or(String::new(), |text| did_you_mean(text, &names));
+                    self.is_not(key, element, &format!("{allowed}{hint}"));
+                }
+            }
+        }
+        (self.faults.len() == before).then_some(found)
+    }
+}
