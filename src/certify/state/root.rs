@@ -3,7 +3,7 @@
 use super::question::{Attempt, Doubt, Query};
 use crate::arch::{Configuration, Equation, Unknown};
 use crate::check::krawczyk;
-use crate::number::{Ball, Dual, Enclosure, Magnitude, Real};
+use crate::number::{Ball, Dual, Enclosure, Field, Magnitude, Real};
 use crate::solve::{inverse, settle};
 use rug::Float;
 
@@ -29,19 +29,23 @@ pub(super) fn unique_root(
     bits: u32,
     start: Vec<Float>,
 ) -> Attempt<Vec<Ball>> {
-    let doubt = |question| Doubt { question, between: Vec::new(), gap: f64::NAN };
     let candidate = climb(equations, bits, start).ok_or_else(|| doubt("no candidate is found"))?;
     let centre: Vec<Ball> = candidate.into_iter().map(|x| Ball::exact(x, bits)).collect();
-    let constants = centre.iter().cloned().map(Dual::constant).collect();
-    let residuals: Vec<Ball> =
-        equations.enclose(bits, constants).into_iter().map(|r| r.value().clone()).collect();
     // What a slope is multiplied with is small, so that a part of its digits is enough, as a rule.
-    let few = (bits / 4).max(SHORT).min(bits);
-    let mut answer = contracted(equations, (bits, few), &centre, &residuals);
-    if few < bits && answer.is_err() {
-        answer = contracted(equations, (bits, bits), &centre, &residuals);
+    let few = (bits / 4).max(SHORT);
+    let with_few = (few < bits).then(|| {
+        let constants = centre.iter().cloned().map(Dual::constant).collect();
+        let residuals = values(&equations.enclose(bits, constants));
+        contracted(equations, few, &centre, &slopes(equations, few, &centre), &residuals)
+    });
+    match with_few {
+        Some(Ok(root)) => Ok(root),
+        _ => {
+            let at_centre = slopes(equations, bits, &centre);
+            let residuals = values(&at_centre);
+            contracted(equations, bits, &centre, &at_centre, &residuals).map_err(doubt)
+        }
     }
-    answer.map_err(doubt)
 }
 
 fn doubt(question: &'static str) -> Doubt {
@@ -67,22 +71,29 @@ fn climb(equations: &impl Equations, bits: u32, start: Vec<Float>) -> Option<Vec
     root.or_else(|| settled(start, bits))
 }
 
+fn values(residuals: &[Dual<Ball>]) -> Vec<Ball> {
+    residuals.iter().map(|r| r.value().clone()).collect()
+}
+
+/// The equations with their slopes on a box, by numbers of `few` bits.
+fn slopes(equations: &impl Equations, few: u32, x: &[Ball]) -> Vec<Dual<Ball>> {
+    let coarse: Vec<Ball> = x.iter().map(|x| x.with_precision(few)).collect();
+    equations.enclose(few, variables(&coarse))
+}
+
 /// The Krawczyk operator on boxes around the centre, with slopes of `few` bits.
 fn contracted(
     equations: &impl Equations,
-    (bits, few): (u32, u32),
+    few: u32,
     centre: &[Ball],
+    at_centre: &[Dual<Ball>],
     residuals: &[Ball],
 ) -> Result<Vec<Ball>, &'static str> {
-    let n = centre.len();
-    let slopes = |x: &[Ball]| {
-        let coarse: Vec<Ball> = x.iter().map(|x| x.with_precision(few)).collect();
-        equations.enclose(few, variables(&coarse))
-    };
+    let (n, bits) = (centre.len(), centre.first().map_or(few, Ball::prec));
     let entry = |r: &Dual<Ball>, k| {
         r.slope(k).map_or_else(|| Float::new(few), |s| Float::with_val(few, s.mid()))
     };
-    let jacobian = slopes(centre).iter().map(|r| (0..n).map(|k| entry(r, k)).collect()).collect();
+    let jacobian = at_centre.iter().map(|r| (0..n).map(|k| entry(r, k)).collect()).collect();
     let preconditioner: Vec<Vec<Ball>> = inverse(jacobian)
         .ok_or("the Jacobian is singular")?
         .into_iter()
@@ -102,7 +113,8 @@ fn contracted(
         if !equations.is_regular(&domain) {
             continue;
         }
-        let image = krawczyk::image(centre, residuals, &slopes(&domain), &preconditioner, &domain);
+        let slopes = slopes(equations, few, &domain);
+        let image = krawczyk::image(centre, residuals, &slopes, &preconditioner, &domain);
         if krawczyk::is_contracted(&image, &domain) {
             return Ok(image);
         }
@@ -111,7 +123,7 @@ fn contracted(
 }
 
 /// Each value as an unknown.
-fn variables<T: crate::number::Field>(x: &[T]) -> Vec<Dual<T>> {
+fn variables<T: Field>(x: &[T]) -> Vec<Dual<T>> {
     x.iter().enumerate().map(|(index, x)| Dual::variable(x.clone(), index)).collect()
 }
 
