@@ -89,6 +89,7 @@ pub(crate) fn equation(equation: Equation) {
 }
 
 /// Counts conditions whose sign is looked at.
+#[cfg(any(feature = "check", test))]
 pub(crate) fn conditions(count: usize) {
     change(|tally| tally.conditions += count as u64);
 }
