@@ -214,7 +214,9 @@ def state_signs(mode, v):
     βs = v["βs"] if inner_slides else (h * (1 - h)).sqrt()
     N = h * cos(α) + α * sin(α)
     upper = (2 + η) * N / 2 - fac(η, δ) * (1 - cos(α))
-    yield from [("N(alpha)", N), ("eta", η), ("2 - eta", 2 - η), ("alpha - beta*", α - βs)]
+    yield from [("N(alpha)", N), ("eta", η), ("2 - eta", 2 - η)]
+    if μ.is_finite():
+        yield "alpha - beta*", α - βs
     yield "2 N(alpha) - (1 - cos alpha) (1 + delta/3)", 2 * N - (1 - cos(α)) * (1 + arb(δ) / 3)
     if mode != "[r]":
         yield from [("h", h), ("1 - h", 1 - h)]

@@ -217,7 +217,7 @@ fn number(text: &str) -> ExactNumber {
 const USUAL: Demand = Demand { digits: 3, or_all_printed: true };
 
 #[test]
-fn on_the_line_between_two_modes_either_is_right() {
+fn what_cannot_be_told_is_accepted_of_nobody() {
     let arch = |friction: &str| {
         let friction = Friction::Coefficient(number(friction));
         Arch::new(SelfWeight::Heyman, number("pi/2"), friction).unwrap()
@@ -233,8 +233,9 @@ fn on_the_line_between_two_modes_either_is_right() {
         let said = Said { stands: Some("yes"), mode: Some(mode), numbers };
         judge(&line, &Claim::read(&said).unwrap(), USUAL).verdict
     };
-    assert_eq!(verdict("rrr", ""), Verdict::Correct);
-    assert_eq!(verdict("srr", ""), Verdict::Correct);
+    // Even of the two modes that meet at the line: nearer than can be told is not on it.
+    assert_eq!(verdict("rrr", ""), Verdict::Undecided);
+    assert_eq!(verdict("srr", ""), Verdict::Undecided);
     assert_eq!(verdict("rrs", ""), Verdict::Undecided);
     assert_eq!(verdict("srr", "0.107"), Verdict::Undecided);
 }

@@ -540,3 +540,36 @@ fn a_fall_needs_no_frictions_either() {
         assert_eq!(fall(arch.state(300)), fall(arch.state_alone(300)), "{alpha} {friction}");
     }
 }
+
+/// Far nearer to the end of rotation than can be told, a friction still decides: what stays open is only
+/// whether a larger one would be enough for rotation.
+#[test]
+fn a_friction_decides_where_the_end_of_rotation_cannot_be_told() {
+    let point = CertifiedLandmark::new(Landmark::RotationEnd, H).unwrap();
+    let end = point.enclosure(40_000).unwrap().value(Unknown::HalfOpening).unwrap();
+    let half_opening = float_text(end.mid(), 11_000);
+    let arch = arch(H, &half_opening, "2");
+    let Ok(Answer::Stands(state)) = arch.certify_alone(10) else { panic!() };
+    assert_eq!(state.mode, Mode::OverturningSliding);
+    let doubt = arch.certify(10).unwrap_err();
+    assert_eq!(doubt.between, [Mode::OverturningSliding]);
+}
+
+/// The range of thrusts of a tiny arch, next to its least thickness and far from it.
+#[test]
+fn the_thrusts_of_tiny_openings_are_found() {
+    for weight in BOTH {
+        for half_opening in ["0.24", "0.2", "0.01", "1e-4", "1e-8", "1e-50"] {
+            let arch = arch(weight, half_opening, "inf");
+            let Ok(Outcome::Stands(state)) = arch.state_alone(400) else { panic!() };
+            for part in [(1_000_001, 1_000_000), (3, 2), (4, 1)] {
+                let thickness = state.thickness.mid().to_rational().unwrap() * Rational::from(part);
+                let assessed = arch.certify_thickness(&ExactNumber::rational(thickness), 12);
+                let found =
+                    assessed.unwrap_or_else(|doubt| panic!("{half_opening} {part:?}: {doubt:?}"));
+                let [least, largest] = found.thrust.unwrap().map(|end| end.thrust.unwrap().decimal);
+                assert!(found.stands && least.value.to_rational() <= largest.value.to_rational());
+            }
+        }
+    }
+}

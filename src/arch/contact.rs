@@ -51,6 +51,13 @@
 //! and negative at 0 and 2 (`n < 1/2`), and for Milankovitch's, with `n < 2/3`, at most its value
 //! `(3n² + 4n - 4)/4 < 0` at the top `eta = 3n`.
 //!
+//! **The mode is unique.** At the least thickness the combination is zero for every admissible `(h, p)`,
+//! and its multipliers are positive: each of the three conditions holds with equality. They fix `h` and
+//! `p`, and (5) the joint, as `k` is strictly monotone. So any two states that are proved are the same, and
+//! the signs that are strict for one mode and zero for another (friction at the shoulder, friction inside,
+//! the extrados at crown and shoulder, the slope at the crown, the order of the joints) leave one mode. A
+//! proved state therefore needs no comparison with those that it is not.
+//!
 //! The multipliers are the rates of the collapse mechanism: the rotations at the hinges, and for a
 //! sliding joint the rate times the sine of its angle.
 

@@ -9,7 +9,7 @@ use super::{CertifiedLandmark, Undecided, Value};
 use crate::arch::{Landmark, Quantity, SelfWeight, Unknown};
 use crate::check::{
     Certificate, Claim, ClaimFile, Dyadic, Engine, Exact, Refusal, SCHEMA, State, Subject,
-    ValueFile, Witness, check_certificate, krawczyk,
+    ValueFile, WITNESS_BITS, Witness, check_certificate, krawczyk,
 };
 use crate::number::{
     AstroInterval, Ball, Dual, Enclosure, ExactNumber, Magnitude, Rounded, bits_of,
@@ -21,6 +21,9 @@ use rug::Float;
 const GUARD: u32 = 64;
 /// How often the precision is raised.
 const ATTEMPTS: u32 = 8;
+/// Up to so many digits the second arithmetic, which encloses less tightly, has to accept too before a
+/// certificate is given away; beyond it takes as long as everything else.
+const SECOND_CHECK: usize = 1000;
 /// The precision of the inverse in bits, and of the large box where nothing cancels.
 const BITS: u32 = 64;
 /// A large box is tried with the scales `0.8^k`.
@@ -132,11 +135,16 @@ fn attempt(
     let mut reason = Undecided("no attempt was made".into());
     for attempt in 0..ATTEMPTS {
         let bits = bits_of(digits) + lost + (GUARD << attempt);
-        let made = find(bits)
-            .and_then(|root| root.certificate(digits, bits_of(digits) + GUARD / 2, BITS + lost));
+        // Next to a limit the box is examined with more bits too.
+        let wide = (BITS << attempt.min(6)) + lost;
+        let made =
+            find(bits).and_then(|root| root.certificate(digits, bits_of(digits) + GUARD / 2, wide));
         let checked = made.and_then(|certificate| {
             let refused = |refusal: Refusal| Undecided(refusal.to_string());
             check_certificate::<Ball>(&certificate, digits).map_err(refused)?;
+            if digits <= SECOND_CHECK {
+                check_certificate::<AstroInterval>(&certificate, digits).map_err(refused)?;
+            }
             Ok(certificate)
         });
         match checked {
@@ -196,10 +204,11 @@ impl LargeBox {
         let jacobian = slopes.iter().map(|r: &Dual<Ball>| {
             (0..balls.len()).map(|k| Float::with_val(bits, r.derivative(k).mid())).collect()
         });
-        // The inverse only has to be near.
+        // The inverse only has to be near; the worse the condition, the nearer.
+        let near = bits.min(WITNESS_BITS as u32);
         let inverse: Vec<Vec<Float>> = inverse(jacobian.collect())?
             .into_iter()
-            .map(|row| row.into_iter().map(|y| Float::with_val(BITS, y)).collect())
+            .map(|row| row.into_iter().map(|y| Float::with_val(near, y)).collect())
             .collect();
         let mut shape: Vec<Magnitude> = centre.iter().map(Magnitude::lower).collect();
         let mut best = None;
@@ -284,6 +293,9 @@ mod tests {
             ("2.5", "inf"),
             ("2.62", "inf"),
             ("1/1000000", "1"),
+            // Next to the end of rotation.
+            ("2.59084318392461", "inf"),
+            ("2.590843443", "inf"),
         ];
         for (alpha, mu) in cases {
             let friction = match mu {

@@ -30,7 +30,7 @@ pub struct Accepted {
 }
 
 /// Bits of a radius and of an entry of the inverse.
-const WITNESS_BITS: usize = 256;
+pub const WITNESS_BITS: usize = 256;
 /// Bits that the centre of a large box may have, and that of a small one beyond its digits: an arch with
 /// a tiny opening loses many.
 const EXTRA_BITS: usize = 20_000;

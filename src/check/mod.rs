@@ -15,7 +15,7 @@ mod object;
 mod quantity;
 mod refusal;
 
-pub use checker::{Accepted, MAX_DIGITS, check, check_certificate};
+pub use checker::{Accepted, MAX_DIGITS, WITNESS_BITS, check, check_certificate};
 pub use claim::{Claim, Exact, State, Subject, first_failure};
 pub use conditions::{conditions, inner_friction, room_for_steepest, shoulder_friction};
 pub use decimal::Written;

@@ -25,7 +25,8 @@ pub(super) fn from_series<T: Field>(u: &T, count: usize, terms: i32, tail: &T) -
     let one = u.int(1);
     let last = |n: i32| {
         let series = (1..=terms).rev().fold(tail.clone(), |sum, k| {
-            one.clone() - sum * u / u.int((2 * k + n) * (2 * k + n - 1))
+            // Two divisors, as their product outgrows an `i32` before either does.
+            one.clone() - sum * u / (u.int(2 * k + n) * u.int(2 * k + n - 1))
         });
         series * reciprocal_factorial(u, n)
     };
@@ -42,10 +43,11 @@ pub(super) fn from_series<T: Field>(u: &T, count: usize, terms: i32, tail: &T) -
 
 /// How many terms are enough for `bits` bits where `|u| < 2^exponent`.
 pub(crate) fn terms(bits: u32, exponent: i64) -> i32 {
+    // The last term, over the first: u^k over at least (2k)!, and each factor of that is above k.
     let (mut terms, mut gained) = (1i32, 0);
     while gained < i64::from(bits) {
         terms += 1;
-        gained += i64::from((terms * terms).ilog2()) + 2 - exponent.min(0);
+        gained += i64::from(2 * terms.ilog2()) + 2 - exponent.min(0);
     }
     terms
 }

@@ -166,13 +166,8 @@ pub fn judge(arch: &Arch, claim: &Claim, demand: Demand) -> Judgement {
             }
         })
     });
-    compared.unwrap_or_else(|doubt| {
-        // On the line between two modes either is right; numbers are not judged there.
-        let meets = claim.mode.is_some_and(|mode| doubt.between.contains(&mode));
-        let right = meets && doubt.between.len() > 1 && claim.numbers.is_empty();
-        let verdict = if right { Verdict::Correct } else { Verdict::Undecided };
-        bare(Standing::Undecided(doubt), verdict)
-    })
+    // What cannot be told is not accepted either: nearer to a line than can be told is not on it.
+    compared.unwrap_or_else(|doubt| bare(Standing::Undecided(doubt), Verdict::Undecided))
 }
 
 /// A claim beside a proved state; `None` asks for a narrower enclosure.

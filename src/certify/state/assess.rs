@@ -241,9 +241,12 @@ impl Query {
             &[Unknown::RotationJoint, Unknown::Thrust][..],
             &[Equation::UpperThrust, Equation::Tangency][..],
         );
-        let eta = given.thickness.mid().to_f64();
-        let start = start_state::largest_thrust(self.weight, self.alpha().to_f64(), eta)
-            .map(|x| Float::with_val(self.bits, x));
+        let eta = given.thickness.mid();
+        let start = match self.alpha() {
+            alpha if alpha < 0.25 => start_state::scaled_largest_thrust(self.weight, &alpha, eta),
+            alpha => start_state::largest_thrust(self.weight, alpha.to_f64(), eta.to_f64())
+                .map(|x| Float::with_val(self.bits, x)),
+        };
         let at = self.root(system, &start)?;
         let beta = &at.rotation_joint.rad;
         require(beta, "a touching joint below the crown", BETWEEN)?;

@@ -1,6 +1,6 @@
 //! Which mode an arch collapses in: every comparison decided, or the doubt.
 
-use super::question::{Arch, Attempt, Query, decide, require};
+use super::question::{Arch, Attempt, Doubt, Query, decide, require};
 use crate::arch::{
     Configuration, Equation, Landmark, Mode, SelfWeight, Unknown, contact, sliding, tally, thrust,
 };
@@ -156,7 +156,11 @@ impl Query {
     /// The state, if the friction is above the purely sliding one; below it the answer is not to be used
     /// unless it is a state.
     fn state_above_sliding(&self, asked: Asked) -> Attempt<Found> {
-        let Some(rotation) = self.rotation_if_any(asked)? else {
+        let rotation = match self.rotation_if_any(asked) {
+            Err(doubt) if self.friction.is_some() => return self.beside_the_end(asked, doubt),
+            rotation => rotation?,
+        };
+        let Some(rotation) = rotation else {
             return match &self.friction {
                 Some(_) => self.inner_sliding(None),
                 None => self.overturning(),
@@ -182,6 +186,19 @@ impl Query {
             (Ok(false), _) => self.shoulder_sliding(critical),
             (_, Ok(false)) => self.inner_sliding(critical),
             (Err(doubt), _) | (_, Err(doubt)) => Err(doubt),
+        }
+    }
+
+    /// The state where it cannot be told whether the half opening is below that of the end of rotation.
+    /// There rotation asks for more than any friction that is given: what stays open is only whether
+    /// some friction would be enough for it.
+    fn beside_the_end(&self, asked: Asked, doubt: Doubt) -> Attempt<Found> {
+        match self.inner_sliding(None) {
+            Ok(Found::State(state, _)) if asked == Asked::Frictions => {
+                Err(Doubt { between: vec![state.mode], ..doubt })
+            }
+            Ok(found) => Ok(found),
+            Err(_) => Err(doubt),
         }
     }
 

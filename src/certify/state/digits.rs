@@ -128,11 +128,12 @@ pub(super) fn raised<T>(
     mut proof: impl FnMut(u32) -> Attempt<Option<T>>,
 ) -> Result<T, Doubt> {
     let mut bits = first;
-    let mut last = Doubt { question: "the rounding", between: Vec::new(), gap: f64::NAN };
+    let rounding = || Doubt { question: "the rounding", between: Vec::new(), gap: f64::NAN };
+    let mut last = rounding();
     while bits <= ENOUGH.max(4 * first) {
         match proof(bits) {
             Ok(Some(answer)) => return Ok(answer),
-            Ok(None) => {}
+            Ok(None) => last = rounding(),
             Err(doubt) => last = doubt,
         }
         bits *= 2;

@@ -6,10 +6,12 @@
 //! 1. the equations of the mode have exactly one solution in a box (Krawczyk);
 //! 2. that state is statically admissible on the whole half arch;
 //! 3. no thinner arch has an admissible state, and the mechanism has positive rates;
-//! 4. every comparison that chooses the mode is decided.
+//! 4. the mode is the only one for which this can be proved, and every comparison that it takes to know
+//!    that nothing stands is decided.
 //!
-//! Parts 2 and 3 come down to a few signs; [`crate::arch::contact`] has the lemma. A comparison that is
-//! not decided raises the precision; if it stays undecided, that is the answer.
+//! Parts 2 and 3 come down to a few signs; [`crate::arch::contact`] has the lemma, and why a proved state
+//! has one mode. A comparison that is not decided raises the precision; if it stays undecided, that is the
+//! answer.
 
 //!
 //! | file | what it does |

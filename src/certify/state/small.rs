@@ -136,9 +136,15 @@ impl Small {
             all.push((upper.clone(), "a mechanism that slides the right way"));
         }
         if limited {
-            let [_, inner] = root.scaled_frictions();
+            let [shoulder, inner] = root.scaled_frictions();
             all.push((root.room_for_steepest(), "the steepest joint above the shoulder"));
             all.push((self.given.friction.clone() - inner, "friction enough inside"));
+            if !slides {
+                all.push((
+                    self.given.friction.clone() - shoulder,
+                    "friction enough at the shoulder",
+                ));
+            }
             // The denominator of the thrust that the shoulder can bear, over alpha.
             let depth = y.square.clone() * &self.given.friction;
             all.push((
@@ -182,7 +188,9 @@ impl ScaledEquations<'_> {
     fn residuals<T: Stumpff>(&self, given: Scaled<T>, x: Vec<Dual<T>>) -> Vec<Dual<T>> {
         let (_, equations) = self.mode.system();
         let at = self.place(given.map(Dual::constant), x);
-        equations.iter().filter_map(|e| e.scaled_residual(self.small.weight, &at)).collect()
+        // An equation without a scaled form would leave none, and nothing would be proved.
+        let residual = |e: &Equation| e.scaled_residual(self.small.weight, &at);
+        equations.iter().map(residual).collect::<Option<_>>().unwrap_or_default()
     }
 }
 
@@ -249,5 +257,74 @@ impl SmallRoot {
     fn room_for_steepest(&self) -> Ball {
         let h = self.at.deficit.int(1) - small::rest(&self.at);
         h.int(1) - h * &self.at.deficit
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arch::Configuration;
+    use crate::certify::state::{Arch, Friction};
+    use crate::check;
+    use crate::number::Magnitude;
+
+    /// The power of the half opening by which a condition was divided.
+    fn power(question: &str, slides: bool) -> i32 {
+        match question {
+            "a positive thickness" => 4,
+            "the line of thrust inside the extrados at the shoulder" => 4,
+            "friction enough inside" | "friction enough at the shoulder" => 3,
+            "a thrust below one" | "a positive weight of the mechanism" => 2,
+            "no admissible state in a thinner arch" => 2,
+            "a mechanism that slides the right way" if slides => 2,
+            "a shoulder that bounds the thrust from above" => 1,
+            _ => 0,
+        }
+    }
+
+    /// Each condition is the printed one over a power of the half opening; those on the joints have the
+    /// same sign, as they are differences of squares here.
+    #[test]
+    fn the_conditions_are_the_printed_ones() {
+        for weight in SelfWeight::ALL {
+            // Between alpha³/12 and alpha³/6 the shoulder slides.
+            for (friction, mode) in
+                [("1", Mode::Rotational), ("12/100000000", Mode::SlidingRotational)]
+            {
+                let friction = Friction::Coefficient(friction.parse().unwrap());
+                let arch = Arch::new(weight, "1/100".parse().unwrap(), friction).unwrap();
+                let query = Query::new(&arch, 256);
+                let small = query.small().unwrap();
+                let root = match mode {
+                    Mode::Rotational => small.rotation().unwrap(),
+                    _ => small.shoulder_sliding().unwrap(),
+                };
+                let scaled = small.conditions(mode, &root, true);
+                let state = SmallRoot { at: root.at.clone(), alpha: root.alpha.clone() };
+                let state = state.into_state(mode);
+                let at = Configuration::clone(&query.given)
+                    .with(Unknown::RotationJoint, state.rotation_joint)
+                    .with(Unknown::Thickness, state.thickness)
+                    .with(Unknown::Thrust, state.thrust);
+                let printed = check::conditions(weight, mode, &at, query.friction.as_ref());
+                for (margin, question) in &printed {
+                    let found = scaled.iter().find(|(_, other)| other == question);
+                    let (other, _) = found.unwrap_or_else(|| panic!("{mode:?}: no '{question}'"));
+                    if question.contains("joint") {
+                        assert_eq!(margin.is_positive(), other.is_positive(), "{question}");
+                        continue;
+                    }
+                    let power = power(question, mode == Mode::SlidingRotational);
+                    let unscaled =
+                        (0..power).fold(other.clone(), |x, _| x * &query.given.half_opening.rad);
+                    let difference = unscaled - margin;
+                    let size = Magnitude::upper(difference.mid());
+                    assert!(difference.overlaps(&margin.int(0)), "{mode:?} {question}");
+                    // Not because nothing is known.
+                    let known = Magnitude::upper(margin.mid()).shifted(-60);
+                    assert!(size < known && difference.rad() < known, "{mode:?} {question}");
+                }
+            }
+        }
     }
 }

@@ -23,7 +23,9 @@ mod touch;
 
 pub use curve::{rotational, rotational_with_thickness, rotational_with_thrust, seems_to_rotate};
 pub use quick::{QuickState, quick_state};
-pub use scaled::{scaled_rotational, scaled_shoulder_sliding, scaled_sliding};
+pub use scaled::{
+    scaled_largest_thrust, scaled_rotational, scaled_shoulder_sliding, scaled_sliding,
+};
 pub use slide::{inner_sliding, sliding};
 pub use touch::{InnerStart, largest_thrust, rotational_sliding};
 
