@@ -179,7 +179,7 @@ fn values_for_a_c_solver() {
 }
 
 /// Every class of fault: what comes after the first line, and what is said of it.
-const FAULTS: [(&str, &str); 44] = [
+const FAULTS: [(&str, &str); 46] = [
     (
         "",
         "1:1: the scene asks for nothing; it may have [[constants]], [[arches]], [[claims]], [[audit]]",
@@ -230,6 +230,10 @@ const FAULTS: [(&str, &str); 44] = [
         "3:10: output \"/a.csv\" is not a file inside the folder of outputs (a relative path without ..)",
     ),
     (
+        "[constants]\noutput = \"a\\nb.csv\"\n",
+        "3:10: output \"a\\nb.csv\" is not a file inside the folder of outputs (a relative path without ..)",
+    ),
+    (
         "[constants]\noutput = \"couplet-run.json\"\n",
         "3:10: output \"couplet-run.json\" is where the run keeps its own record",
     ),
@@ -270,6 +274,10 @@ const FAULTS: [(&str, &str); 44] = [
         "4:16: half_opening: '2pideg' has two units",
     ),
     (
+        "[arches]\nhalf_opening = 1\nfriction = 1e99999999999999999999\n",
+        "4:12: friction: '1e99999999999999999999' is out of range: numbers from 1e-1000 to 1e1000 are read",
+    ),
+    (
         "[arches]\nfriction = 1\nhalf_opening = [1, true]\n",
         "4:20: half_opening true is not an angle (2.45, \"pi/2\", \"80deg\")",
     ),
@@ -292,7 +300,7 @@ const FAULTS: [(&str, &str); 44] = [
     ),
     (
         "[arches]\nhalf_opening = 1\nfriction = { from = 0.5, to = 0.3, steps = 3 }\n",
-        "4:12: friction from 0.5 to 0.3 does not rise",
+        "4:12: friction from 0.5 to 0.3 does not rise; give the smaller first",
     ),
     (
         "[arches]\nhalf_opening = 1\nfriction = { from = 0.5, to = 0.6, steps = 1 }\n",
@@ -346,6 +354,14 @@ fn no_scene_is_so_large_that_reading_it_takes_long() {
     let second = "60000 arches after 60000 before are too many; a scene has at most 100000";
     assert_eq!(said[0], format!("5:1: {second}"));
     assert_eq!(said[999], "3002:1: a scene has at most 1000 items");
+
+    // A long list on one line, in which everything is wrong.
+    let list = "9,".repeat(300_000);
+    let start = Instant::now();
+    let said = faults(&format!("[arches]\nfriction = 1\nhalf_opening = [{list}]\n"));
+    assert!(start.elapsed() < Duration::from_secs(10), "{:?}", start.elapsed());
+    assert_eq!(said.len(), 300_000);
+    assert_eq!(said[299_999], "4:600015: half_opening 9 is not between 0 and pi (180deg)");
 }
 
 #[test]

@@ -200,7 +200,10 @@ impl Reader<'_> {
             );
             self.fault(value.span(), message);
         } else if first >= last {
-            self.fault(value.span(), format!("{key} from {from} to {to} does not rise"));
+            self.fault(
+                value.span(),
+                format!("{key} from {from} to {to} does not rise; give the smaller first"),
+            );
         }
         let steps = steps?;
         if self.faults.len() > before {
