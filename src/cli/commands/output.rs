@@ -57,6 +57,14 @@ pub fn not_a_terminal() -> Result<(), Failure> {
     }
 }
 
+/// Whether two paths lead to one file that is there.
+pub fn is_same_file(one: &Path, other: &Path) -> bool {
+    match (fs::canonicalize(one), fs::canonicalize(other)) {
+        (Ok(one), Ok(other)) => one == other,
+        _ => false,
+    }
+}
+
 /// An opened destination.
 pub enum Output {
     /// Standard output.

@@ -1,6 +1,6 @@
 //! `couplet run`.
 
-use super::output::Output;
+use super::output::{Output, is_same_file};
 use super::{Failure, progress};
 use crate::scene::{
     EXAMPLE, Fault, Hashing, Item, MANIFEST, MAX_BYTES, Manifest, Plan, Run, Scene, explain,
@@ -92,11 +92,7 @@ fn prepare(plan: &Plan, folder: &Path, scene: &Path) -> Result<(), Failure> {
         .filter(|(_, complete)| !**complete)
         .filter_map(|(item, _)| Some(folder.join(item.output.as_ref()?)))
         .collect();
-    let same = |output: &Path| match (fs::canonicalize(output), fs::canonicalize(scene)) {
-        (Ok(output), Ok(scene)) => output == scene,
-        _ => false,
-    };
-    if let Some(output) = outputs.iter().find(|output| same(output)) {
+    if let Some(output) = outputs.iter().find(|output| is_same_file(output, scene)) {
         let output = output.display();
         return Err(Failure::Input(format!(
             "{output} is the scene itself and is not written over"

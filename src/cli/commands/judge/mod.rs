@@ -4,7 +4,7 @@ mod columns;
 mod row;
 
 use super::Failure;
-use super::output::Output;
+use super::output::{Output, is_same_file};
 use super::rows::{
     CHUNK, JsonObject, Kind, Line, Progress, Source, csv_records, in_order, json_lines,
 };
@@ -94,6 +94,10 @@ const DEMANDED: usize = 3;
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let columns = Columns::new(&arguments.columns).map_err(Failure::Input)?;
     let source = Source::open(Some(&arguments.file))?;
+    if arguments.output.as_ref().is_some_and(|output| is_same_file(output, &arguments.file)) {
+        let file = arguments.file.display();
+        return Err(Failure::Input(format!("{file} is what is judged and is not written over")));
+    }
     let progress = Progress::new(&source);
     let kind = source.kind;
     let input = progress.counted(source.into_reader());
@@ -206,7 +210,7 @@ fn json_cells(
     if read().next().is_some() {
         let has = |place: usize| read().any(|cells| cells[place].is_some());
         let seen: Vec<bool> = (0..columns.all.len()).map(has).collect();
-        columns.check(&seen, "the first rows have")?;
+        columns.check(&seen, "the first rows have").map_err(Failure::Input)?;
         columns.check_weight(&seen, is_given)?;
     }
     Ok((columns, Box::new(first.into_iter().chain(rows))))
