@@ -1,6 +1,7 @@
 //! A JSON object with its values as they are written.
 
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
+use serde_json::error::Category;
 use serde_json::value::RawValue;
 use std::fmt;
 
@@ -24,15 +25,16 @@ impl<'a> JsonObject<'a> {
     }
 }
 
-/// What is wrong with a line of JSON, and in which column: the number of the line is told by others.
+/// What is wrong with a line of JSON, and where the text is none, in which column. The number of the line
+/// is told by others.
 pub fn json_error(bytes: &[u8], error: &serde_json::Error) -> String {
     let text = error.to_string();
-    let message = text.split(" at line ").next().unwrap_or(&text);
+    let message = text.rsplit_once(" at line ").map_or(text.as_str(), |(message, _)| message);
     let column = error.column();
     let rest = bytes.get(column.saturating_sub(1)..).unwrap_or_default();
     let is_not_json = ["NaN", "Infinity"].iter().any(|word| rest.starts_with(word.as_bytes()));
-    match column {
-        0 => message.to_owned(),
+    match error.classify() {
+        Category::Data | Category::Io => message.to_owned(),
         _ if is_not_json => {
             format!(
                 "column {column}: NaN and Infinity are not JSON; give a text (\"nan\", \"inf\")"
@@ -98,7 +100,7 @@ mod tests {
         assert_eq!(error(r#"{"a": Infinity}"#), format!("column 7: {not_json}"));
         assert_eq!(error(r#"{"a":-Infinity}"#), format!("column 7: {not_json}"));
         assert_eq!(error(r#"{"a":x}"#), "column 6: expected value");
-        assert_eq!(error(r#"{"a":1,"a":2}"#), "column 10: the key 'a' is there twice");
-        assert_eq!(error("3"), "column 1: invalid type: integer `3`, expected a JSON object");
+        assert_eq!(error(r#"{"a":1,"a":2}"#), "the key 'a' is there twice");
+        assert_eq!(error("3"), "invalid type: integer `3`, expected a JSON object");
     }
 }

@@ -158,6 +158,16 @@ impl<R: Read> Read for Lines<R> {
     }
 }
 
+/// What is wrong with a row of CSV.
+fn csv_error(error: &csv::Error) -> String {
+    match error.kind() {
+        csv::ErrorKind::Utf8 { err, .. } => {
+            format!("field {} is no text in UTF-8", err.field() + 1)
+        }
+        _ => error.to_string(),
+    }
+}
+
 /// The header of a CSV file, and its rows.
 pub fn csv_records(
     input: impl Read + 'static,
@@ -169,12 +179,15 @@ pub fn csv_records(
         .trim(csv::Trim::All)
         .terminator(csv::Terminator::Any(b'\n'))
         .from_reader(Lines { inner: input, length: 0 });
-    let header = reader.headers().map_err(|error| Failure::Input(error.to_string()))?.clone();
+    let header = reader
+        .headers()
+        .map_err(|error| Failure::Input(format!("the header: {}", csv_error(&error))))?
+        .clone();
     let columns = header.len();
     let rows = reader.into_records().filter_map(move |record| match record {
         Err(error) => {
             let line = error.position().map_or(0, csv::Position::line);
-            Some((line, Err(error.to_string())))
+            Some((line, Err(csv_error(&error))))
         }
         // A line of white space.
         Ok(record) if columns > 1 && record.len() == 1 && record[0].is_empty() => None,
@@ -201,6 +214,15 @@ mod tests {
         // Many lines are no long line.
         let many = Box::new(io::Cursor::new("a,b\n".repeat(MAX_RECORD / 3)));
         assert_eq!(rows(many).iter().filter(|(_, row)| row.is_ok()).count(), MAX_RECORD / 3 - 1);
-        assert!(csv_records(io::repeat(0)).is_err(), "nor has a header no end");
+        assert!(csv_records(io::repeat(b'a')).is_err(), "nor is a header without end");
+    }
+
+    #[test]
+    fn what_is_no_text_is_told_by_its_field() {
+        let Err(Failure::Input(message)) = csv_records(&b"a,alpha [\xB0]\n"[..]) else { panic!() };
+        assert_eq!(message, "the header: field 2 is no text in UTF-8");
+        let (_, mut rows) = csv_records(&b"a,b\n1,2\n\xFF,1\n"[..]).unwrap();
+        assert!(rows.next().unwrap().1.is_ok());
+        assert_eq!(rows.next(), Some((3, Err("field 1 is no text in UTF-8".to_owned()))));
     }
 }
