@@ -258,7 +258,7 @@ struct JsonQuery<'a> {
     half_opening: &'a RawValue,
     #[serde(borrow, alias = "mu")]
     friction: &'a RawValue,
-    #[serde(borrow)]
+    #[serde(borrow, alias = "eta")]
     thickness: Option<&'a RawValue>,
 }
 
