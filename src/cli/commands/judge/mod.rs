@@ -21,14 +21,14 @@ use std::path::PathBuf;
 ///
 /// The file is CSV with a header, or JSON lines. Our names for columns are weight, half_opening,
 /// friction or friction_angle; and, to be judged, stands, mode, thickness, thrust, intrinsic_thrust,
-/// rotation_joint, sliding_joint, sliding_friction, rotational_friction. Other columns are ignored; the
-/// number of the line joins the output with the input. The output of `couplet states` can be judged as
-/// it is.
+/// rotation_joint, sliding_joint, sliding_friction, rotational_friction; alpha, mu and eta are known
+/// too. Other columns are ignored; the number of the line joins the output with the input. The output of
+/// `couplet states` can be judged as it is.
 ///
-/// That there is no solution is said by `stands` (false, no, 0), by the words nan, inf, none or falls
-/// for the thickness or the mode, by the mode [s,s] without a thickness, or by an empty thickness where
-/// there is no column `stands`. Any other empty field says nothing. A mode is known by its letters: rrs
-/// is [r,r,s].
+/// That there is no solution is said by `stands` (false, no, 0), by the words nan, inf, none, null, n/a
+/// or falls or a hyphen for the thickness or the mode, by the mode [s,s] without a thickness, or by an
+/// empty thickness where there is no column `stands`. Any other empty field says nothing. A mode is known
+/// by its letters: rrs is [r,r,s].
 ///
 /// A number is correct to k digits if its error is at most half a unit of the k-th significant digit of
 /// the true value (of the k-th decimal, where that is zero). How its last printed place is rounded is
