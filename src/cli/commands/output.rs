@@ -24,7 +24,7 @@ pub struct Destination {
 #[derive(Args)]
 pub struct Place {
     /// Write to a file instead of standard output; it appears whole or not at all.
-    #[arg(long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
 
