@@ -5,6 +5,7 @@ use couplet::arch::Equation;
 use couplet::scene::{EXAMPLE, Kind, MAX_BYTES, Plan, Run, read, read_bytes};
 use serde_json::Value;
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
@@ -179,7 +180,7 @@ fn values_for_a_c_solver() {
 }
 
 /// Every class of fault: what comes after the first line, and what is said of it.
-const FAULTS: [(&str, &str); 46] = [
+const FAULTS: [(&str, &str); 47] = [
     (
         "",
         "1:1: the scene asks for nothing; it may have [[constants]], [[arches]], [[claims]], [[audit]]",
@@ -293,6 +294,10 @@ const FAULTS: [(&str, &str); 46] = [
     (
         "[arches]\nhalf_opening = 1\nfriction_angle = \"pi\"\n",
         "4:18: friction_angle \"pi\" is not between 0 and pi/2 (90deg)",
+    ),
+    (
+        "[arches]\nhalf_opening = 1\nfriction = 1\nthickness = \"pi/3\"\n",
+        "5:13: thickness \"pi/3\" is not a ratio of thickness to radius (0.12, \"3/25\")",
     ),
     (
         "[arches]\nhalf_opening = 1\nfriction = 1\nthickness = 2\n",
@@ -845,4 +850,26 @@ fn a_file_that_cannot_be_written_is_known_before_any_work() {
     let output = couplet(&["run", &scratch.path("a.csv"), "--output", &scratch.path("")]);
     assert_eq!(output.status.code(), Some(2));
     assert!(scratch.read("a.csv").contains("1_000_000"));
+}
+
+#[test]
+fn a_scene_may_come_from_standard_input() {
+    let run = |input: &str| {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_couplet"))
+            .args(["run", "-"])
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        child.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
+        child.wait_with_output().unwrap()
+    };
+    let one = "[constants]\nlandmarks = \"T\"\nquantities = \"thickness\"\ndigits = 12\n";
+    let output = run(&format!("schema = \"couplet.scene/1\"\n{one}"));
+    assert_eq!(output.status.code(), Some(0));
+    assert!(text(&output.stdout).contains("0.618318241074"));
+    let output = run(one);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).starts_with("standard input:1:1: schema is missing; "));
 }

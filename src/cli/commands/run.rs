@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 /// tells --resume what is complete.
 #[derive(Args)]
 pub struct Arguments {
-    /// The scene.
+    /// The scene; `-` is standard input.
     #[arg(value_name = "SCENE", required_unless_present = "schema")]
     scene: Option<PathBuf>,
 
@@ -71,10 +71,14 @@ fn say(text: &str) {
 
 /// Reads a scene; its faults go to standard error, a line each.
 fn scene(path: &Path) -> Result<Scene, Failure> {
-    let name = path.display();
+    let standard = path == Path::new("-");
+    let name = if standard { "standard input".into() } else { path.display().to_string() };
     let failed = |error: io::Error| Failure::Io(format!("cannot read {name}: {}", error.kind()));
     let mut bytes = Vec::new();
-    let file = File::open(path).map_err(failed)?;
+    let file: Box<dyn Read> = match standard {
+        true => Box::new(io::stdin()),
+        false => Box::new(File::open(path).map_err(failed)?),
+    };
     file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(failed)?;
     read_bytes(&bytes).map_err(|faults| {
         for Fault { place, message } in &faults {
