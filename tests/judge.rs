@@ -396,6 +396,13 @@ fn wrong_columns_are_refused_before_anything_is_computed() {
     let message = String::from_utf8(output.stderr).unwrap();
     assert_eq!(message, format!("couplet: {name} is what is judged and is not written over\n"));
     assert_eq!(std::fs::read_to_string(file.path()).unwrap(), results);
+
+    if cfg!(target_os = "linux") {
+        let output = run(&["judge", name, "--output", "/dev/full"], b"");
+        assert_eq!(output.status.code(), Some(3));
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert!(message.starts_with("couplet: cannot write /dev/full: "), "{message}");
+    }
 }
 
 #[test]

@@ -70,7 +70,12 @@ pub enum Output {
     /// Standard output.
     Standard,
     /// A device or a pipe, which is written to directly: it cannot be renamed over.
-    Stream(fs::File),
+    Stream {
+        /// What is written to.
+        stream: fs::File,
+        /// The name asked for.
+        path: PathBuf,
+    },
     /// A temporary file beside the one asked for, renamed over it at the end.
     File {
         /// The unfinished file.
@@ -95,9 +100,8 @@ impl Output {
             return Err(failed(io::ErrorKind::IsADirectory.into()));
         }
         if path.exists() && !path.is_file() {
-            return Ok(Self::Stream(
-                fs::OpenOptions::new().write(true).open(&path).map_err(failed)?,
-            ));
+            let stream = fs::OpenOptions::new().write(true).open(&path).map_err(failed)?;
+            return Ok(Self::Stream { stream, path });
         }
         let folder = match path.parent() {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
@@ -125,8 +129,8 @@ impl Output {
                 result => result,
             }
             .map_err(|error| Failure::Io(format!("cannot write to standard output: {error}"))),
-            Self::Stream(mut stream) => {
-                write(&mut stream).map_err(|error| Failure::Io(format!("cannot write: {error}")))
+            Self::Stream { mut stream, path } => {
+                write(&mut stream).map_err(|error| cannot_write(&path, &error))
             }
             Self::File { mut unfinished, path } => {
                 let failed = |error: io::Error| cannot_write(&path, &error);
