@@ -412,12 +412,15 @@ fn json_lines_in_and_out() {
     assert_eq!(lines.len(), 3);
     assert_eq!(lines[0]["thickness"]["value"], "0.122192");
     assert_eq!((lines[1]["line"].as_u64(), lines[2]["line"].as_u64()), (Some(3), Some(4)));
-    let assessed = states(
-        &["--format", "jsonl", "--digits", "6"],
-        "weight,alpha,mu,thickness\nheyman,pi/2,0.38,0.2\n",
-    );
-    let line: Value = serde_json::from_str(stdout(&assessed).trim()).unwrap();
-    assert_eq!((&line["schema"], &line["stands"]), (&"couplet.assess/1".into(), &true.into()));
+    // The symbols of the paper are names too, in both.
+    for query in [
+        "weight,alpha,mu,eta\nheyman,pi/2,0.38,0.2\n",
+        "{\"weight\":\"heyman\",\"alpha\":\"pi/2\",\"mu\":0.38,\"eta\":0.2}\n",
+    ] {
+        let assessed = states(&["--format", "jsonl", "--digits", "6"], query);
+        let line: Value = serde_json::from_str(stdout(&assessed).trim()).unwrap();
+        assert_eq!((&line["schema"], &line["stands"]), (&"couplet.assess/1".into(), &true.into()));
+    }
 }
 
 #[test]

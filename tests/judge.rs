@@ -316,7 +316,7 @@ fn wrong_columns_are_refused_before_anything_is_computed() {
         (
             csv,
             &[&good[..], &["a=half_opening,b=friction,x=thickness"]].concat(),
-            "the file has no column 'x'",
+            "the file has no column 'x'; its columns are 'a', 'b', 'c', 'c', 'd'",
         ),
         (csv, &[&good[..], &["a=half_opening,b=friction,c=thickness"]].concat(), "two columns 'c'"),
         (
@@ -353,6 +353,11 @@ fn wrong_columns_are_refused_before_anything_is_computed() {
         ),
         (csv, &["--weight", "heyman"], "no column for the half opening"),
         (
+            "half_opening;friction;eta\n",
+            &["--weight", "heyman"],
+            "--columns theirs=half_opening; its columns are 'half_opening;friction;eta'",
+        ),
+        (
             "alpha,half_opening,mu,eta\n",
             &["--weight", "heyman"],
             "'half_opening' and 'alpha', which are the same",
@@ -382,6 +387,23 @@ fn wrong_columns_are_refused_before_anything_is_computed() {
     }
     let output = run(&["judge", "missing.csv"], b"");
     assert_eq!(output.status.code(), Some(3));
+
+    let file = tempfile::NamedTempFile::new().unwrap();
+    let results = "weight,half_opening,friction,thickness\nheyman,1,0.5,0.0190\n";
+    std::fs::write(file.path(), results).unwrap();
+    let name = file.path().to_str().unwrap();
+    let output = run(&["judge", name, "--output", name], b"");
+    assert_eq!(output.status.code(), Some(2));
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(message, format!("couplet: {name} is what is judged and is not written over\n"));
+    assert_eq!(std::fs::read_to_string(file.path()).unwrap(), results);
+
+    if cfg!(target_os = "linux") {
+        let output = run(&["judge", name, "--output", "/dev/full"], b"");
+        assert_eq!(output.status.code(), Some(3));
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert!(message.starts_with("couplet: cannot write /dev/full: "), "{message}");
+    }
 }
 
 #[test]

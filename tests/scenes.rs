@@ -5,6 +5,7 @@ use couplet::arch::Equation;
 use couplet::scene::{EXAMPLE, Kind, MAX_BYTES, Plan, Run, read, read_bytes};
 use serde_json::Value;
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
@@ -179,7 +180,7 @@ fn values_for_a_c_solver() {
 }
 
 /// Every class of fault: what comes after the first line, and what is said of it.
-const FAULTS: [(&str, &str); 44] = [
+const FAULTS: [(&str, &str); 47] = [
     (
         "",
         "1:1: the scene asks for nothing; it may have [[constants]], [[arches]], [[claims]], [[audit]]",
@@ -230,6 +231,10 @@ const FAULTS: [(&str, &str); 44] = [
         "3:10: output \"/a.csv\" is not a file inside the folder of outputs (a relative path without ..)",
     ),
     (
+        "[constants]\noutput = \"a\\nb.csv\"\n",
+        "3:10: output \"a\\nb.csv\" is not a file inside the folder of outputs (a relative path without ..)",
+    ),
+    (
         "[constants]\noutput = \"couplet-run.json\"\n",
         "3:10: output \"couplet-run.json\" is where the run keeps its own record",
     ),
@@ -270,6 +275,10 @@ const FAULTS: [(&str, &str); 44] = [
         "4:16: half_opening: '2pideg' has two units",
     ),
     (
+        "[arches]\nhalf_opening = 1\nfriction = 1e99999999999999999999\n",
+        "4:12: friction: '1e99999999999999999999' is out of range: numbers from 1e-1000 to 1e1000 are read",
+    ),
+    (
         "[arches]\nfriction = 1\nhalf_opening = [1, true]\n",
         "4:20: half_opening true is not an angle (2.45, \"pi/2\", \"80deg\")",
     ),
@@ -287,12 +296,16 @@ const FAULTS: [(&str, &str); 44] = [
         "4:18: friction_angle \"pi\" is not between 0 and pi/2 (90deg)",
     ),
     (
+        "[arches]\nhalf_opening = 1\nfriction = 1\nthickness = \"pi/3\"\n",
+        "5:13: thickness \"pi/3\" is not a ratio of thickness to radius (0.12, \"3/25\")",
+    ),
+    (
         "[arches]\nhalf_opening = 1\nfriction = 1\nthickness = 2\n",
         "5:13: thickness 2 is not between 0 and 2",
     ),
     (
         "[arches]\nhalf_opening = 1\nfriction = { from = 0.5, to = 0.3, steps = 3 }\n",
-        "4:12: friction from 0.5 to 0.3 does not rise",
+        "4:12: friction from 0.5 to 0.3 does not rise; give the smaller first",
     ),
     (
         "[arches]\nhalf_opening = 1\nfriction = { from = 0.5, to = 0.6, steps = 1 }\n",
@@ -346,6 +359,14 @@ fn no_scene_is_so_large_that_reading_it_takes_long() {
     let second = "60000 arches after 60000 before are too many; a scene has at most 100000";
     assert_eq!(said[0], format!("5:1: {second}"));
     assert_eq!(said[999], "3002:1: a scene has at most 1000 items");
+
+    // A long list on one line, in which everything is wrong.
+    let list = "9,".repeat(300_000);
+    let start = Instant::now();
+    let said = faults(&format!("[arches]\nfriction = 1\nhalf_opening = [{list}]\n"));
+    assert!(start.elapsed() < Duration::from_secs(10), "{:?}", start.elapsed());
+    assert_eq!(said.len(), 300_000);
+    assert_eq!(said[299_999], "4:600015: half_opening 9 is not between 0 and pi (180deg)");
 }
 
 #[test]
@@ -829,4 +850,26 @@ fn a_file_that_cannot_be_written_is_known_before_any_work() {
     let output = couplet(&["run", &scratch.path("a.csv"), "--output", &scratch.path("")]);
     assert_eq!(output.status.code(), Some(2));
     assert!(scratch.read("a.csv").contains("1_000_000"));
+}
+
+#[test]
+fn a_scene_may_come_from_standard_input() {
+    let run = |input: &str| {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_couplet"))
+            .args(["run", "-"])
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        child.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
+        child.wait_with_output().unwrap()
+    };
+    let one = "[constants]\nlandmarks = \"T\"\nquantities = \"thickness\"\ndigits = 12\n";
+    let output = run(&format!("schema = \"couplet.scene/1\"\n{one}"));
+    assert_eq!(output.status.code(), Some(0));
+    assert!(text(&output.stdout).contains("0.618318241074"));
+    let output = run(one);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).starts_with("standard input:1:1: schema is missing; "));
 }

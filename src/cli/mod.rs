@@ -81,7 +81,8 @@ fn usage(error: &clap::Error) -> ExitCode {
         .map(str::trim)
         .filter(|line| !line.is_empty() && !line.starts_with("tip: to pass"))
         .collect::<Vec<_>>()
-        .join("; ");
+        .join("; ")
+        .replace(":; ", ": ");
     let possible = match error.kind() {
         clap::error::ErrorKind::InvalidSubcommand => Command::NAMES,
         clap::error::ErrorKind::UnknownArgument => "; --help lists the options",

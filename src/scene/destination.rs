@@ -63,7 +63,7 @@ impl Reader<'_> {
             |component: &Component| matches!(component, Component::Normal(_) | Component::CurDir);
         let is_file = !text.is_empty()
             && !text.ends_with(['/', '\\'])
-            && !text.contains('\0')
+            && !text.contains(char::is_control)
             && Path::new(text).components().all(|component| inside(&component));
         let path: PathBuf = Path::new(text)
             .components()

@@ -141,15 +141,8 @@ fn landmark(node: &LandmarkNode) -> Vec<String> {
         lines.push(format!("to {digits} digits: {names}"));
     }
     if !node.certificates.is_empty() {
-        let digits = list(
-            node.certificates
-                .iter()
-                .map(ToString::to_string)
-                .collect::<Vec<_>>()
-                .iter()
-                .map(String::as_str),
-        );
-        lines.push(format!("the hash of its certificate, to {digits} digits"));
+        let digits: Vec<String> = node.certificates.iter().map(ToString::to_string).collect();
+        lines.push(format!("the hash of its certificate, to {} digits", digits.join(", ")));
     }
     if node.audited {
         lines.push("for the printed numbers".to_owned());
@@ -243,10 +236,9 @@ fn spent(cost: &Cost) -> String {
             words.push(format!("{count} {}", if count == 1 { one } else { more }));
         }
     }
-    let of = |equation: &Equation| Some((equation.label(), tally.of(*equation)));
     let each: Vec<String> = EQUATIONS
         .iter()
-        .filter_map(of)
+        .map(|equation| (equation.label(), tally.of(*equation)))
         .filter(|(_, count)| *count > 0)
         .map(|(label, count)| format!("{label} {count}"))
         .collect();

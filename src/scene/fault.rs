@@ -21,26 +21,57 @@ pub struct Fault {
 }
 
 /// The text of a scene file.
-pub struct Source<'s>(pub &'s str);
+pub struct Source<'s> {
+    text: &'s str,
+    /// The place of every so many-th byte: a file with a fault in each of its values is not read from its
+    /// beginning for each.
+    marks: Vec<Place>,
+}
+
+/// Bytes between two marks.
+const STRIDE: usize = 1 << 10;
 
 /// What is shown of a value; more would hide the message.
 const SHOWN: usize = 40;
 
-impl Source<'_> {
+impl<'s> Source<'s> {
+    /// Of a text.
+    pub fn new(text: &'s str) -> Self {
+        // A byte order mark is no character that an editor counts.
+        let column = if text.starts_with('\u{feff}') { 0 } else { 1 };
+        let mut marks = vec![Place { line: 1, column }];
+        for piece in text.as_bytes().chunks_exact(STRIDE) {
+            marks.push(marks[marks.len() - 1].after(piece));
+        }
+        Self { text, marks }
+    }
+
     /// The place of a byte.
     pub fn place(&self, offset: usize) -> Place {
-        let before = &self.0[..offset.min(self.0.len())];
-        let line = before.rfind('\n').map_or(before, |end| &before[end + 1..]);
-        Place {
-            line: before.matches('\n').count() + 1,
-            // A byte order mark is no character that an editor counts.
-            column: line.trim_start_matches('\u{feff}').chars().count() + 1,
-        }
+        let offset = offset.min(self.text.len());
+        let mark = offset / STRIDE;
+        let place = self.marks[mark].after(&self.text.as_bytes()[mark * STRIDE..offset]);
+        Place { column: place.column.max(1), ..place }
     }
 
     /// A value as it is written, on one line and not too long.
     pub fn shown(&self, span: Range<usize>) -> String {
-        on_one_line(self.0.get(span).unwrap_or_default())
+        on_one_line(self.text.get(span).unwrap_or_default())
+    }
+}
+
+impl Place {
+    /// The place behind some bytes that begin here.
+    fn after(mut self, bytes: &[u8]) -> Self {
+        for byte in bytes {
+            match byte {
+                b'\n' => self = Self { line: self.line + 1, column: 1 },
+                // A character of several bytes counts where it begins.
+                0x80..=0xBF => {}
+                _ => self.column += 1,
+            }
+        }
+        self
     }
 }
 
@@ -92,19 +123,34 @@ mod tests {
 
     #[test]
     fn places_are_counted_in_characters() {
-        let source = Source("\u{feff}ä = 1\nβ = \"x\"\n");
+        let source = Source::new("\u{feff}ä = 1\nβ = \"x\"\n");
+        assert_eq!(source.place(0), Place { line: 1, column: 1 });
         assert_eq!(source.place(3), Place { line: 1, column: 1 });
         assert_eq!(source.place(5), Place { line: 1, column: 2 });
-        let x = source.0.find('"').unwrap();
+        let x = source.text.find('"').unwrap();
         assert_eq!(source.place(x), Place { line: 2, column: 5 });
         assert_eq!(source.place(1_000), Place { line: 3, column: 1 });
     }
 
     #[test]
+    fn a_place_far_into_a_text_is_counted_from_its_beginning() {
+        let text = "äx\n".repeat(STRIDE) + &"β".repeat(3 * STRIDE);
+        let source = Source::new(&text);
+        for (offset, _) in text.char_indices().step_by(97) {
+            let before = &text[..offset];
+            let line = before.rsplit('\n').next().unwrap();
+            let (line, column) = (before.matches('\n').count() + 1, line.chars().count() + 1);
+            assert_eq!(source.place(offset), Place { line, column }, "{offset}");
+        }
+        let end = Place { line: STRIDE + 1, column: 3 * STRIDE + 1 };
+        assert_eq!(source.place(text.len()), end);
+    }
+
+    #[test]
     fn a_value_is_shown_on_one_short_line() {
-        assert_eq!(Source("a\nb").shown(0..3), "a b");
+        assert_eq!(Source::new("a\nb").shown(0..3), "a b");
         let long = "1".repeat(100);
-        assert_eq!(Source(&long).shown(0..100).chars().count(), SHOWN + 1);
+        assert_eq!(Source::new(&long).shown(0..100).chars().count(), SHOWN + 1);
     }
 
     #[test]

@@ -95,6 +95,8 @@ impl Meaning {
             Self::HalfOpening => Arch::new(weight, number.clone(), Friction::Infinite),
             Self::Friction => Arch::new(weight, one(), Friction::Coefficient(number.clone())),
             Self::FrictionAngle => Arch::new(weight, one(), Friction::Angle(number.clone())),
+            // Between 0 and 2 too, but no ratio.
+            Self::Thickness if !number.is_rational() => return Some(self.allowed()),
             Self::Thickness => {
                 return (!is_thickness(number)).then_some("between 0 and 2");
             }
@@ -200,7 +202,10 @@ impl Reader<'_> {
             );
             self.fault(value.span(), message);
         } else if first >= last {
-            self.fault(value.span(), format!("{key} from {from} to {to} does not rise"));
+            self.fault(
+                value.span(),
+                format!("{key} from {from} to {to} does not rise; give the smaller first"),
+            );
         }
         let steps = steps?;
         if self.faults.len() > before {

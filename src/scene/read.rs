@@ -26,7 +26,7 @@ struct Used {
 /// Reads a scene from a file's bytes; see [`read`].
 pub fn read_bytes(bytes: &[u8]) -> Result<Scene, Vec<Fault>> {
     let fault = |before: &str, message: String| {
-        Err(vec![Fault { place: Source(before).place(before.len()), message }])
+        Err(vec![Fault { place: Source::new(before).place(before.len()), message }])
     };
     if bytes.len() > MAX_BYTES {
         return fault("", format!("a scene has at most {MAX_BYTES} bytes"));

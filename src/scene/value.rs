@@ -16,7 +16,7 @@ pub struct Reader<'s> {
 
 impl<'s> Reader<'s> {
     pub fn new(text: &'s str) -> Self {
-        Self { source: Source(text), faults: Vec::new() }
+        Self { source: Source::new(text), faults: Vec::new() }
     }
 
     pub fn fault(&mut self, span: Range<usize>, message: String) {

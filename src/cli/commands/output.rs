@@ -24,7 +24,7 @@ pub struct Destination {
 #[derive(Args)]
 pub struct Place {
     /// Write to a file instead of standard output; it appears whole or not at all.
-    #[arg(long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
 
@@ -57,12 +57,25 @@ pub fn not_a_terminal() -> Result<(), Failure> {
     }
 }
 
+/// Whether two paths lead to one file that is there.
+pub fn is_same_file(one: &Path, other: &Path) -> bool {
+    match (fs::canonicalize(one), fs::canonicalize(other)) {
+        (Ok(one), Ok(other)) => one == other,
+        _ => false,
+    }
+}
+
 /// An opened destination.
 pub enum Output {
     /// Standard output.
     Standard,
     /// A device or a pipe, which is written to directly: it cannot be renamed over.
-    Stream(fs::File),
+    Stream {
+        /// What is written to.
+        stream: fs::File,
+        /// The name asked for.
+        path: PathBuf,
+    },
     /// A temporary file beside the one asked for, renamed over it at the end.
     File {
         /// The unfinished file.
@@ -87,9 +100,8 @@ impl Output {
             return Err(failed(io::ErrorKind::IsADirectory.into()));
         }
         if path.exists() && !path.is_file() {
-            return Ok(Self::Stream(
-                fs::OpenOptions::new().write(true).open(&path).map_err(failed)?,
-            ));
+            let stream = fs::OpenOptions::new().write(true).open(&path).map_err(failed)?;
+            return Ok(Self::Stream { stream, path });
         }
         let folder = match path.parent() {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
@@ -117,8 +129,8 @@ impl Output {
                 result => result,
             }
             .map_err(|error| Failure::Io(format!("cannot write to standard output: {error}"))),
-            Self::Stream(mut stream) => {
-                write(&mut stream).map_err(|error| Failure::Io(format!("cannot write: {error}")))
+            Self::Stream { mut stream, path } => {
+                write(&mut stream).map_err(|error| cannot_write(&path, &error))
             }
             Self::File { mut unfinished, path } => {
                 let failed = |error: io::Error| cannot_write(&path, &error);

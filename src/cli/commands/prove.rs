@@ -28,7 +28,7 @@ pub struct Arguments {
     format: ClaimFormat,
 
     /// Write to a file instead of standard output; it appears whole or not at all.
-    #[arg(long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
     /// Instead, write the constants as theorems for the proof assistant Coq into a folder.

@@ -1,6 +1,6 @@
 //! `couplet run`.
 
-use super::output::Output;
+use super::output::{Output, is_same_file};
 use super::{Failure, progress};
 use crate::scene::{
     EXAMPLE, Fault, Hashing, Item, MANIFEST, MAX_BYTES, Manifest, Plan, Run, Scene, explain,
@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 /// tells --resume what is complete.
 #[derive(Args)]
 pub struct Arguments {
-    /// The scene.
+    /// The scene; `-` is standard input.
     #[arg(value_name = "SCENE", required_unless_present = "schema")]
     scene: Option<PathBuf>,
 
@@ -71,10 +71,14 @@ fn say(text: &str) {
 
 /// Reads a scene; its faults go to standard error, a line each.
 fn scene(path: &Path) -> Result<Scene, Failure> {
-    let name = path.display();
+    let standard = path == Path::new("-");
+    let name = if standard { "standard input".into() } else { path.display().to_string() };
     let failed = |error: io::Error| Failure::Io(format!("cannot read {name}: {}", error.kind()));
     let mut bytes = Vec::new();
-    let file = File::open(path).map_err(failed)?;
+    let file: Box<dyn Read> = match standard {
+        true => Box::new(io::stdin()),
+        false => Box::new(File::open(path).map_err(failed)?),
+    };
     file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(failed)?;
     read_bytes(&bytes).map_err(|faults| {
         for Fault { place, message } in &faults {
@@ -92,11 +96,7 @@ fn prepare(plan: &Plan, folder: &Path, scene: &Path) -> Result<(), Failure> {
         .filter(|(_, complete)| !**complete)
         .filter_map(|(item, _)| Some(folder.join(item.output.as_ref()?)))
         .collect();
-    let same = |output: &Path| match (fs::canonicalize(output), fs::canonicalize(scene)) {
-        (Ok(output), Ok(scene)) => output == scene,
-        _ => false,
-    };
-    if let Some(output) = outputs.iter().find(|output| same(output)) {
+    if let Some(output) = outputs.iter().find(|output| is_same_file(output, scene)) {
         let output = output.display();
         return Err(Failure::Input(format!(
             "{output} is the scene itself and is not written over"

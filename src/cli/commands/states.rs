@@ -2,7 +2,7 @@
 
 use super::Failure;
 use super::arch::{angle, friction, thickness};
-use super::rows::{Kind, Line, Progress, Source, csv_records, in_order, json_lines};
+use super::rows::{Kind, Line, Progress, Source, csv_records, in_order, json_error, json_lines};
 use crate::arch::SelfWeight;
 use crate::certify::state::{Answer, Arch};
 use crate::number::ExactNumber;
@@ -258,12 +258,13 @@ struct JsonQuery<'a> {
     half_opening: &'a RawValue,
     #[serde(borrow, alias = "mu")]
     friction: &'a RawValue,
-    #[serde(borrow)]
+    #[serde(borrow, alias = "eta")]
     thickness: Option<&'a RawValue>,
 }
 
 fn json_query(bytes: &[u8]) -> Result<Query, String> {
-    let read: JsonQuery = serde_json::from_slice(bytes).map_err(|error| error.to_string())?;
+    let read: JsonQuery =
+        serde_json::from_slice(bytes).map_err(|error| json_error(bytes, &error))?;
     let text = |raw: &RawValue| {
         serde_json::from_str::<String>(raw.get()).unwrap_or_else(|_| raw.get().to_owned())
     };

@@ -41,7 +41,7 @@ struct Options {
     quick: bool,
 
     /// Write raw numbers, a README and, where they are built in (feature plots), figures into a folder.
-    #[arg(long, value_name = "FOLDER")]
+    #[arg(short, long, value_name = "FOLDER")]
     output: Option<PathBuf>,
 }
 

@@ -1,6 +1,6 @@
 //! ExactNumber input: decimals, fractions and multiples of pi, read as text and never rounded.
 
-use super::{Ball, Decimal, Real};
+use super::{Ball, Decimal, ParseDecimalError, Real};
 use rug::{Integer, Rational};
 use std::fmt;
 use std::str::FromStr;
@@ -127,7 +127,10 @@ impl FromStr for ExactNumber {
                 None => (numerator, false),
             };
         let decimal = |text: &str| {
-            let decimal: Decimal = text.parse().map_err(|_| syntax())?;
+            let decimal: Decimal = text.parse().map_err(|error| match error {
+                ParseDecimalError::Exponent(_) => ParseExactError::Range(shown()),
+                ParseDecimalError::Syntax(_) => syntax(),
+            })?;
             let in_range = decimal.magnitude().unsigned_abs() <= u64::from(MAX_EXPONENT)
                 && decimal.exponent().unsigned_abs() <= (MAX_EXPONENT as usize + MAX_LENGTH) as u64;
             if decimal.digits().is_empty() {
@@ -199,6 +202,14 @@ mod tests {
             &tiny,
         ] {
             assert!(bad.parse::<ExactNumber>().is_err(), "{}", &bad[..bad.len().min(20)]);
+        }
+    }
+
+    #[test]
+    fn an_absurd_exponent_is_a_number_out_of_range() {
+        for far in ["1e2000", "1e-999999999", "1e99999999999999999999", "1e-99999999pi"] {
+            let error = far.parse::<ExactNumber>().unwrap_err();
+            assert_eq!(error, ParseExactError::Range(far.to_owned()));
         }
     }
 

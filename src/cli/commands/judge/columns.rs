@@ -109,7 +109,9 @@ impl Columns {
     pub fn places(&mut self, header: &csv::StringRecord) -> Result<Vec<usize>, Failure> {
         let place = |column: &Column| header.iter().position(|name| name == column.theirs);
         let seen: Vec<bool> = self.all.iter().map(|column| place(column).is_some()).collect();
-        self.check(&seen, "the file has")?;
+        let shown =
+            |message| Failure::Input(format!("{message}; its columns are {}", shown(header)));
+        self.check(&seen, "the file has").map_err(shown)?;
         self.all.retain(|column| place(column).is_some());
         for column in &self.all {
             if header.iter().filter(|name| *name == column.theirs).count() > 1 {
@@ -121,22 +123,21 @@ impl Columns {
     }
 
     /// Refuses what cannot be judged, by the columns that are there.
-    pub fn check(&self, seen: &[bool], have: &str) -> Result<(), Failure> {
+    pub fn check(&self, seen: &[bool], have: &str) -> Result<(), String> {
         let missing = self.all.iter().zip(seen).find(|(_, seen)| self.named && !**seen);
         if let Some((column, _)) = missing {
-            return Err(Failure::Input(format!("{have} no column '{}'", column.theirs)));
+            return Err(format!("{have} no column '{}'", column.theirs));
         }
         let there = || self.all.iter().zip(seen).filter(|(_, seen)| **seen).map(|(c, _)| c);
         let has = |field: Field| there().any(|column| column.field == field);
         for (index, column) in there().enumerate() {
             if let Some(other) = there().skip(index + 1).find(|c| c.field == column.field) {
                 let (a, b) = (&column.theirs, &other.theirs);
-                let message = format!("{have} '{a}' and '{b}', which are the same: use --columns");
-                return Err(Failure::Input(message));
+                return Err(format!("{have} '{a}' and '{b}', which are the same: use --columns"));
             }
         }
         let wanted = |what: &str, how: &str| {
-            Err(Failure::Input(format!("{have} no column for {what}: name one, --columns {how}")))
+            Err(format!("{have} no column for {what}: name one, --columns {how}"))
         };
         if !has(Field::HalfOpening) {
             return wanted("the half opening", "theirs=half_opening");
@@ -144,8 +145,7 @@ impl Columns {
         match (has(Field::Friction), has(Field::FrictionAngle)) {
             (false, false) => return wanted("the friction", "theirs=friction"),
             (true, true) => {
-                let message = format!("{have} both friction and friction_angle: name one of them");
-                return Err(Failure::Input(message));
+                return Err(format!("{have} both friction and friction_angle: name one of them"));
             }
             _ => {}
         }
@@ -167,6 +167,18 @@ impl Columns {
         }
         .map_err(|message| Failure::Input(message.into()))
     }
+}
+
+/// The columns of a file in a message: not all of many, nor all of a long name.
+fn shown(header: &csv::StringRecord) -> String {
+    const COLUMNS: usize = 20;
+    let name =
+        |name: &str| format!("'{}'", name.chars().take(40).collect::<String>().escape_debug());
+    let mut names: Vec<String> = header.iter().take(COLUMNS).map(name).collect();
+    if header.len() > COLUMNS {
+        names.push(format!("and {} more", header.len() - COLUMNS));
+    }
+    names.join(", ")
 }
 
 /// `theirs=ours`, `theirs=ours:deg`, or a name that is theirs and ours.

@@ -4,7 +4,7 @@ mod columns;
 mod row;
 
 use super::Failure;
-use super::output::Output;
+use super::output::{Output, is_same_file};
 use super::rows::{
     CHUNK, JsonObject, Kind, Line, Progress, Source, csv_records, in_order, json_lines,
 };
@@ -21,14 +21,14 @@ use std::path::PathBuf;
 ///
 /// The file is CSV with a header, or JSON lines. Our names for columns are weight, half_opening,
 /// friction or friction_angle; and, to be judged, stands, mode, thickness, thrust, intrinsic_thrust,
-/// rotation_joint, sliding_joint, sliding_friction, rotational_friction. Other columns are ignored; the
-/// number of the line joins the output with the input. The output of `couplet states` can be judged as
-/// it is.
+/// rotation_joint, sliding_joint, sliding_friction, rotational_friction; alpha, mu and eta are known
+/// too. Other columns are ignored; the number of the line joins the output with the input. The output of
+/// `couplet states` can be judged as it is.
 ///
-/// That there is no solution is said by `stands` (false, no, 0), by the words nan, inf, none or falls
-/// for the thickness or the mode, by the mode [s,s] without a thickness, or by an empty thickness where
-/// there is no column `stands`. Any other empty field says nothing. A mode is known by its letters: rrs
-/// is [r,r,s].
+/// That there is no solution is said by `stands` (false, no, 0), by the words nan, inf, none, null, n/a
+/// or falls or a hyphen for the thickness or the mode, by the mode [s,s] without a thickness, or by an
+/// empty thickness where there is no column `stands`. Any other empty field says nothing. A mode is known
+/// by its letters: rrs is [r,r,s].
 ///
 /// A number is correct to k digits if its error is at most half a unit of the k-th significant digit of
 /// the true value (of the k-th decimal, where that is zero). How its last printed place is rounded is
@@ -94,6 +94,10 @@ const DEMANDED: usize = 3;
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let columns = Columns::new(&arguments.columns).map_err(Failure::Input)?;
     let source = Source::open(Some(&arguments.file))?;
+    if arguments.output.as_ref().is_some_and(|output| is_same_file(output, &arguments.file)) {
+        let file = arguments.file.display();
+        return Err(Failure::Input(format!("{file} is what is judged and is not written over")));
+    }
     let progress = Progress::new(&source);
     let kind = source.kind;
     let input = progress.counted(source.into_reader());
@@ -206,7 +210,7 @@ fn json_cells(
     if read().next().is_some() {
         let has = |place: usize| read().any(|cells| cells[place].is_some());
         let seen: Vec<bool> = (0..columns.all.len()).map(has).collect();
-        columns.check(&seen, "the first rows have")?;
+        columns.check(&seen, "the first rows have").map_err(Failure::Input)?;
         columns.check_weight(&seen, is_given)?;
     }
     Ok((columns, Box::new(first.into_iter().chain(rows))))

@@ -4,6 +4,6 @@ mod object;
 mod read;
 mod stream;
 
-pub use object::JsonObject;
+pub use object::{JsonObject, json_error};
 pub use read::{Kind, Line, Source, csv_records, json_lines};
 pub use stream::{CHUNK, Progress, in_order};

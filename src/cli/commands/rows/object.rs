@@ -1,6 +1,7 @@
 //! A JSON object with its values as they are written.
 
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
+use serde_json::error::Category;
 use serde_json::value::RawValue;
 use std::fmt;
 
@@ -13,7 +14,7 @@ pub struct JsonObject<'a>(Vec<(String, &'a RawValue)>);
 impl<'a> JsonObject<'a> {
     /// Reads one; a key that is there twice is an error.
     pub fn parse(bytes: &'a [u8]) -> Result<Self, String> {
-        serde_json::from_slice(bytes).map_err(|error| error.to_string())
+        serde_json::from_slice(bytes).map_err(|error| json_error(bytes, &error))
     }
 
     /// The text of a value: of a text what it says, of an object its entry `value`, of `null`
@@ -21,6 +22,25 @@ impl<'a> JsonObject<'a> {
     pub fn text(&self, key: &str) -> Option<String> {
         let (_, raw) = self.0.iter().find(|(name, _)| name == key)?;
         Some(text(raw))
+    }
+}
+
+/// What is wrong with a line of JSON, and where the text is none, in which column. The number of the line
+/// is told by others.
+pub fn json_error(bytes: &[u8], error: &serde_json::Error) -> String {
+    let text = error.to_string();
+    let message = text.rsplit_once(" at line ").map_or(text.as_str(), |(message, _)| message);
+    let column = error.column();
+    let rest = bytes.get(column.saturating_sub(1)..).unwrap_or_default();
+    let is_not_json = ["NaN", "Infinity"].iter().any(|word| rest.starts_with(word.as_bytes()));
+    match error.classify() {
+        Category::Data | Category::Io => message.to_owned(),
+        _ if is_not_json => {
+            format!(
+                "column {column}: NaN and Infinity are not JSON; give a text (\"nan\", \"inf\")"
+            )
+        }
+        _ => format!("column {column}: {message}"),
     }
 }
 
@@ -65,5 +85,22 @@ impl<'de> Deserialize<'de> for JsonObject<'de> {
             }
         }
         deserializer.deserialize_map(Entries)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_wrong_with_a_line_is_told_with_its_column() {
+        let error = |text: &str| JsonObject::parse(text.as_bytes()).err().unwrap();
+        let not_json = "NaN and Infinity are not JSON; give a text (\"nan\", \"inf\")";
+        assert_eq!(error(r#"{"a":NaN}"#), format!("column 6: {not_json}"));
+        assert_eq!(error(r#"{"a": Infinity}"#), format!("column 7: {not_json}"));
+        assert_eq!(error(r#"{"a":-Infinity}"#), format!("column 7: {not_json}"));
+        assert_eq!(error(r#"{"a":x}"#), "column 6: expected value");
+        assert_eq!(error(r#"{"a":1,"a":2}"#), "the key 'a' is there twice");
+        assert_eq!(error("3"), "invalid type: integer `3`, expected a JSON object");
     }
 }

@@ -129,6 +129,45 @@ fn skip_line(input: &mut impl BufRead) {
     }
 }
 
+/// The most bytes of a line of CSV: one without end would fill the memory.
+const MAX_RECORD: usize = 1 << 24;
+
+/// A stream that fails in a line without end, and ends there.
+struct Lines<R> {
+    inner: R,
+    /// Bytes since the last end of a line.
+    length: usize,
+}
+
+impl<R: Read> Read for Lines<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        if self.length > MAX_RECORD {
+            return Ok(0);
+        }
+        let read = self.inner.read(buffer)?;
+        self.length = match buffer[..read].iter().rposition(|&c| c == b'\n') {
+            Some(end) => read - end - 1,
+            None => self.length + read,
+        };
+        if self.length > MAX_RECORD {
+            let message =
+                format!("a line of more than {MAX_RECORD} bytes; nothing is read from there on");
+            return Err(io::Error::other(message));
+        }
+        Ok(read)
+    }
+}
+
+/// What is wrong with a row of CSV.
+fn csv_error(error: &csv::Error) -> String {
+    match error.kind() {
+        csv::ErrorKind::Utf8 { err, .. } => {
+            format!("field {} is no text in UTF-8", err.field() + 1)
+        }
+        _ => error.to_string(),
+    }
+}
+
 /// The header of a CSV file, and its rows.
 pub fn csv_records(
     input: impl Read + 'static,
@@ -139,17 +178,51 @@ pub fn csv_records(
         .flexible(true)
         .trim(csv::Trim::All)
         .terminator(csv::Terminator::Any(b'\n'))
-        .from_reader(input);
-    let header = reader.headers().map_err(|error| Failure::Input(error.to_string()))?.clone();
+        .from_reader(Lines { inner: input, length: 0 });
+    let header = reader
+        .headers()
+        .map_err(|error| Failure::Input(format!("the header: {}", csv_error(&error))))?
+        .clone();
     let columns = header.len();
     let rows = reader.into_records().filter_map(move |record| match record {
         Err(error) => {
             let line = error.position().map_or(0, csv::Position::line);
-            Some((line, Err(error.to_string())))
+            Some((line, Err(csv_error(&error))))
         }
         // A line of white space.
         Ok(record) if columns > 1 && record.len() == 1 && record[0].is_empty() => None,
         Ok(record) => Some((record.position().map_or(0, csv::Position::line), Ok(record))),
     });
     Ok((header, rows))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_without_end_ends_the_rows() {
+        let rows = |input: Box<dyn Read>| -> Vec<_> {
+            let (header, rows) = csv_records(input).unwrap();
+            assert_eq!(header.len(), 2);
+            rows.collect()
+        };
+        let found = rows(Box::new(b"a,b\n1,2\n".chain(io::repeat(b'x'))));
+        assert_eq!(found.len(), 2);
+        assert!(found[0].1.is_ok());
+        assert!(found[1].1.as_ref().unwrap_err().contains("more than 16777216 bytes"), "{found:?}");
+        // Many lines are no long line.
+        let many = Box::new(io::Cursor::new("a,b\n".repeat(MAX_RECORD / 3)));
+        assert_eq!(rows(many).iter().filter(|(_, row)| row.is_ok()).count(), MAX_RECORD / 3 - 1);
+        assert!(csv_records(io::repeat(b'a')).is_err(), "nor is a header without end");
+    }
+
+    #[test]
+    fn what_is_no_text_is_told_by_its_field() {
+        let Err(Failure::Input(message)) = csv_records(&b"a,alpha [\xB0]\n"[..]) else { panic!() };
+        assert_eq!(message, "the header: field 2 is no text in UTF-8");
+        let (_, mut rows) = csv_records(&b"a,b\n1,2\n\xFF,1\n"[..]).unwrap();
+        assert!(rows.next().unwrap().1.is_ok());
+        assert_eq!(rows.next(), Some((3, Err("field 1 is no text in UTF-8".to_owned()))));
+    }
 }
