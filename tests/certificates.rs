@@ -1,15 +1,18 @@
 //! Certificates and their spoiled copies: each is refused for exactly its reason, in both arithmetics.
 
 mod common;
+#[path = "common/program.rs"]
+mod program;
 
 use common::certificates::{at_root, both, find_root, landmark, root, state, to_value};
 use couplet::arch::{Landmark, Mode, SelfWeight, Unknown};
 use couplet::certify::certify_landmark;
 use couplet::check::{Claim, Exact, Refusal, State, Subject, check_certificate};
 use couplet::number::{Ball, ExactNumber};
+use program::{couplet, fed};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
-use std::process::{Command, Output, Stdio};
+use std::process::Output;
 
 /// The largest number of digits in this file.
 const MAX_DIGITS: usize = 60;
@@ -774,23 +777,6 @@ fn every_landmark_at_60_digits_is_accepted_and_fewer_digits_too() {
     }
 }
 
-fn couplet(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_couplet")).args(arguments).output().unwrap()
-}
-
-fn piped(arguments: &[&str], input: &[u8]) -> Output {
-    use std::io::Write;
-    let mut child = Command::new(env!("CARGO_BIN_EXE_couplet"))
-        .args(arguments)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    child.stdin.take().unwrap().write_all(input).unwrap();
-    child.wait_with_output().unwrap()
-}
-
 fn said(output: &Output) -> (Option<i32>, String, String) {
     let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
     (output.status.code(), text(&output.stdout), text(&output.stderr))
@@ -812,12 +798,9 @@ fn the_commands_make_and_check_certificates() {
         assert_eq!(said(&output), (Some(0), format!("{good}: {line}"), String::new()));
     }
     let input = std::fs::read(&good).unwrap();
-    assert_eq!(
-        said(&piped(&["check", "-"], &input)),
-        (Some(0), format!("-: {line}"), String::new())
-    );
+    assert_eq!(said(&fed(&["check", "-"], &input)), (Some(0), format!("-: {line}"), String::new()));
     let state = couplet(&["certify", "state", "--alpha", "2.45", "--mu", "1.35", "--digits", "5"]);
-    let (code, output, _) = said(&piped(&["check", "-"], &state.stdout));
+    let (code, output, _) = said(&fed(&["check", "-"], &state.stdout));
     assert_eq!(code, Some(0));
     assert!(
         output.starts_with("-: accepted  [r")

@@ -1,10 +1,9 @@
 //! The command of the small program, which is in every build: it checks the stored certificates.
 
-use std::process::{Command, Output};
+#[path = "common/program.rs"]
+mod program;
 
-fn couplet(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_couplet")).args(arguments).output().unwrap()
-}
+use program::couplet;
 
 fn stored() -> Vec<String> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/proofs/constants");

@@ -1,14 +1,14 @@
 //! The command as a user meets it: output, exit codes, one line for each wrong input.
 
+#[path = "common/program.rs"]
+mod program;
+
 use couplet::number::Decimal;
+use program::{Scratch, couplet};
 use rug::Rational;
 use serde_json::Value;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output};
-
-fn couplet(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_couplet")).args(arguments).output().unwrap()
-}
 
 fn stdout(output: &Output) -> String {
     String::from_utf8(output.stdout.clone()).unwrap()
@@ -29,25 +29,9 @@ fn entry<'a>(file: &'a Value, list: &str, keys: &[(&str, &str)]) -> &'a Value {
     all.iter().find(|e| keys.iter().all(|(key, value)| e[*key] == **value)).unwrap()
 }
 
-struct Scratch(PathBuf);
-
 impl Scratch {
-    fn new(name: &str) -> Self {
-        let folder = std::env::temp_dir().join(format!("couplet-{name}-{}", std::process::id()));
-        std::fs::create_dir_all(&folder).unwrap();
-        Self(folder)
-    }
-    fn path(&self, name: &str) -> String {
-        self.0.join(name).to_str().unwrap().to_owned()
-    }
     fn files(&self) -> usize {
         std::fs::read_dir(&self.0).unwrap().count()
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_dir_all(&self.0);
     }
 }
 

@@ -1,45 +1,24 @@
 //! `couplet judge`: other people's results, right and wrong ones, and files that make no sense.
 
 mod common;
+#[path = "common/program.rs"]
+mod program;
 
 use common::config;
 use couplet::arch::{Mode, SelfWeight};
 use couplet::certify::judge::{Claim, CorrectDigits, Demand, Measure, Said, Verdict, judge};
 use couplet::certify::state::{Answer, Arch, Digits, Friction, Outcome};
 use couplet::number::{Decimal, ExactNumber};
+use program::{fed, start};
 use proptest::prelude::*;
 use rug::{Integer, Rational};
 use serde_json::Value;
 use std::io::{BufRead, BufReader, Write};
-use std::process::{Child, Command, Output, Stdio};
-
-fn start(arguments: &[&str]) -> Child {
-    Command::new(env!("CARGO_BIN_EXE_couplet"))
-        .args(arguments)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap()
-}
-
-fn run(arguments: &[&str], input: &[u8]) -> Output {
-    let mut child = start(arguments);
-    let mut stdin = child.stdin.take().unwrap();
-    let input = input.to_vec();
-    let writer = std::thread::spawn(move || {
-        // A command that refuses its input closes the pipe.
-        let _ = stdin.write_all(&input);
-    });
-    let output = child.wait_with_output().unwrap();
-    writer.join().unwrap();
-    output
-}
 
 /// The exit code and the rows that `couplet judge -` makes of an input.
 fn rows(arguments: &[&str], input: impl AsRef<[u8]>) -> (Option<i32>, Vec<Value>) {
     let all = [&["judge", "-", "--format", "jsonl"], arguments].concat();
-    let output = run(&all, input.as_ref());
+    let output = fed(&all, input.as_ref());
     let text = String::from_utf8(output.stdout).unwrap();
     (output.status.code(), text.lines().map(|line| serde_json::from_str(line).unwrap()).collect())
 }
@@ -70,7 +49,7 @@ fn the_literature_is_right() {
     );
     assert_eq!((&first["error_units"], &first["correct_digits"]), (&"0.453".into(), &"6".into()));
     assert_eq!(rows[0]["side"], "thinner");
-    let table = run(&[&["judge", "-"], &arguments[..]].concat(), LITERATURE.as_bytes());
+    let table = fed(&[&["judge", "-"], &arguments[..]].concat(), LITERATURE.as_bytes());
     let table = String::from_utf8(table.stdout).unwrap();
     assert!(table.starts_with("11 rows: 11 accepted"), "{table}");
     assert!(
@@ -103,7 +82,7 @@ fn our_own_states_are_right() {
     for (digits, format) in
         [("1", "csv"), ("6", "csv"), ("17", "csv"), ("17", "jsonl"), ("40", "csv")]
     {
-        let states = run(&["states", "--digits", digits, "--format", format], queries().as_bytes());
+        let states = fed(&["states", "--digits", digits, "--format", format], queries().as_bytes());
         assert_eq!(states.status.code(), Some(0));
         let (code, rows) = rows(&["--accept", digits], &states.stdout);
         assert_eq!((code, rows.len()), (Some(0), 484), "{digits} {format}");
@@ -122,7 +101,7 @@ fn our_own_states_are_right() {
 /// The same columns with the last digit of each number moved by one: none is the correct rounding.
 #[test]
 fn a_wrong_last_digit_is_seen_everywhere() {
-    let states = run(&["states", "--digits", "12"], queries().as_bytes());
+    let states = fed(&["states", "--digits", "12"], queries().as_bytes());
     let mut reader = csv::Reader::from_reader(&states.stdout[..]);
     let header = reader.headers().unwrap().clone();
     let mut writer = csv::Writer::from_writer(Vec::new());
@@ -378,28 +357,28 @@ fn wrong_columns_are_refused_before_anything_is_computed() {
     ];
     for (input, arguments, why) in cases {
         let all = [&["judge", "-", "--format", "csv"], *arguments].concat();
-        let output = run(&all, input.as_bytes());
+        let output = fed(&all, input.as_bytes());
         let message = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
         assert_eq!(message.lines().count(), 1, "{arguments:?}: {message}");
         assert!(message.contains(why), "{arguments:?}: {message}");
         assert!(output.stdout.is_empty(), "{arguments:?}");
     }
-    let output = run(&["judge", "missing.csv"], b"");
+    let output = fed(&["judge", "missing.csv"], b"");
     assert_eq!(output.status.code(), Some(3));
 
     let file = tempfile::NamedTempFile::new().unwrap();
     let results = "weight,half_opening,friction,thickness\nheyman,1,0.5,0.0190\n";
     std::fs::write(file.path(), results).unwrap();
     let name = file.path().to_str().unwrap();
-    let output = run(&["judge", name, "--output", name], b"");
+    let output = fed(&["judge", name, "--output", name], b"");
     assert_eq!(output.status.code(), Some(2));
     let message = String::from_utf8(output.stderr).unwrap();
     assert_eq!(message, format!("couplet: {name} is what is judged and is not written over\n"));
     assert_eq!(std::fs::read_to_string(file.path()).unwrap(), results);
 
     if cfg!(target_os = "linux") {
-        let output = run(&["judge", name, "--output", "/dev/full"], b"");
+        let output = fed(&["judge", name, "--output", "/dev/full"], b"");
         assert_eq!(output.status.code(), Some(3));
         let message = String::from_utf8(output.stderr).unwrap();
         assert!(message.starts_with("couplet: cannot write /dev/full: "), "{message}");
@@ -497,7 +476,7 @@ fn a_summary_keeps_the_worst_and_counts_all() {
     let (file, path) = (folder.join("in.csv"), folder.join("out.json"));
     std::fs::write(&file, &input).unwrap();
     let names = [&file, &path].map(|path| path.to_str().unwrap());
-    let output = run(
+    let output = fed(
         &[
             "judge", names[0], "--weight", "heyman", "--format", "json", "--worst", "4", "-o",
             names[1],

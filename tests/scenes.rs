@@ -1,38 +1,26 @@
 //! Scenes as a user meets them: every fault with its place, nothing computed that is not needed, nothing
 //! written that is not whole, nothing computed again that is complete.
 
+#[path = "common/program.rs"]
+mod program;
+
 use couplet::arch::Equation;
 use couplet::scene::{EXAMPLE, Kind, MAX_BYTES, Plan, Run, read, read_bytes};
+use program::{Scratch, couplet};
 use serde_json::Value;
 use std::fs;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 const HEAD: &str = "schema = \"couplet.scene/1\"\n";
 
-fn couplet(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_couplet")).args(arguments).output().unwrap()
-}
-
 fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
 }
 
-/// A folder of its own, which is removed in the end.
-struct Scratch(PathBuf);
-
 impl Scratch {
-    fn new(name: &str) -> Self {
-        let folder = std::env::temp_dir().join(format!("couplet-{name}-{}", std::process::id()));
-        let _ = fs::remove_dir_all(&folder);
-        fs::create_dir_all(&folder).unwrap();
-        Self(folder)
-    }
-    fn path(&self, name: &str) -> String {
-        self.0.join(name).to_str().unwrap().to_owned()
-    }
     fn scene(&self, text: &str) -> String {
         let path = self.path("scene.toml");
         fs::write(&path, format!("{HEAD}{text}")).unwrap();
@@ -47,12 +35,6 @@ impl Scratch {
             entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
         names.sort();
         names
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
     }
 }
 

@@ -65,7 +65,7 @@ fn the_hash_is_that_of_what_certify_writes() {
         let command = proof["certificate"]["command"].as_str().unwrap();
         let words: Vec<&str> = command.split(' ').collect();
         assert_eq!((words[0], words[6]), ("couplet", "3"), "{command}");
-        let written = couplet(&words[1..], "").stdout;
+        let written = couplet(&words[1..]).stdout;
         let hash: String =
             Sha256::digest(&written).iter().map(|byte| format!("{byte:02x}")).collect();
         assert_eq!(proof["certificate"]["sha256"], *hash, "{command}");
@@ -76,7 +76,7 @@ fn the_hash_is_that_of_what_certify_writes() {
 #[test]
 fn where_there_is_no_hash_is_a_reason() {
     let arguments = ["constants", "L", "--weight", "heyman", "--digits", "10001"];
-    let output = couplet(&[&arguments[..], &["--format", "json"]].concat(), "");
+    let output = couplet(&[&arguments[..], &["--format", "json"]].concat());
     let json: Value = serde_json::from_slice(&output.stdout).unwrap();
     let certificate = &json["proofs"][0]["certificate"];
     assert_eq!(certificate["sha256"], Value::Null);

@@ -8,42 +8,23 @@ mod parquet;
 mod refused;
 mod states;
 
-use std::io::Write;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+#[path = "../common/program.rs"]
+mod program;
 
-/// The command with a text as its input.
-fn couplet(arguments: &[&str], input: &str) -> Output {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_couplet"))
-        .args(arguments)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    // A command that reads nothing closes the pipe.
-    let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
-    child.wait_with_output().unwrap()
-}
+use program::{Scratch, couplet};
+use std::io::Write;
+use std::path::Path;
+use std::process::Command;
 
 /// What `couplet constants` writes in a format, with as few digits as would show a double made of them.
 fn constants(format: &str) -> Vec<u8> {
-    let output = couplet(&["constants", "--digits", "3", "--format", format], "");
+    let output = couplet(&["constants", "--digits", "3", "--format", format]);
     assert_eq!(output.status.code(), Some(0), "{format}");
     assert!(output.stderr.is_empty(), "{format}");
     output.stdout
 }
 
-/// A folder of the test's own, removed at the end.
-struct Scratch(PathBuf);
-
 impl Scratch {
-    fn new(name: &str) -> Self {
-        let folder = std::env::temp_dir().join(format!("couplet-{name}-{}", std::process::id()));
-        std::fs::create_dir_all(&folder).unwrap();
-        Self(folder)
-    }
-
     fn write(&self, name: &str, content: impl AsRef<[u8]>) {
         std::fs::write(self.0.join(name), content).unwrap();
     }
@@ -59,12 +40,6 @@ impl Scratch {
         let stdout = String::from_utf8_lossy(&output.stdout);
         assert!(output.status.success() && stderr.is_empty(), "{program:?} {stdout} {stderr}");
         stdout.into_owned()
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_dir_all(&self.0);
     }
 }
 

@@ -1,7 +1,8 @@
 //! Parquet files, read back.
 
+use crate::Scratch;
 use crate::expected::all;
-use crate::{Scratch, couplet};
+use crate::program::fed;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::{Field, Row};
 use std::collections::{BTreeMap, BTreeSet};
@@ -61,7 +62,7 @@ fn states_have_a_row_for_each_value_and_for_each_that_has_none() {
     for i in 1..=3000 {
         input += &format!("milankovitch,{i}/1200,2\n");
     }
-    let output = couplet(&["states", "--format", "parquet", "--digits", "5"], &input);
+    let output = fed(&["states", "--format", "parquet", "--digits", "5"], &input);
     assert_eq!(output.status.code(), Some(2), "one row is bad");
     let (rows, notes) = read("parquet-states", output.stdout);
     assert_eq!(notes["couplet.schema"], "couplet.states/1");
@@ -79,7 +80,7 @@ fn states_have_a_row_for_each_value_and_for_each_that_has_none() {
     assert_eq!(fallen["quantity"], Field::Null);
     assert_eq!(text(&of(4)["status"]), "refused");
     assert!(text(&of(4)["reason"]).contains("banana"));
-    let assessed = couplet(
+    let assessed = fed(
         &["states", "--format", "parquet"],
         "weight,alpha,mu,thickness\nheyman,pi/2,0.38,0.2\n",
     );
@@ -92,7 +93,7 @@ fn states_have_a_row_for_each_value_and_for_each_that_has_none() {
 
 #[test]
 fn no_queries_make_a_file_without_rows() {
-    let output = couplet(&["states", "--format", "parquet"], "weight,alpha,mu\n");
+    let output = fed(&["states", "--format", "parquet"], "weight,alpha,mu\n");
     assert_eq!(output.status.code(), Some(0));
     assert!(read("parquet-empty", output.stdout).0.is_empty());
 }

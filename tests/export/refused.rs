@@ -18,7 +18,7 @@ fn each_command_names_its_own_formats() {
         (&["states", "--format", "parquet"], "--features parquet"),
     ];
     for (arguments, possible) in cases {
-        let output = couplet(arguments, "");
+        let output = couplet(arguments);
         let message = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{arguments:?} {message}");
         assert!(message.contains(possible) && message.lines().count() == 1, "{message}");
