@@ -56,6 +56,12 @@ fn states(criterion: &mut Criterion) {
             queries.iter().filter(|q| matches!(q.certify(16), Ok(Answer::Stands(_)))).count()
         });
     });
+    group.bench_function("proved alone, mix", |b| {
+        b.iter(|| {
+            let stands = |q: &&Arch| matches!(q.certify_alone(16), Ok(Answer::Stands(_)));
+            queries.iter().filter(stands).count()
+        });
+    });
     group.finish();
 }
 
