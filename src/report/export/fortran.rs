@@ -1,6 +1,7 @@
 //! Fortran: a module of parameters of two kinds.
 
-use super::names::{about, capitals, doubles, preface, remark};
+use super::listing::{comments, subjects};
+use super::names::{capitals, doubles, preface, remark};
 use super::{Export, Exported, Subject};
 use std::io;
 
@@ -17,19 +18,9 @@ module couplet_constants
 const WIDTH: usize = 100;
 
 pub fn write(export: &Export, out: &mut dyn io::Write) -> io::Result<()> {
-    for line in preface(export) {
-        writeln!(out, "{}", format!("! {line}").trim_end())?;
-    }
+    comments(preface(export), "! ", out)?;
     write!(out, "{NOTES}")?;
-    for subject in &export.subjects {
-        writeln!(out)?;
-        for line in about(subject) {
-            writeln!(out, "  ! {line}")?;
-        }
-        for value in &subject.values {
-            self::value(subject, value, out)?;
-        }
-    }
+    subjects(export, "  ! ", out, value)?;
     writeln!(out, "end module couplet_constants")
 }
 

@@ -1,6 +1,7 @@
 //! Julia: a module of `Float64` and `BigFloat`.
 
-use super::names::{about, capitals, doubles, preface, remark};
+use super::listing::subjects;
+use super::names::{capitals, doubles, preface, remark};
 use super::{Export, Exported, Subject};
 use crate::number::bits_of;
 use crate::report::hexadecimal;
@@ -16,15 +17,7 @@ pub fn write(export: &Export, out: &mut dyn io::Write) -> io::Result<()> {
     }
     writeln!(out, "\nNAME_BIG is a `BigFloat` of all digits, at the precision they need.")?;
     writeln!(out, "\"\"\"\nmodule CoupletConstants")?;
-    for subject in &export.subjects {
-        writeln!(out)?;
-        for line in about(subject) {
-            writeln!(out, "# {line}")?;
-        }
-        for value in &subject.values {
-            self::value(subject, value, export.digits, out)?;
-        }
-    }
+    subjects(export, "# ", out, |subject, one, out| value(subject, one, export.digits, out))?;
     writeln!(out, "\nend # module")
 }
 

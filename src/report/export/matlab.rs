@@ -1,6 +1,7 @@
 //! MATLAB and Octave: a function that returns a structure.
 
-use super::names::{about, bits, doubles, preface, remark, words};
+use super::listing::{comments, subjects};
+use super::names::{bits, doubles, preface, remark, words};
 use super::{Export, Exported, Subject};
 use std::io;
 
@@ -26,20 +27,10 @@ end
 
 pub fn write(export: &Export, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(out, "function c = couplet_constants()")?;
-    for line in preface(export) {
-        writeln!(out, "{}", format!("%   {line}").trim_end())?;
-    }
+    comments(preface(export), "%   ", out)?;
     write!(out, "{NOTES}")?;
     writeln!(out, "  c = struct();")?;
-    for subject in &export.subjects {
-        writeln!(out)?;
-        for line in about(subject) {
-            writeln!(out, "  % {line}")?;
-        }
-        for value in &subject.values {
-            self::value(subject, value, export.digits, out)?;
-        }
-    }
+    subjects(export, "  % ", out, |subject, one, out| value(subject, one, export.digits, out))?;
     writeln!(out, "end")?;
     write!(out, "{SYMBOLIC}")
 }

@@ -16,6 +16,7 @@ mod fortran;
 mod julia;
 mod label;
 mod latex;
+mod listing;
 mod matlab;
 mod names;
 #[cfg(feature = "parquet")]

@@ -1,6 +1,7 @@
 //! Python: a module of floats and `Decimal`s.
 
-use super::names::{about, capitals, doubles, preface, remark};
+use super::listing::subjects;
+use super::names::{capitals, doubles, preface, remark};
 use super::{Export, Exported, Subject};
 use crate::report::hexadecimal;
 use std::io;
@@ -18,16 +19,7 @@ pub fn write(export: &Export, out: &mut dyn io::Write) -> io::Result<()> {
         writeln!(out, "{line}")?;
     }
     write!(out, "{NOTES}")?;
-    for subject in &export.subjects {
-        writeln!(out)?;
-        for line in about(subject) {
-            writeln!(out, "# {line}")?;
-        }
-        for value in &subject.values {
-            self::value(subject, value, out)?;
-        }
-    }
-    Ok(())
+    subjects(export, "# ", out, value)
 }
 
 fn value(subject: &Subject, value: &Exported, out: &mut dyn io::Write) -> io::Result<()> {

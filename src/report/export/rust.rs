@@ -1,25 +1,15 @@
 //! Rust: a module of constants.
 
-use super::names::{about, bits, capitals, doubles, preface, remark};
+use super::listing::{comments, subjects};
+use super::names::{bits, capitals, doubles, preface, remark};
 use super::{Export, Exported, Subject};
 use std::io;
 
 pub fn write(export: &Export, out: &mut dyn io::Write) -> io::Result<()> {
-    for line in preface(export) {
-        writeln!(out, "{}", format!("//! {line}").trim_end())?;
-    }
+    comments(preface(export), "//! ", out)?;
     writeln!(out, "//!\n//! `…_TEXT` has all digits.")?;
     writeln!(out, "#![allow(dead_code)]")?;
-    for subject in &export.subjects {
-        writeln!(out)?;
-        for line in about(subject) {
-            writeln!(out, "// {line}")?;
-        }
-        for value in &subject.values {
-            self::value(subject, value, out)?;
-        }
-    }
-    Ok(())
+    subjects(export, "// ", out, value)
 }
 
 fn value(subject: &Subject, value: &Exported, out: &mut dyn io::Write) -> io::Result<()> {
