@@ -65,8 +65,18 @@ pub enum Equation {
 }
 
 impl Equation {
-    /// How many there are; each has its own number below.
-    pub(super) const COUNT: usize = Self::Steepest as usize + 1;
+    /// All equations, in the order of the paper.
+    pub const ALL: [Self; 9] = [
+        Self::LowerThrust,
+        Self::UpperThrust,
+        Self::WholeThrust,
+        Self::Tangency,
+        Self::TangencyAtCrown,
+        Self::DoubleThickness,
+        Self::ShoulderSliding,
+        Self::InnerSliding,
+        Self::Steepest,
+    ];
 
     /// The number in the paper, and what is special about it.
     pub fn label(self) -> &'static str {

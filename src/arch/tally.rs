@@ -10,7 +10,7 @@ use std::ops::AddAssign;
 /// What was evaluated. Counts only: nothing of it is a result.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
-    equations: [u64; Equation::COUNT],
+    equations: [u64; Equation::ALL.len()],
     /// Conditions of admissibility and of least thickness whose sign was looked at.
     pub conditions: u64,
     /// Landmarks that were consulted.
@@ -23,7 +23,7 @@ pub struct Tally {
 
 impl Tally {
     const EMPTY: Self = Self {
-        equations: [0; Equation::COUNT],
+        equations: [0; Equation::ALL.len()],
         conditions: 0,
         landmarks: 0,
         newton_steps: 0,

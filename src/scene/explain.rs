@@ -3,13 +3,12 @@
 use super::cost::Cost;
 use super::expected;
 use super::fault::list;
-use super::plan::{ArchNode, FRICTIONS, LandmarkNode, Plan, RANGE_OF_THRUSTS};
+use super::left_out::left_out;
+use super::plan::{ArchNode, LandmarkNode, Plan};
 use super::run::Costs;
 use super::schema::Item;
-use crate::arch::{Equation, Landmark, Quantity, SelfWeight};
-use crate::certify::quantities;
+use crate::arch::Equation;
 use crate::certify::state::Wanted;
-use crate::claims::claims;
 use std::io;
 
 /// A node of the tree: its lines, and what hangs on it.
@@ -204,22 +203,9 @@ fn arch(node: &ArchNode) -> Vec<String> {
     lines
 }
 
-fn number_of_arches(count: usize) -> String {
+pub(super) fn number_of_arches(count: usize) -> String {
     format!("{count} arch{}", if count == 1 { "" } else { "es" })
 }
-
-/// Every equation, in the order of the paper.
-const EQUATIONS: [Equation; 9] = [
-    Equation::LowerThrust,
-    Equation::UpperThrust,
-    Equation::WholeThrust,
-    Equation::Tangency,
-    Equation::TangencyAtCrown,
-    Equation::DoubleThickness,
-    Equation::ShoulderSliding,
-    Equation::InnerSliding,
-    Equation::Steepest,
-];
 
 /// A cost in words.
 fn spent(cost: &Cost) -> String {
@@ -236,7 +222,7 @@ fn spent(cost: &Cost) -> String {
             words.push(format!("{count} {}", if count == 1 { one } else { more }));
         }
     }
-    let each: Vec<String> = EQUATIONS
+    let each: Vec<String> = Equation::ALL
         .iter()
         .map(|equation| (equation.label(), tally.of(*equation)))
         .filter(|(_, count)| *count > 0)
@@ -246,62 +232,4 @@ fn spent(cost: &Cost) -> String {
         true => words.join(", "),
         false => format!("{}: {}", words.join(", "), each.join(", ")),
     }
-}
-
-/// What is not computed, and why.
-fn left_out(plan: &Plan, costs: Option<&Costs>) -> Vec<String> {
-    let mut lines = Vec::new();
-    let not_asked = |what: String| format!("{what}: not asked for");
-    for weight in SelfWeight::ALL {
-        let asked = |landmark: &Landmark| {
-            plan.landmarks.iter().any(|n| (n.landmark, n.weight) == (*landmark, weight))
-        };
-        let rest: Vec<Landmark> = Landmark::ALL.into_iter().filter(|l| !asked(l)).collect();
-        if !rest.is_empty() && !plan.landmarks.is_empty() {
-            let symbols = list(rest.into_iter().map(Landmark::symbol));
-            lines.push(not_asked(format!("landmarks {symbols} {}", weight.name())));
-        }
-    }
-    let mut partly: Vec<((SelfWeight, usize), Vec<&str>)> = Vec::new();
-    for node in plan.landmarks.iter().filter(|node| !node.asked.is_empty()) {
-        let asked = |quantity: &Quantity| node.asked.iter().any(|(of, _)| of == quantity);
-        let rest = quantities(node.landmark).filter(|quantity| !asked(quantity)).count();
-        let (key, symbol) = ((node.weight, rest), node.landmark.symbol());
-        match partly.iter_mut().find(|(other, _)| *other == key) {
-            Some((_, symbols)) => symbols.push(symbol),
-            None => partly.push((key, vec![symbol])),
-        }
-    }
-    for ((weight, rest), symbols) in partly.into_iter().filter(|((_, rest), _)| *rest > 0) {
-        let plural = if rest == 1 { "quantity" } else { "quantities" };
-        let (symbols, weight) = (list(symbols), weight.name());
-        lines.push(not_asked(format!("{rest} {plural} each of {symbols} {weight}")));
-    }
-    let arches = |without: &dyn Fn(&ArchNode) -> bool| {
-        plan.arches.iter().filter(|node| without(node)).count()
-    };
-    let frictions = arches(&|node| !node.states.is_empty() && !node.frictions());
-    if frictions > 0 {
-        let names = FRICTIONS.join(", ");
-        lines.push(not_asked(format!("{names} of {}", number_of_arches(frictions))));
-    }
-    let ranges =
-        arches(&|node| node.thicknesses.iter().any(|asked| asked.wanted == Wanted::Standing));
-    if ranges > 0 {
-        let names = RANGE_OF_THRUSTS.join(", ");
-        lines.push(not_asked(format!("{names} of {}", number_of_arches(ranges))));
-    }
-    let all = claims().len();
-    if !plan.claims.is_empty() && plan.claims.len() < all {
-        lines.push(not_asked(format!("{} of {all} claims", all - plan.claims.len())));
-    }
-    if let Some(costs) = costs {
-        let total = costs.total();
-        let unused = EQUATIONS.iter().filter(|equation| total.tally.of(**equation) == 0);
-        let unused = list(unused.map(|equation| equation.label()));
-        if !unused.is_empty() {
-            lines.push(format!("equations {unused}: nothing needed them"));
-        }
-    }
-    lines
 }

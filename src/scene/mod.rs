@@ -38,6 +38,7 @@ mod explain;
 mod fault;
 mod format;
 mod found;
+mod left_out;
 mod manifest;
 mod number;
 mod pieces;

@@ -1,0 +1,68 @@
+//! What a plan leaves out, and why.
+
+use super::explain::number_of_arches;
+use super::fault::list;
+use super::plan::{ArchNode, FRICTIONS, Plan, RANGE_OF_THRUSTS};
+use super::run::Costs;
+use crate::arch::{Equation, Landmark, Quantity, SelfWeight};
+use crate::certify::quantities;
+use crate::certify::state::Wanted;
+use crate::claims::claims;
+
+/// What is not computed, and why.
+pub(super) fn left_out(plan: &Plan, costs: Option<&Costs>) -> Vec<String> {
+    let mut lines = Vec::new();
+    let not_asked = |what: String| format!("{what}: not asked for");
+    for weight in SelfWeight::ALL {
+        let asked = |landmark: &Landmark| {
+            plan.landmarks.iter().any(|n| (n.landmark, n.weight) == (*landmark, weight))
+        };
+        let rest: Vec<Landmark> = Landmark::ALL.into_iter().filter(|l| !asked(l)).collect();
+        if !rest.is_empty() && !plan.landmarks.is_empty() {
+            let symbols = list(rest.into_iter().map(Landmark::symbol));
+            lines.push(not_asked(format!("landmarks {symbols} {}", weight.name())));
+        }
+    }
+    let mut partly: Vec<((SelfWeight, usize), Vec<&str>)> = Vec::new();
+    for node in plan.landmarks.iter().filter(|node| !node.asked.is_empty()) {
+        let asked = |quantity: &Quantity| node.asked.iter().any(|(of, _)| of == quantity);
+        let rest = quantities(node.landmark).filter(|quantity| !asked(quantity)).count();
+        let (key, symbol) = ((node.weight, rest), node.landmark.symbol());
+        match partly.iter_mut().find(|(other, _)| *other == key) {
+            Some((_, symbols)) => symbols.push(symbol),
+            None => partly.push((key, vec![symbol])),
+        }
+    }
+    for ((weight, rest), symbols) in partly.into_iter().filter(|((_, rest), _)| *rest > 0) {
+        let plural = if rest == 1 { "quantity" } else { "quantities" };
+        let (symbols, weight) = (list(symbols), weight.name());
+        lines.push(not_asked(format!("{rest} {plural} each of {symbols} {weight}")));
+    }
+    let arches = |without: &dyn Fn(&ArchNode) -> bool| {
+        plan.arches.iter().filter(|node| without(node)).count()
+    };
+    let frictions = arches(&|node| !node.states.is_empty() && !node.frictions());
+    if frictions > 0 {
+        let names = FRICTIONS.join(", ");
+        lines.push(not_asked(format!("{names} of {}", number_of_arches(frictions))));
+    }
+    let ranges =
+        arches(&|node| node.thicknesses.iter().any(|asked| asked.wanted == Wanted::Standing));
+    if ranges > 0 {
+        let names = RANGE_OF_THRUSTS.join(", ");
+        lines.push(not_asked(format!("{names} of {}", number_of_arches(ranges))));
+    }
+    let all = claims().len();
+    if !plan.claims.is_empty() && plan.claims.len() < all {
+        lines.push(not_asked(format!("{} of {all} claims", all - plan.claims.len())));
+    }
+    if let Some(costs) = costs {
+        let total = costs.total();
+        let unused = Equation::ALL.iter().filter(|equation| total.tally.of(**equation) == 0);
+        let unused = list(unused.map(|equation| equation.label()));
+        if !unused.is_empty() {
+            lines.push(format!("equations {unused}: nothing needed them"));
+        }
+    }
+    lines
+}
