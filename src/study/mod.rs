@@ -7,6 +7,7 @@
 //! | `condition` | what the problem itself loses |
 //! | `accuracy` | every method on every case, at every precision |
 //! | `stability` | ladders of distances towards each limit |
+//! | `limits`, `target` | the limits, and a problem next to one |
 //! | `enclosure` | the truth: a proved box at a higher precision; and the error of a value |
 //! | `row` | what is measured of one method on one case |
 //! | `figure` | it as figures (feature `plots`) |
@@ -22,6 +23,7 @@ pub mod double_double;
 pub mod enclosure;
 #[cfg(feature = "plots")]
 pub mod figure;
+pub mod limits;
 pub mod newton;
 mod problem;
 pub mod row;
@@ -29,5 +31,6 @@ pub mod stability;
 #[cfg(feature = "plots")]
 pub mod stability_figure;
 pub mod static_programme;
+mod target;
 
 pub use problem::Problem;

@@ -3,19 +3,15 @@
 //! The [condition number](super::condition) of a problem says how many digits of the result the input
 //! decides. What a method loses beyond it, the method has lost.
 
-use super::Problem;
 use super::closed::{Branch, Form, printed, trigonometric};
-use super::condition::condition;
 use super::double_double;
-use super::enclosure::{enclose_at, error, relative_radius};
+use super::enclosure::{error, relative_radius};
+use super::limits::Limit;
 use super::newton::{doubling, newton};
 use super::row::timed;
-use crate::arch::small::Scaled;
-use crate::arch::{Landmark, Mode, SelfWeight, Unknown, overturning};
-use crate::certify::CertifiedLandmark;
-use crate::certify::state::{Arch, Friction, Outcome};
-use crate::number::{Angle, Ball, Dual, ExactNumber, Real, rational_like};
-use crate::solve::{settle, start_state};
+use super::target::{Target, WEIGHT, factored};
+use crate::arch::{Mode, overturning};
+use crate::number::{Angle, Ball};
 use qd::Quad;
 use rug::ops::Pow;
 use rug::{Float, Integer, Rational};
@@ -49,291 +45,10 @@ pub struct Rung {
     pub verdict: &'static str,
 }
 
-/// A limit with the problem at each distance from it.
-#[non_exhaustive]
-pub struct Limit {
-    /// A short name.
-    pub name: &'static str,
-    /// What happens there.
-    pub words: &'static str,
-    /// What is computed.
-    pub output: &'static str,
-    /// Whether it is that of small half openings.
-    is_small: bool,
-    /// The problem at the distance `10^-k`.
-    at: fn(&Rational) -> Option<Target>,
-}
-
-/// All limits.
-pub const LIMITS: [Limit; 8] = [
-    Limit {
-        name: "alpha-to-zero",
-        words: "a tiny half opening: eta falls like alpha^4, h tends to 1",
-        output: "thickness",
-        is_small: true,
-        at: |x| rotational(x.clone(), Unknown::Thickness),
-    },
-    Limit {
-        name: "radicand-to-zero",
-        words: "a joint below that of sb, where two roots of the cubic meet",
-        output: "thickness",
-        is_small: false,
-        at: |x| {
-            let joint = before(Landmark::WidestJoint, Unknown::RotationJoint, x)?;
-            Some(Target::Closed { joint })
-        },
-    },
-    Limit {
-        name: "joint-to-crown",
-        words: "a half opening below that of l: beta_r falls like the root of the distance",
-        output: "rotation_joint",
-        is_small: false,
-        at: |x| {
-            let alpha = before(Landmark::RotationEnd, Unknown::HalfOpening, x)?;
-            rotational(alpha, Unknown::RotationJoint)
-        },
-    },
-    Limit {
-        name: "eta-to-two",
-        words: "overturning at A above 2/3: the square root in (15) tends to 0",
-        output: "thickness",
-        is_small: false,
-        at: |x| Some(Target::Overturning { distance: x.clone() }),
-    },
-    Limit {
-        name: "mu-to-infinity",
-        words: "a large friction: an inner joint slides at a thrust like 1/(4 mu^2)",
-        output: "thrust",
-        is_small: false,
-        at: |x| {
-            Some(Target::State {
-                mode: Mode::OverturningSliding,
-                half_opening: Rational::from((13, 5)),
-                friction: Some(x.clone().recip()),
-                output: Unknown::Thrust,
-            })
-        },
-    },
-    Limit {
-        name: "mu-to-zero",
-        words: "pure sliding of a tiny half opening: mu falls like alpha^3/12",
-        output: "friction",
-        is_small: true,
-        at: |x| Some(Target::Sliding { half_opening: x.clone() }),
-    },
-    Limit {
-        name: "alpha-to-pi",
-        words: "pure sliding towards the full circle: mu grows without bound",
-        output: "friction",
-        is_small: false,
-        at: |x| {
-            // pi to far more places than the distance has.
-            let places = 60 + 4 * x.denom().significant_bits();
-            let pi = Float::with_val(places, rug::float::Constant::Pi).to_rational()?;
-            Some(Target::Sliding { half_opening: pi - x })
-        },
-    },
-    Limit {
-        name: "next-to-T",
-        words: "a half opening and a friction above those of T: four modes meet",
-        output: "thickness",
-        is_small: false,
-        at: |x| {
-            let zero = Rational::new();
-            let alpha = before(Landmark::Triple, Unknown::HalfOpening, &zero)? + x;
-            let friction = before(Landmark::Triple, Unknown::Friction, &zero)? + x.clone() * 10;
-            let mode = match arch(&alpha, Some(&friction))?.state(1024).ok()? {
-                Outcome::Stands(state) => state.mode,
-                Outcome::Falls(_) => return None,
-            };
-            Some(Target::State {
-                mode,
-                half_opening: alpha,
-                friction: Some(friction),
-                output: Unknown::Thickness,
-            })
-        },
-    },
-];
-
-const WEIGHT: SelfWeight = SelfWeight::Milankovitch;
-
-/// A problem on a rung, and which of its unknowns is looked at.
-#[derive(Clone, Debug)]
-enum Target {
-    /// A state.
-    State { mode: Mode, half_opening: Rational, friction: Option<Rational>, output: Unknown },
-    /// The friction of pure sliding.
-    Sliding { half_opening: Rational },
-    /// The thin root of the cubic in `eta`.
-    Closed { joint: Rational },
-    /// (15) at `A = 2/3 +` the distance.
-    Overturning { distance: Rational },
-}
-
-fn rotational(half_opening: Rational, output: Unknown) -> Option<Target> {
-    Some(Target::State { mode: Mode::Rotational, half_opening, friction: None, output })
-}
-
-/// A variable of a landmark, to many places, less a distance.
-fn before(landmark: Landmark, unknown: Unknown, distance: &Rational) -> Option<Rational> {
-    let refined = CertifiedLandmark::new(landmark, WEIGHT).ok()?.enclosure(640).ok()?;
-    Some(refined.value(unknown)?.mid().to_rational()? - distance)
-}
-
-fn arch(half_opening: &Rational, friction: Option<&Rational>) -> Option<Arch> {
-    let friction = friction
-        .map_or(Friction::Infinite, |mu| Friction::Coefficient(ExactNumber::rational(mu.clone())));
-    Arch::new(WEIGHT, ExactNumber::rational(half_opening.clone()), friction).ok()
-}
-
 /// Digits that a certified result is asked for.
 const DIGITS: f64 = 16.0;
 /// The largest working precision that is tried.
 const MOST_BITS: u32 = 1 << 14;
-
-impl Target {
-    /// The output in a certified enclosure, computed with `bits` bits; `None` if it is not proved.
-    fn enclosure(&self, bits: u32) -> Option<Ball> {
-        match self {
-            Self::State { half_opening, friction, output, mode } => {
-                let Outcome::Stands(state) =
-                    arch(half_opening, friction.as_ref())?.state_alone(bits).ok()?
-                else {
-                    return None;
-                };
-                (state.mode == *mode).then_some(match output {
-                    Unknown::RotationJoint => state.rotation_joint,
-                    Unknown::Thrust => state.thrust,
-                    _ => state.thickness,
-                })
-            }
-            Self::Sliding { half_opening } => arch(half_opening, None)?.sliding_friction(bits).ok(),
-            Self::Closed { joint } => {
-                let at = Angle::new(rational_like(&Float::new(bits), joint));
-                let centre = trigonometric(Form::Thickness, Branch::Upper, &at);
-                Some(enclose_at::<Ball>(&self.problem()?, &[centre], bits)?.swap_remove(0))
-            }
-            Self::Overturning { distance } => {
-                let x = Ball::enclosing(distance, bits);
-                Some(factored(&x))
-            }
-        }
-    }
-
-    /// The equations as a problem for the methods of others.
-    fn problem(&self) -> Option<Problem> {
-        Some(match self {
-            Self::State { mode, half_opening, friction, .. } => Problem::State {
-                weight: WEIGHT,
-                mode: *mode,
-                half_opening: half_opening.clone(),
-                friction: friction.clone().unwrap_or_default(),
-            },
-            Self::Sliding { half_opening } => Problem::State {
-                weight: WEIGHT,
-                mode: Mode::Sliding,
-                half_opening: half_opening.clone(),
-                friction: Rational::new(),
-            },
-            Self::Closed { joint } => Problem::Thickness { weight: WEIGHT, joint: joint.clone() },
-            Self::Overturning { .. } => return None,
-        })
-    }
-
-    /// The place of the output among the unknowns.
-    fn index(&self) -> usize {
-        match self {
-            Self::State { mode, output, .. } => {
-                mode.system().0.iter().position(|unknown| unknown == output).unwrap_or(0)
-            }
-            _ => 0,
-        }
-    }
-
-    /// Start values of all unknowns as the product makes them, in numbers of `bits` bits.
-    fn start(&self, bits: u32) -> Option<Vec<Float>> {
-        let number = |x: &Rational| Float::with_val(bits, x);
-        Some(match self {
-            Self::State { mode: Mode::Rotational, half_opening, .. } => {
-                start_state::rotational(WEIGHT, &number(half_opening)).to_vec()
-            }
-            Self::State { mode, half_opening, friction, .. } => {
-                // Next to the certified state: what is measured is the last digits.
-                let Outcome::Stands(state) =
-                    arch(half_opening, friction.as_ref())?.state(1024).ok()?
-                else {
-                    return None;
-                };
-                let value = |unknown: &Unknown| match unknown {
-                    Unknown::RotationJoint => Some(state.rotation_joint.mid().clone()),
-                    Unknown::SlidingJoint => Some(state.sliding_joint.as_ref()?.mid().clone()),
-                    Unknown::Thickness => Some(state.thickness.mid().clone()),
-                    _ => Some(state.thrust.mid().clone()),
-                };
-                let values: Option<Vec<Float>> = mode.system().0.iter().map(value).collect();
-                values?.iter().map(|x| Float::with_val(bits, x) * 1.0001f64).collect()
-            }
-            Self::Sliding { half_opening } => start_state::sliding(&number(half_opening)).to_vec(),
-            Self::Closed { joint } => {
-                let at = Angle::new(rational_like(&Float::new(bits), joint));
-                vec![trigonometric(Form::Thickness, Branch::Upper, &at)]
-            }
-            Self::Overturning { .. } => return None,
-        })
-    }
-
-    /// `log10` of the condition number, from numbers of `bits` bits; minus infinity where the result does
-    /// not depend on what is given.
-    fn condition(&self, bits: u32) -> Option<f64> {
-        if let Self::Overturning { distance } = self {
-            // What is given is A.
-            let a = Float::with_val(bits, Rational::from((2, 3)) + distance);
-            let eta = overturning::thickness(WEIGHT, &Dual::variable(a.clone(), 0));
-            return Some((eta.derivative(0) * a / eta.value()).abs().log10().to_f64());
-        }
-        let problem = self.problem()?;
-        let root = newton(&problem, &self.start(bits)?, bits)?.root;
-        condition(&problem, &root, self.index())
-    }
-
-    /// The output by Newton's method on the equations in scaled variables, in numbers of `bits` bits.
-    fn scaled(&self, bits: u32) -> Option<Float> {
-        let (mode, half_opening) = match self {
-            Self::State { mode: Mode::Rotational, half_opening, .. } => {
-                (Mode::Rotational, half_opening)
-            }
-            Self::Sliding { half_opening } => (Mode::Sliding, half_opening),
-            _ => return None,
-        };
-        let (unknowns, equations) = mode.system();
-        let alpha = Float::with_val(bits, half_opening);
-        let y = alpha.clone().square();
-        let start = match mode {
-            Mode::Sliding => start_state::scaled_sliding(&y),
-            _ => start_state::scaled_rotational(WEIGHT, &y)?,
-        };
-        let given = Scaled::new(&Dual::constant(y.clone()));
-        let root = settle(start.to_vec(), |x| {
-            let variables = unknowns.iter().zip(x).enumerate();
-            let at = variables.fold(given.clone(), |at, (index, (&u, x))| {
-                at.with(u, Dual::variable(x.clone(), index))
-            });
-            equations.iter().filter_map(|e| e.scaled_residual(WEIGHT, &at)).collect()
-        })?;
-        let [first, second, _] = &root[..] else { return None };
-        Some(match mode {
-            Mode::Sliding => first.clone() * y * alpha,
-            _ => second.clone() * y.square(),
-        })
-    }
-}
-
-/// (15) with its radicand `9 (A - 2/3)(A + 2)`, from `x = A - 2/3`.
-fn factored<T: Real>(x: &T) -> T {
-    let radicand = x.int(9) * x * &(x.ratio(8, 3) + x);
-    x.int(2) + x.int(3) * x - radicand.sqrt()
-}
 
 fn tenth_to(k: u32) -> Rational {
     Rational::from((Integer::from(1), Integer::from(10).pow(k)))
@@ -455,6 +170,7 @@ pub const QUICK: [u32; 5] = [1, 3, 8, 20, 60];
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::study::limits::LIMITS;
 
     /// The certified path proves every rung, and its error is what it claims.
     #[test]

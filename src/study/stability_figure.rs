@@ -1,7 +1,8 @@
 //! The figure of the study of stability, from its rungs.
 
 use super::figure::{Axis, Figure, Kind, Line, Panel, Scale};
-use super::stability::{LIMITS, Rung};
+use super::limits::LIMITS;
+use super::stability::Rung;
 
 /// Digits lost against the distance, a panel for each limit, with the loss of the problem itself.
 pub fn figure(rungs: &[Rung]) -> Figure {

@@ -1,7 +1,8 @@
 //! The studies for a person at a terminal.
 
+use crate::study::limits::LIMITS;
 use crate::study::row::Row;
-use crate::study::stability::{LIMITS, Rung};
+use crate::study::stability::Rung;
 use std::io;
 
 /// One line for each method at each precision: the worst over the cases of a quantity.

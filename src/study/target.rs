@@ -1,0 +1,192 @@
+//! A problem next to a limit: its certified value, its condition, and where a search starts.
+
+use super::Problem;
+use super::closed::{Branch, Form, trigonometric};
+use super::condition::condition;
+use super::enclosure::enclose_at;
+use super::newton::newton;
+use crate::arch::small::Scaled;
+use crate::arch::{Landmark, Mode, SelfWeight, Unknown, overturning};
+use crate::certify::CertifiedLandmark;
+use crate::certify::state::{Arch, Friction, Outcome};
+use crate::number::{Angle, Ball, Dual, ExactNumber, Real, rational_like};
+use crate::solve::{settle, start_state};
+use rug::{Float, Rational};
+
+pub(super) const WEIGHT: SelfWeight = SelfWeight::Milankovitch;
+
+/// A problem on a rung, and which of its unknowns is looked at.
+#[derive(Clone, Debug)]
+pub(super) enum Target {
+    /// A state.
+    State { mode: Mode, half_opening: Rational, friction: Option<Rational>, output: Unknown },
+    /// The friction of pure sliding.
+    Sliding { half_opening: Rational },
+    /// The thin root of the cubic in `eta`.
+    Closed { joint: Rational },
+    /// (15) at `A = 2/3 +` the distance.
+    Overturning { distance: Rational },
+}
+
+pub(super) fn rotational(half_opening: Rational, output: Unknown) -> Option<Target> {
+    Some(Target::State { mode: Mode::Rotational, half_opening, friction: None, output })
+}
+
+/// A variable of a landmark, to many places, less a distance.
+pub(super) fn before(
+    landmark: Landmark,
+    unknown: Unknown,
+    distance: &Rational,
+) -> Option<Rational> {
+    let refined = CertifiedLandmark::new(landmark, WEIGHT).ok()?.enclosure(640).ok()?;
+    Some(refined.value(unknown)?.mid().to_rational()? - distance)
+}
+
+pub(super) fn arch(half_opening: &Rational, friction: Option<&Rational>) -> Option<Arch> {
+    let friction = friction
+        .map_or(Friction::Infinite, |mu| Friction::Coefficient(ExactNumber::rational(mu.clone())));
+    Arch::new(WEIGHT, ExactNumber::rational(half_opening.clone()), friction).ok()
+}
+
+impl Target {
+    /// The output in a certified enclosure, computed with `bits` bits; `None` if it is not proved.
+    pub(super) fn enclosure(&self, bits: u32) -> Option<Ball> {
+        match self {
+            Self::State { half_opening, friction, output, mode } => {
+                let Outcome::Stands(state) =
+                    arch(half_opening, friction.as_ref())?.state_alone(bits).ok()?
+                else {
+                    return None;
+                };
+                (state.mode == *mode).then_some(match output {
+                    Unknown::RotationJoint => state.rotation_joint,
+                    Unknown::Thrust => state.thrust,
+                    _ => state.thickness,
+                })
+            }
+            Self::Sliding { half_opening } => arch(half_opening, None)?.sliding_friction(bits).ok(),
+            Self::Closed { joint } => {
+                let at = Angle::new(rational_like(&Float::new(bits), joint));
+                let centre = trigonometric(Form::Thickness, Branch::Upper, &at);
+                Some(enclose_at::<Ball>(&self.problem()?, &[centre], bits)?.swap_remove(0))
+            }
+            Self::Overturning { distance } => {
+                let x = Ball::enclosing(distance, bits);
+                Some(factored(&x))
+            }
+        }
+    }
+
+    /// The equations as a problem for the methods of others.
+    pub(super) fn problem(&self) -> Option<Problem> {
+        Some(match self {
+            Self::State { mode, half_opening, friction, .. } => Problem::State {
+                weight: WEIGHT,
+                mode: *mode,
+                half_opening: half_opening.clone(),
+                friction: friction.clone().unwrap_or_default(),
+            },
+            Self::Sliding { half_opening } => Problem::State {
+                weight: WEIGHT,
+                mode: Mode::Sliding,
+                half_opening: half_opening.clone(),
+                friction: Rational::new(),
+            },
+            Self::Closed { joint } => Problem::Thickness { weight: WEIGHT, joint: joint.clone() },
+            Self::Overturning { .. } => return None,
+        })
+    }
+
+    /// The place of the output among the unknowns.
+    pub(super) fn index(&self) -> usize {
+        match self {
+            Self::State { mode, output, .. } => {
+                mode.system().0.iter().position(|unknown| unknown == output).unwrap_or(0)
+            }
+            _ => 0,
+        }
+    }
+
+    /// Start values of all unknowns as the product makes them, in numbers of `bits` bits.
+    pub(super) fn start(&self, bits: u32) -> Option<Vec<Float>> {
+        let number = |x: &Rational| Float::with_val(bits, x);
+        Some(match self {
+            Self::State { mode: Mode::Rotational, half_opening, .. } => {
+                start_state::rotational(WEIGHT, &number(half_opening)).to_vec()
+            }
+            Self::State { mode, half_opening, friction, .. } => {
+                // Next to the certified state: what is measured is the last digits.
+                let Outcome::Stands(state) =
+                    arch(half_opening, friction.as_ref())?.state(1024).ok()?
+                else {
+                    return None;
+                };
+                let value = |unknown: &Unknown| match unknown {
+                    Unknown::RotationJoint => Some(state.rotation_joint.mid().clone()),
+                    Unknown::SlidingJoint => Some(state.sliding_joint.as_ref()?.mid().clone()),
+                    Unknown::Thickness => Some(state.thickness.mid().clone()),
+                    _ => Some(state.thrust.mid().clone()),
+                };
+                let values: Option<Vec<Float>> = mode.system().0.iter().map(value).collect();
+                values?.iter().map(|x| Float::with_val(bits, x) * 1.0001f64).collect()
+            }
+            Self::Sliding { half_opening } => start_state::sliding(&number(half_opening)).to_vec(),
+            Self::Closed { joint } => {
+                let at = Angle::new(rational_like(&Float::new(bits), joint));
+                vec![trigonometric(Form::Thickness, Branch::Upper, &at)]
+            }
+            Self::Overturning { .. } => return None,
+        })
+    }
+
+    /// `log10` of the condition number, from numbers of `bits` bits; minus infinity where the result does
+    /// not depend on what is given.
+    pub(super) fn condition(&self, bits: u32) -> Option<f64> {
+        if let Self::Overturning { distance } = self {
+            // What is given is A.
+            let a = Float::with_val(bits, Rational::from((2, 3)) + distance);
+            let eta = overturning::thickness(WEIGHT, &Dual::variable(a.clone(), 0));
+            return Some((eta.derivative(0) * a / eta.value()).abs().log10().to_f64());
+        }
+        let problem = self.problem()?;
+        let root = newton(&problem, &self.start(bits)?, bits)?.root;
+        condition(&problem, &root, self.index())
+    }
+
+    /// The output by Newton's method on the equations in scaled variables, in numbers of `bits` bits.
+    pub(super) fn scaled(&self, bits: u32) -> Option<Float> {
+        let (mode, half_opening) = match self {
+            Self::State { mode: Mode::Rotational, half_opening, .. } => {
+                (Mode::Rotational, half_opening)
+            }
+            Self::Sliding { half_opening } => (Mode::Sliding, half_opening),
+            _ => return None,
+        };
+        let (unknowns, equations) = mode.system();
+        let alpha = Float::with_val(bits, half_opening);
+        let y = alpha.clone().square();
+        let start = match mode {
+            Mode::Sliding => start_state::scaled_sliding(&y),
+            _ => start_state::scaled_rotational(WEIGHT, &y)?,
+        };
+        let given = Scaled::new(&Dual::constant(y.clone()));
+        let root = settle(start.to_vec(), |x| {
+            let variables = unknowns.iter().zip(x).enumerate();
+            let at = variables.fold(given.clone(), |at, (index, (&u, x))| {
+                at.with(u, Dual::variable(x.clone(), index))
+            });
+            equations.iter().filter_map(|e| e.scaled_residual(WEIGHT, &at)).collect()
+        })?;
+        let [first, second, _] = &root[..] else { return None };
+        Some(match mode {
+            Mode::Sliding => first.clone() * y * alpha,
+            _ => second.clone() * y.square(),
+        })
+    }
+}
+
+/// (15) with its radicand `9 (A - 2/3)(A + 2)`, from `x = A - 2/3`.
+pub(super) fn factored<T: Real>(x: &T) -> T {
+    let radicand = x.int(9) * x * &(x.ratio(8, 3) + x);
+    x.int(2) + x.int(3) * x - radicand.sqrt()
+}
