@@ -68,8 +68,7 @@ const MAX_BYTES: u64 = 64 << 20;
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut refused = 0;
     for name in &arguments.files {
-        let bytes = read(name)
-            .map_err(|error| Failure::Io(format!("cannot read {name}: {}", error.kind())))?;
+        let bytes = read(name).map_err(|error| Failure::reading(name, &error))?;
         let verdict = if bytes.len() as u64 > MAX_BYTES {
             Err(format!("the file has more than {MAX_BYTES} bytes"))
         } else {
@@ -133,7 +132,7 @@ fn print(line: &str) -> Result<(), Failure> {
     use io::Write;
     match writeln!(io::stdout(), "{line}") {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(Failure::Io(format!("cannot write to standard output: {error}")))
+            Err(Failure::writing("to standard output", &error))
         }
         _ => Ok(()),
     }

@@ -8,6 +8,8 @@ mod check;
 mod commands;
 
 use clap::Parser;
+use std::fmt::Display;
+use std::io;
 use std::process::ExitCode;
 
 #[cfg(not(feature = "mpfr"))]
@@ -41,6 +43,30 @@ enum Failure {
     /// A file or a stream.
     #[error("{0}")]
     Io(String),
+}
+
+impl Failure {
+    /// What could not be read, and why.
+    fn reading(what: impl Display, error: &io::Error) -> Self {
+        Self::Io(format!("cannot read {what}: {}", reason(error)))
+    }
+
+    /// What could not be written, and why.
+    fn writing(what: impl Display, error: &io::Error) -> Self {
+        Self::Io(format!("cannot write {what}: {}", reason(error)))
+    }
+}
+
+/// The kind of an error in plain words: its own text may name a temporary file, which nobody has asked for.
+fn reason(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => "there is no such file or folder".into(),
+        io::ErrorKind::AlreadyExists | io::ErrorKind::NotADirectory => {
+            "a file stands where a folder should be".into()
+        }
+        io::ErrorKind::Other => error.to_string(),
+        kind => kind.to_string(),
+    }
 }
 
 /// Parses the arguments, runs the command, and says how it went.

@@ -100,9 +100,7 @@ fn all(arguments: &Arguments) -> Result<(), Failure> {
         .output
         .as_deref()
         .ok_or_else(|| Failure::Input("`all` needs a folder, --output PATH".into()))?;
-    let failed = |error: std::io::Error| {
-        Failure::Io(format!("cannot write {}: {}", folder.display(), error.kind()))
-    };
+    let failed = |error: std::io::Error| Failure::writing(folder.display(), &error);
     fs::create_dir_all(folder).map_err(failed)?;
     let weights = arguments.weight.map_or(SelfWeight::ALL.to_vec(), |weight| vec![weight]);
     let points: Vec<(Landmark, SelfWeight)> = Landmark::ALL

@@ -128,7 +128,7 @@ impl Output {
                 Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
                 result => result,
             }
-            .map_err(|error| Failure::Io(format!("cannot write to standard output: {error}"))),
+            .map_err(|error| Failure::writing("to standard output", &error)),
             Self::Stream { mut stream, path } => {
                 write(&mut stream).map_err(|error| cannot_write(&path, &error))
             }
@@ -143,9 +143,8 @@ impl Output {
     }
 }
 
-/// The kind of the error only: its text names the temporary file, which nobody has asked for.
 fn cannot_write(path: &Path, error: &io::Error) -> Failure {
-    Failure::Io(format!("cannot write {}: {}", path.display(), error.kind()))
+    Failure::writing(path.display(), error)
 }
 
 fn builder<'a>() -> tempfile::Builder<'a, 'a> {

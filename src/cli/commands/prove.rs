@@ -69,9 +69,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 /// Writes the Coq files into a folder, which is made if need be.
 fn write_coq(folder: &Path) -> Result<(), Failure> {
     let files = coq::files().map_err(|undecided| Failure::Undecided(undecided.to_string()))?;
-    fs::create_dir_all(folder).map_err(|error| {
-        Failure::Io(format!("cannot write {}: {}", folder.display(), error.kind()))
-    })?;
+    fs::create_dir_all(folder).map_err(|error| Failure::writing(folder.display(), &error))?;
     for (name, text) in files {
         let output = Output::open(Some(&folder.join(name)))?;
         output.write(|out| out.write_all(text.as_bytes()))?;

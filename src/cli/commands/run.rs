@@ -73,7 +73,7 @@ fn say(text: &str) {
 fn scene(path: &Path) -> Result<Scene, Failure> {
     let standard = path == Path::new("-");
     let name = if standard { "standard input".into() } else { path.display().to_string() };
-    let failed = |error: io::Error| Failure::Io(format!("cannot read {name}: {}", error.kind()));
+    let failed = |error: io::Error| Failure::reading(&name, &error);
     let mut bytes = Vec::new();
     let file: Box<dyn Read> = match standard {
         true => Box::new(io::stdin()),
@@ -104,9 +104,7 @@ fn prepare(plan: &Plan, folder: &Path, scene: &Path) -> Result<(), Failure> {
     }
     for output in &outputs {
         let parent = output.parent().unwrap_or(folder);
-        fs::create_dir_all(parent).map_err(|error| {
-            Failure::Io(format!("cannot write {}: {}", parent.display(), error.kind()))
-        })?;
+        fs::create_dir_all(parent).map_err(|error| Failure::writing(parent.display(), &error))?;
         // A pipe is not opened before there is something for its reader.
         if !output.exists() || output.is_file() || output.is_dir() {
             Output::open(Some(output))?;

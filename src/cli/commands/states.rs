@@ -170,7 +170,7 @@ fn put(out: &mut impl Write, bytes: io::Result<Vec<u8>>) -> Result<bool, Failure
     match bytes.and_then(|bytes| out.write_all(&bytes).and_then(|()| out.flush())) {
         Ok(()) => Ok(true),
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(false),
-        Err(error) => Err(Failure::Io(format!("cannot write to standard output: {error}"))),
+        Err(error) => Err(Failure::writing("to standard output", &error)),
     }
 }
 

@@ -143,5 +143,5 @@ impl Folder {
 }
 
 fn cannot_write(path: &Path, error: &std::io::Error) -> Failure {
-    Failure::Io(format!("cannot write {}: {}", path.display(), error.kind()))
+    Failure::writing(path.display(), error)
 }

@@ -31,7 +31,7 @@ impl Source {
     pub fn open(path: Option<&Path>) -> Result<Self, Failure> {
         let path = path.filter(|path| *path != Path::new("-"));
         let name = path.map_or("standard input".into(), |path| path.display().to_string());
-        let reading = |error: io::Error| Failure::Io(format!("cannot read {name}: {error}"));
+        let reading = |error: io::Error| Failure::reading(&name, &error);
         let mut input: Box<dyn BufRead> = match path {
             None => Box::new(BufReader::new(io::stdin())),
             Some(path) => Box::new(BufReader::new(File::open(path).map_err(reading)?)),
