@@ -189,9 +189,9 @@ impl Query {
         }
     }
 
-    /// The state where it cannot be told whether the half opening is below that of the end of rotation.
-    /// There rotation asks for more than any friction that is given: what stays open is only whether
-    /// some friction would be enough for it.
+    /// The state where these bits prove no rotation and cannot exclude one either, as next to the end of
+    /// rotation. A sliding state that is proved is the answer all the same; what stays open is then only
+    /// which friction, if any, would be enough for rotation.
     fn beside_the_end(&self, asked: Asked, doubt: Doubt) -> Attempt<Found> {
         match self.inner_sliding(None) {
             Ok(Found::State(state, _)) if asked == Asked::Frictions => {
