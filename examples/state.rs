@@ -1,8 +1,9 @@
 //! The state of an arch, from exact input: `cargo run --example state`.
 
 use couplet::arch::SelfWeight;
-use couplet::certify::state::{Answer, Arch, Friction};
+use couplet::certify::state::Answer;
 use couplet::problem::Mode;
+use couplet::problem::{Arch, Friction};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -14,7 +15,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         Ok(Answer::Stands(state)) => state,
         Ok(Answer::Falls(fall)) => return Err(format!("no thickness is enough: {fall:?}").into()),
         // On a boundary between two modes nothing can be decided, and that is the answer.
-        Err(doubt) => return Err(format!("{} of {:?}", doubt.question, doubt.between).into()),
+        Err(doubt) => return Err(format!("{} of {:?}", doubt.reason, doubt.between).into()),
     };
     println!("mode            {}", state.mode.label());
     println!("thickness t/r   {}", state.thickness.decimal.value);

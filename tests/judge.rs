@@ -6,10 +6,11 @@ mod program;
 
 use common::config;
 use couplet::arch::SelfWeight;
-use couplet::certify::state::{Answer, Arch, Digits, Friction, Outcome};
+use couplet::certify::state::{Answer, Digits, Outcome};
 use couplet::judge::{Claim, CorrectDigits, Demand, Measure, Said, Verdict, judge};
 use couplet::number::{Decimal, ExactNumber};
 use couplet::problem::Mode;
+use couplet::problem::{Arch, Friction};
 use program::{fed, start};
 use proptest::prelude::*;
 use rug::{Integer, Rational};

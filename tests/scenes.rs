@@ -523,10 +523,10 @@ fn the_thickness_of_a_rotational_arch_needs_its_proof_and_no_more() {
     }
     assert_eq!(tally.landmarks, 0);
     // The same as the library's own proof of this arch alone.
-    let arch = couplet::certify::state::Arch::new(
+    let arch = couplet::problem::Arch::new(
         couplet::arch::SelfWeight::Milankovitch,
         "pi/2".parse().unwrap(),
-        couplet::certify::state::Friction::Infinite,
+        couplet::problem::Friction::Infinite,
     );
     let (_, alone) = couplet::problem::tally::measure(|| arch.unwrap().certify_alone(30));
     assert_eq!(tally, alone);

@@ -6,10 +6,9 @@ mod common;
 use common::config;
 use couplet::arch::{SelfWeight, Unknown};
 use couplet::certify::CertifiedLandmark;
-use couplet::certify::state::{
-    Answer, Arch, Digits, Fall, Figure, Friction, Frictions, Outcome, State,
-};
+use couplet::certify::state::{Answer, Digits, Fall, Figure, Frictions, Outcome, State};
 use couplet::number::{Ball, Enclosure, ExactNumber};
+use couplet::problem::{Arch, Friction};
 use couplet::problem::{Equation, Landmark, Mode, tally};
 use proptest::prelude::*;
 use rug::{Float, Rational};
@@ -360,8 +359,8 @@ fn beyond_the_last_precision_the_answer_is_undecided() {
 }
 
 fn state(weight: SelfWeight, alpha: &Rational, mu: &Rational) -> Option<Box<State>> {
-    let friction = Friction::Coefficient(ExactNumber::rational(mu.clone()));
-    let arch = Arch::new(weight, ExactNumber::rational(alpha.clone()), friction).unwrap();
+    let friction = Friction::Coefficient(ExactNumber::from(&mu));
+    let arch = Arch::new(weight, ExactNumber::from(&alpha), friction).unwrap();
     for bits in [128, 256, 1024] {
         match arch.state(bits) {
             Ok(Outcome::Stands(state)) => return Some(state),
@@ -406,7 +405,7 @@ fn an_impossible_thickness_is_a_doubt() {
         ("3", "whether the thickness is below the limit 2"),
     ] {
         let doubt = arch(H, "pi/2", "0.5").certify_thickness(&number(thickness), 6).unwrap_err();
-        assert_eq!(doubt.question, question, "{thickness}");
+        assert_eq!(doubt.reason, question, "{thickness}");
     }
     assert!(arch(H, "pi/2", "0.5").certify_thickness(&number("1.99"), 6).unwrap().stands);
 }

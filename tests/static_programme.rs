@@ -7,8 +7,9 @@ mod common;
 
 use common::config;
 use couplet::arch::SelfWeight;
-use couplet::certify::state::{Answer, Arch, Friction, Outcome};
+use couplet::certify::state::{Answer, Outcome};
 use couplet::number::ExactNumber;
+use couplet::problem::{Arch, Friction};
 use couplet::study::static_programme::{least_thickness, thrust_range};
 use proptest::prelude::*;
 use rug::Rational;
@@ -17,8 +18,8 @@ use rug::Rational;
 const JOINTS: usize = 1500;
 
 fn arch(weight: SelfWeight, alpha: &Rational, mu: &Rational) -> Arch {
-    let friction = Friction::Coefficient(ExactNumber::rational(mu.clone()));
-    Arch::new(weight, ExactNumber::rational(alpha.clone()), friction).unwrap()
+    let friction = Friction::Coefficient(ExactNumber::from(&mu));
+    Arch::new(weight, ExactNumber::from(&alpha), friction).unwrap()
 }
 
 fn rational(low: i64, high: i64) -> impl Strategy<Value = Rational> {
@@ -60,7 +61,7 @@ proptest! {
         // A thickness around the least one, from thinner to much thicker.
         let eta = Rational::from_f64(least.thickness.double).unwrap() * part;
         if eta >= Rational::from((19, 10)) { return Ok(()) }
-        let found = asked.certify_thickness(&ExactNumber::rational(eta.clone()), 12).unwrap();
+        let found = asked.certify_thickness(&ExactNumber::from(&eta), 12).unwrap();
         prop_assert_eq!(found.stands, eta.to_f64() > least.thickness.double);
         let discrete = thrust_range(weight, alpha.to_f64(), mu.to_f64(), eta.to_f64(), JOINTS);
         let Some([low, high]) = &found.thrust else {
@@ -83,7 +84,7 @@ proptest! {
         let required = found.required_friction.unwrap().decimal.value.to_rational();
         let with = |factor: (i32, i32)| {
             let mu = Rational::from(factor) * &required;
-            arch(weight, &alpha, &mu).certify_thickness(&ExactNumber::rational(eta.clone()), 6).unwrap().stands
+            arch(weight, &alpha, &mu).certify_thickness(&ExactNumber::from(&eta), 6).unwrap().stands
         };
         prop_assert!(with((1_000_001, 1_000_000)) && !with((999_999, 1_000_000)));
     }

@@ -7,7 +7,7 @@
 
 use super::Isolated;
 use crate::arch::{Configuration, Ring, SelfWeight, Unknown, overturning};
-use crate::number::{Angle, Ball, Dual, Enclosure, ExactField, Field, Surd};
+use crate::number::{Ball, Dual, Enclosure, ExactField, Field, Surd};
 use crate::problem::{Equation, Fixed, Landmark, Quantity};
 use rug::Rational;
 
@@ -81,15 +81,7 @@ fn is_thickness_without_thrust(weight: SelfWeight, value: &Surd, domain: &Ball) 
 }
 
 fn residual<T: Field>(weight: SelfWeight, thickness: &T) -> T {
-    let zero = Angle::zero(thickness);
-    let at = Configuration {
-        half_opening: zero.clone(),
-        rotation_joint: zero.clone(),
-        sliding_joint: zero,
-        thickness: thickness.clone(),
-        thrust: thickness.int(0),
-        friction: thickness.int(0),
-    };
+    let at = Configuration { thickness: thickness.clone(), ..Configuration::zero(thickness) };
     Equation::TangencyAtCrown.residual(weight, &at)
 }
 

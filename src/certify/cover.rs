@@ -33,7 +33,7 @@ pub fn cover(
             verdict => {
                 let what = if verdict == Ternary::False { "false" } else { "not decided" };
                 let at = (low.to_f64(), high.to_f64());
-                return Err(Undecided(format!("{what} between {} and {}", at.0, at.1)));
+                return Err(Undecided::new(format!("{what} between {} and {}", at.0, at.1)));
             }
         }
     }

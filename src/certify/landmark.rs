@@ -3,8 +3,8 @@
 use super::closed_value::{Exact, exact};
 use super::{Isolated, Refined, Undecided, isolate, refine, refine_watched, stages};
 use crate::arch::{SelfWeight, Unknown, thrust};
-use crate::number::{Ball, Binary, Enclosure, Field, Real, Rounded, Ternary, bits_of};
-use crate::problem::{Landmark, Quantity, System};
+use crate::number::{Ball, Binary, Field, Real, Rounded, bits_of};
+use crate::problem::{Landmark, Problem, Quantity};
 use crate::solve::{newton, start};
 use rayon::prelude::*;
 
@@ -59,7 +59,7 @@ pub fn quantities(landmark: Landmark) -> impl Iterator<Item = Quantity> {
     let system = landmark.system(SelfWeight::Heyman);
     Quantity::ALL.into_iter().filter(move |quantity| {
         let unknown = quantity.variable();
-        system.index(unknown).is_some() || system.fixed_value(unknown).is_some()
+        system.knows(unknown)
     })
 }
 
@@ -69,12 +69,13 @@ impl CertifiedLandmark {
     pub fn new(landmark: Landmark, weight: SelfWeight) -> Result<Self, Undecided> {
         let system = landmark.system(weight);
         let candidate = newton(&system, start(landmark, weight), 64)
-            .ok_or_else(|| Undecided("Newton's method finds no candidate".into()))?;
-        let certified = Self { landmark, weight, isolated: isolate(&system, &candidate)? };
+            .ok_or_else(|| Undecided::new("Newton's method finds no candidate"))?;
+        let certified = Self { landmark, weight, isolated: isolate(landmark, weight, &candidate)? };
         let narrow = certified.enclosure(64)?;
-        match domain(&system, &narrow) {
-            Ternary::True => Ok(certified),
-            _ => Err(Undecided("the root is not shown to lie in the physical range".into())),
+        let problem = Problem::Landmark { landmark, weight };
+        match problem.first_failure(narrow.configuration()) {
+            None => Ok(certified),
+            Some(condition) => Err(Undecided::new(condition.label())),
         }
     }
 
@@ -225,7 +226,7 @@ struct Precision {
 impl Precision {
     fn new(digits: usize) -> Result<Self, Undecided> {
         if digits == 0 || digits > MAX_DIGITS {
-            return Err(Undecided(format!("digits must be from 1 to {MAX_DIGITS}")));
+            return Err(Undecided::new(format!("digits must be from 1 to {MAX_DIGITS}")));
         }
         Ok(Self { bits: bits_of(digits) + GUARD, attempt: 0 })
     }
@@ -234,7 +235,7 @@ impl Precision {
         self.attempt += 1;
         if self.attempt > ATTEMPTS {
             let name = quantity.name();
-            return Err(Undecided(format!(
+            return Err(Undecided::new(format!(
                 "the rounding of {name} is not decided at {} bits",
                 self.bits
             )));
@@ -242,26 +243,6 @@ impl Precision {
         self.bits += GUARD << self.attempt;
         Ok(())
     }
-}
-
-/// Whether the variables that were solved for lie in their physical ranges: `0 < alpha < pi`,
-/// `0 < beta < alpha`, `0 < eta < 2`, `0 < h < 1`, `mu > 0`.
-fn domain(system: &System, refined: &Refined) -> Ternary {
-    let alpha = refined.configuration().half_opening.rad;
-    let limit = |unknown| match unknown {
-        Unknown::HalfOpening => Some(alpha.pi()),
-        Unknown::RotationJoint | Unknown::SlidingJoint => Some(alpha.clone()),
-        Unknown::Thickness => Some(alpha.int(2)),
-        Unknown::Thrust => Some(alpha.int(1)),
-        Unknown::Friction => None,
-    };
-    let inside = |&unknown: &Unknown| {
-        refined.value(unknown).map_or(Ternary::Undecided, |x| {
-            let below = limit(unknown).map_or(Ternary::True, |limit| x.is_less_than(&limit));
-            x.is_positive().and(below)
-        })
-    };
-    system.unknowns.iter().map(inside).fold(Ternary::True, Ternary::and)
 }
 
 #[cfg(test)]

@@ -10,5 +10,6 @@ mod object;
 mod refusal;
 
 pub use checker::{Accepted, MAX_DIGITS, WITNESS_BITS, check, check_certificate};
+pub(crate) use format::given_text;
 pub use format::{Certificate, ClaimFile, SCHEMA, StateFile, ValueFile, Witness};
 pub use refusal::Refusal;

@@ -43,7 +43,7 @@ fn joining(
     );
     let AboutEnd { joint_squared, thickness: rotation, thrust, overturning_thickness: overturned } =
         about_end(weight, thickness, TERMS)
-            .ok_or_else(|| Undecided("the series about l do not settle".into()))?;
+            .ok_or_else(|| Undecided::new("the series about l do not settle"))?;
     let a_at_end = overturning::opening_variable(&Ring::new(weight, thickness)).value();
     d.equal("A_l", &overturned_opening(weight, &overturned).coefficient(0), &a_at_end)?;
 

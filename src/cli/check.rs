@@ -1,9 +1,9 @@
 //! `couplet check`: also the whole of the small program.
 
 use super::Failure;
-use crate::check::{Accepted, Refusal, check};
+use crate::check::{Accepted, Refusal, check, given_text};
 use crate::number::AstroInterval;
-use crate::problem::Subject;
+use crate::problem::{Friction, Problem};
 use clap::Args;
 use std::fs::File;
 use std::io::{self, Read};
@@ -110,13 +110,15 @@ fn read(name: &str) -> io::Result<Vec<u8>> {
 
 /// What was accepted, in a few words.
 fn summary(accepted: &Accepted) -> String {
-    let claim = &accepted.claim;
-    let subject = match &claim.subject {
-        Subject::Landmark(landmark) => landmark.symbol().to_owned(),
-        Subject::State(state) => {
-            let friction = state.friction.as_ref().map_or("inf".to_owned(), |mu| mu.text());
-            let mode = state.mode.label();
-            format!("{mode} half_opening {} friction {friction}", state.half_opening.text())
+    let subject = match &accepted.problem {
+        Problem::Landmark { landmark, .. } => landmark.symbol().to_owned(),
+        Problem::State { mode, arch } => {
+            let (half_opening, friction) = (given_text(arch.half_opening()), arch.friction());
+            let friction = match friction {
+                Friction::Coefficient(mu) => given_text(mu),
+                friction => friction.to_string(),
+            };
+            format!("{mode} half_opening {half_opening} friction {friction}")
         }
     };
     let first = accepted.values.first().map_or(String::new(), |(quantity, value)| {
@@ -125,7 +127,11 @@ fn summary(accepted: &Accepted) -> String {
         format!("{} {shown}{more} ", quantity.name())
     });
     let plural = if accepted.digits == 1 { "" } else { "s" };
-    format!("{subject} {}  {first}to {} digit{plural}", claim.weight.name(), accepted.digits)
+    format!(
+        "{subject} {}  {first}to {} digit{plural}",
+        accepted.problem.weight().name(),
+        accepted.digits
+    )
 }
 
 /// Prints a line; a reader that has closed the pipe has what it wanted.

@@ -3,7 +3,9 @@
 use super::claim::Claim;
 use super::measure::Measure;
 use super::number::{CorrectDigits, Judged, compared_digits};
-use crate::certify::state::{Arch, Doubt, Fall, Outcome, State};
+use crate::certify::Undecided;
+use crate::certify::state::{Certify, Fall, Outcome, State, raised};
+use crate::problem::Arch;
 use crate::problem::Mode;
 use std::cmp::Ordering;
 
@@ -102,7 +104,7 @@ pub enum Standing {
     /// It does not stand at any thickness.
     Falls(Fall),
     /// This could not be told.
-    Undecided(Doubt),
+    Undecided(Undecided),
 }
 
 /// On which side of the truth a thickness is.
@@ -148,7 +150,7 @@ pub fn judge(arch: &Arch, claim: &Claim, demand: Demand) -> Judgement {
     let bare = |standing, verdict| Judgement { standing, verdict, numbers: Vec::new() };
     let digits = claim.numbers.iter().map(compared_digits).max().unwrap_or(1);
     let frictions = claim.numbers.iter().any(|number| number.measure.is_friction());
-    let compared = arch.raised(digits, |bits| {
+    let compared = raised(arch, digits, |bits| {
         let outcome = if frictions { arch.state(bits)? } else { arch.state_alone(bits)? };
         Ok(match (outcome, claim.stands) {
             (Outcome::Falls(fall), stands) => {

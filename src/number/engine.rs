@@ -8,6 +8,14 @@ pub trait Engine: Enclosure {
     /// The number itself, with results to be rounded to at least `bits` bits.
     fn exact(value: &Dyadic, bits: usize) -> Self;
 
+    /// Zero, with results to be rounded to at least `bits` bits.
+    fn zero(bits: usize) -> Self {
+        Self::exact(&Dyadic::new(false, Vec::new(), 0), bits)
+    }
+
+    /// The same set, or one that holds it, with results to be rounded to at least `bits` bits.
+    fn with_bits(&self, bits: usize) -> Self;
+
     /// All numbers within `radius` of `centre`.
     fn around(centre: &Dyadic, radius: &Dyadic, bits: usize) -> Self;
 }
@@ -15,6 +23,10 @@ pub trait Engine: Enclosure {
 impl Engine for AstroInterval {
     fn exact(value: &Dyadic, bits: usize) -> Self {
         Self::dyadic(value.is_negative(), value.words(), value.exponent(), bits)
+    }
+
+    fn with_bits(&self, bits: usize) -> Self {
+        self.with_precision(bits)
     }
 
     fn around(centre: &Dyadic, radius: &Dyadic, bits: usize) -> Self {
@@ -33,6 +45,10 @@ mod mpfr {
     impl Engine for Ball {
         fn exact(value: &Dyadic, bits: usize) -> Self {
             Self::exact(float(value), precision(bits))
+        }
+
+        fn with_bits(&self, bits: usize) -> Self {
+            self.with_precision(precision(bits))
         }
 
         fn around(centre: &Dyadic, radius: &Dyadic, bits: usize) -> Self {

@@ -89,9 +89,9 @@ pub(crate) fn equation(equation: Equation) {
     change(|tally| tally.equations[equation as usize] += 1);
 }
 
-/// Counts conditions whose sign is looked at.
-pub(crate) fn conditions(count: usize) {
-    change(|tally| tally.conditions += count as u64);
+/// Counts a condition whose sign is looked at.
+pub(crate) fn condition() {
+    change(|tally| tally.conditions += 1);
 }
 
 /// Counts a landmark that is consulted.
@@ -121,7 +121,7 @@ mod tests {
         let ((inner, after), outer) = measure(|| {
             equation(Equation::Tangency);
             let ((), inner) = measure(|| equation(Equation::Tangency));
-            conditions(3);
+            (0..3).for_each(|_| condition());
             (inner, measure(|| ()).1)
         });
         assert_eq!((inner.of(Equation::Tangency), inner.conditions), (1, 0));

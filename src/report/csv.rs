@@ -101,7 +101,7 @@ pub fn state_record(report: &StateReport) -> Vec<String> {
         StateOf::Undecided(doubt) => {
             record.push("undecided".to_owned());
             record.resize(STATE_COLUMNS.len() - 1, String::new());
-            record.push(doubt.question.to_owned());
+            record.push(doubt.reason.to_string());
         }
     }
     record
@@ -229,7 +229,7 @@ pub fn assess_record(report: &AssessReport) -> Vec<String> {
         Err(doubt) => {
             record.push("undecided".to_owned());
             record.resize(ASSESS_COLUMNS.len() - 1, String::new());
-            record.push(doubt.question.to_owned());
+            record.push(doubt.reason.to_string());
         }
     }
     record

@@ -156,9 +156,9 @@ impl<'a> StateEntry<'a> {
             }
             StateOf::Undecided(doubt) => {
                 entry.verdict = "undecided";
-                entry.reason = Some(doubt.question);
+                entry.reason = Some(&doubt.reason);
                 entry.between = doubt.between.iter().map(|mode| mode.label()).collect();
-                entry.gap = doubt.gap.is_finite().then_some(doubt.gap);
+                entry.gap = doubt.gap.filter(|gap| gap.is_finite());
             }
         }
         entry
@@ -230,7 +230,7 @@ impl<'a> AssessEntry<'a> {
         let figure = |x: Option<&Figure>| x.map(|x| FigureEntry::new(x, report.doubles));
         let limits = found.and_then(|found| found.thrust.as_ref());
         let fall = found.and_then(|found| found.least_thickness.as_ref().err());
-        let doubt = report.outcome.as_ref().err().map(|doubt| doubt.question);
+        let doubt = report.outcome.as_ref().err().map(|doubt| &*doubt.reason);
         Self {
             schema: "couplet.assess/1",
             weight: report.weight.name(),

@@ -18,7 +18,8 @@ pub use rows::{Answered, Rows};
 pub use study::{StudyFiles, accuracy_table, stability_table};
 
 use crate::arch::SelfWeight;
-use crate::certify::state::{AssessmentDigits, Digits, Doubt, Fall};
+use crate::certify::Undecided;
+use crate::certify::state::{AssessmentDigits, Digits, Fall};
 use crate::certify::{CertifiedLandmark, Constant, Value};
 use crate::judge::{Audited, Comparison};
 use crate::problem::Mode;
@@ -134,7 +135,7 @@ pub enum StateOf<'a> {
     /// It does not stand.
     Falls(Fall),
     /// Not everything could be told.
-    Undecided(&'a Doubt),
+    Undecided(&'a Undecided),
 }
 
 /// What `couplet assess` found of an arch.
@@ -151,7 +152,7 @@ pub struct AssessReport<'a> {
     /// Whether to give the nearest double of each value too.
     pub doubles: bool,
     /// What is certain, or the doubt.
-    pub outcome: &'a Result<AssessmentDigits, Doubt>,
+    pub outcome: &'a Result<AssessmentDigits, Undecided>,
 }
 
 impl AssessReport<'_> {

@@ -2,7 +2,7 @@
 
 use super::{AssessReport, Audit, Constants, Proved, StateAt, StateOf, StateReport, reason, texts};
 use crate::arch::SelfWeight;
-use crate::certify::state::{Fall, Figure};
+use crate::certify::state::Figure;
 use crate::judge::PrintedVerdict;
 use std::io;
 
@@ -148,23 +148,19 @@ pub fn state(report: &StateReport, out: &mut dyn io::Write) -> io::Result<()> {
             writeln!(out, "   collapse is purely rotational from      {rotational}")
         }
         StateOf::Falls(fall) => {
-            let why = match fall {
-                Fall::Sliding => {
-                    "it slides: the friction is below that of the purely sliding state"
-                }
-                Fall::Thickness => "it would have to be thicker than twice its radius",
-            };
-            writeln!(out, "does not stand at any thickness ({}): {why}", reason(*fall))
+            let (word, why) = (reason(*fall), fall.reason());
+            writeln!(out, "does not stand at any thickness ({word}): {why}")
         }
         StateOf::Undecided(doubt) => {
             let between: Vec<_> = doubt.between.iter().map(|mode| mode.label()).collect();
-            writeln!(out, "undecided: {}", doubt.question)?;
-            writeln!(
-                out,
-                "   between {}; the difference is below {:.1e}",
-                between.join(" and "),
-                doubt.gap
-            )
+            writeln!(out, "{doubt}")?;
+            match doubt.gap {
+                Some(gap) => {
+                    let between = between.join(" and ");
+                    writeln!(out, "   between {between}; the difference is below {gap:.1e}")
+                }
+                None => Ok(()),
+            }
         }
     }
 }
@@ -197,7 +193,7 @@ pub fn assess(report: &AssessReport, out: &mut dyn io::Write) -> io::Result<()> 
     )?;
     let found = match report.outcome {
         Ok(found) => found,
-        Err(doubt) => return writeln!(out, "undecided: {}", doubt.question),
+        Err(doubt) => return writeln!(out, "{doubt}"),
     };
     writeln!(out, "{}, proved\n", if found.stands { "stands" } else { "collapses" })?;
     let value = |x: &Figure| x.decimal.value.to_string();

@@ -1,7 +1,7 @@
 //! The pieces of a plan, computed: a landmark, an arch. Each answers whatever any item asks of it.
 
 use super::plan::{ArchNode, LandmarkNode};
-use crate::certify::state::{Answer, AssessmentDigits, Doubt, Inquiry};
+use crate::certify::state::{Answer, AssessmentDigits, Inquiry};
 use crate::certify::{CertifiedLandmark, Constant, Undecided, fingerprint};
 use crate::judge::{Enclosed, enclosed};
 use crate::problem::{Quantity, System};
@@ -23,9 +23,9 @@ pub struct LandmarkFound {
 /// What was found of an arch.
 pub struct ArchFound {
     /// By the number of digits.
-    pub states: BTreeMap<usize, Result<Answer, Doubt>>,
+    pub states: BTreeMap<usize, Result<Answer, Undecided>>,
     /// In the order in which they are asked for.
-    pub thicknesses: Vec<Result<AssessmentDigits, Doubt>>,
+    pub thicknesses: Vec<Result<AssessmentDigits, Undecided>>,
 }
 
 impl LandmarkFound {
@@ -40,7 +40,7 @@ impl LandmarkFound {
         let (system, relative_radii) = (*isolated.system(), isolated.relative_radii());
         let hash = |&digits: &usize| {
             let hash = fingerprint(node.landmark, node.weight, digits);
-            (digits, hash.map_err(|undecided| undecided.0))
+            (digits, hash.map_err(|undecided| undecided.reason.into_owned()))
         };
         let certificates = node.certificates.iter().map(hash).collect();
         let enclosed = if node.audited { Some(enclosed(point)?) } else { None };

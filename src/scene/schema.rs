@@ -3,9 +3,9 @@
 use super::fault::Place;
 use super::format::OutputFormat;
 use crate::arch::SelfWeight;
-use crate::certify::state::Arch;
 use crate::claims::Claim;
 use crate::number::ExactNumber;
+use crate::problem::Arch;
 use crate::problem::{Landmark, Quantity};
 use std::path::PathBuf;
 

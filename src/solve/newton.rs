@@ -1,9 +1,9 @@
 //! Newton's method in MPFR arithmetic, with the Jacobian from dual numbers.
 
 use super::{Candidate, inverse};
-use crate::arch::{Configuration, SelfWeight, Unknown};
+use crate::arch::Configuration;
 use crate::number::Dual;
-use crate::problem::{Equation, Point, System, tally};
+use crate::problem::{System, tally};
 use rug::Float;
 
 /// Beside a limit where two roots meet Newton's method halves the distance before it squares it.
@@ -14,30 +14,22 @@ const SLACK: i64 = 6;
 /// Steps shorter than this part of their variables, in bits, are short.
 const SHORT: i64 = -24;
 
-/// A candidate root of `system` to `bits` bits, from a start value nearby. `None` if the iteration
-/// does not settle on positive numbers.
+/// A candidate root of `system`, where nothing is given, to `bits` bits, from a start value nearby. `None`
+/// if the iteration does not settle on positive numbers.
 pub fn newton(system: &System, start: &[f64], bits: u32) -> Option<Candidate> {
     let prec = bits + 4 * SLACK as u32;
-    let start = start.iter().map(|v| Float::with_val(prec, v)).collect();
-    let root = settle(start, |x| system.residuals(&Point::new(system, x).variables()))?;
+    let start: Vec<Float> = start.iter().map(|v| Float::with_val(prec, v)).collect();
+    let root = polish(system, &Configuration::zero(&Float::new(prec)), &start)?;
     Some(Candidate(root.iter().map(|x| Float::with_val(bits, x)).collect()))
 }
 
-/// A candidate for the `unknowns` that satisfy the `equations`, everything else as in `given`.
+/// A candidate root of `system`, everything else as in `given`.
 pub fn polish(
-    weight: SelfWeight,
-    (unknowns, equations): (&[Unknown], &[Equation]),
+    system: &System,
     given: &Configuration<Float>,
     start: &[Float],
 ) -> Option<Vec<Float>> {
-    let given = given.clone().map(Dual::constant);
-    settle(start.to_vec(), |x| {
-        let variables = unknowns.iter().zip(x).enumerate();
-        let at = variables.fold(given.clone(), |at, (index, (&unknown, x))| {
-            at.with(unknown, Dual::variable(x.clone(), index))
-        });
-        equations.iter().map(|equation| equation.residual(weight, &at)).collect()
-    })
+    settle(start.to_vec(), |x| system.residuals(&system.variables(&system.place(given, x))))
 }
 
 /// Newton's method for positive unknowns. `None` if it leaves the numbers or does not settle.

@@ -1,6 +1,6 @@
 //! Newton's method over any approximate number: what a careful user would write.
 
-use super::Problem;
+use super::Task;
 use crate::number::Real;
 use rug::Float;
 
@@ -35,7 +35,7 @@ pub struct Newton<T> {
 
 /// Newton's method at the precision of the start, until a step is of the size of the rounding (`bits`)
 /// or no longer gets smaller. `None` if it breaks down.
-pub fn newton<T: Approximate>(problem: &Problem, start: &[T], bits: u32) -> Option<Newton<T>> {
+pub fn newton<T: Approximate>(problem: &Task, start: &[T], bits: u32) -> Option<Newton<T>> {
     let mut root = start.to_vec();
     let mut last = i64::MAX;
     for steps in 1..=STEPS {
@@ -57,7 +57,7 @@ pub fn newton<T: Approximate>(problem: &Problem, start: &[T], bits: u32) -> Opti
 }
 
 /// The Newton step, by elimination with the largest pivot.
-pub fn step<T: Approximate>(problem: &Problem, x: &[T]) -> Option<Vec<T>> {
+pub fn step<T: Approximate>(problem: &Task, x: &[T]) -> Option<Vec<T>> {
     let n = x.len();
     let residuals = problem.residuals(x);
     let mut rows: Vec<Vec<T>> = residuals
@@ -82,7 +82,7 @@ pub fn step<T: Approximate>(problem: &Problem, x: &[T]) -> Option<Vec<T>> {
 }
 
 /// Newton's method in MPFR, the precision doubled with each step from a start in doubles.
-pub fn doubling(problem: &Problem, start: &[f64], bits: u32) -> Option<Newton<Float>> {
+pub fn doubling(problem: &Task, start: &[f64], bits: u32) -> Option<Newton<Float>> {
     let first = 64.min(bits);
     let start: Vec<Float> = start.iter().map(|x| Float::with_val(first, x)).collect();
     let mut found = newton(problem, &start, first)?;

@@ -1,6 +1,6 @@
 //! A problem next to a limit: its certified value, its condition, and where a search starts.
 
-use super::Problem;
+use super::Task;
 use super::closed::{Branch, Form, trigonometric};
 use super::condition::condition;
 use super::enclosure::enclose_at;
@@ -8,9 +8,10 @@ use super::newton::newton;
 use crate::arch::small::Scaled;
 use crate::arch::{SelfWeight, Unknown, overturning};
 use crate::certify::CertifiedLandmark;
-use crate::certify::state::{Arch, Friction, Outcome};
+use crate::certify::state::{Certify, Outcome};
 use crate::number::{Angle, Ball, Dual, ExactNumber, Real, rational_like};
-use crate::problem::{Landmark, Mode};
+use crate::problem::{Arch, Friction};
+use crate::problem::{Landmark, Mode, System};
 use crate::solve::{settle, start_state};
 use rug::{Float, Rational};
 
@@ -44,9 +45,9 @@ pub(super) fn before(
 }
 
 pub(super) fn arch(half_opening: &Rational, friction: Option<&Rational>) -> Option<Arch> {
-    let friction = friction
-        .map_or(Friction::Infinite, |mu| Friction::Coefficient(ExactNumber::rational(mu.clone())));
-    Arch::new(WEIGHT, ExactNumber::rational(half_opening.clone()), friction).ok()
+    let friction =
+        friction.map_or(Friction::Infinite, |mu| Friction::Coefficient(ExactNumber::from(mu)));
+    Arch::new(WEIGHT, ExactNumber::from(half_opening), friction).ok()
 }
 
 impl Target {
@@ -59,11 +60,7 @@ impl Target {
                 else {
                     return None;
                 };
-                (state.mode == *mode).then_some(match output {
-                    Unknown::RotationJoint => state.rotation_joint,
-                    Unknown::Thrust => state.thrust,
-                    _ => state.thickness,
-                })
+                state.value(*output).filter(|_| state.mode == *mode).cloned()
             }
             Self::Sliding { half_opening } => arch(half_opening, None)?.sliding_friction(bits).ok(),
             Self::Closed { joint } => {
@@ -79,21 +76,21 @@ impl Target {
     }
 
     /// The equations as a problem for the methods of others.
-    pub(super) fn problem(&self) -> Option<Problem> {
+    pub(super) fn problem(&self) -> Option<Task> {
         Some(match self {
-            Self::State { mode, half_opening, friction, .. } => Problem::State {
+            Self::State { mode, half_opening, friction, .. } => Task::State {
                 weight: WEIGHT,
                 mode: *mode,
                 half_opening: half_opening.clone(),
                 friction: friction.clone().unwrap_or_default(),
             },
-            Self::Sliding { half_opening } => Problem::State {
+            Self::Sliding { half_opening } => Task::State {
                 weight: WEIGHT,
                 mode: Mode::Sliding,
                 half_opening: half_opening.clone(),
                 friction: Rational::new(),
             },
-            Self::Closed { joint } => Problem::Thickness { weight: WEIGHT, joint: joint.clone() },
+            Self::Closed { joint } => Task::Thickness { weight: WEIGHT, joint: joint.clone() },
             Self::Overturning { .. } => return None,
         })
     }
@@ -101,9 +98,7 @@ impl Target {
     /// The place of the output among the unknowns.
     pub(super) fn index(&self) -> usize {
         match self {
-            Self::State { mode, output, .. } => {
-                mode.system().0.iter().position(|unknown| unknown == output).unwrap_or(0)
-            }
+            Self::State { mode, output, .. } => mode.system(WEIGHT).index(*output).unwrap_or(0),
             _ => 0,
         }
     }
@@ -122,13 +117,9 @@ impl Target {
                 else {
                     return None;
                 };
-                let value = |unknown: &Unknown| match unknown {
-                    Unknown::RotationJoint => Some(state.rotation_joint.mid().clone()),
-                    Unknown::SlidingJoint => Some(state.sliding_joint.as_ref()?.mid().clone()),
-                    Unknown::Thickness => Some(state.thickness.mid().clone()),
-                    _ => Some(state.thrust.mid().clone()),
-                };
-                let values: Option<Vec<Float>> = mode.system().0.iter().map(value).collect();
+                let value = |&unknown| state.value(unknown).map(|x| x.mid().clone());
+                let unknowns = mode.system(WEIGHT).unknowns.iter();
+                let values: Option<Vec<Float>> = unknowns.map(value).collect();
                 values?.iter().map(|x| Float::with_val(bits, x) * 1.0001f64).collect()
             }
             Self::Sliding { half_opening } => start_state::sliding(&number(half_opening)).to_vec(),
@@ -163,7 +154,7 @@ impl Target {
             Self::Sliding { half_opening } => (Mode::Sliding, half_opening),
             _ => return None,
         };
-        let (unknowns, equations) = mode.system();
+        let System { unknowns, equations, .. } = mode.system(WEIGHT);
         let alpha = Float::with_val(bits, half_opening);
         let y = alpha.clone().square();
         let start = match mode {

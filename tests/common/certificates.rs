@@ -2,7 +2,6 @@
 //! claimed or not.
 
 use couplet::arch::SelfWeight;
-use couplet::certify::state::{Arch, Friction};
 use couplet::certify::{certify_landmark, certify_state};
 use couplet::check::{
     Accepted, Certificate, ClaimFile, Refusal, SCHEMA, ValueFile, Witness, check,
@@ -11,6 +10,7 @@ use couplet::number::Dyadic;
 use couplet::number::{AstroInterval, Ball};
 use couplet::problem::Claim;
 use couplet::problem::Landmark;
+use couplet::problem::{Arch, Friction};
 use couplet::solve::inverse;
 use rug::Float;
 use serde_json::Value;

@@ -2,7 +2,8 @@
 
 use crate::{Scratch, has};
 use couplet::arch::SelfWeight;
-use couplet::certify::state::{Answer, Arch, Doubt, Fall, Friction};
+use couplet::certify::state::{Answer, Fall, Undecided};
+use couplet::problem::{Arch, Friction};
 use couplet::report::export::{Export, ExportFormat, Subject, write};
 use couplet::report::{StateOf, StateReport};
 
@@ -11,7 +12,7 @@ const HOSTILE: &str =
     "pi/2 */ \"\"\" ' \" \\ \n\r%} =# -- $(x) ??/\n \\input{/etc/passwd} # ! & \u{2028}";
 
 /// Something that cannot be told: an arch thicker than twice its radius.
-fn doubt() -> Doubt {
+fn doubt() -> Undecided {
     let arch = Arch::new(SelfWeight::Heyman, "pi/2".parse().unwrap(), Friction::Infinite).unwrap();
     arch.certify_thickness(&"3".parse().unwrap(), 10).unwrap_err()
 }
@@ -53,7 +54,7 @@ fn only_what_is_proved_has_values() {
     for format in [ExportFormat::C, ExportFormat::Rust, ExportFormat::Python, ExportFormat::Julia] {
         let text = text(format);
         assert!(text.contains("STATE_2_THICKNESS") && !text.contains("STATE_4"), "{text}");
-        assert!(text.contains(&format!("undecided, no values: {}", doubt().question)), "{text}");
+        assert!(text.contains(&format!("undecided, no values: {}", doubt().reason)), "{text}");
         assert!(text.contains("proved, no values: sliding"), "{text}");
         assert!(text.contains("refused, no values: pi/2"), "{text}");
     }

@@ -3,6 +3,7 @@
 use super::Failure;
 use super::arch::{ArchArguments, thickness};
 use super::output::Destination;
+use crate::certify::state::Certify;
 use crate::report::AssessReport;
 use clap::Args;
 
@@ -36,6 +37,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     output.write(|out| report.write(arguments.destination.format, out))?;
     match outcome {
         Ok(_) => Ok(()),
-        Err(doubt) => Err(Failure::Undecided(format!("undecided: {}", doubt.question))),
+        Err(doubt) => Err(Failure::Undecided(doubt.to_string())),
     }
 }

@@ -71,7 +71,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
                 })
                 .map_err(|undecided| undecided.to_string());
             let fingerprint = (hashed && outcome.is_ok()).then(|| {
-                fingerprint(landmark, weight, arguments.digits).map_err(|undecided| undecided.0)
+                fingerprint(landmark, weight, arguments.digits)
+                    .map_err(|undecided| undecided.reason.into_owned())
             });
             LandmarkReport { landmark, weight, outcome, fingerprint }
         })

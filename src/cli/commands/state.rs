@@ -3,7 +3,7 @@
 use super::Failure;
 use super::arch::ArchArguments;
 use super::output::Destination;
-use crate::certify::state::Answer;
+use crate::certify::state::{Answer, Certify};
 use crate::certify::{CertifiedLandmark, Value};
 use crate::problem::{Landmark, Mode};
 use crate::report::{StateAt, StateOf, StateReport};
@@ -48,7 +48,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     output.write(|out| report.write(arguments.destination.format, out))?;
     match answer {
         Ok(_) => Ok(()),
-        Err(doubt) => Err(Failure::Undecided(format!("undecided: {}", doubt.question))),
+        Err(doubt) => Err(Failure::Undecided(doubt.to_string())),
     }
 }
 

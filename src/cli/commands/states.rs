@@ -4,8 +4,9 @@ use super::Failure;
 use super::arch::{angle, friction, thickness};
 use super::rows::{Kind, Line, Progress, Source, csv_records, in_order, json_error, json_lines};
 use crate::arch::SelfWeight;
-use crate::certify::state::{Answer, Arch};
+use crate::certify::state::{Answer, Certify};
 use crate::number::ExactNumber;
+use crate::problem::Arch;
 #[cfg(feature = "parquet")]
 use crate::report::export::{Export, ParquetRows, Subject};
 use crate::report::{Answered, AssessReport, Rows, StateOf, StateReport};

@@ -1,7 +1,6 @@
 //! Claims as JSON, `couplet.claims/1`. Fields may be added, none changes its meaning.
 
 use super::{Claims, as_printed};
-use crate::certify::Undecided;
 use crate::claims::{Finding, Step};
 use serde::Serialize;
 use std::io;
@@ -60,7 +59,7 @@ pub fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
             _ => (None, None),
         };
         let reason = match &decision.outcome {
-            Err(Undecided(reason)) => Some(reason.as_str()),
+            Err(undecided) => Some(&*undecided.reason),
             Ok(_) => None,
         };
         let steps = decision.derivation.steps();

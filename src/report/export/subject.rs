@@ -245,7 +245,7 @@ impl Subject {
                 stands = Some(false);
                 Status::Proved(Some(reason_of_fall(*fall).into()))
             }
-            StateOf::Undecided(doubt) => Status::Undecided(doubt.question.into()),
+            StateOf::Undecided(doubt) => Status::Undecided(doubt.reason.to_string()),
         };
         let of = Of::Arch {
             number,
@@ -278,7 +278,7 @@ impl Subject {
                 let fall = found.least_thickness.as_ref().err();
                 Status::Proved(fall.map(|fall| reason_of_fall(*fall).into()))
             }
-            Err(doubt) => Status::Undecided(doubt.question.into()),
+            Err(doubt) => Status::Undecided(doubt.reason.to_string()),
         };
         let of = Of::Arch {
             number,

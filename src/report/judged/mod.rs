@@ -64,7 +64,7 @@ impl JudgedRow {
             Ok(judgement) => match &judgement.standing {
                 Standing::Stands(_) => "",
                 Standing::Falls(fall) => reason(*fall),
-                Standing::Undecided(doubt) => doubt.question,
+                Standing::Undecided(doubt) => &doubt.reason,
             },
         }
     }

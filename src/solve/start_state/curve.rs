@@ -43,7 +43,7 @@ impl Curve {
             let given = given(alpha);
             let start = [state[0].sqrt() * alpha, state[1] * alpha.powi(4), state[2]]
                 .map(|x| Float::with_val(64, x));
-            if let Some(x) = polish(weight, Mode::Rotational.system(), &given, &start) {
+            if let Some(x) = polish(&Mode::Rotational.system(weight), &given, &start) {
                 let [beta, eta, h] = [0, 1, 2].map(|i| x[i].to_f64());
                 state = [(beta / alpha).powi(2), eta / alpha.powi(4), h];
             }
@@ -155,7 +155,7 @@ mod tests {
                 last = [h, eta];
                 let start = rotational(weight, &Float::with_val(64, alpha));
                 let found =
-                    polish(weight, Mode::Rotational.system(), &given(alpha), &start).unwrap();
+                    polish(&Mode::Rotational.system(weight), &given(alpha), &start).unwrap();
                 let beta = ratio.max(0.0).sqrt() * alpha;
                 approx::assert_relative_eq!(found[0].to_f64(), beta, max_relative = 1e-3);
                 approx::assert_relative_eq!(found[1].to_f64(), eta, max_relative = 1e-4);

@@ -3,9 +3,9 @@
 use super::super::arch::{angle, friction};
 use super::columns::{Columns, Field};
 use crate::arch::SelfWeight;
-use crate::certify::state::{Arch, Friction};
 use crate::judge::{Claim, Demand, Said, judge};
 use crate::number::ExactNumber;
+use crate::problem::{Arch, Friction};
 use crate::report::JudgedRow;
 use rug::Rational;
 
@@ -127,5 +127,5 @@ impl Judge {
 /// The nearest double, exactly.
 fn nearest(x: &ExactNumber) -> Result<ExactNumber, String> {
     let exact = x.nearest_double().and_then(Rational::from_f64);
-    exact.map(ExactNumber::rational).ok_or_else(|| format!("'{x}' is beyond all doubles"))
+    exact.as_ref().map(ExactNumber::from).ok_or_else(|| format!("'{x}' is beyond all doubles"))
 }

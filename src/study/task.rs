@@ -2,12 +2,12 @@
 
 use crate::arch::{Configuration, SelfWeight, Unknown, cubic, thrust};
 use crate::number::{Angle, Dual, Field, Real, rational_like};
-use crate::problem::{Landmark, Mode, Point, System};
+use crate::problem::{Landmark, Mode};
 use rug::Rational;
 
 /// A system of equations. Its parameters are exact, so that every method is given the same problem.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Problem {
+pub enum Task {
     /// A root of the second cubic (7) at a joint: `eta`.
     Thickness {
         /// The self-weight model.
@@ -61,7 +61,7 @@ pub enum Problem {
     },
 }
 
-impl Problem {
+impl Task {
     /// The names of what is solved for.
     pub fn unknowns(&self) -> Vec<&'static str> {
         match self {
@@ -71,7 +71,7 @@ impl Problem {
             Self::Radicand { .. } => vec!["radicand"],
             Self::HalfOpening { .. } => vec!["half_opening"],
             Self::Landmark { weight, landmark } => names(landmark.system(*weight).unknowns),
-            Self::State { mode, .. } => names(mode.system().0),
+            Self::State { mode, weight, .. } => names(mode.system(*weight).unknowns),
         }
     }
 
@@ -124,18 +124,16 @@ impl Problem {
                 vec![thrust::opening_variable(&alpha).residual(&parameters[0])]
             }
             Self::Landmark { weight, landmark } => {
-                let system: System = landmark.system(*weight);
-                system.residuals(&Point::new(&system, x).variables())
+                let system = landmark.system(*weight);
+                let given = Configuration::zero(&x[0]);
+                system.residuals(&system.variables(&system.place(&given, x)))
             }
             Self::State { weight, mode, .. } => {
-                let (unknowns, equations) = mode.system();
                 let given = Configuration::zero(&variable)
                     .with(Unknown::HalfOpening, parameters[0].clone())
                     .with(Unknown::Friction, parameters[1].clone());
-                let at = unknowns.iter().zip(x).enumerate().fold(given, |at, (index, (&u, x))| {
-                    at.with(u, Dual::variable(x.clone(), index))
-                });
-                equations.iter().map(|equation| equation.residual(*weight, &at)).collect()
+                let system = mode.system(*weight);
+                system.residuals(&system.place(&given, &Dual::variables(x)))
             }
         }
     }

@@ -1,21 +1,11 @@
-//! Decimal text: exact input, and output in which every digit is proved.
+//! Decimal output in which every digit is proved.
 
 use super::{Ball, Enclosure};
+use crate::number::Decimal;
 use rug::float::Round;
 use rug::ops::{Pow, PowAssignRound};
 use rug::{Float, Integer, Rational};
 use std::cmp::Ordering;
-use std::fmt;
-use std::str::FromStr;
-
-/// The decimal number `sign digits * 10^exponent`, with `digits` an integer.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Decimal {
-    negative: bool,
-    /// Decimal digits without leading zeros; empty for zero.
-    digits: String,
-    exponent: i64,
-}
 
 /// A real number known to lie between two decimals, with its correctly rounded value.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,105 +18,9 @@ pub struct Rounded {
     pub upper: Decimal,
 }
 
-/// Why a text is not a decimal number.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum ParseDecimalError {
-    /// Not digits with at most one point, a sign and an exponent.
-    #[error("'{0}' is not a decimal number")]
-    Syntax(String),
-    /// The exponent is beyond ±1,000,000.
-    #[error("'{0}' has an exponent beyond ±{MAX_EXPONENT}")]
-    Exponent(String),
-}
-
-const MAX_EXPONENT: i64 = 1_000_000;
-
 /// The bits that hold so many decimal digits: `digits log2(10)`, rounded up.
 pub fn bits_of(digits: usize) -> u32 {
     (digits as f64 * std::f64::consts::LOG2_10).ceil() as u32
-}
-
-impl Decimal {
-    fn new(negative: bool, digits: String, exponent: i64) -> Self {
-        let trimmed = digits.trim_start_matches('0');
-        let negative = negative && !trimmed.is_empty();
-        Self { negative, digits: trimmed.to_owned(), exponent }
-    }
-
-    /// The exact value of `rational` where its decimal expansion ends within `digits` significant
-    /// digits.
-    pub fn terminating(rational: &Rational, digits: usize) -> Option<Self> {
-        // The expansion ends after as many places as the denominator has factors 2 or 5.
-        let (rest, twos) = rational.denom().clone().remove_factor(&Integer::from(2));
-        let (rest, fives) = rest.remove_factor(&Integer::from(5));
-        let places = twos.max(fives);
-        if rest != 1 {
-            return None;
-        }
-        let scaled = rational.clone().abs() * Integer::from(10).pow(places);
-        let exponent = -i64::from(places);
-        let text = scaled.numer().to_string();
-        let kept = text.trim_end_matches('0');
-        let exponent = exponent + (text.len() - kept.len()) as i64;
-        (kept.len() <= digits).then(|| Self::new(*rational < 0, kept.to_owned(), exponent))
-    }
-
-    /// The number of significant digits as written.
-    pub fn significant_digits(&self) -> usize {
-        self.digits.len()
-    }
-
-    /// The significant digits, without leading zeros.
-    pub fn digits(&self) -> &str {
-        &self.digits
-    }
-
-    /// The power of ten of the last written digit: one unit of the last place is `10^exponent`.
-    pub fn exponent(&self) -> i64 {
-        self.exponent
-    }
-
-    /// The power of ten just above the number: `10^(magnitude-1) <= |x| < 10^magnitude`.
-    pub fn magnitude(&self) -> i64 {
-        self.exponent + self.digits.len() as i64
-    }
-
-    /// The exact value.
-    pub fn to_rational(&self) -> Rational {
-        let digits = if self.digits.is_empty() { "0" } else { &self.digits };
-        let integer = Integer::from_str_radix(digits, 10).unwrap_or_default();
-        let scale = Integer::from(10).pow(self.exponent.unsigned_abs() as u32);
-        let value = if self.exponent < 0 {
-            Rational::from((integer, scale))
-        } else {
-            Rational::from(integer * scale)
-        };
-        if self.negative { -value } else { value }
-    }
-
-    /// This decimal moved by one unit of its last place, away from zero or towards it.
-    fn neighbour(&self, away: bool) -> Self {
-        let mut digits = self.digits.clone().into_bytes();
-        let (from, to) = if away { (b'9', b'0') } else { (b'0', b'9') };
-        for digit in digits.iter_mut().rev() {
-            if *digit == from {
-                *digit = to;
-            } else {
-                *digit = if away { *digit + 1 } else { *digit - 1 };
-                break;
-            }
-        }
-        let mut text = String::from_utf8(digits).unwrap_or_default();
-        let mut exponent = self.exponent;
-        if away && text.bytes().all(|d| d == b'0') {
-            // 999 becomes 100 and a higher power of ten: the number of digits stays.
-            text.pop();
-            text.insert(0, '1');
-            exponent += 1;
-        }
-        Self::new(self.negative, text, exponent)
-    }
 }
 
 impl Rounded {
@@ -185,7 +79,7 @@ impl Rounded {
     /// The rational number `value`, rounded to `digits` significant digits if it does not end
     /// before.
     pub fn from_rational(value: &Rational, digits: usize) -> Option<Self> {
-        if let Some(exact) = Decimal::terminating(value, digits) {
+        if let Some(exact) = terminating(value, digits) {
             return Some(Self::exact(exact));
         }
         // A fraction that does not end, or ends just behind, is decided exactly: the cell it lies
@@ -219,6 +113,24 @@ impl Rounded {
     }
 }
 
+/// The exact value of `rational` where its decimal expansion ends within `digits` significant
+/// digits.
+pub fn terminating(rational: &Rational, digits: usize) -> Option<Decimal> {
+    // The expansion ends after as many places as the denominator has factors 2 or 5.
+    let (rest, twos) = rational.denom().clone().remove_factor(&Integer::from(2));
+    let (rest, fives) = rest.remove_factor(&Integer::from(5));
+    let places = twos.max(fives);
+    if rest != 1 {
+        return None;
+    }
+    let scaled = rational.clone().abs() * Integer::from(10).pow(places);
+    let exponent = -i64::from(places);
+    let text = scaled.numer().to_string();
+    let kept = text.trim_end_matches('0');
+    let exponent = exponent + (text.len() - kept.len()) as i64;
+    (kept.len() <= digits).then(|| Decimal::new(*rational < 0, kept.to_owned(), exponent))
+}
+
 /// An estimate, off by one at most, of the power of ten just above a positive number.
 fn decimal_magnitude(x: &Float) -> i64 {
     let (head, exponent) = x.to_f64_exp();
@@ -245,67 +157,6 @@ fn scaled_width(low: &Float, high: &Float, exponent: i64, fraction: u32) -> Opti
     let width = Float::with_val_round(64, high - low, Round::Up).0;
     let scaled = Float::with_val_round(64, &width * &scale, Round::Up).0 << fraction;
     scaled.is_finite().then(|| scaled.ceil().to_integer())?
-}
-
-impl fmt::Display for Decimal {
-    /// Plain digits for ordinary sizes, scientific notation outside `1e-7 … 1e21`.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.digits.is_empty() {
-            return f.write_str("0");
-        }
-        if self.negative {
-            f.write_str("-")?;
-        }
-        let magnitude = self.magnitude();
-        let length = self.digits.len() as i64;
-        if !(-6..=21).contains(&magnitude) {
-            let (head, tail) = self.digits.split_at(1);
-            let point = if tail.is_empty() { "" } else { "." };
-            write!(f, "{head}{point}{tail}e{}", magnitude - 1)
-        } else if magnitude <= 0 {
-            write!(f, "0.{}{}", "0".repeat(-magnitude as usize), self.digits)
-        } else if magnitude >= length {
-            write!(f, "{}{}", self.digits, "0".repeat((magnitude - length) as usize))
-        } else {
-            let (head, tail) = self.digits.split_at(magnitude as usize);
-            write!(f, "{head}.{tail}")
-        }
-    }
-}
-
-impl FromStr for Decimal {
-    type Err = ParseDecimalError;
-
-    /// Reads `-12.5`, `1e-30`, `.5`, exactly. Trailing zeros count as digits.
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let shown = || text.chars().take(40).collect::<String>();
-        let syntax = || ParseDecimalError::Syntax(shown());
-        let (negative, rest) = match text.strip_prefix('-') {
-            Some(rest) => (true, rest),
-            None => (false, text.strip_prefix('+').unwrap_or(text)),
-        };
-        let (number, power) = match rest.split_once(['e', 'E']) {
-            Some((number, power)) => (number, power),
-            None => (rest, "0"),
-        };
-        let (whole, fraction) = number.split_once('.').unwrap_or((number, ""));
-        let all_digits = |s: &str| s.bytes().all(|b| b.is_ascii_digit());
-        let unsigned = power.strip_prefix(['+', '-']).unwrap_or(power);
-        if whole.len() + fraction.len() == 0
-            || !all_digits(whole)
-            || !all_digits(fraction)
-            || unsigned.is_empty()
-            || !all_digits(unsigned)
-        {
-            return Err(syntax());
-        }
-        let power = power
-            .parse::<i64>()
-            .ok()
-            .filter(|p| p.unsigned_abs() <= MAX_EXPONENT as u64)
-            .ok_or_else(|| ParseDecimalError::Exponent(shown()))?;
-        Ok(Self::new(negative, format!("{whole}{fraction}"), power - fraction.len() as i64))
-    }
 }
 
 #[cfg(test)]
@@ -343,13 +194,6 @@ mod tests {
             let direct = Rounded::from_rational(&x, digits).unwrap();
             prop_assert_eq!(direct, r);
         }
-
-        #[test]
-        fn text_goes_round(negative in any::<bool>(), n in any::<u128>(), exponent in -400i64..400) {
-            let decimal = Decimal::new(negative, n.to_string(), exponent);
-            let back: Decimal = decimal.to_string().parse().unwrap();
-            prop_assert_eq!(back.to_rational(), decimal.to_rational());
-        }
     }
 
     #[test]
@@ -381,16 +225,5 @@ mod tests {
         assert_eq!(two.value.to_string(), "2");
         let tie = Rounded::from_rational(&Rational::from((25, 2)), 2).unwrap();
         assert_eq!(tie.value.to_string(), "12");
-    }
-
-    #[test]
-    fn sizes_far_from_one_are_scientific() {
-        assert_eq!("1.5e-30".parse::<Decimal>().unwrap().to_string(), "1.5e-30");
-        assert_eq!("-0.001".parse::<Decimal>().unwrap().to_string(), "-0.001");
-        for bad in
-            ["", ".", "1e", "1.2.3", "0x10", "nan", "1e9999999", "1e-9223372036854775808", "--1"]
-        {
-            assert!(bad.parse::<Decimal>().is_err(), "{bad}");
-        }
     }
 }
