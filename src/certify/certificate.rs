@@ -19,8 +19,8 @@ use rug::Float;
 const GUARD: u32 = 64;
 /// How often the precision is raised.
 const ATTEMPTS: u32 = 8;
-/// Up to so many digits the second arithmetic, which encloses less tightly, has to accept too before a
-/// certificate is given away; beyond it takes as long as everything else.
+/// Up to this many digits a certificate is released only if the second arithmetic accepts it too; beyond,
+/// that would take as long as everything else.
 const SECOND_CHECK: usize = 1000;
 /// The precision of the inverse in bits, and of the large box where nothing cancels.
 const BITS: u32 = 64;

@@ -6,7 +6,7 @@ use rug::Rational;
 
 /// Bits in which a piece is examined.
 const BITS: u32 = 96;
-/// A piece is halved so often at the most.
+/// Maximum number of subdivisions of a piece.
 const DEPTH: usize = 24;
 
 /// Proves that `holds` on every number of `[low, high]`: the interval is halved until the answer is

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 /// The largest number of digits that can be asked for.
 pub const MAX_DIGITS: usize = 1_000_000;
 
-/// How often the precision is raised when a rounding is not decided.
+/// How often the precision is raised before a rounding counts as undecided.
 const ATTEMPTS: u32 = 6;
 /// Bits beyond the digits asked for, at the first attempt.
 const GUARD: u32 = 32;
@@ -183,7 +183,7 @@ impl CertifiedLandmark {
         Self::ticks_of(landmark, quantities(landmark).count())
     }
 
-    /// How often [`CertifiedLandmark::constants_of`] reports progress for so many quantities.
+    /// How often [`CertifiedLandmark::constants_of`] reports progress for a number of quantities.
     pub fn ticks_of(landmark: Landmark, quantities: usize) -> u64 {
         stages(&landmark.system(SelfWeight::Heyman)) + quantities as u64
     }

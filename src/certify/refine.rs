@@ -29,9 +29,8 @@ const SPAN: u32 = 4;
 const STRETCH: u32 = 16;
 /// Bits of a level beyond its share, so that the condition of the system eats no digits.
 const GUARD: u32 = 32;
-/// With fewer bits the angles are quicker one after the other. More than that: what is kept for the whole
-/// process is refined to fewer bits, and a thread that waits for others on the way could meanwhile be
-/// given work that waits for it.
+/// Below this, angles are computed one after the other: faster, and it avoids a deadlock when a thread
+/// that fills a `OnceLock` steals a job that waits for it.
 const WORTH_THREADS: u32 = 1 << 14;
 /// At this size a level is one plain Newton iteration.
 const FLOOR: u32 = 256;
@@ -143,7 +142,7 @@ impl<'a> Level<'a> {
             level.step *= 2;
             level.inverse = level.inverse()?;
         }
-        // The steps that remain are dear: from nearer anchors they have fewer terms to sum.
+        // The remaining steps are expensive: from nearer anchors they sum fewer terms.
         for (anchor, x) in level.anchors.iter_mut().zip(&level.centre) {
             *anchor = anchor.take().map(|anchor| anchor.moved(x));
         }

@@ -137,7 +137,7 @@ pub(crate) struct Ladder {
     pub trials: i32,
 }
 
-/// After so many changes of shape the size of the box has stopped growing.
+/// Changes of shape after which the box has stopped growing.
 const SHAPES: usize = 4;
 
 /// Boxes that `prove` proves, each with its image: the largest on the ladder of each of some shapes. The

@@ -116,7 +116,7 @@ pub(super) fn shortened(text: &str) -> String {
     beginning(text, 40)
 }
 
-/// At most so many characters of a text, in one line.
+/// At most `length` characters of a text, in one line.
 fn beginning(text: &str, length: usize) -> String {
     let visible = |c: char| {
         let quote = matches!(c, '"' | '\'' | '\\');
@@ -130,7 +130,7 @@ fn beginning(text: &str, length: usize) -> String {
     shown
 }
 
-/// Why a text is no certificate. It may quote the text, which may be long and hold anything.
+/// Why a text is not a certificate. The reason may quote the text, which may be long and hold anything.
 fn reason(error: &serde_json::Error) -> String {
     let words = error.to_string();
     let place = format!(" at line {} column {}", error.line(), error.column());

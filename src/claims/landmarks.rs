@@ -1,4 +1,4 @@
-//! The landmark points: what holds besides the equations that define them, and the values that the
+//! The landmark points: what holds beyond the equations that define them, and the values that the
 //! text gives to few digits.
 
 use super::letters::{ring, variables};
@@ -20,7 +20,7 @@ pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "landmark-T",
         place: "Sec. 2.2, Fig. 8",
-        statement: "at T the mode [r,r,s] meets the other three: (3) holds there besides",
+        statement: "at T the mode [r,r,s] meets the other three: (3) holds there too",
         decide: triple_point,
     },
     Claim {
@@ -46,7 +46,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "landmark-l",
         place: "Sec. 3, Tables 3-4",
         statement: "states without thrust, l, L and all purely overturning ones, strictly require \
-                    infinite friction, against inner sliding; and (2) holds at l besides",
+                    infinite friction, against inner sliding; and (2) holds at l too",
         decide: no_thrust_needs_unlimited_friction,
     },
     Claim {

@@ -3,12 +3,12 @@
 //!
 //! A claim is what a row of results says: that the arch stands or falls, the mode, some numbers. Each
 //! number is compared with a proved enclosure, which is narrowed until every comparison is decided;
-//! nothing here is told by a double.
+//! no double decides anything.
 //!
 //! A number is **correct to `k` digits** if its error is at most half a unit of the `k`-th significant
 //! digit of the true value; where that is exactly zero, of the `k`-th decimal place. (The audit of the
-//! paper counts equal leading digits instead, which is what a reader of a table sees.) How the last
-//! printed place was rounded is told besides.
+//! paper counts equal leading digits instead, which is what a reader of a table sees.) The
+//! verdict also says how the last printed place was rounded.
 //!
 //! | file | what it does |
 //! |---|---|

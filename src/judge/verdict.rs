@@ -9,7 +9,7 @@ use crate::problem::Arch;
 use crate::problem::Mode;
 use std::cmp::Ordering;
 
-/// What is said of a row as a whole, from the best to the gravest, and then what cannot be judged.
+/// The verdict on a row, from best to worst, then the rows that cannot be judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Verdict {
     /// Every number is the correct rounding of the truth, and all else is right.

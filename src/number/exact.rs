@@ -62,7 +62,7 @@ impl ExactNumber {
         Some(Self { factor, times_pi, text })
     }
 
-    /// The angle of so many degrees, in radians: `value pi / 180`. For a rational number; a multiple of
+    /// The angle of this number of degrees, in radians: `value pi / 180`. For a rational number; a multiple of
     /// pi has its unit already.
     pub fn degrees(&self) -> Self {
         let factor = &self.factor / BigInt::from(180);

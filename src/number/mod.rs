@@ -120,7 +120,7 @@ pub trait ExactField: Field {
     fn is_zero(&self) -> bool;
 }
 
-/// A field with the functions an arch needs besides.
+/// A field with pi, square roots, sines and cosines: what the statics of an arch need.
 pub trait Real: Field {
     /// The constant `pi` with the precision of `self`.
     fn pi(&self) -> Self;

@@ -20,7 +20,7 @@
 //!   states nearby come in pairs `±beta_r` and `beta_r` grows like the square root of the distance.
 //!   But (5) sees the joint only through `beta cot(beta) = 1 - beta²/3 - …`, which is analytic with
 //!   the value 1; putting that value leaves a regular system in the other unknowns. For `l`, (2) holds
-//!   besides, since its numerator has a factor `beta²`.
+//!   too, since its numerator has a factor `beta²`.
 //! - **`sb`**: there two branches of the cubic (7) meet, so (2) and (5) have a double root in `eta`,
 //!   and adding the radicand (12) leaves the Jacobian singular. Adding instead that the derivative of
 //!   (2) = (5) to `eta` is zero gives, in `(beta, eta)`, the Jacobian

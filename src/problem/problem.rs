@@ -1,4 +1,4 @@
-//! A problem: which equations have a root, what is given, and what has to hold besides.
+//! A problem: its equations, what is given, and the conditions on its root.
 
 use super::{Arch, Condition, Examined, Fixed, Known, Landmark, Mode, Quantity, System};
 use crate::arch::{Configuration, SelfWeight, Unknown, thrust};
@@ -49,7 +49,7 @@ impl Problem {
         }
     }
 
-    /// What has to be positive besides: the physical range and, for a state, its admissibility, that
+    /// What has to be positive at the root: the physical range and, for a state, its admissibility, that
     /// no thinner arch stands, and what tells its mode from others.
     pub fn conditions(&self) -> Vec<Condition> {
         match self {
@@ -80,7 +80,7 @@ impl Problem {
         let system = self.system();
         match (self, quantity) {
             (Self::State { .. }, Quantity::OpeningVariable) => false,
-            // The joint of a mode whose inner joint does not slide is no part of the state.
+            // The joint of a mode whose inner joint does not slide does not belong to the state.
             (Self::State { mode, .. }, _) if quantity.variable() == Unknown::SlidingJoint => {
                 mode.slides_inside()
             }

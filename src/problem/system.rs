@@ -1,6 +1,7 @@
 //! Square systems of the equations: named unknowns, named equations, and what is fixed.
 
-use super::Equation;
+use super::{Equation, tally};
+use crate::arch::small::Scaled;
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::number::{Angle, Dual, Field, Real};
 
@@ -124,7 +125,20 @@ impl System {
 
     /// The residuals of the equations, in order.
     pub fn residuals<T: Field>(&self, at: &Configuration<T>) -> Vec<T> {
-        self.equations.iter().map(|equation| equation.residual(self.weight, at)).collect()
+        let residual = |equation: &Equation| {
+            tally::equation(*equation);
+            equation.residual(self.weight, at)
+        };
+        self.equations.iter().map(residual).collect()
+    }
+
+    /// The residuals in scaled variables; `None` if an equation has no such form.
+    pub fn scaled_residuals<T: Field>(&self, at: &Scaled<T>) -> Option<Vec<T>> {
+        let residual = |equation: &Equation| {
+            tally::equation(*equation);
+            equation.scaled_residual(self.weight, at)
+        };
+        self.equations.iter().map(residual).collect()
     }
 
     /// The denominators that the residuals have cleared.

@@ -1,4 +1,4 @@
-//! How often what is evaluated: counters of each thread, read by who wants to know what a result cost.
+//! Counters of evaluations, for each thread: what a result cost.
 //!
 //! An evaluation is counted where an equation is used, not in the equation, which stays a formula. What
 //! runs on other threads is not seen; the proofs evaluate their equations on the thread that asks.
@@ -62,10 +62,10 @@ thread_local! {
 ///
 /// ```
 /// use couplet::arch::{Configuration, SelfWeight};
-/// use couplet::problem::{Equation, tally};
+/// use couplet::problem::{Equation, System, tally};
 /// let at = Configuration::zero(&0.0);
-/// let (_, tally) = tally::measure(|| Equation::Steepest.residual(SelfWeight::Heyman, &at));
-/// assert_eq!((tally.of(Equation::Steepest), tally.evaluations()), (1, 1));
+/// let (_, tally) = tally::measure(|| System::inner_sliding(SelfWeight::Heyman).residuals(&at));
+/// assert_eq!((tally.of(Equation::Steepest), tally.evaluations()), (1, 2));
 /// ```
 pub fn measure<T>(job: impl FnOnce() -> T) -> (T, Tally) {
     let mut before = CURRENT.replace(Tally::EMPTY);

@@ -11,7 +11,7 @@ use crate::certify::CertifiedLandmark;
 use crate::certify::state::{Certify, Outcome};
 use crate::number::{Angle, Ball, Dual, ExactNumber, Real, rational_like};
 use crate::problem::{Arch, Friction};
-use crate::problem::{Landmark, Mode, System};
+use crate::problem::{Landmark, Mode};
 use crate::solve::{settle, start_state};
 use rug::{Float, Rational};
 
@@ -154,7 +154,7 @@ impl Target {
             Self::Sliding { half_opening } => (Mode::Sliding, half_opening),
             _ => return None,
         };
-        let System { unknowns, equations, .. } = mode.system(WEIGHT);
+        let system = mode.system(WEIGHT);
         let alpha = Float::with_val(bits, half_opening);
         let y = alpha.clone().square();
         let start = match mode {
@@ -163,11 +163,11 @@ impl Target {
         };
         let given = Scaled::new(&Dual::constant(y.clone()));
         let root = settle(start.to_vec(), |x| {
-            let variables = unknowns.iter().zip(x).enumerate();
+            let variables = system.unknowns.iter().zip(x).enumerate();
             let at = variables.fold(given.clone(), |at, (index, (&u, x))| {
                 at.with(u, Dual::variable(x.clone(), index))
             });
-            equations.iter().filter_map(|e| e.scaled_residual(WEIGHT, &at)).collect()
+            system.scaled_residuals(&at).unwrap_or_default()
         })?;
         let [first, second, _] = &root[..] else { return None };
         Some(match mode {

@@ -11,7 +11,7 @@ use crate::number::{ExactNumber, bits_of};
 use crate::problem::Arch;
 use std::collections::BTreeMap;
 
-/// Questions about an arch. Its state is proved once at each precision, whoever asks.
+/// Questions about an arch, which share its state: it is proved once at each precision.
 pub struct Inquiry<'a> {
     arch: &'a Arch,
     /// What the state is asked for at every precision.
@@ -24,7 +24,7 @@ pub struct Inquiry<'a> {
 }
 
 impl<'a> Inquiry<'a> {
-    /// Questions of at most so many digits; `frictions` says whether any asks for the frictions at which
+    /// Questions of at most `most_digits` digits; `frictions` says whether any asks for the frictions at which
     /// the mode changes.
     pub fn new(arch: &'a Arch, most_digits: usize, frictions: bool) -> Self {
         let bits = bits_of(most_digits) + GUARD;
@@ -33,7 +33,7 @@ impl<'a> Inquiry<'a> {
         Self { arch, asked, bits, states, unlimited }
     }
 
-    /// The state to so many digits. The frictions at which the mode changes are left out unless they are
+    /// The state to `digits` digits. The frictions at which the mode changes are left out unless they are
     /// asked for here and in [`Inquiry::new`].
     pub fn state(&mut self, digits: usize, frictions: bool) -> Result<Answer, Undecided> {
         let lost = bits_lost_unless_small(self.arch, self.bits);
@@ -48,7 +48,7 @@ impl<'a> Inquiry<'a> {
         })
     }
 
-    /// What holds for the arch with a given thickness, in `(0, 2)`, to so many digits.
+    /// What holds for the arch with a given thickness, in `(0, 2)`, to `digits` digits.
     pub fn assess(
         &mut self,
         thickness: &ExactNumber,

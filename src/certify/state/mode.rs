@@ -16,7 +16,7 @@ use crate::solve::start_state;
 use rug::Float;
 use std::sync::OnceLock;
 
-/// What is asked of a state besides how thin the arch can be and how it falls.
+/// What a question about a state asks beyond its thickness and its mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Asked {
     /// Nothing: only what its proof needs is evaluated.
@@ -57,7 +57,7 @@ enum Found {
 ///
 /// A state that is admissible and the thinnest is a proof by itquery. Whether the friction is below
 /// the purely sliding one, and where the half opening is beside those of `l` and `L`, is proved where
-/// it is the answer, or where a candidate says that there is no state.
+/// it is the answer, or where a candidate suggests that there is no state.
 pub(super) fn outcome(query: &Query, asked: Asked) -> Result<Outcome, Undecided> {
     tally::working_bits(query.bits);
     let mut least_friction = None;

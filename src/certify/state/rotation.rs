@@ -98,7 +98,7 @@ impl Form for Rotation<'_> {
         let haunch = self.joint.haunch(joint);
         let thrust = thrust_at(weight, &haunch, &eta);
         let ring = Ring::new(weight, &eta);
-        tally::equation(Equation::Tangency);
+        [Equation::Tangency, Equation::WholeThrust].into_iter().for_each(tally::equation);
         let tangency = thrust::tangency(&haunch.times_cotangent, &ring).residual(&thrust);
         let given = self.query.given.clone().map(|x| number(&x));
         let at = given.with(Unknown::Thickness, eta).with(Unknown::Thrust, thrust);

@@ -122,8 +122,7 @@ impl Form for ScaledEquations<'_> {
         let system = self.mode.system(self.small.weight);
         let at = self.place(self.small.given.clone().map(|x| number(&x)), x.to_vec());
         // An equation without a scaled form would leave none, and nothing would be proved.
-        let residuals = system.equations.iter().map(|e| e.scaled_residual(system.weight, &at));
-        residuals.collect::<Option<_>>().unwrap_or_default()
+        system.scaled_residuals(&at).unwrap_or_default()
     }
 
     /// (2), (4) and (5) have no denominator that can vanish for half openings below a right angle and

@@ -18,7 +18,7 @@ pub struct Rounded {
     pub upper: Decimal,
 }
 
-/// The bits that hold so many decimal digits: `digits log2(10)`, rounded up.
+/// The bits that hold `digits` decimal digits: `digits log2(10)`, rounded up.
 pub fn bits_of(digits: usize) -> u32 {
     (digits as f64 * std::f64::consts::LOG2_10).ceil() as u32
 }
