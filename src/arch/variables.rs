@@ -104,6 +104,19 @@ impl<T> Configuration<T> {
         self.map_each(|_, angle| angle.map(&f), |_, value| f(value))
     }
 
+    /// The same from references.
+    pub fn map_ref<U>(&self, f: impl Fn(&T) -> U) -> Configuration<U> {
+        let angle = |x: &Angle<T>| Angle { rad: f(&x.rad), sin: f(&x.sin), cos: f(&x.cos) };
+        Configuration {
+            half_opening: angle(&self.half_opening),
+            rotation_joint: angle(&self.rotation_joint),
+            sliding_joint: angle(&self.sliding_joint),
+            thickness: f(&self.thickness),
+            thrust: f(&self.thrust),
+            friction: f(&self.friction),
+        }
+    }
+
     /// The same, each variable in its own way.
     pub fn map_each<U>(
         self,

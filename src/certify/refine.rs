@@ -164,7 +164,7 @@ impl<'a> Level<'a> {
     /// The values with their angles, moved from the anchors, at a precision.
     fn place(&self, values: &[Ball], bits: u32) -> Configuration<Ball> {
         let given = Configuration::zero(&Ball::integer(0, bits));
-        self.system.place_with(&given, values, |index, rad| match &self.anchors[index] {
+        self.system.place_with(given, values, |index, rad| match &self.anchors[index] {
             Some(anchor) => anchor.with_precision(bits).angle(rad),
             None => Angle::new(rad.clone()),
         })

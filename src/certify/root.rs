@@ -26,17 +26,17 @@ pub(crate) trait Equations<E> {
 impl<E: Engine> Equations<E> for Problem {
     fn residuals(&self, bits: u32, x: &[E]) -> Vec<E> {
         let system = self.system();
-        system.residuals(&system.place(&self.given(bits), x))
+        system.residuals(&system.place(self.given(bits), x))
     }
 
     fn slopes(&self, bits: u32, x: &[E]) -> Vec<Dual<E>> {
         let system = self.system();
-        system.residuals(&system.variables(&system.place(&self.given(bits), x)))
+        system.residuals(&system.variables(&system.place(self.given(bits), x)))
     }
 
     fn is_regular(&self, bits: u32, x: &[E]) -> bool {
         let system = self.system();
-        let at = system.place(&self.given(bits), x);
+        let at = system.place(self.given(bits), x);
         system.denominators(&at).iter().all(Enclosure::excludes_zero)
     }
 }
@@ -71,7 +71,6 @@ pub(crate) struct Operator<'a, S, E> {
     bits: u32,
     /// The bits of the slopes on a box.
     few: u32,
-    centre: Vec<Dyadic>,
     points: Vec<E>,
     residuals: Vec<E>,
     inverse: Vec<Vec<E>>,
@@ -86,7 +85,6 @@ impl<'a, S: Equations<E>, E: Engine> Operator<'a, S, E> {
             equations,
             bits,
             few: bits,
-            centre: centre.iter().map(Dyadic::from).collect(),
             residuals: equations.residuals(bits, &points),
             points,
             inverse: inverse.iter().map(|row| row.iter().map(exact).collect()).collect(),
@@ -95,27 +93,32 @@ impl<'a, S: Equations<E>, E: Engine> Operator<'a, S, E> {
 
     /// The box of all points within the radii of the centre.
     pub fn domain(&self, radii: &[Magnitude]) -> Vec<E> {
-        let sides = self.centre.iter().zip(radii);
-        sides.map(|(x, r)| E::around(x, &Dyadic::from(&r.to_float()), self.bits as usize)).collect()
+        let sides = self.points.iter().zip(radii);
+        sides.map(|(x, r)| x.widened_by(&Dyadic::from(&r.to_float()))).collect()
     }
 
-    /// The proof: the image of the box within `radii`, if it lies in the interior of `target` and
-    /// nothing that is divided by vanishes in the box. Then the box holds exactly one root, and the image
-    /// holds it. `target` lies in the box. `None` says nothing.
-    pub fn image_in(&self, radii: &[Magnitude], target: &[Magnitude]) -> Option<Vec<E>> {
+    /// The proof: the image of the box within `radii`, if it lies in the interior of the box and nothing
+    /// that is divided by vanishes there. Then the box holds exactly one root, and the image holds it.
+    /// `None` says nothing.
+    pub fn image(&self, radii: &[Magnitude]) -> Option<Vec<E>> {
         let domain = self.domain(radii);
-        if !self.equations.is_regular(self.bits, &domain) {
+        self.image_of(&domain).filter(|image| krawczyk::is_contracted(image, &domain))
+    }
+
+    /// The same with room to spare: the image lies in the interior of a smaller box.
+    pub fn image_in(&self, radii: &[Magnitude], smaller: &[Magnitude]) -> Option<Vec<E>> {
+        let image = self.image_of(&self.domain(radii))?;
+        krawczyk::is_contracted(&image, &self.domain(smaller)).then_some(image)
+    }
+
+    /// The image of a box, if nothing that is divided by vanishes there.
+    fn image_of(&self, domain: &[E]) -> Option<Vec<E>> {
+        if !self.equations.is_regular(self.bits, domain) {
             return None;
         }
         let coarse: Vec<E> = domain.iter().map(|x| x.with_bits(self.few as usize)).collect();
         let slopes = self.equations.slopes(self.few, &coarse);
-        let image = krawczyk::image(&self.points, &self.residuals, &slopes, &self.inverse, &domain);
-        krawczyk::is_contracted(&image, &self.domain(target)).then_some(image)
-    }
-
-    /// The same with the box as its own target.
-    pub fn image(&self, radii: &[Magnitude]) -> Option<Vec<E>> {
-        self.image_in(radii, radii)
+        Some(krawczyk::image(&self.points, &self.residuals, &slopes, &self.inverse, domain))
     }
 }
 
@@ -226,7 +229,6 @@ fn smallest_box<S: Equations<Ball>>(
         equations,
         bits,
         few,
-        centre: centre.iter().map(Dyadic::from).collect(),
         residuals: match few < bits {
             true => equations.residuals(bits, &points),
             false => at_centre.iter().map(|r| r.value().clone()).collect(),

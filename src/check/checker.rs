@@ -61,13 +61,13 @@ pub fn check_certificate<E: Engine>(
     let domain = boxed::<E>(&certificate.unique, wide);
     let inverse: Vec<Vec<E>> = certificate.inverse.iter().map(|row| exact(row, wide)).collect();
     let given = problem.given::<E>(wide as u32);
-    let at = system.place(&given, &domain);
+    let at = system.place(given.clone(), &domain);
     if !system.denominators(&at).iter().all(Enclosure::excludes_zero) {
         return Err(Refusal::Denominator("unique"));
     }
     let slopes: Vec<Dual<E>> = system.residuals(&system.variables(&at));
     let contracts = |place, given: &Configuration<E>, centre: &[E], domain: &[E]| {
-        let residuals = system.residuals(&system.place(given, centre));
+        let residuals = system.residuals(&system.place(given.clone(), centre));
         let image = krawczyk::image(centre, &residuals, &slopes, &inverse, domain);
         let fails = (0..image.len()).find(|&k| !image[k].lies_inside(&domain[k]));
         fails.map_or(Ok(()), |k| {
@@ -84,7 +84,7 @@ pub fn check_certificate<E: Engine>(
     let given = problem.given::<E>(bits as u32);
     contracts("root", &given, &exact(&certificate.root.centre, bits), &small)?;
 
-    let at = system.place(&given, &small);
+    let at = system.place(given, &small);
     if let Some(condition) = problem.first_failure(&at) {
         return Err(Refusal::Condition(condition.label()));
     }

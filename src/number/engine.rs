@@ -16,8 +16,13 @@ pub trait Engine: Enclosure {
     /// The same set, or one that holds it, with results to be rounded to at least `bits` bits.
     fn with_bits(&self, bits: usize) -> Self;
 
-    /// All numbers within `radius` of `centre`.
-    fn around(centre: &Dyadic, radius: &Dyadic, bits: usize) -> Self;
+    /// All numbers within `radius` of one of this set.
+    fn widened_by(&self, radius: &Dyadic) -> Self;
+
+    /// All numbers within `radius` of `centre`, with results to be rounded to at least `bits` bits.
+    fn around(centre: &Dyadic, radius: &Dyadic, bits: usize) -> Self {
+        Self::exact(centre, bits).widened_by(radius)
+    }
 }
 
 impl Engine for AstroInterval {
@@ -29,9 +34,8 @@ impl Engine for AstroInterval {
         self.with_precision(bits)
     }
 
-    fn around(centre: &Dyadic, radius: &Dyadic, bits: usize) -> Self {
-        let radius = Self::exact(radius, bits);
-        Self::exact(centre, bits) + radius.symmetric()
+    fn widened_by(&self, radius: &Dyadic) -> Self {
+        self.clone() + Self::exact(radius, self.prec).symmetric()
     }
 }
 
@@ -51,8 +55,8 @@ mod mpfr {
             self.with_precision(precision(bits))
         }
 
-        fn around(centre: &Dyadic, radius: &Dyadic, bits: usize) -> Self {
-            Self::new(float(centre), Magnitude::upper(&float(radius)), precision(bits))
+        fn widened_by(&self, radius: &Dyadic) -> Self {
+            self.clone().widened(Magnitude::upper(&float(radius)))
         }
     }
 

@@ -197,7 +197,7 @@ mod tests {
             assert_eq!(system.unknowns.len(), system.equations.len(), "{landmark:?}");
             // A variable that the system does not know is set to NaN: no residual may see it.
             let values: Vec<f64> = (1..=system.unknowns.len()).map(|i| 0.3 * i as f64).collect();
-            let at = system.place(&Configuration::zero(&0.0), &values);
+            let at = system.place(Configuration::zero(&0.0), &values);
             let known = |u| system.knows(u) && system.fixed_value(u) != Some(Fixed::Infinite);
             let spoiled = at.map_each(
                 |u, x| if known(u) { x } else { Angle::new(f64::NAN) },

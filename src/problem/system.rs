@@ -75,14 +75,14 @@ impl System {
 
     /// All variables: the unknowns have `values`, in order, with sines and cosines computed; what is
     /// neither unknown nor fixed is as `given`.
-    pub fn place<T: Real>(&self, given: &Configuration<T>, values: &[T]) -> Configuration<T> {
+    pub fn place<T: Real>(&self, given: Configuration<T>, values: &[T]) -> Configuration<T> {
         self.place_with(given, values, |_, rad| Angle::new(rad.clone()))
     }
 
     /// The same with angles as `angle` makes them, given the place of the unknown and its value.
     pub fn place_with<T: Field>(
         &self,
-        given: &Configuration<T>,
+        given: Configuration<T>,
         values: &[T],
         angle: impl Fn(usize, &T) -> Angle<T>,
     ) -> Configuration<T> {
@@ -90,7 +90,7 @@ impl System {
         let angles: Vec<Option<Angle<T>>> = unknowns
             .map(|(index, (unknown, value))| unknown.is_angle().then(|| angle(index, value)))
             .collect();
-        given.clone().map_each(
+        given.map_each(
             |unknown, given| match (self.source(unknown), self.fixed_value(unknown)) {
                 (Some(index), _) => angles[index].clone().unwrap_or(given),
                 (None, Some(Fixed::Integer(_))) => Angle::zero(&given.rad),

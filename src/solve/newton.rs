@@ -29,7 +29,7 @@ pub fn polish(
     given: &Configuration<Float>,
     start: &[Float],
 ) -> Option<Vec<Float>> {
-    settle(start.to_vec(), |x| system.residuals(&system.variables(&system.place(given, x))))
+    settle(start.to_vec(), |x| system.residuals(&system.variables(&system.place(given.clone(), x))))
 }
 
 /// Newton's method for positive unknowns. `None` if it leaves the numbers or does not settle.

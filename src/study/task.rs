@@ -126,14 +126,14 @@ impl Task {
             Self::Landmark { weight, landmark } => {
                 let system = landmark.system(*weight);
                 let given = Configuration::zero(&x[0]);
-                system.residuals(&system.variables(&system.place(&given, x)))
+                system.residuals(&system.variables(&system.place(given, x)))
             }
             Self::State { weight, mode, .. } => {
                 let given = Configuration::zero(&variable)
                     .with(Unknown::HalfOpening, parameters[0].clone())
                     .with(Unknown::Friction, parameters[1].clone());
                 let system = mode.system(*weight);
-                system.residuals(&system.place(&given, &Dual::variables(x)))
+                system.residuals(&system.place(given, &Dual::variables(x)))
             }
         }
     }

@@ -36,7 +36,7 @@ impl Query {
     /// The root of a system next to a start value, proved to exist and to be unique in a box.
     pub fn root(&self, system: System, start: &[Float]) -> Result<Configuration<Ball>, Undecided> {
         let root = root_near(&Given { system, query: self }, self.bits, start.to_vec())?;
-        Ok(system.place(&self.given, &root))
+        Ok(system.place(self.given.clone(), &root))
     }
 }
 
@@ -48,12 +48,12 @@ struct Given<'a> {
 
 impl Form for Given<'_> {
     fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
-        let given = self.query.given.clone().map(|x| number(&x));
-        self.system.residuals(&self.system.place(&given, x))
+        let given = self.query.given.map_ref(number);
+        self.system.residuals(&self.system.place(given, x))
     }
 
     fn is_regular(&self, x: &[Ball]) -> bool {
-        let at = self.system.place(&self.query.given, x);
+        let at = self.system.place(self.query.given.clone(), x);
         self.system.denominators(&at).iter().all(Enclosure::excludes_zero)
     }
 }

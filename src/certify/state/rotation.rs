@@ -100,7 +100,7 @@ impl Form for Rotation<'_> {
         let ring = Ring::new(weight, &eta);
         [Equation::Tangency, Equation::WholeThrust].into_iter().for_each(tally::equation);
         let tangency = thrust::tangency(&haunch.times_cotangent, &ring).residual(&thrust);
-        let given = self.query.given.clone().map(|x| number(&x));
+        let given = self.query.given.map_ref(number);
         let at = given.with(Unknown::Thickness, eta).with(Unknown::Thrust, thrust);
         vec![Equation::WholeThrust.residual(weight, &at), tangency]
     }

@@ -209,7 +209,7 @@ mod tests {
                 let system = mode.system(weight);
                 let value = |&unknown: &Unknown| state.value(unknown).unwrap().clone();
                 let values: Vec<Ball> = system.unknowns.iter().map(value).collect();
-                let at = system.place(&query.given, &values);
+                let at = system.place(query.given.clone(), &values);
                 let printed = Examined::new(weight, mode, &at);
                 let limited = Condition::of(mode, true);
                 // Only the slope of the mechanism's weight is the same with and without a limit.

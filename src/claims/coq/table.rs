@@ -41,7 +41,7 @@ impl Cleared {
         let symbols = Symbols::of(system);
         let variables: Vec<Term> = symbols.iter().map(Term::variable).collect();
         let given = Configuration::zero(&Term::constant(0));
-        let at = system.place_with(&given, &variables, |k, _| Term::angle(symbols.get(k)));
+        let at = system.place_with(given, &variables, |k, _| Term::angle(symbols.get(k)));
         let residuals: Vec<Term> =
             system.residuals(&at).iter().map(|term| term.fraction().0).collect();
         let slopes = |term: &Term| gradient(term, &symbols);
