@@ -6,10 +6,11 @@
 mod common;
 
 use common::config;
-use couplet::arch::{Landmark, Mode, SelfWeight, thrust};
+use couplet::arch::{SelfWeight, thrust};
 use couplet::certify::CertifiedLandmark;
 use couplet::certify::state::{Arch, Friction, Outcome};
 use couplet::number::{Angle, Ball, Field, Real};
+use couplet::problem::{Landmark, Mode};
 use proptest::prelude::*;
 use rug::{Rational, ops::Pow};
 

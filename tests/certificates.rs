@@ -5,10 +5,12 @@ mod common;
 mod program;
 
 use common::certificates::{at_root, both, find_root, landmark, root, state, to_value};
-use couplet::arch::{Landmark, Mode, SelfWeight, Unknown};
+use couplet::arch::{SelfWeight, Unknown};
 use couplet::certify::certify_landmark;
-use couplet::check::{Claim, Exact, Refusal, State, Subject, check_certificate};
+use couplet::check::{Refusal, check_certificate};
 use couplet::number::{Ball, ExactNumber};
+use couplet::problem::{Claim, Exact, State, Subject};
+use couplet::problem::{Landmark, Mode};
 use program::{couplet, fed};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
@@ -652,7 +654,7 @@ fn values_are_believed_to_the_last_place_only_if_they_are_right() {
     let value = |k: usize| base["values"][k]["value"].as_str().unwrap().to_owned();
     let name = |k: usize| -> &'static str {
         let text = base["values"][k]["quantity"].as_str().unwrap();
-        couplet::arch::Quantity::ALL.iter().find(|q| q.name() == text).unwrap().name()
+        couplet::problem::Quantity::ALL.iter().find(|q| q.name() == text).unwrap().name()
     };
     let count = base["values"].as_array().unwrap().len();
     assert_eq!(count, 13);
@@ -733,7 +735,7 @@ fn values_are_believed_to_the_last_place_only_if_they_are_right() {
         ("rotation_joint", "1e-30"),
     ] {
         let known =
-            couplet::arch::Quantity::ALL.iter().find(|q| q.name() == quantity).unwrap().name();
+            couplet::problem::Quantity::ALL.iter().find(|q| q.name() == quantity).unwrap().name();
         let place = format!("/values/{}/value", index(quantity));
         seen.with(end, &place, json!(text), &Refusal::Rounding(known));
     }

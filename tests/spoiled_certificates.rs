@@ -4,11 +4,13 @@ mod common;
 
 use common::certificates::{both, landmark, state};
 use common::config;
-use couplet::arch::{Landmark, Quantity, SelfWeight};
+use couplet::arch::SelfWeight;
 use couplet::certify::state::{Answer, Arch, Friction};
 use couplet::certify::{CertifiedLandmark, Value as Constant};
-use couplet::check::{Accepted, Exact, Refusal, Subject, check};
+use couplet::check::{Accepted, Refusal, check};
 use couplet::number::{AstroInterval, Ball, ExactNumber, Rounded};
+use couplet::problem::{Exact, Subject};
+use couplet::problem::{Landmark, Quantity};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use rug::ops::Pow;

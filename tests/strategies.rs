@@ -3,10 +3,11 @@
 mod common;
 
 use common::config;
-use couplet::arch::{Landmark, Mode, SelfWeight, Unknown};
+use couplet::arch::{SelfWeight, Unknown};
 use couplet::certify::CertifiedLandmark;
 use couplet::certify::state::{Answer, Friction};
 use couplet::number::ExactNumber;
+use couplet::problem::{Landmark, Mode};
 use couplet::strategies::{Query, arch, collapsing, query, standing};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;

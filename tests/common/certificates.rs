@@ -1,13 +1,16 @@
 //! Valid certificates to spoil, and certificates of any root of the equations, whether it is the one
 //! claimed or not.
 
-use couplet::arch::{Landmark, SelfWeight};
+use couplet::arch::SelfWeight;
 use couplet::certify::state::{Arch, Friction};
 use couplet::certify::{certify_landmark, certify_state};
 use couplet::check::{
-    Accepted, Certificate, Claim, ClaimFile, Dyadic, Refusal, SCHEMA, ValueFile, Witness, check,
+    Accepted, Certificate, ClaimFile, Refusal, SCHEMA, ValueFile, Witness, check,
 };
+use couplet::number::Dyadic;
 use couplet::number::{AstroInterval, Ball};
+use couplet::problem::Claim;
+use couplet::problem::Landmark;
 use couplet::solve::inverse;
 use rug::Float;
 use serde_json::Value;
