@@ -56,10 +56,12 @@
 //! [`certify::state`].
 //!
 //! Taken on trust: the compiler, GMP and MPFR, the hardware, and that the equations describe masonry.
-// The page speaks of rooms that a smaller build does not have.
 #![cfg_attr(
-    not(all(feature = "mpfr", feature = "cli", feature = "proptest")),
-    allow(rustdoc::broken_intra_doc_links)
+    not(all(feature = "study", feature = "cli", feature = "proptest")),
+    allow(
+        rustdoc::broken_intra_doc_links,
+        reason = "the page speaks of rooms that a smaller build does not have"
+    )
 )]
 #![warn(missing_docs)]
 
@@ -88,7 +90,7 @@ pub mod scene;
 pub mod solve;
 #[cfg(feature = "proptest")]
 pub mod strategies;
-#[cfg(feature = "mpfr")]
+#[cfg(feature = "study")]
 pub mod study;
 #[cfg(feature = "mpfr")]
 pub mod symbolic;

@@ -13,6 +13,7 @@ mod rows;
 mod run;
 mod state;
 mod states;
+#[cfg(feature = "study")]
 mod study;
 
 use super::{Failure, check};
@@ -36,6 +37,7 @@ pub enum Command {
     Run(run::Arguments),
     Certify(certify::Arguments),
     Check(check::Arguments),
+    #[cfg(feature = "study")]
     Study(study::Arguments),
 }
 
@@ -57,6 +59,7 @@ impl Command {
             Self::Run(arguments) => run::run(arguments),
             Self::Certify(arguments) => certify::run(arguments),
             Self::Check(arguments) => check::run(arguments),
+            #[cfg(feature = "study")]
             Self::Study(arguments) => study::run(arguments),
         }
     }
