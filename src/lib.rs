@@ -63,7 +63,7 @@
         reason = "the page speaks of rooms that a smaller build does not have"
     )
 )]
-#![warn(missing_docs)]
+#![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
 /// The numbers of GMP and MPFR that balls are made of, in the version that this crate uses.
 #[cfg(feature = "mpfr")]
