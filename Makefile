@@ -1,7 +1,7 @@
 # `make` builds couplet and prints the landmark constants; `make test` runs every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build test lint docs msrv deny constants checker combinations crates examples exporters bench peers \
+.PHONY: run build test lint docs msrv deny snapshots constants checker combinations crates examples exporters bench peers \
         proofs witness m4 coq
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
@@ -44,6 +44,10 @@ deny:
 	@command -v cargo-deny >/dev/null || { \
 	  echo "couplet: cargo-deny is missing (cargo install --locked cargo-deny)" >&2; exit 1; }
 	cargo deny --locked check licenses bans sources
+
+# What is stored beside the tests and drawn in the pages, written anew: look at what changed.
+snapshots: m4
+	UPDATE_SNAPSHOTS=1 cargo test --locked $(ALL) --test door
 
 # The repository's certificates, 100 digits of every landmark; a test says whether they are up to date.
 constants: build
