@@ -28,7 +28,7 @@ fn what_is_not_built_in_is_named_in_one_line() {
     let whole = cfg!(feature = "mpfr");
     for (arguments, message) in [
         (&["check", "--engine", "mpfr", file][..], "mpfr is not built in"),
-        (&["audit"], "this build has the command check only"),
+        (&["audit"], "this build has the commands check, completions and man"),
     ] {
         let output = couplet(arguments);
         let said = String::from_utf8(output.stderr).unwrap();

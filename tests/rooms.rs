@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the top: what a room may use stands before it.
-const ROOMS: [&str; 14] = [
+pub(crate) const ROOMS: [&str; 14] = [
     "number",
     "symbolic",
     "arch",
@@ -21,7 +21,7 @@ const ROOMS: [&str; 14] = [
     "cli",
 ];
 
-fn sources(folder: &Path) -> Vec<PathBuf> {
+pub(crate) fn sources(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
@@ -34,12 +34,12 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
-fn root() -> PathBuf {
+pub(crate) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
 }
 
 /// The code of a file without its unit tests and comments.
-fn code(path: &Path) -> String {
+pub(crate) fn code(path: &Path) -> String {
     let text = fs::read_to_string(path).unwrap();
     let mut text = text.as_str();
     for condition in ["#[cfg(test)]", "#[cfg(all(test, feature = \"mpfr\"))]"] {
@@ -49,7 +49,7 @@ fn code(path: &Path) -> String {
 }
 
 /// The rooms that a text names as `crate::room`.
-fn rooms_used(code: &str) -> Vec<&str> {
+pub(crate) fn rooms_used(code: &str) -> Vec<&str> {
     code.split("crate::")
         .skip(1)
         .map(|rest| rest.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap())

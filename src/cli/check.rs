@@ -1,6 +1,6 @@
 //! `couplet check`: also the whole of the small program.
 
-use super::Failure;
+use super::{Failure, print};
 use crate::check::{Accepted, Refusal, check, given_text};
 use crate::number::AstroInterval;
 use crate::problem::{Friction, Problem};
@@ -47,17 +47,19 @@ fn engine(text: &str) -> Result<EngineChoice, String> {
 #[derive(clap::Subcommand)]
 pub enum Command {
     Check(Arguments),
+    Completions(super::completions::Arguments),
+    Man(super::man::Arguments),
 }
 
 #[cfg(not(feature = "mpfr"))]
 impl Command {
-    /// What to say to someone who names another.
-    pub const NAMES: &str = "; this build has the command check only";
-
     /// Does what is asked.
     pub fn run(&self) -> Result<(), Failure> {
-        let Self::Check(arguments) = self;
-        run(arguments)
+        match self {
+            Self::Check(arguments) => run(arguments),
+            Self::Completions(arguments) => super::completions::run(arguments),
+            Self::Man(arguments) => super::man::run(arguments),
+        }
     }
 }
 
@@ -82,7 +84,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
                 format!("{name}: refused: {reason}")
             }
         };
-        print(&line)?;
+        print(format!("{line}\n").as_bytes())?;
     }
     match refused {
         0 => Ok(()),
@@ -132,15 +134,4 @@ fn summary(accepted: &Accepted) -> String {
         accepted.problem.weight().name(),
         accepted.digits
     )
-}
-
-/// Prints a line; a reader that has closed the pipe has what it wanted.
-fn print(line: &str) -> Result<(), Failure> {
-    use io::Write;
-    match writeln!(io::stdout(), "{line}") {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(Failure::writing("to standard output", &error))
-        }
-        _ => Ok(()),
-    }
 }

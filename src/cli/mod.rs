@@ -6,10 +6,12 @@
 mod check;
 #[cfg(feature = "mpfr")]
 mod commands;
+mod completions;
+mod man;
 
-use clap::Parser;
+use clap::{CommandFactory, Parser};
 use std::fmt::Display;
-use std::io;
+use std::io::{self, Write};
 use std::process::ExitCode;
 
 #[cfg(not(feature = "mpfr"))]
@@ -110,10 +112,33 @@ fn usage(error: &clap::Error) -> ExitCode {
         .join("; ")
         .replace(":; ", ": ");
     let possible = match error.kind() {
-        clap::error::ErrorKind::InvalidSubcommand => Command::NAMES,
-        clap::error::ErrorKind::UnknownArgument => "; --help lists the options",
-        _ => "",
+        clap::error::ErrorKind::InvalidSubcommand => commands_there_are(),
+        clap::error::ErrorKind::UnknownArgument => "; --help lists the options".into(),
+        _ => String::new(),
     };
     eprintln!("couplet: {}{possible}", line.strip_prefix("error: ").unwrap_or(&line));
     ExitCode::from(2)
+}
+
+/// What to say to someone who names a command that is not there, or not built in.
+fn commands_there_are() -> String {
+    let cli = Cli::command();
+    let names: Vec<&str> = cli.get_subcommands().map(clap::Command::get_name).collect();
+    let Some((last, others)) = names.split_last() else { return String::new() };
+    let these = match cfg!(feature = "study") {
+        true => "the commands are",
+        false => "this build has the commands",
+    };
+    format!("; {these} {} and {last}", others.join(", "))
+}
+
+/// Writes to standard output; a reader that has closed the pipe has what it wanted.
+fn print(bytes: &[u8]) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    match out.write_all(bytes).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(Failure::writing("to standard output", &error))
+        }
+        _ => Ok(()),
+    }
 }

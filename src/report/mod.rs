@@ -7,6 +7,7 @@ pub mod export;
 mod json;
 mod judged;
 mod rows;
+#[cfg(feature = "study")]
 mod study;
 mod table;
 
@@ -15,6 +16,7 @@ pub use arches::{ArchEntries, Arches};
 pub use claims::{ClaimFormat, Claims};
 pub use judged::{JudgeSummary, JudgedRow, JudgedRows};
 pub use rows::{Answered, Rows};
+#[cfg(feature = "study")]
 pub use study::{StudyFiles, accuracy_table, stability_table};
 
 use crate::arch::SelfWeight;

@@ -13,9 +13,10 @@ mod rows;
 mod run;
 mod state;
 mod states;
+#[cfg(feature = "study")]
 mod study;
 
-use super::{Failure, check};
+use super::{Failure, check, completions, man};
 use crate::arch::SelfWeight;
 use crate::certify::MAX_DIGITS;
 use crate::problem::Landmark;
@@ -36,14 +37,13 @@ pub enum Command {
     Run(run::Arguments),
     Certify(certify::Arguments),
     Check(check::Arguments),
+    #[cfg(feature = "study")]
     Study(study::Arguments),
+    Completions(completions::Arguments),
+    Man(man::Arguments),
 }
 
 impl Command {
-    /// What to say to someone who names another.
-    pub const NAMES: &str = "; the commands are constants, state, assess, states, judge, audit, prove, run, \
-                             certify, check and study";
-
     /// Does what is asked.
     pub fn run(&self) -> Result<(), Failure> {
         match self {
@@ -57,7 +57,10 @@ impl Command {
             Self::Run(arguments) => run::run(arguments),
             Self::Certify(arguments) => certify::run(arguments),
             Self::Check(arguments) => check::run(arguments),
+            #[cfg(feature = "study")]
             Self::Study(arguments) => study::run(arguments),
+            Self::Completions(arguments) => completions::run(arguments),
+            Self::Man(arguments) => man::run(arguments),
         }
     }
 }

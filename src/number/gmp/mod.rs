@@ -5,6 +5,7 @@ mod astro;
 mod ball;
 mod binary;
 mod burst;
+#[cfg(feature = "study")]
 mod complex;
 mod magnitude;
 mod mpfr;

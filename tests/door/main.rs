@@ -1,0 +1,12 @@
+//! The door: the pages that a newcomer reads, and what the program gives to a shell and a manual.
+
+#[path = "../common/program.rs"]
+mod program;
+#[path = "../rooms.rs"]
+mod rooms;
+
+#[cfg(feature = "study")]
+mod architecture;
+mod manual;
+#[cfg(feature = "study")]
+mod pages;
