@@ -53,13 +53,14 @@ pub enum Value {
     Infinite,
 }
 
-/// The quantities that exist at a landmark, in the order of [`Quantity::ALL`].
+/// The quantities that exist at a landmark, in the order of [`Quantity::LANDMARK`].
 pub fn quantities(landmark: Landmark) -> impl Iterator<Item = Quantity> {
     // Which variables a landmark has does not depend on the weight.
     let system = landmark.system(SelfWeight::Heyman);
-    Quantity::ALL.into_iter().filter(move |quantity| {
-        let unknown = quantity.variable();
-        system.index(unknown).is_some() || system.fixed_value(unknown).is_some()
+    Quantity::LANDMARK.into_iter().filter(move |quantity| {
+        let exists =
+            |unknown| system.index(unknown).is_some() || system.fixed_value(unknown).is_some();
+        quantity.variable().is_some_and(exists)
     })
 }
 
@@ -124,7 +125,7 @@ impl CertifiedLandmark {
             Quantity::OpeningVariable => {
                 Some(thrust::opening_variable(&refined.configuration().half_opening).value())
             }
-            _ => refined.value(quantity.variable()),
+            _ => refined.value(quantity.variable()?),
         }
     }
 
@@ -271,7 +272,7 @@ mod tests {
     #[test]
     fn quantities_exist_where_the_landmark_has_them() {
         let names = |landmark| quantities(landmark).map(Quantity::name).collect::<Vec<_>>();
-        assert_eq!(names(Landmark::Triple).len(), Quantity::ALL.len());
+        assert_eq!(names(Landmark::Triple).len(), Quantity::LANDMARK.len());
         let widest = names(Landmark::WidestJoint);
         assert!(!widest.contains(&"friction") && !widest.contains(&"sliding_joint"));
         assert!(widest.contains(&"rotation_joint") && widest.contains(&"A"));

@@ -23,34 +23,40 @@ impl Claim {
         match (&self.subject, quantity) {
             (Subject::State(_), Quantity::OpeningVariable) => false,
             // The joint of a mode whose inner joint does not slide is no part of the state.
-            (Subject::State(state), _) if quantity.variable() == Unknown::SlidingJoint => {
+            (Subject::State(state), _) if quantity.variable() == Some(Unknown::SlidingJoint) => {
                 !matches!(
                     state.mode,
                     Mode::Rotational | Mode::SlidingRotational | Mode::Overturning
                 )
             }
             (_, Quantity::IntrinsicThrust) => known(Unknown::Thickness) && known(Unknown::Thrust),
-            _ => known(quantity.variable()),
+            _ => quantity.variable().is_some_and(known),
         }
     }
 
-    /// The quantity where the variables lie in the configuration given.
-    pub fn known<E: Enclosure>(&self, quantity: Quantity, at: &Configuration<E>) -> Known<E> {
+    /// The quantity where the variables lie in the configuration given; `None` for what is no value of one
+    /// configuration.
+    pub fn known<E: Enclosure>(
+        &self,
+        quantity: Quantity,
+        at: &Configuration<E>,
+    ) -> Option<Known<E>> {
         let infinite = self.fixed(Unknown::Friction) == Some(Fixed::Infinite);
         let value = match quantity.in_radians().unwrap_or(quantity) {
             Quantity::Thickness => at.thickness.clone(),
-            Quantity::Friction if infinite => return Known::Infinite,
+            Quantity::Friction if infinite => return Some(Known::Infinite),
             Quantity::Friction => at.friction.clone(),
             Quantity::FrictionAngle if infinite => at.thrust.pi() / at.thrust.int(2),
-            Quantity::FrictionAngle => return Known::AngleOfTangent(at.friction.clone()),
+            Quantity::FrictionAngle => return Some(Known::AngleOfTangent(at.friction.clone())),
             Quantity::HalfOpening => at.half_opening.rad.clone(),
             Quantity::Thrust => at.thrust.clone(),
             Quantity::IntrinsicThrust => at.thickness.clone() * &at.thrust,
             Quantity::RotationJoint => at.rotation_joint.rad.clone(),
             Quantity::SlidingJoint => at.sliding_joint.rad.clone(),
-            _ => thrust::opening_variable(&at.half_opening).value(),
+            Quantity::OpeningVariable => thrust::opening_variable(&at.half_opening).value(),
+            _ => return None,
         };
-        Known::Enclosed(value)
+        Some(Known::Enclosed(value))
     }
 }
 

@@ -53,7 +53,7 @@ impl LandmarkFound {
         let mine = all.filter(|((quantity, of), _)| quantities.contains(quantity) && *of == digits);
         let mut constants: Vec<Constant> = mine.map(|(_, constant)| constant.clone()).collect();
         // In the order in which they are always shown, whoever asked first.
-        constants.sort_by_key(|one| Quantity::ALL.iter().position(|of| *of == one.quantity));
+        constants.sort_by_key(|one| Quantity::LANDMARK.iter().position(|of| *of == one.quantity));
         Proved { system: self.system, relative_radii: self.relative_radii.clone(), constants }
     }
 }

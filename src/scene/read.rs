@@ -160,10 +160,10 @@ impl<'s> Reader<'s> {
         overall: &Overall,
     ) -> Option<What> {
         let points = self.points(table, overall);
-        let names = Quantity::ALL.map(|quantity| (quantity.name(), quantity));
+        let names = Quantity::LANDMARK.map(|quantity| (quantity.name(), quantity));
         let asked = match table.get("quantities") {
             Some(value) => self.names("quantities", value, &names),
-            None => Some(Quantity::ALL.to_vec()),
+            None => Some(Quantity::LANDMARK.to_vec()),
         };
         let digits = match table.get("digits") {
             Some(value) => self.whole("digits", value, 1..=MAX_DIGITS),
@@ -172,7 +172,7 @@ impl<'s> Reader<'s> {
         let (points, asked, digits) = (points?, asked?, digits?);
         // In the order in which they are always shown.
         let asked: Vec<Quantity> =
-            Quantity::ALL.into_iter().filter(|quantity| asked.contains(quantity)).collect();
+            Quantity::LANDMARK.into_iter().filter(|quantity| asked.contains(quantity)).collect();
         let exists = |quantity| points.iter().any(|(l, _)| quantities(*l).any(|q| q == quantity));
         if table.contains_key("quantities") {
             for quantity in asked.iter().filter(|quantity| !exists(**quantity)) {

@@ -1,9 +1,6 @@
 //! The neutral list: what was proved of a landmark or of an arch, ready to be written.
 
-use super::label::{
-    FRICTION_SAFETY, GEOMETRIC_SAFETY, LEAST_THICKNESS, Label, REQUIRED_FRICTION,
-    ROTATIONAL_FRICTION, SLIDING_FRICTION, THRUST_LIMITS,
-};
+use super::label::Label;
 use crate::arch::{SelfWeight, Unknown};
 use crate::certify::state::Figure;
 use crate::certify::{Constant, Value};
@@ -236,8 +233,11 @@ impl Subject {
                 add(Quantity::RotationJoint.into(), &state.rotation_joint);
                 joint.into_iter().for_each(|figure| add(Quantity::SlidingJoint.into(), figure));
                 if let Some(frictions) = &state.frictions {
-                    add(SLIDING_FRICTION, &frictions.sliding);
-                    values.push(optional(ROTATIONAL_FRICTION, frictions.rotational.as_ref()));
+                    add(Quantity::SlidingFriction.into(), &frictions.sliding);
+                    values.push(optional(
+                        Quantity::RotationalFriction.into(),
+                        frictions.rotational.as_ref(),
+                    ));
                 }
                 Status::Proved(None)
             }
@@ -264,16 +264,18 @@ impl Subject {
         let mut values = Vec::new();
         let status = match report.outcome {
             Ok(found) => {
-                let mut add = |label, figure: Option<&Figure>| {
+                let mut add = |label: Label, figure: Option<&Figure>| {
                     values.extend(figure.map(|figure| Exported::figure(label, figure)));
                 };
-                add(LEAST_THICKNESS, found.least_thickness.as_ref().ok());
-                add(GEOMETRIC_SAFETY, found.geometric_safety.as_ref());
-                add(REQUIRED_FRICTION, found.required_friction.as_ref());
-                add(FRICTION_SAFETY, found.friction_safety.as_ref());
-                for (limit, [thrust, joint]) in found.thrust.iter().flatten().zip(THRUST_LIMITS) {
-                    values.push(optional(thrust, limit.thrust.as_ref()));
-                    values.extend(limit.joint.as_ref().map(|x| Exported::figure(joint, x)));
+                add(Quantity::LeastThickness.into(), found.least_thickness.as_ref().ok());
+                add(Quantity::GeometricSafety.into(), found.geometric_safety.as_ref());
+                add(Quantity::RequiredFriction.into(), found.required_friction.as_ref());
+                add(Quantity::FrictionSafety.into(), found.friction_safety.as_ref());
+                let thrusts = [Quantity::LeastThrust, Quantity::LargestThrust];
+                for (limit, thrust) in found.thrust.iter().flatten().zip(thrusts) {
+                    values.push(optional(thrust.into(), limit.thrust.as_ref()));
+                    let joint = thrust.joint().zip(limit.joint.as_ref());
+                    values.extend(joint.map(|(joint, x)| Exported::figure(joint, x)));
                 }
                 let fall = found.least_thickness.as_ref().err();
                 Status::Proved(fall.map(|fall| reason_of_fall(*fall).into()))

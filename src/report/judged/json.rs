@@ -89,7 +89,7 @@ impl<'a> RowEntry<'a> {
             mode: said(row.modes()),
             side: judgement.and_then(|j| j.side()).map(side),
             reason: Some(row.reason()).filter(|text| !text.is_empty()),
-            numbers: numbers.iter().map(|n| (n.measure.name(), NumberEntry::new(n))).collect(),
+            numbers: numbers.iter().map(|n| (n.quantity.name(), NumberEntry::new(n))).collect(),
         }
     }
 }
@@ -146,7 +146,7 @@ pub fn summary(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()
             least_correct_digits: digits(m.least),
             largest_relative_error: m.largest_relative.as_ref().map(ToString::to_string),
         };
-        (m.measure.name(), entry)
+        (m.quantity.name(), entry)
     });
     let bar = |(correct, rows): (_, &u64)| BarEntry { digits: digits(correct), rows: *rows };
     let file = SummaryFile {

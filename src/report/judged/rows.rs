@@ -1,7 +1,8 @@
 //! Every row with its verdict, as CSV or JSON lines.
 
 use super::{JudgedRow, digits, json};
-use crate::judge::{Certified, Judged, Measure, Side};
+use crate::judge::{Certified, Judged, Side};
+use crate::problem::Quantity;
 use crate::report::rows::csv_line;
 use std::io;
 
@@ -11,7 +12,7 @@ pub struct JudgedRows {
     /// JSON lines instead of CSV.
     pub json: bool,
     /// The numbers that have columns.
-    pub measures: Vec<Measure>,
+    pub measures: Vec<Quantity>,
 }
 
 /// The columns of a row, before those of its numbers.
@@ -51,7 +52,7 @@ impl JudgedRows {
             return Ok(Vec::new());
         }
         let mut record: Vec<String> = COLUMNS.iter().map(ToString::to_string).collect();
-        let columns = |m: &Measure| NUMBER_COLUMNS.map(|column| format!("{}{column}", m.name()));
+        let columns = |m: &Quantity| NUMBER_COLUMNS.map(|column| format!("{}{column}", m.name()));
         record.extend(self.measures.iter().flat_map(columns));
         csv_line(&record)
     }
@@ -80,8 +81,8 @@ impl JudgedRows {
             judgement.and_then(|j| j.side()).map_or("", side).to_owned(),
             row.reason().to_owned(),
         ];
-        for &measure in &self.measures {
-            let number = judgement.and_then(|j| j.numbers.iter().find(|n| n.measure == measure));
+        for &quantity in &self.measures {
+            let number = judgement.and_then(|j| j.numbers.iter().find(|n| n.quantity == quantity));
             record.extend(number.map_or_else(Default::default, fields));
         }
         record

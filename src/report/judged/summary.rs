@@ -2,9 +2,9 @@
 //! file.
 
 use super::JudgedRow;
-use crate::judge::PrintedVerdict;
-use crate::judge::{CorrectDigits, Demand, Judged, Measure, Side, Verdict};
+use crate::judge::{CorrectDigits, Demand, Judged, PrintedVerdict, Side, Verdict};
 use crate::number::Decimal;
+use crate::problem::Quantity;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
@@ -30,7 +30,7 @@ pub struct JudgeSummary {
 /// What there is to say of one kind of number.
 #[derive(Debug)]
 pub(super) struct MeasureSummary {
-    pub(super) measure: Measure,
+    pub(super) quantity: Quantity,
     pub(super) judged: u64,
     pub(super) correctly_rounded: u64,
     pub(super) faithful: u64,
@@ -71,7 +71,7 @@ impl JudgeSummary {
                 None => {}
             }
             for number in &judgement.numbers {
-                self.measure(number.measure).add(number);
+                self.quantity(number.quantity).add(number);
             }
         }
         self.keep(row);
@@ -92,10 +92,10 @@ impl JudgeSummary {
         self.verdicts.get(&verdict).copied().unwrap_or(0)
     }
 
-    fn measure(&mut self, measure: Measure) -> &mut MeasureSummary {
-        let place = self.measures.iter().position(|m| m.measure == measure);
+    fn quantity(&mut self, quantity: Quantity) -> &mut MeasureSummary {
+        let place = self.measures.iter().position(|m| m.quantity == quantity);
         let place = place.unwrap_or_else(|| {
-            self.measures.push(MeasureSummary::new(measure));
+            self.measures.push(MeasureSummary::new(quantity));
             self.measures.len() - 1
         });
         &mut self.measures[place]
@@ -123,10 +123,10 @@ impl JudgeSummary {
 }
 
 impl MeasureSummary {
-    fn new(measure: Measure) -> Self {
+    fn new(quantity: Quantity) -> Self {
         let least = CorrectDigits::Exact;
         Self {
-            measure,
+            quantity,
             judged: 0,
             correctly_rounded: 0,
             faithful: 0,

@@ -57,7 +57,7 @@ fn numbers(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
         writeln!(
             out,
             "{:<19} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7} {:>14}",
-            m.measure.name(),
+            m.quantity.name(),
             m.judged,
             m.correctly_rounded,
             m.faithful,
@@ -142,7 +142,7 @@ const MANY_ULP: i64 = 6;
 fn number_text(number: &Judged) -> String {
     let mut text = format!(
         "{} {}, certified {}",
-        number.measure.name(),
+        number.quantity.name(),
         short(&number.claimed),
         short(&certified(&number.certified))
     );

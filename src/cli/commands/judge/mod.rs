@@ -9,10 +9,11 @@ use super::rows::{
     CHUNK, JsonObject, Kind, Line, Progress, Source, csv_records, in_order, json_lines,
 };
 use crate::arch::SelfWeight;
-use crate::judge::{Demand, Measure, Verdict};
+use crate::judge::{Demand, Verdict};
+use crate::problem::Quantity;
 use crate::report::{JudgeSummary, JudgedRows};
 use clap::Args;
-use columns::{Columns, Field};
+use columns::{Columns, Role};
 use row::{Cells, Judge};
 use std::io;
 use std::path::PathBuf;
@@ -106,9 +107,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Kind::Csv => csv_cells(columns, input, is_given)?,
         Kind::JsonLines => json_cells(columns, input, is_given)?,
     };
-    let measures = Measure::ALL
+    let measures = Quantity::STATE
         .into_iter()
-        .filter(|&m| columns.all.iter().any(|column| column.field == Field::Number(m)));
+        .filter(|&m| columns.all.iter().any(|column| column.role == Role::Number(m)));
     let rows = JudgedRows { json: arguments.format == "jsonl", measures: measures.collect() };
     let every_row = rows.json || arguments.format == "csv";
     let demand = Demand {
