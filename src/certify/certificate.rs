@@ -39,8 +39,16 @@ pub fn certify_landmark(
     weight: SelfWeight,
     digits: usize,
 ) -> Result<Certificate, Undecided> {
-    let point = CertifiedLandmark::new(landmark, weight)?;
-    let claim = Claim { weight, subject: Subject::Landmark(landmark) };
+    landmark_certificate(&CertifiedLandmark::new(landmark, weight)?, digits)
+}
+
+/// The same of a landmark that is proved already.
+pub(super) fn landmark_certificate(
+    point: &CertifiedLandmark,
+    digits: usize,
+) -> Result<Certificate, Undecided> {
+    let (weight, subject) = (point.weight(), Subject::Landmark(point.landmark()));
+    let claim = Claim { weight, subject };
     let values: Vec<ValueFile> = point
         .constants(digits, &|| ())?
         .into_iter()

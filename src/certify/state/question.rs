@@ -8,6 +8,7 @@ use crate::number::{
 use crate::problem::Mode;
 use rug::float::Round;
 use rug::{Float, Rational};
+use std::fmt;
 use std::str::FromStr;
 
 /// The friction of the joints.
@@ -58,6 +59,16 @@ pub struct Doubt {
 
 /// The result of a step of the proof at one precision.
 pub(super) type Attempt<T> = Result<T, Doubt>;
+
+impl fmt::Display for Friction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Coefficient(mu) => mu.fmt(f),
+            Self::Angle(phi) => write!(f, "tan({phi})"),
+            Self::Infinite => f.write_str("inf"),
+        }
+    }
+}
 
 impl FromStr for Friction {
     type Err = ParseExactError;

@@ -2,6 +2,7 @@
 
 use super::super::Failure;
 use crate::problem::Quantity;
+use crate::report::words::shortened;
 
 /// What a column can be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -172,8 +173,7 @@ impl Columns {
 /// The columns of a file in a message: not all of many, nor all of a long name.
 fn shown(header: &csv::StringRecord) -> String {
     const COLUMNS: usize = 20;
-    let name =
-        |name: &str| format!("'{}'", name.chars().take(40).collect::<String>().escape_debug());
+    let name = |name: &str| format!("'{}'", shortened(name).escape_debug());
     let mut names: Vec<String> = header.iter().take(COLUMNS).map(name).collect();
     if header.len() > COLUMNS {
         names.push(format!("and {} more", header.len() - COLUMNS));

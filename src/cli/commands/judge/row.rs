@@ -6,7 +6,7 @@ use crate::arch::SelfWeight;
 use crate::certify::state::{Arch, Friction};
 use crate::judge::{Claim, Demand, Said, judge};
 use crate::number::ExactNumber;
-use crate::report::JudgedRow;
+use crate::report::judged::JudgedRow;
 use rug::Rational;
 
 /// The text of a row, column by column; `None` where the row has no such column.
