@@ -7,10 +7,10 @@ mod program;
 use common::config;
 use couplet::arch::SelfWeight;
 use couplet::certify::state::{Answer, Digits, Outcome};
-use couplet::judge::{Claim, CorrectDigits, Demand, Measure, Said, Verdict, judge};
+use couplet::judge::{Claim, CorrectDigits, Demand, Said, Verdict, judge};
 use couplet::number::{Decimal, ExactNumber};
-use couplet::problem::Mode;
 use couplet::problem::{Arch, Friction};
+use couplet::problem::{Mode, Quantity};
 use program::{fed, start};
 use proptest::prelude::*;
 use rug::{Integer, Rational};
@@ -111,7 +111,7 @@ fn a_wrong_last_digit_is_seen_everywhere() {
     for record in reader.records() {
         let record = record.unwrap();
         let moved = header.iter().zip(&record).map(|(name, field)| {
-            let is_number = Measure::ALL.iter().any(|m| m.name() == name);
+            let is_number = Quantity::STATE.iter().any(|m| m.name() == name);
             // Exact values end early, and a hundredth is then no small change.
             let full = field.parse::<Decimal>().is_ok_and(|x| x.significant_digits() == 12);
             let (mantissa, exponent) = field.split_at(field.find('e').unwrap_or(field.len()));
@@ -210,7 +210,7 @@ fn what_cannot_be_told_is_accepted_of_nobody() {
     };
     let line = arch(&critical.mid().to_string_radix(10, Some(3_300)));
     let verdict = |mode: &str, thickness: &str| {
-        let numbers = vec![(Measure::Thickness, thickness, false)];
+        let numbers = vec![(Quantity::Thickness, thickness, false)];
         let said = Said { stands: Some("yes"), mode: Some(mode), numbers };
         judge(&line, &Claim::read(&said).unwrap(), USUAL).verdict
     };
@@ -534,7 +534,7 @@ proptest! {
         // Written with a few digits more than the error needs.
         let written = couplet::number::Rounded::from_rational(&moved, places as usize + 7 + extra).unwrap();
         let text = written.value.to_string();
-        let numbers = vec![(Measure::Thickness, text.as_str(), false)];
+        let numbers = vec![(Quantity::Thickness, text.as_str(), false)];
         let claim = Claim::read(&Said { numbers, ..Said::default() }).unwrap();
         let found = judge(&arch, &claim, USUAL);
         let thickness = &found.numbers[0];
@@ -567,7 +567,7 @@ proptest! {
         let (arch, state) = semicircle();
         let mode = Mode::ALL[place];
         let text = state.thickness.decimal.value.to_string();
-        let numbers = vec![(Measure::Thickness, text.as_str(), false)];
+        let numbers = vec![(Quantity::Thickness, text.as_str(), false)];
         let said = Said { mode: Some(mode.label()), numbers, ..Said::default() };
         let found = judge(&arch, &Claim::read(&said).unwrap(), USUAL);
         prop_assert_eq!(found.verdict == Verdict::WrongMode, mode != state.mode);

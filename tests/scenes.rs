@@ -5,6 +5,7 @@
 mod program;
 
 use couplet::problem::Equation;
+use couplet::problem::Quantity;
 use couplet::scene::{EXAMPLE, Kind, MAX_BYTES, Plan, Run, read, read_bytes};
 use program::{Scratch, couplet};
 use serde_json::Value;
@@ -58,10 +59,10 @@ fn the_example_is_a_scene_and_has_every_key() {
             assert!(EXAMPLE.contains(&format!("\n{key} = ")), "{} {key}", kind.name());
         }
     }
-    for name in couplet::report::STATE_VALUES.into_iter().chain(couplet::report::ASSESS_VALUES) {
-        assert!(EXAMPLE.contains(name), "{name}");
-    }
-    for quantity in couplet::problem::Quantity::ALL.iter().filter(|q| q.in_radians().is_none()) {
+    let of_arches = Quantity::STATE.into_iter().chain(Quantity::ASSESSMENT);
+    for quantity in
+        Quantity::LANDMARK.into_iter().filter(|q| q.in_radians().is_none()).chain(of_arches)
+    {
         assert!(EXAMPLE.contains(quantity.name()), "{}", quantity.name());
     }
 }
@@ -153,12 +154,12 @@ fn values_for_a_c_solver() {
     assert!(header.contains("COUPLET_T_HEYMAN_THICKNESS "), "{header}");
     assert!(!header.contains("ROTATION_JOINT"), "not asked for");
     // The hash is that of the certificate that `couplet certify` writes.
-    let certificate = couplet::certify::fingerprint(
+    let point = couplet::certify::CertifiedLandmark::new(
         couplet::problem::Landmark::Triple,
         couplet::arch::SelfWeight::Heyman,
-        17,
     );
-    assert!(header.contains(&certificate.unwrap()), "{header}");
+    let certificate = couplet::certify::fingerprint(&point.unwrap(), 17).unwrap();
+    assert!(header.contains(&certificate), "{header}");
 }
 
 /// Every class of fault: what comes after the first line, and what is said of it.
@@ -469,14 +470,14 @@ fn a_range_has_both_its_ends_and_exact_steps() {
     let couplet::scene::What::Arches { arches, .. } = &scene.unwrap().items[0].what else {
         panic!()
     };
-    let texts: Vec<(String, &str)> = arches
+    let texts: Vec<(String, String)> = arches
         .iter()
-        .map(|asked| (asked.arch.half_opening().to_string(), asked.friction.as_str()))
+        .map(|one| (one.arch.half_opening().to_string(), one.arch.friction().to_string()))
         .collect();
     assert_eq!(texts.len(), 12);
-    assert_eq!(texts[0], ("pi/6".to_owned(), "0.4"));
-    assert_eq!(texts[5], ("pi/3".to_owned(), "0.6"));
-    assert_eq!(texts[11], ("pi/2".to_owned(), "1"));
+    assert_eq!(texts[0], ("pi/6".to_owned(), "0.4".to_owned()));
+    assert_eq!(texts[5], ("pi/3".to_owned(), "0.6".to_owned()));
+    assert_eq!(texts[11], ("pi/2".to_owned(), "1".to_owned()));
 }
 
 /// What a scene costs: evaluations of each equation for each arch and each landmark.
@@ -772,15 +773,15 @@ fn a_file_of_arches_has_what_is_asked_and_null_for_the_rest() {
     let out = scratch.path("out");
     assert_eq!(couplet(&["run", &scene, "--output", &out]).status.code(), Some(0));
     for (name, asked, others) in [
-        ("a.json", "thrust", &couplet::report::STATE_VALUES[..]),
-        ("b.json", "largest_thrust", &couplet::report::ASSESS_VALUES[..]),
+        ("a.json", "thrust", &Quantity::STATE[..]),
+        ("b.json", "largest_thrust", &Quantity::ASSESSMENT[..]),
     ] {
         let file: Value = serde_json::from_str(&scratch.read(&format!("out/{name}"))).unwrap();
         assert_eq!(file["schema"], "couplet.arches/1");
         assert_eq!(file["quantities"], serde_json::json!([asked]));
         let arch = &file["arches"][0];
-        for value in others {
-            assert_eq!(arch[value].is_object(), *value == asked, "{name} {value}");
+        for value in others.iter().map(|quantity| quantity.name()) {
+            assert_eq!(arch[value].is_object(), value == asked, "{name} {value}");
         }
     }
     let state: Value = serde_json::from_str(&scratch.read("out/a.json")).unwrap();

@@ -36,8 +36,15 @@ pub fn certify_landmark(
     weight: SelfWeight,
     digits: usize,
 ) -> Result<Certificate, Undecided> {
-    let point = CertifiedLandmark::new(landmark, weight)?;
-    let problem = Problem::Landmark { landmark, weight };
+    landmark_certificate(&CertifiedLandmark::new(landmark, weight)?, digits)
+}
+
+/// The same of a landmark that is proved already.
+pub(super) fn landmark_certificate(
+    point: &CertifiedLandmark,
+    digits: usize,
+) -> Result<Certificate, Undecided> {
+    let problem = Problem::Landmark { landmark: point.landmark(), weight: point.weight() };
     let values: Vec<ValueFile> = point
         .constants(digits, &|| ())?
         .into_iter()

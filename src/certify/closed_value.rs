@@ -41,7 +41,7 @@ pub fn exact(landmark: Landmark, isolated: &Isolated, quantity: Quantity) -> Opt
     let system = isolated.system();
     let integer = |n: i32| Exact::Surd(Surd::rational(n, RADICAND));
     let fixed = |unknown| system.fixed_value(unknown);
-    match (quantity, fixed(quantity.variable())) {
+    match (quantity, fixed(quantity.variable()?)) {
         (Quantity::OpeningVariable, _) => {
             // With h = 0, (4) gives A from the thickness.
             (fixed(Unknown::Thrust) == Some(Fixed::Integer(0))).then_some(())?;

@@ -1,8 +1,7 @@
 //! The hash of a landmark's certificate: what ties a number that was handed on to a proof of it.
 
-use super::{Undecided, certify_landmark};
-use crate::arch::SelfWeight;
-use crate::problem::Landmark;
+use super::certificate::landmark_certificate;
+use super::{CertifiedLandmark, Undecided};
 use sha2::{Digest, Sha256};
 
 /// The largest number of digits for which a hash is made: a certificate costs several times as much as
@@ -14,16 +13,12 @@ pub const MAX_FINGERPRINT_DIGITS: usize = 10_000;
 ///
 /// `couplet certify T --weight heyman --digits 30 | sha256sum` prints the same. An error says why there
 /// is none; beyond [`MAX_FINGERPRINT_DIGITS`] it comes at once.
-pub fn fingerprint(
-    landmark: Landmark,
-    weight: SelfWeight,
-    digits: usize,
-) -> Result<String, Undecided> {
+pub fn fingerprint(point: &CertifiedLandmark, digits: usize) -> Result<String, Undecided> {
     if digits > MAX_FINGERPRINT_DIGITS {
         return Err(Undecided::new(format!("made up to {MAX_FINGERPRINT_DIGITS} digits only")));
     }
     let mut file = Vec::new();
-    certify_landmark(landmark, weight, digits)?
+    landmark_certificate(point, digits)?
         .write(&mut file)
         .map_err(|error| Undecided::new(format!("the certificate cannot be written: {error}")))?;
     Ok(Sha256::digest(&file).iter().map(|byte| format!("{byte:02x}")).collect())

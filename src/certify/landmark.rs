@@ -53,14 +53,13 @@ pub enum Value {
     Infinite,
 }
 
-/// The quantities that exist at a landmark, in the order of [`Quantity::ALL`].
+/// The quantities that exist at a landmark, in the order of [`Quantity::LANDMARK`].
 pub fn quantities(landmark: Landmark) -> impl Iterator<Item = Quantity> {
     // Which variables a landmark has does not depend on the weight.
     let system = landmark.system(SelfWeight::Heyman);
-    Quantity::ALL.into_iter().filter(move |quantity| {
-        let unknown = quantity.variable();
-        system.knows(unknown)
-    })
+    Quantity::LANDMARK
+        .into_iter()
+        .filter(move |quantity| quantity.variable().is_some_and(|unknown| system.knows(unknown)))
 }
 
 impl CertifiedLandmark {
@@ -125,7 +124,7 @@ impl CertifiedLandmark {
             Quantity::OpeningVariable => {
                 Some(thrust::opening_variable(&refined.configuration().half_opening).value())
             }
-            _ => refined.value(quantity.variable()),
+            _ => refined.value(quantity.variable()?),
         }
     }
 
@@ -252,7 +251,7 @@ mod tests {
     #[test]
     fn quantities_exist_where_the_landmark_has_them() {
         let names = |landmark| quantities(landmark).map(Quantity::name).collect::<Vec<_>>();
-        assert_eq!(names(Landmark::Triple).len(), Quantity::ALL.len());
+        assert_eq!(names(Landmark::Triple).len(), Quantity::LANDMARK.len());
         let widest = names(Landmark::WidestJoint);
         assert!(!widest.contains(&"friction") && !widest.contains(&"sliding_joint"));
         assert!(widest.contains(&"rotation_joint") && widest.contains(&"A"));

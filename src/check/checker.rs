@@ -91,13 +91,13 @@ pub fn check_certificate<E: Engine>(
     let mut values: Vec<(Quantity, String)> = Vec::new();
     for value in &certificate.values {
         let unknown = || Refusal::Quantity(shortened(&value.quantity));
-        let quantity = Quantity::ALL
+        let quantity = Quantity::LANDMARK
             .into_iter()
             .find(|quantity| quantity.name() == value.quantity)
             .filter(|quantity| problem.has(*quantity))
             .filter(|quantity| values.iter().all(|(known, _)| known != quantity))
             .ok_or_else(unknown)?;
-        let known = problem.known(quantity, &at);
+        let known = problem.known(quantity, &at).ok_or_else(unknown)?;
         let refused = Refusal::Rounding(quantity.name());
         if value.value == "inf" {
             if !known.is_infinite() {

@@ -1,9 +1,8 @@
 //! What a row of results says.
 
-use super::measure::Measure;
 use super::printed::PrintedNumber;
 use crate::number::Decimal;
-use crate::problem::Mode;
+use crate::problem::{Mode, Quantity};
 
 /// What a row says of an arch.
 #[derive(Clone, Debug)]
@@ -20,7 +19,7 @@ pub struct Claim {
 #[derive(Clone, Debug)]
 pub struct Claimed {
     /// Which.
-    pub measure: Measure,
+    pub quantity: Quantity,
     /// As it is written.
     pub text: String,
     /// Whether it is an angle in degrees.
@@ -45,7 +44,7 @@ pub struct Said<'a> {
     /// The mode.
     pub mode: Option<&'a str>,
     /// The numbers, and whether they are angles in degrees.
-    pub numbers: Vec<(Measure, &'a str, bool)>,
+    pub numbers: Vec<(Quantity, &'a str, bool)>,
 }
 
 /// Why a row says nothing that can be judged.
@@ -103,7 +102,7 @@ impl Claim {
             .numbers
             .iter()
             .filter(|(_, text, _)| !text.is_empty())
-            .map(|&(measure, text, degrees)| Claimed::read(measure, text, degrees))
+            .map(|&(quantity, text, degrees)| Claimed::read(quantity, text, degrees))
             .collect::<Result<_, _>>()?;
         let no_mode = |text: &&str| is_word(text, &NOTHING);
         let mode = match said.mode.filter(|text| !text.is_empty() && !no_mode(text)) {
@@ -121,8 +120,8 @@ impl Claim {
             Some(text) => return Err(ClaimError::Stands(short(text))),
             None => {}
         }
-        let has_thickness = said.numbers.iter().any(|(m, ..)| *m == Measure::Thickness);
-        match numbers.iter().find(|number| number.measure == Measure::Thickness) {
+        let has_thickness = said.numbers.iter().any(|(m, ..)| *m == Quantity::Thickness);
+        match numbers.iter().find(|number| number.quantity == Quantity::Thickness) {
             Some(number) => {
                 votes.push(("thickness", matches!(number.value, Value::Number(_))));
             }
@@ -150,19 +149,19 @@ impl Claim {
 }
 
 impl Claimed {
-    fn read(measure: Measure, text: &str, degrees: bool) -> Result<Self, ClaimError> {
+    fn read(quantity: Quantity, text: &str, degrees: bool) -> Result<Self, ClaimError> {
         let infinite = ["inf", "+inf", "infinity"];
         let mut size = 0;
-        let value = if measure == Measure::RotationalFriction && is_word(text, &infinite) {
+        let value = if quantity == Quantity::RotationalFriction && is_word(text, &infinite) {
             Value::Infinite
         } else if is_word(text, &NOTHING) {
             Value::Nothing
         } else {
-            let range = || ClaimError::Range(measure.name(), short(text));
+            let range = || ClaimError::Range(quantity.name(), short(text));
             let decimal: Decimal = match text.parse() {
                 Ok(decimal) => decimal,
                 Err(crate::number::ParseDecimalError::Exponent(_)) => return Err(range()),
-                Err(_) => return Err(ClaimError::Number(measure.name(), short(text))),
+                Err(_) => return Err(ClaimError::Number(quantity.name(), short(text))),
             };
             if !decimal.digits().is_empty() {
                 size = decimal.magnitude().unsigned_abs();
@@ -175,7 +174,7 @@ impl Claimed {
             }
             Value::Number(PrintedNumber::from_decimal(&decimal).ok_or_else(range)?)
         };
-        Ok(Self { measure, text: text.to_owned(), degrees, value, size })
+        Ok(Self { quantity, text: text.to_owned(), degrees, value, size })
     }
 
     /// The power of ten next to it, of either sign; none for zero.
@@ -207,7 +206,8 @@ mod tests {
     use super::*;
 
     fn read(stands: Option<&str>, mode: Option<&str>, thickness: Option<&str>) -> Option<bool> {
-        let numbers = thickness.map(|text| (Measure::Thickness, text, false)).into_iter().collect();
+        let numbers =
+            thickness.map(|text| (Quantity::Thickness, text, false)).into_iter().collect();
         Claim::read(&Said { stands, mode, numbers }).unwrap().stands
     }
 
@@ -239,7 +239,7 @@ mod tests {
     #[test]
     fn what_makes_no_sense_is_told() {
         let error = |stands, mode, thickness: &str| {
-            let numbers = vec![(Measure::Thickness, thickness, false)];
+            let numbers = vec![(Quantity::Thickness, thickness, false)];
             Claim::read(&Said { stands, mode, numbers }).unwrap_err()
         };
         assert!(matches!(error(Some("false"), None, "0.1"), ClaimError::Contradiction(..)));

@@ -15,15 +15,15 @@
 //! | `audit` | every printed number of the paper, and the two weights beside each other |
 //! | `printed` | a printed number: its error, and how good its last place is |
 //! | `claim` | what a row says |
-//! | `measure` | the numbers of a state that can be claimed |
+//! | `truth` | what a proved state says of a quantity |
 //! | `number` | one number against its enclosure |
 //! | `verdict` | the row as a whole |
 
 mod audit;
 mod claim;
-mod measure;
 mod number;
 mod printed;
+mod truth;
 mod verdict;
 
 pub use audit::{
@@ -31,7 +31,6 @@ pub use audit::{
     enclosed,
 };
 pub use claim::{Claim, ClaimError, Claimed, Said};
-pub use measure::Measure;
 pub use number::{Certified, CorrectDigits, Errors, Judged};
 pub use printed::PrintedVerdict;
 pub use verdict::{Demand, Judgement, Side, Standing, Verdict, judge};

@@ -1,9 +1,10 @@
 //! One claimed number against its enclosure.
 
 use super::claim::{Claimed, Value};
-use super::measure::{Measure, Truth};
 use super::printed::{Error, Known, PrintedNumber, PrintedVerdict};
+use super::truth::Truth;
 use crate::number::{Ball, Decimal, ExactNumber, Field, Real, Rounded};
+use crate::problem::Quantity;
 use rug::ops::Pow;
 use rug::{Integer, Rational};
 use std::cmp::Ordering;
@@ -12,7 +13,7 @@ use std::cmp::Ordering;
 #[derive(Clone, Debug)]
 pub struct Judged {
     /// Which.
-    pub measure: Measure,
+    pub quantity: Quantity,
     /// As it is claimed.
     pub claimed: String,
     /// The true value, in the unit of the claim.
@@ -96,7 +97,7 @@ impl Judged {
             Truth::Missing => Certified::Missing,
         };
         let mut judged = Self {
-            measure: claimed.measure,
+            quantity: claimed.quantity,
             claimed: claimed.text.clone(),
             certified,
             errors: None,
@@ -239,7 +240,7 @@ mod tests {
 
     fn judged(text: &str, truth: &Truth) -> Judged {
         let said = super::super::Said {
-            numbers: vec![(Measure::Thrust, text, false)],
+            numbers: vec![(Quantity::Thrust, text, false)],
             ..Default::default()
         };
         let claim = super::super::Claim::read(&said).unwrap();
@@ -334,7 +335,7 @@ mod tests {
     #[test]
     fn a_wide_enclosure_decides_nothing() {
         let said = super::super::Said {
-            numbers: vec![(Measure::Thrust, "0.333", false)],
+            numbers: vec![(Quantity::Thrust, "0.333", false)],
             ..Default::default()
         };
         let claim = super::super::Claim::read(&said).unwrap();

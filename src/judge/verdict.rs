@@ -1,12 +1,12 @@
 //! A row as a whole.
 
 use super::claim::Claim;
-use super::measure::Measure;
 use super::number::{CorrectDigits, Judged, compared_digits};
+use super::truth::Truth;
 use crate::certify::Undecided;
 use crate::certify::state::{Certify, Fall, Outcome, State, raised};
 use crate::problem::Arch;
-use crate::problem::Mode;
+use crate::problem::{Mode, Quantity};
 use std::cmp::Ordering;
 
 /// The verdict on a row, from best to worst, then the rows that cannot be judged.
@@ -135,7 +135,7 @@ impl Judgement {
 
     /// On which side the claimed thickness is, if on any.
     pub fn side(&self) -> Option<Side> {
-        let thickness = self.numbers.iter().find(|n| n.measure == Measure::Thickness)?;
+        let thickness = self.numbers.iter().find(|n| n.quantity == Quantity::Thickness)?;
         match thickness.order? {
             Ordering::Less => Some(Side::Thinner),
             Ordering::Equal => None,
@@ -149,7 +149,7 @@ impl Judgement {
 pub fn judge(arch: &Arch, claim: &Claim, demand: Demand) -> Judgement {
     let bare = |standing, verdict| Judgement { standing, verdict, numbers: Vec::new() };
     let digits = claim.numbers.iter().map(compared_digits).max().unwrap_or(1);
-    let frictions = claim.numbers.iter().any(|number| number.measure.is_friction());
+    let frictions = claim.numbers.iter().any(|number| number.quantity.is_friction());
     let compared = raised(arch, digits, |bits| {
         let outcome = if frictions { arch.state(bits)? } else { arch.state_alone(bits)? };
         Ok(match (outcome, claim.stands) {
@@ -177,7 +177,7 @@ fn compare(claim: &Claim, state: &State, demand: Demand) -> Option<Judgement> {
     let numbers: Vec<Judged> = claim
         .numbers
         .iter()
-        .map(|claimed| Judged::new(claimed, claimed.measure.of(state)))
+        .map(|claimed| Judged::new(claimed, Truth::new(claimed.quantity, state)))
         .collect::<Option<_>>()?;
     let mut verdict = match numbers.iter().all(Judged::is_correctly_rounded) {
         true if !numbers.is_empty() => Verdict::CorrectlyRounded,
@@ -187,9 +187,9 @@ fn compare(claim: &Claim, state: &State, demand: Demand) -> Option<Judgement> {
         verdict = Verdict::WrongMode;
     }
     for number in numbers.iter().filter(|number| !demand.is_met(number)) {
-        verdict = verdict.max(match (number.measure, number.order) {
-            (Measure::Thickness, Some(Ordering::Less)) => Verdict::Thinner,
-            (Measure::Thickness, Some(Ordering::Greater)) => Verdict::Thicker,
+        verdict = verdict.max(match (number.quantity, number.order) {
+            (Quantity::Thickness, Some(Ordering::Less)) => Verdict::Thinner,
+            (Quantity::Thickness, Some(Ordering::Greater)) => Verdict::Thicker,
             _ => Verdict::Inaccurate,
         });
     }

@@ -81,26 +81,31 @@ impl Problem {
         match (self, quantity) {
             (Self::State { .. }, Quantity::OpeningVariable) => false,
             // The joint of a mode whose inner joint does not slide does not belong to the state.
-            (Self::State { mode, .. }, _) if quantity.variable() == Unknown::SlidingJoint => {
+            (Self::State { mode, .. }, _) if quantity.variable() == Some(Unknown::SlidingJoint) => {
                 mode.slides_inside()
             }
             (_, Quantity::IntrinsicThrust) => {
                 system.knows(Unknown::Thickness) && system.knows(Unknown::Thrust)
             }
-            _ => system.knows(quantity.variable()),
+            _ => quantity.variable().is_some_and(|unknown| system.knows(unknown)),
         }
     }
 
-    /// The quantity where the variables lie in the configuration given.
-    pub fn known<E: Enclosure>(&self, quantity: Quantity, at: &Configuration<E>) -> Known<E> {
+    /// The quantity where the variables lie in the configuration given; `None` for a quantity that one
+    /// configuration does not determine.
+    pub fn known<E: Enclosure>(
+        &self,
+        quantity: Quantity,
+        at: &Configuration<E>,
+    ) -> Option<Known<E>> {
         let infinite = self.system().fixed_value(Unknown::Friction) == Some(Fixed::Infinite);
-        Known::Enclosed(match quantity.in_radians().unwrap_or(quantity) {
-            Quantity::Friction if infinite => return Known::Infinite,
+        Some(Known::Enclosed(match quantity.in_radians().unwrap_or(quantity) {
+            Quantity::Friction if infinite => return Some(Known::Infinite),
             Quantity::FrictionAngle if infinite => at.thrust.pi() / at.thrust.int(2),
-            Quantity::FrictionAngle => return Known::AngleOfTangent(at.friction.clone()),
+            Quantity::FrictionAngle => return Some(Known::AngleOfTangent(at.friction.clone())),
             Quantity::IntrinsicThrust => at.thickness.clone() * &at.thrust,
             Quantity::OpeningVariable => thrust::opening_variable(&at.half_opening).value(),
-            quantity => at.value(quantity.variable()).clone(),
-        })
+            quantity => at.value(quantity.variable()?).clone(),
+        }))
     }
 }

@@ -1,8 +1,8 @@
-//! What can be asked of a landmark.
+//! What can be asked of a landmark, of a state and of an arch of a given thickness: one vocabulary.
 
 use crate::arch::Unknown;
 
-/// A quantity of an arch state.
+/// A quantity of a landmark, of a state, or of an arch of a given thickness.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Quantity {
@@ -26,17 +26,48 @@ pub enum Quantity {
     RotationJoint,
     /// The same in degrees.
     RotationJointDegrees,
-    /// `beta_s`, the inner sliding joint, rad from the crown.
+    /// `beta_s`, the inner sliding joint, rad from the crown; a mode without one has none.
     SlidingJoint,
     /// The same in degrees.
     SlidingJointDegrees,
     /// `A = alpha cot(alpha/2)`.
     OpeningVariable,
+    /// The friction below which no arch of this half opening stands.
+    SlidingFriction,
+    /// The friction from which collapse is purely rotational; infinite where none is enough.
+    RotationalFriction,
+    /// The least thickness at which an arch stands.
+    LeastThickness,
+    /// The thickness over the least thickness.
+    GeometricSafety,
+    /// The least friction with which an arch of given thickness stands.
+    RequiredFriction,
+    /// The friction over the required one.
+    FrictionSafety,
+    /// The least admissible thrust.
+    LeastThrust,
+    /// The joint that limits it, rad.
+    LeastThrustJoint,
+    /// The largest admissible thrust; infinite where it has no bound.
+    LargestThrust,
+    /// The joint that limits it, rad.
+    LargestThrustJoint,
+}
+
+/// What a quantity is called.
+struct Row {
+    name: &'static str,
+    symbol: &'static str,
+    latex: &'static str,
+}
+
+const fn row(name: &'static str, symbol: &'static str, latex: &'static str) -> Row {
+    Row { name, symbol, latex }
 }
 
 impl Quantity {
-    /// All quantities in the order in which they are shown.
-    pub const ALL: [Self; 13] = [
+    /// What a landmark can have, in the order in which it is shown.
+    pub const LANDMARK: [Self; 13] = [
         Self::Thickness,
         Self::Friction,
         Self::FrictionAngle,
@@ -52,42 +83,88 @@ impl Quantity {
         Self::OpeningVariable,
     ];
 
-    /// The name used in files and on the command line; stable.
-    pub fn name(self) -> &'static str {
+    /// What the state of an arch at its least thickness can have, in the order in which it is shown.
+    pub const STATE: [Self; 7] = [
+        Self::Thickness,
+        Self::Thrust,
+        Self::IntrinsicThrust,
+        Self::RotationJoint,
+        Self::SlidingJoint,
+        Self::SlidingFriction,
+        Self::RotationalFriction,
+    ];
+
+    /// What can be asked of an arch of a given thickness, in the order in which it is shown. With a thrust
+    /// comes the [joint](Self::joint) that limits it.
+    pub const ASSESSMENT: [Self; 6] = [
+        Self::LeastThickness,
+        Self::GeometricSafety,
+        Self::RequiredFriction,
+        Self::FrictionSafety,
+        Self::LeastThrust,
+        Self::LargestThrust,
+    ];
+
+    /// The one place where a quantity gets its names.
+    const fn row(self) -> Row {
         match self {
-            Self::Thickness => "thickness",
-            Self::Friction => "friction",
-            Self::FrictionAngle => "friction_angle",
-            Self::FrictionAngleDegrees => "friction_angle_degrees",
-            Self::HalfOpening => "half_opening",
-            Self::HalfOpeningDegrees => "half_opening_degrees",
-            Self::Thrust => "thrust",
-            Self::IntrinsicThrust => "intrinsic_thrust",
-            Self::RotationJoint => "rotation_joint",
-            Self::RotationJointDegrees => "rotation_joint_degrees",
-            Self::SlidingJoint => "sliding_joint",
-            Self::SlidingJointDegrees => "sliding_joint_degrees",
-            Self::OpeningVariable => "A",
+            Self::Thickness => row("thickness", "eta = t/r", r"$\eta = t/r$"),
+            Self::Friction => row("friction", "mu", r"$\mu$"),
+            Self::FrictionAngle => row("friction_angle", "phi, rad", r"$\varphi$, rad"),
+            Self::FrictionAngleDegrees => {
+                row("friction_angle_degrees", "phi, deg", r"$\varphi$, deg")
+            }
+            Self::HalfOpening => row("half_opening", "alpha, rad", r"$\alpha$, rad"),
+            Self::HalfOpeningDegrees => row("half_opening_degrees", "alpha, deg", r"$\alpha$, deg"),
+            Self::Thrust => row("thrust", "h = H/(w r)", r"$h = H/(w r)$"),
+            Self::IntrinsicThrust => row("intrinsic_thrust", "eta h", r"$\eta h$"),
+            Self::RotationJoint => row("rotation_joint", "beta_r, rad", r"$\beta_r$, rad"),
+            Self::RotationJointDegrees => {
+                row("rotation_joint_degrees", "beta_r, deg", r"$\beta_r$, deg")
+            }
+            Self::SlidingJoint => row("sliding_joint", "beta_s, rad", r"$\beta_s$, rad"),
+            Self::SlidingJointDegrees => {
+                row("sliding_joint_degrees", "beta_s, deg", r"$\beta_s$, deg")
+            }
+            Self::OpeningVariable => row("A", "alpha cot(alpha/2)", r"$A = \alpha \cot(\alpha/2)$"),
+            Self::SlidingFriction => {
+                row("sliding_friction", "mu at pure sliding", r"$\mu$ at pure sliding")
+            }
+            Self::RotationalFriction => row(
+                "rotational_friction",
+                "mu from which nothing slides",
+                r"$\mu$ from which nothing slides",
+            ),
+            Self::LeastThickness => row("least_thickness", "least eta", r"least $\eta$"),
+            Self::GeometricSafety => {
+                row("geometric_safety", "eta over least eta", r"$\eta$ over least $\eta$")
+            }
+            Self::RequiredFriction => row("required_friction", "least mu", r"least $\mu$"),
+            Self::FrictionSafety => {
+                row("friction_safety", "mu over least mu", r"$\mu$ over least $\mu$")
+            }
+            Self::LeastThrust => row("least_thrust", "least h", r"least $h$"),
+            Self::LeastThrustJoint => row("least_thrust_joint", "its joint, rad", "its joint, rad"),
+            Self::LargestThrust => row("largest_thrust", "largest h", r"largest $h$"),
+            Self::LargestThrustJoint => {
+                row("largest_thrust_joint", "its joint, rad", "its joint, rad")
+            }
         }
     }
 
+    /// The name used in files and on the command line; stable, and an identifier in every language.
+    pub const fn name(self) -> &'static str {
+        self.row().name
+    }
+
     /// The symbol of the paper and the unit.
-    pub fn symbol(self) -> &'static str {
-        match self {
-            Self::Thickness => "eta = t/r",
-            Self::Friction => "mu",
-            Self::FrictionAngle => "phi, rad",
-            Self::FrictionAngleDegrees => "phi, deg",
-            Self::HalfOpening => "alpha, rad",
-            Self::HalfOpeningDegrees => "alpha, deg",
-            Self::Thrust => "h = H/(w r)",
-            Self::IntrinsicThrust => "eta h",
-            Self::RotationJoint => "beta_r, rad",
-            Self::RotationJointDegrees => "beta_r, deg",
-            Self::SlidingJoint => "beta_s, rad",
-            Self::SlidingJointDegrees => "beta_s, deg",
-            Self::OpeningVariable => "alpha cot(alpha/2)",
-        }
+    pub const fn symbol(self) -> &'static str {
+        self.row().symbol
+    }
+
+    /// The same for LaTeX.
+    pub const fn latex(self) -> &'static str {
+        self.row().latex
     }
 
     /// The quantity in radians of which this is the value in degrees.
@@ -101,17 +178,52 @@ impl Quantity {
         }
     }
 
-    /// The variable that a system has to know for the quantity to exist.
-    pub fn variable(self) -> Unknown {
+    /// Whether it is an angle in radians.
+    pub fn is_angle(self) -> bool {
+        matches!(
+            self,
+            Self::FrictionAngle | Self::HalfOpening | Self::RotationJoint | Self::SlidingJoint
+        )
+    }
+
+    /// Whether it is a friction at which the mode changes, which the proof of a state does not need.
+    pub fn is_friction(self) -> bool {
+        matches!(self, Self::SlidingFriction | Self::RotationalFriction)
+    }
+
+    /// The joint that limits a thrust.
+    pub fn joint(self) -> Option<Self> {
         match self {
-            Self::Thickness => Unknown::Thickness,
-            Self::Friction | Self::FrictionAngle | Self::FrictionAngleDegrees => Unknown::Friction,
-            Self::HalfOpening | Self::HalfOpeningDegrees | Self::OpeningVariable => {
-                Unknown::HalfOpening
+            Self::LeastThrust => Some(Self::LeastThrustJoint),
+            Self::LargestThrust => Some(Self::LargestThrustJoint),
+            _ => None,
+        }
+    }
+
+    /// The variable that a system has to know for the quantity to exist; `None` for what is no value of one
+    /// configuration.
+    pub fn variable(self) -> Option<Unknown> {
+        match self {
+            Self::Thickness => Some(Unknown::Thickness),
+            Self::Friction | Self::FrictionAngle | Self::FrictionAngleDegrees => {
+                Some(Unknown::Friction)
             }
-            Self::Thrust | Self::IntrinsicThrust => Unknown::Thrust,
-            Self::RotationJoint | Self::RotationJointDegrees => Unknown::RotationJoint,
-            Self::SlidingJoint | Self::SlidingJointDegrees => Unknown::SlidingJoint,
+            Self::HalfOpening | Self::HalfOpeningDegrees | Self::OpeningVariable => {
+                Some(Unknown::HalfOpening)
+            }
+            Self::Thrust | Self::IntrinsicThrust => Some(Unknown::Thrust),
+            Self::RotationJoint | Self::RotationJointDegrees => Some(Unknown::RotationJoint),
+            Self::SlidingJoint | Self::SlidingJointDegrees => Some(Unknown::SlidingJoint),
+            Self::SlidingFriction
+            | Self::RotationalFriction
+            | Self::LeastThickness
+            | Self::GeometricSafety
+            | Self::RequiredFriction
+            | Self::FrictionSafety
+            | Self::LeastThrust
+            | Self::LeastThrustJoint
+            | Self::LargestThrust
+            | Self::LargestThrustJoint => None,
         }
     }
 }

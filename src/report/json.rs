@@ -1,298 +1,160 @@
-//! JSON: `couplet.audit/1`, `couplet.state/1`, `couplet.assess/1`. Fields may be added, none changes its
-//! meaning. `couplet.constants/1` is a document for other programs, in `export`.
+//! JSON: `couplet.constants/1` of landmarks, `couplet.state_at/1` of one with its modes, `couplet.state/1` or
+//! `couplet.assess/1` of an arch, `couplet.arches/1` of many. Fields may be added, none changes its meaning.
 
-use super::{AssessReport, Audit, StateAt, StateOf, StateReport, hexadecimal, reason, texts};
-use crate::certify::state::{Figure, LimitDigits};
-use serde::Serialize;
+use super::answer::{Answer, Status, Subject, Value};
+use super::answers::{Answers, Scope};
+use super::columns;
+use super::document::Document;
+use super::fields::Fields;
+use super::rows::{Rows, in_parallel};
+use super::words::hexadecimal;
+use crate::problem::Quantity;
+use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
 use std::io;
 
-#[derive(Serialize)]
-struct AuditFile {
-    schema: &'static str,
-    printed: Vec<PrintedEntry>,
-    comparisons: Vec<ComparisonEntry>,
-}
-
-#[derive(Serialize)]
-struct PrintedEntry {
-    place: &'static str,
-    weight: &'static str,
-    landmark: &'static str,
-    quantity: &'static str,
-    printed: &'static str,
-    error_units: String,
-    correct_digits: usize,
-    verdict: &'static str,
-}
-
-#[derive(Serialize)]
-struct ComparisonEntry {
-    landmark: &'static str,
-    quantity: &'static str,
-    claimed: &'static str,
-    certified: &'static str,
-    verdict: &'static str,
-}
-
-pub fn audit(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
-    let printed = report.printed.iter().map(|entry| PrintedEntry {
-        place: entry.printed.place,
-        weight: entry.printed.weight.name(),
-        landmark: entry.printed.landmark.symbol(),
-        quantity: entry.printed.quantity.name(),
-        printed: entry.printed.text,
-        error_units: entry.error_units.to_string(),
-        correct_digits: entry.correct_digits,
-        verdict: entry.verdict.name(),
-    });
-    let comparisons = report.comparisons.iter().map(|entry| ComparisonEntry {
-        landmark: entry.landmark.symbol(),
-        quantity: entry.quantity.name(),
-        claimed: entry.claimed.name(),
-        certified: entry.certified.name(),
-        verdict: entry.verdict(),
-    });
-    write(
-        &AuditFile {
-            schema: "couplet.audit/1",
-            printed: printed.collect(),
-            comparisons: comparisons.collect(),
-        },
-        out,
-    )
-}
-
-/// A value with its bounds.
-#[derive(Serialize)]
-struct FigureEntry {
-    value: String,
-    lower: String,
-    upper: String,
-    /// The nearest double, in hexadecimal.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    double: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    hex: Option<String>,
-}
-
-impl FigureEntry {
-    fn new(figure: &Figure, doubles: bool) -> Self {
-        let [value, lower, upper] =
-            [&figure.decimal.value, &figure.decimal.lower, &figure.decimal.upper]
-                .map(ToString::to_string);
-        let double = doubles.then_some(figure.double);
-        Self { value, lower, upper, double, hex: double.map(hexadecimal) }
-    }
-
-    fn text([value, lower, upper]: [String; 3]) -> Self {
-        Self { value, lower, upper, double: None, hex: None }
-    }
-}
-
-/// The state of one arch; a missing value is null, an unbounded one the text `inf`.
-#[derive(Serialize)]
-pub(super) struct StateEntry<'a> {
-    schema: &'static str,
-    weight: &'static str,
-    half_opening: &'a str,
-    friction: &'a str,
-    verdict: &'static str,
-    stands: Option<bool>,
-    mode: Option<&'static str>,
-    thickness: Option<FigureEntry>,
-    thrust: Option<FigureEntry>,
-    intrinsic_thrust: Option<FigureEntry>,
-    rotation_joint: Option<FigureEntry>,
-    sliding_joint: Option<FigureEntry>,
-    sliding_friction: Option<FigureEntry>,
-    rotational_friction: Option<FigureEntry>,
-    reason: Option<&'a str>,
-    between: Vec<&'static str>,
-    gap: Option<f64>,
-}
-
-impl<'a> StateEntry<'a> {
-    pub(super) fn new(report: &'a StateReport) -> Self {
-        let mut entry = Self {
-            schema: "couplet.state/1",
-            weight: report.weight.name(),
-            half_opening: &report.half_opening,
-            friction: &report.friction,
-            verdict: "proved",
-            stands: None,
-            mode: None,
-            thickness: None,
-            thrust: None,
-            intrinsic_thrust: None,
-            rotation_joint: None,
-            sliding_joint: None,
-            sliding_friction: None,
-            rotational_friction: None,
-            reason: None,
-            between: Vec::new(),
-            gap: None,
-        };
-        match &report.outcome {
-            StateOf::Stands(state) => {
-                entry.stands = Some(true);
-                entry.mode = Some(state.mode.label());
-                let some = |figure| Some(FigureEntry::new(figure, report.doubles));
-                entry.thickness = some(&state.thickness);
-                entry.thrust = some(&state.thrust);
-                entry.intrinsic_thrust = some(&state.intrinsic_thrust);
-                entry.rotation_joint = some(&state.rotation_joint);
-                entry.sliding_joint = state.sliding_joint.as_ref().and_then(some);
-                if let Some(frictions) = &state.frictions {
-                    let infinite = || FigureEntry::text([(); 3].map(|()| "inf".to_owned()));
-                    entry.sliding_friction = some(&frictions.sliding);
-                    entry.rotational_friction =
-                        frictions.rotational.as_ref().map_or_else(|| Some(infinite()), some);
-                }
-            }
-            StateOf::Falls(fall) => {
-                entry.stands = Some(false);
-                entry.reason = Some(reason(*fall));
-            }
-            StateOf::Undecided(doubt) => {
-                entry.verdict = "undecided";
-                entry.reason = Some(&doubt.reason);
-                entry.between = doubt.between.iter().map(|mode| mode.label()).collect();
-                entry.gap = doubt.gap.filter(|gap| gap.is_finite());
-            }
+/// Landmarks or arches.
+pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+    match report.scope {
+        Scope::Constants => write(&Document::new(report), out),
+        Scope::Point => {
+            report.list.iter().try_for_each(|answer| write(&PointEntry::new(answer), out))
         }
-        entry
+        Scope::Arch => report.list.iter().try_for_each(|answer| write(&entry(report, answer), out)),
+        Scope::Arches => {
+            let quantities = report.quantities.iter().map(|quantity| quantity.name()).collect();
+            let (schema, digits) = ("couplet.arches/1", report.digits);
+            write(&ArchesFile { schema, digits, quantities, arches: Entries(report) }, out)
+        }
     }
 }
 
-impl StateEntry<'_> {
-    /// Without the values that are not among these.
-    pub(super) fn only(mut self, quantities: &[&str]) -> Self {
-        let keep = |name: &str, value: &mut Option<FigureEntry>| {
-            *value = value.take().filter(|_| quantities.contains(&name));
-        };
-        keep("thickness", &mut self.thickness);
-        keep("thrust", &mut self.thrust);
-        keep("intrinsic_thrust", &mut self.intrinsic_thrust);
-        keep("rotation_joint", &mut self.rotation_joint);
-        keep("sliding_joint", &mut self.sliding_joint);
-        keep("sliding_friction", &mut self.sliding_friction);
-        keep("rotational_friction", &mut self.rotational_friction);
-        self
+/// Arches as they come, each on one line.
+pub fn lines(report: Answers) -> io::Result<Box<dyn Rows>> {
+    Ok(Box::new(JsonLines(report)))
+}
+
+/// Writes a document for a program, which a person can read too.
+pub fn write(document: &impl Serialize, out: &mut dyn io::Write) -> io::Result<()> {
+    serde_json::to_writer_pretty(&mut *out, document)?;
+    writeln!(out)
+}
+
+/// Writes a document on one line.
+pub fn line(document: &impl Serialize) -> io::Result<Vec<u8>> {
+    let mut line = serde_json::to_vec(document)?;
+    line.push(b'\n');
+    Ok(line)
+}
+
+struct JsonLines(Answers);
+
+impl Rows for JsonLines {
+    fn group(&mut self, answers: &[Answer]) -> io::Result<Vec<u8>> {
+        in_parallel(answers, |answer| line(&entry(&self.0, answer)))
     }
 }
 
-pub fn state(report: &StateReport, out: &mut dyn io::Write) -> io::Result<()> {
-    write(&StateEntry::new(report), out)
-}
-
-/// An arch of a given thickness.
+/// `couplet.arches/1`: what is not among the quantities is null.
 #[derive(Serialize)]
-pub(super) struct AssessEntry<'a> {
+struct ArchesFile<'a> {
     schema: &'static str,
-    weight: &'static str,
-    half_opening: &'a str,
-    friction: &'a str,
-    thickness: &'a str,
-    verdict: &'static str,
-    stands: Option<bool>,
-    least_thickness: Option<FigureEntry>,
-    geometric_safety: Option<FigureEntry>,
-    required_friction: Option<FigureEntry>,
-    friction_safety: Option<FigureEntry>,
-    least_thrust: Option<LimitEntry>,
-    largest_thrust: Option<LimitEntry>,
-    reason: Option<&'a str>,
+    digits: usize,
+    quantities: Vec<&'static str>,
+    arches: Entries<'a>,
+}
+
+/// The entries of the arches, made one after the other.
+struct Entries<'a>(&'a Answers);
+
+impl Serialize for Entries<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.0.list.iter().map(|answer| entry(self.0, answer)))
+    }
+}
+
+/// An arch: a missing value is null, an unbounded one the text `inf`.
+fn entry(report: &Answers, answer: &Answer) -> Fields {
+    let mut fields = Fields::default();
+    if let (Subject::Query { line }, Status::Refused(error)) = (&answer.subject, &answer.status) {
+        fields.add("line", *line);
+        fields.add("error", error.as_str());
+        return fields;
+    }
+    let (schema, quantities) = match report.are_assessed() {
+        true => ("couplet.assess/1", &Quantity::ASSESSMENT[..]),
+        false => ("couplet.state/1", &Quantity::STATE[..]),
+    };
+    fields.add("schema", schema);
+    fields.append(columns::front(report, answer));
+    for &quantity in quantities {
+        let value = answer.value(quantity).filter(|_| report.quantities.contains(&quantity));
+        fields.add_fields(
+            quantity.name(),
+            value.map(|value| match quantity.joint() {
+                Some(joint) => limit(value, answer.value(joint), report.have_doubles()),
+                None => figure(value, report.have_doubles()),
+            }),
+        );
+    }
+    fields.add("reason", answer.status.reason());
+    if !report.are_assessed() {
+        let (between, gap) = match &answer.status {
+            Status::Undecided(undecided) => (&undecided.between[..], undecided.gap),
+            _ => (&[][..], None),
+        };
+        let between: Vec<&str> = between.iter().map(|mode| mode.label()).collect();
+        fields.add("between", between);
+        fields.add("gap", gap);
+    }
+    fields
+}
+
+/// A value with its bounds, and with its nearest double if that is shown.
+fn figure(value: &Value, with_double: bool) -> Fields {
+    let mut fields = Fields::default();
+    let [text, lower, upper] = value.texts();
+    fields.add("value", text);
+    fields.add("lower", lower);
+    fields.add("upper", upper);
+    if with_double && value.decimal.is_some() {
+        fields.add("double", value.double);
+        fields.add("hex", hexadecimal(value.double));
+    }
+    fields
 }
 
 /// An end of the range of thrusts; a thrust of null has no bound.
+fn limit(thrust: &Value, joint: Option<&Value>, with_doubles: bool) -> Fields {
+    let mut fields = Fields::default();
+    let bounded = thrust.decimal.is_some();
+    fields.add_fields("thrust", bounded.then(|| figure(thrust, with_doubles)));
+    fields.add("limited_by", thrust.limited_by);
+    fields.add_fields("joint", joint.map(|joint| figure(joint, with_doubles)));
+    fields
+}
+
+/// A landmark with the modes that meet there.
 #[derive(Serialize)]
-struct LimitEntry {
-    thrust: Option<FigureEntry>,
-    limited_by: &'static str,
-    joint: Option<FigureEntry>,
-}
-
-impl LimitEntry {
-    fn new(limit: &LimitDigits, doubles: bool) -> Self {
-        let figure = |x: &Option<Figure>| x.as_ref().map(|x| FigureEntry::new(x, doubles));
-        Self {
-            thrust: figure(&limit.thrust),
-            limited_by: limit.limited_by,
-            joint: figure(&limit.joint),
-        }
-    }
-}
-
-impl<'a> AssessEntry<'a> {
-    pub(super) fn new(report: &'a AssessReport) -> Self {
-        let found = report.outcome.as_ref().ok();
-        let figure = |x: Option<&Figure>| x.map(|x| FigureEntry::new(x, report.doubles));
-        let limits = found.and_then(|found| found.thrust.as_ref());
-        let fall = found.and_then(|found| found.least_thickness.as_ref().err());
-        let doubt = report.outcome.as_ref().err().map(|doubt| &*doubt.reason);
-        Self {
-            schema: "couplet.assess/1",
-            weight: report.weight.name(),
-            half_opening: &report.half_opening,
-            friction: &report.friction,
-            thickness: &report.thickness,
-            verdict: if found.is_some() { "proved" } else { "undecided" },
-            stands: found.map(|found| found.stands),
-            least_thickness: figure(found.and_then(|found| found.least_thickness.as_ref().ok())),
-            geometric_safety: figure(found.and_then(|found| found.geometric_safety.as_ref())),
-            required_friction: figure(found.and_then(|found| found.required_friction.as_ref())),
-            friction_safety: figure(found.and_then(|found| found.friction_safety.as_ref())),
-            least_thrust: limits.map(|[least, _]| LimitEntry::new(least, report.doubles)),
-            largest_thrust: limits.map(|[_, largest]| LimitEntry::new(largest, report.doubles)),
-            reason: doubt.or(fall.map(|fall| reason(*fall))),
-        }
-    }
-}
-
-impl AssessEntry<'_> {
-    /// Without the values that are not among these.
-    pub(super) fn only(mut self, quantities: &[&str]) -> Self {
-        let asked = |name: &str| quantities.contains(&name);
-        self.least_thickness = self.least_thickness.filter(|_| asked("least_thickness"));
-        self.geometric_safety = self.geometric_safety.filter(|_| asked("geometric_safety"));
-        self.required_friction = self.required_friction.filter(|_| asked("required_friction"));
-        self.friction_safety = self.friction_safety.filter(|_| asked("friction_safety"));
-        self.least_thrust = self.least_thrust.filter(|_| asked("least_thrust"));
-        self.largest_thrust = self.largest_thrust.filter(|_| asked("largest_thrust"));
-        self
-    }
-}
-
-pub fn assess(report: &AssessReport, out: &mut dyn io::Write) -> io::Result<()> {
-    write(&AssessEntry::new(report), out)
-}
-
-#[derive(Serialize)]
-struct StateAtEntry {
+struct PointEntry<'a> {
     schema: &'static str,
-    weight: &'static str,
-    landmark: &'static str,
+    weight: Option<&'static str>,
+    landmark: Option<&'a str>,
     verdict: &'static str,
     modes: Vec<&'static str>,
-    values: BTreeMap<&'static str, FigureEntry>,
+    values: BTreeMap<&'static str, Fields>,
 }
 
-pub fn state_at(report: &StateAt, out: &mut dyn io::Write) -> io::Result<()> {
-    let figure = |value: &crate::certify::Value| FigureEntry::text(texts(value));
-    let values = report.constants.iter().map(|c| (c.quantity.name(), figure(&c.value)));
-    let entry = StateAtEntry {
-        schema: "couplet.state_at/1",
-        weight: report.weight.name(),
-        landmark: report.landmark.symbol(),
-        verdict: "proved",
-        modes: report.modes.iter().map(|mode| mode.label()).collect(),
-        values: values.collect(),
-    };
-    write(&entry, out)
-}
-
-fn write(value: &impl Serialize, out: &mut dyn io::Write) -> io::Result<()> {
-    serde_json::to_writer_pretty(&mut *out, value)?;
-    writeln!(out)
+impl<'a> PointEntry<'a> {
+    fn new(answer: &'a Answer) -> Self {
+        let values = answer.values.iter();
+        Self {
+            schema: "couplet.state_at/1",
+            weight: answer.subject.weight().map(|weight| weight.name()),
+            landmark: answer.subject.landmark().map(|landmark| landmark.symbol()),
+            verdict: answer.status.name(),
+            modes: answer.modes.iter().map(|mode| mode.label()).collect(),
+            values: values.map(|(of, value)| (of.name(), figure(value, false))).collect(),
+        }
+    }
 }

@@ -1,160 +1,85 @@
 //! Tables for a person at a terminal.
 
-use super::{AssessReport, Audit, Constants, Proved, StateAt, StateOf, StateReport, reason, texts};
-use crate::arch::SelfWeight;
-use crate::certify::state::Figure;
-use crate::judge::PrintedVerdict;
+use super::answer::{Answer, Status, Subject};
+use super::answers::{Answers, Scope};
+use super::columns;
+use super::words::{count, model};
+use crate::certify::state::Fall;
+use crate::problem::Quantity;
 use std::io;
 
-pub fn constants(report: &Constants, out: &mut dyn io::Write) -> io::Result<()> {
-    let digits = report.digits;
-    let plural = if digits == 1 { "" } else { "s" };
-    writeln!(out, "Landmark constants, correctly rounded to {digits} significant digit{plural}")?;
-    for entry in &report.landmarks {
-        let (symbol, name) = (entry.landmark.symbol(), entry.landmark.name());
-        let weight = title(entry.weight);
-        writeln!(out, "\n{symbol}  {name}, {weight} self-weight")?;
-        match &entry.outcome {
-            Ok(proved) => landmark(proved, out)?,
-            Err(reason) => writeln!(out, "   {reason}")?,
+/// Landmarks or arches.
+pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+    match report.scope {
+        Scope::Constants => {
+            writeln!(out, "Landmark constants, {}", rounding(report))?;
+            report.list.iter().try_for_each(|answer| constants(answer, out))
         }
+        Scope::Point => report.list.iter().try_for_each(|answer| point(answer, out)),
+        Scope::Arch => report.list.iter().try_for_each(|answer| arch(answer, out)),
+        Scope::Arches => arches(report, out),
     }
-    Ok(())
 }
 
-fn landmark(proved: &Proved, out: &mut dyn io::Write) -> io::Result<()> {
-    let equations: Vec<_> = proved.system.equations.iter().map(|e| e.label()).collect();
-    let radii: Vec<String> = proved
-        .system
-        .unknowns
-        .iter()
-        .zip(&proved.relative_radii)
-        .map(|(unknown, radius)| {
-            format!("{} ±{:.1}%", unknown.name(), (1000.0 * radius).floor() / 10.0)
-        })
-        .collect();
-    writeln!(out, "   proved: one solution of {}", equations.join(", "))?;
-    writeln!(out, "   in the box {}", radii.join(", "))?;
-    for constant in &proved.constants {
-        let [value, ..] = texts(&constant.value);
-        let exact = match constant.exact.as_deref() {
-            Some(exact) if exact != value => format!("  = {exact}"),
-            Some(_) => "  exactly".to_owned(),
-            None => String::new(),
+fn rounding(report: &Answers) -> String {
+    let digits = count(report.digits, "significant digit", "significant digits");
+    format!("correctly rounded to {digits}")
+}
+
+/// The symbol, the name and the weight of a landmark.
+fn title(subject: &Subject) -> String {
+    let Subject::Landmark { landmark, weight } = subject else { return String::new() };
+    format!("{}  {}, {}", landmark.symbol(), landmark.name(), model(*weight))
+}
+
+fn constants(answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
+    writeln!(out, "\n{}", title(&answer.subject))?;
+    if let Some(reason) = answer.status.reason() {
+        writeln!(out, "   {}: {reason}", answer.status.name())?;
+    }
+    if let Some(proof) = &answer.proof {
+        let radius = |(unknown, radius): &(&str, f64)| {
+            format!("{unknown} ±{:.1}%", (1000.0 * radius).floor() / 10.0)
         };
-        let (name, symbol) = (constant.quantity.name(), constant.quantity.symbol());
-        writeln!(out, "   {name:<23} {symbol:<19} {value}{exact}")?;
+        let radii: Vec<String> = proof.radii.iter().map(radius).collect();
+        writeln!(out, "   proved: one solution of {}", proof.equations.join(", "))?;
+        writeln!(out, "   in the box {}", radii.join(", "))?;
+    }
+    for (quantity, value) in &answer.values {
+        let exact = match (value.closed_form(), &value.exact) {
+            (Some(exact), _) => format!("  = {exact}"),
+            (None, Some(_)) => "  exactly".to_owned(),
+            (None, None) => String::new(),
+        };
+        let (name, symbol) = (quantity.name(), quantity.symbol());
+        writeln!(out, "   {name:<23} {symbol:<19} {}{exact}", value.text())?;
     }
     Ok(())
 }
 
-pub fn audit(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
-    writeln!(
-        out,
-        "Printed numbers against certified values; errors in units of the last printed place\n"
-    )?;
-    writeln!(
-        out,
-        "{:<8} {:<12} {:<2} {:<20} {:<20} {:>8} {:>7}  verdict",
-        "place", "weight", "", "quantity", "printed", "error", "digits"
-    )?;
-    for entry in &report.printed {
-        let printed = entry.printed;
-        writeln!(
-            out,
-            "{:<8} {:<12} {:<2} {:<20} {:<20} {:>8} {:>7}  {}",
-            printed.place,
-            printed.weight.name(),
-            printed.landmark.symbol(),
-            printed.quantity.name(),
-            printed.text,
-            entry.error_units.to_string(),
-            entry.correct_digits,
-            entry.verdict.name(),
-        )?;
+fn point(answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
+    let modes: Vec<_> = answer.modes.iter().map(|mode| mode.label()).collect();
+    writeln!(out, "{}", title(&answer.subject))?;
+    writeln!(out, "   modes that meet here: {}", modes.join(" "))?;
+    for (quantity, value) in &answer.values {
+        let (name, symbol) = (quantity.name(), quantity.symbol());
+        writeln!(out, "   {name:<23} {symbol:<19} {}", value.text())?;
     }
-    let count = |verdict| report.printed.iter().filter(|entry| entry.verdict == verdict).count();
-    let (right, faithful, wrong) = (
-        count(PrintedVerdict::CorrectlyRounded),
-        count(PrintedVerdict::Faithful),
-        count(PrintedVerdict::Wrong),
-    );
-    let all = report.printed.len();
-    writeln!(
-        out,
-        "\n{all} printed numbers: {right} correctly rounded, {faithful} faithful, {wrong} wrong"
-    )?;
-    if report.comparisons.is_empty() {
+    Ok(())
+}
+
+fn arch(answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
+    let Subject::Arch { weight, half_opening, friction, thickness, .. } = &answer.subject else {
         return Ok(());
-    }
-    writeln!(out, "\nMilankovitch's weight compared with Heyman's\n")?;
-    writeln!(out, "{:<2} {:<20} {:<8} {:<10} verdict", "", "quantity", "claimed", "certified")?;
-    for entry in &report.comparisons {
-        writeln!(
-            out,
-            "{:<2} {:<20} {:<8} {:<10} {}",
-            entry.landmark.symbol(),
-            entry.quantity.name(),
-            entry.claimed.name(),
-            entry.certified.name(),
-            entry.verdict(),
-        )?;
-    }
-    Ok(())
-}
-
-fn title(weight: SelfWeight) -> &'static str {
-    match weight {
-        SelfWeight::Heyman => "Heyman-like",
-        SelfWeight::Milankovitch => "Milankovitch-like",
-    }
-}
-
-pub fn state(report: &StateReport, out: &mut dyn io::Write) -> io::Result<()> {
-    writeln!(
-        out,
-        "Arch of half opening {}, friction {}, {} self-weight\n",
-        report.half_opening,
-        report.friction,
-        title(report.weight)
-    )?;
-    match &report.outcome {
-        StateOf::Stands(state) => {
-            writeln!(
-                out,
-                "stands from the thickness below on; collapses there as {}",
-                state.mode.label()
-            )?;
-            writeln!(
-                out,
-                "proved: one solution, admissible on the whole half arch, none thinner\n"
-            )?;
-            let mut row = |name: &str, symbol: &str, value: Option<&Figure>, none: &str| {
-                let value = value.map_or_else(|| none.to_owned(), |x| x.decimal.value.to_string());
-                writeln!(out, "   {name:<20} {symbol:<12} {value}")
-            };
-            row("thickness", "eta = t/r", Some(&state.thickness), "")?;
-            row("thrust", "h = H/(w r)", Some(&state.thrust), "")?;
-            row("intrinsic_thrust", "eta h", Some(&state.intrinsic_thrust), "")?;
-            row("rotation_joint", "beta_r, rad", Some(&state.rotation_joint), "")?;
-            row("sliding_joint", "beta_s, rad", state.sliding_joint.as_ref(), "none inside")?;
-            let Some(frictions) = &state.frictions else { return Ok(()) };
-            writeln!(out)?;
-            writeln!(out, "at this half opening")?;
-            let limit = |x: &Figure| x.decimal.value.to_string();
-            let sliding = limit(&frictions.sliding);
-            writeln!(out, "   nothing stands below the friction       {sliding}")?;
-            let rotational = frictions.rotational.as_ref().map_or("inf".to_owned(), limit);
-            writeln!(out, "   collapse is purely rotational from      {rotational}")
-        }
-        StateOf::Falls(fall) => {
-            let (word, why) = (reason(*fall), fall.reason());
-            writeln!(out, "does not stand at any thickness ({word}): {why}")
-        }
-        StateOf::Undecided(doubt) => {
-            let between: Vec<_> = doubt.between.iter().map(|mode| mode.label()).collect();
-            writeln!(out, "{doubt}")?;
-            match doubt.gap {
+    };
+    let eta = thickness.as_ref().map_or(String::new(), |eta| format!(" thickness {eta},"));
+    let weight = model(*weight);
+    writeln!(out, "Arch of half opening {half_opening},{eta} friction {friction}, {weight}\n")?;
+    match &answer.status {
+        Status::Undecided(undecided) => {
+            writeln!(out, "{undecided}")?;
+            let between: Vec<_> = undecided.between.iter().map(|mode| mode.label()).collect();
+            match undecided.gap.filter(|_| !between.is_empty()) {
                 Some(gap) => {
                     let between = between.join(" and ");
                     writeln!(out, "   between {between}; the difference is below {gap:.1e}")
@@ -162,63 +87,95 @@ pub fn state(report: &StateReport, out: &mut dyn io::Write) -> io::Result<()> {
                 None => Ok(()),
             }
         }
+        _ if thickness.is_some() => assessment(answer, out),
+        Status::Falls(fall) => falls(*fall, out),
+        _ => state(answer, out),
     }
 }
 
-pub fn state_at(report: &StateAt, out: &mut dyn io::Write) -> io::Result<()> {
-    let modes: Vec<_> = report.modes.iter().map(|mode| mode.label()).collect();
-    let (symbol, name) = (report.landmark.symbol(), report.landmark.name());
-    writeln!(out, "{symbol}  {name}, {} self-weight", title(report.weight))?;
-    writeln!(out, "   modes that meet here: {}", modes.join(" "))?;
-    for constant in &report.constants {
-        let [value, ..] = texts(&constant.value);
-        writeln!(
-            out,
-            "   {:<23} {:<19} {value}",
-            constant.quantity.name(),
-            constant.quantity.symbol()
-        )?;
+fn falls(fall: Fall, out: &mut dyn io::Write) -> io::Result<()> {
+    let why = match fall {
+        Fall::Sliding => "it slides: the friction is below that of the purely sliding state",
+        Fall::Thickness => "it would have to be thicker than twice its radius",
+    };
+    writeln!(out, "does not stand at any thickness ({}): {why}", super::words::reason(fall))
+}
+
+fn state(answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
+    let modes: Vec<&str> = answer.modes.iter().map(|mode| mode.label()).collect();
+    let mode = modes.join(" ");
+    writeln!(out, "stands from the thickness below on; collapses there as {mode}")?;
+    writeln!(out, "proved: one solution, admissible on the whole half arch, none thinner\n")?;
+    let (frictions, others): (Vec<Quantity>, Vec<Quantity>) =
+        Quantity::STATE.into_iter().partition(|quantity| quantity.is_friction());
+    for quantity in others {
+        let value = answer.value(quantity).map_or("none inside".into(), |value| value.text());
+        let (name, symbol) = (quantity.name(), quantity.symbol());
+        writeln!(out, "   {name:<20} {symbol:<12} {value}")?;
+    }
+    for (index, quantity) in frictions.into_iter().enumerate() {
+        let Some(value) = answer.value(quantity) else { return Ok(()) };
+        if index == 0 {
+            writeln!(out, "\nat this half opening")?;
+        }
+        let words = match quantity {
+            Quantity::SlidingFriction => "nothing stands below the friction",
+            _ => "collapse is purely rotational from",
+        };
+        writeln!(out, "   {words:<39} {}", value.text())?;
     }
     Ok(())
 }
 
-pub fn assess(report: &AssessReport, out: &mut dyn io::Write) -> io::Result<()> {
-    writeln!(
-        out,
-        "Arch of half opening {}, thickness {}, friction {}, {} self-weight\n",
-        report.half_opening,
-        report.thickness,
-        report.friction,
-        title(report.weight)
-    )?;
-    let found = match report.outcome {
-        Ok(found) => found,
-        Err(doubt) => return writeln!(out, "{doubt}"),
+fn assessment(answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
+    let stands = if answer.stands == Some(true) { "stands" } else { "collapses" };
+    writeln!(out, "{stands}, proved\n")?;
+    for quantity in Quantity::ASSESSMENT {
+        let value = answer.value(quantity);
+        let finite = value.filter(|value| value.decimal.is_some()).map(|value| value.text());
+        let none = |words: &str| finite.clone().unwrap_or_else(|| words.to_owned());
+        let (name, text) = match quantity {
+            Quantity::LeastThickness => {
+                let reason = answer.status.reason().unwrap_or_default();
+                ("least thickness", none(&format!("none is enough ({reason})")))
+            }
+            Quantity::GeometricSafety => ("geometric safety factor", none("none")),
+            Quantity::RequiredFriction => ("required friction", none("none is enough")),
+            Quantity::FrictionSafety => ("friction safety factor", none("unbounded or none")),
+            Quantity::LeastThrust => ("least   thrust", none("unbounded")),
+            _ => ("largest thrust", none("unbounded")),
+        };
+        if quantity.joint().is_some() && value.is_none() {
+            continue;
+        }
+        writeln!(out, "   {name:<24} {text}")?;
+        if let Some(limit) = value.and_then(|value| value.limited_by) {
+            let joint = quantity.joint().and_then(|joint| answer.value(joint));
+            let joint = joint.map_or(String::new(), |joint| format!(", at {} rad", joint.text()));
+            writeln!(out, "           limited by       {limit}{joint}")?;
+        }
+    }
+    Ok(())
+}
+
+fn arches(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+    let what = match report.are_assessed() {
+        true => "Arches of given thickness",
+        false => "Arches at their least thickness",
     };
-    writeln!(out, "{}, proved\n", if found.stands { "stands" } else { "collapses" })?;
-    let value = |x: &Figure| x.decimal.value.to_string();
-    let least = match &found.least_thickness {
-        Ok(least) => value(least),
-        Err(fall) => format!("none is enough ({})", reason(*fall)),
-    };
-    let or = |x: &Option<Figure>, none: &str| x.as_ref().map_or_else(|| none.to_owned(), value);
-    writeln!(out, "   least thickness          {least}")?;
-    writeln!(out, "   geometric safety factor  {}", or(&found.geometric_safety, "none"))?;
-    writeln!(
-        out,
-        "   required friction        {}",
-        or(&found.required_friction, "none is enough")
-    )?;
-    writeln!(
-        out,
-        "   friction safety factor   {}",
-        or(&found.friction_safety, "unbounded or none")
-    )?;
-    for (name, limit) in ["least", "largest"].iter().zip(found.thrust.iter().flatten()) {
-        let joint =
-            limit.joint.as_ref().map_or_else(String::new, |j| format!(", at {} rad", value(j)));
-        writeln!(out, "   {name:<7} thrust           {}", or(&limit.thrust, "unbounded"))?;
-        writeln!(out, "           limited by       {}{joint}", limit.limited_by)?;
+    writeln!(out, "{what}, {}\n", rounding(report))?;
+    let header = columns::names(report).into_iter().map(str::to_owned).collect();
+    let rows = report.list.iter().map(|answer| columns::cells(report, answer));
+    let rows: Vec<Vec<String>> = std::iter::once(header).chain(rows).collect();
+    // A column without a value in any row says nothing.
+    let width = |k: &usize| rows.iter().map(|row| row[*k].chars().count()).max().unwrap_or(0);
+    let shown = |k: &usize| rows[1..].iter().any(|row| !row[*k].is_empty());
+    let widths: Vec<(usize, usize)> =
+        (0..rows[0].len()).filter(shown).map(|k| (k, width(&k))).collect();
+    for row in &rows {
+        let cells: Vec<String> =
+            widths.iter().map(|&(k, width)| format!("{:<width$}", row[k])).collect();
+        writeln!(out, "{}", cells.join("  ").trim_end())?;
     }
     Ok(())
 }

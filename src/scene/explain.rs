@@ -2,13 +2,13 @@
 
 use super::cost::Cost;
 use super::expected;
-use super::fault::list;
 use super::left_out::left_out;
 use super::plan::{ArchNode, LandmarkNode, Plan};
 use super::run::Costs;
 use super::schema::Item;
 use crate::certify::state::Wanted;
 use crate::problem::Equation;
+use crate::report::words::{count, list};
 use std::io;
 
 /// A node of the tree: its lines, and what hangs on it.
@@ -41,20 +41,16 @@ const SHOWN: usize = 12;
 
 /// Writes the plan; with costs, what was spent.
 pub fn explain(plan: &Plan, costs: Option<&Costs>, out: &mut dyn io::Write) -> io::Result<()> {
-    let count = |n: usize, one: &str, more: &str| match n {
-        0 => None,
-        1 => Some(format!("1 {one}")),
-        n => Some(format!("{n} {more}")),
-    };
     let pieces: Vec<String> = [
-        count(plan.landmarks.len(), "landmark", "landmarks"),
-        count(plan.arches.len(), "arch", "arches"),
-        count(plan.claims.len(), "claim", "claims"),
+        (plan.landmarks.len(), "landmark", "landmarks"),
+        (plan.arches.len(), "arch", "arches"),
+        (plan.claims.len(), "claim", "claims"),
     ]
     .into_iter()
-    .flatten()
+    .filter(|(n, ..)| *n > 0)
+    .map(|(n, one, many)| count(n, one, many))
     .collect();
-    let items = count(plan.scene.items.len(), "item", "items").unwrap_or_default();
+    let items = count(plan.scene.items.len(), "item", "items");
     match pieces.is_empty() {
         true => writeln!(out, "{items}; nothing to compute")?,
         false => writeln!(out, "{items}; to compute: {}, each once", pieces.join(", "))?,
@@ -114,7 +110,7 @@ fn heading(item: &Item) -> String {
         Some(output) => output.display().to_string(),
         None => "standard output".to_owned(),
     };
-    let (kind, format) = (item.what.kind().name(), item.format.name());
+    let (kind, format) = (item.what.kind().name(), item.format.name);
     format!("{kind} in line {} -> {output} ({format})", item.place.line)
 }
 
@@ -173,20 +169,21 @@ fn arches(plan: &Plan, costs: Option<&Costs>, index: usize) -> Vec<Branch> {
     let mut from: Vec<(usize, usize)> = Vec::new();
     for other in others.into_iter().filter_map(|place| earlier(&plan.arches[place].items, index)) {
         match from.iter_mut().find(|(item, _)| *item == other) {
-            Some((_, count)) => *count += 1,
+            Some((_, arches)) => *arches += 1,
             None => from.push((other, 1)),
         }
     }
-    branches.extend(from.into_iter().map(|(other, count)| {
-        Branch::new([format!("{}: {}", number_of_arches(count), computed_for(plan, other))])
+    branches.extend(from.into_iter().map(|(other, arches)| {
+        let arches = count(arches, "arch", "arches");
+        Branch::new([format!("{arches}: {}", computed_for(plan, other))])
     }));
     branches
 }
 
 fn arch(node: &ArchNode) -> Vec<String> {
-    let (half_opening, weight) = (node.arch.half_opening(), node.arch.weight().name());
+    let (alpha, mu) = (node.arch.half_opening(), node.arch.friction());
     let mut lines = vec![
-        format!("half opening {half_opening}, friction {}, {weight}", node.friction),
+        format!("half opening {alpha}, friction {mu}, {}", node.arch.weight().name()),
         expected::in_words(node.arch),
     ];
     lines.extend(node.states.iter().map(|(digits, frictions)| {
@@ -203,23 +200,19 @@ fn arch(node: &ArchNode) -> Vec<String> {
     lines
 }
 
-pub(super) fn number_of_arches(count: usize) -> String {
-    format!("{count} arch{}", if count == 1 { "" } else { "es" })
-}
-
 /// A cost in words.
 fn spent(cost: &Cost) -> String {
     let tally = &cost.tally;
     let mut words = vec![format!("{:.1} ms", 1000.0 * cost.time.as_secs_f64())];
-    for (count, one, more) in [
+    for (n, one, many) in [
         (u64::from(tally.working_bits), "bit", "bits"),
         (tally.conditions, "condition", "conditions"),
         (tally.landmarks, "comparison with l and L", "comparisons with l and L"),
         (tally.newton_steps, "Newton step", "Newton steps"),
         (tally.evaluations(), "evaluation", "evaluations"),
     ] {
-        if count > 0 {
-            words.push(format!("{count} {}", if count == 1 { one } else { more }));
+        if n > 0 {
+            words.push(count(n, one, many));
         }
     }
     let each: Vec<String> = Equation::ALL

@@ -1,10 +1,11 @@
 //! What is wrong in a scene file, and where.
 
+use crate::report::words::shortened;
 use std::ops::Range;
 
 /// A line and a column of a file, both from 1; a column is a character.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Place {
+pub struct Position {
     /// The line.
     pub line: usize,
     /// The character of the line.
@@ -15,7 +16,7 @@ pub struct Place {
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Fault {
     /// Where it begins.
-    pub place: Place,
+    pub place: Position,
     /// What it is.
     pub message: String,
 }
@@ -25,21 +26,18 @@ pub struct Source<'s> {
     text: &'s str,
     /// The place of every so many-th byte: a file with a fault in each of its values is not read from its
     /// beginning for each.
-    marks: Vec<Place>,
+    marks: Vec<Position>,
 }
 
 /// Bytes between two marks.
 const STRIDE: usize = 1 << 10;
-
-/// What is shown of a value; more would hide the message.
-const SHOWN: usize = 40;
 
 impl<'s> Source<'s> {
     /// Of a text.
     pub fn new(text: &'s str) -> Self {
         // A byte order mark is no character that an editor counts.
         let column = if text.starts_with('\u{feff}') { 0 } else { 1 };
-        let mut marks = vec![Place { line: 1, column }];
+        let mut marks = vec![Position { line: 1, column }];
         for piece in text.as_bytes().chunks_exact(STRIDE) {
             marks.push(marks[marks.len() - 1].after(piece));
         }
@@ -47,20 +45,20 @@ impl<'s> Source<'s> {
     }
 
     /// The place of a byte.
-    pub fn place(&self, offset: usize) -> Place {
+    pub fn place(&self, offset: usize) -> Position {
         let offset = offset.min(self.text.len());
         let mark = offset / STRIDE;
         let place = self.marks[mark].after(&self.text.as_bytes()[mark * STRIDE..offset]);
-        Place { column: place.column.max(1), ..place }
+        Position { column: place.column.max(1), ..place }
     }
 
     /// A value as it is written, on one line and not too long.
     pub fn shown(&self, span: Range<usize>) -> String {
-        on_one_line(self.text.get(span).unwrap_or_default())
+        shortened(self.text.get(span).unwrap_or_default())
     }
 }
 
-impl Place {
+impl Position {
     /// The place behind some bytes that begin here.
     fn after(mut self, bytes: &[u8]) -> Self {
         for byte in bytes {
@@ -73,21 +71,6 @@ impl Place {
         }
         self
     }
-}
-
-/// A text on one line and not too long.
-pub fn on_one_line(text: &str) -> String {
-    let mut shown: String =
-        text.chars().take(SHOWN).map(|c| if c.is_control() { ' ' } else { c }).collect();
-    if shown.len() < text.len() {
-        shown.push('…');
-    }
-    shown
-}
-
-/// Names in a sentence: `a, b, c`.
-pub fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
-    names.into_iter().collect::<Vec<_>>().join(", ")
 }
 
 /// Symbols of the field for which people reach first.
@@ -124,12 +107,12 @@ mod tests {
     #[test]
     fn places_are_counted_in_characters() {
         let source = Source::new("\u{feff}ä = 1\nβ = \"x\"\n");
-        assert_eq!(source.place(0), Place { line: 1, column: 1 });
-        assert_eq!(source.place(3), Place { line: 1, column: 1 });
-        assert_eq!(source.place(5), Place { line: 1, column: 2 });
+        assert_eq!(source.place(0), Position { line: 1, column: 1 });
+        assert_eq!(source.place(3), Position { line: 1, column: 1 });
+        assert_eq!(source.place(5), Position { line: 1, column: 2 });
         let x = source.text.find('"').unwrap();
-        assert_eq!(source.place(x), Place { line: 2, column: 5 });
-        assert_eq!(source.place(1_000), Place { line: 3, column: 1 });
+        assert_eq!(source.place(x), Position { line: 2, column: 5 });
+        assert_eq!(source.place(1_000), Position { line: 3, column: 1 });
     }
 
     #[test]
@@ -140,9 +123,9 @@ mod tests {
             let before = &text[..offset];
             let line = before.rsplit('\n').next().unwrap();
             let (line, column) = (before.matches('\n').count() + 1, line.chars().count() + 1);
-            assert_eq!(source.place(offset), Place { line, column }, "{offset}");
+            assert_eq!(source.place(offset), Position { line, column }, "{offset}");
         }
-        let end = Place { line: STRIDE + 1, column: 3 * STRIDE + 1 };
+        let end = Position { line: STRIDE + 1, column: 3 * STRIDE + 1 };
         assert_eq!(source.place(text.len()), end);
     }
 
@@ -150,7 +133,7 @@ mod tests {
     fn a_value_is_shown_on_one_short_line() {
         assert_eq!(Source::new("a\nb").shown(0..3), "a b");
         let long = "1".repeat(100);
-        assert_eq!(Source::new(&long).shown(0..100).chars().count(), SHOWN + 1);
+        assert_eq!(Source::new(&long).shown(0..100).chars().count(), 40);
     }
 
     #[test]

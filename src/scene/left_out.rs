@@ -1,14 +1,13 @@
 //! What a plan leaves out, and why.
 
-use super::explain::number_of_arches;
-use super::fault::list;
-use super::plan::{ArchNode, FRICTIONS, Plan, RANGE_OF_THRUSTS};
+use super::plan::{ArchNode, Plan, RANGE_OF_THRUSTS};
 use super::run::Costs;
 use crate::arch::SelfWeight;
 use crate::certify::quantities;
 use crate::certify::state::Wanted;
 use crate::claims::claims;
 use crate::problem::{Equation, Landmark, Quantity};
+use crate::report::words::{count, list};
 
 /// What is not computed, and why.
 pub(super) fn left_out(plan: &Plan, costs: Option<&Costs>) -> Vec<String> {
@@ -35,23 +34,24 @@ pub(super) fn left_out(plan: &Plan, costs: Option<&Costs>) -> Vec<String> {
         }
     }
     for ((weight, rest), symbols) in partly.into_iter().filter(|((_, rest), _)| *rest > 0) {
-        let plural = if rest == 1 { "quantity" } else { "quantities" };
         let (symbols, weight) = (list(symbols), weight.name());
-        lines.push(not_asked(format!("{rest} {plural} each of {symbols} {weight}")));
+        let rest = count(rest, "quantity", "quantities");
+        lines.push(not_asked(format!("{rest} each of {symbols} {weight}")));
     }
     let arches = |without: &dyn Fn(&ArchNode) -> bool| {
         plan.arches.iter().filter(|node| without(node)).count()
     };
     let frictions = arches(&|node| !node.states.is_empty() && !node.frictions());
     if frictions > 0 {
-        let names = FRICTIONS.join(", ");
-        lines.push(not_asked(format!("{names} of {}", number_of_arches(frictions))));
+        let names = Quantity::STATE.into_iter().filter(|quantity| quantity.is_friction());
+        let (names, arches) = (list(names.map(Quantity::name)), count(frictions, "arch", "arches"));
+        lines.push(not_asked(format!("{names} of {arches}")));
     }
     let ranges =
         arches(&|node| node.thicknesses.iter().any(|asked| asked.wanted == Wanted::Standing));
     if ranges > 0 {
-        let names = RANGE_OF_THRUSTS.join(", ");
-        lines.push(not_asked(format!("{names} of {}", number_of_arches(ranges))));
+        let names = list(RANGE_OF_THRUSTS.map(Quantity::name));
+        lines.push(not_asked(format!("{names} of {}", count(ranges, "arch", "arches"))));
     }
     let all = claims().len();
     if !plan.claims.is_empty() && plan.claims.len() < all {

@@ -3,11 +3,10 @@
 //! | file | what it does |
 //! |---|---|
 //! | `schema` | what a scene may hold, `couplet.scene/1` |
-//! | `read` | TOML to a valid scene, or all its faults; with `read_arches`, `value`, `number`, `destination`, `fault` |
-//! | `format` | the formats of outputs |
+//! | `read` | TOML to a valid scene, or all its faults; with `overall`, `read_arches`, `read_numbers`, `read_output`, `value`, `fault` |
 //! | `plan` | what has to be computed, each piece once |
 //! | `run` | computes the `pieces`, item by item; `cost` counts |
-//! | `found` | what an item asked for, as a report |
+//! | `item_report` | what an item asked for, as a report |
 //! | `explain` | the plan as a tree, with what `expected` says of the arches |
 //! | `manifest` | which outputs are complete, told by their content |
 //!
@@ -32,33 +31,32 @@
 //! ```
 
 mod cost;
-mod destination;
 mod expected;
 mod explain;
 mod fault;
-mod format;
-mod found;
+mod item_report;
 mod left_out;
 mod manifest;
-mod number;
+mod overall;
 mod pieces;
 mod plan;
 mod read;
 mod read_arches;
+mod read_numbers;
+mod read_output;
 mod run;
 mod schema;
 mod value;
 
 pub use cost::Cost;
 pub use explain::explain;
-pub use fault::{Fault, Place};
-pub use format::OutputFormat;
-pub use found::Found;
-pub use manifest::{Hashing, Manifest, NAME as MANIFEST};
-pub use plan::{ArchNode, AskedThickness, ClaimNode, LandmarkNode, Needs, Plan};
+pub use fault::{Fault, Position};
+pub use item_report::ItemReport;
+pub(crate) use manifest::{Hashing, Manifest, NAME as MANIFEST};
+pub use plan::{ArchNode, ClaimNode, LandmarkNode, Needs, Plan, ThicknessNode};
 pub use read::{read, read_bytes};
 pub use run::{Costs, Run};
 pub use schema::{
-    AskedArch, EXAMPLE, Item, Kind, MAX_ARCH_DIGITS, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, SCHEMA,
-    Scene, What,
+    EXAMPLE, Item, Kind, MAX_ARCH_DIGITS, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, SCHEMA, Scene,
+    SceneArch, What,
 };

@@ -1,34 +1,60 @@
 //! The pieces of a plan, computed: a landmark, an arch. Each answers whatever any item asks of it.
 
-use super::plan::{ArchNode, LandmarkNode};
+use super::plan::{ArchNode, LandmarkNode, Plan};
 use crate::certify::state::{Answer, AssessmentDigits, Inquiry};
 use crate::certify::{CertifiedLandmark, Constant, Undecided, fingerprint};
+use crate::claims::Decision;
 use crate::judge::{Enclosed, enclosed};
-use crate::problem::{Quantity, System};
-use crate::report::Proved;
+use crate::problem::Quantity;
 use std::collections::BTreeMap;
 
-/// What was found of a landmark.
-pub struct LandmarkFound {
-    system: System,
-    relative_radii: Vec<f64>,
+/// The pieces of a plan, in its order; nothing for what is not computed yet.
+pub struct Pieces {
+    /// Landmarks.
+    pub landmarks: Vec<Option<Result<LandmarkPiece, Undecided>>>,
+    /// Arches.
+    pub arches: Vec<Option<ArchPiece>>,
+    /// Claims.
+    pub claims: Vec<Option<Decision>>,
+}
+
+/// A proved landmark.
+pub struct LandmarkPiece {
+    /// The proof.
+    pub point: CertifiedLandmark,
     /// In the order in which they are asked for.
     constants: Vec<Constant>,
     /// The hash of its certificate, or why there is none, by the number of digits.
-    pub certificates: BTreeMap<usize, Result<String, String>>,
+    pub certificates: BTreeMap<usize, Result<String, Undecided>>,
     /// For the printed numbers, if they are asked for.
     pub enclosed: Option<Enclosed>,
 }
 
-/// What was found of an arch.
-pub struct ArchFound {
+/// What is certain of an arch.
+pub struct ArchPiece {
     /// By the number of digits.
     pub states: BTreeMap<usize, Result<Answer, Undecided>>,
     /// In the order in which they are asked for.
     pub thicknesses: Vec<Result<AssessmentDigits, Undecided>>,
 }
 
-impl LandmarkFound {
+/// A result for each piece, none of them there yet.
+pub fn none<T, U>(pieces: &[T]) -> Vec<Option<U>> {
+    pieces.iter().map(|_| None).collect()
+}
+
+impl Pieces {
+    /// Nothing is computed yet.
+    pub fn new(plan: &Plan) -> Self {
+        Self {
+            landmarks: none(&plan.landmarks),
+            arches: none(&plan.arches),
+            claims: none(&plan.claims),
+        }
+    }
+}
+
+impl LandmarkPiece {
     /// Isolates the landmark and refines it once, to the most digits that are asked for.
     pub fn new(node: &LandmarkNode, tick: &(dyn Fn() + Sync)) -> Result<Self, Undecided> {
         let point = CertifiedLandmark::new(node.landmark, node.weight)?;
@@ -36,29 +62,28 @@ impl LandmarkFound {
             [] => Vec::new(),
             asked => point.constants_of(asked, tick)?,
         };
-        let isolated = point.isolated();
-        let (system, relative_radii) = (*isolated.system(), isolated.relative_radii());
-        let hash = |&digits: &usize| {
-            let hash = fingerprint(node.landmark, node.weight, digits);
-            (digits, hash.map_err(|undecided| undecided.reason.into_owned()))
-        };
-        let certificates = node.certificates.iter().map(hash).collect();
-        let enclosed = if node.audited { Some(enclosed(point)?) } else { None };
-        Ok(Self { system, relative_radii, constants, certificates, enclosed })
+        let certificates =
+            node.certificates.iter().map(|&digits| (digits, fingerprint(&point, digits))).collect();
+        let enclosed = if node.audited { Some(enclosed(point.clone())?) } else { None };
+        Ok(Self { point, constants, certificates, enclosed })
     }
 
-    /// What one item asks for.
-    pub fn proved(&self, node: &LandmarkNode, quantities: &[Quantity], digits: usize) -> Proved {
+    /// What one item asks for, in the order in which it is always shown, whoever asked first.
+    pub fn constants(
+        &self,
+        node: &LandmarkNode,
+        quantities: &[Quantity],
+        digits: usize,
+    ) -> Vec<Constant> {
         let all = node.asked.iter().zip(&self.constants);
         let mine = all.filter(|((quantity, of), _)| quantities.contains(quantity) && *of == digits);
         let mut constants: Vec<Constant> = mine.map(|(_, constant)| constant.clone()).collect();
-        // In the order in which they are always shown, whoever asked first.
-        constants.sort_by_key(|one| Quantity::ALL.iter().position(|of| *of == one.quantity));
-        Proved { system: self.system, relative_radii: self.relative_radii.clone(), constants }
+        constants.sort_by_key(|one| Quantity::LANDMARK.iter().position(|of| *of == one.quantity));
+        constants
     }
 }
 
-impl ArchFound {
+impl ArchPiece {
     /// Proves the state once, and what is asked of each thickness.
     pub fn new(node: &ArchNode) -> Self {
         let mut inquiry = Inquiry::new(node.arch, node.digits(), node.frictions());

@@ -1,7 +1,7 @@
 //! What a scene needs computed: each piece once, to the most digits that any item asks of it. The first
 //! item that needs a piece waits for all of its digits.
 
-use super::schema::{AskedArch, Scene, What};
+use super::schema::{Scene, SceneArch, What};
 use crate::arch::SelfWeight;
 use crate::certify::state::Wanted;
 use crate::certify::{CertifiedLandmark, quantities};
@@ -51,20 +51,18 @@ pub struct LandmarkNode {
 pub struct ArchNode<'s> {
     /// The arch.
     pub arch: &'s Arch,
-    /// Its friction as it was given first.
-    pub friction: &'s str,
     /// The digits in which its state is asked for, and whether with the frictions at which the mode
     /// changes.
     pub states: BTreeMap<usize, bool>,
     /// The thicknesses with which it is asked about.
-    pub thicknesses: Vec<AskedThickness>,
+    pub thicknesses: Vec<ThicknessNode>,
     /// The items that take it.
     pub items: Vec<usize>,
 }
 
 /// A thickness of an arch, and what is asked.
 #[derive(Debug)]
-pub struct AskedThickness {
+pub struct ThicknessNode {
     /// The thickness.
     pub thickness: ExactNumber,
     /// Significant digits.
@@ -116,10 +114,12 @@ fn arch_key(arch: &Arch) -> ArchKey {
 }
 
 /// The values of an arch of a given thickness that need more than its state.
-pub const RANGE_OF_THRUSTS: [&str; 4] =
-    ["required_friction", "friction_safety", "least_thrust", "largest_thrust"];
-/// The values of a state that its proof does not need.
-pub const FRICTIONS: [&str; 2] = ["sliding_friction", "rotational_friction"];
+pub const RANGE_OF_THRUSTS: [Quantity; 4] = [
+    Quantity::RequiredFriction,
+    Quantity::FrictionSafety,
+    Quantity::LeastThrust,
+    Quantity::LargestThrust,
+];
 
 impl<'s> Plan<'s> {
     /// The plan of a scene, without the items whose outputs are complete.
@@ -142,7 +142,7 @@ impl<'s> Plan<'s> {
                         for &point in points {
                             let node = plan.landmark(point, index);
                             plan.landmarks[node].ask(quantities, *digits);
-                            if item.format.has_certificates() {
+                            if item.format.has_certificates {
                                 plan.landmarks[node].certificates.insert(*digits);
                             }
                             needs.landmarks.push(node);
@@ -196,14 +196,13 @@ impl<'s> Plan<'s> {
 
     fn arch(
         &mut self,
-        asked: &'s AskedArch,
+        asked: &'s SceneArch,
         item: usize,
         known: &mut HashMap<ArchKey, usize>,
     ) -> usize {
         let place = *known.entry(arch_key(&asked.arch)).or_insert_with(|| {
             self.arches.push(ArchNode {
                 arch: &asked.arch,
-                friction: &asked.friction,
                 states: BTreeMap::new(),
                 thicknesses: Vec::new(),
                 items: Vec::new(),
@@ -269,20 +268,22 @@ impl ArchNode<'_> {
     fn ask(
         &mut self,
         (node, thickness): (usize, Option<&ExactNumber>),
-        quantities: &[&str],
+        quantities: &[Quantity],
         digits: usize,
         known: &mut HashMap<(usize, Rational, usize), usize>,
     ) -> Option<usize> {
-        let any = |names: &[&str]| quantities.iter().any(|name| names.contains(name));
         let Some(thickness) = thickness else {
-            *self.states.entry(digits).or_default() |= any(&FRICTIONS);
+            *self.states.entry(digits).or_default() |= quantities.iter().any(|q| q.is_friction());
             return None;
         };
-        let wanted = if any(&RANGE_OF_THRUSTS) { Wanted::Everything } else { Wanted::Standing };
+        let wanted = match quantities.iter().any(|quantity| RANGE_OF_THRUSTS.contains(quantity)) {
+            true => Wanted::Everything,
+            false => Wanted::Standing,
+        };
         let key = (node, thickness.to_rational(), digits);
         let place = *known.entry(key).or_insert_with(|| {
             let thickness = thickness.clone();
-            self.thicknesses.push(AskedThickness { thickness, digits, wanted });
+            self.thicknesses.push(ThicknessNode { thickness, digits, wanted });
             self.thicknesses.len() - 1
         });
         if wanted == Wanted::Everything {

@@ -1,12 +1,12 @@
 //! What a scene may hold: `couplet.scene/1`. Keys may be added, none changes its meaning.
 
-use super::fault::Place;
-use super::format::OutputFormat;
+use super::fault::Position;
 use crate::arch::SelfWeight;
 use crate::claims::Claim;
 use crate::number::ExactNumber;
 use crate::problem::Arch;
 use crate::problem::{Landmark, Quantity};
+use crate::report::{Content, Format};
 use std::path::PathBuf;
 
 /// The name and the version of the schema, which every scene begins with.
@@ -37,11 +37,11 @@ pub struct Scene {
 #[derive(Clone, Debug)]
 pub struct Item {
     /// Where the file asks for it.
-    pub place: Place,
+    pub place: Position,
     /// What is asked.
     pub what: What,
     /// How it is written.
-    pub format: OutputFormat,
+    pub format: &'static Format,
     /// The file, relative to the folder of outputs; standard output if there is none.
     pub output: Option<PathBuf>,
 }
@@ -61,9 +61,9 @@ pub enum What {
     /// Arches at their least thickness, or with a thickness.
     Arches {
         /// The arches.
-        arches: Vec<AskedArch>,
-        /// The names of the values asked for.
-        quantities: Vec<&'static str>,
+        arches: Vec<SceneArch>,
+        /// Which quantities of them.
+        quantities: Vec<Quantity>,
         /// Whether they have a thickness.
         with_thickness: bool,
         /// Significant digits.
@@ -83,13 +83,11 @@ pub enum What {
     },
 }
 
-/// An arch as it is asked about.
+/// An arch of a scene.
 #[derive(Clone, Debug)]
-pub struct AskedArch {
+pub struct SceneArch {
     /// The arch.
     pub arch: Arch,
-    /// Its friction as given.
-    pub friction: String,
     /// Its thickness, if it has one.
     pub thickness: Option<ExactNumber>,
 }
@@ -118,6 +116,15 @@ impl Kind {
             Self::Arches => "arches",
             Self::Claims => "claims",
             Self::Audit => "audit",
+        }
+    }
+
+    /// What is written of it.
+    pub fn content(self) -> Content {
+        match self {
+            Self::Constants | Self::Arches => Content::Answers,
+            Self::Claims => Content::Claims,
+            Self::Audit => Content::Audit,
         }
     }
 
@@ -163,21 +170,22 @@ impl Item {
         let points = |points: &[(Landmark, SelfWeight)]| -> String {
             points.iter().map(|(l, w)| format!(" {} {},", l.symbol(), w.name())).collect()
         };
+        let names = |quantities: &[Quantity]| {
+            quantities.iter().map(|quantity| quantity.name()).collect::<Vec<_>>().join(" ")
+        };
         let what = match &self.what {
             What::Constants { points: at, quantities, digits } => {
-                let names: Vec<_> = quantities.iter().map(|q| q.name()).collect();
-                format!("{} quantities {} digits {digits}", points(at), names.join(" "))
+                format!("{} quantities {} digits {digits}", points(at), names(quantities))
             }
             What::Arches { arches, quantities, digits, .. } => {
-                let arch = |asked: &AskedArch| {
-                    let (weight, half_opening) =
-                        (asked.arch.weight().name(), asked.arch.half_opening());
-                    let thickness = asked.thickness.as_ref().map(ToString::to_string);
-                    let thickness = thickness.unwrap_or_default();
-                    format!(" {weight} {half_opening} {} {thickness},", asked.friction)
+                let arch = |SceneArch { arch, thickness }: &SceneArch| {
+                    let (weight, alpha, mu) =
+                        (arch.weight().name(), arch.half_opening(), arch.friction());
+                    let thickness = thickness.as_ref().map(ToString::to_string);
+                    format!(" {weight} {alpha} {mu} {},", thickness.unwrap_or_default())
                 };
                 let all: String = arches.iter().map(arch).collect();
-                format!("{all} quantities {} digits {digits}", quantities.join(" "))
+                format!("{all} quantities {} digits {digits}", names(quantities))
             }
             What::Claims { claims, show } => {
                 let ids: Vec<_> = claims.iter().map(|claim| claim.id).collect();
@@ -185,6 +193,6 @@ impl Item {
             }
             What::Audit { points: at } => points(at),
         };
-        format!("{} format {}{what}", self.what.kind().name(), self.format.name())
+        format!("{} format {}{what}", self.what.kind().name(), self.format.name)
     }
 }

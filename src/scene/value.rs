@@ -1,6 +1,7 @@
 //! TOML values of the types that a scene has; what is of another type becomes a fault.
 
-use super::fault::{Fault, Source, did_you_mean, list, on_one_line};
+use super::fault::{Fault, Source, did_you_mean};
+use crate::report::words::{list, shortened};
 use std::ops::{Range, RangeInclusive};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -19,6 +20,13 @@ impl<'s> Reader<'s> {
         Self { source: Source::new(text), faults: Vec::new() }
     }
 
+    /// The faults in the order of the file, each once.
+    pub fn sorted(mut self) -> Vec<Fault> {
+        self.faults.sort();
+        self.faults.dedup();
+        self.faults
+    }
+
     pub fn fault(&mut self, span: Range<usize>, message: String) {
         self.faults.push(Fault { place: self.source.place(span.start), message });
     }
@@ -33,7 +41,7 @@ impl<'s> Reader<'s> {
     pub fn unknown_keys(&mut self, table: &DeTable, of: &str, known: &[&str]) {
         for key in table.keys().filter(|key| !known.contains(&key.get_ref().as_ref())) {
             let hint = did_you_mean(key.get_ref(), known);
-            let (name, known) = (on_one_line(key.get_ref()), list(known.iter().copied()));
+            let (name, known) = (shortened(key.get_ref()), list(known.iter().copied()));
             let message = format!("there is no key \"{name}\" in {of}{hint}; the keys are {known}");
             self.fault(key.span(), message);
         }

@@ -3,9 +3,9 @@
 use crate::expected::all;
 use crate::{constants, couplet};
 use couplet::arch::SelfWeight;
+use couplet::certify::Undecided;
 use couplet::problem::Landmark;
-use couplet::report::export::{ExportFormat, write};
-use couplet::report::{Constants, LandmarkReport};
+use couplet::report::{Answer, Answers, Content, Format, Report};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
@@ -86,28 +86,24 @@ fn where_there_is_no_hash_is_a_reason() {
 
 #[test]
 fn an_undecided_landmark_is_named_and_has_no_values() {
-    let undecided = LandmarkReport {
-        landmark: Landmark::Triple,
-        weight: SelfWeight::Heyman,
-        outcome: Err("undecided: for a test".into()),
-        fingerprint: None,
-    };
-    let export = Constants { digits: 30, landmarks: vec![undecided] }.export();
+    let reason = Undecided("for a test".into());
+    let undecided = Answer::landmark((Landmark::Triple, SelfWeight::Heyman), Err(&reason));
+    let report = Report::Answers(Answers::constants(30, vec![undecided]));
     let text = |format| {
         let mut text = Vec::new();
-        write(format, &export, &mut text).unwrap();
+        let format = Format::named(Content::Answers, format).unwrap();
+        report.write(format, &mut text).unwrap();
         String::from_utf8(text).unwrap()
     };
-    use ExportFormat::{C, Fortran, Julia, Latex, Matlab, Python, Rust};
-    for format in [C, Rust, Python, Julia, Matlab, Fortran, Latex] {
+    for format in ["c", "rust", "python", "julia", "matlab", "fortran", "latex"] {
         let text = text(format);
-        let words = "T, triple point, Heyman's self-weight: undecided, no values: for a test";
+        let words = "T, triple point, Heyman-like self-weight: undecided, no values: for a test";
         assert!(text.contains(words), "{text}");
         assert!(text.contains("no certificate hash: nothing is proved"), "{text}");
         assert!(!text.to_lowercase().contains("heyman_") && !text.contains("hex2num"), "{text}");
     }
-    assert!(text(Latex).contains(r"$T$ & Heyman & \multicolumn{3}{l}{undecided: for a test} \\"));
-    let json: Value = serde_json::from_str(&text(ExportFormat::Json)).unwrap();
+    assert!(text("latex").contains(r"$T$ & Heyman & \multicolumn{3}{l}{undecided: for a test} \\"));
+    let json: Value = serde_json::from_str(&text("json")).unwrap();
     assert_eq!(json["constants"], Value::Array(Vec::new()));
     assert_eq!(json["proofs"][0]["verdict"], "undecided");
     assert_eq!(json["proofs"][0]["reason"], "for a test");

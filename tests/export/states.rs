@@ -2,59 +2,55 @@
 
 use crate::{Scratch, has};
 use couplet::arch::SelfWeight;
-use couplet::certify::state::{Answer, Fall, Undecided};
+use couplet::certify::state::{Answer as State, Doubt, Fall};
 use couplet::problem::{Arch, Friction};
-use couplet::report::export::{Export, ExportFormat, Subject, write};
-use couplet::report::{StateOf, StateReport};
+use couplet::report::{Answer, Answers, Content, Format, Report, Subject};
 
 /// Ends comments and strings of every language, and starts commands.
 const HOSTILE: &str =
     "pi/2 */ \"\"\" ' \" \\ \n\r%} =# -- $(x) ??/\n \\input{/etc/passwd} # ! & \u{2028}";
 
-/// Something that cannot be told: an arch thicker than twice its radius.
-fn doubt() -> Undecided {
-    let arch = Arch::new(SelfWeight::Heyman, "pi/2".parse().unwrap(), Friction::Infinite).unwrap();
-    arch.certify_thickness(&"3".parse().unwrap(), 10).unwrap_err()
-}
-
-fn export() -> Export {
+fn arch() -> Arch {
     let friction = Friction::Coefficient("0.38".parse().unwrap());
-    let arch = Arch::new(SelfWeight::Heyman, "pi/2".parse().unwrap(), friction).unwrap();
-    let Ok(Answer::Stands(state)) = arch.certify(40) else { panic!() };
-    let doubt = doubt();
-    let report = |outcome| StateReport {
-        weight: SelfWeight::Heyman,
-        half_opening: HOSTILE.into(),
-        friction: HOSTILE.into(),
-        doubles: true,
-        outcome,
-    };
-    Export {
-        title: "Arches",
-        schema: "couplet.states/1",
-        digits: 40,
-        subjects: vec![
-            Subject::state(2, &report(StateOf::Stands(&state))),
-            Subject::state(3, &report(StateOf::Falls(Fall::Sliding))),
-            Subject::state(4, &report(StateOf::Undecided(&doubt))),
-            Subject::refused(5, HOSTILE),
-        ],
-    }
+    Arch::new(SelfWeight::Heyman, "pi/2".parse().unwrap(), friction).unwrap()
 }
 
-fn text(format: ExportFormat) -> String {
+/// Something that cannot be told: an arch thicker than twice its radius.
+fn doubt() -> Doubt {
+    arch().certify_thickness(&"3".parse().unwrap(), 10).unwrap_err()
+}
+
+fn report() -> Report {
+    let answer = |line, found| {
+        let mut answer = Answer::state(line, &arch(), &found);
+        if let Subject::Arch { half_opening, friction, .. } = &mut answer.subject {
+            (*half_opening, *friction) = (HOSTILE.into(), HOSTILE.into());
+        }
+        answer
+    };
+    let list = vec![
+        answer(2, arch().certify(40)),
+        answer(3, Ok(State::Falls(Fall::Sliding))),
+        answer(4, Err(doubt())),
+        Answer::refused(5, HOSTILE.into()),
+    ];
+    Report::Answers(Answers { list, ..Answers::arches(40, false) })
+}
+
+fn text(format: &str) -> String {
     let mut text = Vec::new();
-    write(format, &export(), &mut text).unwrap();
+    let format = Format::named(Content::Answers, format).unwrap();
+    report().write(format, &mut text).unwrap();
     String::from_utf8(text).unwrap()
 }
 
 /// What is proved has values; the rest is named and has none.
 #[test]
 fn only_what_is_proved_has_values() {
-    for format in [ExportFormat::C, ExportFormat::Rust, ExportFormat::Python, ExportFormat::Julia] {
+    for format in ["c", "rust", "python", "julia"] {
         let text = text(format);
         assert!(text.contains("STATE_2_THICKNESS") && !text.contains("STATE_4"), "{text}");
-        assert!(text.contains(&format!("undecided, no values: {}", doubt().reason)), "{text}");
+        assert!(text.contains(&format!("undecided, no values: {}", doubt().question)), "{text}");
         assert!(text.contains("proved, no values: sliding"), "{text}");
         assert!(text.contains("refused, no values: pi/2"), "{text}");
     }
@@ -63,17 +59,17 @@ fn only_what_is_proved_has_values() {
 #[test]
 fn hostile_text_stays_in_its_comment() {
     let scratch = Scratch::new("export-hostile");
-    scratch.write("constants.rs", text(ExportFormat::Rust));
+    scratch.write("constants.rs", text("rust"));
     let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".into());
     scratch.run(rustc, &["--crate-type", "lib", "-D", "warnings", "constants.rs"]);
     if has("gcc", "--version") {
-        scratch.write("constants.h", text(ExportFormat::C));
+        scratch.write("constants.h", text("c"));
         scratch.write("main.c", "#include \"constants.h\"\ndouble x = COUPLET_STATE_2_THRUST;\n");
         let strict = ["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror"];
         scratch.run("gcc", &[&strict[..], &["-c", "main.c"]].concat());
     }
     if has("python3", "--version") {
-        scratch.write("constants.py", text(ExportFormat::Python));
+        scratch.write("constants.py", text("python"));
         let print = "import constants as c; print([n for n in dir(c) if n[0] != '_'])";
         let names = scratch.run("python3", &["-c", print]);
         assert!(names.contains("STATE_2_THICKNESS_DECIMAL"), "{names}");
@@ -84,17 +80,17 @@ fn hostile_text_stays_in_its_comment() {
         );
     }
     if has("gfortran", "--version") {
-        scratch.write("constants.f90", text(ExportFormat::Fortran));
+        scratch.write("constants.f90", text("fortran"));
         scratch.run("gfortran", &["-Wall", "-Werror", "-c", "constants.f90"]);
     }
     if has("octave-cli", "--version") {
-        scratch.write("couplet_constants.m", text(ExportFormat::Matlab));
+        scratch.write("couplet_constants.m", text("matlab"));
         let program = "c = couplet_constants(); disp(fieldnames(c))";
         let printed = scratch.run("octave-cli", &["--norc", "--quiet", "--eval", program]);
         assert!(printed.contains("state_2"), "{printed}");
     }
     if has("pdflatex", "--version") && has("kpsewhich", "siunitx.sty") {
-        scratch.write("table.tex", text(ExportFormat::Latex));
+        scratch.write("table.tex", text("latex"));
         scratch.write(
             "main.tex",
             "\\documentclass{article}\\usepackage{booktabs,longtable,siunitx}\n\
@@ -107,11 +103,13 @@ fn hostile_text_stays_in_its_comment() {
 /// A document may hold any text, because it knows how to quote.
 #[test]
 fn documents_keep_the_text_as_it_was() {
-    let json: serde_json::Value = serde_json::from_str(&text(ExportFormat::Json)).unwrap();
-    let toml: toml::Table = toml::from_str(&text(ExportFormat::Toml)).unwrap();
-    assert_eq!(json["proofs"][0]["half_opening"], HOSTILE);
+    let json: serde_json::Value = serde_json::from_str(&text("json")).unwrap();
+    let toml: toml::Table = toml::from_str(&text("toml")).unwrap();
+    assert_eq!(json["arches"][0]["half_opening"], HOSTILE);
     assert_eq!(toml["proofs"][0]["half_opening"].as_str(), Some(HOSTILE));
-    assert_eq!(json["proofs"][0]["mode"], "[s,r,r]");
-    assert_eq!(json["constants"][0]["line"], 2);
-    assert_eq!(json["proofs"][2]["verdict"], "undecided");
+    assert_eq!(json["arches"][0]["mode"], "[s,r,r]");
+    assert_eq!(toml["constants"][0]["line"].as_integer(), Some(2));
+    assert_eq!(json["arches"][2]["verdict"], "undecided");
+    assert_eq!(toml["proofs"][2]["verdict"].as_str(), Some("undecided"));
+    assert_eq!(json["arches"][3]["error"], HOSTILE);
 }

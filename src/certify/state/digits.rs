@@ -5,7 +5,7 @@ use super::figure::Figure;
 use super::state::{Fall, Frictions, State};
 use super::thrust_range::Limit;
 use crate::number::Ball;
-use crate::problem::Mode;
+use crate::problem::{Mode, Quantity};
 
 /// A proved state with its digits, or why nothing stands.
 #[derive(Clone, Debug)]
@@ -67,6 +67,23 @@ pub struct LimitDigits {
 }
 
 impl Digits {
+    /// The values that there are, in the order of [`Quantity::STATE`]; `None` for a friction without bound.
+    pub fn figures(&self) -> impl Iterator<Item = (Quantity, Option<&Figure>)> {
+        let joint = self.sliding_joint.as_ref();
+        let frictions = self.frictions.as_ref();
+        [
+            Some((Quantity::Thickness, Some(&self.thickness))),
+            Some((Quantity::Thrust, Some(&self.thrust))),
+            Some((Quantity::IntrinsicThrust, Some(&self.intrinsic_thrust))),
+            Some((Quantity::RotationJoint, Some(&self.rotation_joint))),
+            joint.map(|joint| (Quantity::SlidingJoint, Some(joint))),
+            frictions.map(|both| (Quantity::SlidingFriction, Some(&both.sliding))),
+            frictions.map(|both| (Quantity::RotationalFriction, both.rotational.as_ref())),
+        ]
+        .into_iter()
+        .flatten()
+    }
+
     /// Every value rounded to `digits` significant digits, if the enclosures decide all of them.
     pub(super) fn new(state: &State, digits: usize) -> Option<Self> {
         let rounded = |x: &Ball| Figure::new(x, digits);
@@ -93,6 +110,26 @@ impl Digits {
 }
 
 impl AssessmentDigits {
+    /// The values that there are, in the order of [`Quantity::ASSESSMENT`] and each limiting joint behind its
+    /// thrust; `None` for a thrust without bound.
+    pub fn figures(&self) -> impl Iterator<Item = (Quantity, Option<&Figure>)> {
+        let least = self.least_thickness.as_ref().ok();
+        let single = [
+            (Quantity::LeastThickness, least),
+            (Quantity::GeometricSafety, self.geometric_safety.as_ref()),
+            (Quantity::RequiredFriction, self.required_friction.as_ref()),
+            (Quantity::FrictionSafety, self.friction_safety.as_ref()),
+        ];
+        let single = single.into_iter().filter(|(_, figure)| figure.is_some());
+        let thrusts = [Quantity::LeastThrust, Quantity::LargestThrust];
+        let limits = thrusts.into_iter().zip(self.thrust.iter().flatten());
+        single.chain(limits.flat_map(|(thrust, limit)| {
+            let joint = thrust.joint().zip(limit.joint.as_ref());
+            let joint = joint.map(|(joint, figure)| (joint, Some(figure)));
+            std::iter::once((thrust, limit.thrust.as_ref())).chain(joint)
+        }))
+    }
+
     /// Every value rounded to `digits` significant digits, if the enclosures decide all of them.
     pub(super) fn new(assessment: &Assessment, digits: usize) -> Option<Self> {
         let optional = |x: Option<&Ball>| match x {

@@ -60,10 +60,11 @@ fn half_unit(printed: &str) -> Option<String> {
 /// A quantity in the variables of the theorem; `None` if they do not determine it or it is given.
 fn term(quantity: Quantity, point: &CertifiedLandmark) -> Option<String> {
     let system = point.isolated().system();
-    let unknown = match system.fixed_value(quantity.variable()) {
+    let variable = quantity.variable()?;
+    let unknown = match system.fixed_value(variable) {
         Some(Fixed::SameAs(other)) => other,
         Some(_) => return None,
-        None => quantity.variable(),
+        None => variable,
     };
     system.index(unknown)?;
     let variable = symbol(unknown);

@@ -34,7 +34,7 @@ pub fn file() -> Result<String, Undecided> {
 
 /// What is certified, if the quantity is one of the variables.
 fn claim(comparison: &Comparison) -> Option<String> {
-    let unknown = comparison.quantity.variable();
+    let unknown = comparison.quantity.variable()?;
     comparison.landmark.system(SelfWeight::Heyman).index(unknown)?;
     let x = symbol(unknown);
     Some(match comparison.certified {

@@ -37,23 +37,22 @@ pub struct ArchArguments {
 }
 
 impl ArchArguments {
-    /// The arch described, with its friction as text.
-    pub fn arch(&self) -> Result<(Arch, String), Failure> {
+    /// The arch described.
+    pub fn arch(&self) -> Result<Arch, Failure> {
         let missing = |what: &str| Failure::Input(format!("{what} is missing"));
         let half_opening = self.half_opening.as_deref().ok_or_else(|| missing("--half-opening"))?;
-        let (friction, text) = match (&self.friction, &self.friction_angle) {
-            (Some(mu), _) => (friction(mu).map_err(Failure::Input)?, mu.clone()),
-            (None, Some(phi)) => {
-                let phi = angle(phi).map_err(Failure::Input)?;
-                let text = format!("tan({phi})");
-                (Friction::Angle(phi), text)
-            }
+        let friction = match (&self.friction, &self.friction_angle) {
+            (Some(mu), _) => friction(mu),
+            (None, Some(phi)) => angle(phi).map(Friction::Angle),
             (None, None) => return Err(missing("--friction or --friction-angle")),
         };
-        let arch = Arch::new(self.weight, angle(half_opening).map_err(Failure::Input)?, friction)
-            .map_err(|error| Failure::Input(error.to_string()))?;
-        Ok((arch, text))
+        friction.and_then(|mu| arch(self.weight, half_opening, mu)).map_err(Failure::Input)
     }
+}
+
+/// An arch whose half opening is text.
+pub fn arch(weight: SelfWeight, half_opening: &str, friction: Friction) -> Result<Arch, String> {
+    Arch::new(weight, angle(half_opening)?, friction).map_err(|error| error.to_string())
 }
 
 /// An angle in radians, or in degrees with `deg` behind.

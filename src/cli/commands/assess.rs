@@ -2,9 +2,10 @@
 
 use super::Failure;
 use super::arch::{ArchArguments, thickness};
-use super::output::Destination;
+use super::output::AnswerOutput;
+use super::state::print;
 use crate::certify::state::Certify;
-use crate::report::AssessReport;
+use crate::report::Answer;
 use clap::Args;
 
 /// Print whether an arch of a given thickness stands, its safety factors, and the thrusts it can bear.
@@ -18,25 +19,14 @@ pub struct Arguments {
     thickness: String,
 
     #[command(flatten)]
-    destination: Destination,
+    output: AnswerOutput,
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let (arch, friction) = arguments.arch.arch()?;
+    let arch = arguments.arch.arch()?;
     let eta = thickness(&arguments.thickness).map_err(Failure::Input)?;
-    let output = arguments.destination.open()?;
-    let outcome = arch.certify_thickness(&eta, arguments.arch.digits);
-    let report = AssessReport {
-        weight: arch.weight(),
-        half_opening: arch.half_opening().to_string(),
-        friction,
-        thickness: arguments.thickness.clone(),
-        doubles: arguments.arch.digits == 17,
-        outcome: &outcome,
-    };
-    output.write(|out| report.write(arguments.destination.format, out))?;
-    match outcome {
-        Ok(_) => Ok(()),
-        Err(doubt) => Err(Failure::Undecided(doubt.to_string())),
-    }
+    let digits = arguments.arch.digits;
+    print(&arguments.output, digits, || {
+        Answer::assessment(1, (&arch, &eta), &arch.certify_thickness(&eta, digits))
+    })
 }

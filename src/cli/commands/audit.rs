@@ -1,9 +1,9 @@
 //! `couplet audit`.
 
 use super::Failure;
-use super::output::Destination;
+use super::output::OutputFile;
 use crate::judge::{audit, compare_weights};
-use crate::report::Audit;
+use crate::report::{Audit, Content, Format, Report};
 use clap::Args;
 
 /// Compare every number the paper prints, and its claims on the two weights, with certified values.
@@ -12,17 +12,25 @@ use clap::Args;
 /// format csv has the printed numbers only.
 #[derive(Args)]
 pub struct Arguments {
+    #[arg(
+        long,
+        default_value = "table",
+        value_parser = super::format(Content::Audit),
+        help = super::format_help(Content::Audit)
+    )]
+    format: &'static Format,
+
     #[command(flatten)]
-    destination: Destination,
+    file: OutputFile,
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let output = arguments.destination.open()?;
+    let output = arguments.file.open()?;
     let undecided =
         |undecided: crate::certify::Undecided| Failure::Undecided(undecided.to_string());
-    let report = Audit {
+    let report = Report::Audit(Audit {
         printed: audit().map_err(undecided)?,
         comparisons: compare_weights().map_err(undecided)?,
-    };
-    output.write(|out| report.write(arguments.destination.format, out))
+    });
+    output.write(|out| report.write(arguments.format, out))
 }

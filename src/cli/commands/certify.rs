@@ -1,7 +1,7 @@
 //! `couplet certify`.
 
 use super::Failure;
-use super::arch::{angle, friction};
+use super::arch::friction;
 use super::output::Output;
 use crate::arch::SelfWeight;
 use crate::certify::{Undecided, certify_landmark, certify_state};
@@ -17,8 +17,8 @@ use std::path::{Path, PathBuf};
 #[derive(Args)]
 pub struct Arguments {
     /// A landmark (T, S, J, B, l, L, sb), `state` for the state of an arch, or `all` for all landmarks.
-    #[arg(value_name = "SUBJECT", value_parser = subject)]
-    subject: Subject,
+    #[arg(value_name = "SUBJECT", value_parser = target)]
+    target: Target,
 
     /// Half opening of the arch, for `state` (2.45, pi/2, 80deg).
     #[arg(long, visible_alias = "alpha", value_name = "ANGLE", allow_hyphen_values = true)]
@@ -42,36 +42,36 @@ pub struct Arguments {
 }
 
 #[derive(Clone, Copy, PartialEq)]
-enum Subject {
+enum Target {
     Landmark(Landmark),
     State,
     All,
 }
 
-fn subject(text: &str) -> Result<Subject, String> {
+fn target(text: &str) -> Result<Target, String> {
     match text {
-        "state" => Ok(Subject::State),
-        "all" => Ok(Subject::All),
+        "state" => Ok(Target::State),
+        "all" => Ok(Target::All),
         symbol => super::landmark(symbol)
-            .map(Subject::Landmark)
+            .map(Target::Landmark)
             .map_err(|error| format!("{error}, or state, or all")),
     }
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let given = arguments.half_opening.is_some() || arguments.friction.is_some();
-    if arguments.subject != Subject::State && given {
+    if arguments.target != Target::State && given {
         return Err(Failure::Input("a half opening and a friction belong to `state`".into()));
     }
-    match arguments.subject {
-        Subject::All => all(arguments),
-        Subject::Landmark(landmark) => {
+    match arguments.target {
+        Target::All => all(arguments),
+        Target::Landmark(landmark) => {
             let output = Output::open(arguments.output.as_deref())?;
             let weight = arguments.weight.unwrap_or(SelfWeight::Milankovitch);
             let made = certify_landmark(landmark, weight, arguments.digits);
             write(output, &made.map_err(undecided)?)
         }
-        Subject::State => {
+        Target::State => {
             let arch = arch(arguments)?;
             super::state_digits(&arguments.digits.to_string()).map_err(Failure::Input)?;
             let output = Output::open(arguments.output.as_deref())?;
@@ -90,9 +90,8 @@ fn arch(arguments: &Arguments) -> Result<Arch, Failure> {
         arguments.half_opening.as_deref().ok_or_else(|| missing("--half-opening"))?;
     let mu = arguments.friction.as_deref().ok_or_else(|| missing("--friction"))?;
     let weight = arguments.weight.unwrap_or(SelfWeight::Milankovitch);
-    let half_opening = angle(half_opening).map_err(Failure::Input)?;
-    Arch::new(weight, half_opening, friction(mu).map_err(Failure::Input)?)
-        .map_err(|error| Failure::Input(error.to_string()))
+    let arch = friction(mu).and_then(|mu| super::arch::arch(weight, half_opening, mu));
+    arch.map_err(Failure::Input)
 }
 
 /// All landmarks, each in a file of its own.

@@ -1,11 +1,12 @@
 //! `couplet constants`.
 
-use super::output::{Place, not_a_terminal};
+use super::output::AnswerOutput;
 use super::{Failure, progress};
 use crate::arch::SelfWeight;
 use crate::certify::{CertifiedLandmark, fingerprint};
 use crate::problem::Landmark;
-use crate::report::{Constants, ConstantsFormat, LandmarkReport, Proved};
+use crate::report::words::list;
+use crate::report::{Answer, Answers, Report};
 use clap::Args;
 use rayon::prelude::*;
 
@@ -35,20 +36,13 @@ pub struct Arguments {
     #[arg(long, default_value = "30", value_parser = super::digits, allow_negative_numbers = true)]
     digits: usize,
 
-    /// Output format: table, json, csv, toml, latex, c, rust, python, julia, matlab, fortran or parquet.
-    #[arg(long, default_value = "table", value_parser = super::constants_format)]
-    format: ConstantsFormat,
-
     #[command(flatten)]
-    place: Place,
+    output: AnswerOutput,
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    if arguments.format.is_binary() && arguments.place.is_standard() {
-        not_a_terminal()?;
-    }
-    let output = arguments.place.open()?;
-    let hashed = matches!(arguments.format, ConstantsFormat::Export(_));
+    let (output, digits) = (arguments.output.open()?, arguments.digits);
+    let hashed = arguments.output.format.has_certificates;
     let asked = |landmark: &Landmark| {
         arguments.landmarks.is_empty() || arguments.landmarks.contains(landmark)
     };
@@ -60,32 +54,25 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         })
         .collect();
     let ticks = points.iter().map(|&(landmark, _)| CertifiedLandmark::ticks(landmark)).sum();
-    let bar = progress::bar(ticks, points.len() * arguments.digits);
-    let landmarks: Vec<LandmarkReport> = points
-        .into_par_iter()
-        .map(|(landmark, weight)| {
-            let outcome = CertifiedLandmark::new(landmark, weight)
-                .and_then(|point| {
-                    let constants = point.constants(arguments.digits, &|| bar.inc(1))?;
-                    Ok(Proved::new(&point, constants))
-                })
-                .map_err(|undecided| undecided.to_string());
-            let fingerprint = (hashed && outcome.is_ok()).then(|| {
-                fingerprint(landmark, weight, arguments.digits)
-                    .map_err(|undecided| undecided.reason.into_owned())
-            });
-            LandmarkReport { landmark, weight, outcome, fingerprint }
-        })
-        .collect();
+    let bar = progress::bar(ticks, points.len() * digits);
+    let answer = |point: (Landmark, SelfWeight)| {
+        let proved = CertifiedLandmark::new(point.0, point.1).and_then(|landmark| {
+            let constants = landmark.constants(digits, &|| bar.inc(1))?;
+            let hash = hashed.then(|| fingerprint(&landmark, digits));
+            let answer = Answer::landmark(point, Ok((&landmark, constants)));
+            Ok(match hash {
+                Some(hash) => answer.with_certificate(digits, hash),
+                None => answer,
+            })
+        });
+        proved.unwrap_or_else(|undecided| Answer::landmark(point, Err(&undecided)))
+    };
+    let answers: Vec<Answer> = points.into_par_iter().map(answer).collect();
     bar.finish_and_clear();
-    let undecided: Vec<&str> = landmarks
-        .iter()
-        .filter(|entry| entry.outcome.is_err())
-        .map(|entry| entry.landmark.symbol())
-        .collect();
-    let undecided = undecided.join(", ");
-    let report = Constants { digits: arguments.digits, landmarks };
-    output.write(|out| report.write(arguments.format, out))?;
+    let open = answers.iter().filter(|answer| answer.is_undecided());
+    let undecided = list(open.filter_map(|answer| Some(answer.subject.landmark()?.symbol())));
+    let report = Report::Answers(Answers::constants(digits, answers));
+    output.write(|out| report.write(arguments.output.format, out))?;
     match undecided.is_empty() {
         true => Ok(()),
         false => Err(Failure::Undecided(format!("not everything was proved: {undecided}"))),

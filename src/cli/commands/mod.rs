@@ -20,8 +20,8 @@ use super::{Failure, check, completions, man};
 use crate::arch::SelfWeight;
 use crate::certify::MAX_DIGITS;
 use crate::problem::Landmark;
-use crate::report::export::ExportFormat;
-use crate::report::{ConstantsFormat, Format};
+use crate::report::words::list;
+use crate::report::{Content, Format};
 use crate::scene::MAX_ARCH_DIGITS;
 use clap::Subcommand;
 
@@ -77,44 +77,21 @@ fn weight(text: &str) -> Result<SelfWeight, String> {
     })
 }
 
-fn format(text: &str) -> Result<Format, String> {
-    match text {
-        "table" => Ok(Format::Table),
-        "json" => Ok(Format::Json),
-        "csv" => Ok(Format::Csv),
-        _ => Err("a format is one of table, json, csv".into()),
+/// What reads the name of a format.
+fn format(
+    content: Content,
+) -> impl Fn(&str) -> Result<&'static Format, String> + Clone + Send + Sync + 'static {
+    move |name| {
+        let format = Format::named(content, name)
+            .ok_or_else(|| format!("a format is one of {}", Format::names(content)))?;
+        format.missing().map_or(Ok(format), Err)
     }
 }
 
-fn constants_format(text: &str) -> Result<ConstantsFormat, String> {
-    use ConstantsFormat::Export;
-    match text {
-        "table" => Ok(ConstantsFormat::Table),
-        "json" => Ok(Export(ExportFormat::Json)),
-        "csv" => Ok(ConstantsFormat::Csv),
-        "toml" => Ok(Export(ExportFormat::Toml)),
-        "latex" => Ok(Export(ExportFormat::Latex)),
-        "c" => Ok(Export(ExportFormat::C)),
-        "rust" => Ok(Export(ExportFormat::Rust)),
-        "python" => Ok(Export(ExportFormat::Python)),
-        "julia" => Ok(Export(ExportFormat::Julia)),
-        "matlab" => Ok(Export(ExportFormat::Matlab)),
-        "fortran" => Ok(Export(ExportFormat::Fortran)),
-        #[cfg(feature = "parquet")]
-        "parquet" => Ok(Export(ExportFormat::Parquet)),
-        #[cfg(not(feature = "parquet"))]
-        "parquet" => Err(NO_PARQUET.into()),
-        _ => Err(
-            "a format is one of table, json, csv, toml, latex, c, rust, python, julia, matlab, \
-                  fortran, parquet"
-                .into(),
-        ),
-    }
+/// What an option of formats is for.
+fn format_help(content: Content) -> String {
+    format!("Output format: {}", Format::names(content))
 }
-
-/// What to say where Parquet is not built in.
-#[cfg(not(feature = "parquet"))]
-const NO_PARQUET: &str = "this couplet was built without the feature parquet (cargo install --path . --features parquet)";
 
 fn digits(text: &str) -> Result<usize, String> {
     text.parse()
@@ -128,8 +105,4 @@ fn state_digits(text: &str) -> Result<usize, String> {
         .ok()
         .filter(|digits| *digits <= MAX_ARCH_DIGITS)
         .ok_or_else(|| format!("digits are a whole number from 1 to {MAX_ARCH_DIGITS}"))
-}
-
-fn list<const N: usize>(names: [&str; N]) -> String {
-    names.join(", ")
 }

@@ -1,7 +1,7 @@
 //! Where a report goes: standard output, or a file that appears whole or not at all.
 
 use super::Failure;
-use crate::report::Format;
+use crate::report::{Content, Format};
 use clap::Args;
 use std::fs;
 use std::io::{self, BufWriter, IsTerminal, Write};
@@ -9,50 +9,58 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, Once};
 use tempfile::NamedTempFile;
 
-/// How and where a report is written: the same for every command.
+/// How and where answers are written.
 #[derive(Args)]
-pub struct Destination {
-    /// Output format: table, json or csv.
-    #[arg(long, default_value = "table", value_parser = super::format)]
-    pub format: Format,
+pub struct AnswerOutput {
+    #[arg(
+        long,
+        default_value = "table",
+        value_parser = super::format(Content::Answers),
+        help = super::format_help(Content::Answers)
+    )]
+    pub format: &'static Format,
 
     #[command(flatten)]
-    place: Place,
+    pub file: OutputFile,
 }
 
 /// Where a report is written.
 #[derive(Args)]
-pub struct Place {
+pub struct OutputFile {
     /// Write to a file instead of standard output; it appears whole or not at all.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
 
-impl Destination {
+impl AnswerOutput {
     /// Opens the destination, before any work is done.
     pub fn open(&self) -> Result<Output, Failure> {
-        self.place.open()
+        if self.file.output.is_none() {
+            fits_standard_output(self.format)?;
+        }
+        self.file.open()
     }
 }
 
-impl Place {
+impl OutputFile {
     /// Opens the destination, before any work is done.
     pub fn open(&self) -> Result<Output, Failure> {
         Output::open(self.output.as_deref())
     }
 
-    /// Whether it is standard output.
-    pub fn is_standard(&self) -> bool {
-        self.output.is_none()
+    /// Whether it is a file that is there.
+    pub fn is_same_file(&self, other: &Path) -> bool {
+        self.output.as_ref().is_some_and(|output| is_same_file(output, other))
     }
 }
 
 /// Refuses to write a binary file to a terminal.
-pub fn not_a_terminal() -> Result<(), Failure> {
-    match io::stdout().is_terminal() {
-        true => Err(Failure::Input(
-            "a parquet file is not for a terminal: redirect it to a file".into(),
-        )),
+pub fn fits_standard_output(format: &Format) -> Result<(), Failure> {
+    match format.is_binary && io::stdout().is_terminal() {
+        true => Err(Failure::Input(format!(
+            "a {} file is not for a terminal: redirect it to a file",
+            format.name
+        ))),
         false => Ok(()),
     }
 }

@@ -1,9 +1,9 @@
 //! `couplet prove`.
 
 use super::Failure;
-use super::output::Output;
+use super::output::{Output, OutputFile};
 use crate::claims::{Claim, claims, coq};
-use crate::report::{ClaimFormat, Claims};
+use crate::report::{Claims, Content, Format, Report};
 use clap::Args;
 use rayon::prelude::*;
 use std::fs;
@@ -23,26 +23,20 @@ pub struct Arguments {
     #[arg(long)]
     show: bool,
 
-    /// Output format: text, latex or json.
-    #[arg(long, default_value = "text", value_parser = format)]
-    format: ClaimFormat,
+    #[arg(
+        long,
+        default_value = "text",
+        value_parser = super::format(Content::Claims),
+        help = super::format_help(Content::Claims)
+    )]
+    format: &'static Format,
 
-    /// Write to a file instead of standard output; it appears whole or not at all.
-    #[arg(short, long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    file: OutputFile,
 
     /// Instead, write the constants as theorems for the proof assistant Coq into a folder.
     #[arg(long, value_name = "FOLDER", conflicts_with_all = ["claims", "show", "format", "output"])]
     coq: Option<PathBuf>,
-}
-
-fn format(text: &str) -> Result<ClaimFormat, String> {
-    match text {
-        "text" => Ok(ClaimFormat::Text),
-        "latex" => Ok(ClaimFormat::Latex),
-        "json" => Ok(ClaimFormat::Json),
-        _ => Err("a format is one of text, latex, json".into()),
-    }
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -50,7 +44,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         return write_coq(folder);
     }
     let chosen = choose(&arguments.claims)?;
-    let output = Output::open(arguments.output.as_deref())?;
+    let output = arguments.file.open()?;
     let decisions: Vec<_> = chosen.par_iter().map(Claim::decide).collect();
     let undecided: Vec<&str> = decisions
         .iter()
@@ -58,7 +52,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         .map(|decision| decision.claim.id)
         .collect();
     let undecided = undecided.join(", ");
-    let report = Claims { decisions, show: arguments.show, timed: true };
+    let claims = Claims { decisions, show: arguments.show, timed: true };
+    let report = Report::Claims(claims);
     output.write(|out| report.write(arguments.format, out))?;
     match undecided.is_empty() {
         true => Ok(()),

@@ -2,6 +2,7 @@
 
 use super::output::{Output, is_same_file};
 use super::{Failure, progress};
+use crate::report::words::count;
 use crate::scene::{
     EXAMPLE, Fault, Hashing, Item, MANIFEST, MAX_BYTES, Manifest, Plan, Run, Scene, explain,
     read_bytes,
@@ -84,8 +85,8 @@ fn scene(path: &Path) -> Result<Scene, Failure> {
         for Fault { place, message } in &faults {
             say(&format!("{name}:{}:{}: {message}\n", place.line, place.column));
         }
-        let plural = if faults.len() == 1 { "" } else { "s" };
-        Failure::Input(format!("{name} has {} error{plural}; nothing was computed", faults.len()))
+        let errors = count(faults.len(), "error", "errors");
+        Failure::Input(format!("{name} has {errors}; nothing was computed"))
     })
 }
 
@@ -139,13 +140,13 @@ fn carry_out(
             tell("kept   ");
             continue;
         }
-        let found = run.item(index, &tick);
-        let open = found.undecided.iter();
+        let report = run.item(index, &tick);
+        let open = report.undecided.iter();
         undecided.extend(open.map(|what| match &path {
             Some(path) => format!("{what} in {}", path.display()),
             None => what.clone(),
         }));
-        if !found.is_known() {
+        if !report.is_known() {
             continue;
         }
         let output = Output::open(path.as_deref())?;
@@ -156,14 +157,14 @@ fn carry_out(
                     writeln!(out)?;
                 }
                 let mut hashing = Hashing::new(out);
-                found.write(&mut hashing)?;
+                report.write(&mut hashing)?;
                 hash = hashing.hash();
                 Ok(())
             })
         })?;
         if path.is_some() {
             // What is undecided is tried again.
-            match found.undecided.is_empty() {
+            match report.undecided.is_empty() {
                 true => manifest.note(item, hash),
                 false => manifest.forget(item),
             }

@@ -2,11 +2,11 @@
 
 use super::Failure;
 use super::arch::ArchArguments;
-use super::output::Destination;
-use crate::certify::state::{Answer, Certify};
-use crate::certify::{CertifiedLandmark, Value};
-use crate::problem::{Landmark, Mode};
-use crate::report::{StateAt, StateOf, StateReport};
+use super::output::AnswerOutput;
+use crate::certify::CertifiedLandmark;
+use crate::certify::state::Certify;
+use crate::problem::Landmark;
+use crate::report::{Answer, Answers, Report, Status};
 use clap::Args;
 
 /// Print whether an arch can stand, how thin it can be, and how it collapses there, with a proof.
@@ -23,44 +23,42 @@ pub struct Arguments {
     at: Option<Landmark>,
 
     #[command(flatten)]
-    destination: Destination,
+    output: AnswerOutput,
 }
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(landmark) = arguments.at {
         return at_landmark(landmark, arguments);
     }
-    let (arch, friction) = arguments.arch.arch()?;
-    let output = arguments.destination.open()?;
-    let answer = arch.certify(arguments.arch.digits);
-    let outcome = match &answer {
-        Ok(Answer::Stands(digits)) => StateOf::Stands(digits),
-        Ok(Answer::Falls(fall)) => StateOf::Falls(*fall),
-        Err(doubt) => StateOf::Undecided(doubt),
+    let (arch, digits) = (arguments.arch.arch()?, arguments.arch.digits);
+    print(&arguments.output, digits, || Answer::state(1, &arch, &arch.certify(digits)))
+}
+
+/// Finds and prints what there is to say of one arch.
+pub fn print(
+    output: &AnswerOutput,
+    digits: usize,
+    answer: impl FnOnce() -> Answer,
+) -> Result<(), Failure> {
+    let file = output.open()?;
+    let answer = answer();
+    let undecided = match &answer.status {
+        Status::Undecided(undecided) => Err(Failure::Undecided(undecided.to_string())),
+        _ => Ok(()),
     };
-    let report = StateReport {
-        weight: arch.weight(),
-        half_opening: arch.half_opening().to_string(),
-        friction,
-        doubles: arguments.arch.digits == 17,
-        outcome,
-    };
-    output.write(|out| report.write(arguments.destination.format, out))?;
-    match answer {
-        Ok(_) => Ok(()),
-        Err(doubt) => Err(Failure::Undecided(doubt.to_string())),
-    }
+    let report = Report::Answers(Answers::arch(digits, answer));
+    file.write(|out| report.write(output.format, out))?;
+    undecided
 }
 
 fn at_landmark(landmark: Landmark, arguments: &Arguments) -> Result<(), Failure> {
-    let output = arguments.destination.open()?;
+    let output = arguments.output.open()?;
+    let (weight, digits) = (arguments.arch.weight, arguments.arch.digits);
     let undecided = |error: crate::certify::Undecided| Failure::Undecided(error.to_string());
-    let point = CertifiedLandmark::new(landmark, arguments.arch.weight).map_err(undecided)?;
-    let constants = point.constants(arguments.arch.digits, &|| ()).map_err(undecided)?;
-    let modes: Vec<Mode> = landmark.modes().to_vec();
-    let values =
-        constants.iter().filter(|c| !matches!(c.value, Value::Infinite) || c.exact.is_some());
-    let report =
-        StateAt { landmark, weight: point.weight(), modes, constants: values.cloned().collect() };
-    output.write(|out| report.write(arguments.destination.format, out))
+    let point = CertifiedLandmark::new(landmark, weight).map_err(undecided)?;
+    let constants = point.constants(digits, &|| ()).map_err(undecided)?;
+    let answer = Answer::landmark((landmark, weight), Ok((&point, constants)));
+    let answer = Answer { modes: landmark.modes().to_vec(), ..answer };
+    let report = Report::Answers(Answers::point(digits, answer));
+    output.write(|out| report.write(arguments.output.format, out))
 }

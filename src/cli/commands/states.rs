@@ -1,15 +1,11 @@
 //! `couplet states`.
 
 use super::Failure;
-use super::arch::{angle, friction, thickness};
-use super::rows::{Kind, Line, Progress, Source, csv_records, in_order, json_error, json_lines};
-use crate::arch::SelfWeight;
-use crate::certify::state::{Answer, Certify};
-use crate::number::ExactNumber;
-use crate::problem::Arch;
-#[cfg(feature = "parquet")]
-use crate::report::export::{Export, ParquetRows, Subject};
-use crate::report::{Answered, AssessReport, Rows, StateOf, StateReport};
+use super::arch::{arch, friction, thickness};
+use super::output::fits_standard_output;
+use super::rows::{Line, Progress, Source, Syntax, csv_records, in_order, json_error, json_lines};
+use crate::certify::state::Certify;
+use crate::report::{Answer, Answers, Content, Format, Status};
 use clap::Args;
 use serde::Deserialize;
 use serde_json::value::RawValue;
@@ -33,28 +29,8 @@ pub struct Arguments {
     digits: usize,
 
     /// Output format, csv, jsonl or parquet; that of the input if not given.
-    #[arg(long, value_parser = format)]
-    format: Option<RowFormat>,
-}
-
-#[derive(Clone, Copy, PartialEq)]
-enum RowFormat {
-    Csv,
-    JsonLines,
-    #[cfg(feature = "parquet")]
-    Parquet,
-}
-
-fn format(text: &str) -> Result<RowFormat, String> {
-    match text {
-        "csv" => Ok(RowFormat::Csv),
-        "jsonl" => Ok(RowFormat::JsonLines),
-        #[cfg(feature = "parquet")]
-        "parquet" => Ok(RowFormat::Parquet),
-        #[cfg(not(feature = "parquet"))]
-        "parquet" => Err(super::NO_PARQUET.into()),
-        _ => Err("a format is one of csv, jsonl, parquet".into()),
-    }
+    #[arg(long, value_parser = super::format(Content::Rows))]
+    format: Option<&'static Format>,
 }
 
 /// A query as it was read.
@@ -69,100 +45,60 @@ struct Query {
 type Queries = Box<dyn Iterator<Item = Line<Query>>>;
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    #[cfg(feature = "parquet")]
-    if arguments.format == Some(RowFormat::Parquet) {
-        super::output::not_a_terminal()?;
+    if let Some(format) = arguments.format {
+        fits_standard_output(format)?;
     }
     let source = Source::open(None)?;
     let progress = Progress::new(&source);
-    let json_in = source.kind == Kind::JsonLines;
+    let (syntax, digits) = (source.syntax, arguments.digits);
     let input = progress.counted(source.into_reader());
-    let (lines, thickness): (Queries, bool) = if json_in {
-        let mut lines = json_lines(input, json_query).peekable();
-        // One shape of output for all: that of the first query.
-        let first = lines.peek().and_then(|(_, query)| query.as_ref().ok());
-        let thickness = first.is_some_and(|query| query.thickness.is_some());
-        (Box::new(lines), thickness)
-    } else {
-        csv_lines(input)?
+    let (lines, assessed): (Queries, bool) = match syntax {
+        Syntax::JsonLines => {
+            let mut lines = json_lines(input, json_query).peekable();
+            // One shape of output for all: that of the first query.
+            let first = lines.peek().and_then(|(_, query)| query.as_ref().ok());
+            let assessed = first.is_some_and(|query| query.thickness.is_some());
+            (Box::new(lines), assessed)
+        }
+        Syntax::Csv => csv_lines(input)?,
     };
-    let given = if json_in { RowFormat::JsonLines } else { RowFormat::Csv };
-    let format = arguments.format.unwrap_or(given);
-    let json = format == RowFormat::JsonLines;
-    let rows = Rows { json, thickness, doubles: arguments.digits == 17 };
-    let (out, tally) = (io::stdout().lock(), Tally::default());
-    let mut run = Run { lines: Some(lines), digits: arguments.digits, rows, progress, tally, out };
-    let all = match format {
-        RowFormat::Csv | RowFormat::JsonLines => run.text()?,
-        #[cfg(feature = "parquet")]
-        RowFormat::Parquet => run.parquet()?,
-    };
-    if all { run.tally.verdict() } else { Ok(()) }
-}
-
-/// What goes on from chunk to chunk. A method says whether the reader still listens.
-struct Run<'a> {
-    lines: Option<Queries>,
-    digits: usize,
-    rows: Rows,
-    progress: Progress,
-    tally: Tally,
-    out: io::StdoutLock<'a>,
-}
-
-impl Run<'_> {
-    fn text(&mut self) -> Result<bool, Failure> {
-        let rows = self.rows;
-        Ok(self.put(rows.header())?
-            && self.chunks(
-                |line, answer| rows.row(line, answer),
-                |chunk| chunk.into_iter().collect::<io::Result<Vec<_>>>().map(|rows| rows.concat()),
-            )?)
+    let format = arguments.format.or_else(|| Format::named(Content::Rows, syntax.format()));
+    let Some(open) = format.and_then(|format| format.rows) else { return Ok(()) };
+    let mut file = open(Answers::arches(digits, assessed)).map_err(unwritten)?;
+    let mut out = io::stdout().lock();
+    let (mut bad, mut undecided) = (0, 0);
+    if !put(&mut out, file.begin())? {
+        return Ok(());
     }
-
-    #[cfg(feature = "parquet")]
-    fn parquet(&mut self) -> Result<bool, Failure> {
-        let export = Export {
-            title: "States of circular masonry arches of finite friction",
-            schema: "couplet.states/1",
-            digits: self.digits,
-            subjects: Vec::new(),
-        };
-        let unwritten = |error: io::Error| Failure::Io(error.to_string());
-        let mut file = ParquetRows::new(&export).map_err(unwritten)?;
-        let row = |line, answer: &Answered| match answer {
-            Answered::State(report) => Subject::state(line, report),
-            Answered::Assessment(report) => Subject::assessment(line, report),
-            Answered::Error(line, error) => Subject::refused(*line, error),
-        };
-        Ok(self.chunks(row, |subjects| file.group(&subjects))? && self.put(file.end())?)
+    let mut listens = true;
+    // Computes chunk after chunk on all cores, and writes each before the next is read.
+    let rows = in_order(
+        lines,
+        &progress,
+        |(line, query)| {
+            let answer = query.and_then(|query| answer(line, &query, digits, assessed));
+            answer.unwrap_or_else(|error| Answer::refused(line, error))
+        },
+        |answers: Vec<Answer>| {
+            let count =
+                |is: fn(&Answer) -> bool| answers.iter().filter(|answer| is(answer)).count();
+            bad += count(|answer| matches!(answer.status, Status::Refused(_)));
+            undecided += count(Answer::is_undecided);
+            listens = put(&mut out, file.group(&answers))?;
+            Ok::<_, Failure>(listens)
+        },
+    )?;
+    if !listens || !put(&mut out, file.end())? {
+        return Ok(());
     }
-
-    /// Computes chunk after chunk on all cores, and writes each before the next is read.
-    fn chunks<T: Send>(
-        &mut self,
-        row: impl Fn(u64, &Answered) -> T + Sync,
-        mut bytes: impl FnMut(Vec<T>) -> io::Result<Vec<u8>>,
-    ) -> Result<bool, Failure> {
-        let (digits, rows, mut listens) = (self.digits, self.rows, true);
-        let lines = self.lines.take().into_iter().flatten();
-        let Self { progress, tally, out, .. } = self;
-        tally.rows = in_order(
-            lines,
-            progress,
-            |(line, query)| answer(line, query, digits, &rows, &row),
-            |answers| {
-                let (answers, outcomes): (Vec<T>, Vec<Tally>) = answers.into_iter().unzip();
-                outcomes.iter().for_each(|outcome| tally.add(outcome));
-                listens = put(out, bytes(answers))?;
-                Ok::<_, Failure>(listens)
-            },
-        )?;
-        Ok(listens)
-    }
-
-    fn put(&mut self, bytes: io::Result<Vec<u8>>) -> Result<bool, Failure> {
-        put(&mut self.out, bytes)
+    match (bad, undecided) {
+        (0, 0) => Ok(()),
+        (0, undecided) => {
+            Err(Failure::Undecided(format!("{undecided} of {rows} rows are undecided")))
+        }
+        (bad, _) => {
+            Err(Failure::Input(format!("{bad} of {rows} rows could not be read; see their errors")))
+        }
     }
 }
 
@@ -171,84 +107,23 @@ fn put(out: &mut impl Write, bytes: io::Result<Vec<u8>>) -> Result<bool, Failure
     match bytes.and_then(|bytes| out.write_all(&bytes).and_then(|()| out.flush())) {
         Ok(()) => Ok(true),
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(false),
-        Err(error) => Err(Failure::writing("to standard output", &error)),
+        Err(error) => Err(unwritten(error)),
     }
 }
 
-/// How many rows were bad, and how many undecided.
-#[derive(Default)]
-struct Tally {
-    rows: u64,
-    bad: u64,
-    undecided: u64,
+fn unwritten(error: io::Error) -> Failure {
+    Failure::writing("to standard output", &error)
 }
 
-impl Tally {
-    fn add(&mut self, other: &Self) {
-        self.bad += other.bad;
-        self.undecided += other.undecided;
+/// The answer to a query, or what is wrong with it.
+fn answer(line: u64, query: &Query, digits: usize, assessed: bool) -> Result<Answer, String> {
+    let weight = super::weight(&query.weight)?;
+    let arch = arch(weight, &query.half_opening, friction(&query.friction)?)?;
+    if !assessed {
+        return Ok(Answer::state(line, &arch, &arch.certify(digits)));
     }
-
-    fn verdict(&self) -> Result<(), Failure> {
-        match (self.bad, self.undecided) {
-            (0, 0) => Ok(()),
-            (0, undecided) => {
-                Err(Failure::Undecided(format!("{undecided} of {} rows are undecided", self.rows)))
-            }
-            (bad, _) => Err(Failure::Input(format!(
-                "{bad} of {} rows could not be read; see their errors",
-                self.rows
-            ))),
-        }
-    }
-}
-
-fn answer<T>(
-    line: u64,
-    query: Result<Query, String>,
-    digits: usize,
-    rows: &Rows,
-    row: &impl Fn(u64, &Answered) -> T,
-) -> (T, Tally) {
-    let read = query.and_then(|query| {
-        let arch = arch(&query)?;
-        let thickness = match query.thickness.as_deref().filter(|_| rows.thickness) {
-            Some(text) => Some((thickness(text)?, text.to_owned())),
-            None if rows.thickness => return Err("the thickness is missing".into()),
-            None => None,
-        };
-        Ok((query, arch, thickness))
-    });
-    let (query, arch, thickness): (Query, Arch, Option<(ExactNumber, String)>) = match read {
-        Ok(read) => read,
-        Err(error) => {
-            let error = Answered::Error(line, error);
-            return (row(line, &error), Tally { bad: 1, ..Tally::default() });
-        }
-    };
-    let (weight, half_opening, friction) = (arch.weight(), query.half_opening, query.friction);
-    let doubles = rows.doubles;
-    let undecided = |undecided: bool| Tally { undecided: u64::from(undecided), ..Tally::default() };
-    if let Some((eta, thickness)) = thickness {
-        let outcome = arch.certify_thickness(&eta, digits);
-        let report =
-            AssessReport { weight, half_opening, friction, thickness, doubles, outcome: &outcome };
-        return (row(line, &Answered::Assessment(report)), undecided(outcome.is_err()));
-    }
-    let found = arch.certify(digits);
-    let outcome = match &found {
-        Ok(Answer::Stands(state)) => StateOf::Stands(state),
-        Ok(Answer::Falls(fall)) => StateOf::Falls(*fall),
-        Err(doubt) => StateOf::Undecided(doubt),
-    };
-    let report = StateReport { weight, half_opening, friction, doubles, outcome };
-    (row(line, &Answered::State(report)), undecided(found.is_err()))
-}
-
-fn arch(query: &Query) -> Result<Arch, String> {
-    let weight: SelfWeight = super::weight(&query.weight)?;
-    let friction = friction(&query.friction)?;
-    Arch::new(weight, angle(&query.half_opening)?, friction).map_err(|error| error.to_string())
+    let eta = thickness(query.thickness.as_deref().ok_or("the thickness is missing")?)?;
+    Ok(Answer::assessment(line, (&arch, &eta), &arch.certify_thickness(&eta, digits)))
 }
 
 #[derive(Deserialize)]

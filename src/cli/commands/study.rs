@@ -2,12 +2,12 @@
 
 use super::Failure;
 use super::output::Output;
-use crate::report::{StudyFiles, accuracy_table, stability_table};
+use super::progress::styled;
+use crate::report::study::{StudyFiles, accuracy_table, stability_table};
 use crate::study::accuracy::{self, QUANTITIES};
 use crate::study::limits::LIMITS;
 use crate::study::stability;
 use clap::{Args, Subcommand};
-use indicatif::{ProgressBar, ProgressStyle};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -53,6 +53,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
+const BAR: &str = "{bar:40} {pos}/{len}  about {eta} left";
+
 /// Refuses a name that does not exist.
 fn known(only: &[String], names: &[&str]) -> Result<(), Failure> {
     match only.iter().find(|name| !names.contains(&name.as_str())) {
@@ -70,7 +72,7 @@ fn accuracy(options: &Options) -> Result<(), Failure> {
     let effort = if options.quick { accuracy::QUICK } else { accuracy::FULL };
     let asked = |name: &str| options.only.is_empty() || options.only.iter().any(|o| o == name);
     let cases: Vec<_> = accuracy::cases().into_iter().filter(|c| asked(c.quantity)).collect();
-    let bar = progress(cases.len());
+    let bar = styled(Some(cases.len() as u64), BAR);
     let mut rows = accuracy::sines(&effort);
     for case in &cases {
         rows.extend(accuracy::measure(case, &effort));
@@ -90,7 +92,7 @@ fn stability(options: &Options) -> Result<(), Failure> {
     };
     let asked = |name: &str| options.only.is_empty() || options.only.iter().any(|o| o == name);
     let limits: Vec<_> = LIMITS.iter().filter(|limit| asked(limit.name)).collect();
-    let bar = progress(limits.len() * steps.len());
+    let bar = styled(Some((limits.len() * steps.len()) as u64), BAR);
     let mut rungs = Vec::new();
     for limit in limits {
         for &k in steps {
@@ -101,15 +103,6 @@ fn stability(options: &Options) -> Result<(), Failure> {
     bar.finish_and_clear();
     Output::open(None)?.write(|out| stability_table(&rungs, out))?;
     folder.write(&StudyFiles::stability(&rungs, &command()))
-}
-
-/// A bar on standard error; hidden where that is not a terminal.
-fn progress(length: usize) -> ProgressBar {
-    let bar = ProgressBar::new(length as u64);
-    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len}  about {eta} left") {
-        bar.set_style(style);
-    }
-    bar
 }
 
 /// The command as it was typed.

@@ -2,6 +2,7 @@
 
 use super::{Claims, as_printed};
 use crate::claims::{Finding, Step};
+use crate::report::json;
 use serde::Serialize;
 use std::io;
 
@@ -50,6 +51,7 @@ impl<'a> From<&'a Step> for StepEntry<'a> {
     }
 }
 
+/// All claims.
 pub fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
     let claims = report.decisions.iter().map(|decision| {
         let (counterexample, corrected) = match &decision.outcome {
@@ -79,6 +81,5 @@ pub fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
         }
     });
     let file = ClaimsFile { schema: "couplet.claims/1", claims: claims.collect() };
-    serde_json::to_writer_pretty(&mut *out, &file)?;
-    writeln!(out)
+    json::write(&file, out)
 }

@@ -4,20 +4,12 @@ mod json;
 mod latex;
 mod text;
 
-use crate::claims::{Decision, Finding};
-use std::io;
+pub use json::claims as json;
+pub use latex::claims as latex;
+pub use text::claims as text;
 
-/// An output format for claims.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum ClaimFormat {
-    /// For a person at a terminal.
-    Text,
-    /// A document.
-    Latex,
-    /// For a program; the schema `couplet.claims/1` is stable.
-    Json,
-}
+use super::words::count;
+use crate::claims::{Decision, Finding};
 
 /// Claims with what was found of them.
 #[derive(Debug)]
@@ -28,17 +20,6 @@ pub struct Claims {
     pub show: bool,
     /// Whether to say how long each took, which is another time in every run.
     pub timed: bool,
-}
-
-impl Claims {
-    /// Writes the report.
-    pub fn write(&self, format: ClaimFormat, out: &mut dyn io::Write) -> io::Result<()> {
-        match format {
-            ClaimFormat::Text => text::claims(self, out),
-            ClaimFormat::Latex => latex::claims(self, out),
-            ClaimFormat::Json => json::claims(self, out),
-        }
-    }
 }
 
 /// The word for what became of the statement as it is printed.
@@ -53,8 +34,7 @@ fn as_printed(decision: &Decision) -> &'static str {
 
 /// How many claims there are of each kind, in words.
 fn summary(decisions: &[Decision]) -> String {
-    let count = |word| decisions.iter().filter(|decision| as_printed(decision) == word).count();
-    let plural = if decisions.len() == 1 { "" } else { "s" };
+    let of = |word| decisions.iter().filter(|decision| as_printed(decision) == word).count();
     let kinds = [
         ("proved", "proved as printed"),
         ("not stated", "proved, not stated in the paper"),
@@ -63,9 +43,9 @@ fn summary(decisions: &[Decision]) -> String {
     ];
     let parts: Vec<String> = kinds
         .into_iter()
-        .map(|(word, words)| (count(word), words))
-        .filter(|(count, _)| *count > 0)
-        .map(|(count, words)| format!("{count} {words}"))
+        .map(|(word, words)| (of(word), words))
+        .filter(|(of, _)| *of > 0)
+        .map(|(of, words)| format!("{of} {words}"))
         .collect();
-    format!("{} claim{plural}: {}", decisions.len(), parts.join(", "))
+    format!("{}: {}", count(decisions.len(), "claim", "claims"), parts.join(", "))
 }

@@ -4,6 +4,7 @@ use super::{Claims, as_printed, summary};
 use crate::claims::{Decision, Finding, Support};
 use std::io;
 
+/// All claims.
 pub fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
     for decision in &report.decisions {
         heading(decision, report.timed, out)?;

@@ -1,108 +1,37 @@
 //! `couplet.judged/1`, one row; `couplet.judge/1`, all of them.
 
-use super::rows::{certified, side};
-use super::{JudgeSummary, JudgedRow, digits};
-use crate::judge::{Certified, Judged, Verdict};
+use super::row::{JudgedRow, digits, number};
+use super::summary::JudgeSummary;
+use crate::judge::Verdict;
+use crate::report::fields::Fields;
+use crate::report::json;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::io;
 
-/// A row; what is not claimed is missing, `inf` correct digits are those of an exact number.
+/// A row; `inf` correct digits are those of an exact number.
 #[derive(Serialize)]
-struct RowEntry<'a> {
+struct RowEntry {
     schema: &'static str,
-    line: u64,
-    weight: &'a str,
-    half_opening: &'a str,
-    friction: &'a str,
-    verdict: &'static str,
-    accepted: bool,
-    correct_digits: Option<String>,
-    claimed_stands: Option<bool>,
-    stands: Option<bool>,
-    claimed_mode: Option<&'static str>,
-    mode: Option<String>,
-    side: Option<&'static str>,
-    reason: Option<&'a str>,
-    numbers: BTreeMap<&'static str, NumberEntry<'a>>,
+    #[serde(flatten)]
+    fields: Fields,
+    numbers: BTreeMap<&'static str, Fields>,
 }
 
-/// A number; bounds are rounded outward, errors correctly rounded.
-#[derive(Serialize)]
-struct NumberEntry<'a> {
-    claimed: &'a str,
-    value: String,
-    lower: Option<String>,
-    upper: Option<String>,
-    error: Option<String>,
-    relative_error: Option<String>,
-    error_units: Option<String>,
-    error_ulp: Option<String>,
-    correct_digits: String,
-    rounding: Option<&'static str>,
-    nearest_double: Option<bool>,
-}
-
-impl<'a> NumberEntry<'a> {
-    fn new(number: &'a Judged) -> Self {
-        let errors = number.errors.as_ref();
-        let text = |x: Option<&crate::number::Decimal>| x.map(ToString::to_string);
-        let bounds = match &number.certified {
-            Certified::Finite(rounded) => [Some(&rounded.lower), Some(&rounded.upper)],
-            _ => [None, None],
-        };
-        let [lower, upper] = bounds.map(text);
-        Self {
-            claimed: &number.claimed,
-            value: certified(&number.certified),
-            lower,
-            upper,
-            error: text(errors.map(|e| &e.absolute)),
-            relative_error: text(errors.and_then(|e| e.relative.as_ref())),
-            error_units: text(errors.map(|e| &e.units)),
-            error_ulp: text(errors.and_then(|e| e.ulp.as_ref())),
-            correct_digits: digits(number.correct_digits),
-            rounding: number.rounding.map(|rounding| rounding.name()),
-            nearest_double: number.is_nearest_double,
-        }
-    }
-}
-
-impl<'a> RowEntry<'a> {
-    fn new(row: &'a JudgedRow) -> Self {
-        let judgement = row.outcome.as_ref().ok();
-        let verdict = row.verdict();
-        let said = |text: String| Some(text).filter(|text| !text.is_empty());
-        let numbers = judgement.map_or(&[][..], |j| &j.numbers);
-        Self {
-            schema: "couplet.judged/1",
-            line: row.line,
-            weight: &row.weight,
-            half_opening: &row.half_opening,
-            friction: &row.friction,
-            verdict: verdict.name(),
-            accepted: verdict.is_accepted(),
-            correct_digits: judgement.and_then(|j| j.correct_digits()).map(digits),
-            claimed_stands: row.claimed_stands,
-            stands: row.stands(),
-            claimed_mode: row.claimed_mode,
-            mode: said(row.modes()),
-            side: judgement.and_then(|j| j.side()).map(side),
-            reason: Some(row.reason()).filter(|text| !text.is_empty()),
-            numbers: numbers.iter().map(|n| (n.measure.name(), NumberEntry::new(n))).collect(),
-        }
+impl RowEntry {
+    fn new(row: &JudgedRow) -> Self {
+        let numbers = row.numbers().iter().map(|judged| (judged.quantity.name(), number(judged)));
+        Self { schema: "couplet.judged/1", fields: row.fields(), numbers: numbers.collect() }
     }
 }
 
 /// One row on one line.
 pub fn row(row: &JudgedRow) -> io::Result<Vec<u8>> {
-    let mut text = serde_json::to_vec(&RowEntry::new(row))?;
-    text.push(b'\n');
-    Ok(text)
+    json::line(&RowEntry::new(row))
 }
 
 #[derive(Serialize)]
-struct SummaryFile<'a> {
+struct SummaryFile {
     schema: &'static str,
     rows: u64,
     accepted: u64,
@@ -111,14 +40,14 @@ struct SummaryFile<'a> {
     verdicts: BTreeMap<&'static str, u64>,
     thinner: u64,
     thicker: u64,
-    numbers: BTreeMap<&'static str, MeasureEntry>,
+    numbers: BTreeMap<&'static str, QuantityEntry>,
     correct_digits: Vec<BarEntry>,
-    worst: Vec<RowEntry<'a>>,
-    not_judged: Vec<RowEntry<'a>>,
+    worst: Vec<RowEntry>,
+    not_judged: Vec<RowEntry>,
 }
 
 #[derive(Serialize)]
-struct MeasureEntry {
+struct QuantityEntry {
     judged: u64,
     correctly_rounded: u64,
     faithful: u64,
@@ -135,9 +64,10 @@ struct BarEntry {
     rows: u64,
 }
 
+/// All of them.
 pub fn summary(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
-    let numbers = summary.measures.iter().map(|m| {
-        let entry = MeasureEntry {
+    let numbers = summary.quantities.iter().map(|m| {
+        let entry = QuantityEntry {
             judged: m.judged,
             correctly_rounded: m.correctly_rounded,
             faithful: m.faithful,
@@ -146,7 +76,7 @@ pub fn summary(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()
             least_correct_digits: digits(m.least),
             largest_relative_error: m.largest_relative.as_ref().map(ToString::to_string),
         };
-        (m.measure.name(), entry)
+        (m.quantity.name(), entry)
     });
     let bar = |(correct, rows): (_, &u64)| BarEntry { digits: digits(correct), rows: *rows };
     let file = SummaryFile {
@@ -163,6 +93,5 @@ pub fn summary(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()
         worst: summary.worst.iter().map(RowEntry::new).collect(),
         not_judged: summary.unjudged.iter().map(RowEntry::new).collect(),
     };
-    serde_json::to_writer_pretty(&mut *out, &file)?;
-    writeln!(out)
+    json::write(&file, out)
 }

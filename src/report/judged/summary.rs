@@ -1,10 +1,10 @@
 //! What there is to say of all rows: counts, a histogram and the worst rows. It does not grow with the
 //! file.
 
-use super::JudgedRow;
-use crate::judge::PrintedVerdict;
-use crate::judge::{CorrectDigits, Demand, Judged, Measure, Side, Verdict};
+use super::row::JudgedRow;
+use crate::judge::{CorrectDigits, Demand, Judged, PrintedVerdict, Side, Verdict};
 use crate::number::Decimal;
+use crate::problem::Quantity;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
@@ -16,7 +16,7 @@ pub struct JudgeSummary {
     kept: usize,
     pub(super) rows: u64,
     pub(super) verdicts: BTreeMap<Verdict, u64>,
-    pub(super) measures: Vec<MeasureSummary>,
+    pub(super) quantities: Vec<QuantitySummary>,
     pub(super) thinner: u64,
     pub(super) thicker: u64,
     /// Rows by the digits to which their worst number is correct.
@@ -29,8 +29,8 @@ pub struct JudgeSummary {
 
 /// What there is to say of one kind of number.
 #[derive(Debug)]
-pub(super) struct MeasureSummary {
-    pub(super) measure: Measure,
+pub(super) struct QuantitySummary {
+    pub(super) quantity: Quantity,
     pub(super) judged: u64,
     pub(super) correctly_rounded: u64,
     pub(super) faithful: u64,
@@ -47,7 +47,7 @@ impl JudgeSummary {
             kept,
             rows: 0,
             verdicts: BTreeMap::new(),
-            measures: Vec::new(),
+            quantities: Vec::new(),
             thinner: 0,
             thicker: 0,
             histogram: BTreeMap::new(),
@@ -61,18 +61,16 @@ impl JudgeSummary {
         self.rows += 1;
         let verdict = row.verdict();
         *self.verdicts.entry(verdict).or_default() += 1;
-        if let Ok(judgement) = &row.outcome {
-            if let Some(digits) = judgement.correct_digits() {
-                *self.histogram.entry(digits).or_default() += 1;
-            }
-            match judgement.side() {
-                Some(Side::Thinner) => self.thinner += 1,
-                Some(Side::Thicker) => self.thicker += 1,
-                None => {}
-            }
-            for number in &judgement.numbers {
-                self.measure(number.measure).add(number);
-            }
+        if let Some(digits) = row.correct_digits() {
+            *self.histogram.entry(digits).or_default() += 1;
+        }
+        match row.judgement().and_then(|judgement| judgement.side()) {
+            Some(Side::Thinner) => self.thinner += 1,
+            Some(Side::Thicker) => self.thicker += 1,
+            None => {}
+        }
+        for number in row.numbers() {
+            self.quantity(number.quantity).add(number);
         }
         self.keep(row);
     }
@@ -92,13 +90,13 @@ impl JudgeSummary {
         self.verdicts.get(&verdict).copied().unwrap_or(0)
     }
 
-    fn measure(&mut self, measure: Measure) -> &mut MeasureSummary {
-        let place = self.measures.iter().position(|m| m.measure == measure);
+    fn quantity(&mut self, quantity: Quantity) -> &mut QuantitySummary {
+        let place = self.quantities.iter().position(|m| m.quantity == quantity);
         let place = place.unwrap_or_else(|| {
-            self.measures.push(MeasureSummary::new(measure));
-            self.measures.len() - 1
+            self.quantities.push(QuantitySummary::new(quantity));
+            self.quantities.len() - 1
         });
-        &mut self.measures[place]
+        &mut self.quantities[place]
     }
 
     fn keep(&mut self, row: JudgedRow) {
@@ -109,7 +107,7 @@ impl JudgeSummary {
             }
             return;
         }
-        let has_numbers = row.outcome.as_ref().is_ok_and(|found| !found.numbers.is_empty());
+        let has_numbers = !row.numbers().is_empty();
         if verdict == Verdict::CorrectlyRounded || (verdict == Verdict::Correct && !has_numbers) {
             return;
         }
@@ -122,11 +120,11 @@ impl JudgeSummary {
     }
 }
 
-impl MeasureSummary {
-    fn new(measure: Measure) -> Self {
+impl QuantitySummary {
+    fn new(quantity: Quantity) -> Self {
         let least = CorrectDigits::Exact;
         Self {
-            measure,
+            quantity,
             judged: 0,
             correctly_rounded: 0,
             faithful: 0,
@@ -156,15 +154,13 @@ impl MeasureSummary {
 
 /// The graver verdict is greater; then fewer correct digits; then the larger relative error.
 fn by_gravity(a: &JudgedRow, b: &JudgedRow) -> Ordering {
-    let digits = |row: &JudgedRow| row.outcome.as_ref().ok().and_then(|j| j.correct_digits());
-    let fewer = digits(b).cmp(&digits(a));
+    let fewer = b.correct_digits().cmp(&a.correct_digits());
     let relative = by_size(worst_relative(a), worst_relative(b));
     a.verdict().cmp(&b.verdict()).then(fewer).then(relative)
 }
 
 fn worst_relative(row: &JudgedRow) -> Option<&Decimal> {
-    let numbers = row.outcome.as_ref().map_or(&[][..], |judgement| &judgement.numbers);
-    let errors = numbers.iter().filter_map(|n| n.errors.as_ref()?.relative.as_ref());
+    let errors = row.numbers().iter().filter_map(|n| n.errors.as_ref()?.relative.as_ref());
     errors.max_by(|a, b| by_size(Some(a), Some(b)))
 }
 

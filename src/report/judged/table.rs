@@ -1,10 +1,12 @@
 //! All rows for a person at a terminal: verdicts, numbers, a histogram, the worst rows.
 
-use super::rows::certified;
-use super::{JudgeSummary, JudgedRow, digits};
+use super::row::{JudgedRow, certified, digits};
+use super::summary::JudgeSummary;
 use crate::judge::{CorrectDigits, Judged, Verdict};
+use crate::report::words::{count, shortened};
 use std::io;
 
+/// Everything there is to say.
 pub fn write(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
     verdicts(summary, out)?;
     numbers(summary, out)?;
@@ -16,19 +18,19 @@ pub fn write(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> 
     if !summary.unjudged.is_empty() {
         writeln!(out, "\nfirst rows that are not judged")?;
         for row in &summary.unjudged {
-            let reason = if row.reason().is_empty() { "" } else { ": " };
-            let (line, verdict) = (row.line, row.verdict().name());
-            writeln!(out, "   line {line}: {verdict}{reason}{}", row.reason())?;
+            let reason = row.reason().map_or(String::new(), |reason| format!(": {reason}"));
+            writeln!(out, "   line {}: {}{reason}", row.line, row.verdict().name())?;
         }
     }
     Ok(())
 }
 
+/// How many rows have which verdict, and how many pass.
 pub fn verdicts(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
     let (rows, accepted) = (summary.rows, summary.accepted());
     let or = if summary.demand.or_all_printed { ", or correctly rounded" } else { "" };
-    let demanded = count(summary.demand.digits as u64, "digit");
-    let rows = count(rows, "row");
+    let demanded = count(summary.demand.digits, "digit", "digits");
+    let rows = count(rows, "row", "rows");
     writeln!(out, "{rows}: {accepted} accepted (every number correct to {demanded}{or})\n")?;
     for verdict in Verdict::ALL {
         let rows = summary.count(verdict);
@@ -45,7 +47,7 @@ pub fn verdicts(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<(
 }
 
 fn numbers(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
-    if summary.measures.is_empty() {
+    if summary.quantities.is_empty() {
         return Ok(());
     }
     writeln!(
@@ -53,11 +55,11 @@ fn numbers(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
         "\n{:<19} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7} {:>14}",
         "numbers", "judged", "rounded", "faithful", "wrong", "doubles", "digits", "relative error"
     )?;
-    for m in &summary.measures {
+    for m in &summary.quantities {
         writeln!(
             out,
             "{:<19} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7} {:>14}",
-            m.measure.name(),
+            m.quantity.name(),
             m.judged,
             m.correctly_rounded,
             m.faithful,
@@ -101,11 +103,10 @@ fn histogram(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> 
 
 /// What is wrong with a row, and then its worst number.
 fn judged_row(row: &JudgedRow, out: &mut dyn io::Write) -> io::Result<()> {
-    let Ok(judgement) = &row.outcome else { return Ok(()) };
     let what = match row.verdict() {
-        Verdict::Correct => match judgement.correct_digits() {
+        Verdict::Correct => match row.correct_digits() {
             Some(CorrectDigits::Digits(digits)) => {
-                format!("correct to {}", count(digits as u64, "digit"))
+                format!("correct to {}", count(digits, "digit", "digits"))
             }
             _ => "correct".to_owned(),
         },
@@ -116,19 +117,20 @@ fn judged_row(row: &JudgedRow, out: &mut dyn io::Write) -> io::Result<()> {
         "   line {}: {what}; {}, half opening {}, friction {}",
         row.line,
         row.weight,
-        short(&row.half_opening),
-        short(&row.friction)
+        shortened(&row.half_opening),
+        shortened(&row.friction)
     )?;
+    let modes = row.modes().unwrap_or_default();
     match row.verdict() {
         Verdict::WrongMode => {
             let claimed = row.claimed_mode.unwrap_or_default();
-            writeln!(out, "      mode {claimed}, certified {}", row.modes())?;
+            writeln!(out, "      mode {claimed}, certified {modes}")?;
         }
-        Verdict::Falls => writeln!(out, "      it falls by {}", row.reason())?,
-        Verdict::Stands => writeln!(out, "      it stands, and collapses as {}", row.modes())?,
+        Verdict::Falls => writeln!(out, "      it falls by {}", row.reason().unwrap_or_default())?,
+        Verdict::Stands => writeln!(out, "      it stands, and collapses as {modes}")?,
         _ => {}
     }
-    match judgement.numbers.iter().min_by_key(|number| number.correct_digits) {
+    match row.numbers().iter().min_by_key(|number| number.correct_digits) {
         Some(number) if number.correct_digits != CorrectDigits::Exact => {
             writeln!(out, "      {}", number_text(number))
         }
@@ -142,38 +144,23 @@ const MANY_ULP: i64 = 6;
 fn number_text(number: &Judged) -> String {
     let mut text = format!(
         "{} {}, certified {}",
-        number.measure.name(),
-        short(&number.claimed),
-        short(&certified(&number.certified))
+        number.quantity.name(),
+        shortened(&number.claimed),
+        shortened(&certified(&number.certified))
     );
     if let Some(errors) = &number.errors {
         let relative = match &errors.relative {
             Some(relative) => format!(", relative {relative}"),
             None => String::new(),
         };
+        let units = errors.units.to_string();
+        let noun = if units == "1" { "unit" } else { "units" };
         text += &format!(": error {}{relative}", errors.absolute);
-        text += &format!(", {} of the last place", count_text(&errors.units.to_string()));
+        text += &format!(", {units} {noun} of the last place");
         // Of a number with few digits they are many, and say nothing.
         if let Some(ulp) = errors.ulp.as_ref().filter(|ulp| ulp.magnitude() <= MANY_ULP) {
             text += &format!(", {ulp} ulp of a double");
         }
     }
     text
-}
-
-fn count_text(units: &str) -> String {
-    format!("{units} {}", if units == "1" { "unit" } else { "units" })
-}
-
-fn count(n: u64, what: &str) -> String {
-    format!("{n} {what}{}", if n == 1 { "" } else { "s" })
-}
-
-/// A long number is cut for a person.
-fn short(text: &str) -> String {
-    const LONG: usize = 40;
-    if text.chars().count() <= LONG {
-        return text.to_owned();
-    }
-    text.chars().take(LONG - 1).chain(['…']).collect()
 }

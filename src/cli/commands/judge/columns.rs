@@ -1,25 +1,26 @@
 //! Which column of a file is what.
 
 use super::super::Failure;
-use crate::judge::Measure;
+use crate::problem::Quantity;
+use crate::report::words::shortened;
 
 /// What a column can be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Field {
+pub enum Role {
     Weight,
     HalfOpening,
     Friction,
     FrictionAngle,
     Stands,
     Mode,
-    Number(Measure),
+    Number(Quantity),
 }
 
-impl Field {
+impl Role {
     fn all() -> impl Iterator<Item = Self> {
-        use Field::*;
+        use Role::*;
         let others = [Weight, HalfOpening, Friction, FrictionAngle, Stands, Mode];
-        others.into_iter().chain(Measure::ALL.map(Number))
+        others.into_iter().chain(Quantity::STATE.map(Number))
     }
 
     /// Our name for it.
@@ -31,7 +32,7 @@ impl Field {
             Self::FrictionAngle => "friction_angle",
             Self::Stands => "stands",
             Self::Mode => "mode",
-            Self::Number(measure) => measure.name(),
+            Self::Number(quantity) => quantity.name(),
         }
     }
 
@@ -40,7 +41,7 @@ impl Field {
         match self {
             Self::HalfOpening => Some("alpha"),
             Self::Friction => Some("mu"),
-            Self::Number(Measure::Thickness) => Some("eta"),
+            Self::Number(Quantity::Thickness) => Some("eta"),
             _ => None,
         }
     }
@@ -48,7 +49,7 @@ impl Field {
     fn is_angle(self) -> bool {
         match self {
             Self::HalfOpening | Self::FrictionAngle => true,
-            Self::Number(measure) => measure.is_angle(),
+            Self::Number(quantity) => quantity.is_angle(),
             _ => false,
         }
     }
@@ -65,7 +66,7 @@ pub struct Column {
     /// Its name in the file.
     pub theirs: String,
     /// What it is.
-    pub field: Field,
+    pub role: Role,
     /// Whether it is an angle in degrees.
     pub degrees: bool,
 }
@@ -84,18 +85,18 @@ impl Columns {
     /// if none are named.
     pub fn new(named: &[String]) -> Result<Self, String> {
         if named.is_empty() {
-            let own = Field::all().flat_map(|field| {
-                let names = [Some(field.name()), field.alias()].into_iter().flatten();
-                names.map(move |name| Column { theirs: name.to_owned(), field, degrees: false })
+            let own = Role::all().flat_map(|role| {
+                let names = [Some(role.name()), role.alias()].into_iter().flatten();
+                names.map(move |name| Column { theirs: name.to_owned(), role, degrees: false })
             });
             return Ok(Self { all: own.collect(), named: false });
         }
         let mut all: Vec<Column> = Vec::new();
         for text in named {
             let column = column(text)?;
-            if let Some(other) = all.iter().find(|other| other.field == column.field) {
+            if let Some(other) = all.iter().find(|other| other.role == column.role) {
                 let (a, b) = (&other.theirs, &column.theirs);
-                return Err(format!("'{a}' and '{b}' are both named {}", column.field.name()));
+                return Err(format!("'{a}' and '{b}' are both named {}", column.role.name()));
             }
             if all.iter().any(|other| other.theirs == column.theirs) {
                 return Err(format!("the column '{}' is named twice", column.theirs));
@@ -129,9 +130,9 @@ impl Columns {
             return Err(format!("{have} no column '{}'", column.theirs));
         }
         let there = || self.all.iter().zip(seen).filter(|(_, seen)| **seen).map(|(c, _)| c);
-        let has = |field: Field| there().any(|column| column.field == field);
+        let has = |role: Role| there().any(|column| column.role == role);
         for (index, column) in there().enumerate() {
-            if let Some(other) = there().skip(index + 1).find(|c| c.field == column.field) {
+            if let Some(other) = there().skip(index + 1).find(|c| c.role == column.role) {
                 let (a, b) = (&column.theirs, &other.theirs);
                 return Err(format!("{have} '{a}' and '{b}', which are the same: use --columns"));
             }
@@ -139,17 +140,17 @@ impl Columns {
         let wanted = |what: &str, how: &str| {
             Err(format!("{have} no column for {what}: name one, --columns {how}"))
         };
-        if !has(Field::HalfOpening) {
+        if !has(Role::HalfOpening) {
             return wanted("the half opening", "theirs=half_opening");
         }
-        match (has(Field::Friction), has(Field::FrictionAngle)) {
+        match (has(Role::Friction), has(Role::FrictionAngle)) {
             (false, false) => return wanted("the friction", "theirs=friction"),
             (true, true) => {
                 return Err(format!("{have} both friction and friction_angle: name one of them"));
             }
             _ => {}
         }
-        if !there().any(|column| column.field.is_claim()) {
+        if !there().any(|column| column.role.is_claim()) {
             return wanted("anything to judge", "theirs=thickness");
         }
         Ok(())
@@ -157,7 +158,7 @@ impl Columns {
 
     /// The weight is in a column or given for all rows, and not both.
     pub fn check_weight(&self, seen: &[bool], is_given: bool) -> Result<(), Failure> {
-        let column = self.all.iter().zip(seen).any(|(c, seen)| *seen && c.field == Field::Weight);
+        let column = self.all.iter().zip(seen).any(|(c, seen)| *seen && c.role == Role::Weight);
         match (column, is_given) {
             (true, true) => Err("the file has a column for the weight, so --weight is not needed"),
             (false, false) => {
@@ -172,8 +173,7 @@ impl Columns {
 /// The columns of a file in a message: not all of many, nor all of a long name.
 fn shown(header: &csv::StringRecord) -> String {
     const COLUMNS: usize = 20;
-    let name =
-        |name: &str| format!("'{}'", name.chars().take(40).collect::<String>().escape_debug());
+    let name = |name: &str| format!("'{}'", shortened(name).escape_debug());
     let mut names: Vec<String> = header.iter().take(COLUMNS).map(name).collect();
     if header.len() > COLUMNS {
         names.push(format!("and {} more", header.len() - COLUMNS));
@@ -189,23 +189,23 @@ fn column(text: &str) -> Result<Column, String> {
         None => (ours, None),
     };
     let theirs = if text.contains('=') { theirs } else { ours };
-    let Some(field) = Field::all().find(|field| field.name() == ours.trim()) else {
-        let names: Vec<_> = Field::all().map(Field::name).collect();
+    let Some(role) = Role::all().find(|role| role.name() == ours.trim()) else {
+        let names: Vec<_> = Role::all().map(Role::name).collect();
         return Err(format!("'{ours}' is no column of ours: {}", names.join(", ")));
     };
     if theirs.trim().is_empty() {
-        return Err(format!("'{text}' names no column: theirs={}", field.name()));
+        return Err(format!("'{text}' names no column: theirs={}", role.name()));
     }
     let degrees = match unit {
         None => false,
-        Some("rad") if field.is_angle() => false,
-        Some("deg") if field.is_angle() => true,
-        Some(unit) if field.is_angle() => {
+        Some("rad") if role.is_angle() => false,
+        Some("deg") if role.is_angle() => true,
+        Some(unit) if role.is_angle() => {
             return Err(format!("'{unit}' is no unit of an angle: rad or deg"));
         }
-        Some(_) => return Err(format!("{} has no unit; only angles have", field.name())),
+        Some(_) => return Err(format!("{} has no unit; only angles have", role.name())),
     };
-    Ok(Column { theirs: theirs.trim().to_owned(), field, degrees })
+    Ok(Column { theirs: theirs.trim().to_owned(), role, degrees })
 }
 
 #[cfg(test)]
@@ -221,7 +221,7 @@ mod tests {
         let columns =
             named("a=half_opening:deg,mu=friction,t/r = thickness,x=y=thrust,mode").unwrap();
         let shown: Vec<_> =
-            columns.all.iter().map(|c| (c.theirs.as_str(), c.field.name(), c.degrees)).collect();
+            columns.all.iter().map(|c| (c.theirs.as_str(), c.role.name(), c.degrees)).collect();
         assert_eq!(
             shown,
             [

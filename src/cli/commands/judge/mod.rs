@@ -4,15 +4,17 @@ mod columns;
 mod row;
 
 use super::Failure;
-use super::output::{Output, is_same_file};
+use super::output::OutputFile;
 use super::rows::{
-    CHUNK, JsonObject, Kind, Line, Progress, Source, csv_records, in_order, json_lines,
+    CHUNK, JsonObject, Line, Progress, Source, Syntax, csv_records, in_order, json_lines,
 };
 use crate::arch::SelfWeight;
-use crate::judge::{Demand, Measure, Verdict};
-use crate::report::{JudgeSummary, JudgedRows};
+use crate::judge::{Demand, Verdict};
+use crate::problem::Quantity;
+use crate::report::judged::{JudgeSummary, verdicts};
+use crate::report::{Content, Format};
 use clap::Args;
-use columns::{Columns, Field};
+use columns::{Columns, Role};
 use row::{Cells, Judge};
 use std::io;
 use std::path::PathBuf;
@@ -80,12 +82,11 @@ pub struct Arguments {
 
     /// Output format: table or json, a summary with a histogram and the worst rows; csv or jsonl, every
     /// row, with a short summary on standard error.
-    #[arg(long, default_value = "table", value_parser = ["table", "csv", "jsonl", "json"])]
-    format: String,
+    #[arg(long, default_value = "table", value_parser = super::format(Content::Judged))]
+    format: &'static Format,
 
-    /// Write to a file instead of standard output; it appears whole or not at all.
-    #[arg(short, long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    output: OutputFile,
 }
 
 /// Correct digits that are demanded if none are asked for.
@@ -94,23 +95,23 @@ const DEMANDED: usize = 3;
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let columns = Columns::new(&arguments.columns).map_err(Failure::Input)?;
     let source = Source::open(Some(&arguments.file))?;
-    if arguments.output.as_ref().is_some_and(|output| is_same_file(output, &arguments.file)) {
+    if arguments.output.is_same_file(&arguments.file) {
         let file = arguments.file.display();
         return Err(Failure::Input(format!("{file} is what is judged and is not written over")));
     }
     let progress = Progress::new(&source);
-    let kind = source.kind;
+    let syntax = source.syntax;
     let input = progress.counted(source.into_reader());
     let is_given = arguments.weight.is_some();
-    let (columns, lines) = match kind {
-        Kind::Csv => csv_cells(columns, input, is_given)?,
-        Kind::JsonLines => json_cells(columns, input, is_given)?,
+    let (columns, lines) = match syntax {
+        Syntax::Csv => csv_cells(columns, input, is_given)?,
+        Syntax::JsonLines => json_cells(columns, input, is_given)?,
     };
-    let measures = Measure::ALL
+    let quantities: Vec<Quantity> = Quantity::STATE
         .into_iter()
-        .filter(|&m| columns.all.iter().any(|column| column.field == Field::Number(m)));
-    let rows = JudgedRows { json: arguments.format == "jsonl", measures: measures.collect() };
-    let every_row = rows.json || arguments.format == "csv";
+        .filter(|&quantity| columns.all.iter().any(|c| c.role == Role::Number(quantity)))
+        .collect();
+    let each = arguments.format.judged_lines;
     let demand = Demand {
         digits: arguments.accept.unwrap_or(DEMANDED),
         or_all_printed: arguments.accept.is_none(),
@@ -118,15 +119,15 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let doubles = arguments.inputs == "double";
     let judge = Judge { columns, weight: arguments.weight, doubles, demand };
     let mut summary = JudgeSummary::new(demand, usize::from(arguments.worst));
-    let output = Output::open(arguments.output.as_deref())?;
+    let output = arguments.output.open()?;
     let mut complete = false;
     output.write(|out| {
-        if every_row {
-            out.write_all(&rows.header()?)?;
+        if let Some(each) = each {
+            out.write_all(&(each.header)(&quantities)?)?;
         }
         let answer = |(line, cells)| {
             let row = judge.row(line, cells);
-            let text = if every_row { rows.row(&row) } else { Ok(Vec::new()) };
+            let text = each.map_or(Ok(Vec::new()), |each| (each.row)(&row, &quantities));
             (row, text)
         };
         in_order(lines, &progress, answer, |answers| {
@@ -137,10 +138,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             out.flush()?;
             Ok::<_, io::Error>(true)
         })?;
-        match arguments.format.as_str() {
-            "table" => summary.write_table(out)?,
-            "json" => summary.write_json(out)?,
-            _ => {}
+        if let Some(write) = arguments.format.judged {
+            write(&summary, out)?;
         }
         complete = true;
         Ok(())
@@ -149,9 +148,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if !complete {
         return Ok(());
     }
-    if every_row {
+    if each.is_some() {
         // A summary that nobody can read is no failure.
-        let _ = summary.write_verdicts(&mut io::stderr());
+        let _ = verdicts(&summary, &mut io::stderr());
     }
     verdict(&summary)
 }

@@ -1,12 +1,12 @@
 //! A row of results: the arch it is about, and what it says of it.
 
 use super::super::arch::{angle, friction};
-use super::columns::{Columns, Field};
+use super::columns::{Columns, Role};
 use crate::arch::SelfWeight;
 use crate::judge::{Claim, Demand, Said, judge};
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Friction};
-use crate::report::JudgedRow;
+use crate::report::judged::JudgedRow;
 use rug::Rational;
 
 /// The text of a row, column by column; `None` where the row has no such column.
@@ -45,38 +45,38 @@ impl Judge {
         row
     }
 
-    /// The text of a field, with whether it is in degrees.
-    fn said<'a>(&self, cells: &'a Cells, field: Field) -> Option<(&'a str, bool)> {
+    /// The text of a role, with whether it is in degrees.
+    fn said<'a>(&self, cells: &'a Cells, role: Role) -> Option<(&'a str, bool)> {
         self.columns.all.iter().zip(cells).find_map(|(column, cell)| {
-            let text = cell.as_deref().filter(|_| column.field == field)?;
+            let text = cell.as_deref().filter(|_| column.role == role)?;
             Some((text, column.degrees && !text.ends_with("deg")))
         })
     }
 
     /// What the row is about, as far as it can be read.
     fn describe(&self, cells: &Cells, row: &mut JudgedRow) {
-        let text = |field| {
-            let (text, degrees) = self.said(cells, field)?;
+        let text = |role| {
+            let (text, degrees) = self.said(cells, role)?;
             Some(format!("{text}{}", if degrees { "deg" } else { "" }))
         };
-        row.weight = text(Field::Weight).unwrap_or(std::mem::take(&mut row.weight));
-        row.half_opening = text(Field::HalfOpening).unwrap_or_default();
-        let angle = || text(Field::FrictionAngle).map(|angle| format!("tan({angle})"));
-        row.friction = text(Field::Friction).or_else(angle).unwrap_or_default();
+        row.weight = text(Role::Weight).unwrap_or(std::mem::take(&mut row.weight));
+        row.half_opening = text(Role::HalfOpening).unwrap_or_default();
+        let angle = || text(Role::FrictionAngle).map(|angle| format!("tan({angle})"));
+        row.friction = text(Role::Friction).or_else(angle).unwrap_or_default();
     }
 
     fn arch(&self, cells: &Cells) -> Result<Arch, String> {
-        let weight = match (self.weight, self.said(cells, Field::Weight)) {
+        let weight = match (self.weight, self.said(cells, Role::Weight)) {
             (Some(weight), _) => weight,
             (None, Some((text, _))) => super::super::weight(text)?,
             (None, None) => return Err("the weight is missing".into()),
         };
-        let given = |field: Field| match self.said(cells, field) {
-            Some(("", _)) => Err(format!("the {} is empty", field.name())),
+        let given = |role: Role| match self.said(cells, role) {
+            Some(("", _)) => Err(format!("the {} is empty", role.name())),
             said => Ok(said),
         };
-        let half_opening = given(Field::HalfOpening)?.ok_or("the half opening is missing")?;
-        let friction = match (given(Field::Friction)?, given(Field::FrictionAngle)?) {
+        let half_opening = given(Role::HalfOpening)?.ok_or("the half opening is missing")?;
+        let friction = match (given(Role::Friction)?, given(Role::FrictionAngle)?) {
             (Some((text, _)), None) => self.coefficient(text)?,
             (None, Some(phi)) => Friction::Angle(self.angle(phi)?),
             (None, None) => return Err("the friction is missing".into()),
@@ -110,16 +110,13 @@ impl Judge {
     }
 
     fn claim(&self, cells: &Cells) -> Result<Claim, String> {
-        let text = |field| self.said(cells, field).map(|(text, _)| text);
+        let text = |role| self.said(cells, role).map(|(text, _)| text);
         let numbers = self.columns.all.iter().zip(cells).filter_map(|(column, cell)| {
-            let Field::Number(measure) = column.field else { return None };
-            Some((measure, cell.as_deref()?, column.degrees))
+            let Role::Number(quantity) = column.role else { return None };
+            Some((quantity, cell.as_deref()?, column.degrees))
         });
-        let said = Said {
-            stands: text(Field::Stands),
-            mode: text(Field::Mode),
-            numbers: numbers.collect(),
-        };
+        let said =
+            Said { stands: text(Role::Stands), mode: text(Role::Mode), numbers: numbers.collect() };
         Claim::read(&said).map_err(|error| error.to_string())
     }
 }

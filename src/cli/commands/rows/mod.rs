@@ -5,5 +5,5 @@ mod read;
 mod stream;
 
 pub use object::{JsonObject, json_error};
-pub use read::{Kind, Line, Source, csv_records, json_lines};
+pub use read::{Line, Source, Syntax, csv_records, json_lines};
 pub use stream::{CHUNK, Progress, in_order};

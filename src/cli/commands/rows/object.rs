@@ -1,5 +1,6 @@
 //! A JSON object with its values as they are written.
 
+use crate::report::words::shortened;
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use serde_json::error::Category;
 use serde_json::value::RawValue;
@@ -70,9 +71,8 @@ impl<'de> Deserialize<'de> for JsonObject<'de> {
             fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
                 let mut entries: Vec<(String, &'de RawValue)> = Vec::new();
                 while let Some((key, value)) = map.next_entry::<String, &RawValue>()? {
-                    let shown = || key.chars().take(40).collect::<String>();
                     if entries.iter().any(|(name, _)| *name == key) {
-                        let message = format!("the key '{}' is there twice", shown());
+                        let message = format!("the key '{}' is there twice", shortened(&key));
                         return Err(serde::de::Error::custom(message));
                     }
                     if entries.len() == MAX_KEYS {

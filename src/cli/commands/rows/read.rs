@@ -10,11 +10,21 @@ pub type Line<T> = (u64, Result<T, String>);
 
 /// What the rows are written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum Syntax {
     /// CSV with a header.
     Csv,
     /// A JSON object on each line.
     JsonLines,
+}
+
+impl Syntax {
+    /// The name of the format that has the same syntax.
+    pub fn format(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::JsonLines => "jsonl",
+        }
+    }
 }
 
 /// Rows from standard input or from a file.
@@ -23,7 +33,7 @@ pub struct Source {
     /// Bytes in all, where that is known.
     pub length: Option<u64>,
     /// What the rows are written in.
-    pub kind: Kind,
+    pub syntax: Syntax,
 }
 
 impl Source {
@@ -38,15 +48,15 @@ impl Source {
         };
         let file = std::fs::metadata(path.unwrap_or(Path::new("/dev/stdin")));
         let length = file.ok().filter(|m| m.is_file()).map(|m| m.len());
-        let kind = match first_character(&mut input).map_err(reading)? {
-            Some(b'{') => Kind::JsonLines,
+        let syntax = match first_character(&mut input).map_err(reading)? {
+            Some(b'{') => Syntax::JsonLines,
             Some(b'[') => {
                 let message = "a JSON array is not read: give JSON lines, one object on each line";
                 return Err(Failure::Input(message.into()));
             }
-            _ => Kind::Csv,
+            _ => Syntax::Csv,
         };
-        Ok(Self { input, length, kind })
+        Ok(Self { input, length, syntax })
     }
 
     /// The rows as bytes.

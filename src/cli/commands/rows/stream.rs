@@ -1,10 +1,10 @@
 //! Rows answered on all cores a chunk at a time, so that memory does not grow with the file.
 
+use super::super::progress::styled;
 use super::{Line, Source};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use rayon::prelude::*;
 use std::io::Read;
-use std::time::Duration;
 
 /// Rows that are read, answered, and handed on before the next are read.
 pub const CHUNK: usize = 2048;
@@ -42,18 +42,13 @@ pub struct Progress {
 impl Progress {
     /// A bar for the rows of a source.
     pub fn new(source: &Source) -> Self {
-        let (bar, template) = match source.length {
-            Some(length) => (
-                ProgressBar::new(length),
-                "{spinner} {bar:40} {percent:>3}%  {msg}, {elapsed} elapsed, about {eta} left",
-            ),
-            None => (ProgressBar::new_spinner(), "{spinner} {msg}, {elapsed} elapsed"),
+        let style = match source.length {
+            Some(_) => {
+                "{spinner} {bar:40} {percent:>3}%  {msg}, {elapsed} elapsed, about {eta} left"
+            }
+            None => "{spinner} {msg}, {elapsed} elapsed",
         };
-        if let Ok(style) = ProgressStyle::with_template(template) {
-            bar.set_style(style);
-        }
-        bar.enable_steady_tick(Duration::from_millis(200));
-        Self { bar }
+        Self { bar: styled(source.length, style) }
     }
 
     /// Counts the bytes that are read.

@@ -3,8 +3,11 @@
 //! A subject without values (an arch that does not stand, an answer that is undecided) has one row without
 //! a quantity. What made the file, and how its certificates are made again, is in the key-value metadata.
 
+use super::answer::{Answer, Subject, Value};
+use super::answers::{Answers, Scope, TOOL};
 use super::names::head;
-use super::{Certificate, Export, Exported, Of, Subject, TOOL};
+use super::rows::Rows;
+use crate::problem::Quantity;
 use ::parquet::basic::Compression;
 use ::parquet::column::writer::ColumnWriter;
 use ::parquet::data_type::ByteArray;
@@ -28,17 +31,17 @@ enum Column {
 /// The columns. `double` is the nearest to the true value, the doubles after it bound that value and its
 /// error; `half_opening`, `friction` and `thickness` are the texts of the query in `line`.
 const COLUMNS: [(&str, Column); 20] = [
-    ("line", Integer(|row| row.query().map(|query| query.line))),
-    ("weight", Text(|row| row.weight())),
-    ("landmark", Text(|row| row.landmark())),
-    ("half_opening", Text(|row| row.query()?.half_opening)),
-    ("friction", Text(|row| row.query()?.friction)),
+    ("line", Integer(|row| row.answer.subject.line())),
+    ("weight", Text(|row| row.answer.subject.weight().map(|weight| weight.name()))),
+    ("landmark", Text(|row| row.answer.subject.landmark().map(|landmark| landmark.symbol()))),
+    ("half_opening", Text(|row| Some(row.query()?.half_opening))),
+    ("friction", Text(|row| Some(row.query()?.friction))),
     ("thickness", Text(|row| row.query()?.thickness)),
-    ("mode", Text(|row| row.query()?.mode)),
-    ("stands", Truth(|row| row.query()?.stands)),
-    ("status", Text(|row| Some(row.subject.status.words().0))),
-    ("reason", Text(|row| row.subject.status.words().1)),
-    ("quantity", Text(|row| row.value.map(|value| value.label.name))),
+    ("mode", Text(|row| row.query().and(row.answer.modes.first()).map(|mode| mode.label()))),
+    ("stands", Truth(|row| row.answer.stands)),
+    ("status", Text(|row| Some(row.answer.status.name()))),
+    ("reason", Text(|row| row.answer.status.reason())),
+    ("quantity", Text(|row| row.quantity.map(Quantity::name))),
     ("value", Text(|row| row.value.map(|_| row.texts[0].as_str()))),
     ("lower", Text(|row| row.value.map(|_| row.texts[1].as_str()))),
     ("upper", Text(|row| row.value.map(|_| row.texts[2].as_str()))),
@@ -47,32 +50,38 @@ const COLUMNS: [(&str, Column); 20] = [
     ("double_lower", Double(|row| row.value.map(|value| value.binary.lower))),
     ("double_upper", Double(|row| row.value.map(|value| value.binary.upper))),
     ("double_error", Double(|row| row.value.map(|value| value.binary.error))),
-    ("certificate_sha256", Text(|row| row.certificate())),
+    ("certificate_sha256", Text(|row| Some(&row.answer.certificate.as_ref().ok()?.sha256))),
 ];
 
 /// A Parquet file that is written group by group.
-pub struct ParquetRows {
+struct ParquetRows {
     writer: SerializedFileWriter<Vec<u8>>,
 }
 
-pub fn write(export: &Export, out: &mut dyn io::Write) -> io::Result<()> {
-    let mut rows = ParquetRows::new(export)?;
-    out.write_all(&rows.group(&export.subjects)?)?;
-    out.write_all(&rows.end()?)
+/// Landmarks or arches.
+pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+    let mut rows = ParquetRows::new(report)?;
+    out.write_all(&rows.group(&report.list)?)?;
+    out.write_all(&Box::new(rows).end()?)
+}
+
+/// Arches as they come.
+pub fn rows(report: Answers) -> io::Result<Box<dyn Rows>> {
+    Ok(Box::new(ParquetRows::new(&report)?))
 }
 
 impl ParquetRows {
-    /// A file about what `export` says of itself; its subjects are not written yet.
-    pub fn new(export: &Export) -> io::Result<Self> {
+    /// A file about what a report says of itself; its answers are not written yet.
+    fn new(report: &Answers) -> io::Result<Self> {
         let note = |key: &str, value: String| KeyValue::new(key.to_owned(), value);
         let certificate = "couplet certify LANDMARK --weight WEIGHT --digits DIGITS | sha256sum";
         let mut notes = vec![
-            note("couplet.schema", export.schema.to_owned()),
+            note("couplet.schema", report.schema().to_owned()),
             note("couplet.tool", TOOL.to_owned()),
-            note("couplet.digits", export.digits.to_string()),
-            note("couplet.about", head(export).join("\n")),
+            note("couplet.digits", report.digits.to_string()),
+            note("couplet.about", head(report).join("\n")),
         ];
-        if export.subjects.iter().any(|subject| matches!(subject.of, Of::Landmark { .. })) {
+        if report.scope == Scope::Constants {
             notes.push(note("couplet.certificate", certificate.to_owned()));
         }
         let properties = WriterProperties::builder()
@@ -90,22 +99,6 @@ impl ParquetRows {
         let schema = parse_message_type(&schema).map_err(io::Error::other)?;
         let writer = SerializedFileWriter::new(Vec::new(), Arc::new(schema), Arc::new(properties));
         Ok(Self { writer: writer.map_err(io::Error::other)? })
-    }
-
-    /// The next bytes of the file: a group with these subjects.
-    pub fn group(&mut self, subjects: &[Subject]) -> io::Result<Vec<u8>> {
-        let rows: Vec<Row> = subjects.iter().flat_map(Row::all).collect();
-        if !rows.is_empty() {
-            self.columns(&rows).map_err(io::Error::other)?;
-        }
-        self.writer.flush()?;
-        // The writer counts what it has written by itself.
-        Ok(std::mem::take(self.writer.inner_mut()))
-    }
-
-    /// The last bytes, without which the file cannot be read.
-    pub fn end(self) -> io::Result<Vec<u8>> {
-        self.writer.into_inner().map_err(io::Error::other)
     }
 
     fn columns(&mut self, rows: &[Row]) -> Result<()> {
@@ -139,6 +132,23 @@ impl ParquetRows {
     }
 }
 
+impl Rows for ParquetRows {
+    fn group(&mut self, answers: &[Answer]) -> io::Result<Vec<u8>> {
+        let rows: Vec<Row> = answers.iter().flat_map(Row::all).collect();
+        if !rows.is_empty() {
+            self.columns(&rows).map_err(io::Error::other)?;
+        }
+        self.writer.flush()?;
+        // The writer counts what it has written by itself.
+        Ok(std::mem::take(self.writer.inner_mut()))
+    }
+
+    /// Without these bytes the file cannot be read.
+    fn end(self: Box<Self>) -> io::Result<Vec<u8>> {
+        self.writer.into_inner().map_err(io::Error::other)
+    }
+}
+
 /// The cells that are not null, and for each row whether it has one.
 fn present<'a, T>(
     rows: &'a [Row<'a>],
@@ -154,66 +164,40 @@ fn present<'a, T>(
 
 /// A value with what it belongs to.
 struct Row<'a> {
-    subject: &'a Subject,
-    value: Option<&'a Exported>,
+    answer: &'a Answer,
+    quantity: Option<Quantity>,
+    value: Option<&'a Value>,
     texts: [String; 3],
 }
 
-/// What was asked of an arch, and what became of it.
-#[derive(Default)]
+/// An arch as it was asked about.
 struct Query<'a> {
-    line: u64,
-    half_opening: Option<&'a str>,
-    friction: Option<&'a str>,
+    half_opening: &'a str,
+    friction: &'a str,
     thickness: Option<&'a str>,
-    mode: Option<&'static str>,
-    stands: Option<bool>,
 }
 
 impl<'a> Row<'a> {
-    fn all(subject: &'a Subject) -> Vec<Self> {
-        if subject.values.is_empty() {
-            return vec![Self { subject, value: None, texts: Default::default() }];
+    fn all(answer: &'a Answer) -> Vec<Self> {
+        if answer.values.is_empty() {
+            return vec![Self { answer, quantity: None, value: None, texts: Default::default() }];
         }
-        let row = |value: &'a Exported| Self { subject, value: Some(value), texts: value.texts() };
-        subject.values.iter().map(row).collect()
-    }
-
-    fn weight(&self) -> Option<&'static str> {
-        match &self.subject.of {
-            Of::Landmark { weight, .. } | Of::Arch { weight, .. } => Some(weight.name()),
-            Of::Query { .. } => None,
-        }
-    }
-
-    fn landmark(&self) -> Option<&'static str> {
-        match &self.subject.of {
-            Of::Landmark { landmark, .. } => Some(landmark.symbol()),
-            Of::Arch { .. } | Of::Query { .. } => None,
-        }
+        let row = |(quantity, value): &'a (Quantity, Value)| Self {
+            answer,
+            quantity: Some(*quantity),
+            value: Some(value),
+            texts: value.texts(),
+        };
+        answer.values.iter().map(row).collect()
     }
 
     fn query(&self) -> Option<Query<'_>> {
-        match &self.subject.of {
-            Of::Landmark { .. } => None,
-            Of::Arch { number, half_opening, friction, thickness, stands, mode, .. } => {
-                Some(Query {
-                    line: *number,
-                    half_opening: Some(half_opening),
-                    friction: Some(friction),
-                    thickness: thickness.as_deref(),
-                    mode: mode.map(|mode| mode.label()),
-                    stands: *stands,
-                })
+        match &self.answer.subject {
+            Subject::Arch { half_opening, friction, thickness, .. } => {
+                let thickness = thickness.as_deref();
+                Some(Query { half_opening, friction, thickness })
             }
-            Of::Query { number } => Some(Query { line: *number, ..Query::default() }),
-        }
-    }
-
-    fn certificate(&self) -> Option<&str> {
-        match &self.subject.certificate {
-            Certificate::Hash { sha256, .. } => Some(sha256),
-            Certificate::None(_) => None,
+            Subject::Landmark { .. } | Subject::Query { .. } => None,
         }
     }
 }

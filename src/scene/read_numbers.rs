@@ -1,11 +1,11 @@
 //! Exact numbers of a scene: one, a list, or a range `{ from, to, steps }`.
 
-use super::fault::on_one_line;
 use super::schema::MAX_ARCHES;
 use super::value::{Reader, Value};
 use crate::arch::SelfWeight;
 use crate::number::{ExactNumber, ParseExactError, terminating};
 use crate::problem::{Arch, ArchError, Friction, is_thickness};
+use crate::report::words::shortened;
 use rug::Rational;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -23,7 +23,7 @@ pub enum Meaning {
 /// The numbers of a key. A range is written out only when it is known not to be too much.
 pub enum Numbers {
     /// As they were given.
-    Listed(Vec<Given>),
+    Listed(Vec<SceneNumber>),
     /// `steps` numbers, so many times `step` above the first.
     Range { meaning: Meaning, first: Rational, step: Rational, unit: Unit, steps: usize },
 }
@@ -38,13 +38,13 @@ impl Numbers {
     }
 
     /// All of them, if they can be written as numbers that are read.
-    pub fn all(self) -> Result<Vec<Given>, ParseExactError> {
+    pub fn all(self) -> Result<Vec<SceneNumber>, ParseExactError> {
         match self {
             Self::Listed(all) => Ok(all),
             Self::Range { meaning, first, step, unit, steps } => (0..steps)
                 .map(|k| {
                     let text = text(&(Rational::from(&step * k) + &first), unit);
-                    Ok(Given { number: meaning.parse(&text)?, text })
+                    Ok(SceneNumber { number: meaning.parse(&text)?, text })
                 })
                 .collect(),
         }
@@ -53,7 +53,7 @@ impl Numbers {
 
 /// A number, or `inf`, as it was written.
 #[derive(Clone)]
-pub struct Given {
+pub struct SceneNumber {
     /// `None` is infinite.
     pub number: Option<ExactNumber>,
     pub text: String,
@@ -121,107 +121,103 @@ pub enum Unit {
     Degrees,
 }
 
-impl Reader<'_> {
-    /// The numbers of a key, each once. `None` if any is wrong.
-    pub fn numbers(&mut self, meaning: Meaning, value: &Value) -> Option<Numbers> {
-        if let DeValue::Table(table) = value.get_ref() {
-            return self.range(meaning, value, table);
-        }
-        let before = self.faults.len();
-        let mut found: Vec<Given> = Vec::new();
-        let mut seen: HashMap<Option<(Rational, bool)>, Range<usize>> = HashMap::new();
-        for element in self.elements(meaning.key(), value, meaning.allowed()) {
-            let Some(given) = self.number(meaning, element) else { continue };
-            let number = given.number.as_ref().map(|x| (x.to_rational(), x.is_rational()));
-            if let Some(first) = seen.insert(number, element.span()) {
-                let (text, at) =
-                    (self.source.shown(element.span()), self.source.place(first.start));
-                let message = format!(
-                    "{} {text} is listed twice, first in line {}, column {}",
-                    meaning.key(),
-                    at.line,
-                    at.column
-                );
-                self.fault(element.span(), message);
-            }
-            found.push(given);
-        }
-        (self.faults.len() == before).then_some(Numbers::Listed(found))
+/// The numbers of a key, each once. `None` if any is wrong.
+pub fn numbers(reader: &mut Reader, meaning: Meaning, value: &Value) -> Option<Numbers> {
+    if let DeValue::Table(table) = value.get_ref() {
+        return range(reader, meaning, value, table);
     }
+    let before = reader.faults.len();
+    let mut found: Vec<SceneNumber> = Vec::new();
+    let mut seen: HashMap<Option<(Rational, bool)>, Range<usize>> = HashMap::new();
+    for element in reader.elements(meaning.key(), value, meaning.allowed()) {
+        let Some(given) = number(reader, meaning, element) else { continue };
+        let number = given.number.as_ref().map(|x| (x.to_rational(), x.is_rational()));
+        if let Some(first) = seen.insert(number, element.span()) {
+            let (text, at) =
+                (reader.source.shown(element.span()), reader.source.place(first.start));
+            let message = format!(
+                "{} {text} is listed twice, first in line {}, column {}",
+                meaning.key(),
+                at.line,
+                at.column
+            );
+            reader.fault(element.span(), message);
+        }
+        found.push(given);
+    }
+    (reader.faults.len() == before).then_some(Numbers::Listed(found))
+}
 
-    /// One number, read from its text: `0.1` is one tenth with and without quotes.
-    fn number(&mut self, meaning: Meaning, value: &Value) -> Option<Given> {
-        let text = match value.get_ref() {
-            DeValue::String(text) => text.as_ref(),
-            DeValue::Float(float) => float.as_str(),
-            DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str(),
-            _ => {
-                self.is_not(meaning.key(), value, meaning.allowed());
+/// One number, read from its text: `0.1` is one tenth with and without quotes.
+fn number(reader: &mut Reader, meaning: Meaning, value: &Value) -> Option<SceneNumber> {
+    let text = match value.get_ref() {
+        DeValue::String(text) => text.as_ref(),
+        DeValue::Float(float) => float.as_str(),
+        DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str(),
+        _ => {
+            reader.is_not(meaning.key(), value, meaning.allowed());
+            return None;
+        }
+    };
+    let text = text.strip_prefix('+').unwrap_or(text);
+    match meaning.parse(text) {
+        Ok(number) => {
+            if let Some(range) = number.as_ref().and_then(|number| meaning.outside(number)) {
+                reader.is_not(meaning.key(), value, range);
                 return None;
             }
-        };
-        let text = text.strip_prefix('+').unwrap_or(text);
-        match meaning.parse(text) {
-            Ok(number) => {
-                if let Some(range) = number.as_ref().and_then(|number| meaning.outside(number)) {
-                    self.is_not(meaning.key(), value, range);
-                    return None;
-                }
-                Some(Given { number, text: text.to_owned() })
-            }
-            Err(ParseExactError::Syntax(_)) => {
-                self.is_not(meaning.key(), value, meaning.allowed());
-                None
-            }
-            Err(error) => {
-                self.fault(value.span(), format!("{}: {error}", meaning.key()));
-                None
-            }
+            Some(SceneNumber { number, text: text.to_owned() })
         }
-    }
-
-    /// `{ from, to, steps }`: so many numbers at equal distances, both ends among them.
-    fn range(&mut self, meaning: Meaning, value: &Value, table: &DeTable) -> Option<Numbers> {
-        let before = self.faults.len();
-        self.unknown_keys(table, "a range", &["from", "to", "steps"]);
-        for key in ["from", "to", "steps"].iter().filter(|key| !table.contains_key(**key)) {
-            let message = format!(
-                "{} has no {key}; a range is {{ from = …, to = …, steps = … }}",
-                meaning.key()
-            );
-            self.fault(value.span(), message);
+        Err(ParseExactError::Syntax(_)) => {
+            reader.is_not(meaning.key(), value, meaning.allowed());
+            None
         }
-        let ends = ["from", "to"].map(|key| self.number(meaning, table.get(key)?));
-        let steps = table.get("steps").and_then(|steps| self.whole("steps", steps, 2..=MAX_ARCHES));
-        let [Some(from), Some(to)] = ends else { return None };
-        let (Some((first, unit)), Some((last, unit_of_last))) = (scaled(&from), scaled(&to)) else {
-            self.fault(value.span(), format!("{} has a range without end", meaning.key()));
-            return None;
-        };
-        let (key, from, to) = (meaning.key(), on_one_line(&from.text), on_one_line(&to.text));
-        if unit != unit_of_last {
-            let message = format!(
-                "{key} from {from} to {to} is in two units; give both in radians, as multiples of pi, or \
-                 in degrees"
-            );
-            self.fault(value.span(), message);
-        } else if first >= last {
-            self.fault(
-                value.span(),
-                format!("{key} from {from} to {to} does not rise; give the smaller first"),
-            );
+        Err(error) => {
+            reader.fault(value.span(), format!("{}: {error}", meaning.key()));
+            None
         }
-        let steps = steps?;
-        if self.faults.len() > before {
-            return None;
-        }
-        let step = (last - &first) / Rational::from(steps - 1);
-        Some(Numbers::Range { meaning, first, step, unit, steps })
     }
 }
 
+/// `{ from, to, steps }`: so many numbers at equal distances, both ends among them.
+fn range(reader: &mut Reader, meaning: Meaning, value: &Value, table: &DeTable) -> Option<Numbers> {
+    let before = reader.faults.len();
+    reader.unknown_keys(table, "a range", &["from", "to", "steps"]);
+    for key in ["from", "to", "steps"].iter().filter(|key| !table.contains_key(**key)) {
+        let message =
+            format!("{} has no {key}; a range is {{ from = …, to = …, steps = … }}", meaning.key());
+        reader.fault(value.span(), message);
+    }
+    let ends = ["from", "to"].map(|key| number(reader, meaning, table.get(key)?));
+    let steps = table.get("steps").and_then(|steps| reader.whole("steps", steps, 2..=MAX_ARCHES));
+    let [Some(from), Some(to)] = ends else { return None };
+    let (Some((first, unit)), Some((last, unit_of_last))) = (scaled(&from), scaled(&to)) else {
+        reader.fault(value.span(), format!("{} has a range without end", meaning.key()));
+        return None;
+    };
+    let (key, from, to) = (meaning.key(), shortened(&from.text), shortened(&to.text));
+    if unit != unit_of_last {
+        let message = format!(
+            "{key} from {from} to {to} is in two units; give both in radians, as multiples of pi, or \
+             in degrees"
+        );
+        reader.fault(value.span(), message);
+    } else if first >= last {
+        reader.fault(
+            value.span(),
+            format!("{key} from {from} to {to} does not rise; give the smaller first"),
+        );
+    }
+    let steps = steps?;
+    if reader.faults.len() > before {
+        return None;
+    }
+    let step = (last - &first) / Rational::from(steps - 1);
+    Some(Numbers::Range { meaning, first, step, unit, steps })
+}
+
 /// A number in the unit in which it is written; none that is infinite has one.
-fn scaled(given: &Given) -> Option<(Rational, Unit)> {
+fn scaled(given: &SceneNumber) -> Option<(Rational, Unit)> {
     let number = given.number.as_ref()?;
     let factor = number.to_rational();
     Some(match (number.is_rational(), given.text.ends_with("deg")) {
@@ -269,7 +265,8 @@ mod tests {
             let value = Rational::from(value);
             assert_eq!(text(&value, unit), written);
             let number = written.parse::<ExactNumber>().unwrap();
-            let read = scaled(&Given { number: Some(number), text: written.to_owned() }).unwrap();
+            let read =
+                scaled(&SceneNumber { number: Some(number), text: written.to_owned() }).unwrap();
             assert!(read.0 == value && read.1 == unit, "{written}");
         }
     }

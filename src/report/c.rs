@@ -1,8 +1,8 @@
 //! C: a header of macros, which are constant expressions in C and in C++.
 
-use super::names::{about, capitals, doubles, preface, remark};
-use super::{Export, Exported, Subject};
-use crate::report::hexadecimal;
+use super::answers::Answers;
+use super::names::{Named, about, preface};
+use super::words::hexadecimal;
 use std::io;
 
 const NOTES: &[&str] = &[
@@ -11,30 +11,28 @@ const NOTES: &[&str] = &[
     "compilers before). COUPLET_..._TEXT has all digits, for a library of many digits.",
 ];
 
-pub fn write(export: &Export, out: &mut dyn io::Write) -> io::Result<()> {
-    comment(preface(export).iter().map(String::as_str).chain(NOTES.iter().copied()), out)?;
+pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+    comment(preface(report).iter().map(String::as_str).chain(NOTES.iter().copied()), out)?;
     writeln!(out, "#ifndef COUPLET_CONSTANTS_H\n#define COUPLET_CONSTANTS_H")?;
-    let mut values = export.subjects.iter().flat_map(|subject| &subject.values);
-    if values.any(|value| doubles(value).iter().any(|(_, x)| x.is_infinite())) {
+    let is_infinite = |named: Named| named.doubles().iter().any(|(_, x)| x.is_infinite());
+    if report.list.iter().flat_map(Named::all).any(is_infinite) {
         writeln!(out, "\n#include <math.h> /* HUGE_VAL, infinity */")?;
     }
-    for subject in &export.subjects {
+    for answer in &report.list {
         writeln!(out)?;
-        comment(about(subject).iter().map(String::as_str), out)?;
-        for value in &subject.values {
-            self::value(subject, value, out)?;
-        }
+        comment(about(answer).iter().map(String::as_str), out)?;
+        Named::all(answer).try_for_each(|named| value(&named, out))?;
     }
     writeln!(out, "\n#endif")
 }
 
-fn value(subject: &Subject, value: &Exported, out: &mut dyn io::Write) -> io::Result<()> {
-    let name = capitals(subject, value);
-    writeln!(out, "/* {} */", remark(value))?;
-    for (suffix, x) in doubles(value) {
+fn value(named: &Named, out: &mut dyn io::Write) -> io::Result<()> {
+    let name = named.capitals();
+    writeln!(out, "/* {} */", named.remark())?;
+    for (suffix, x) in named.doubles() {
         writeln!(out, "#define COUPLET_{name}{suffix} {}", literal(x))?;
     }
-    writeln!(out, "#define COUPLET_{name}_TEXT \"{}\"", value.texts()[0])
+    writeln!(out, "#define COUPLET_{name}_TEXT \"{}\"", named.value.text())
 }
 
 fn literal(x: f64) -> String {

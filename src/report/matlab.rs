@@ -1,8 +1,8 @@
 //! MATLAB and Octave: a function that returns a structure.
 
-use super::listing::{comments, subjects};
-use super::names::{bits, doubles, preface, remark, words};
-use super::{Export, Exported, Subject};
+use super::answers::Answers;
+use super::listing::{comments, listing};
+use super::names::{Named, bits, preface};
 use std::io;
 
 const NOTES: &str = "%
@@ -25,29 +25,24 @@ function x = digits_of(text, digits)
 end
 ";
 
-pub fn write(export: &Export, out: &mut dyn io::Write) -> io::Result<()> {
+pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(out, "function c = couplet_constants()")?;
-    comments(preface(export), "%   ", out)?;
+    comments(preface(report), "%   ", out)?;
     write!(out, "{NOTES}")?;
     writeln!(out, "  c = struct();")?;
-    subjects(export, "  % ", out, |subject, one, out| value(subject, one, export.digits, out))?;
+    listing(report, "  % ", out, |named, out| value(named, report.digits, out))?;
     writeln!(out, "end")?;
     write!(out, "{SYMBOLIC}")
 }
 
-fn value(
-    subject: &Subject,
-    value: &Exported,
-    digits: usize,
-    out: &mut dyn io::Write,
-) -> io::Result<()> {
-    let name = format!("c.{}.{}", words(&subject.of).join("."), value.label.name);
-    writeln!(out, "  % {}", remark(value))?;
-    for (suffix, x) in doubles(value) {
+fn value(named: &Named, digits: usize, out: &mut dyn io::Write) -> io::Result<()> {
+    let name = format!("c.{}", named.words.join("."));
+    writeln!(out, "  % {}", named.remark())?;
+    for (suffix, x) in named.doubles() {
         let field = suffix.strip_prefix('_').unwrap_or("value").to_lowercase();
         writeln!(out, "  {name}.{field} = hex2num('{}');", bits(x))?;
     }
-    writeln!(out, "  {name}.text = '{}';", value.texts()[0])?;
+    writeln!(out, "  {name}.text = '{}';", named.value.text())?;
     // `vpa` wants two digits at least.
     writeln!(out, "  {name}.digits = digits_of({name}.text, {});", digits.max(2))
 }

@@ -1,8 +1,11 @@
 //! LaTeX: a table with `siunitx`, each value beside what the paper prints for it.
 
+use super::answer::{Subject, Value};
+use super::answers::Answers;
+use super::listing::comments;
 use super::names::{about, head, safe};
-use super::{Export, Exported, Of, Subject};
-use crate::arch::SelfWeight;
+use super::words::author;
+use crate::problem::Landmark;
 use std::io;
 
 const HEAD: &str = r"%
@@ -15,57 +18,46 @@ const HEAD: &str = r"%
 \bottomrule
 \endfoot";
 
-pub fn write(export: &Export, out: &mut dyn io::Write) -> io::Result<()> {
-    for line in head(export) {
-        writeln!(out, "{}", format!("% {line}").trim_end())?;
-    }
+/// Landmarks or arches.
+pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+    comments(head(report), "% ", out)?;
     writeln!(out, "{HEAD}")?;
-    for (index, subject) in export.subjects.iter().enumerate() {
+    for (index, answer) in report.list.iter().enumerate() {
         if index > 0 {
             writeln!(out, r"\midrule")?;
         }
-        for line in about(subject) {
-            writeln!(out, "% {line}")?;
+        comments(about(answer), "% ", out)?;
+        let title = title(&answer.subject);
+        if let Some(reason) = answer.status.reason() {
+            let (status, reason) = (answer.status.name(), plain(reason));
+            writeln!(out, r"{title} & \multicolumn{{3}}{{l}}{{{status}: {reason}}} \\")?;
         }
-        let (name, weight) = title(&subject.of);
-        if let (status, Some(reason)) = subject.status.words() {
-            let reason = plain(reason);
-            writeln!(out, r"{name} & {weight} & \multicolumn{{3}}{{l}}{{{status}: {reason}}} \\")?;
-        }
-        for value in &subject.values {
-            writeln!(out, "{}", cells(subject, value))?;
+        for (quantity, value) in &answer.values {
+            writeln!(out, r"{title} & {} & {} \\", quantity.latex(), cells(value))?;
         }
     }
     writeln!(out, r"\end{{longtable}}")
 }
 
-fn title(of: &Of) -> (String, &'static str) {
-    let name = |weight: &SelfWeight| match weight {
-        SelfWeight::Heyman => "Heyman",
-        SelfWeight::Milankovitch => "Milankovitch",
-    };
-    match of {
-        Of::Landmark { landmark, weight } => {
-            (format!("${}$", landmark_symbol(landmark.symbol())), name(weight))
-        }
-        Of::Arch { number, weight, half_opening, friction, .. } => {
+/// The name of a subject, and its weight.
+fn title(subject: &Subject) -> String {
+    let name = match subject {
+        Subject::Landmark { landmark, .. } => match landmark {
+            Landmark::RotationEnd => r"$\ell$".to_owned(),
+            Landmark::WidestJoint => r"$s_b$".to_owned(),
+            other => format!("${}$", other.symbol()),
+        },
+        Subject::Arch { line, half_opening, friction, .. } => {
             let (alpha, mu) = (plain(half_opening), plain(friction));
-            (format!(r"{number}: $\alpha$ {alpha}, $\mu$ {mu}"), name(weight))
+            format!(r"{line}: $\alpha$ {alpha}, $\mu$ {mu}")
         }
-        Of::Query { number } => (number.to_string(), ""),
-    }
+        Subject::Query { line } => line.to_string(),
+    };
+    format!("{name} & {}", subject.weight().map_or("", author))
 }
 
-fn landmark_symbol(symbol: &str) -> &str {
-    match symbol {
-        "l" => r"\ell",
-        "sb" => r"s_b",
-        other => other,
-    }
-}
-
-fn cells(subject: &Subject, value: &Exported) -> String {
-    let (name, weight) = title(&subject.of);
+/// The value, and what the paper prints for it.
+fn cells(value: &Value) -> String {
     let number = match &value.decimal {
         Some(decimal) => format!(r"\num{{{}}}", decimal.value),
         None => r"$\infty$".into(),
@@ -76,9 +68,7 @@ fn cells(subject: &Subject, value: &Exported) -> String {
         None => String::new(),
     };
     let printed: Vec<String> = value.printed.iter().map(|text| printed(text)).collect();
-    let printed = printed.join(", ");
-    let quantity = value.label.latex;
-    format!(r"{name} & {weight} & {quantity} & {number}{exact} & {printed} \\")
+    format!("{number}{exact} & {}", printed.join(", "))
 }
 
 /// A number as the paper prints it: decimal, or a fraction.

@@ -1,7 +1,7 @@
 //! What every language has in common: comments by lines, and one subject after the other.
 
-use super::names::about;
-use super::{Export, Exported, Subject};
+use super::answers::Answers;
+use super::names::{Named, about};
 use std::io;
 
 /// Lines as comments, without spaces at their ends.
@@ -13,18 +13,17 @@ pub fn comments(
     lines.into_iter().try_for_each(|line| writeln!(out, "{}", format!("{mark}{line}").trim_end()))
 }
 
-/// Each subject after an empty line: what is said of it, as comments, and its values as `value` writes
-/// them.
-pub fn subjects(
-    export: &Export,
+/// Each answer after an empty line: what is said of it, as comments, and its values as `value` writes them.
+pub fn listing(
+    report: &Answers,
     mark: &str,
     out: &mut dyn io::Write,
-    value: impl Fn(&Subject, &Exported, &mut dyn io::Write) -> io::Result<()>,
+    value: impl Fn(&Named, &mut dyn io::Write) -> io::Result<()>,
 ) -> io::Result<()> {
-    for subject in &export.subjects {
+    for answer in &report.list {
         writeln!(out)?;
-        comments(about(subject), mark, out)?;
-        subject.values.iter().try_for_each(|one| value(subject, one, out))?;
+        comments(about(answer), mark, out)?;
+        Named::all(answer).try_for_each(|named| value(&named, out))?;
     }
     Ok(())
 }

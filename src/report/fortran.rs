@@ -1,8 +1,8 @@
 //! Fortran: a module of parameters of two kinds.
 
-use super::listing::{comments, subjects};
-use super::names::{capitals, doubles, preface, remark};
-use super::{Export, Exported, Subject};
+use super::answers::Answers;
+use super::listing::{comments, listing};
+use super::names::{Named, preface};
 use std::io;
 
 const NOTES: &str = "!
@@ -17,29 +17,29 @@ module couplet_constants
 /// Digits of a comment's line.
 const WIDTH: usize = 100;
 
-pub fn write(export: &Export, out: &mut dyn io::Write) -> io::Result<()> {
-    comments(preface(export), "! ", out)?;
+pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+    comments(preface(report), "! ", out)?;
     write!(out, "{NOTES}")?;
-    subjects(export, "  ! ", out, value)?;
+    listing(report, "  ! ", out, value)?;
     writeln!(out, "end module couplet_constants")
 }
 
-fn value(subject: &Subject, value: &Exported, out: &mut dyn io::Write) -> io::Result<()> {
-    let name = capitals(subject, value).to_lowercase();
-    writeln!(out, "  ! {}", remark(value))?;
-    let text = &value.texts()[0];
+fn value(named: &Named, out: &mut dyn io::Write) -> io::Result<()> {
+    let name = named.capitals().to_lowercase();
+    writeln!(out, "  ! {}", named.remark())?;
+    let text = &named.value.text();
     for (index, piece) in text.as_bytes().chunks(WIDTH).enumerate() {
         let start = if index == 0 { "" } else { "  " };
         writeln!(out, "  ! {start}{}", String::from_utf8_lossy(piece))?;
     }
-    for (suffix, x) in doubles(value) {
+    for (suffix, x) in named.doubles() {
         let suffix = suffix.to_lowercase();
         writeln!(out, "  real(real64), parameter :: {name}{suffix} = {}", literal(x))?;
     }
-    let quad = match value.quad() {
+    let quad = match named.value.quad() {
         Some(quad) => format!("{}_real128", decimal(&quad)),
         // Its bits depend on the order of the bytes.
-        None if value.decimal.is_none() => {
+        None if named.value.decimal.is_none() => {
             return writeln!(out, "  ! no {name}_quad: at run time real({name}, real128)");
         }
         None => return writeln!(out, "  ! no {name}_quad: not known to the digits it needs"),

@@ -1,0 +1,340 @@
+//! What was found of a landmark or an arch: all that a format sees.
+//!
+//! **No format computes anything.** Doubles are correctly rounded and their bounds rounded outward before
+//! they come here ([`Binary`]). What is not proved has a reason and no values.
+
+use super::words::reason;
+use crate::arch::{SelfWeight, Unknown};
+use crate::certify::state::{Answer as Outcome, AssessmentDigits, Fall, Figure};
+use crate::certify::{self, CertifiedLandmark, Constant, Undecided};
+use crate::number::{Binary, ExactNumber, Rounded};
+use crate::problem::Arch;
+use crate::problem::published::PRINTED;
+use crate::problem::{Equation, Landmark, Mode, Quantity};
+
+/// A landmark or an arch, what became of it, and its proved values.
+#[derive(Clone, Debug)]
+pub struct Answer {
+    /// What it is about.
+    pub subject: Subject,
+    /// What became of it.
+    pub status: Status,
+    /// Whether an arch stands, where that is decided.
+    pub stands: Option<bool>,
+    /// How an arch collapses at its least thickness; at a landmark the modes that meet there, if asked for.
+    pub modes: Vec<Mode>,
+    /// The values, all proved.
+    pub values: Vec<(Quantity, Value)>,
+    /// How a landmark is proved.
+    pub proof: Option<Proof>,
+    /// The certificate that holds these values, or why there is none.
+    pub certificate: Result<Fingerprint, String>,
+}
+
+/// What an answer is about.
+#[derive(Clone, Debug)]
+pub enum Subject {
+    /// A landmark point.
+    Landmark {
+        /// Which.
+        landmark: Landmark,
+        /// The self-weight model.
+        weight: SelfWeight,
+    },
+    /// An arch. What was given is text from outside.
+    Arch {
+        /// Tells arches apart: the line of the query.
+        line: u64,
+        /// The self-weight model.
+        weight: SelfWeight,
+        /// The half opening as given.
+        half_opening: String,
+        /// The friction as given.
+        friction: String,
+        /// The thickness as given, where the arch has one.
+        thickness: Option<String>,
+    },
+    /// A query that could not be read.
+    Query {
+        /// Its line.
+        line: u64,
+    },
+}
+
+/// What became of a subject.
+#[derive(Clone, Debug)]
+pub enum Status {
+    /// Its values are proved.
+    Proved,
+    /// It is proved that no thickness is enough.
+    Falls(Fall),
+    /// Nothing is known.
+    Undecided(Undecided),
+    /// The query is wrong, and how.
+    Refused(String),
+}
+
+/// How a landmark is proved: one solution of its equations in a box.
+#[derive(Clone, Debug)]
+pub struct Proof {
+    /// The equations.
+    pub equations: Vec<&'static str>,
+    /// The radius of the box for each unknown, relative to its value.
+    pub radii: Vec<(&'static str, f64)>,
+}
+
+/// What ties values to a certificate.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fingerprint {
+    /// The command that writes the certificate.
+    pub command: String,
+    /// SHA-256 of what it writes, in hexadecimal.
+    pub sha256: String,
+}
+
+/// One proved value.
+#[derive(Clone, Debug)]
+pub struct Value {
+    /// The true value correctly rounded; `None` for infinity.
+    pub decimal: Option<Rounded>,
+    /// The nearest double of the true value.
+    pub double: f64,
+    /// What that double leaves open.
+    pub binary: Binary,
+    /// The exact value, where there is one.
+    pub exact: Option<String>,
+    /// What the paper prints for it, each text once. Not proved.
+    pub printed: Vec<&'static str>,
+    /// What limits a thrust.
+    pub limited_by: Option<&'static str>,
+}
+
+impl Status {
+    /// The word for it in files.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Proved | Self::Falls(_) => "proved",
+            Self::Undecided(_) => "undecided",
+            Self::Refused(_) => "refused",
+        }
+    }
+
+    /// Why there are no values, or why an arch falls.
+    pub fn reason(&self) -> Option<&str> {
+        match self {
+            Self::Proved => None,
+            Self::Falls(fall) => Some(reason(*fall)),
+            Self::Undecided(undecided) => Some(&undecided.reason),
+            Self::Refused(error) => Some(error),
+        }
+    }
+}
+
+impl Answer {
+    /// Nothing is known yet but that it is proved.
+    fn new(subject: Subject, status: Status) -> Self {
+        Self {
+            subject,
+            status,
+            stands: None,
+            modes: Vec::new(),
+            values: Vec::new(),
+            proof: None,
+            certificate: Err("certificates are hashed for landmarks only".into()),
+        }
+    }
+
+    /// A landmark with some of its constants, or why they are not proved.
+    pub fn landmark(
+        (landmark, weight): (Landmark, SelfWeight),
+        found: Result<(&CertifiedLandmark, Vec<Constant>), &Undecided>,
+    ) -> Self {
+        let mut answer = Self::new(Subject::Landmark { landmark, weight }, Status::Proved);
+        match found {
+            Ok((point, constants)) => {
+                let value = |constant: Constant| (constant.quantity, Value::constant(constant));
+                answer.values = constants.into_iter().map(value).collect();
+                answer.proof = Some(Proof::new(point));
+                answer.certificate = Err("not asked for".into());
+            }
+            Err(undecided) => {
+                answer.status = Status::Undecided(undecided.clone());
+                answer.certificate = Err("nothing is proved".into());
+            }
+        }
+        answer
+    }
+
+    /// The same with the hash of the certificate of its values to `digits` digits, or why there is none
+    /// ([`fingerprint`](crate::certify::fingerprint)). What is not proved has no certificate.
+    pub fn with_certificate(mut self, digits: usize, hash: Result<String, Undecided>) -> Self {
+        if let (Subject::Landmark { landmark, weight }, Some(_)) = (&self.subject, &self.proof) {
+            let (symbol, weight) = (landmark.symbol(), weight.name());
+            let command = format!("couplet certify {symbol} --weight {weight} --digits {digits}");
+            self.certificate = hash
+                .map(|sha256| Fingerprint { command, sha256 })
+                .map_err(|undecided| undecided.reason.into_owned());
+        }
+        self
+    }
+
+    /// The state of an arch at its least thickness. The line tells arches apart.
+    pub fn state(line: u64, arch: &Arch, found: &Result<Outcome, Undecided>) -> Self {
+        let mut answer = Self::new(Subject::arch(line, arch, None), Status::Proved);
+        match found {
+            Ok(Outcome::Stands(digits)) => {
+                answer.stands = Some(true);
+                answer.modes = vec![digits.mode];
+                answer.values = digits.figures().map(|(of, x)| (of, Value::figure(x))).collect();
+            }
+            Ok(Outcome::Falls(fall)) => {
+                answer.stands = Some(false);
+                answer.status = Status::Falls(*fall);
+            }
+            Err(undecided) => answer.status = Status::Undecided(undecided.clone()),
+        }
+        answer
+    }
+
+    /// An arch of a given thickness.
+    pub fn assessment(
+        line: u64,
+        (arch, thickness): (&Arch, &ExactNumber),
+        found: &Result<AssessmentDigits, Undecided>,
+    ) -> Self {
+        let mut answer = Self::new(Subject::arch(line, arch, Some(thickness)), Status::Proved);
+        match found {
+            Ok(digits) => {
+                answer.stands = Some(digits.stands);
+                if let Err(fall) = digits.least_thickness {
+                    answer.status = Status::Falls(fall);
+                }
+                answer.values = digits.figures().map(|(of, x)| (of, Value::figure(x))).collect();
+                let thrusts = answer.values.iter_mut().filter(|(of, _)| of.joint().is_some());
+                for ((_, value), limit) in thrusts.zip(digits.thrust.iter().flatten()) {
+                    value.limited_by = Some(limit.limited_by);
+                }
+            }
+            Err(undecided) => answer.status = Status::Undecided(undecided.clone()),
+        }
+        answer
+    }
+
+    /// A query that could not be read, and why.
+    pub fn refused(line: u64, error: String) -> Self {
+        Self::new(Subject::Query { line }, Status::Refused(error))
+    }
+
+    /// The value of a quantity, if there is one.
+    pub fn value(&self, quantity: Quantity) -> Option<&Value> {
+        self.values.iter().find(|(of, _)| *of == quantity).map(|(_, value)| value)
+    }
+
+    /// Whether nothing could be told.
+    pub fn is_undecided(&self) -> bool {
+        matches!(self.status, Status::Undecided(_))
+    }
+}
+
+impl Subject {
+    fn arch(line: u64, arch: &Arch, thickness: Option<&ExactNumber>) -> Self {
+        Self::Arch {
+            line,
+            weight: arch.weight(),
+            half_opening: arch.half_opening().to_string(),
+            friction: arch.friction().to_string(),
+            thickness: thickness.map(ToString::to_string),
+        }
+    }
+
+    /// The landmark, if it is one.
+    pub fn landmark(&self) -> Option<Landmark> {
+        match self {
+            Self::Landmark { landmark, .. } => Some(*landmark),
+            Self::Arch { .. } | Self::Query { .. } => None,
+        }
+    }
+
+    /// The line of a query.
+    pub fn line(&self) -> Option<u64> {
+        match self {
+            Self::Landmark { .. } => None,
+            Self::Arch { line, .. } | Self::Query { line } => Some(*line),
+        }
+    }
+
+    /// The self-weight model, where it could be read.
+    pub fn weight(&self) -> Option<SelfWeight> {
+        match self {
+            Self::Landmark { weight, .. } | Self::Arch { weight, .. } => Some(*weight),
+            Self::Query { .. } => None,
+        }
+    }
+}
+
+impl Proof {
+    fn new(point: &CertifiedLandmark) -> Self {
+        let isolated = point.isolated();
+        let system = isolated.system();
+        let unknowns = system.unknowns.iter().copied().map(Unknown::name);
+        Self {
+            equations: system.equations.iter().copied().map(Equation::label).collect(),
+            radii: unknowns.zip(isolated.relative_radii()).collect(),
+        }
+    }
+}
+
+impl Value {
+    /// The value as text.
+    pub fn text(&self) -> String {
+        self.decimal.as_ref().map_or("inf".into(), |decimal| decimal.value.to_string())
+    }
+
+    /// The texts of the value, its lower and its upper bound; all `inf` for infinity.
+    pub fn texts(&self) -> [String; 3] {
+        match &self.decimal {
+            Some(decimal) => {
+                [&decimal.value, &decimal.lower, &decimal.upper].map(ToString::to_string)
+            }
+            None => [(); 3].map(|()| "inf".to_owned()),
+        }
+    }
+
+    /// The exact value where it says more than the digits.
+    pub fn closed_form(&self) -> Option<&str> {
+        self.exact.as_deref().filter(|exact| *exact != self.text())
+    }
+
+    /// The nearest quadruple with the 36 digits that tell every one from its neighbours; `None` where it
+    /// is not known.
+    pub fn quad(&self) -> Option<String> {
+        let digits = |quad: &rug::Float| quad.to_string_radix(10, Some(36));
+        self.binary.quad.as_ref().map(digits)
+    }
+
+    fn constant(constant: Constant) -> Self {
+        let Constant { landmark, weight, quantity, value, exact, double, binary, .. } = constant;
+        let mut printed: Vec<&str> = PRINTED
+            .iter()
+            .filter(|p| (p.landmark, p.weight, p.quantity) == (landmark, weight, quantity))
+            .map(|p| p.text)
+            .collect();
+        printed.sort_unstable();
+        printed.dedup();
+        let decimal = match value {
+            certify::Value::Finite(decimal) => Some(decimal),
+            certify::Value::Infinite => None,
+        };
+        Self { decimal, double, binary, exact, printed, limited_by: None }
+    }
+
+    /// A figure, or infinity where no number is enough.
+    fn figure(figure: Option<&Figure>) -> Self {
+        let decimal = figure.map(|figure| figure.decimal.clone());
+        let (double, binary, exact) = match figure {
+            Some(figure) => (figure.double, figure.binary.clone(), None),
+            None => (f64::INFINITY, Binary::infinite(), Some("inf".into())),
+        };
+        Self { decimal, double, binary, exact, printed: Vec::new(), limited_by: None }
+    }
+}

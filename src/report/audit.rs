@@ -1,0 +1,137 @@
+//! What `couplet audit` found: a table for a person, CSV, and JSON, `couplet.audit/1`, in which fields may be
+//! added and none changes its meaning.
+
+use super::csv;
+use super::fields::Fields;
+use super::json;
+use crate::judge::{Audited, Comparison, PrintedVerdict};
+use serde::Serialize;
+use serde_json::Value as Json;
+use std::io;
+
+/// Printed numbers against certified values.
+#[derive(Debug)]
+pub struct Audit {
+    /// Every printed number.
+    pub printed: Vec<Audited>,
+    /// The claims that compare the two weights.
+    pub comparisons: Vec<Comparison>,
+}
+
+#[derive(Serialize)]
+struct AuditFile {
+    schema: &'static str,
+    printed: Vec<Fields>,
+    comparisons: Vec<Fields>,
+}
+
+/// The columns of the printed numbers, and those of the comparisons.
+const PRINTED: [&str; 8] = [
+    "place",
+    "weight",
+    "landmark",
+    "quantity",
+    "printed",
+    "error_units",
+    "correct_digits",
+    "verdict",
+];
+const COMPARED: [&str; 5] = ["landmark", "quantity", "claimed", "certified", "verdict"];
+
+fn printed(entry: &Audited) -> Fields {
+    let values: [Json; 8] = [
+        entry.printed.place.into(),
+        entry.printed.weight.name().into(),
+        entry.printed.landmark.symbol().into(),
+        entry.printed.quantity.name().into(),
+        entry.printed.text.into(),
+        entry.error_units.to_string().into(),
+        entry.correct_digits.into(),
+        entry.verdict.name().into(),
+    ];
+    PRINTED.into_iter().zip(values).collect()
+}
+
+fn compared(entry: &Comparison) -> Fields {
+    let values: [Json; 5] = [
+        entry.landmark.symbol().into(),
+        entry.quantity.name().into(),
+        entry.claimed.name().into(),
+        entry.certified.name().into(),
+        entry.verdict().into(),
+    ];
+    COMPARED.into_iter().zip(values).collect()
+}
+
+/// JSON.
+pub fn json(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
+    let file = AuditFile {
+        schema: "couplet.audit/1",
+        printed: report.printed.iter().map(printed).collect(),
+        comparisons: report.comparisons.iter().map(compared).collect(),
+    };
+    json::write(&file, out)
+}
+
+/// CSV of the printed numbers.
+pub fn csv(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
+    let header = PRINTED.map(str::to_owned).to_vec();
+    let rows = report.printed.iter().map(|entry| printed(entry).texts().collect());
+    csv::write(std::iter::once(header).chain(rows), out)
+}
+
+/// A table.
+pub fn table(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
+    writeln!(
+        out,
+        "Printed numbers against certified values; errors in units of the last printed place\n"
+    )?;
+    writeln!(
+        out,
+        "{:<8} {:<12} {:<2} {:<20} {:<20} {:>8} {:>7}  verdict",
+        "place", "weight", "", "quantity", "printed", "error", "digits"
+    )?;
+    for entry in &report.printed {
+        let printed = entry.printed;
+        writeln!(
+            out,
+            "{:<8} {:<12} {:<2} {:<20} {:<20} {:>8} {:>7}  {}",
+            printed.place,
+            printed.weight.name(),
+            printed.landmark.symbol(),
+            printed.quantity.name(),
+            printed.text,
+            entry.error_units.to_string(),
+            entry.correct_digits,
+            entry.verdict.name(),
+        )?;
+    }
+    let count = |verdict| report.printed.iter().filter(|entry| entry.verdict == verdict).count();
+    let (right, faithful, wrong) = (
+        count(PrintedVerdict::CorrectlyRounded),
+        count(PrintedVerdict::Faithful),
+        count(PrintedVerdict::Wrong),
+    );
+    let all = report.printed.len();
+    writeln!(
+        out,
+        "\n{all} printed numbers: {right} correctly rounded, {faithful} faithful, {wrong} wrong"
+    )?;
+    if report.comparisons.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "\nMilankovitch's weight compared with Heyman's\n")?;
+    writeln!(out, "{:<2} {:<20} {:<8} {:<10} verdict", "", "quantity", "claimed", "certified")?;
+    for entry in &report.comparisons {
+        writeln!(
+            out,
+            "{:<2} {:<20} {:<8} {:<10} {}",
+            entry.landmark.symbol(),
+            entry.quantity.name(),
+            entry.claimed.name(),
+            entry.certified.name(),
+            entry.verdict(),
+        )?;
+    }
+    Ok(())
+}

@@ -1,0 +1,58 @@
+//! Named fields in the order in which they are written: an object in JSON, cells of a row in CSV.
+
+use serde::{Serialize, Serializer};
+use serde_json::Value as Json;
+
+/// Named fields in their order.
+#[derive(Debug, Default)]
+pub struct Fields(Vec<(&'static str, Field)>);
+
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+enum Field {
+    Value(Json),
+    Fields(Fields),
+}
+
+impl Fields {
+    /// Adds a field; nothing is `null`.
+    pub fn add(&mut self, name: &'static str, value: impl Into<Json>) {
+        self.0.push((name, Field::Value(value.into())));
+    }
+
+    /// Adds an object, or `null`.
+    pub fn add_fields(&mut self, name: &'static str, fields: Option<Fields>) {
+        self.0.push((name, fields.map_or(Field::Value(Json::Null), Field::Fields)));
+    }
+
+    /// Adds the fields of another.
+    pub fn append(&mut self, mut other: Self) {
+        self.0.append(&mut other.0);
+    }
+
+    /// The names of the fields.
+    pub fn names(&self) -> impl Iterator<Item = &'static str> {
+        self.0.iter().map(|(name, _)| *name)
+    }
+
+    /// The fields as text; `null` and objects are empty.
+    pub fn texts(&self) -> impl Iterator<Item = String> {
+        self.0.iter().map(|(_, field)| match field {
+            Field::Value(Json::String(text)) => text.clone(),
+            Field::Value(Json::Null) | Field::Fields(_) => String::new(),
+            Field::Value(other) => other.to_string(),
+        })
+    }
+}
+
+impl FromIterator<(&'static str, Json)> for Fields {
+    fn from_iter<I: IntoIterator<Item = (&'static str, Json)>>(fields: I) -> Self {
+        Self(fields.into_iter().map(|(name, value)| (name, Field::Value(value))).collect())
+    }
+}
+
+impl Serialize for Fields {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, field)| (name, field)))
+    }
+}

@@ -1,0 +1,161 @@
+//! The one list of formats: commands, scenes, help and errors read it. A format is a file and a row here.
+
+use super::answers::Answers;
+use super::audit::{self, Audit};
+use super::claims::{self, Claims};
+use super::judged::{self, JudgeSummary, JudgedLines};
+use super::rows::Rows;
+use super::words::list;
+use super::{c, csv, fortran, json, julia, latex, matlab, python, rust, table, toml};
+use std::io;
+
+/// What can be written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Content {
+    /// Landmarks or arches.
+    Answers,
+    /// Arches as they come.
+    Rows,
+    /// Printed numbers against certified values.
+    Audit,
+    /// Claims of the paper.
+    Claims,
+    /// Other people's results: all of them in summary, or each as it comes.
+    Judged,
+}
+
+/// Writes all at once.
+type Writer<T> = fn(&T, &mut dyn io::Write) -> io::Result<()>;
+/// Opens a file of arches that come one after the other.
+type Opener = fn(Answers) -> io::Result<Box<dyn Rows>>;
+
+/// A format, and what it can write.
+#[derive(Clone, Copy, Debug)]
+pub struct Format {
+    /// Its name on the command line and in scenes.
+    pub name: &'static str,
+    /// What the name of a file ends with.
+    pub extension: &'static str,
+    /// Whether it is not text.
+    pub is_binary: bool,
+    /// Whether it names the certificate of each landmark by its hash.
+    pub has_certificates: bool,
+    /// The feature without which it is not built in, where that is missing.
+    missing: Option<&'static str>,
+    pub(super) answers: Option<Writer<Answers>>,
+    pub(crate) rows: Option<Opener>,
+    pub(super) audit: Option<Writer<Audit>>,
+    pub(super) claims: Option<Writer<Claims>>,
+    pub(crate) judged: Option<Writer<JudgeSummary>>,
+    pub(crate) judged_lines: Option<JudgedLines>,
+}
+
+const fn text(name: &'static str, extension: &'static str) -> Format {
+    Format {
+        name,
+        extension,
+        is_binary: false,
+        has_certificates: false,
+        missing: None,
+        answers: None,
+        rows: None,
+        audit: None,
+        claims: None,
+        judged: None,
+        judged_lines: None,
+    }
+}
+
+/// A language of another program.
+const fn language(name: &'static str, extension: &'static str, answers: Writer<Answers>) -> Format {
+    Format { has_certificates: true, answers: Some(answers), ..text(name, extension) }
+}
+
+static FORMATS: [Format; 14] = [
+    Format {
+        answers: Some(table::answers),
+        audit: Some(audit::table),
+        judged: Some(judged::table),
+        ..text("table", "txt")
+    },
+    Format { claims: Some(claims::text), ..text("text", "txt") },
+    Format {
+        audit: Some(audit::json),
+        claims: Some(claims::json),
+        judged: Some(judged::json),
+        ..language("json", "json", json::answers)
+    },
+    Format {
+        answers: Some(csv::answers),
+        rows: Some(csv::rows),
+        audit: Some(audit::csv),
+        judged_lines: Some(judged::CSV),
+        ..text("csv", "csv")
+    },
+    Format {
+        rows: Some(json::lines),
+        judged_lines: Some(judged::JSON_LINES),
+        ..text("jsonl", "jsonl")
+    },
+    language("toml", "toml", toml::answers),
+    Format { claims: Some(claims::latex), ..language("latex", "tex", latex::answers) },
+    language("c", "h", c::answers),
+    language("rust", "rs", rust::answers),
+    language("python", "py", python::answers),
+    language("julia", "jl", julia::answers),
+    language("matlab", "m", matlab::answers),
+    language("fortran", "f90", fortran::answers),
+    PARQUET,
+];
+
+#[cfg(feature = "parquet")]
+const PARQUET: Format = Format {
+    is_binary: true,
+    rows: Some(super::parquet::rows),
+    ..language("parquet", "parquet", super::parquet::answers)
+};
+
+/// A stand-in that says what is missing.
+#[cfg(not(feature = "parquet"))]
+const PARQUET: Format = Format {
+    is_binary: true,
+    missing: Some("parquet"),
+    rows: Some(|_| Err(io::ErrorKind::Unsupported.into())),
+    ..language("parquet", "parquet", |_, _| Err(io::ErrorKind::Unsupported.into()))
+};
+
+impl Format {
+    /// The formats in which something can be written, the usual one first.
+    pub fn all(content: Content) -> impl Iterator<Item = &'static Self> {
+        FORMATS.iter().filter(move |format| match content {
+            Content::Answers => format.answers.is_some(),
+            Content::Rows => format.rows.is_some(),
+            Content::Audit => format.audit.is_some(),
+            Content::Claims => format.claims.is_some(),
+            Content::Judged => format.judged.is_some() || format.judged_lines.is_some(),
+        })
+    }
+
+    /// Their names in a sentence.
+    pub fn names(content: Content) -> String {
+        list(Self::all(content).map(|format| format.name))
+    }
+
+    /// The format of a name.
+    pub fn named(content: Content, name: &str) -> Option<&'static Self> {
+        Self::all(content).find(|format| format.name == name)
+    }
+
+    /// The format that the end of a file's name tells.
+    pub fn of_extension(content: Content, extension: &str) -> Option<&'static Self> {
+        Self::all(content).find(|format| format.extension.eq_ignore_ascii_case(extension))
+    }
+
+    /// Why the format cannot be used, if it is not built in.
+    pub fn missing(&self) -> Option<String> {
+        let feature = self.missing?;
+        Some(format!(
+            "this couplet was built without the feature {feature} (cargo install --path . --features {feature})"
+        ))
+    }
+}

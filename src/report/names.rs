@@ -1,0 +1,156 @@
+//! What values are called in a program, and what is said of them in its comments.
+//!
+//! A name is the point, the weight and the quantity: `T_HEYMAN_THICKNESS`. The points are `T`, `S`, `J`,
+//! `B`, `SB`, and `ROTATION_END` and `OVERTURNING_END` for `l` and `L`, which many languages do not tell
+//! apart. An arch is `STATE_` with the line of its query. The same name with `LOWER`, `UPPER`, `ERROR` added
+//! is what its double leaves open. No text from outside becomes part of a name.
+
+use super::answer::{Answer, Subject, Value};
+use super::answers::{Answers, TOOL};
+use super::words::model;
+use crate::problem::{Landmark, Quantity};
+
+/// A value with its names.
+pub struct Named<'a> {
+    /// The point, the weight and the quantity; or the arch and the quantity.
+    pub words: Vec<String>,
+    /// The value.
+    pub value: &'a Value,
+    quantity: Quantity,
+}
+
+impl<'a> Named<'a> {
+    /// The values of an answer.
+    pub fn all(answer: &'a Answer) -> impl Iterator<Item = Self> {
+        answer.values.iter().map(|(quantity, value)| {
+            let mut words = match &answer.subject {
+                Subject::Landmark { landmark, weight } => {
+                    let point = match landmark {
+                        Landmark::RotationEnd => "rotation_end",
+                        Landmark::OverturningEnd => "overturning_end",
+                        other => other.symbol(),
+                    };
+                    vec![point.to_owned(), weight.name().to_owned()]
+                }
+                Subject::Arch { line, .. } | Subject::Query { line } => {
+                    vec![format!("state_{line}")]
+                }
+            };
+            words.push(quantity.name().to_owned());
+            Self { words, value, quantity: *quantity }
+        })
+    }
+
+    /// The name in capitals.
+    pub fn capitals(&self) -> String {
+        self.words.join("_").to_uppercase()
+    }
+
+    /// What is said of the value: its symbol, and that it is exact.
+    pub fn remark(&self) -> String {
+        let symbol = self.quantity.symbol();
+        match &self.value.exact {
+            Some(exact) => format!("{symbol}: {} exactly", safe(exact)),
+            None => symbol.to_owned(),
+        }
+    }
+
+    /// The doubles of the value, with what is added to its name.
+    pub fn doubles(&self) -> [(&'static str, f64); 4] {
+        let Value { double, binary, .. } = self.value;
+        [
+            ("", *double),
+            ("_LOWER", binary.lower),
+            ("_UPPER", binary.upper),
+            ("_ERROR", binary.error),
+        ]
+    }
+}
+
+/// What stands at the top of a file.
+pub fn head(report: &Answers) -> Vec<String> {
+    let digits = report.digits;
+    let noun = if digits == 1 { "digit" } else { "digits" };
+    vec![
+        format!("{}, made by {TOOL}.", report.title()),
+        String::new(),
+        format!("Every value is proved. Its text is the true value rounded to the nearest with {digits}"),
+        format!("significant {noun}, exact where it ends before; inf is exactly infinite. Lengths are in"),
+        "units of the centreline radius, forces of weight per length times radius, angles in radians".into(),
+        "unless the name says degrees. A is alpha cot(alpha/2).".into(),
+    ]
+}
+
+/// What is said in a program besides.
+const NUMBERS: [&str; 6] = [
+    "After each title stands the command that writes the certificate of the values, and the SHA-256 of",
+    "what it writes (| sha256sum).",
+    "",
+    "Numbers are doubles, bit for bit: the nearest to the true value (not to its text), one not above",
+    "it (LOWER), one not below it (UPPER), and a bound of the error of the nearest (ERROR).",
+    "ROTATION_END and OVERTURNING_END are the points l and L.",
+];
+
+/// The top of a program.
+pub fn preface(report: &Answers) -> Vec<String> {
+    head(report).into_iter().chain(NUMBERS.map(str::to_owned)).collect()
+}
+
+/// What is said of a subject before its values.
+pub fn about(answer: &Answer) -> Vec<String> {
+    let title = match &answer.subject {
+        Subject::Landmark { landmark, weight } => {
+            format!("{}, {}, {}", landmark.symbol(), landmark.name(), model(*weight))
+        }
+        Subject::Arch { line, weight, half_opening, friction, thickness } => {
+            let thickness = thickness.as_ref().map(|eta| format!(", thickness {}", safe(eta)));
+            let mode = answer.modes.first();
+            let mode = mode.map(|mode| format!(", collapses as {}", mode.label()));
+            format!(
+                "{line}: half opening {}, friction {}{}, {}{}",
+                safe(half_opening),
+                safe(friction),
+                thickness.unwrap_or_default(),
+                model(*weight),
+                mode.unwrap_or_default(),
+            )
+        }
+        Subject::Query { line } => format!("{line}: not read"),
+    };
+    let none = if answer.values.is_empty() { ", no values" } else { "" };
+    let reason = answer.status.reason().map(|reason| format!(": {}", safe(reason)));
+    let mut lines =
+        vec![format!("{title}: {}{none}{}", answer.status.name(), reason.unwrap_or_default())];
+    match &answer.certificate {
+        Ok(fingerprint) => {
+            lines.push(format!("certificate: {}", fingerprint.command));
+            lines.push(format!("sha256 of its output: {}", fingerprint.sha256));
+        }
+        Err(reason) => lines.push(format!("no certificate hash: {}", safe(reason))),
+    }
+    lines
+}
+
+/// Text that ends no comment and no string of any language, and starts nothing in it: what is not a
+/// letter, a digit or harmless becomes `_`.
+pub fn safe(text: &str) -> String {
+    let harmless = |c: char| c.is_ascii_alphanumeric() || " .,:;()[]+-/=<>'√π−".contains(c);
+    text.chars().map(|c| if harmless(c) { c } else { '_' }).collect()
+}
+
+/// The bits of a double in hexadecimal.
+pub fn bits(x: f64) -> String {
+    format!("{:016x}", x.to_bits())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::safe;
+
+    #[test]
+    fn text_from_outside_ends_no_comment_and_no_string() {
+        assert_eq!(safe("2(2√3−3), pi/2, [r,r,s], 1e-3"), "2(2√3−3), pi/2, [r,r,s], 1e-3");
+        let hostile = "*/\"\"\"\n\r\\%}{#$`&~^?!|\u{2028}é";
+        assert_eq!(safe(hostile).replace('_', ""), "/");
+    }
+}

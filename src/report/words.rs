@@ -1,0 +1,103 @@
+//! Words and numbers as every format writes them.
+
+use crate::arch::SelfWeight;
+use crate::certify::state::Fall;
+use std::fmt::Display;
+
+/// With this many digits a decimal number tells the double, which is then given too.
+pub const DOUBLE_DIGITS: usize = 17;
+
+/// Characters of a text from outside that are shown.
+const SHOWN: usize = 40;
+
+/// `1 arch`, `2 arches`.
+pub fn count<N: Display + PartialEq + From<u8>>(n: N, one: &str, many: &str) -> String {
+    let noun = if n == N::from(1) { one } else { many };
+    format!("{n} {noun}")
+}
+
+/// Names in a sentence: `a, b, c`.
+pub fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
+    names.into_iter().collect::<Vec<_>>().join(", ")
+}
+
+/// A text on one line, cut if it is long.
+pub fn shortened(text: &str) -> String {
+    let mut shown = text.chars().map(|c| if c.is_control() { ' ' } else { c });
+    let mut short: String = shown.by_ref().take(SHOWN).collect();
+    if shown.next().is_some() {
+        short.pop();
+        short.push('…');
+    }
+    short
+}
+
+/// Whose self-weight model it is.
+pub fn author(weight: SelfWeight) -> &'static str {
+    match weight {
+        SelfWeight::Heyman => "Heyman",
+        SelfWeight::Milankovitch => "Milankovitch",
+    }
+}
+
+/// The self-weight model in words.
+pub fn model(weight: SelfWeight) -> String {
+    format!("{}-like self-weight", author(weight))
+}
+
+/// The word for why an arch does not stand.
+pub fn reason(fall: Fall) -> &'static str {
+    match fall {
+        Fall::Sliding => "sliding",
+        Fall::Thickness => "thickness",
+    }
+}
+
+/// A double as C and many others write it in hexadecimal: exact. Infinity is `inf`, as `printf` has it.
+pub fn hexadecimal(x: f64) -> String {
+    if x.is_infinite() {
+        return x.to_string();
+    }
+    if x == 0.0 {
+        return "0x0p+0".to_owned();
+    }
+    let (bits, sign) = (x.to_bits(), if x < 0.0 { "-" } else { "" });
+    let (mut exponent, mut mantissa) = ((bits >> 52 & 0x7ff) as i64 - 1023, bits & ((1 << 52) - 1));
+    if exponent == -1023 {
+        // Subnormal: the leading one is moved to the front.
+        let shift = mantissa.leading_zeros() - 11;
+        mantissa = (mantissa << shift) & ((1 << 52) - 1);
+        exponent = -1022 - i64::from(shift);
+    }
+    let digits = format!("{mantissa:013x}");
+    let digits = digits.trim_end_matches('0');
+    let point = if digits.is_empty() { "" } else { "." };
+    format!("{sign}0x1{point}{digits}p{exponent:+}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hexadecimal_doubles_are_exact() {
+        for (x, text) in [
+            (1.0, "0x1p+0"),
+            (0.1, "0x1.999999999999ap-4"),
+            (-2.5, "-0x1.4p+1"),
+            (f64::MIN_POSITIVE, "0x1p-1022"),
+            (5e-324, "0x1p-1074"),
+            (f64::MAX, "0x1.fffffffffffffp+1023"),
+            (f64::NEG_INFINITY, "-inf"),
+        ] {
+            assert_eq!(hexadecimal(x), text);
+        }
+    }
+
+    #[test]
+    fn a_long_text_is_cut() {
+        assert_eq!(shortened("a\nb"), "a b");
+        assert_eq!(shortened(&"1".repeat(SHOWN)), "1".repeat(SHOWN));
+        assert_eq!(shortened(&"β".repeat(SHOWN + 1)), "β".repeat(SHOWN - 1) + "…");
+    }
+}

@@ -1,0 +1,121 @@
+//! What an item asked for, as a report.
+
+use super::pieces::Pieces;
+use super::plan::Plan;
+use super::schema::{SceneArch, What};
+use crate::certify::Undecided;
+use crate::judge::{Enclosed, audit_of, compare_weights_of};
+use crate::problem::Quantity;
+use crate::report::{Answer, Answers, Audit, Claims, Format, Report};
+use std::io;
+
+/// What an item asked for.
+pub struct ItemReport {
+    format: &'static Format,
+    /// Nothing where not even a part is known.
+    report: Option<Report>,
+    /// What could not be decided.
+    pub undecided: Vec<String>,
+}
+
+impl ItemReport {
+    /// What an item asked for, from pieces that are all there.
+    pub(super) fn new(plan: &Plan, pieces: &Pieces, index: usize) -> Self {
+        let item = &plan.scene.items[index];
+        let (report, undecided) = match &item.what {
+            What::Constants { quantities, digits, .. } => {
+                let list = constants(plan, pieces, index, (quantities, *digits));
+                let open = list.iter().filter(|answer| answer.is_undecided());
+                let names = open.filter_map(|answer| {
+                    let subject = &answer.subject;
+                    Some(format!("{} {}", subject.landmark()?.symbol(), subject.weight()?.name()))
+                });
+                let undecided = names.collect();
+                (Some(Report::Answers(Answers::constants(*digits, list))), undecided)
+            }
+            What::Arches { quantities, digits, with_thickness, .. } => {
+                let list = arches(plan, pieces, index, *digits);
+                let (open, all) =
+                    (list.iter().filter(|answer| answer.is_undecided()).count(), list.len());
+                let undecided = (open > 0).then(|| format!("{open} of {all} arches"));
+                let answers = Answers::arches(*digits, *with_thickness);
+                let answers = Answers { quantities: quantities.clone(), list, ..answers };
+                (Some(Report::Answers(answers)), undecided.into_iter().collect())
+            }
+            What::Claims { show, .. } => {
+                let places = plan.needs[index].claims.iter();
+                let decisions: Vec<_> =
+                    places.filter_map(|&place| pieces.claims[place].clone()).collect();
+                let open = decisions.iter().filter(|decision| decision.outcome.is_err());
+                let undecided = open.map(|decision| decision.claim.id.to_owned()).collect();
+                // How long a claim took would be another output in every run.
+                let claims = Claims { decisions, show: *show, timed: false };
+                (Some(Report::Claims(claims)), undecided)
+            }
+            What::Audit { .. } => match audit(plan, pieces, index) {
+                Ok(audit) => (Some(Report::Audit(audit)), Vec::new()),
+                Err(undecided) => (None, vec![undecided.to_string()]),
+            },
+        };
+        Self { format: item.format, report, undecided }
+    }
+
+    /// Writes what was found.
+    pub fn write(&self, out: &mut dyn io::Write) -> io::Result<()> {
+        self.report.as_ref().map_or(Ok(()), |report| report.write(self.format, out))
+    }
+
+    /// Whether there is anything to write.
+    pub fn is_known(&self) -> bool {
+        self.report.is_some()
+    }
+}
+
+fn constants(
+    plan: &Plan,
+    pieces: &Pieces,
+    index: usize,
+    (quantities, digits): (&[Quantity], usize),
+) -> Vec<Answer> {
+    let answer = |&place: &usize| {
+        let node = &plan.landmarks[place];
+        let name = (node.landmark, node.weight);
+        Some(match pieces.landmarks[place].as_ref()? {
+            Err(undecided) => Answer::landmark(name, Err(undecided)),
+            Ok(piece) => {
+                let constants = piece.constants(node, quantities, digits);
+                let answer = Answer::landmark(name, Ok((&piece.point, constants)));
+                match piece.certificates.get(&digits) {
+                    Some(hash) if plan.scene.items[index].format.has_certificates => {
+                        answer.with_certificate(digits, hash.clone())
+                    }
+                    _ => answer,
+                }
+            }
+        })
+    };
+    plan.needs[index].landmarks.iter().filter_map(answer).collect()
+}
+
+fn arches(plan: &Plan, pieces: &Pieces, index: usize, digits: usize) -> Vec<Answer> {
+    let What::Arches { arches, .. } = &plan.scene.items[index].what else { return Vec::new() };
+    let needs = arches.iter().zip(&plan.needs[index].arches);
+    let answers = (1..).zip(needs).map(|(line, (SceneArch { arch, thickness }, (place, of)))| {
+        let piece = pieces.arches[*place].as_ref()?;
+        Some(match thickness.as_ref().zip(*of) {
+            Some((eta, of)) => Answer::assessment(line, (arch, eta), &piece.thicknesses[of]),
+            None => Answer::state(line, arch, piece.states.get(&digits)?),
+        })
+    });
+    answers.flatten().collect()
+}
+
+fn audit(plan: &Plan, pieces: &Pieces, index: usize) -> Result<Audit, Undecided> {
+    let places = plan.needs[index].landmarks.iter();
+    let points: Vec<Enclosed> = places
+        .filter_map(|&place| pieces.landmarks[place].as_ref())
+        .filter_map(|piece| piece.as_ref().map(|piece| piece.enclosed.clone()).transpose())
+        .map(|piece| piece.map_err(Clone::clone))
+        .collect::<Result<_, _>>()?;
+    Ok(Audit { printed: audit_of(&points)?, comparisons: compare_weights_of(&points)? })
+}
