@@ -79,7 +79,7 @@ mod tests {
             assert_eq!((*square, cost.tally.evaluations()), (n * n, 2 * n as u64));
         }
         let sum: Cost = done.iter().map(|(_, cost)| cost).sum();
-        assert_eq!(sum.tally.evaluations(), 99 * 50);
+        assert_eq!(sum.tally.evaluations(), 2 * 99 * 50);
     }
 
     #[test]
