@@ -1,8 +1,6 @@
 //! The algebra of the equations, exactly: rational points of the unit circle, rational thickness.
 
-mod common;
-
-use common::{circle_point, config, positive_rational};
+use crate::hard::{circle_point, config, positive_rational, weights};
 use couplet::arch::{Quotient, Ring, SelfWeight, cubic, overturning, sliding, statics, thrust};
 use couplet::number::{Angle, Dual, Field};
 use proptest::prelude::*;
@@ -12,10 +10,6 @@ type Exact = Rational;
 
 fn angle((sin, cos): (Exact, Exact), rad: Exact) -> Angle<Exact> {
     Angle { rad, sin, cos }
-}
-
-fn weights() -> impl Strategy<Value = SelfWeight> {
-    prop_oneof![Just(SelfWeight::Heyman), Just(SelfWeight::Milankovitch)]
 }
 
 fn value(quotient: &Quotient<Exact>) -> Option<Exact> {

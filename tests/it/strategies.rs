@@ -1,8 +1,6 @@
 //! The strategies draw what they promise, hard arches too, and a failure shrinks to one that can be read.
 
-mod common;
-
-use common::config;
+use crate::hard::config;
 use couplet::arch::{Landmark, Mode, SelfWeight, Unknown};
 use couplet::certify::CertifiedLandmark;
 use couplet::certify::state::{Answer, Friction};

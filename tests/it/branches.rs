@@ -3,9 +3,7 @@
 //!
 //! The exact slopes, and that the curvatures differ, are claims (`couplet prove joining`).
 
-mod common;
-
-use common::config;
+use crate::hard::config;
 use couplet::arch::{Landmark, Mode, SelfWeight, thrust};
 use couplet::certify::CertifiedLandmark;
 use couplet::certify::state::{Arch, Friction, Outcome};

@@ -1,10 +1,8 @@
 //! The second arithmetic bit by bit: every function of astro-float that is used is rounded as MPFR rounds
 //! it, in every direction that is used, on arguments chosen to be hard.
 
-mod common;
-
 use astro_float::{BigFloat, Consts, RoundingMode, Sign, WORD_BIT_SIZE};
-use common::config;
+use crate::hard::config;
 use proptest::prelude::*;
 use rug::float::{Constant, Round};
 use rug::integer::Order;

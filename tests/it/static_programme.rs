@@ -3,11 +3,9 @@
 //! The programme sees nothing of the equations (2)–(18) but the statics. It asks less than the whole half
 //! arch does, so that its least thickness is a lower bound.
 
-mod common;
-
-use common::config;
-use couplet::arch::SelfWeight;
-use couplet::certify::state::{Answer, Arch, Friction, Outcome};
+use crate::arches::rational_arch as arch;
+use crate::hard::{config, millionths, weights};
+use couplet::certify::state::{Answer, Outcome};
 use couplet::number::ExactNumber;
 use couplet::study::static_programme::{least_thickness, thrust_range};
 use proptest::prelude::*;
@@ -16,26 +14,13 @@ use rug::Rational;
 /// Joints at which the conditions are asked for.
 const JOINTS: usize = 1500;
 
-fn arch(weight: SelfWeight, alpha: &Rational, mu: &Rational) -> Arch {
-    let friction = Friction::Coefficient(ExactNumber::rational(mu.clone()));
-    Arch::new(weight, ExactNumber::rational(alpha.clone()), friction).unwrap()
-}
-
-fn rational(low: i64, high: i64) -> impl Strategy<Value = Rational> {
-    (low..high).prop_map(|n| Rational::from((n, 1_000_000)))
-}
-
-fn weights() -> impl Strategy<Value = SelfWeight> {
-    prop_oneof![Just(SelfWeight::Heyman), Just(SelfWeight::Milankovitch)]
-}
-
 proptest! {
     #![proptest_config(config(150))]
 
     /// The static programme is a lower bound of the least thickness, and a close one.
     #[test]
     fn the_static_programme_agrees_from_below(
-        alpha in rational(300_000, 2_640_000), mu in rational(100_000, 5_000_000), weight in weights(),
+        alpha in millionths(300_000, 2_640_000), mu in millionths(100_000, 5_000_000), weight in weights(),
     ) {
         let Ok(Outcome::Stands(state)) = arch(weight, &alpha, &mu).state(256) else { return Ok(()) };
         let eta = state.thickness.mid().to_f64();
@@ -52,8 +37,8 @@ proptest! {
     /// standing with the least thickness.
     #[test]
     fn an_assessment_agrees_with_the_static_programme(
-        alpha in rational(200_000, 2_640_000), mu in rational(50_000, 4_000_000),
-        part in rational(600_000, 3_000_000), weight in weights(),
+        alpha in millionths(200_000, 2_640_000), mu in millionths(50_000, 4_000_000),
+        part in millionths(600_000, 3_000_000), weight in weights(),
     ) {
         let asked = arch(weight, &alpha, &mu);
         let Ok(Answer::Stands(least)) = asked.certify(17) else { return Ok(()) };

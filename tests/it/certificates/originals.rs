@@ -1,13 +1,14 @@
 //! Valid certificates to spoil, and certificates of any root of the equations, whether it is the one
 //! claimed or not.
 
-use couplet::arch::{Landmark, SelfWeight};
-use couplet::certify::state::{Arch, Friction};
+use crate::arches::{M, arch};
+use couplet::arch::{Landmark, Mode, SelfWeight};
 use couplet::certify::{certify_landmark, certify_state};
 use couplet::check::{
-    Accepted, Certificate, Claim, ClaimFile, Dyadic, Refusal, SCHEMA, ValueFile, Witness, check,
+    Accepted, Certificate, Claim, ClaimFile, Dyadic, Exact, Refusal, SCHEMA, State, Subject,
+    ValueFile, Witness, check,
 };
-use couplet::number::{AstroInterval, Ball};
+use couplet::number::{AstroInterval, Ball, ExactNumber};
 use couplet::solve::inverse;
 use rug::Float;
 use serde_json::Value;
@@ -44,14 +45,25 @@ pub fn landmark(symbol: &str) -> &'static Value {
 /// The certificate of a state with 20 digits, for Milankovitch's weight.
 pub fn state(half_opening: &str, friction: &str) -> &'static Value {
     kept(format!("{half_opening} {friction}"), || {
-        let friction = match friction {
-            "inf" => Friction::Infinite,
-            mu => Friction::Coefficient(mu.parse().unwrap()),
-        };
-        let weight = SelfWeight::Milankovitch;
-        certify_state(&Arch::new(weight, half_opening.parse().unwrap(), friction).unwrap(), 20)
-            .unwrap()
+        certify_state(&arch(M, half_opening, friction), 20).unwrap()
     })
+}
+
+pub fn landmark_claim(landmark: Landmark, weight: SelfWeight) -> Claim {
+    Claim { weight, subject: Subject::Landmark(landmark) }
+}
+
+/// The claim that an arch of this half opening and friction collapses in this mode.
+pub fn state_claim(weight: SelfWeight, mode: Mode, half_opening: &str, friction: &str) -> Claim {
+    let exact = |text: &str| {
+        let number: ExactNumber = text.parse().unwrap();
+        let (numerator, denominator) = number.factor().clone().into_numer_denom();
+        let (numerator, denominator) = (numerator.to_string(), denominator.to_string());
+        Exact { numerator, denominator, times_pi: !number.is_rational() }
+    };
+    let friction = (friction != "inf").then(|| exact(friction));
+    let state = State { mode, half_opening: exact(half_opening), friction };
+    Claim { weight, subject: Subject::State(state) }
 }
 
 /// The root of a certificate, roughly.
