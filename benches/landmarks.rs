@@ -4,9 +4,10 @@
 //! The ratio table is measured side by side in one process on one thread: for each number of digits
 //! the two jobs take turns, and the medians are compared. Nothing is asserted.
 
-use couplet::arch::{Landmark, Ring, SelfWeight, Unknown, thrust};
+use couplet::arch::{Ring, SelfWeight, Unknown, thrust};
 use couplet::certify::{CertifiedLandmark, Constant};
 use couplet::number::{Angle, AstroInterval, Ball, Dual, Real};
+use couplet::problem::Landmark;
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use rug::{Assign, Float};
 use std::hint::black_box;

@@ -1,7 +1,8 @@
 //! A landmark constant to any number of digits: `cargo run --example constant -- 100`.
 
-use couplet::arch::{Landmark, Quantity, SelfWeight};
+use couplet::arch::SelfWeight;
 use couplet::certify::{CertifiedLandmark, MAX_DIGITS, Value};
+use couplet::problem::{Landmark, Quantity};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -3,7 +3,8 @@
 //! The solver knows purely rotational collapse only, in doubles and by bisection, and takes nothing from
 //! couplet. The strategy draws arches that collapse so, with the state that is proved of them.
 
-use couplet::arch::{Mode, SelfWeight};
+use couplet::arch::SelfWeight;
+use couplet::problem::Mode;
 use couplet::strategies::collapsing;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestError, TestRunner};

@@ -1,7 +1,8 @@
 //! The state of an arch, from exact input: `cargo run --example state`.
 
-use couplet::arch::{Mode, SelfWeight};
+use couplet::arch::SelfWeight;
 use couplet::certify::state::{Answer, Arch, Friction};
+use couplet::problem::Mode;
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -45,8 +45,8 @@
 //! | (18) inner sliding | [`arch::sliding::inner`], [`arch::sliding::steepest`] |
 //! | (2), (4), (5), (17), (18) where the half opening is small | [`arch::small`] |
 //! | what is claimed of them, proved or refuted | [`claims`] |
-//! | collapse modes, admissibility, least thickness | [`arch::Mode`], [`arch::contact`] |
-//! | Tables 1–4, 16-digit values of the text | [`arch::published`] |
+//! | collapse modes, admissibility, least thickness | [`problem::Mode`], [`arch::contact`] |
+//! | Tables 1–4, 16-digit values of the text | [`problem::published`] |
 //!
 //! # What is proved, and what is not
 //!
@@ -76,7 +76,10 @@ pub mod check;
 pub mod claims;
 #[cfg(feature = "cli")]
 pub mod cli;
+#[cfg(feature = "mpfr")]
+pub mod judge;
 pub mod number;
+pub mod problem;
 #[cfg(all(feature = "mpfr", feature = "cli"))]
 pub mod report;
 #[cfg(all(feature = "mpfr", feature = "cli"))]

@@ -4,9 +4,10 @@
 //!
 //! One thread; CPU time.
 
-use couplet::arch::{Landmark, SelfWeight, Unknown};
+use couplet::arch::{SelfWeight, Unknown};
 use couplet::certify::{CertifiedLandmark, Constant, Value};
 use couplet::number::bits_of;
+use couplet::problem::Landmark;
 use couplet::solve::{newton, start};
 use rug::Float;
 use std::hint::black_box;

@@ -12,7 +12,7 @@
 //! `r = 1/6` for the rotational states at `alpha = 0`). The tests show, exactly, that each equation here
 //! is the printed one.
 
-use super::{Equation, Quotient, SelfWeight, Unknown};
+use super::{Quotient, SelfWeight, Unknown};
 use crate::number::{Field, Stumpff};
 
 /// An arch of a small half opening in variables of order one.
@@ -102,23 +102,6 @@ impl<T> Scaled<T> {
             deficit: f(self.deficit),
             friction: f(self.friction),
         }
-    }
-}
-
-impl Equation {
-    /// The equation in scaled variables, cleared of denominators that are positive for small half
-    /// openings: zero where it holds. `None` for one that no state of a small half opening needs.
-    pub fn scaled_residual<T: Field>(self, weight: SelfWeight, at: &Scaled<T>) -> Option<T> {
-        super::tally::equation(self);
-        Some(match self {
-            Self::LowerThrust => lower(weight, at),
-            Self::WholeThrust => whole(weight, at),
-            Self::Tangency => tangency(weight, at),
-            Self::ShoulderSliding => shoulder(at).residual(&at.friction),
-            Self::InnerSliding => inner(at).residual(&at.friction),
-            Self::Steepest => steepest(at),
-            Self::UpperThrust | Self::TangencyAtCrown | Self::DoubleThickness => return None,
-        })
     }
 }
 
@@ -244,6 +227,7 @@ mod tests {
     use super::*;
     use crate::arch::{Configuration, contact, statics};
     use crate::number::Angle;
+    use crate::problem::Equation;
     use crate::symbolic::{Fraction, Relations, Symbol};
 
     /// The letters: `x = alpha`, the ratios `b = beta_r/alpha` and `z = beta_s/alpha`, and for each angle

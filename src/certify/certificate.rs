@@ -6,14 +6,17 @@
 
 use super::state::{Arch, Friction, Outcome};
 use super::{CertifiedLandmark, Undecided, Value};
-use crate::arch::{Landmark, Quantity, SelfWeight, Unknown};
+use crate::arch::{SelfWeight, Unknown};
 use crate::check::{
-    Certificate, Claim, ClaimFile, Dyadic, Engine, Exact, Refusal, SCHEMA, State, Subject,
-    ValueFile, WITNESS_BITS, Witness, check_certificate, krawczyk,
+    Certificate, ClaimFile, Refusal, SCHEMA, ValueFile, WITNESS_BITS, Witness, check_certificate,
+    krawczyk,
 };
 use crate::number::{
     AstroInterval, Ball, Dual, Enclosure, ExactNumber, Magnitude, Rounded, bits_of,
 };
+use crate::number::{Dyadic, Engine};
+use crate::problem::{Claim, Exact, State, Subject};
+use crate::problem::{Landmark, Quantity};
 use crate::solve::inverse;
 use rug::Float;
 
@@ -77,7 +80,7 @@ pub fn certify_state(arch: &Arch, digits: usize) -> Result<Certificate, Undecide
         let subject = State {
             mode: state.mode,
             half_opening: given(arch.half_opening()),
-            friction: friction.clone().filter(|_| state.mode != crate::arch::Mode::Overturning),
+            friction: friction.clone().filter(|_| state.mode != crate::problem::Mode::Overturning),
         };
         let claim = Claim { weight: arch.weight(), subject: Subject::State(subject) };
         let value = |unknown: &Unknown| match unknown {

@@ -1,9 +1,9 @@
 //! Exactly one root in a box as large as the proof carries.
 
 use super::Undecided;
-use crate::arch::{Point, System};
 use crate::check::krawczyk;
 use crate::number::{Ball, Enclosure, Magnitude};
+use crate::problem::{Point, System};
 use crate::solve::{Candidate, inverse};
 use rug::Float;
 use rug::float::Round;
@@ -121,7 +121,8 @@ fn preconditioner(system: &System, centre: &[Ball]) -> Option<Vec<Vec<Ball>>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arch::{Landmark, SelfWeight};
+    use crate::arch::SelfWeight;
+    use crate::problem::Landmark;
     use crate::solve::{newton, start};
 
     #[test]

@@ -3,29 +3,21 @@
 //! The operator that proves is in [`check::krawczyk`](crate::check::krawczyk).
 //! A proof either succeeds or says why nothing is known ([`Undecided`]); nothing in between.
 
-mod audit;
 mod certificate;
-mod constant;
+mod closed_value;
 mod cover;
-mod exact;
 mod fingerprint;
 mod isolate;
-pub mod judge;
-mod printed;
+mod landmark;
 mod refine;
 pub mod state;
-mod verdict;
+mod undecided;
 
-pub use audit::{
-    Audited, Comparison, Enclosed, Relation, audit, audit_of, compare_weights, compare_weights_of,
-    enclosed,
-};
 pub use certificate::{certify_landmark, certify_state};
-pub use constant::{CertifiedLandmark, Constant, MAX_DIGITS, Value, quantities};
+pub use closed_value::Exact;
 pub use cover::{between, cover};
-pub use exact::Exact;
 pub use fingerprint::{MAX_FINGERPRINT_DIGITS, fingerprint};
 pub use isolate::{Isolated, isolate};
-pub use printed::PrintedVerdict;
+pub use landmark::{CertifiedLandmark, Constant, MAX_DIGITS, Value, quantities};
 pub use refine::{Refined, refine, refine_watched, stages};
-pub use verdict::Undecided;
+pub use undecided::Undecided;

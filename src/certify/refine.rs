@@ -14,9 +14,10 @@
 //! encloses in one. The box has to lie in the one where the root is known to be unique.
 
 use super::{Isolated, Undecided};
-use crate::arch::{Configuration, Fixed, Point, System, Unknown, tally};
+use crate::arch::{Configuration, Unknown};
 use crate::check::krawczyk;
 use crate::number::{Anchor, Angle, Ball, Enclosure, Magnitude, arctangent};
+use crate::problem::{Fixed, Point, System, tally};
 use crate::solve::inverse;
 use rayon::prelude::*;
 use rug::Float;
@@ -259,8 +260,9 @@ fn approximate(system: &System, start: Vec<Float>, bits: u32) -> Result<Vec<Floa
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arch::{Landmark, SelfWeight};
+    use crate::arch::SelfWeight;
     use crate::certify::isolate;
+    use crate::problem::Landmark;
     use crate::solve::start;
 
     #[test]

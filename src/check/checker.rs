@@ -11,12 +11,14 @@
 //!    no thinner arch stands, and that it is the mode stated.
 //! 4. **The decimals** are the correct rounding of everything in the small box.
 
-use super::claim::{Claim, first_failure};
 use super::format::{Certificate, Witness, shortened};
+use super::krawczyk;
 use super::refusal::Refusal;
-use super::{Dyadic, Engine, Written, krawczyk};
-use crate::arch::{Quantity, Unknown};
+use crate::arch::Unknown;
 use crate::number::{Dual, Enclosure};
+use crate::number::{Dyadic, Engine, Written};
+use crate::problem::Quantity;
+use crate::problem::{Claim, first_failure};
 
 /// The verdict of a successful check.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,10 +1,11 @@
 //! The certificate as a file: JSON, `couplet.certificate/1`, described in `docs/certificate.md`.
 
-use super::Dyadic;
-use super::claim::{Claim, Exact, State, Subject};
 use super::object::{Object, given, given_object, object, objects};
 use super::refusal::Refusal;
-use crate::arch::{Equation, Landmark, Mode, SelfWeight, Unknown};
+use crate::arch::{SelfWeight, Unknown};
+use crate::number::Dyadic;
+use crate::problem::{Claim, Exact, State, Subject};
+use crate::problem::{Equation, Landmark, Mode};
 use serde::{Deserialize, Serialize};
 use std::io;
 

@@ -13,8 +13,8 @@
 //! vanish in `X`) makes `K(X)` unbounded, so that the test fails; hence a success also proves that
 //! `F` is smooth on `X`.
 
-use crate::arch::{Point, System};
 use crate::number::{Dual, Enclosure, Field};
+use crate::problem::{Point, System};
 
 /// The last term of `K(X)`, `(I - Y F'(X)) (X - m)`. `preconditioner` is `Y`; `slopes` are the
 /// residuals as dual numbers on a box that holds `X`, of which only the gradients are used; `offsets` is

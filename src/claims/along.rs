@@ -5,12 +5,11 @@
 //! grows and the thrust falls, on the sliding one the thrust falls and the friction grows. So the
 //! states at the two ends of a range bound all states between.
 
-use crate::arch::{
-    Configuration, Landmark, Mode, Ring, SelfWeight, overturning, sliding, statics, thrust,
-};
+use crate::arch::{Configuration, Ring, SelfWeight, overturning, sliding, statics, thrust};
 use crate::certify::state::{Arch, Friction, Outcome, State};
 use crate::certify::{CertifiedLandmark, Undecided, between};
 use crate::number::{Angle, Ball, Dual, ExactNumber, Field, Real, Ternary};
+use crate::problem::{Landmark, Mode};
 use rug::Rational;
 
 /// Bits of the states.

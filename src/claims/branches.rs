@@ -16,9 +16,10 @@ use super::cubics::letters;
 use super::curve::{STATES_IN_ORDER, TWO_THICKNESSES_FOR_EACH_JOINT};
 use super::{Claim, Derivation, Finding, Support};
 use crate::arch::cubic::Abbreviations;
-use crate::arch::{Landmark, Ring, SelfWeight, closed_form, cubic, overturning};
+use crate::arch::{Ring, SelfWeight, closed_form, cubic, overturning};
 use crate::certify::{CertifiedLandmark, Undecided, between};
 use crate::number::{Angle, Ball, Dual, Enclosure, Field, Real, Ternary};
+use crate::problem::Landmark;
 use crate::symbolic::{Fraction, Polynomial, Relations, Symbol, discriminant};
 use rug::Rational;
 

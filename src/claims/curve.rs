@@ -18,9 +18,10 @@
 
 use super::letters::ring;
 use super::{Claim, Derivation, Finding};
-use crate::arch::{Mode, Ring, cubic, overturning, thrust};
+use crate::arch::{Ring, cubic, overturning, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Dual, Field, Real};
+use crate::problem::Mode;
 use crate::symbolic::{
     Fraction, Polynomial, Relations, Symbol, along_the_joint, along_the_opening,
 };

@@ -13,10 +13,11 @@ use super::frictions::{
 use super::letters::{ring, variables};
 use super::{Claim, Derivation, Finding, Support};
 use crate::arch::{
-    Configuration, Landmark, Ring, SelfWeight, contact, overturning, sliding, statics, thrust,
+    Configuration, Ring, SelfWeight, contact, overturning, sliding, statics, thrust,
 };
 use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Dual, Enclosure, Field, Real, Ternary};
+use crate::problem::Landmark;
 use crate::symbolic::{Relations, Symbol, along_the_joint};
 use rug::Rational;
 

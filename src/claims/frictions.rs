@@ -8,9 +8,10 @@ use super::along::{Along, around, below, landmark, on_all};
 use super::curve::STATES_IN_ORDER;
 use super::letters::ring;
 use super::{Claim, Derivation, Finding, Support};
-use crate::arch::{Landmark, Ring, SelfWeight, overturning, sliding, statics, thrust};
+use crate::arch::{Ring, SelfWeight, overturning, sliding, statics, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Enclosure, Field, Surd};
+use crate::problem::Landmark;
 use crate::symbolic::{
     Fraction, Polynomial, Relations, Symbol, along_the_joint, along_the_opening,
 };

@@ -4,14 +4,14 @@
 use super::letters::{ring, variables};
 use super::{Claim, Derivation, Finding, Support};
 use crate::arch::{
-    Configuration, Fixed, Landmark, Mode, Quantity, Ring, SelfWeight, Unknown, contact,
-    overturning, sliding, statics, thrust,
+    Configuration, Ring, SelfWeight, Unknown, contact, overturning, sliding, statics, thrust,
 };
 use crate::certify::state::{Arch, Friction, Outcome, State};
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::number::{
     Angle, Ball, Decimal, Enclosure, ExactNumber, Field, Real, Rounded, Ternary, arctangent,
 };
+use crate::problem::{Fixed, Landmark, Mode, Quantity};
 use crate::symbolic::{Fraction, Relations, Symbol, along_the_joint};
 use rug::Rational;
 

@@ -4,9 +4,11 @@ use super::curve::{STATES_IN_ORDER, STATES_OF_ONE_THICKNESS};
 use super::frictions::{FRICTION_FOR_ROTATION_GROWS, SLOPES_OF_FRICTION};
 use super::landmarks::{certain_if, enclosed, state_of};
 use super::{Claim, Derivation, Finding, Support};
-use crate::arch::{Landmark, Mode, Quantity, Ring, SelfWeight, sliding, statics, thrust};
-use crate::certify::{CertifiedLandmark, Comparison, Exact, Relation, Undecided, compare_weights};
+use crate::arch::{Ring, SelfWeight, sliding, statics, thrust};
+use crate::certify::{CertifiedLandmark, Exact, Undecided};
+use crate::judge::{Comparison, Relation, compare_weights};
 use crate::number::{Angle, Ball, Enclosure, Field, Real, Rounded};
+use crate::problem::{Landmark, Mode, Quantity};
 use crate::symbolic::{Polynomial, Relations, Symbol};
 use std::sync::OnceLock;
 

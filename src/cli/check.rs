@@ -1,8 +1,9 @@
 //! `couplet check`: also the whole of the small program.
 
 use super::Failure;
-use crate::check::{Accepted, Refusal, Subject, check};
+use crate::check::{Accepted, Refusal, check};
 use crate::number::AstroInterval;
+use crate::problem::Subject;
 use clap::Args;
 use std::fs::File;
 use std::io::{self, Read};

@@ -43,14 +43,24 @@ mod angle;
 mod astro;
 mod double;
 mod dual;
+#[cfg(feature = "check")]
+mod dyadic;
+#[cfg(feature = "check")]
+mod engine;
 #[cfg(feature = "mpfr")]
 mod gmp;
 mod stumpff;
 mod ternary;
+#[cfg(feature = "check")]
+mod written;
 
 pub use angle::Angle;
 pub use astro::AstroInterval;
 pub use dual::Dual;
+#[cfg(feature = "check")]
+pub use dyadic::{Dyadic, MAX_EXPONENT, ParseDyadicError};
+#[cfg(feature = "check")]
+pub use engine::Engine;
 #[cfg(feature = "mpfr")]
 pub use gmp::{
     Anchor, Ball, Binary, Decimal, ExactNumber, Magnitude, ParseDecimalError, ParseExactError,
@@ -60,6 +70,10 @@ pub use stumpff::Stumpff;
 #[cfg(feature = "mpfr")]
 pub(crate) use stumpff::terms as stumpff_terms;
 pub use ternary::Ternary;
+#[cfg(feature = "check")]
+pub use written::Written;
+#[cfg(feature = "check")]
+pub(crate) use written::integer_text;
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -17,10 +17,12 @@ pub use judged::{JudgeSummary, JudgedRow, JudgedRows};
 pub use rows::{Answered, Rows};
 pub use study::{StudyFiles, accuracy_table, stability_table};
 
-use crate::arch::Mode;
-use crate::arch::{Landmark, SelfWeight, System};
+use crate::arch::SelfWeight;
 use crate::certify::state::{AssessmentDigits, Digits, Doubt, Fall};
-use crate::certify::{Audited, CertifiedLandmark, Comparison, Constant, Value};
+use crate::certify::{CertifiedLandmark, Constant, Value};
+use crate::judge::{Audited, Comparison};
+use crate::problem::Mode;
+use crate::problem::{Landmark, System};
 use export::{Export, ExportFormat, Subject};
 use std::io;
 

@@ -2,8 +2,8 @@
 
 use super::{AssessReport, Audit, Constants, Proved, StateAt, StateOf, StateReport, reason, texts};
 use crate::arch::SelfWeight;
-use crate::certify::PrintedVerdict;
 use crate::certify::state::{Fall, Figure};
+use crate::judge::PrintedVerdict;
 use std::io;
 
 pub fn constants(report: &Constants, out: &mut dyn io::Write) -> io::Result<()> {

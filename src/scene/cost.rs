@@ -3,7 +3,7 @@
 //! Evaluations are counted by thread, so the work is done by threads of its own: one that belongs to a
 //! pool may take up other work while it waits, and count that too.
 
-use crate::arch::tally::{self, Tally};
+use crate::problem::tally::{self, Tally};
 use std::ops::AddAssign;
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -61,7 +61,8 @@ pub fn measured<J: Sync, T: Send>(jobs: &[J], work: impl Fn(&J) -> T + Sync) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arch::{Configuration, Equation, SelfWeight};
+    use crate::arch::{Configuration, SelfWeight};
+    use crate::problem::Equation;
 
     #[test]
     fn results_are_in_order_and_each_counts_its_own() {

@@ -1,8 +1,8 @@
 //! How an arch seems to collapse, in doubles: a plan says beforehand which equations it will need.
 //! Nothing of it enters a result.
 
-use crate::arch::{Equation, Mode};
 use crate::certify::state::{Arch, Friction};
+use crate::problem::{Equation, Mode};
 use crate::solve::start_state::{quick_state, seems_to_rotate};
 use rug::Float;
 

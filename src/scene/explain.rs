@@ -7,8 +7,8 @@ use super::left_out::left_out;
 use super::plan::{ArchNode, LandmarkNode, Plan};
 use super::run::Costs;
 use super::schema::Item;
-use crate::arch::Equation;
 use crate::certify::state::Wanted;
+use crate::problem::Equation;
 use std::io;
 
 /// A node of the tree: its lines, and what hangs on it.

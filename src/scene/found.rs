@@ -5,10 +5,11 @@ use super::pieces::ArchFound;
 use super::plan::Needs;
 use super::run::Run;
 use super::schema::{AskedArch, What};
-use crate::arch::Quantity;
+use crate::certify::Undecided;
 use crate::certify::state::Answer;
-use crate::certify::{Enclosed, Undecided, audit_of, compare_weights_of};
 use crate::claims::Decision;
+use crate::judge::{Enclosed, audit_of, compare_weights_of};
+use crate::problem::Quantity;
 use crate::report::{
     ArchEntries, Arches, AssessReport, Audit, Claims, Constants, LandmarkReport, StateOf,
     StateReport,

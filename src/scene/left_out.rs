@@ -4,10 +4,11 @@ use super::explain::number_of_arches;
 use super::fault::list;
 use super::plan::{ArchNode, FRICTIONS, Plan, RANGE_OF_THRUSTS};
 use super::run::Costs;
-use crate::arch::{Equation, Landmark, Quantity, SelfWeight};
+use crate::arch::SelfWeight;
 use crate::certify::quantities;
 use crate::certify::state::Wanted;
 use crate::claims::claims;
+use crate::problem::{Equation, Landmark, Quantity};
 
 /// What is not computed, and why.
 pub(super) fn left_out(plan: &Plan, costs: Option<&Costs>) -> Vec<String> {

@@ -1,9 +1,10 @@
 //! The pieces of a plan, computed: a landmark, an arch. Each answers whatever any item asks of it.
 
 use super::plan::{ArchNode, LandmarkNode};
-use crate::arch::{Quantity, System};
 use crate::certify::state::{Answer, AssessmentDigits, Doubt, Inquiry};
-use crate::certify::{CertifiedLandmark, Constant, Enclosed, Undecided, enclosed, fingerprint};
+use crate::certify::{CertifiedLandmark, Constant, Undecided, fingerprint};
+use crate::judge::{Enclosed, enclosed};
+use crate::problem::{Quantity, System};
 use crate::report::Proved;
 use std::collections::BTreeMap;
 

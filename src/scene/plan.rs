@@ -2,11 +2,12 @@
 //! item that needs a piece waits for all of its digits.
 
 use super::schema::{AskedArch, Scene, What};
-use crate::arch::{Landmark, Quantity, SelfWeight};
+use crate::arch::SelfWeight;
 use crate::certify::state::{Arch, Friction, Wanted};
 use crate::certify::{CertifiedLandmark, quantities};
 use crate::claims::Claim;
 use crate::number::ExactNumber;
+use crate::problem::{Landmark, Quantity};
 use rug::Rational;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 

@@ -4,9 +4,10 @@ use super::destination::Files;
 use super::fault::{Fault, Source, did_you_mean, list};
 use super::schema::{DIGITS, Item, Kind, MAX_BYTES, MAX_ITEMS, SCENE_KEYS, SCHEMA, Scene, What};
 use super::value::{Reader, Value};
-use crate::arch::{Landmark, Quantity, SelfWeight};
+use crate::arch::SelfWeight;
 use crate::certify::{MAX_DIGITS, quantities};
 use crate::claims::{Claim, claims};
+use crate::problem::{Landmark, Quantity};
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 

@@ -2,10 +2,11 @@
 
 use super::fault::Place;
 use super::format::OutputFormat;
-use crate::arch::{Landmark, Quantity, SelfWeight};
+use crate::arch::SelfWeight;
 use crate::certify::state::Arch;
 use crate::claims::Claim;
 use crate::number::ExactNumber;
+use crate::problem::{Landmark, Quantity};
 use std::path::PathBuf;
 
 /// The name and the version of the schema, which every scene begins with.

@@ -1,8 +1,9 @@
 //! Newton's method in MPFR arithmetic, with the Jacobian from dual numbers.
 
 use super::{Candidate, inverse};
-use crate::arch::{Configuration, Equation, Point, SelfWeight, System, Unknown, tally};
+use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::number::Dual;
+use crate::problem::{Equation, Point, System, tally};
 use rug::Float;
 
 /// Beside a limit where two roots meet Newton's method halves the distance before it squares it.

@@ -1,6 +1,7 @@
 //! Where Newton's method starts at each landmark.
 
-use crate::arch::{Landmark, SelfWeight};
+use crate::arch::SelfWeight;
+use crate::problem::Landmark;
 
 /// Start values of the unknowns of `landmark.system(weight)`, in its order.
 ///

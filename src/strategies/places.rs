@@ -1,8 +1,9 @@
 //! Where on the map a mode or a landmark is: candidates, for a strategy to know where to look.
 
-use crate::arch::{Landmark, Mode, SelfWeight, Unknown};
+use crate::arch::{SelfWeight, Unknown};
 use crate::certify::CertifiedLandmark;
 use crate::number::{Ball, Rounded, bits_of};
+use crate::problem::{Landmark, Mode};
 use std::sync::OnceLock;
 
 /// Digits of a landmark that a query next to it can share with it.

@@ -3,9 +3,10 @@
 use super::numbers::{friction, half_opening};
 use super::places::{DIGITS, beside};
 use super::weight;
-use crate::arch::{Landmark, SelfWeight, Unknown};
+use crate::arch::{SelfWeight, Unknown};
 use crate::certify::state::{Arch, ArchError, Friction};
 use crate::number::{ExactNumber, Real};
+use crate::problem::Landmark;
 use proptest::prelude::*;
 use proptest::sample::select;
 use std::fmt;

@@ -48,7 +48,8 @@ mod tests {
 
     #[test]
     fn a_problem_without_parameters_has_none() {
-        use crate::arch::{Landmark, SelfWeight};
+        use crate::arch::SelfWeight;
+        use crate::problem::Landmark;
         let problem = Problem::Landmark { weight: SelfWeight::Heyman, landmark: Landmark::Triple };
         let start = crate::solve::start(Landmark::Triple, SelfWeight::Heyman);
         let start: Vec<Float> = start.iter().map(|x| Float::with_val(100, x)).collect();

@@ -1,8 +1,9 @@
 //! The root of a problem in a proved box: the reference for every error, and a method itself.
 
 use super::{Problem, newton};
-use crate::check::{Dyadic, Engine, krawczyk};
+use crate::check::krawczyk;
 use crate::number::{Ball, Enclosure, Magnitude};
+use crate::number::{Dyadic, Engine};
 use crate::solve::inverse;
 use rug::Float;
 

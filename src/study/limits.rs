@@ -1,8 +1,9 @@
 //! The limits of the problem, and the problem at each distance from them.
 
 use super::target::{Target, arch, before, rotational};
-use crate::arch::{Landmark, Mode, Unknown};
+use crate::arch::Unknown;
 use crate::certify::state::Outcome;
+use crate::problem::{Landmark, Mode};
 use rug::{Float, Rational};
 
 /// A limit with the problem at each distance from it.

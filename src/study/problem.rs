@@ -1,9 +1,8 @@
 //! What is computed: square systems of equations with exact parameters, over any number.
 
-use crate::arch::{
-    Configuration, Landmark, Mode, Point, SelfWeight, System, Unknown, cubic, thrust,
-};
+use crate::arch::{Configuration, SelfWeight, Unknown, cubic, thrust};
 use crate::number::{Angle, Dual, Field, Real, rational_like};
+use crate::problem::{Landmark, Mode, Point, System};
 use rug::Rational;
 
 /// A system of equations. Its parameters are exact, so that every method is given the same problem.

@@ -6,10 +6,11 @@ use super::condition::condition;
 use super::enclosure::enclose_at;
 use super::newton::newton;
 use crate::arch::small::Scaled;
-use crate::arch::{Landmark, Mode, SelfWeight, Unknown, overturning};
+use crate::arch::{SelfWeight, Unknown, overturning};
 use crate::certify::CertifiedLandmark;
 use crate::certify::state::{Arch, Friction, Outcome};
 use crate::number::{Angle, Ball, Dual, ExactNumber, Real, rational_like};
+use crate::problem::{Landmark, Mode};
 use crate::solve::{settle, start_state};
 use rug::{Float, Rational};
 

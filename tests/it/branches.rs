@@ -8,6 +8,7 @@ use couplet::arch::{Landmark, Mode, SelfWeight, thrust};
 use couplet::certify::CertifiedLandmark;
 use couplet::certify::state::{Arch, Friction, Outcome};
 use couplet::number::{Angle, Ball, Field, Real};
+use couplet::problem::{Landmark, Mode};
 use proptest::prelude::*;
 use rug::{Rational, ops::Pow};
 

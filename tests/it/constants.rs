@@ -1,8 +1,10 @@
 //! The certificates in `proofs/constants` are accepted, and are those that the program makes.
 
-use couplet::arch::{Landmark, SelfWeight};
-use couplet::check::{Subject, check};
+use couplet::arch::SelfWeight;
+use couplet::check::check;
 use couplet::number::AstroInterval;
+use couplet::problem::Landmark;
+use couplet::problem::Subject;
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -5,6 +5,7 @@ use couplet::arch::{Landmark, Mode, SelfWeight, Unknown};
 use couplet::certify::CertifiedLandmark;
 use couplet::certify::state::{Answer, Friction};
 use couplet::number::ExactNumber;
+use couplet::problem::{Landmark, Mode};
 use couplet::strategies::{Query, arch, collapsing, query, standing};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;

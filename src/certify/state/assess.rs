@@ -19,9 +19,10 @@
 use super::choice::{Fall, Outcome, hull};
 use super::inquiry::Inquiry;
 use super::question::{Arch, Attempt, Query, decide, require};
-use crate::arch::{Equation, Mode, Ring, Unknown, contact, sliding, thrust};
-use crate::check::inner_friction;
+use crate::arch::{Ring, Unknown, contact, sliding, thrust};
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Real, Ternary};
+use crate::problem::inner_friction;
+use crate::problem::{Equation, Mode};
 use crate::solve::start_state;
 use rug::Float;
 

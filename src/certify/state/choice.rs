@@ -1,12 +1,11 @@
 //! Which mode an arch collapses in: every comparison decided, or the doubt.
 
 use super::question::{Arch, Attempt, Doubt, Query, decide, require};
-use crate::arch::{
-    Configuration, Equation, Landmark, Mode, SelfWeight, Unknown, contact, sliding, tally, thrust,
-};
+use crate::arch::{Configuration, SelfWeight, Unknown, contact, sliding, thrust};
 use crate::certify::{CertifiedLandmark, Undecided};
-use crate::check::{conditions, inner_friction, room_for_steepest, shoulder_friction};
 use crate::number::{Angle, Ball, Enclosure, Magnitude, Ternary};
+use crate::problem::{Equation, Landmark, Mode, tally};
+use crate::problem::{conditions, inner_friction, room_for_steepest, shoulder_friction};
 use crate::solve::start_state;
 use rug::Float;
 use std::sync::OnceLock;

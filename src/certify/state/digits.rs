@@ -4,8 +4,8 @@ use super::assess::{Assessment, Limit, Wanted};
 use super::choice::{Fall, Frictions, State};
 use super::inquiry::Inquiry;
 use super::question::{Arch, Attempt, Doubt};
-use crate::arch::Mode;
 use crate::number::{Ball, Binary, ExactNumber, Rounded, bits_of};
+use crate::problem::Mode;
 use rug::Rational;
 
 /// A proved state with its digits, or why nothing stands.
@@ -111,7 +111,7 @@ impl Arch {
     }
 
     /// What a proof of the state finds, with more bits until it does; the doubt that stays otherwise.
-    pub(in crate::certify) fn raised<T>(
+    pub(crate) fn raised<T>(
         &self,
         digits: usize,
         proof: impl Fn(u32) -> Attempt<Option<T>>,

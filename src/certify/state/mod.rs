@@ -20,7 +20,7 @@
 //! | `root`, `rotation` | part 1 |
 //! | `choice` | part 4: which mode, and its start values |
 //! | `small` | parts 1 to 3 for small half openings |
-//! | [`check::conditions`](crate::check::conditions) | parts 2 and 3 |
+//! | [`conditions`](crate::problem::conditions) | parts 2 and 3 |
 //! | `assess` | an arch of a given thickness |
 //! | `digits` | raises the precision until every digit is decided |
 //! | `inquiry` | several questions about one arch, which share its state |

@@ -1,10 +1,11 @@
 //! An arch, as it is asked about, and the doubt that may be the answer.
 
 use super::small::is_small;
-use crate::arch::{Configuration, Mode, SelfWeight, Unknown};
+use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::number::{
     Ball, Enclosure, ExactNumber, Field, Magnitude, ParseExactError, Real, Ternary,
 };
+use crate::problem::Mode;
 use rug::float::Round;
 use rug::{Float, Rational};
 use std::str::FromStr;

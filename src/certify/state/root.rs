@@ -1,9 +1,10 @@
 //! The root of a mode's equations, proved to exist and to be unique in a box.
 
 use super::question::{Attempt, Doubt, Query};
-use crate::arch::{Configuration, Equation, Unknown};
+use crate::arch::{Configuration, Unknown};
 use crate::check::krawczyk;
 use crate::number::{Ball, Dual, Enclosure, Field, Magnitude, Real};
+use crate::problem::Equation;
 use crate::solve::{inverse, settle};
 use rug::Float;
 

@@ -7,8 +7,9 @@
 use super::question::{Attempt, Query};
 use super::root::{Equations, unique_root};
 use super::small::is_small;
-use crate::arch::{Configuration, Equation, Ring, SelfWeight, Unknown, tally, thrust};
+use crate::arch::{Configuration, Ring, SelfWeight, Unknown, thrust};
 use crate::number::{Angle, Ball, Dual, Enclosure, Field, Real, Stumpff};
+use crate::problem::{Equation, tally};
 use rug::Float;
 
 /// What the equations know of the rotational joint.

@@ -7,8 +7,9 @@ use super::choice::State;
 use super::question::{Attempt, Query, require};
 use super::root::{Equations, no_candidate, unique_root};
 use crate::arch::small::{self, Scaled};
-use crate::arch::{Equation, Mode, SelfWeight, Unknown, tally};
+use crate::arch::{SelfWeight, Unknown};
 use crate::number::{Ball, Dual, Enclosure, Field, Real, Stumpff, stumpff_terms};
+use crate::problem::{Equation, Mode, tally};
 use crate::solve::start_state;
 use rug::Float;
 
@@ -105,7 +106,7 @@ impl Small {
         Ok(SmallRoot { at, alpha: self.alpha.clone() })
     }
 
-    /// What [`check::conditions`](crate::check::conditions) lists for these modes, each divided by a power
+    /// What [`conditions`](crate::problem::conditions) lists for these modes, each divided by a power
     /// of the half opening.
     fn conditions(&self, mode: Mode, root: &SmallRoot, limited: bool) -> Vec<(Ball, &'static str)> {
         let (weight, at) = (self.weight, &root.at);
@@ -265,8 +266,8 @@ mod tests {
     use super::*;
     use crate::arch::Configuration;
     use crate::certify::state::{Arch, Friction};
-    use crate::check;
     use crate::number::Magnitude;
+    use crate::problem::conditions;
 
     /// The power of the half opening by which a condition was divided.
     fn power(question: &str, slides: bool) -> i32 {
@@ -306,7 +307,7 @@ mod tests {
                     .with(Unknown::RotationJoint, state.rotation_joint)
                     .with(Unknown::Thickness, state.thickness)
                     .with(Unknown::Thrust, state.thrust);
-                let printed = check::conditions(weight, mode, &at, query.friction.as_ref());
+                let printed = conditions(weight, mode, &at, query.friction.as_ref());
                 for (margin, question) in &printed {
                     let found = scaled.iter().find(|(_, other)| other == question);
                     let (other, _) = found.unwrap_or_else(|| panic!("{mode:?}: no '{question}'"));

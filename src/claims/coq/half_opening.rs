@@ -4,9 +4,10 @@ use super::landmark::title;
 use super::numeral::fraction;
 use super::template::fill;
 use super::{BITS, bracket, find, module, weight_name};
-use crate::arch::{Landmark, Quantity, SelfWeight, Unknown};
+use crate::arch::{SelfWeight, Unknown};
 use crate::certify::{CertifiedLandmark, Exact, Undecided};
 use crate::number::Surd;
+use crate::problem::{Landmark, Quantity};
 use rug::Rational;
 
 /// The file of the half openings at `l` and `L`.

@@ -3,8 +3,9 @@
 use super::table::derivative;
 use super::template::fill;
 use super::{BITS, Term, bracket, find, module, weight_name};
-use crate::arch::{Landmark, SelfWeight, Unknown, cubic};
+use crate::arch::{SelfWeight, Unknown, cubic};
 use crate::certify::{CertifiedLandmark, Undecided};
+use crate::problem::Landmark;
 
 /// The bracket in which the zero is the only one, and where inside the radicand is known to rise.
 const BRACKET: [(&str, &str); 4] =

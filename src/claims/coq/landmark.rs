@@ -4,8 +4,10 @@ use super::numeral::{text, unit};
 use super::table::{Cleared, DECIMALS, Table};
 use super::template::fill;
 use super::{Symbols, argument, printed, weight_name};
-use crate::arch::{Equation, Landmark, System, Unknown};
-use crate::certify::{Audited, CertifiedLandmark, Undecided};
+use crate::arch::Unknown;
+use crate::certify::{CertifiedLandmark, Undecided};
+use crate::judge::Audited;
+use crate::problem::{Equation, Landmark, System};
 use rug::Rational;
 
 /// The whole file.

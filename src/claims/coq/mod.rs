@@ -27,9 +27,11 @@ mod weights;
 
 pub use term::Term;
 
-use crate::arch::{Fixed, Landmark, SelfWeight, System, Unknown};
-use crate::certify::{CertifiedLandmark, Undecided, audit};
+use crate::arch::{SelfWeight, Unknown};
+use crate::certify::{CertifiedLandmark, Undecided};
+use crate::judge::audit;
 use crate::number::Ball;
+use crate::problem::{Fixed, Landmark, System};
 use numeral::{exact, nearest, text, unit};
 
 /// The files of all theorems, name and content, in alphabetical order.

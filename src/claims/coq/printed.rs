@@ -3,9 +3,10 @@
 use super::numeral::{text, unit};
 use super::template::fill;
 use super::{Symbols, symbol};
-use crate::arch::{Fixed, Quantity};
-use crate::certify::{Audited, CertifiedLandmark, PrintedVerdict};
+use crate::certify::CertifiedLandmark;
+use crate::judge::{Audited, PrintedVerdict};
 use crate::number::Decimal;
+use crate::problem::{Fixed, Quantity};
 use rug::Rational;
 
 /// One corollary for each printed value of the landmark that the theorem determines, where it is

@@ -5,9 +5,10 @@
 
 use super::numeral::{distance, down, exact, nearest, places, radius, up};
 use super::{Symbols, Term};
-use crate::arch::{Point, System, Unknown};
+use crate::arch::Unknown;
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::number::{Angle, Ball, Dual, Magnitude};
+use crate::problem::{Point, System};
 use crate::solve::inverse;
 use rug::{Float, Rational};
 
@@ -222,8 +223,9 @@ fn matrix<T, U>(rows: &[Vec<T>], f: impl Fn(&T) -> U) -> Vec<Vec<U>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arch::{Landmark, SelfWeight};
+    use crate::arch::SelfWeight;
     use crate::claims::coq::numeral::unit;
+    use crate::problem::Landmark;
 
     fn triple() -> (System, Cleared) {
         let system = Landmark::Triple.system(SelfWeight::Milankovitch);

@@ -3,8 +3,10 @@
 use super::landmark::title;
 use super::template::fill;
 use super::{Symbols, module, symbol};
-use crate::arch::{Landmark, SelfWeight};
-use crate::certify::{Comparison, Relation, Undecided, compare_weights};
+use crate::arch::SelfWeight;
+use crate::certify::Undecided;
+use crate::judge::{Comparison, Relation, compare_weights};
+use crate::problem::Landmark;
 
 /// The file of the comparisons, one theorem for each landmark.
 pub fn file() -> Result<String, Undecided> {

@@ -2,7 +2,7 @@
 
 use super::Failure;
 use super::output::Destination;
-use crate::certify::{audit, compare_weights};
+use crate::judge::{audit, compare_weights};
 use crate::report::Audit;
 use clap::Args;
 

@@ -3,10 +3,11 @@
 use super::Failure;
 use super::arch::{angle, friction};
 use super::output::Output;
-use crate::arch::{Landmark, SelfWeight};
+use crate::arch::SelfWeight;
 use crate::certify::state::Arch;
 use crate::certify::{Undecided, certify_landmark, certify_state};
 use crate::check::Certificate;
+use crate::problem::Landmark;
 use clap::Args;
 use rayon::prelude::*;
 use std::fs;

@@ -2,8 +2,9 @@
 
 use super::output::{Place, not_a_terminal};
 use super::{Failure, progress};
-use crate::arch::{Landmark, SelfWeight};
+use crate::arch::SelfWeight;
 use crate::certify::{CertifiedLandmark, fingerprint};
+use crate::problem::Landmark;
 use crate::report::{Constants, ConstantsFormat, LandmarkReport, Proved};
 use clap::Args;
 use rayon::prelude::*;

@@ -16,8 +16,9 @@ mod states;
 mod study;
 
 use super::{Failure, check};
-use crate::arch::{Landmark, SelfWeight};
+use crate::arch::SelfWeight;
 use crate::certify::MAX_DIGITS;
+use crate::problem::Landmark;
 use crate::report::export::ExportFormat;
 use crate::report::{ConstantsFormat, Format};
 use crate::scene::MAX_ARCH_DIGITS;

@@ -3,9 +3,9 @@
 use super::Failure;
 use super::arch::ArchArguments;
 use super::output::Destination;
-use crate::arch::{Landmark, Mode};
 use crate::certify::state::Answer;
 use crate::certify::{CertifiedLandmark, Value};
+use crate::problem::{Landmark, Mode};
 use crate::report::{StateAt, StateOf, StateReport};
 use clap::Args;
 

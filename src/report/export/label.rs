@@ -1,6 +1,6 @@
 //! What a quantity is called: in files, in words, and in a formula.
 
-use crate::arch::Quantity;
+use crate::problem::Quantity;
 
 /// The names of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,7 +5,8 @@
 //! apart. An arch is `STATE_` with the line of its query. No text from outside becomes part of a name.
 
 use super::{Certificate, Export, Exported, Of, Subject, TOOL};
-use crate::arch::{Landmark, SelfWeight};
+use crate::arch::SelfWeight;
+use crate::problem::Landmark;
 
 /// The words of a subject's names: the point and the weight, or the arch.
 pub fn words(of: &Of) -> Vec<String> {

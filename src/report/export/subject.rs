@@ -4,11 +4,12 @@ use super::label::{
     FRICTION_SAFETY, GEOMETRIC_SAFETY, LEAST_THICKNESS, Label, REQUIRED_FRICTION,
     ROTATIONAL_FRICTION, SLIDING_FRICTION, THRUST_LIMITS,
 };
-use crate::arch::published::PRINTED;
-use crate::arch::{Equation, Landmark, Mode, Quantity, SelfWeight, Unknown};
+use crate::arch::{SelfWeight, Unknown};
 use crate::certify::state::Figure;
 use crate::certify::{Constant, Value};
 use crate::number::{Binary, Rounded};
+use crate::problem::published::PRINTED;
+use crate::problem::{Equation, Landmark, Mode, Quantity};
 use crate::report::{AssessReport, LandmarkReport, StateOf, StateReport, reason as reason_of_fall};
 
 /// A landmark or an arch with its values.

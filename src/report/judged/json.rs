@@ -2,7 +2,7 @@
 
 use super::rows::{certified, side};
 use super::{JudgeSummary, JudgedRow, digits};
-use crate::certify::judge::{Certified, Judged, Verdict};
+use crate::judge::{Certified, Judged, Verdict};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::io;

@@ -9,7 +9,7 @@ pub use rows::JudgedRows;
 pub use summary::JudgeSummary;
 
 use super::reason;
-use crate::certify::judge::{CorrectDigits, Judgement, Standing, Verdict};
+use crate::judge::{CorrectDigits, Judgement, Standing, Verdict};
 use std::io;
 
 /// A row of results, judged or not.

@@ -1,7 +1,7 @@
 //! Every row with its verdict, as CSV or JSON lines.
 
 use super::{JudgedRow, digits, json};
-use crate::certify::judge::{Certified, Judged, Measure, Side};
+use crate::judge::{Certified, Judged, Measure, Side};
 use crate::report::rows::csv_line;
 use std::io;
 

@@ -2,8 +2,8 @@
 //! file.
 
 use super::JudgedRow;
-use crate::certify::PrintedVerdict;
-use crate::certify::judge::{CorrectDigits, Demand, Judged, Measure, Side, Verdict};
+use crate::judge::PrintedVerdict;
+use crate::judge::{CorrectDigits, Demand, Judged, Measure, Side, Verdict};
 use crate::number::Decimal;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;

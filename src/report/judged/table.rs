@@ -2,7 +2,7 @@
 
 use super::rows::certified;
 use super::{JudgeSummary, JudgedRow, digits};
-use crate::certify::judge::{CorrectDigits, Judged, Verdict};
+use crate::judge::{CorrectDigits, Judged, Verdict};
 use std::io;
 
 pub fn write(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {

@@ -2,7 +2,8 @@
 
 use super::LEAST_JOINT;
 use super::ends::{End, NEAR, Small};
-use crate::arch::{Configuration, Mode, SelfWeight, Unknown};
+use crate::arch::{Configuration, SelfWeight, Unknown};
+use crate::problem::Mode;
 use crate::solve::polish;
 use rug::Float;
 use std::sync::OnceLock;

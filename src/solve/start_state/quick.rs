@@ -3,7 +3,8 @@
 use super::curve::Curve;
 use super::slide::{friction_inside, sliding_at, slope_angle};
 use super::touch::{InnerStart, rotational_sliding};
-use crate::arch::{Mode, SelfWeight};
+use crate::arch::SelfWeight;
+use crate::problem::Mode;
 
 /// A state as doubles: a quick look, of which nothing is certain.
 #[derive(Clone, Copy, Debug, PartialEq)]

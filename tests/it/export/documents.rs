@@ -2,7 +2,8 @@
 
 use crate::expected::all;
 use crate::{constants, couplet};
-use couplet::arch::{Landmark, SelfWeight};
+use couplet::arch::SelfWeight;
+use couplet::problem::Landmark;
 use couplet::report::export::{ExportFormat, write};
 use couplet::report::{Constants, LandmarkReport};
 use serde_json::Value;

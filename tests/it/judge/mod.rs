@@ -5,10 +5,11 @@ mod common;
 mod program;
 
 use common::config;
-use couplet::arch::{Mode, SelfWeight};
-use couplet::certify::judge::{Claim, CorrectDigits, Demand, Measure, Said, Verdict, judge};
+use couplet::arch::SelfWeight;
 use couplet::certify::state::{Answer, Arch, Digits, Friction, Outcome};
+use couplet::judge::{Claim, CorrectDigits, Demand, Measure, Said, Verdict, judge};
 use couplet::number::{Decimal, ExactNumber};
+use couplet::problem::Mode;
 use program::{fed, start};
 use proptest::prelude::*;
 use rug::{Integer, Rational};

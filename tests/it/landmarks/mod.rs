@@ -1,12 +1,12 @@
 //! The certified landmarks against everything they were not computed from.
 
 use couplet::arch::{
-    Configuration, Equation, Landmark, Point, Ring, SelfWeight, System, Unknown, cubic,
-    overturning, sliding, statics, thrust,
+    Configuration, Ring, SelfWeight, Unknown, cubic, overturning, sliding, statics, thrust,
 };
 use couplet::certify::CertifiedLandmark;
 use couplet::check::krawczyk;
 use couplet::number::{Angle, AstroInterval, Ball, Dual, Enclosure, Field, Ternary};
+use couplet::problem::{Equation, Landmark, Point, System};
 use rug::Float;
 
 const BITS: u32 = 400;

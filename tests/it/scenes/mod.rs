@@ -4,7 +4,7 @@
 #[path = "common/program.rs"]
 mod program;
 
-use couplet::arch::Equation;
+use couplet::problem::Equation;
 use couplet::scene::{EXAMPLE, Kind, MAX_BYTES, Plan, Run, read, read_bytes};
 use program::{Scratch, couplet};
 use serde_json::Value;
@@ -61,7 +61,7 @@ fn the_example_is_a_scene_and_has_every_key() {
     for name in couplet::report::STATE_VALUES.into_iter().chain(couplet::report::ASSESS_VALUES) {
         assert!(EXAMPLE.contains(name), "{name}");
     }
-    for quantity in couplet::arch::Quantity::ALL.iter().filter(|q| q.in_radians().is_none()) {
+    for quantity in couplet::problem::Quantity::ALL.iter().filter(|q| q.in_radians().is_none()) {
         assert!(EXAMPLE.contains(quantity.name()), "{}", quantity.name());
     }
 }
@@ -154,7 +154,7 @@ fn values_for_a_c_solver() {
     assert!(!header.contains("ROTATION_JOINT"), "not asked for");
     // The hash is that of the certificate that `couplet certify` writes.
     let certificate = couplet::certify::fingerprint(
-        couplet::arch::Landmark::Triple,
+        couplet::problem::Landmark::Triple,
         couplet::arch::SelfWeight::Heyman,
         17,
     );
@@ -528,7 +528,7 @@ fn the_thickness_of_a_rotational_arch_needs_its_proof_and_no_more() {
         "pi/2".parse().unwrap(),
         couplet::certify::state::Friction::Infinite,
     );
-    let (_, alone) = couplet::arch::tally::measure(|| arch.unwrap().certify_alone(30));
+    let (_, alone) = couplet::problem::tally::measure(|| arch.unwrap().certify_alone(30));
     assert_eq!(tally, alone);
 }
 

@@ -4,12 +4,13 @@
 mod common;
 
 use common::config;
-use couplet::arch::{Equation, Landmark, Mode, SelfWeight, Unknown, tally};
+use couplet::arch::{SelfWeight, Unknown};
 use couplet::certify::CertifiedLandmark;
 use couplet::certify::state::{
     Answer, Arch, Digits, Fall, Figure, Friction, Frictions, Outcome, State,
 };
 use couplet::number::{Ball, Enclosure, ExactNumber};
+use couplet::problem::{Equation, Landmark, Mode, tally};
 use proptest::prelude::*;
 use rug::{Float, Rational};
 

@@ -1,7 +1,7 @@
 //! Which column of a file is what.
 
 use super::super::Failure;
-use crate::certify::judge::Measure;
+use crate::judge::Measure;
 
 /// What a column can be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

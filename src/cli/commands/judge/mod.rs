@@ -9,7 +9,7 @@ use super::rows::{
     CHUNK, JsonObject, Kind, Line, Progress, Source, csv_records, in_order, json_lines,
 };
 use crate::arch::SelfWeight;
-use crate::certify::judge::{Demand, Measure, Verdict};
+use crate::judge::{Demand, Measure, Verdict};
 use crate::report::{JudgeSummary, JudgedRows};
 use clap::Args;
 use columns::{Columns, Field};

@@ -3,8 +3,8 @@
 use super::super::arch::{angle, friction};
 use super::columns::{Columns, Field};
 use crate::arch::SelfWeight;
-use crate::certify::judge::{Claim, Demand, Said, judge};
 use crate::certify::state::{Arch, Friction};
+use crate::judge::{Claim, Demand, Said, judge};
 use crate::number::ExactNumber;
 use crate::report::JudgedRow;
 use rug::Rational;

@@ -3,8 +3,8 @@
 use super::claim::Claim;
 use super::measure::Measure;
 use super::number::{CorrectDigits, Judged, compared_digits};
-use crate::arch::Mode;
 use crate::certify::state::{Arch, Doubt, Fall, Outcome, State};
+use crate::problem::Mode;
 use std::cmp::Ordering;
 
 /// What is said of a row as a whole, from the best to the gravest, and then what cannot be judged.

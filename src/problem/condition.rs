@@ -2,8 +2,9 @@
 //!
 //! The lemma behind it, and the multipliers, are in [`crate::arch::contact`].
 
-use crate::arch::{Configuration, Equation, Mode, SelfWeight, contact, sliding, statics, tally};
+use crate::arch::{Configuration, SelfWeight, contact, sliding, statics};
 use crate::number::{Angle, Enclosure, Ternary};
+use crate::problem::{Equation, Mode, tally};
 
 /// What has to be positive: the admissibility of the whole half arch, and the least thickness. What is
 /// zero by the equations of the mode is not listed. Without `friction` it is taken as unlimited. `at` has

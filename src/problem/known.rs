@@ -1,8 +1,9 @@
 //! The quantities of a claim over enclosures, and their comparison with a bound.
 
 use super::claim::{Claim, Subject};
-use crate::arch::{Configuration, Fixed, Mode, Quantity, Unknown, thrust};
+use crate::arch::{Configuration, Unknown, thrust};
 use crate::number::{Enclosure, Ternary};
+use crate::problem::{Fixed, Mode, Quantity};
 
 /// What is known of a quantity.
 pub enum Known<E> {

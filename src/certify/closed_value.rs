@@ -6,10 +6,9 @@
 //! there; and the closed form lies in that box.
 
 use super::Isolated;
-use crate::arch::{
-    Configuration, Equation, Fixed, Landmark, Quantity, Ring, SelfWeight, Unknown, overturning,
-};
+use crate::arch::{Configuration, Ring, SelfWeight, Unknown, overturning};
 use crate::number::{Angle, Ball, Dual, Enclosure, ExactField, Field, Surd};
+use crate::problem::{Equation, Fixed, Landmark, Quantity};
 use rug::Rational;
 
 /// An exact value.

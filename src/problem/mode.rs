@@ -1,6 +1,7 @@
 //! The seven collapse modes: which joints open or slide, and which equations hold.
 
-use super::{Equation, Unknown};
+use super::Equation;
+use crate::arch::Unknown;
 
 /// A collapse mode of the half arch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

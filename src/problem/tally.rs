@@ -61,7 +61,8 @@ thread_local! {
 /// what the inner one does.
 ///
 /// ```
-/// use couplet::arch::{Configuration, Equation, SelfWeight, tally};
+/// use couplet::arch::{Configuration, SelfWeight};
+/// use couplet::problem::{Equation, tally};
 /// let at = Configuration::zero(&0.0);
 /// let (_, tally) = tally::measure(|| Equation::Steepest.residual(SelfWeight::Heyman, &at));
 /// assert_eq!((tally.of(Equation::Steepest), tally.evaluations()), (1, 1));
@@ -89,7 +90,6 @@ pub(crate) fn equation(equation: Equation) {
 }
 
 /// Counts conditions whose sign is looked at.
-#[cfg(any(feature = "check", test))]
 pub(crate) fn conditions(count: usize) {
     change(|tally| tally.conditions += count as u64);
 }

@@ -1,9 +1,9 @@
 //! What a row of results says.
 
 use super::measure::Measure;
-use crate::arch::Mode;
-use crate::certify::printed::PrintedNumber;
+use super::printed::PrintedNumber;
 use crate::number::Decimal;
+use crate::problem::Mode;
 
 /// What a row says of an arch.
 #[derive(Clone, Debug)]

@@ -1,11 +1,9 @@
 //! What a certificate claims: which equations have a root, and what is given.
 
-use super::Engine;
-use super::conditions::conditions;
-use crate::arch::{
-    Configuration, Equation, Fixed, Landmark, Mode, Point, SelfWeight, System, Unknown,
-};
-use crate::number::{Angle, Dual, Enclosure, Field, Ternary};
+use super::condition::conditions;
+use crate::arch::{Configuration, SelfWeight, Unknown};
+use crate::number::{Angle, Dual, Enclosure, Engine, Field, Ternary, integer_text};
+use crate::problem::{Equation, Fixed, Landmark, Mode, Point, System};
 
 /// A claim about one root.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -203,8 +201,7 @@ impl State {
 
 impl Exact {
     fn enclosure<E: Engine>(&self, like: &E) -> E {
-        let quotient = super::decimal::integer_text(&self.numerator, like)
-            / super::decimal::integer_text(&self.denominator, like);
+        let quotient = integer_text(&self.numerator, like) / integer_text(&self.denominator, like);
         if self.times_pi { quotient * like.pi() } else { quotient }
     }
 }

@@ -1,9 +1,10 @@
 //! The constants: each quantity of each landmark, with all its digits proved.
 
-use super::exact::{Exact, exact};
+use super::closed_value::{Exact, exact};
 use super::{Isolated, Refined, Undecided, isolate, refine, refine_watched, stages};
-use crate::arch::{Landmark, Quantity, SelfWeight, System, Unknown, thrust};
+use crate::arch::{SelfWeight, Unknown, thrust};
 use crate::number::{Ball, Binary, Enclosure, Field, Real, Rounded, Ternary, bits_of};
+use crate::problem::{Landmark, Quantity, System};
 use crate::solve::{newton, start};
 use rayon::prelude::*;
 

@@ -2,7 +2,7 @@
 
 use super::claim::{Claimed, Value};
 use super::measure::{Measure, Truth};
-use crate::certify::printed::{Error, Known, PrintedNumber, PrintedVerdict};
+use super::printed::{Error, Known, PrintedNumber, PrintedVerdict};
 use crate::number::{Ball, Decimal, ExactNumber, Field, Real, Rounded};
 use rug::ops::Pow;
 use rug::{Integer, Rational};

@@ -1,6 +1,6 @@
 //! The numbers of a state that can be claimed.
 
-use crate::certify::printed::Known;
+use super::printed::Known;
 use crate::certify::state::State;
 use crate::number::Ball;
 use rug::Rational;

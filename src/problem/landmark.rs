@@ -27,7 +27,8 @@
 //!   `[[G_beta, 0], [G_beta_eta, G_eta_eta]]`, which is regular because neither `G_beta` nor
 //!   `G_eta_eta` vanishes; and it is the same equation for both weights.
 
-use super::{Equation, Fixed, Mode, SelfWeight, System, Unknown};
+use super::{Equation, Fixed, Mode, System};
+use crate::arch::{SelfWeight, Unknown};
 
 /// A landmark point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -178,8 +179,9 @@ impl Landmark {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arch::{Configuration, Point};
+    use crate::arch::Configuration;
     use crate::number::Angle;
+    use crate::problem::Point;
 
     #[test]
     fn every_system_is_square_and_reads_only_what_it_knows() {

@@ -1,6 +1,6 @@
 //! What can be asked of a landmark.
 
-use super::Unknown;
+use crate::arch::Unknown;
 
 /// A quantity of an arch state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -1,11 +1,11 @@
 //! The printed values against the certified ones, and the two weights against each other.
 
-use super::exact::Exact;
 use super::printed::{Known, PrintedNumber, PrintedVerdict};
-use super::{CertifiedLandmark, Refined, Undecided};
-use crate::arch::published::{PRINTED, Printed};
-use crate::arch::{Landmark, Quantity, SelfWeight};
+use crate::arch::SelfWeight;
+use crate::certify::{CertifiedLandmark, Exact, Refined, Undecided};
 use crate::number::{Ball, Decimal, Enclosure, Rounded, Ternary};
+use crate::problem::published::{PRINTED, Printed};
+use crate::problem::{Landmark, Quantity};
 use rug::{Integer, Rational};
 
 /// Bits that decide every comparison of 16-digit values with a wide margin.

@@ -1,4 +1,5 @@
-//! Somebody else's state of an arch against the certified one.
+//! Compares, and proves nothing: the numbers that the paper prints, and other programs' results,
+//! against certified values.
 //!
 //! A claim is what a row of results says: that the arch stands or falls, the mode, some numbers. Each
 //! number is compared with a proved enclosure, which is narrowed until every comparison is decided;
@@ -11,17 +12,26 @@
 //!
 //! | file | what it does |
 //! |---|---|
+//! | `audit` | every printed number of the paper, and the two weights beside each other |
+//! | `printed` | a printed number: its error, and how good its last place is |
 //! | `claim` | what a row says |
 //! | `measure` | the numbers of a state that can be claimed |
 //! | `number` | one number against its enclosure |
 //! | `verdict` | the row as a whole |
 
+mod audit;
 mod claim;
 mod measure;
 mod number;
+mod printed;
 mod verdict;
 
+pub use audit::{
+    Audited, Comparison, Enclosed, Relation, audit, audit_of, compare_weights, compare_weights_of,
+    enclosed,
+};
 pub use claim::{Claim, ClaimError, Claimed, Said};
 pub use measure::Measure;
 pub use number::{Certified, CorrectDigits, Errors, Judged};
+pub use printed::PrintedVerdict;
 pub use verdict::{Demand, Judgement, Side, Standing, Verdict, judge};

@@ -1,0 +1,99 @@
+//! The variables of the problem, and a value for each.
+
+use crate::number::{Angle, Real};
+
+/// A variable of the problem.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Unknown {
+    /// `alpha`, in `(0, pi)`.
+    HalfOpening,
+    /// `beta_r`, in `[0, alpha]`.
+    RotationJoint,
+    /// `beta_s`, in `[0, 1/2]`.
+    SlidingJoint,
+    /// `eta`, in `(0, 2]`.
+    Thickness,
+    /// `h`, in `[0, 1)`.
+    Thrust,
+    /// `mu`, in `[0, inf]`.
+    Friction,
+}
+
+impl Unknown {
+    /// The name used in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::HalfOpening => "half_opening",
+            Self::RotationJoint => "rotation_joint",
+            Self::SlidingJoint => "sliding_joint",
+            Self::Thickness => "thickness",
+            Self::Thrust => "thrust",
+            Self::Friction => "friction",
+        }
+    }
+
+    /// Whether its sine and cosine are needed.
+    pub fn is_angle(self) -> bool {
+        matches!(self, Self::HalfOpening | Self::RotationJoint | Self::SlidingJoint)
+    }
+}
+
+/// Values of all variables. One that a system neither solves for nor fixes is zero and is read by
+/// none of its equations.
+#[derive(Clone, Debug)]
+pub struct Configuration<T> {
+    /// `alpha`.
+    pub half_opening: Angle<T>,
+    /// `beta_r`.
+    pub rotation_joint: Angle<T>,
+    /// `beta_s`.
+    pub sliding_joint: Angle<T>,
+    /// `eta`.
+    pub thickness: T,
+    /// `h`.
+    pub thrust: T,
+    /// `mu`.
+    pub friction: T,
+}
+
+impl<T: Real> Configuration<T> {
+    /// The configuration with one variable given another value.
+    pub fn with(mut self, unknown: Unknown, value: T) -> Self {
+        match unknown {
+            Unknown::HalfOpening => self.half_opening = Angle::new(value),
+            Unknown::RotationJoint => self.rotation_joint = Angle::new(value),
+            Unknown::SlidingJoint => self.sliding_joint = Angle::new(value),
+            Unknown::Thickness => self.thickness = value,
+            Unknown::Thrust => self.thrust = value,
+            Unknown::Friction => self.friction = value,
+        }
+        self
+    }
+
+    /// All variables zero, "like" `like`.
+    pub fn zero(like: &T) -> Self {
+        let (angle, zero) = (Angle::zero(like), like.int(0));
+        Self {
+            half_opening: angle.clone(),
+            rotation_joint: angle.clone(),
+            sliding_joint: angle,
+            thickness: zero.clone(),
+            thrust: zero.clone(),
+            friction: zero,
+        }
+    }
+}
+
+impl<T> Configuration<T> {
+    /// The configuration with its values in another number.
+    pub fn map<U>(self, f: impl Fn(T) -> U) -> Configuration<U> {
+        Configuration {
+            half_opening: self.half_opening.map(&f),
+            rotation_joint: self.rotation_joint.map(&f),
+            sliding_joint: self.sliding_joint.map(&f),
+            thickness: f(self.thickness),
+            thrust: f(self.thrust),
+            friction: f(self.friction),
+        }
+    }
+}

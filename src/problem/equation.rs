@@ -1,0 +1,129 @@
+//! The equations by their numbers in the paper, and the two forms in which they are used.
+
+use super::tally;
+use crate::arch::small::{self, Scaled};
+use crate::arch::{Configuration, Ring, SelfWeight, sliding, thrust};
+use crate::number::{Dual, Field};
+
+/// An equation of a system, named by its number in the paper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Equation {
+    /// (2).
+    LowerThrust,
+    /// (3).
+    UpperThrust,
+    /// (4).
+    WholeThrust,
+    /// (5).
+    Tangency,
+    /// (5) in the limit `beta_r -> 0`, where `beta cot(beta) = 1`.
+    TangencyAtCrown,
+    /// `d/d eta` of (2) = (5), cleared of denominators: with (2) and (5) themselves it says that
+    /// the thickness is a double root of the cubic (7), so that the radicand (12) is zero. The
+    /// radicand itself would make the Jacobian singular there; this keeps the root simple.
+    DoubleThickness,
+    /// (17).
+    ShoulderSliding,
+    /// (18), at the joint given by [`Equation::Steepest`].
+    InnerSliding,
+    /// `beta_s² = h (1 - h)`, the other half of (18).
+    Steepest,
+}
+
+impl Equation {
+    /// All equations, in the order of the paper.
+    pub const ALL: [Self; 9] = [
+        Self::LowerThrust,
+        Self::UpperThrust,
+        Self::WholeThrust,
+        Self::Tangency,
+        Self::TangencyAtCrown,
+        Self::DoubleThickness,
+        Self::ShoulderSliding,
+        Self::InnerSliding,
+        Self::Steepest,
+    ];
+
+    /// The number in the paper, and what is special about it.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::LowerThrust => "(2)",
+            Self::UpperThrust => "(3)",
+            Self::WholeThrust => "(4)",
+            Self::Tangency => "(5)",
+            Self::TangencyAtCrown => "(5) at beta_r -> 0",
+            Self::DoubleThickness => "d/d eta of (2) = (5)",
+            Self::ShoulderSliding => "(17)",
+            Self::InnerSliding => "(18)",
+            Self::Steepest => "beta_s^2 = h (1 - h)",
+        }
+    }
+
+    /// The equation with its denominator cleared: zero where it holds.
+    pub fn residual<T: Field>(self, weight: SelfWeight, at: &Configuration<T>) -> T {
+        tally::equation(self);
+        let ring = || Ring::new(weight, &at.thickness);
+        match self {
+            Self::LowerThrust => thrust::lower(&at.rotation_joint, &ring()).residual(&at.thrust),
+            Self::UpperThrust => {
+                thrust::upper(&at.half_opening, &at.rotation_joint, &ring()).residual(&at.thrust)
+            }
+            Self::WholeThrust => thrust::whole(&at.half_opening, &ring()).residual(&at.thrust),
+            Self::Tangency => {
+                thrust::tangency(&at.rotation_joint.times_cotangent(), &ring()).residual(&at.thrust)
+            }
+            Self::TangencyAtCrown => {
+                thrust::tangency(&at.thrust.int(1), &ring()).residual(&at.thrust)
+            }
+            Self::DoubleThickness => {
+                let eta = Dual::variable(at.thickness.clone(), 0);
+                let joint = at.rotation_joint.clone().map(Dual::constant);
+                let ring = Ring::new(weight, &eta);
+                let tangency = thrust::tangency(&joint.times_cotangent(), &ring);
+                thrust::lower(&joint, &ring).difference(&tangency).derivative(0)
+            }
+            Self::ShoulderSliding => {
+                sliding::shoulder(&at.half_opening, &at.thrust).residual(&at.friction)
+            }
+            Self::InnerSliding => {
+                sliding::inner(&at.sliding_joint, &at.thrust).residual(&at.friction)
+            }
+            Self::Steepest => sliding::steepest(&at.sliding_joint.rad, &at.thrust),
+        }
+    }
+
+    /// The denominator that [`Equation::residual`] has cleared, if any: where it is not zero, the
+    /// residual is zero exactly where the printed equation holds.
+    pub fn denominator<T: Field>(self, weight: SelfWeight, at: &Configuration<T>) -> Option<T> {
+        let ring = || Ring::new(weight, &at.thickness);
+        let cotangent = at.thrust.int(1);
+        Some(match self {
+            Self::LowerThrust => thrust::lower(&at.rotation_joint, &ring()).denominator,
+            Self::UpperThrust => {
+                thrust::upper(&at.half_opening, &at.rotation_joint, &ring()).denominator
+            }
+            Self::WholeThrust => thrust::whole(&at.half_opening, &ring()).denominator,
+            Self::Tangency | Self::TangencyAtCrown => {
+                thrust::tangency(&cotangent, &ring()).denominator
+            }
+            Self::ShoulderSliding => sliding::shoulder(&at.half_opening, &at.thrust).denominator,
+            Self::InnerSliding => sliding::inner(&at.sliding_joint, &at.thrust).denominator,
+            Self::DoubleThickness | Self::Steepest => return None,
+        })
+    }
+
+    /// The equation in scaled variables, cleared of denominators that are positive for small half
+    /// openings: zero where it holds. `None` for one that no state of a small half opening needs.
+    pub fn scaled_residual<T: Field>(self, weight: SelfWeight, at: &Scaled<T>) -> Option<T> {
+        tally::equation(self);
+        Some(match self {
+            Self::LowerThrust => small::lower(weight, at),
+            Self::WholeThrust => small::whole(weight, at),
+            Self::Tangency => small::tangency(weight, at),
+            Self::ShoulderSliding => small::shoulder(at).residual(&at.friction),
+            Self::InnerSliding => small::inner(at).residual(&at.friction),
+            Self::Steepest => small::steepest(at),
+            Self::UpperThrust | Self::TangencyAtCrown | Self::DoubleThickness => return None,
+        })
+    }
+}
