@@ -1,7 +1,7 @@
 # `make` builds couplet and prints the landmark constants; `make test` runs every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build test lint docs constants checker combinations crates examples exporters bench peers proofs witness m4 coq
+.PHONY: run build test snapshots lint docs constants checker combinations crates examples exporters bench peers proofs witness m4 coq
 
 run: build
 	./target/release/couplet constants
@@ -11,6 +11,10 @@ build: m4
 
 test: m4
 	cargo test --locked --all-features
+
+# The whole outputs in tests/it/snapshots, written anew; `git diff` shows what has changed.
+snapshots: m4
+	UPDATE_SNAPSHOTS=1 cargo test --locked --all-features --test it outputs::
 
 lint: m4
 	cargo fmt --check
@@ -72,7 +76,7 @@ exporters: m4
 	    echo "couplet: not every language is there; install the packages '$(EXPORTERS)' (sudo apt-get install $(EXPORTERS))" >&2; \
 	    exit 1; \
 	  fi; }
-	cargo test --locked --all-features --test export
+	cargo test --locked --all-features --test it export::
 
 # Timings of this machine; nothing depends on them.
 bench: m4

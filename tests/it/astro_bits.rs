@@ -1,8 +1,8 @@
 //! The second arithmetic bit by bit: every function of astro-float that is used is rounded as MPFR rounds
 //! it, in every direction that is used, on arguments chosen to be hard.
 
-use astro_float::{BigFloat, Consts, RoundingMode, Sign, WORD_BIT_SIZE};
 use crate::hard::config;
+use astro_float::{BigFloat, Consts, RoundingMode, Sign, WORD_BIT_SIZE};
 use proptest::prelude::*;
 use rug::float::{Constant, Round};
 use rug::integer::Order;

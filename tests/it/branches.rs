@@ -4,7 +4,7 @@
 //! The exact slopes, and that the curvatures differ, are claims (`couplet prove joining`).
 
 use crate::hard::config;
-use couplet::arch::{Landmark, Mode, SelfWeight, thrust};
+use couplet::arch::{SelfWeight, thrust};
 use couplet::certify::CertifiedLandmark;
 use couplet::certify::state::{Arch, Friction, Outcome};
 use couplet::number::{Angle, Ball, Field, Real};

@@ -1,7 +1,7 @@
 //! The strategies draw what they promise, hard arches too, and a failure shrinks to one that can be read.
 
 use crate::hard::config;
-use couplet::arch::{Landmark, Mode, SelfWeight, Unknown};
+use couplet::arch::{SelfWeight, Unknown};
 use couplet::certify::CertifiedLandmark;
 use couplet::certify::state::{Answer, Friction};
 use couplet::number::ExactNumber;

@@ -20,13 +20,15 @@ fn no_such(original: Original, place: &'static str, text: &str) -> Cases {
 
 /// The names of the claims' unknowns or equations, changed.
 fn other_names(place: &'static str, change: fn(Vec<String>) -> Vec<String>) -> Cases {
-    [point(), arch()].into_iter().map(|original| {
-        let names: Vec<String> =
-            serde_json::from_value(original.0["claim"][place].clone()).unwrap();
-        let expected = Refusal::Mismatch { place, expected: names.join(", ") };
-        (original.with(&format!("/claim/{place}"), change(names)), expected)
-    })
-    .collect()
+    [point(), arch()]
+        .into_iter()
+        .map(|original| {
+            let names: Vec<String> =
+                serde_json::from_value(original.0["claim"][place].clone()).unwrap();
+            let expected = Refusal::Mismatch { place, expected: names.join(", ") };
+            (original.with(&format!("/claim/{place}"), change(names)), expected)
+        })
+        .collect()
 }
 
 fn swapped(mut names: Vec<String>) -> Vec<String> {

@@ -83,14 +83,14 @@ fn a_file_without_a_name_cannot_be_read() {
 
 wrong_uses! {
     no_file_to_check: ["check"] => "FILE";
-    an_engine_that_is_none: ["check", "--engine", "gmp", "T.json"] => "gmp";
+    an_engine_that_is_none: ["check", "--engine", "gmp", "T.json"] => "one of astro, mpfr";
     digits_for_a_check: ["check", "--digits", "5", "T.json"] => "--digits";
     nothing_to_certify: ["certify"] => "SUBJECT";
-    a_subject_that_is_none: ["certify", "Q"] => "Q";
+    a_subject_that_is_none: ["certify", "Q"] => "one of T, S, J, B, l, L, sb";
     a_certificate_without_digits: ["certify", "T", "--digits", "0"] => "from 1 to";
-    a_landmark_with_a_half_opening: ["certify", "T", "--alpha", "1"] => "";
-    a_state_beyond_a_turn: ["certify", "state", "--alpha", "4", "--mu", "1"] => "";
-    a_state_without_friction: ["certify", "state", "--alpha", "1"] => "";
+    a_landmark_with_a_half_opening: ["certify", "T", "--alpha", "1"] => "half opening";
+    a_state_beyond_a_turn: ["certify", "state", "--alpha", "4", "--mu", "1"] => "between 0 and pi";
+    a_state_without_friction: ["certify", "state", "--alpha", "1"] => "--friction";
 }
 
 #[test]
@@ -107,7 +107,8 @@ fn a_folder_of_certificates_is_accepted_whole() {
     assert_eq!(made.status.code(), Some(0), "{made:?}");
     let files = scratch.files("all");
     assert_eq!(files.len(), 14);
-    let paths: Vec<String> = files.iter().map(|name| scratch.path(&format!("all/{name}"))).collect();
+    let paths: Vec<String> =
+        files.iter().map(|name| scratch.path(&format!("all/{name}"))).collect();
     let names: Vec<&str> = paths.iter().map(String::as_str).collect();
     let (code, output, message) = said(&couplet(&[&["check"][..], &names].concat()));
     assert_eq!((code, message.as_str()), (Some(0), ""), "{output}");

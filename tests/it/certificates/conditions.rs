@@ -2,8 +2,9 @@
 
 use super::originals::{at_root, landmark_claim as point, state_claim as arch, to_value};
 use super::refusals::{Cases, Spoiled};
-use couplet::arch::{Landmark as L, Mode as M, SelfWeight::*};
-use couplet::check::{Claim, Refusal};
+use couplet::arch::SelfWeight::*;
+use couplet::check::Refusal;
+use couplet::problem::{Claim, Landmark as L, Mode as M};
 
 /// The root of the claimed equations next to this point does not meet this condition.
 fn unmet(claim: Claim, start: &[f64], words: &'static str) -> Cases {

@@ -178,7 +178,8 @@ fn every_field_of_every_object_is_left_out() {
     let places = ["", "/claim", "/unique", "/root", "/values/0"];
     let fields: usize = places.map(|place| keys(point(), place)).iter().sum();
     let fields = fields - 1 + keys(arch(), "/claim/state");
-    let left_out = expected().iter().filter(|refusal| refusal.to_string().contains("missing field"));
+    let reasons = expected().into_iter().map(|refusal| refusal.to_string());
+    let left_out = reasons.filter(|reason| reason.contains("missing field")).count();
     // The empty object lacks a field too.
-    assert_eq!(left_out.count() - 1, fields);
+    assert_eq!(left_out - 1, fields);
 }

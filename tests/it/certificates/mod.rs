@@ -17,9 +17,10 @@ mod spoiler;
 mod values;
 mod witnesses;
 
-use couplet::arch::{Landmark, SelfWeight};
+use couplet::arch::SelfWeight;
 use couplet::certify::certify_landmark;
-use couplet::check::{Claim, Refusal, Subject};
+use couplet::check::Refusal;
+use couplet::problem::{Claim, Landmark, Subject};
 use originals::{both, landmark, state};
 use refusals::MAX_DIGITS;
 use std::collections::BTreeSet;
@@ -62,7 +63,7 @@ fn every_variant_has_a_case() {
         (conditions::expected(), &["Condition"]),
         (values::expected(), &["Decimal", "NoValues", "Quantity", "Rounding"]),
     ];
-    let mut all = BTreeSet::new();
+    let mut all: BTreeSet<&str> = BTreeSet::new();
     for (refusals, variants) in tables {
         let found: BTreeSet<&str> = refusals.iter().map(variant).collect();
         assert_eq!(Vec::from_iter(found), variants);

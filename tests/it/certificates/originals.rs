@@ -2,13 +2,13 @@
 //! claimed or not.
 
 use crate::arches::{M, arch};
-use couplet::arch::{Landmark, Mode, SelfWeight};
+use couplet::arch::SelfWeight;
 use couplet::certify::{certify_landmark, certify_state};
 use couplet::check::{
-    Accepted, Certificate, Claim, ClaimFile, Dyadic, Exact, Refusal, SCHEMA, State, Subject,
-    ValueFile, Witness, check,
+    Accepted, Certificate, ClaimFile, Refusal, SCHEMA, ValueFile, Witness, check,
 };
-use couplet::number::{AstroInterval, Ball, ExactNumber};
+use couplet::number::{AstroInterval, Ball, Dyadic, ExactNumber};
+use couplet::problem::{Claim, Exact, Landmark, Mode, State, Subject};
 use couplet::solve::inverse;
 use rug::Float;
 use serde_json::Value;

@@ -1,10 +1,11 @@
 //! Many roots of the equations with right witnesses, and the one that is meant.
 
 use super::originals::{find_root, landmark_claim, root, state_claim, to_value};
-use couplet::arch::{Landmark, Mode, SelfWeight, Unknown};
+use couplet::arch::{SelfWeight, Unknown};
 use couplet::certify::certify_landmark;
-use couplet::check::{Claim, Refusal, Subject, check_certificate};
+use couplet::check::{Refusal, check_certificate};
 use couplet::number::Ball;
+use couplet::problem::{Claim, Landmark, Mode, Subject};
 use std::collections::BTreeSet;
 
 /// Newton's method from many starts finds many roots, all with right witnesses; the only one that is

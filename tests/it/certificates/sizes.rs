@@ -60,7 +60,10 @@ fn one_bit_more(index: usize) -> Cases {
 fn no_radius(place: &'static str, text: &str) -> Cases {
     [(0, "half_opening"), (4, "thrust")]
         .map(|(k, unknown)| {
-            (point().with(&format!("/{place}/radius/{k}"), text), Refusal::Radius { place, unknown })
+            (
+                point().with(&format!("/{place}/radius/{k}"), text),
+                Refusal::Radius { place, unknown },
+            )
         })
         .into()
 }

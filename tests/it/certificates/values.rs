@@ -2,8 +2,8 @@
 
 use super::originals::{landmark, state};
 use super::refusals::{Cases, Original, Spoiled, arch, point};
-use couplet::arch::Quantity;
 use couplet::check::Refusal;
+use couplet::problem::Quantity;
 use serde_json::{Value, json};
 
 /// The quantity of this name.
@@ -20,7 +20,10 @@ fn each(other: impl Fn(usize, &str) -> String, reason: fn(&'static str) -> Refus
     values
         .map(|(k, value)| {
             let text = other(k, value["value"].as_str().unwrap());
-            (point().with(&format!("/values/{k}/value"), text), reason(quantity(&value["quantity"])))
+            (
+                point().with(&format!("/values/{k}/value"), text),
+                reason(quantity(&value["quantity"])),
+            )
         })
         .collect()
 }

@@ -1,7 +1,8 @@
 //! JSON and TOML: the same content, the doubles of the true values, and hashes that anybody can make.
 
-use crate::expected::all;
-use crate::{constants, couplet};
+use super::constants;
+use super::expected::all;
+use crate::program::couplet;
 use couplet::arch::SelfWeight;
 use couplet::problem::Landmark;
 use couplet::report::export::{ExportFormat, write};
@@ -38,7 +39,7 @@ fn doubles_are_those_of_the_true_values() {
     let all = all();
     let mut differ = 0;
     for entry in json["constants"].as_array().unwrap() {
-        let of = |expected: &&crate::expected::Expected| {
+        let of = |expected: &&super::expected::Expected| {
             entry["weight"] == *expected.weight && entry["quantity"] == *expected.quantity
         };
         let point = match entry["landmark"].as_str().unwrap() {

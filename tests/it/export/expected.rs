@@ -1,6 +1,6 @@
 //! What every language has to read back, found in another way: from sixty proved digits.
 
-use crate::couplet;
+use crate::program::couplet;
 use couplet::number::Decimal;
 use rug::{Float, Rational};
 use serde_json::Value;

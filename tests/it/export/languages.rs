@@ -1,7 +1,8 @@
 //! Each language reads its file and prints the bits it got.
 
-use crate::expected::{Expected, all};
-use crate::{Scratch, constants, has};
+use super::expected::{Expected, all};
+use super::{constants, has};
+use crate::program::Scratch;
 use rug::Float;
 use rug::float::Round;
 use std::fmt::Write;
@@ -30,7 +31,7 @@ fn compiled_as(compiler: &str, arguments: &[&str], source: &str) {
     if !has(compiler, "--version") {
         return;
     }
-    let scratch = Scratch::new(&format!("export-{compiler}"));
+    let scratch = Scratch::new();
     scratch.write("couplet.h", constants("c"));
     // Twice, because a header may be.
     let mut program = String::from(
@@ -50,7 +51,7 @@ fn compiled_as(compiler: &str, arguments: &[&str], source: &str) {
     scratch.write(source, program);
     let strict = ["-Wall", "-Wextra", "-pedantic", "-Werror", source, "-o", "program"];
     scratch.run(compiler, &[arguments, &strict].concat());
-    compare(&scratch.run(scratch.0.join("program"), &[]), has_its_digits);
+    compare(&scratch.run(scratch.path("program"), &[]), has_its_digits);
 }
 
 #[test]
@@ -65,7 +66,7 @@ fn cpp_reads_every_bit() {
 
 #[test]
 fn rust_reads_every_bit() {
-    let scratch = Scratch::new("export-rust");
+    let scratch = Scratch::new();
     scratch.write("constants.rs", constants("rust"));
     let mut program = String::from("mod constants;\nuse constants::*;\nfn main() {\n");
     for name in all().keys() {
@@ -77,7 +78,7 @@ fn rust_reads_every_bit() {
     scratch.write("main.rs", program + "}\n");
     let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".into());
     scratch.run(rustc, &["--edition", "2021", "-D", "warnings", "main.rs", "-o", "program"]);
-    compare(&scratch.run(scratch.0.join("program"), &[]), has_its_digits);
+    compare(&scratch.run(scratch.path("program"), &[]), has_its_digits);
 }
 
 #[test]
@@ -85,7 +86,7 @@ fn python_reads_every_bit() {
     if !has("python3", "--version") {
         return;
     }
-    let scratch = Scratch::new("export-python");
+    let scratch = Scratch::new();
     scratch.write("constants.py", constants("python"));
     let mut program = String::from(
         "import struct, constants as c\ndef bits(x): return struct.pack('>d', x).hex()\n",
@@ -106,7 +107,7 @@ fn julia_reads_every_bit() {
     if !has("julia", "--version") {
         return;
     }
-    let scratch = Scratch::new("export-julia");
+    let scratch = Scratch::new();
     scratch.write("constants.jl", constants("julia"));
     let mut program = String::from(
         "include(\"constants.jl\")\nusing .CoupletConstants\nconst C = CoupletConstants\n\
@@ -129,7 +130,7 @@ fn octave_reads_every_bit() {
     if !has("octave-cli", "--version") {
         return;
     }
-    let scratch = Scratch::new("export-octave");
+    let scratch = Scratch::new();
     scratch.write("couplet_constants.m", constants("matlab"));
     let mut program = String::from("c = couplet_constants();\n");
     for value in all().values() {
@@ -154,7 +155,7 @@ fn fortran_reads_every_bit() {
     if !has("gfortran", "--version") {
         return;
     }
-    let scratch = Scratch::new("export-fortran");
+    let scratch = Scratch::new();
     scratch.write("constants.f90", constants("fortran"));
     let mut program = String::from("program main\n  use couplet_constants\n  implicit none\n");
     for (name, value) in all() {
@@ -167,7 +168,7 @@ fn fortran_reads_every_bit() {
     let strict = ["-std=f2008", "-Wall", "-Wextra", "-pedantic", "-Werror"];
     let files = ["constants.f90", "main.f90", "-o", "program"];
     scratch.run("gfortran", &[&strict[..], &files].concat());
-    compare(&scratch.run(scratch.0.join("program"), &[]), |value, rest| {
+    compare(&scratch.run(scratch.path("program"), &[]), |value, rest| {
         let read = u128::from_str_radix(rest[0], 16).unwrap();
         assert_eq!(read, quad_bits(value.quad.as_ref()), "{} {:?}", value.name(), value.quad);
     });
@@ -196,7 +197,7 @@ fn latex_takes_the_table() {
         assert!(table.contains(&format!(r"\num{{{}}}", value.text)), "{}", value.name());
     }
     assert!(table.contains(r"& \num{0.680} & \num{0.6796047320988860} \\"), "beside the paper");
-    let scratch = Scratch::new("export-latex");
+    let scratch = Scratch::new();
     scratch.write("table.tex", &table);
     scratch.write(
         "main.tex",

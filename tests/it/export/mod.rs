@@ -8,10 +8,7 @@ mod parquet;
 mod refused;
 mod states;
 
-#[path = "../common/program.rs"]
-mod program;
-
-use program::{Scratch, couplet};
+use crate::program::{Scratch, couplet};
 use std::io::Write;
 use std::path::Path;
 use std::process::Command;
@@ -25,14 +22,11 @@ fn constants(format: &str) -> Vec<u8> {
 }
 
 impl Scratch {
-    fn write(&self, name: &str, content: impl AsRef<[u8]>) {
-        std::fs::write(self.0.join(name), content).unwrap();
-    }
-
     /// Runs a program here; it has to succeed without a word on standard error.
     fn run(&self, program: impl AsRef<Path>, arguments: &[&str]) -> String {
         let program = program.as_ref();
-        let output = Command::new(program).args(arguments).current_dir(&self.0).output().unwrap();
+        let output =
+            Command::new(program).args(arguments).current_dir(self.folder()).output().unwrap();
         let stderr = String::from_utf8_lossy(&output.stderr);
         // Octave 7 has words on its own end.
         let stderr = stderr

@@ -1,18 +1,17 @@
 //! Parquet files, read back.
 
-use crate::Scratch;
-use crate::expected::all;
-use crate::program::fed;
+use super::expected::all;
+use crate::program::{Scratch, fed};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::{Field, Row};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
 
 /// The rows by column, and the metadata.
-fn read(name: &str, file: Vec<u8>) -> (Vec<BTreeMap<String, Field>>, BTreeMap<String, String>) {
-    let scratch = Scratch::new(name);
+fn read(file: Vec<u8>) -> (Vec<BTreeMap<String, Field>>, BTreeMap<String, String>) {
+    let scratch = Scratch::new();
     scratch.write("table.parquet", file);
-    let file = File::open(scratch.0.join("table.parquet")).unwrap();
+    let file = File::open(scratch.path("table.parquet")).unwrap();
     let reader = SerializedFileReader::new(file).unwrap();
     let notes = reader.metadata().file_metadata().key_value_metadata().unwrap();
     let notes = notes.iter().map(|note| (note.key.clone(), note.value.clone().unwrap()));
@@ -30,7 +29,7 @@ fn double(field: &Field) -> u64 {
 
 #[test]
 fn constants_are_read_back_bit_for_bit() {
-    let (rows, notes) = read("parquet-constants", crate::constants("parquet"));
+    let (rows, notes) = read(super::constants("parquet"));
     assert_eq!(
         (notes["couplet.digits"].as_str(), notes["couplet.schema"].as_str()),
         ("3", "couplet.constants/1")
@@ -64,7 +63,7 @@ fn states_have_a_row_for_each_value_and_for_each_that_has_none() {
     }
     let output = fed(&["states", "--format", "parquet", "--digits", "5"], &input);
     assert_eq!(output.status.code(), Some(2), "one row is bad");
-    let (rows, notes) = read("parquet-states", output.stdout);
+    let (rows, notes) = read(output.stdout);
     assert_eq!(notes["couplet.schema"], "couplet.states/1");
     let lines: BTreeSet<i64> = rows
         .iter()
@@ -84,7 +83,7 @@ fn states_have_a_row_for_each_value_and_for_each_that_has_none() {
         &["states", "--format", "parquet"],
         "weight,alpha,mu,thickness\nheyman,pi/2,0.38,0.2\n",
     );
-    let (rows, _) = read("parquet-assessed", assessed.stdout);
+    let (rows, _) = read(assessed.stdout);
     assert_eq!(
         (text(&rows[0]["quantity"]), text(&rows[0]["thickness"])),
         ("least_thickness", "0.2")
@@ -95,5 +94,5 @@ fn states_have_a_row_for_each_value_and_for_each_that_has_none() {
 fn no_queries_make_a_file_without_rows() {
     let output = fed(&["states", "--format", "parquet"], "weight,alpha,mu\n");
     assert_eq!(output.status.code(), Some(0));
-    assert!(read("parquet-empty", output.stdout).0.is_empty());
+    assert!(read(output.stdout).0.is_empty());
 }

@@ -1,27 +1,17 @@
 //! Formats that are not there are named in one line.
 
-use crate::couplet;
+const OF_CONSTANTS: &str =
+    "one of table, json, csv, toml, latex, c, rust, python, julia, matlab, fortran, parquet";
+const OF_ONE_STATE: &str = "one of table, json, csv";
 
-#[test]
-fn each_command_names_its_own_formats() {
-    let constants =
-        "one of table, json, csv, toml, latex, c, rust, python, julia, matlab, fortran, parquet";
-    let cases = [
-        (&["constants", "--format", "cpp"][..], constants),
-        (&["constants", "--format", ""], constants),
-        (&["states", "--format", "toml"], "one of csv, jsonl, parquet"),
-        (&["audit", "--format", "toml"], "one of table, json, csv"),
-        (&["state", "--alpha", "1", "--mu", "1", "--format", "c"], "one of table, json, csv"),
-        #[cfg(not(feature = "parquet"))]
-        (&["constants", "--format", "parquet"], "--features parquet"),
-        #[cfg(not(feature = "parquet"))]
-        (&["states", "--format", "parquet"], "--features parquet"),
-    ];
-    for (arguments, possible) in cases {
-        let output = couplet(arguments);
-        let message = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(2), "{arguments:?} {message}");
-        assert!(message.contains(possible) && message.lines().count() == 1, "{message}");
-        assert!(output.stdout.is_empty());
-    }
+wrong_uses! {
+    constants_for_cpp: ["constants", "--format", "cpp"] => OF_CONSTANTS;
+    constants_in_no_format: ["constants", "--format", ""] => OF_CONSTANTS;
+    states_in_toml: ["states", "--format", "toml"] => "one of csv, jsonl, parquet";
+    an_audit_in_toml: ["audit", "--format", "toml"] => "one of table, json, csv";
+    a_state_for_c: ["state", "--alpha", "1", "--mu", "1", "--format", "c"] => OF_ONE_STATE;
+    #[cfg(not(feature = "parquet"))]
+    constants_in_parquet: ["constants", "--format", "parquet"] => "--features parquet";
+    #[cfg(not(feature = "parquet"))]
+    states_in_parquet: ["states", "--format", "parquet"] => "--features parquet";
 }

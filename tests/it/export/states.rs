@@ -1,8 +1,9 @@
 //! Arches in every format, by the same code: with text from outside that is as bad as it can be.
 
-use crate::{Scratch, has};
-use couplet::arch::SelfWeight;
-use couplet::certify::state::{Answer, Arch, Doubt, Fall, Friction};
+use super::has;
+use crate::arches::{H, arch, number};
+use crate::program::Scratch;
+use couplet::certify::state::{Answer, Doubt, Fall};
 use couplet::report::export::{Export, ExportFormat, Subject, write};
 use couplet::report::{StateOf, StateReport};
 
@@ -12,17 +13,14 @@ const HOSTILE: &str =
 
 /// Something that cannot be told: an arch thicker than twice its radius.
 fn doubt() -> Doubt {
-    let arch = Arch::new(SelfWeight::Heyman, "pi/2".parse().unwrap(), Friction::Infinite).unwrap();
-    arch.certify_thickness(&"3".parse().unwrap(), 10).unwrap_err()
+    arch(H, "pi/2", "inf").certify_thickness(&number("3"), 10).unwrap_err()
 }
 
 fn export() -> Export {
-    let friction = Friction::Coefficient("0.38".parse().unwrap());
-    let arch = Arch::new(SelfWeight::Heyman, "pi/2".parse().unwrap(), friction).unwrap();
-    let Ok(Answer::Stands(state)) = arch.certify(40) else { panic!() };
+    let Ok(Answer::Stands(state)) = arch(H, "pi/2", "0.38").certify(40) else { panic!() };
     let doubt = doubt();
     let report = |outcome| StateReport {
-        weight: SelfWeight::Heyman,
+        weight: H,
         half_opening: HOSTILE.into(),
         friction: HOSTILE.into(),
         doubles: true,
@@ -59,41 +57,64 @@ fn only_what_is_proved_has_values() {
     }
 }
 
+/// A folder with the hostile file of a format.
+fn hostile(format: ExportFormat, name: &str) -> Scratch {
+    let scratch = Scratch::new();
+    scratch.write(name, text(format));
+    scratch
+}
+
 #[test]
-fn hostile_text_stays_in_its_comment() {
-    let scratch = Scratch::new("export-hostile");
-    scratch.write("constants.rs", text(ExportFormat::Rust));
+fn hostile_text_stays_in_a_comment_of_rust() {
+    let scratch = hostile(ExportFormat::Rust, "constants.rs");
     let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".into());
     scratch.run(rustc, &["--crate-type", "lib", "-D", "warnings", "constants.rs"]);
+}
+
+#[test]
+fn hostile_text_stays_in_a_comment_of_c() {
     if has("gcc", "--version") {
-        scratch.write("constants.h", text(ExportFormat::C));
+        let scratch = hostile(ExportFormat::C, "constants.h");
         scratch.write("main.c", "#include \"constants.h\"\ndouble x = COUPLET_STATE_2_THRUST;\n");
         let strict = ["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror"];
         scratch.run("gcc", &[&strict[..], &["-c", "main.c"]].concat());
     }
+}
+
+#[test]
+fn hostile_text_stays_in_a_comment_of_python() {
     if has("python3", "--version") {
-        scratch.write("constants.py", text(ExportFormat::Python));
+        let scratch = hostile(ExportFormat::Python, "constants.py");
         let print = "import constants as c; print([n for n in dir(c) if n[0] != '_'])";
         let names = scratch.run("python3", &["-c", print]);
         assert!(names.contains("STATE_2_THICKNESS_DECIMAL"), "{names}");
-        assert_eq!(
-            names.matches(',').count(),
-            6 * 5,
-            "nothing but Decimal and the values: {names}"
-        );
+        let commas = names.matches(',').count();
+        assert_eq!(commas, 6 * 5, "nothing but Decimal and the values: {names}");
     }
+}
+
+#[test]
+fn hostile_text_stays_in_a_comment_of_fortran() {
     if has("gfortran", "--version") {
-        scratch.write("constants.f90", text(ExportFormat::Fortran));
+        let scratch = hostile(ExportFormat::Fortran, "constants.f90");
         scratch.run("gfortran", &["-Wall", "-Werror", "-c", "constants.f90"]);
     }
+}
+
+#[test]
+fn hostile_text_stays_in_a_comment_of_octave() {
     if has("octave-cli", "--version") {
-        scratch.write("couplet_constants.m", text(ExportFormat::Matlab));
+        let scratch = hostile(ExportFormat::Matlab, "couplet_constants.m");
         let program = "c = couplet_constants(); disp(fieldnames(c))";
         let printed = scratch.run("octave-cli", &["--norc", "--quiet", "--eval", program]);
         assert!(printed.contains("state_2"), "{printed}");
     }
+}
+
+#[test]
+fn hostile_text_stays_in_a_table_of_latex() {
     if has("pdflatex", "--version") && has("kpsewhich", "siunitx.sty") {
-        scratch.write("table.tex", text(ExportFormat::Latex));
+        let scratch = hostile(ExportFormat::Latex, "table.tex");
         scratch.write(
             "main.tex",
             "\\documentclass{article}\\usepackage{booktabs,longtable,siunitx}\n\

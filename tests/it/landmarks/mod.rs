@@ -1,12 +1,13 @@
 //! The certified landmarks against everything they were not computed from.
 
+mod second_arithmetic;
+
 use couplet::arch::{
     Configuration, Ring, SelfWeight, Unknown, cubic, overturning, sliding, statics, thrust,
 };
 use couplet::certify::CertifiedLandmark;
-use couplet::check::krawczyk;
-use couplet::number::{Angle, AstroInterval, Ball, Dual, Enclosure, Field, Ternary};
-use couplet::problem::{Equation, Landmark, Point, System};
+use couplet::number::{Angle, Ball, Dual, Enclosure, Field, Ternary};
+use couplet::problem::{Equation, Landmark};
 use rug::Float;
 
 const BITS: u32 = 400;
@@ -241,59 +242,6 @@ fn plain_nearby(
         }
     }
     x[0].clone()
-}
-
-/// The proof of every landmark once more in the second arithmetic: Krawczyk over astro-float
-/// intervals, on boxes around the ball midpoints; the images overlap the balls.
-#[test]
-fn the_second_arithmetic_proves_the_same_points() {
-    const PREC: usize = 256;
-    for landmark in Landmark::ALL {
-        for weight in SelfWeight::ALL {
-            let point = certified(landmark, weight);
-            let system = *point.isolated().system();
-            let refined = point.enclosure(PREC as u32 + 64).unwrap();
-            let values: Vec<Ball> =
-                system.unknowns.iter().map(|&u| refined.value(u).unwrap()).collect();
-            let image = astro_image(&system, &values, PREC).unwrap_or_else(|| {
-                panic!("{landmark:?} {weight:?} is not proved by the second arithmetic")
-            });
-            for (ball, interval) in values.iter().zip(&image) {
-                let (low, high) = interval.ends().unwrap();
-                assert!(ball.lower() <= high && low <= ball.upper(), "{landmark:?} {weight:?}");
-                assert!(Float::with_val(64, &high - &low) < 1e-50, "and it is narrow");
-            }
-            // A false twin: a box that does not hold the root is refused.
-            let moved: Vec<Ball> =
-                values.iter().map(|x| x.clone() + x.clone() * x.ratio(1, 1 << 20)).collect();
-            assert!(astro_image(&system, &moved, PREC).is_none(), "{landmark:?} {weight:?}");
-        }
-    }
-}
-
-fn astro_image(system: &System, values: &[Ball], prec: usize) -> Option<Vec<AstroInterval>> {
-    let interval = |low: &Float, high: &Float| AstroInterval::between(low, high, prec);
-    let mid = |x: &Ball| Float::with_val(128, x.mid());
-    let centre: Vec<_> = values.iter().map(|x| interval(&mid(x), &mid(x))).collect();
-    let radius = Float::with_val(128, 1) >> 100;
-    let domain: Vec<_> = values
-        .iter()
-        .map(|x| {
-            interval(
-                &Float::with_val(256, mid(x) - &radius),
-                &Float::with_val(256, mid(x) + &radius),
-            )
-        })
-        .collect();
-    let floats: Vec<Float> = values.iter().map(mid).collect();
-    let slopes = system.residuals(&Point::new(system, &floats).variables());
-    let jacobian =
-        slopes.iter().map(|r| (0..floats.len()).map(|k| r.derivative(k)).collect()).collect();
-    let preconditioner: Vec<Vec<_>> = couplet::solve::inverse(jacobian)?
-        .into_iter()
-        .map(|row| row.into_iter().map(|y| interval(&y, &y)).collect())
-        .collect();
-    krawczyk::unique_root(system, &centre, &preconditioner, &domain)
 }
 
 #[test]

@@ -1,7 +1,17 @@
-//! The rooms of the house: a room uses itself and the rooms above it, and the equations stay pure.
+//! The rooms of the house: a room uses itself and the rooms above it, no files go in circles, and the
+//! equations stay pure.
 
+mod circles;
+mod names;
+mod purity;
+mod scattered;
+mod source;
+
+use names::paths_in;
+use source::{code, root, sources, tokens};
+use std::collections::BTreeSet;
+use std::fmt::Debug;
 use std::fs;
-use std::path::{Path, PathBuf};
 
 /// From the top: what a room may use stands before it.
 const ROOMS: [&str; 14] = [
@@ -21,49 +31,29 @@ const ROOMS: [&str; 14] = [
     "cli",
 ];
 
-fn sources(folder: &Path) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            found.extend(sources(&path));
-        } else if path.extension().is_some_and(|e| e == "rs") {
-            found.push(path);
-        }
-    }
-    found
+/// What is found is what is known: nothing more, and nothing less, so that no exception outlives its reason.
+fn nothing_else<T: Ord + Debug>(found: BTreeSet<T>, known: BTreeSet<T>, what: &str) {
+    let new: Vec<_> = found.difference(&known).collect();
+    assert!(new.is_empty(), "{what}: {new:#?}");
+    let gone: Vec<_> = known.difference(&found).collect();
+    assert!(gone.is_empty(), "no longer {what}, so strike out of the list: {gone:#?}");
 }
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
-}
-
-/// The code of a file without its unit tests and comments.
-fn code(path: &Path) -> String {
-    let text = fs::read_to_string(path).unwrap();
-    let mut text = text.as_str();
-    for condition in ["#[cfg(test)]", "#[cfg(all(test, feature = \"mpfr\"))]"] {
-        text = text.split(&format!("{condition}\nmod tests")).next().unwrap_or_default();
-    }
-    text.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n")
-}
-
-/// The rooms that a text names as `crate::room`.
-fn rooms_used(code: &str) -> Vec<&str> {
-    code.split("crate::")
-        .skip(1)
-        .map(|rest| rest.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap())
-        .filter(|name| ROOMS.contains(name))
-        .collect()
+/// The rooms that a code names as `crate::room`.
+fn rooms_used(code: &str) -> Vec<String> {
+    let paths = paths_in(code).into_iter().filter(|path| path[0] == "crate");
+    let rooms = paths.filter_map(|path| path.into_iter().nth(1));
+    rooms.filter(|name| ROOMS.contains(&name.as_str())).collect()
 }
 
 #[test]
 fn a_room_uses_only_rooms_above_it() {
     assert_eq!(rooms_used("use crate::solve::x; crate::nothing"), ["solve"], "the test sees");
+    assert_eq!(rooms_used("use crate::{cli, study::{a, b}}; crate::arch::c()").len(), 4);
     for (level, room) in ROOMS.iter().enumerate() {
         for path in sources(&root().join(room)) {
             for used in rooms_used(&code(&path)) {
-                let allowed = ROOMS[..=level].contains(&used);
+                let allowed = ROOMS[..=level].contains(&used.as_str());
                 assert!(allowed, "{} uses {used}, which is below {room}", path.display());
             }
         }
@@ -80,62 +70,43 @@ fn every_file_is_in_a_room() {
     }
 }
 
-/// What an equation must not contain.
-fn impurity(code: &str) -> Option<&str> {
-    let forbidden = [
-        "for ",
-        "while ",
-        "loop ",
-        "if ",
-        " < ",
-        " > ",
-        " <= ",
-        " >= ",
-        "epsilon",
-        "tolerance",
-        "f64",
-        "f32",
-        "Float",
-    ];
-    let literal = |word: &&str| {
-        word.split_once('.').is_some_and(|(a, b)| {
-            !a.is_empty() && !b.is_empty() && (a.to_owned() + b).bytes().all(|c| c.is_ascii_digit())
-        })
-    };
-    // `impl X for Y` and `for<'a>` are no loops, and a `&str` is text.
-    code.lines().find_map(|line| {
-        let line = if line.contains("impl") || line.contains('"') { "" } else { line };
-        forbidden.into_iter().find(|word| line.contains(word)).or_else(|| {
-            line.split(|c: char| !c.is_ascii_digit() && c != '.').find(literal).map(|_| line)
-        })
-    })
-}
-
 #[test]
-fn equations_neither_loop_nor_compare_nor_round() {
-    assert!(impurity("let x = 0.1;").is_some() && impurity("if a > b {").is_some());
-    for file in [
-        "thrust",
-        "cubic",
-        "closed_form",
-        "statics",
-        "sliding",
-        "overturning",
-        "weight",
-        "quotient",
-    ] {
-        let path = root().join("arch").join(format!("{file}.rs"));
-        assert_eq!(impurity(&code(&path)), None, "{}", path.display());
-    }
-}
-
-#[test]
-fn the_solver_proves_nothing_and_the_proof_is_the_only_constructor() {
+fn the_solver_proves_nothing() {
     for path in sources(&root().join("solve")) {
         assert!(!code(&path).contains("Certified"), "{}", path.display());
     }
-    let constant = code(&root().join("certify").join("landmark.rs"));
-    assert_eq!(constant.matches("Self { landmark, weight, isolated:").count(), 1);
+}
+
+/// How often a value of a type is made by its fields, in the file of the type: by its name anywhere, and as
+/// `Self` in its own `impl` blocks.
+fn constructions(code: &str, of: &str) -> usize {
+    let made = |code: &str, name: &str| {
+        let literal = |words: &&[&str]| {
+            // Behind these words the brace begins a declaration or a body.
+            let is_other = ["struct", "impl", "for", "->", "&"].contains(&words[0]);
+            words[1..] == [name, "{"] && !is_other
+        };
+        tokens(code).windows(3).filter(literal).count()
+    };
+    let head = format!("\nimpl {of} {{");
+    let blocks = code.split(&head).skip(1);
+    let of_itself = blocks.map(|block| made(block.split("\n}").next().unwrap(), "Self"));
+    made(code, of) + of_itself.sum::<usize>()
+}
+
+/// What is certified is made in one place, by the proof: its fields are private to its file, and there it
+/// is made once.
+#[test]
+fn the_proof_is_the_only_constructor() {
+    let twice = "struct A {\n}\nimpl A {\nfn b() -> Self { Self { c } }\n}\nfn d() -> A { A { c } }\n\
+                 impl B {\nfn e() -> Self { Self {} }\n}";
+    assert_eq!(constructions(twice, "A"), 2, "the test sees");
+    let certify = sources(&root().join("certify"));
+    let mut files = certify.iter().map(|path| code(path));
+    let code = files.find(|code| code.contains("pub struct CertifiedLandmark {")).unwrap();
+    let fields = code.split("pub struct CertifiedLandmark {").nth(1).unwrap();
+    assert!(!fields.split('}').next().unwrap().contains("pub"), "{fields}");
+    assert_eq!(constructions(&code, "CertifiedLandmark"), 1);
 }
 
 #[test]
