@@ -28,6 +28,11 @@ build: m4
 test: m4
 	cargo test --locked $(ALL)
 
+# The whole outputs in tests/it/snapshots and the picture of the rooms, written anew; `git diff` shows what
+# has changed.
+snapshots: m4
+	UPDATE_SNAPSHOTS=1 cargo test --locked $(ALL) --test it -- outputs:: door::
+
 lint: m4
 	cargo fmt --check
 	cargo clippy --all-targets $(ALL) --locked -- -D warnings
@@ -44,10 +49,6 @@ deny:
 	@command -v cargo-deny >/dev/null || { \
 	  echo "couplet: cargo-deny is missing (cargo install --locked cargo-deny)" >&2; exit 1; }
 	cargo deny --locked check licenses bans sources
-
-# What is stored beside the tests and drawn in the pages, written anew: look at what changed.
-snapshots: m4
-	UPDATE_SNAPSHOTS=1 cargo test --locked $(ALL) --test door
 
 # The repository's certificates, 100 digits of every landmark; a test says whether they are up to date.
 constants: build
@@ -78,7 +79,7 @@ examples: m4
 exporters: m4
 	$(call need,command -v g++ gfortran octave-cli python3 pdflatex && kpsewhich siunitx.sty booktabs.sty,\
 	g++ gfortran octave python3 texlive-latex-recommended texlive-science,not every language is there)
-	cargo test --locked $(ALL) --test export
+	cargo test --locked $(ALL) --test it export::
 
 # Timings of this machine; nothing depends on them.
 bench: m4

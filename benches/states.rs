@@ -1,7 +1,7 @@
 //! What a state costs: proved to 16 digits and as a quick look in doubles, by mode and over a random mix.
 
 use couplet::arch::SelfWeight;
-use couplet::certify::state::Answer;
+use couplet::certify::state::{Answer, Certify};
 use couplet::number::ExactNumber;
 use couplet::problem::{Arch, Friction};
 use couplet::solve::start_state::quick_state;

@@ -1,7 +1,7 @@
 //! The state of an arch, from exact input: `cargo run --example state`.
 
 use couplet::arch::SelfWeight;
-use couplet::certify::state::Answer;
+use couplet::certify::state::{Answer, Certify};
 use couplet::problem::Mode;
 use couplet::problem::{Arch, Friction};
 use std::error::Error;

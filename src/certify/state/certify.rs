@@ -4,7 +4,7 @@ use super::assess::{Assessment, Wanted};
 use super::digits::{Answer, AssessmentDigits, Digits};
 use super::inquiry::Inquiry;
 use super::mode::{Asked, outcome, pure_sliding};
-use super::query::Query;
+use super::query::{Query, bits_lost};
 use super::state::{Fall, Outcome};
 use crate::certify::Undecided;
 use crate::number::{Ball, ExactNumber};
@@ -67,6 +67,10 @@ pub trait Certify {
 
     /// The friction below which nothing stands at this half opening: that of the purely sliding state.
     fn sliding_friction(&self, bits: u32) -> Result<Ball, Undecided>;
+
+    /// Bits that the printed equations lose to cancellation for this arch: what [`Certify::state`] may
+    /// need beyond 64.
+    fn bits_lost(&self) -> u32;
 }
 
 impl Certify for Arch {
@@ -107,5 +111,9 @@ impl Certify for Arch {
 
     fn sliding_friction(&self, bits: u32) -> Result<Ball, Undecided> {
         pure_sliding(&Query::new(self, bits))
+    }
+
+    fn bits_lost(&self) -> u32 {
+        bits_lost(self)
     }
 }
