@@ -6,7 +6,7 @@ use super::queries::{Query, query};
 use super::weight;
 use crate::certify::state::{Answer, Arch, Digits, Friction};
 use crate::problem::Mode;
-use crate::solve::start_state::{quick_state, sliding};
+use crate::solve::start::{quick_state, sliding};
 use proptest::prelude::*;
 use rug::Float;
 

@@ -23,7 +23,7 @@ use crate::arch::{Ring, Unknown, contact, sliding, thrust};
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Real, Ternary};
 use crate::problem::inner_friction;
 use crate::problem::{Equation, Mode};
-use crate::solve::start_state;
+use crate::solve::start;
 use rug::Float;
 
 /// What is certain of an arch of a given thickness.
@@ -193,7 +193,7 @@ impl Query {
             &[Equation::LowerThrust, Equation::Tangency][..],
         );
         let eta = Float::with_val(self.bits, given.thickness.mid());
-        let at = self.root(system, &start_state::rotational_with_thickness(self.weight, &eta))?;
+        let at = self.root(system, &start::rotational_with_thickness(self.weight, &eta))?;
         let beta = &at.rotation_joint.rad;
         require(beta, "a touching joint below the crown", BETWEEN)?;
         require(&(beta.pi() - beta), "a touching joint within half a turn", BETWEEN)?;
@@ -244,8 +244,8 @@ impl Query {
         );
         let eta = given.thickness.mid();
         let start = match self.alpha() {
-            alpha if alpha < 0.25 => start_state::scaled_largest_thrust(self.weight, &alpha, eta),
-            alpha => start_state::largest_thrust(self.weight, alpha.to_f64(), eta.to_f64())
+            alpha if alpha < 0.25 => start::scaled_largest_thrust(self.weight, &alpha, eta),
+            alpha => start::largest_thrust(self.weight, alpha.to_f64(), eta.to_f64())
                 .map(|x| Float::with_val(self.bits, x)),
         };
         let at = self.root(system, &start)?;
@@ -272,7 +272,7 @@ impl Query {
         if shoulder.denominator.is_positive() != Ternary::True {
             return Ok(false);
         }
-        let slides = self.root(Mode::Sliding.system(), &start_state::sliding(&self.alpha()))?;
+        let slides = self.root(Mode::Sliding.system(), &start::sliding(&self.alpha()))?;
         let at = self.given.clone().with(Unknown::Thrust, shoulder.value());
         // Above the purely sliding thrust the required friction does not see the bound either.
         let above = slides.thrust.is_less_than(&at.thrust);
@@ -286,7 +286,7 @@ impl Query {
     /// the larger the thrust, an inner joint the smaller: best is the thrust at which they ask for the
     /// same, or the end of the range next to it.
     fn required_friction(&self, [least, largest]: &[Limit; 2]) -> Attempt<Ball> {
-        let slides = self.root(Mode::Sliding.system(), &start_state::sliding(&self.alpha()))?;
+        let slides = self.root(Mode::Sliding.system(), &start::sliding(&self.alpha()))?;
         let question = "which joint the friction is needed for";
         if let Some(least) = &least.thrust
             && decide(&(least.clone() - &slides.thrust), question, BETWEEN)?
@@ -309,7 +309,7 @@ impl Query {
     fn cut_by_friction(&self, [mut least, mut largest]: [Limit; 2]) -> Attempt<[Limit; 2]> {
         let Some(friction) = &self.friction else { return Ok([least, largest]) };
         let question = "whether sliding or the line of thrust limits the thrust";
-        let [h, joint] = start_state::inner_sliding(&Float::with_val(self.bits, friction.mid()));
+        let [h, joint] = start::inner_sliding(&Float::with_val(self.bits, friction.mid()));
         let system = (
             &[Unknown::Thrust, Unknown::SlidingJoint][..],
             &[Equation::InnerSliding, Equation::Steepest][..],

@@ -6,7 +6,7 @@ use crate::certify::{CertifiedLandmark, Undecided};
 use crate::number::{Angle, Ball, Enclosure, Magnitude, Ternary};
 use crate::problem::{Equation, Landmark, Mode, tally};
 use crate::problem::{conditions, inner_friction, room_for_steepest, shoulder_friction};
-use crate::solve::start_state;
+use crate::solve::start;
 use rug::Float;
 use std::sync::OnceLock;
 
@@ -129,7 +129,7 @@ impl Query {
     /// Whether the friction seems to be below the purely sliding one: a candidate.
     fn seems_to_slide(&self) -> bool {
         self.friction.as_ref().is_some_and(|friction| {
-            let [least, ..] = start_state::sliding(&Float::with_val(64, self.alpha()));
+            let [least, ..] = start::sliding(&Float::with_val(64, self.alpha()));
             *friction.mid() < least * 1.001f64
         })
     }
@@ -139,7 +139,7 @@ impl Query {
         if let Some(small) = self.small() {
             return Ok(small.pure_sliding()?.friction());
         }
-        let slides = self.root(Mode::Sliding.system(), &start_state::sliding(&self.alpha()))?;
+        let slides = self.root(Mode::Sliding.system(), &start::sliding(&self.alpha()))?;
         require(&slides.friction, "a positive purely sliding friction", &[])?;
         let inside = slides.half_opening.rad.clone() - &slides.sliding_joint.rad;
         require(&inside, "the steepest joint above the shoulder", &[])?;
@@ -203,7 +203,7 @@ impl Query {
 
     /// The purely rotational state, unless the half opening is beyond the end of rotation.
     fn rotation_if_any(&self, asked: Asked) -> Attempt<Option<Rotation>> {
-        if start_state::seems_to_rotate(self.weight, &self.alpha())
+        if start::seems_to_rotate(self.weight, &self.alpha())
             && let Ok(rotation) = self.rotation(asked)
         {
             return Ok(Some(rotation));
@@ -225,7 +225,7 @@ impl Query {
             let frictions = if friction_matters { Some(root.frictions()?) } else { None };
             return Ok(Rotation { state: root.into_state(Mode::Rotational), frictions });
         }
-        let [beta, eta, _] = start_state::rotational(self.weight, &self.alpha());
+        let [beta, eta, _] = start::rotational(self.weight, &self.alpha());
         let at = self.rotational_root([beta, eta])?;
         self.prove(Mode::Rotational, &at, false)?;
         let mut frictions = None;
@@ -247,10 +247,10 @@ impl Query {
             Float::with_val(self.bits, bound.mid())
         } else {
             // Near the purely sliding friction the two thrusts are close, and either is a good start.
-            let [_, thrust, _] = start_state::sliding(&self.alpha());
+            let [_, thrust, _] = start::sliding(&self.alpha());
             thrust
         };
-        let start = start_state::rotational_with_thrust(self.weight, &thrust);
+        let start = start::rotational_with_thrust(self.weight, &thrust);
         let at = self.root(Mode::SlidingRotational.system(), &start)?;
         self.proved(Mode::SlidingRotational, at, rotational)
     }
@@ -271,7 +271,7 @@ impl Query {
 
     fn inner_sliding(&self, rotational: Option<Ball>) -> Attempt<Found> {
         let friction = Float::with_val(self.bits, self.given.friction.mid());
-        let [h, joint] = start_state::inner_sliding(&friction);
+        let [h, joint] = start::inner_sliding(&friction);
         let sliding = (
             &[Unknown::Thrust, Unknown::SlidingJoint][..],
             &[Equation::InnerSliding, Equation::Steepest][..],
@@ -286,7 +286,7 @@ impl Query {
             return Ok(Found::Falls);
         }
         let (h, joint) = (slid.thrust.mid(), slid.sliding_joint.rad.mid());
-        let start = start_state::rotational_sliding(self.weight, self.alpha().to_f64(), h.to_f64());
+        let start = start::rotational_sliding(self.weight, self.alpha().to_f64(), h.to_f64());
         let float = |x: f64| Float::with_val(self.bits, x);
         let at_crown = || {
             let start = [float(start.thickness), h.clone(), joint.clone()];

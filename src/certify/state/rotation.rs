@@ -101,6 +101,8 @@ impl Rotation<'_> {
         let haunch = self.joint.haunch(joint);
         let thrust = thrust_at(weight, &haunch, &eta);
         let ring = Ring::new(weight, &eta);
+        // The thrust is what (2) and (5) have in common.
+        tally::equation(Equation::LowerThrust);
         tally::equation(Equation::Tangency);
         let tangency = thrust::tangency(&haunch.times_cotangent, &ring).residual(&thrust);
         let given = given.map(Dual::constant);

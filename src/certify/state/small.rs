@@ -10,7 +10,7 @@ use crate::arch::small::{self, Scaled};
 use crate::arch::{SelfWeight, Unknown};
 use crate::number::{Ball, Dual, Enclosure, Field, Real, Stumpff, stumpff_terms};
 use crate::problem::{Equation, Mode, tally};
-use crate::solve::start_state;
+use crate::solve::start;
 use rug::Float;
 
 /// More terms than this, and sines and cosines with a few more bits are cheaper.
@@ -67,19 +67,19 @@ impl Query {
 impl Small {
     /// The purely rotational state, proved for unlimited friction.
     pub(super) fn rotation(&self) -> Attempt<SmallRoot> {
-        let start = start_state::scaled_rotational(self.weight, &self.candidate().opening.square);
-        self.state(Mode::Rotational, start, false)
+        let start = start::scaled_rotational(self.weight, &self.candidate().opening.square);
+        self.state(Mode::Rotational, Some(start), false)
     }
 
     /// The state in which the shoulder slides.
     pub(super) fn shoulder_sliding(&self) -> Attempt<SmallRoot> {
-        let start = start_state::scaled_shoulder_sliding(self.weight, &self.candidate());
-        self.state(Mode::SlidingRotational, start, self.is_limited)
+        let start = start::scaled_shoulder_sliding(self.weight, &self.candidate());
+        self.state(Mode::SlidingRotational, Some(start), self.is_limited)
     }
 
     /// The purely sliding state.
     pub(super) fn pure_sliding(&self) -> Attempt<SmallRoot> {
-        let start = start_state::scaled_sliding(&self.candidate().opening.square);
+        let start = start::scaled_sliding(&self.candidate().opening.square);
         let slides = self.root(Mode::Sliding, Some(start))?;
         require(&slides.at.friction, "a positive purely sliding friction", &[])?;
         require(&slides.room_for_steepest(), "the steepest joint above the shoulder", &[])?;
