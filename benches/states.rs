@@ -4,7 +4,7 @@ use couplet::arch::SelfWeight;
 use couplet::certify::state::{Answer, Certify};
 use couplet::number::ExactNumber;
 use couplet::problem::{Arch, Friction};
-use couplet::solve::start_state::quick_state;
+use couplet::solve::start::quick_state;
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 

@@ -96,7 +96,7 @@ fn main() {
         }
         "newton" => {
             let system = Landmark::Triple.system(WEIGHT);
-            let root = || newton(&system, start(Landmark::Triple, WEIGHT), 64).unwrap();
+            let root = || newton(&system, start::landmark(Landmark::Triple, WEIGHT), 64).unwrap();
             let values = root().0.iter().map(|x| x.to_f64().to_string()).collect();
             (measure(&|| drop(black_box(root()))), Some(values))
         }

@@ -63,11 +63,10 @@ fn thickness(landmark: Landmark, isolated: &Isolated) -> Option<Surd> {
     if let Some(Fixed::Integer(n)) = system.fixed_value(Unknown::Thickness) {
         return Some(Surd::rational(n, RADICAND));
     }
-    let closed_form = match (landmark, system.weight) {
-        (Landmark::RotationEnd, SelfWeight::Heyman) => Surd::rational(1, RADICAND),
-        (Landmark::RotationEnd, SelfWeight::Milankovitch) => Surd::new(-6, 4, RADICAND),
-        _ => return None,
-    };
+    if landmark != Landmark::RotationEnd {
+        return None;
+    }
+    let closed_form = overturning::thickness_at_end(system.weight, &Surd::new(0, 1, RADICAND));
     let domain = &isolated.domain()[system.index(Unknown::Thickness)?];
     is_thickness_without_thrust(system.weight, &closed_form, domain).then_some(closed_form)
 }

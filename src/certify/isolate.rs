@@ -94,7 +94,7 @@ mod tests {
         for landmark in Landmark::ALL {
             for weight in SelfWeight::ALL {
                 let system = landmark.system(weight);
-                let candidate = newton(&system, start(landmark, weight), BITS).unwrap();
+                let candidate = newton(&system, start::landmark(landmark, weight), BITS).unwrap();
                 let isolated = isolate(landmark, weight, &candidate).unwrap();
                 for (radius, unknown) in isolated.relative_radii().iter().zip(system.unknowns) {
                     assert!(*radius > 5e-3, "{landmark:?} {weight:?} {unknown:?} {radius}");
@@ -106,7 +106,8 @@ mod tests {
     #[test]
     fn a_point_that_is_no_root_is_not_isolated() {
         let system = Landmark::Triple.system(SelfWeight::Heyman);
-        let candidate = newton(&system, start(Landmark::Triple, SelfWeight::Heyman), BITS).unwrap();
+        let candidate =
+            newton(&system, start::landmark(Landmark::Triple, SelfWeight::Heyman), BITS).unwrap();
         let moved = candidate.0.into_iter().map(|x| x * Float::with_val(BITS, 1.2)).collect();
         assert!(isolate(Landmark::Triple, SelfWeight::Heyman, &Candidate(moved)).is_err());
     }

@@ -67,7 +67,7 @@ impl CertifiedLandmark {
     /// which it does for none of [`Landmark::ALL`].
     pub fn new(landmark: Landmark, weight: SelfWeight) -> Result<Self, Undecided> {
         let system = landmark.system(weight);
-        let candidate = newton(&system, start(landmark, weight), 64)
+        let candidate = newton(&system, start::landmark(landmark, weight), 64)
             .ok_or_else(|| Undecided::new("Newton's method finds no candidate"))?;
         let certified = Self { landmark, weight, isolated: isolate(landmark, weight, &candidate)? };
         let narrow = certified.enclosure(64)?;

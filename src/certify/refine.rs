@@ -262,7 +262,8 @@ mod tests {
         for landmark in Landmark::ALL {
             let system = landmark.system(SelfWeight::Milankovitch);
             let candidate =
-                crate::solve::newton(&system, start(landmark, system.weight), 64).unwrap();
+                crate::solve::newton(&system, start::landmark(landmark, system.weight), 64)
+                    .unwrap();
             let isolated = isolate(landmark, system.weight, &candidate).unwrap();
             let [coarse, fine] = [700, 5000].map(|bits| refine(&isolated, bits).unwrap());
             for &unknown in system.unknowns {

@@ -193,7 +193,7 @@ pub(crate) fn root_near<S: Form>(
 }
 
 /// What is undecided where there is nothing to prove.
-pub(crate) fn no_candidate() -> Undecided {
+fn no_candidate() -> Undecided {
     Undecided::new("no candidate is found")
 }
 

@@ -3,7 +3,7 @@
 
 use crate::number::Ball;
 use crate::problem::{Arch, Equation, Mode};
-use crate::solve::start_state::{quick_state, seems_to_rotate};
+use crate::solve::start::{quick_state, seems_to_rotate};
 
 /// The mode that an arch seems to have; `[s,s]` if it seems that nothing stands.
 pub fn mode(arch: &Arch) -> Mode {

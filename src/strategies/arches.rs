@@ -7,7 +7,7 @@ use super::weight;
 use crate::certify::state::{Answer, Certify, Digits};
 use crate::problem::Mode;
 use crate::problem::{Arch, Friction};
-use crate::solve::start_state::{quick_state, sliding};
+use crate::solve::start::{quick_state, sliding};
 use proptest::prelude::*;
 use rug::Float;
 

@@ -122,7 +122,7 @@ pub fn cases() -> Vec<Case> {
                 quantity: "landmark",
                 name: format!("{} {}", landmark.symbol(), weight.name()),
                 problem: Task::Landmark { weight, landmark },
-                start: start(landmark, weight).to_vec(),
+                start: start::landmark(landmark, weight).to_vec(),
                 closed: None,
             });
         }

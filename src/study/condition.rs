@@ -51,7 +51,7 @@ mod tests {
         use crate::arch::SelfWeight;
         use crate::problem::Landmark;
         let problem = Task::Landmark { weight: SelfWeight::Heyman, landmark: Landmark::Triple };
-        let start = crate::solve::start(Landmark::Triple, SelfWeight::Heyman);
+        let start = crate::solve::start::landmark(Landmark::Triple, SelfWeight::Heyman);
         let start: Vec<Float> = start.iter().map(|x| Float::with_val(100, x)).collect();
         assert!(condition(&problem, &newton(&problem, &start, 100).unwrap().root, 0).is_none());
     }

@@ -12,7 +12,7 @@ use crate::certify::state::{Certify, Outcome};
 use crate::number::{Angle, Ball, Dual, ExactNumber, Real, rational_like};
 use crate::problem::{Arch, Friction};
 use crate::problem::{Landmark, Mode};
-use crate::solve::{settle, start_state};
+use crate::solve::{settle, start};
 use rug::{Float, Rational};
 
 pub(super) const WEIGHT: SelfWeight = SelfWeight::Milankovitch;
@@ -108,7 +108,7 @@ impl Target {
         let number = |x: &Rational| Float::with_val(bits, x);
         Some(match self {
             Self::State { mode: Mode::Rotational, half_opening, .. } => {
-                start_state::rotational(WEIGHT, &number(half_opening)).to_vec()
+                start::rotational(WEIGHT, &number(half_opening)).to_vec()
             }
             Self::State { mode, half_opening, friction, .. } => {
                 // Next to the certified state: what is measured is the last digits.
@@ -122,7 +122,7 @@ impl Target {
                 let values: Option<Vec<Float>> = unknowns.map(value).collect();
                 values?.iter().map(|x| Float::with_val(bits, x) * 1.0001f64).collect()
             }
-            Self::Sliding { half_opening } => start_state::sliding(&number(half_opening)).to_vec(),
+            Self::Sliding { half_opening } => start::sliding(&number(half_opening)).to_vec(),
             Self::Closed { joint } => {
                 let at = Angle::new(rational_like(&Float::new(bits), joint));
                 vec![trigonometric(Form::Thickness, Branch::Upper, &at)]
@@ -158,8 +158,8 @@ impl Target {
         let alpha = Float::with_val(bits, half_opening);
         let y = alpha.clone().square();
         let start = match mode {
-            Mode::Sliding => start_state::scaled_sliding(&y),
-            _ => start_state::scaled_rotational(WEIGHT, &y)?,
+            Mode::Sliding => start::scaled_sliding(&y),
+            _ => start::scaled_rotational(WEIGHT, &y),
         };
         let given = Scaled::new(&Dual::constant(y.clone()));
         let root = settle(start.to_vec(), |x| {

@@ -62,6 +62,31 @@ proptest! {
         prop_assert_ne!(thrust::lower(&joint, &with(&twin)).residual(&twin), Exact::new());
     }
 
+    /// (2), (4) and (5) have one thickness in common, whatever the weight.
+    #[test]
+    fn the_rotating_thickness_is_that_of_all_three(
+        joint in circle_point(), beta in positive_rational(), opening in positive_rational(),
+    ) {
+        let joint = angle(joint, beta);
+        let Some(eta) = value(&thrust::rotating(&joint, &opening)) else { return Ok(()) };
+        let excess = joint.rad.clone() / &joint.sin - Exact::from(1);
+        // With the centroid factor that gives (5) the touching thrust, (2) holds; what is left is (4).
+        let whole = |eta: &Exact| {
+            let ring = Ring::new(SelfWeight::Heyman, eta);
+            let h = value(&thrust::touching(&joint.versine(), &excess, &ring))?;
+            let cotangent = joint.times_cotangent();
+            let centroid_factor = (Exact::from(1) + &cotangent - &h) * ring.intrados() / Exact::from(2);
+            let ring = Ring { centroid_factor, ..ring };
+            Some(overturning::opening_variable(&ring).residual(&(opening.clone() - h)))
+        };
+        if let Some(residual) = whole(&eta) {
+            prop_assert_eq!(residual, Exact::new());
+        }
+        if let Some(twin) = whole(&(eta.clone() + Exact::from(1))) {
+            prop_assert_ne!(twin, Exact::new(), "false twin");
+        }
+    }
+
     /// The thrust of (2) puts the pressure point on the extrados at the crown and on the intrados at
     /// the joint; that of (4) puts it on the extrados at both ends.
     #[test]

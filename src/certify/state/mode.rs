@@ -4,7 +4,7 @@ use super::query::Query;
 use super::rotation::rotational_root;
 use super::small::Small;
 use super::state::{Fall, Frictions, Outcome, State};
-use crate::arch::{Configuration, SelfWeight, contact, overturning, sliding, thrust};
+use crate::arch::{Configuration, PerWeight, SelfWeight, contact, overturning, sliding, thrust};
 use crate::certify::undecided::{decide, require, require_condition};
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::number::{Angle, Ball, Enclosure, Ternary};
@@ -12,7 +12,7 @@ use crate::problem::{
     Condition, Examined, Landmark, Mode, System, inner_friction, room_for_steepest,
     shoulder_friction, tally,
 };
-use crate::solve::start_state;
+use crate::solve::start;
 use rug::Float;
 use std::sync::OnceLock;
 
@@ -90,7 +90,7 @@ pub(super) fn outcome(query: &Query, asked: Asked) -> Result<Outcome, Undecided>
 /// Whether the friction seems to be below the purely sliding one: a candidate.
 fn seems_to_slide(query: &Query) -> bool {
     query.friction().is_some_and(|friction| {
-        let [least, ..] = start_state::sliding(&Float::with_val(64, query.alpha()));
+        let [least, ..] = start::sliding(&Float::with_val(64, query.alpha()));
         *friction.mid() < least * 1.001f64
     })
 }
@@ -100,8 +100,7 @@ pub(super) fn pure_sliding(query: &Query) -> Result<Ball, Undecided> {
     if let Some(small) = Small::of(query) {
         return Ok(small.pure_sliding()?.friction());
     }
-    let slides =
-        query.root(Mode::Sliding.system(query.weight), &start_state::sliding(&query.alpha()))?;
+    let slides = query.root(Mode::Sliding.system(query.weight), &start::sliding(&query.alpha()))?;
     require(&slides.friction, "a positive purely sliding friction", &[])?;
     let inside = slides.half_opening.rad.clone() - &slides.sliding_joint.rad;
     require(&inside, "the steepest joint above the shoulder", &[])?;
@@ -164,7 +163,7 @@ fn beside_the_end(query: &Query, asked: Asked, undecided: Undecided) -> Result<F
 
 /// The purely rotational state, unless the half opening is beyond the end of rotation.
 fn rotation_if_any(query: &Query, asked: Asked) -> Result<Option<Rotation>, Undecided> {
-    if start_state::seems_to_rotate(query.weight, &query.alpha())
+    if start::seems_to_rotate(query.weight, &query.alpha())
         && let Ok(rotation) = rotation(query, asked)
     {
         return Ok(Some(rotation));
@@ -186,7 +185,7 @@ fn rotation(query: &Query, asked: Asked) -> Result<Rotation, Undecided> {
         let frictions = if friction_matters { Some(root.frictions()?) } else { None };
         return Ok(Rotation { state: root.into_state(Mode::Rotational), frictions });
     }
-    let [beta, eta, _] = start_state::rotational(query.weight, &query.alpha());
+    let [beta, eta, _] = start::rotational(query.weight, &query.alpha());
     let at = rotational_root(query, [beta, eta])?;
     prove(query, Mode::Rotational, &at, false)?;
     let mut frictions = None;
@@ -207,10 +206,10 @@ fn shoulder_sliding(query: &Query, rotational: Option<Ball>) -> Result<Found, Un
         Float::with_val(query.bits, bound.mid())
     } else {
         // Near the purely sliding friction the two thrusts are close, and either is a good start.
-        let [_, thrust, _] = start_state::sliding(&query.alpha());
+        let [_, thrust, _] = start::sliding(&query.alpha());
         thrust
     };
-    let start = start_state::rotational_with_thrust(query.weight, &thrust);
+    let start = start::rotational_with_thrust(query.weight, &thrust);
     let at = query.root(Mode::SlidingRotational.system(query.weight), &start)?;
     proved(query, Mode::SlidingRotational, at, rotational)
 }
@@ -231,7 +230,7 @@ fn overturning(query: &Query) -> Result<Found, Undecided> {
 
 fn inner_sliding(query: &Query, rotational: Option<Ball>) -> Result<Found, Undecided> {
     let friction = Float::with_val(query.bits, query.given.friction.mid());
-    let [h, joint] = start_state::inner_sliding(&friction);
+    let [h, joint] = start::inner_sliding(&friction);
     let slid = query.root(System::inner_sliding(query.weight), &[h, joint])?;
     let margin = contact::margin_at_physical_limit(query.weight, &slid);
     if !decide(
@@ -242,7 +241,7 @@ fn inner_sliding(query: &Query, rotational: Option<Ball>) -> Result<Found, Undec
         return Ok(Found::Falls);
     }
     let (h, joint) = (slid.thrust.mid(), slid.sliding_joint.rad.mid());
-    let start = start_state::rotational_sliding(query.weight, query.alpha().to_f64(), h.to_f64());
+    let start = start::rotational_sliding(query.weight, query.alpha().to_f64(), h.to_f64());
     let float = |x: f64| Float::with_val(query.bits, x);
     let at_crown = || {
         let start = [float(start.thickness), h.clone(), joint.clone()];
@@ -309,7 +308,8 @@ fn prove(
 
 /// The half openings of `l` and `L`, to at least `bits` bits.
 fn limits(weight: SelfWeight, bits: u32) -> [Ball; 2] {
-    static CACHED: [OnceLock<[Ball; 2]>; 2] = [OnceLock::new(), OnceLock::new()];
+    static CACHED: PerWeight<OnceLock<[Ball; 2]>> =
+        PerWeight { heyman: OnceLock::new(), milankovitch: OnceLock::new() };
     const ENOUGH: u32 = 1024;
     tally::landmark();
     let at = |bits: u32| {
@@ -323,8 +323,5 @@ fn limits(weight: SelfWeight, bits: u32) -> [Ball; 2] {
     if bits > ENOUGH {
         return at(bits);
     }
-    CACHED[weight.flag() as usize]
-        .get_or_init(|| at(ENOUGH))
-        .clone()
-        .map(|x| x.with_precision(bits))
+    CACHED.get(weight).get_or_init(|| at(ENOUGH)).clone().map(|x| x.with_precision(bits))
 }

@@ -98,7 +98,9 @@ impl Form for Rotation<'_> {
         let haunch = self.joint.haunch(joint);
         let thrust = thrust_at(weight, &haunch, &eta);
         let ring = Ring::new(weight, &eta);
-        [Equation::Tangency, Equation::WholeThrust].into_iter().for_each(tally::equation);
+        // The thrust is what (2) and (5) have in common.
+        let used = [Equation::LowerThrust, Equation::Tangency, Equation::WholeThrust];
+        used.into_iter().for_each(tally::equation);
         let tangency = thrust::tangency(&haunch.times_cotangent, &ring).residual(&thrust);
         let given = self.query.given.map_ref(number);
         let at = given.with(Unknown::Thickness, eta).with(Unknown::Thrust, thrust);

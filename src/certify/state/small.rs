@@ -8,14 +8,14 @@ use super::state::State;
 use crate::arch::small::{self, Scaled};
 use crate::arch::{SelfWeight, Unknown};
 use crate::certify::Undecided;
-use crate::certify::root::{Form, no_candidate, root_near};
+use crate::certify::root::{Form, root_near};
 use crate::certify::undecided::{require, require_condition};
 use crate::number::{Ball, Enclosure, Field, Real, Stumpff};
 use crate::problem::{
     Condition, ExaminedSmall, Mode, scaled_inner_friction, scaled_room_for_steepest,
     scaled_shoulder_friction,
 };
-use crate::solve::start_state;
+use crate::solve::start;
 use rug::Float;
 
 /// An arch of a small half opening at one precision.
@@ -54,20 +54,20 @@ impl Small {
 
     /// The purely rotational state, proved for unlimited friction.
     pub fn rotation(&self) -> Result<SmallRoot, Undecided> {
-        let start = start_state::scaled_rotational(self.weight, &self.candidate().opening.square);
+        let start = start::scaled_rotational(self.weight, &self.candidate().opening.square);
         self.state(Mode::Rotational, start, false)
     }
 
     /// The state in which the shoulder slides.
     pub fn shoulder_sliding(&self) -> Result<SmallRoot, Undecided> {
-        let start = start_state::scaled_shoulder_sliding(self.weight, &self.candidate());
+        let start = start::scaled_shoulder_sliding(self.weight, &self.candidate());
         self.state(Mode::SlidingRotational, start, self.is_limited)
     }
 
     /// The purely sliding state.
     pub fn pure_sliding(&self) -> Result<SmallRoot, Undecided> {
-        let start = start_state::scaled_sliding(&self.candidate().opening.square);
-        let slides = self.root(Mode::Sliding, Some(start))?;
+        let start = start::scaled_sliding(&self.candidate().opening.square);
+        let slides = self.root(Mode::Sliding, start)?;
         require(&slides.at.friction, "a positive purely sliding friction", &[])?;
         let room = scaled_room_for_steepest(&slides.at);
         require(&room, Condition::SteepestAboveShoulder.label(), &[])?;
@@ -81,7 +81,7 @@ impl Small {
     fn state(
         &self,
         mode: Mode,
-        start: Option<[Float; 3]>,
+        start: [Float; 3],
         is_limited: bool,
     ) -> Result<SmallRoot, Undecided> {
         let root = self.root(mode, start)?;
@@ -95,9 +95,8 @@ impl Small {
         Ok(root)
     }
 
-    fn root(&self, mode: Mode, start: Option<[Float; 3]>) -> Result<SmallRoot, Undecided> {
+    fn root(&self, mode: Mode, start: [Float; 3]) -> Result<SmallRoot, Undecided> {
         let equations = ScaledEquations { small: self, mode };
-        let start = start.ok_or_else(no_candidate)?;
         let root = root_near(&equations, self.bits, start.to_vec())?;
         let at = equations.place(self.given.clone(), root);
         Ok(SmallRoot { at, alpha: self.alpha.clone() })

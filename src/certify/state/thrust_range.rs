@@ -21,7 +21,7 @@ use crate::certify::Undecided;
 use crate::certify::undecided::{decide, require};
 use crate::number::{Angle, Ball, Enclosure, Field, Real, Ternary};
 use crate::problem::{Condition, Mode, System, inner_friction};
-use crate::solve::start_state;
+use crate::solve::start;
 use rug::Float;
 
 /// An end of the range of admissible thrusts.
@@ -89,7 +89,7 @@ pub(super) fn least_thrust(query: &Query) -> Result<Limit, Undecided> {
     }
     let system = System::touching(query.weight, true);
     let eta = Float::with_val(query.bits, given.thickness.mid());
-    let at = query.root(system, &start_state::rotational_with_thickness(query.weight, &eta))?;
+    let at = query.root(system, &start::rotational_with_thickness(query.weight, &eta))?;
     let beta = &at.rotation_joint.rad;
     require(beta, "a touching joint below the crown", &[])?;
     require(&(beta.pi() - beta), "a touching joint within half a turn", &[])?;
@@ -137,8 +137,8 @@ pub(super) fn largest_thrust(query: &Query) -> Result<Limit, Undecided> {
     let system = System::touching(query.weight, false);
     let eta = given.thickness.mid();
     let start = match query.alpha() {
-        alpha if alpha < 0.25 => start_state::scaled_largest_thrust(query.weight, &alpha, eta),
-        alpha => start_state::largest_thrust(query.weight, alpha.to_f64(), eta.to_f64())
+        alpha if alpha < 0.25 => start::scaled_largest_thrust(query.weight, &alpha, eta),
+        alpha => start::largest_thrust(query.weight, alpha.to_f64(), eta.to_f64())
             .map(|x| Float::with_val(query.bits, x)),
     };
     let at = query.root(system, &start)?;
@@ -161,8 +161,7 @@ fn shoulder_slides_first(query: &Query) -> Result<bool, Undecided> {
     if shoulder.denominator.is_positive() != Ternary::True {
         return Ok(false);
     }
-    let slides =
-        query.root(Mode::Sliding.system(query.weight), &start_state::sliding(&query.alpha()))?;
+    let slides = query.root(Mode::Sliding.system(query.weight), &start::sliding(&query.alpha()))?;
     let at = query.given.clone().with(Unknown::Thrust, shoulder.value());
     // Above the purely sliding thrust the required friction does not see the bound either.
     let above = slides.thrust.is_less_than(&at.thrust);
@@ -179,8 +178,7 @@ pub(super) fn required_friction(
     query: &Query,
     [least, largest]: &[Limit; 2],
 ) -> Result<Ball, Undecided> {
-    let slides =
-        query.root(Mode::Sliding.system(query.weight), &start_state::sliding(&query.alpha()))?;
+    let slides = query.root(Mode::Sliding.system(query.weight), &start::sliding(&query.alpha()))?;
     let question = "which joint the friction is needed for";
     if let Some(least) = &least.thrust
         && decide(&(least.clone() - &slides.thrust), question, &[])?
@@ -206,7 +204,7 @@ pub(super) fn cut_by_friction(
 ) -> Result<[Limit; 2], Undecided> {
     let Some(friction) = query.friction() else { return Ok([least, largest]) };
     let question = "whether sliding or the line of thrust limits the thrust";
-    let [h, joint] = start_state::inner_sliding(&Float::with_val(query.bits, friction.mid()));
+    let [h, joint] = start::inner_sliding(&Float::with_val(query.bits, friction.mid()));
     let inner = query.root(System::inner_sliding(query.weight), &[h, joint])?;
     let (alpha, joint) = (&query.given.half_opening, inner.sliding_joint.rad);
     // T/N grows up to the steepest joint: if that lies beyond the shoulder, the shoulder counts.

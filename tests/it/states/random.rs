@@ -73,7 +73,7 @@ fn the_quick_look_is_close() {
     for weight in BOTH {
         for i in 0..400 {
             let (alpha, mu) = (0.3 + 0.0057 * f64::from(i), 0.05 + 0.0123 * f64::from(i * 7 % 400));
-            let quick = couplet::solve::start_state::quick_state(weight, alpha, mu);
+            let quick = couplet::solve::start::quick_state(weight, alpha, mu);
             match arch(weight, &format!("{alpha:.17}"), &format!("{mu:.17}")).certify(8) {
                 Ok(Answer::Stands(state)) => {
                     assert_eq!(quick.mode, Some(state.mode), "{alpha} {mu}");

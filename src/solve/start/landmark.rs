@@ -1,4 +1,4 @@
-//! Where Newton's method starts at each landmark.
+//! Start values of the landmarks.
 
 use crate::arch::SelfWeight;
 use crate::problem::Landmark;
@@ -8,7 +8,7 @@ use crate::problem::Landmark;
 /// Four digits of the paper's Tables 1–4; for `sb` of Heyman's weight, which the paper does not
 /// give, of a scan of the roots of `f² - 2gS + S²`. They only choose the root: the proof that
 /// follows shows which box holds exactly one.
-pub fn start(landmark: Landmark, weight: SelfWeight) -> &'static [f64] {
+pub fn landmark(landmark: Landmark, weight: SelfWeight) -> &'static [f64] {
     use {Landmark::*, SelfWeight::*};
     match (landmark, weight) {
         (Triple, Heyman) => &[2.487, 1.037, 0.2971, 0.6796, 0.09781, 1.415],
