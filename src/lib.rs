@@ -63,6 +63,24 @@ pub struct Readme;
 #[cfg(feature = "mpfr")]
 pub use rug;
 
+/// What most programs need: `use couplet::prelude::*`.
+///
+/// ```
+/// use couplet::prelude::*;
+/// let arch = Arch::parse("heyman", "90deg", "0.38")?;
+/// let state = arch.least(12)?;
+/// assert_eq!(format!("{} {}", state.mode, state.thickness), "[s,r,r] 0.122191586363");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[cfg(feature = "mpfr")]
+pub mod prelude {
+    pub use crate::arch::SelfWeight;
+    pub use crate::certify::state::{Answer, Certify};
+    pub use crate::certify::{CertifiedLandmark, Undecided};
+    pub use crate::number::ExactNumber;
+    pub use crate::problem::{Arch, Friction, Landmark, Mode, Quantity};
+}
+
 pub mod arch;
 #[cfg(feature = "mpfr")]
 pub mod certify;

@@ -82,16 +82,16 @@ fn main() {
         "enclosure" => {
             let point = triple();
             let seconds = measure(&|| drop(black_box(point.enclosure(bits).unwrap())));
-            (seconds, Some(unknowns(&point.constants(digits, &|| ()).unwrap())))
+            (seconds, Some(unknowns(&point.constants(digits).unwrap())))
         }
         "constants" => {
             let point = triple();
-            let constants = || point.constants(digits, &|| ()).unwrap();
+            let constants = || point.constants(digits).unwrap();
             (measure(&|| drop(black_box(constants()))), Some(unknowns(&constants())))
         }
         // All that `couplet constants T` does but start and print.
         "everything" => {
-            let constants = || triple().constants(digits, &|| ()).unwrap();
+            let constants = || triple().constants(digits).unwrap();
             (measure(&|| drop(black_box(constants()))), Some(unknowns(&constants())))
         }
         "newton" => {

@@ -46,7 +46,7 @@ pub(super) fn landmark_certificate(
 ) -> Result<Certificate, Undecided> {
     let problem = Problem::Landmark { landmark: point.landmark(), weight: point.weight() };
     let values: Vec<ValueFile> = point
-        .constants(digits, &|| ())?
+        .constants(digits)?
         .into_iter()
         .map(|constant| value_file(constant.quantity, &constant.value))
         .collect();

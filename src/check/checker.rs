@@ -15,7 +15,7 @@ use super::format::{Certificate, Witness, shortened};
 use super::krawczyk;
 use super::refusal::Refusal;
 use crate::arch::{Configuration, Unknown};
-use crate::number::{Dual, Dyadic, Enclosure, Engine, Written};
+use crate::number::{AstroInterval, Dual, Dyadic, Enclosure, Engine, Written};
 use crate::problem::{Problem, Quantity, System};
 
 /// The verdict of a successful check.
@@ -38,6 +38,29 @@ const EXTRA_BITS: usize = 20_000;
 const GUARD: usize = 64;
 /// The largest number of digits of any certificate.
 pub const MAX_DIGITS: usize = 1_000_000;
+
+/// The digits up to which a certificate is checked in the second arithmetic, astro-float, by default: at
+/// this size that takes about a minute.
+pub const ASTRO_DIGITS: usize = 50_000;
+
+/// Checks the bytes of a file in pure Rust, up to [`ASTRO_DIGITS`] digits.
+///
+/// Guaranteed if it is accepted: the equations of the claim have exactly one root in the stated box, the
+/// conditions of the claim hold there, and each value is its correct rounding. Nothing of the file is
+/// believed. A [`Refusal`] names the place and says nothing about the truth.
+///
+/// ```
+/// let file = include_bytes!("../../proofs/constants/triple-point-heyman.json");
+/// let accepted = couplet::check::verify(file)?;
+/// assert_eq!(accepted.digits, 100);
+/// assert!(couplet::check::verify(b"{}").is_err());
+/// # Ok::<(), couplet::check::Refusal>(())
+/// ```
+///
+/// See also: [`check`] for another arithmetic or another limit.
+pub fn verify(bytes: &[u8]) -> Result<Accepted, Refusal> {
+    check::<AstroInterval>(bytes, ASTRO_DIGITS)
+}
 
 /// Checks the bytes of a file in the arithmetic `E`, up to `max_digits` digits and never more than
 /// [`MAX_DIGITS`]. Whatever the bytes are, the answer is a verdict: a [`Refusal`] names the place.

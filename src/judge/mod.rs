@@ -10,6 +10,18 @@
 //! paper counts equal leading digits instead, which is what a reader of a table sees.) The
 //! verdict also says how the last printed place was rounded.
 //!
+//! ```
+//! use couplet::judge::{Claim, CorrectDigits, Demand, Said, Verdict, judge};
+//! use couplet::prelude::*;
+//!
+//! let arch = Arch::parse("heyman", "90deg", "0.38")?;
+//! let said = Said { numbers: vec![(Quantity::Thickness, "0.12220", false)], ..Said::default() };
+//! let judgement = judge(&arch, &Claim::read(&said)?, Demand { digits: 4, or_all_printed: false });
+//! assert_eq!(judgement.verdict, Verdict::Correct);
+//! assert_eq!(judgement.numbers[0].correct_digits, CorrectDigits::Digits(4));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! | file | what it does |
 //! |---|---|
 //! | `audit` | every printed number of the paper, and the two weights beside each other |

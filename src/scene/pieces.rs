@@ -60,7 +60,7 @@ impl LandmarkPiece {
         let point = CertifiedLandmark::new(node.landmark, node.weight)?;
         let constants = match node.asked.as_slice() {
             [] => Vec::new(),
-            asked => point.constants_of(asked, tick)?,
+            asked => point.constants_of_with(asked, tick)?,
         };
         let certificates =
             node.certificates.iter().map(|&digits| (digits, fingerprint(&point, digits))).collect();

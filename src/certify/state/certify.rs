@@ -27,7 +27,7 @@ pub enum NoState {
 /// use couplet::prelude::*;
 /// let arch = Arch::parse("milankovitch", "80deg", "0.6")?;
 /// let state = arch.least(17)?;
-/// assert_eq!(format!("{} {}", state.mode, state.thickness), "[r,r,r] 0.075543545926937484");
+/// assert_eq!(format!("{} {}", state.mode, state.thickness), "[r,r,r] 0.068650463330373536");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///

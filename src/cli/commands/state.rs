@@ -56,7 +56,7 @@ fn at_landmark(landmark: Landmark, arguments: &Arguments) -> Result<(), Failure>
     let (weight, digits) = (arguments.arch.weight, arguments.arch.digits);
     let undecided = |error: crate::certify::Undecided| Failure::Undecided(error.to_string());
     let point = CertifiedLandmark::new(landmark, weight).map_err(undecided)?;
-    let constants = point.constants(digits, &|| ()).map_err(undecided)?;
+    let constants = point.constants(digits).map_err(undecided)?;
     let answer = Answer::landmark((landmark, weight), Ok((&point, constants)));
     let answer = Answer { modes: landmark.modes().to_vec(), ..answer };
     let report = Report::Answers(Answers::point(digits, answer));

@@ -36,7 +36,7 @@ fn truth(accepted: &Accepted, quantity: Quantity) -> Option<Rational> {
     match &accepted.problem {
         Problem::Landmark { landmark, weight } => {
             let point = CertifiedLandmark::new(*landmark, *weight).unwrap();
-            let constants = point.constants(digits, &|| ()).unwrap();
+            let constants = point.constants(digits).unwrap();
             match constants.into_iter().find(|c| c.quantity == quantity).unwrap().value {
                 Constant::Infinite => None,
                 Constant::Finite(rounded) => rational(rounded),
