@@ -62,7 +62,7 @@ impl Polynomial {
     /// factors taken out, as the paper prints its cubics.
     ///
     /// ```
-    /// use couplet::symbolic::{Notation, Symbol};
+    /// use couplet::symbolic::{Letters, Notation, Symbol};
     /// let [f, g, eta] = [Symbol::F, Symbol::G, Symbol::Thickness].map(Symbol::polynomial);
     /// let p = (&f + &g) * &eta.power(2) - &eta;
     /// assert_eq!(p.show_by(Symbol::Thickness, Notation::Text), "(f + g) eta^2 - eta");
@@ -169,6 +169,7 @@ impl fmt::Display for Fraction {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::symbolic::Letters;
     use crate::arch::cubic;
     use crate::number::Field;
 

@@ -44,7 +44,7 @@ impl Monomial {
 /// A polynomial with rational coefficients.
 ///
 /// ```
-/// use couplet::symbolic::{Polynomial, Symbol};
+/// use couplet::symbolic::{Letters, Polynomial, Symbol};
 /// let (f, g) = (Symbol::F.polynomial(), Symbol::G.polynomial());
 /// let square = (&f + &g) * &(&f + &g);
 /// assert_eq!(square.to_string(), "f^2 + 2 f g + g^2");
@@ -349,6 +349,7 @@ pub(super) mod strategies {
 mod tests {
     use super::strategies::polynomial;
     use super::*;
+    use crate::symbolic::Letters;
     use crate::number::Ball;
     use crate::number::test_config::config;
     use proptest::prelude::*;
