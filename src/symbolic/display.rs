@@ -169,9 +169,9 @@ impl fmt::Display for Fraction {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::symbolic::Letters;
     use crate::arch::cubic;
     use crate::number::Field;
+    use crate::symbolic::Letters;
 
     #[test]
     fn the_cubic_reads_as_in_the_paper() {

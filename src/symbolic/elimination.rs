@@ -110,8 +110,8 @@ fn determinant(mut rows: Vec<Vec<Polynomial>>) -> Polynomial {
 mod tests {
     use super::super::polynomial::strategies::{nonzero, polynomial};
     use super::*;
-    use crate::symbolic::Letters;
     use crate::number::test_config::config;
+    use crate::symbolic::Letters;
     use proptest::prelude::*;
 
     const X: Symbol = Symbol::Thickness;

@@ -349,9 +349,9 @@ pub(super) mod strategies {
 mod tests {
     use super::strategies::polynomial;
     use super::*;
-    use crate::symbolic::Letters;
     use crate::number::Ball;
     use crate::number::test_config::config;
+    use crate::symbolic::Letters;
     use proptest::prelude::*;
 
     fn point(symbol: Symbol) -> Rational {
