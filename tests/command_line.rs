@@ -164,7 +164,7 @@ fn wrong_input_is_told_in_one_line_with_what_is_possible() {
         (&["constant"], "constants"),
         (&["prove", "eq-99"], "the claims are eq-2, eq-3"),
         (&["prove", "eq-"], "the claims are eq-2, eq-3"),
-        (&["prove", "--format", "csv"], "one of text, latex, json"),
+        (&["prove", "--format", "csv"], "one of text, json, latex"),
         (&["study", "accuracy", "--only", "T"], "there are eta-cubic, A-cubic"),
         (&["study", "stability", "--only", "state"], "there are alpha-to-zero"),
     ];

@@ -1,6 +1,6 @@
 //! `couplet check`: also the whole of the small program.
 
-use super::Failure;
+use super::failure::Failure;
 use crate::check::{Accepted, Refusal, check};
 use crate::number::AstroInterval;
 use crate::problem::Subject;

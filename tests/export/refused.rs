@@ -4,14 +4,14 @@ use crate::couplet;
 
 #[test]
 fn each_command_names_its_own_formats() {
-    let constants =
+    let answers =
         "one of table, json, csv, toml, latex, c, rust, python, julia, matlab, fortran, parquet";
     let cases = [
-        (&["constants", "--format", "cpp"][..], constants),
-        (&["constants", "--format", ""], constants),
+        (&["constants", "--format", "cpp"][..], answers),
+        (&["constants", "--format", ""], answers),
         (&["states", "--format", "toml"], "one of csv, jsonl, parquet"),
         (&["audit", "--format", "toml"], "one of table, json, csv"),
-        (&["state", "--alpha", "1", "--mu", "1", "--format", "c"], "one of table, json, csv"),
+        (&["state", "--alpha", "1", "--mu", "1", "--format", "jsonl"], answers),
         #[cfg(not(feature = "parquet"))]
         (&["constants", "--format", "parquet"], "--features parquet"),
         #[cfg(not(feature = "parquet"))]
