@@ -1,6 +1,7 @@
 //! `couplet check`: also the whole of the small program.
 
-use super::{Failure, print};
+use super::failure::Failure;
+use super::print;
 use crate::check::{Accepted, Refusal, given_text, verify};
 use crate::problem::{Friction, Problem};
 use clap::Args;

@@ -3,8 +3,9 @@
 //!
 //! Where JSON has `null`, TOML has nothing; where a double is infinite, JSON has `null` and TOML `inf`.
 
-use super::answer::{Answer, Subject, Value};
+use super::answer::{Answer, Subject};
 use super::answers::{Answers, TOOL};
+use super::value::Value;
 use super::words::hexadecimal;
 use crate::problem::Quantity;
 use serde::Serialize;

@@ -1,12 +1,13 @@
 //! JSON: `couplet.constants/1` of landmarks, `couplet.state_at/1` of one with its modes, `couplet.state/1` or
 //! `couplet.assess/1` of an arch, `couplet.arches/1` of many. Fields may be added, none changes its meaning.
 
-use super::answer::{Answer, Status, Subject, Value};
+use super::answer::{Answer, Status, Subject};
 use super::answers::{Answers, Scope};
 use super::columns;
 use super::document::Document;
 use super::fields::Fields;
 use super::rows::{Rows, in_parallel};
+use super::value::Value;
 use super::words::hexadecimal;
 use crate::problem::Quantity;
 use serde::{Serialize, Serializer};

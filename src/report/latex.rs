@@ -1,9 +1,10 @@
 //! LaTeX: a table with `siunitx`, each value beside what the paper prints for it.
 
-use super::answer::{Subject, Value};
+use super::answer::Subject;
 use super::answers::Answers;
 use super::listing::comments;
 use super::names::{about, head, safe};
+use super::value::Value;
 use super::words::author;
 use crate::problem::Landmark;
 use std::io;

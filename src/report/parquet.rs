@@ -3,10 +3,11 @@
 //! A subject without values (an arch that does not stand, an answer that is undecided) has one row without
 //! a quantity. What made the file, and how its certificates are made again, is in the key-value metadata.
 
-use super::answer::{Answer, Subject, Value};
+use super::answer::{Answer, Subject};
 use super::answers::{Answers, Scope, TOOL};
 use super::names::head;
 use super::rows::Rows;
+use super::value::Value;
 use crate::problem::Quantity;
 use ::parquet::basic::Compression;
 use ::parquet::column::writer::ColumnWriter;

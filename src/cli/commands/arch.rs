@@ -1,7 +1,8 @@
 //! The arguments that describe an arch.
 
-use super::Failure;
+use super::parse;
 use crate::arch::SelfWeight;
+use crate::cli::failure::Failure;
 use crate::number::{ExactNumber, ParseExactError};
 use crate::problem::{Arch, Friction, is_thickness};
 use clap::Args;
@@ -28,11 +29,11 @@ pub struct ArchArguments {
     pub friction_angle: Option<String>,
 
     /// Self-weight model: heyman or milankovitch.
-    #[arg(long, default_value = "milankovitch", value_parser = super::weight)]
+    #[arg(long, default_value = "milankovitch", value_parser = parse::weight)]
     pub weight: SelfWeight,
 
     /// Significant digits, 1 to 10000; values are correctly rounded to them.
-    #[arg(long, default_value = "30", value_parser = super::state_digits, allow_negative_numbers = true)]
+    #[arg(long, default_value = "30", value_parser = parse::state_digits, allow_negative_numbers = true)]
     pub digits: usize,
 }
 

@@ -1,7 +1,8 @@
 //! `couplet audit`.
 
-use super::Failure;
 use super::output::OutputFile;
+use super::parse;
+use crate::cli::failure::Failure;
 use crate::judge::{audit, compare_weights};
 use crate::report::{Audit, Content, Format, Report};
 use clap::Args;
@@ -12,12 +13,7 @@ use clap::Args;
 /// format csv has the printed numbers only.
 #[derive(Args)]
 pub struct Arguments {
-    #[arg(
-        long,
-        default_value = "table",
-        value_parser = super::format(Content::Audit),
-        help = super::format_help(Content::Audit)
-    )]
+    #[arg(long, default_value = "table", value_parser = parse::format(Content::Audit), help = parse::format_help(Content::Audit))]
     format: &'static Format,
 
     #[command(flatten)]

@@ -1,11 +1,12 @@
 //! `couplet certify`.
 
-use super::Failure;
 use super::arch::friction;
 use super::output::Output;
+use super::parse;
 use crate::arch::SelfWeight;
 use crate::certify::{Undecided, certify_landmark, certify_state};
 use crate::check::Certificate;
+use crate::cli::failure::Failure;
 use crate::problem::Arch;
 use crate::problem::Landmark;
 use clap::Args;
@@ -29,11 +30,11 @@ pub struct Arguments {
     friction: Option<String>,
 
     /// Self-weight model, heyman or milankovitch; milankovitch if not given, both for `all`.
-    #[arg(long, value_parser = super::weight)]
+    #[arg(long, value_parser = parse::weight)]
     weight: Option<SelfWeight>,
 
     /// Significant digits, 1 to 1000000; at most 10000 for a state.
-    #[arg(long, default_value = "30", value_parser = super::digits, allow_negative_numbers = true)]
+    #[arg(long, default_value = "30", value_parser = parse::digits, allow_negative_numbers = true)]
     digits: usize,
 
     /// The file to write, or for `all` the folder; standard output if not given.
@@ -52,7 +53,7 @@ fn target(text: &str) -> Result<Target, String> {
     match text {
         "state" => Ok(Target::State),
         "all" => Ok(Target::All),
-        symbol => super::landmark(symbol)
+        symbol => parse::landmark(symbol)
             .map(Target::Landmark)
             .map_err(|error| format!("{error}, or state, or all")),
     }
@@ -73,7 +74,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
         Target::State => {
             let arch = arch(arguments)?;
-            super::state_digits(&arguments.digits.to_string()).map_err(Failure::Input)?;
+            parse::state_digits(&arguments.digits.to_string()).map_err(Failure::Input)?;
             let output = Output::open(arguments.output.as_deref())?;
             write(output, &certify_state(&arch, arguments.digits).map_err(undecided)?)
         }

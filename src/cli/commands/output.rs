@@ -1,6 +1,7 @@
 //! Where a report goes: standard output, or a file that appears whole or not at all.
 
-use super::Failure;
+use super::parse;
+use crate::cli::failure::Failure;
 use crate::report::{Content, Format};
 use clap::Args;
 use std::fs;
@@ -12,12 +13,7 @@ use tempfile::NamedTempFile;
 /// How and where answers are written.
 #[derive(Args)]
 pub struct AnswerOutput {
-    #[arg(
-        long,
-        default_value = "table",
-        value_parser = super::format(Content::Answers),
-        help = super::format_help(Content::Answers)
-    )]
+    #[arg(long, default_value = "table", value_parser = parse::format(Content::Answers), help = parse::format_help(Content::Answers))]
     pub format: &'static Format,
 
     #[command(flatten)]

@@ -1,8 +1,9 @@
 //! `couplet prove`.
 
-use super::Failure;
 use super::output::{Output, OutputFile};
+use super::parse;
 use crate::claims::{Claim, claims, coq};
+use crate::cli::failure::Failure;
 use crate::report::{Claims, Content, Format, Report};
 use clap::Args;
 use rayon::prelude::*;
@@ -23,12 +24,7 @@ pub struct Arguments {
     #[arg(long)]
     show: bool,
 
-    #[arg(
-        long,
-        default_value = "text",
-        value_parser = super::format(Content::Claims),
-        help = super::format_help(Content::Claims)
-    )]
+    #[arg(long, default_value = "text", value_parser = parse::format(Content::Claims), help = parse::format_help(Content::Claims))]
     format: &'static Format,
 
     #[command(flatten)]

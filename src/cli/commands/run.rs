@@ -1,7 +1,8 @@
 //! `couplet run`.
 
 use super::output::{Output, is_same_file};
-use super::{Failure, progress};
+use super::progress;
+use crate::cli::failure::Failure;
 use crate::report::words::count;
 use crate::scene::{
     EXAMPLE, Fault, Hashing, Item, MANIFEST, MAX_BYTES, Manifest, Plan, Run, Scene, explain,

@@ -1,10 +1,11 @@
 //! `couplet state`.
 
-use super::Failure;
 use super::arch::ArchArguments;
 use super::output::AnswerOutput;
+use super::parse;
 use crate::certify::CertifiedLandmark;
 use crate::certify::state::Certify;
+use crate::cli::failure::Failure;
 use crate::problem::Landmark;
 use crate::report::{Answer, Answers, Report, Status};
 use clap::Args;
@@ -19,7 +20,7 @@ pub struct Arguments {
     arch: ArchArguments,
 
     /// A landmark instead of an arch: T, S, J, B, l, L or sb, with all modes that meet there.
-    #[arg(long, value_name = "LANDMARK", value_parser = super::landmark, conflicts_with_all = ["half_opening", "friction", "friction_angle"])]
+    #[arg(long, value_name = "LANDMARK", value_parser = parse::landmark, conflicts_with_all = ["half_opening", "friction", "friction_angle"])]
     at: Option<Landmark>,
 
     #[command(flatten)]

@@ -1,10 +1,11 @@
 //! `couplet states`.
 
-use super::Failure;
 use super::arch::{arch, friction, thickness};
 use super::output::fits_standard_output;
+use super::parse;
 use super::rows::{Line, Progress, Source, Syntax, csv_records, in_order, json_error, json_lines};
 use crate::certify::state::Certify;
+use crate::cli::failure::Failure;
 use crate::report::{Answer, Answers, Content, Format, Status};
 use clap::Args;
 use serde::Deserialize;
@@ -25,11 +26,14 @@ use std::io::{self, Read, Write};
 pub struct Arguments {
     /// Significant digits, 1 to 10000. With 17 each state also has the nearest double of its values,
     /// in decimal and in hexadecimal.
-    #[arg(long, default_value = "17", value_parser = super::state_digits, allow_negative_numbers = true)]
+    #[arg(long, default_value = "17", value_parser = parse::state_digits, allow_negative_numbers = true)]
     digits: usize,
 
-    /// Output format, csv, jsonl or parquet; that of the input if not given.
-    #[arg(long, value_parser = super::format(Content::Rows))]
+    #[arg(
+        long,
+        value_parser = parse::format(Content::Rows),
+        help = parse::format_help(Content::Rows) + "; that of the input if not given"
+    )]
     format: Option<&'static Format>,
 }
 
@@ -117,7 +121,7 @@ fn unwritten(error: io::Error) -> Failure {
 
 /// The answer to a query, or what is wrong with it.
 fn answer(line: u64, query: &Query, digits: usize, assessed: bool) -> Result<Answer, String> {
-    let weight = super::weight(&query.weight)?;
+    let weight = parse::weight(&query.weight)?;
     let arch = arch(weight, &query.half_opening, friction(&query.friction)?)?;
     if !assessed {
         return Ok(Answer::state(line, &arch, &arch.certify(digits)));

@@ -1,6 +1,6 @@
 //! Claims as JSON, `couplet.claims/1`. Fields may be added, none changes its meaning.
 
-use super::{Claims, as_printed};
+use super::decided::{Claims, as_printed};
 use crate::claims::{Finding, Step};
 use crate::report::json;
 use serde::Serialize;

@@ -1,6 +1,6 @@
 //! Claims as a LaTeX document: words as text, each formula in a paragraph of its own.
 
-use super::{Claims, as_printed, summary};
+use super::decided::{Claims, as_printed, summary};
 use crate::claims::{Finding, Support};
 use std::io;
 

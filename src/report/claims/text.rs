@@ -1,6 +1,6 @@
 //! Claims for a person at a terminal.
 
-use super::{Claims, as_printed, summary};
+use super::decided::{Claims, as_printed, summary};
 use crate::claims::{Decision, Finding, Support};
 use std::io;
 

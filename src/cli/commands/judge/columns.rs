@@ -1,6 +1,6 @@
 //! Which column of a file is what.
 
-use super::super::Failure;
+use crate::cli::failure::Failure;
 use crate::problem::Quantity;
 use crate::report::words::shortened;
 

@@ -3,6 +3,7 @@
 use super::super::arch::{angle, friction};
 use super::columns::{Columns, Role};
 use crate::arch::SelfWeight;
+use crate::cli::commands::parse;
 use crate::judge::{Claim, Demand, Said, judge};
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Friction};
@@ -68,7 +69,7 @@ impl Judge {
     fn arch(&self, cells: &Cells) -> Result<Arch, String> {
         let weight = match (self.weight, self.said(cells, Role::Weight)) {
             (Some(weight), _) => weight,
-            (None, Some((text, _))) => super::super::weight(text)?,
+            (None, Some((text, _))) => parse::weight(text)?,
             (None, None) => return Err("the weight is missing".into()),
         };
         let given = |role: Role| match self.said(cells, role) {

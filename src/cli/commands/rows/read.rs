@@ -1,6 +1,6 @@
 //! CSV with a header, or JSON lines: one row at a time, each with the number of its line.
 
-use super::super::Failure;
+use crate::cli::failure::Failure;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};
 use std::path::Path;

@@ -1,7 +1,7 @@
 //! Rows answered on all cores a chunk at a time, so that memory does not grow with the file.
 
 use super::super::progress::styled;
-use super::{Line, Source};
+use super::read::{Line, Source};
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use std::io::Read;
