@@ -14,7 +14,7 @@ use std::io::{self, Read};
 /// claim. Each file gets one line, `accepted` or `refused` with the reason; `-` is standard input. The
 /// exit code is 1 if one was refused.
 #[derive(Args)]
-pub struct Arguments {
+pub(super) struct Arguments {
     /// Certificates to check.
     #[arg(value_name = "FILE", required = true)]
     files: Vec<String>,
@@ -45,7 +45,7 @@ fn engine(text: &str) -> Result<EngineChoice, String> {
 /// The commands of the small program.
 #[cfg(not(feature = "mpfr"))]
 #[derive(clap::Subcommand)]
-pub enum Command {
+pub(super) enum Command {
     Check(Arguments),
     Completions(super::completions::Arguments),
     Man(super::man::Arguments),
@@ -54,7 +54,7 @@ pub enum Command {
 #[cfg(not(feature = "mpfr"))]
 impl Command {
     /// Does what is asked.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub(super) fn run(&self) -> Result<(), Failure> {
         match self {
             Self::Check(arguments) => run(arguments),
             Self::Completions(arguments) => super::completions::run(arguments),
@@ -66,7 +66,7 @@ impl Command {
 /// A certificate of a million digits has about 25 MB.
 const MAX_BYTES: u64 = 64 << 20;
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut refused = 0;
     for name in &arguments.files {
         let bytes = read(name).map_err(|error| Failure::reading(name, &error))?;

@@ -5,7 +5,7 @@ use std::io;
 
 /// Why a command did not do what was asked.
 #[derive(Debug, thiserror::Error)]
-pub enum Failure {
+pub(super) enum Failure {
     /// The input makes no sense.
     #[cfg(feature = "mpfr")]
     #[error("{0}")]
@@ -20,12 +20,12 @@ pub enum Failure {
 
 impl Failure {
     /// What could not be read, and why.
-    pub fn reading(what: impl Display, error: &io::Error) -> Self {
+    pub(super) fn reading(what: impl Display, error: &io::Error) -> Self {
         Self::Io(format!("cannot read {what}: {}", reason(error)))
     }
 
     /// What could not be written, and why.
-    pub fn writing(what: impl Display, error: &io::Error) -> Self {
+    pub(super) fn writing(what: impl Display, error: &io::Error) -> Self {
         Self::Io(format!("cannot write {what}: {}", reason(error)))
     }
 }

@@ -9,7 +9,7 @@ use clap::Args;
 
 /// An arch, all of it exact: `0.1` is one tenth, `80deg` and `pi/2` are what they say.
 #[derive(Args)]
-pub struct ArchArguments {
+pub(super) struct ArchArguments {
     /// Half opening in radians (2.45, 1/3, pi/2) or degrees (80deg), between 0 and pi.
     #[arg(long, visible_alias = "alpha", value_name = "ANGLE", allow_hyphen_values = true)]
     pub half_opening: Option<String>,
@@ -39,7 +39,7 @@ pub struct ArchArguments {
 
 impl ArchArguments {
     /// The arch described.
-    pub fn arch(&self) -> Result<Arch, Failure> {
+    pub(super) fn arch(&self) -> Result<Arch, Failure> {
         let missing = |what: &str| Failure::Input(format!("{what} is missing"));
         let half_opening = self.half_opening.as_deref().ok_or_else(|| missing("--half-opening"))?;
         let friction = match (&self.friction, &self.friction_angle) {
@@ -52,22 +52,26 @@ impl ArchArguments {
 }
 
 /// An arch whose half opening is text.
-pub fn arch(weight: SelfWeight, half_opening: &str, friction: Friction) -> Result<Arch, String> {
+pub(super) fn arch(
+    weight: SelfWeight,
+    half_opening: &str,
+    friction: Friction,
+) -> Result<Arch, String> {
     Arch::new(weight, angle(half_opening)?, friction).map_err(|error| error.to_string())
 }
 
 /// An angle in radians, or in degrees with `deg` behind.
-pub fn angle(text: &str) -> Result<ExactNumber, String> {
+pub(super) fn angle(text: &str) -> Result<ExactNumber, String> {
     text.parse().map_err(|error: ParseExactError| error.to_string())
 }
 
 /// A friction coefficient, or `inf`.
-pub fn friction(text: &str) -> Result<Friction, String> {
+pub(super) fn friction(text: &str) -> Result<Friction, String> {
     text.parse().map_err(|error: ParseExactError| error.to_string())
 }
 
 /// A thickness-to-radius ratio between 0 and the physical limit 2.
-pub fn thickness(text: &str) -> Result<ExactNumber, String> {
+pub(super) fn thickness(text: &str) -> Result<ExactNumber, String> {
     let thickness: ExactNumber =
         text.parse().map_err(|error: ParseExactError| error.to_string())?;
     is_thickness(&thickness)

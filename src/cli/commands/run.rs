@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 /// then. What is asked for twice is computed once. Beside the outputs stands couplet-run.json, which
 /// tells --resume what is complete.
 #[derive(Args)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     /// The scene; `-` is standard input.
     #[arg(value_name = "SCENE", required_unless_present = "schema")]
     scene: Option<PathBuf>,
@@ -48,7 +48,7 @@ pub struct Arguments {
     schema: bool,
 }
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Some(path) = arguments.scene.as_deref().filter(|_| !arguments.schema) else {
         return Output::Standard.write(|out| out.write_all(EXAMPLE.as_bytes()));
     };
