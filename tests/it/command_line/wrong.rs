@@ -17,7 +17,7 @@ wrong_uses! {
     a_command_that_is_none: ["constant"] => "constants";
     an_unknown_claim: ["prove", "eq-99"] => "the claims are eq-2, eq-3";
     half_a_claim: ["prove", "eq-"] => "the claims are eq-2, eq-3";
-    a_format_that_claims_do_not_have: ["prove", "--format", "csv"] => "one of text, latex, json";
+    a_format_that_claims_do_not_have: ["prove", "--format", "csv"] => "one of text, json, latex";
     an_unknown_experiment: ["study", "accuracy", "--only", "T"] => "there are eta-cubic, A-cubic";
     an_unknown_limit: ["study", "stability", "--only", "state"] => "there are alpha-to-zero";
 

@@ -5,26 +5,12 @@ use super::nothing_else;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Circles that are still there, to be cut. Nothing is added here.
-const KNOWN: &[&[&str]] = &[
-    &["certify/state/assess.rs", "certify/state/digits.rs", "certify/state/inquiry.rs"],
-    &[
-        "certify/state/choice.rs",
-        "certify/state/question.rs",
-        "certify/state/root.rs",
-        "certify/state/small.rs",
-    ],
-    &["problem/equation.rs", "problem/tally.rs"],
-    &["report/judged/json.rs", "report/judged/rows.rs"],
-    &["scene/explain.rs", "scene/left_out.rs"],
-    &["scene/format.rs", "scene/schema.rs"],
-    &["scene/found.rs", "scene/run.rs"],
-    &[
-        "symbolic/fraction.rs",
-        "symbolic/polynomial.rs",
-        "symbolic/relations.rs",
-        "symbolic/symbol.rs",
-    ],
-];
+const KNOWN: &[&[&str]] = &[&[
+    "symbolic/fraction.rs",
+    "symbolic/polynomial.rs",
+    "symbolic/relations.rs",
+    "symbolic/symbol.rs",
+]];
 
 /// Fronts of folders that use files of the folder which use the front: what these share belongs in a file
 /// of its own. To be cut too.
@@ -34,10 +20,6 @@ const KNOWN_FRONTS: &[&str] = &[
     "cli/commands/judge/mod.rs",
     "cli/commands/mod.rs",
     "cli/mod.rs",
-    "report/claims/mod.rs",
-    "report/export/mod.rs",
-    "report/judged/mod.rs",
-    "report/mod.rs",
     "study/figure/mod.rs",
 ];
 
