@@ -69,12 +69,13 @@ fn every_symbol_has_its_name() {
     let rows: Vec<&str> = table.lines().skip(1).take_while(|line| line.starts_with('|')).collect();
     assert!(rows.len() > 20);
     // Names are also what stands between quotes.
-    let is_code = |line: &&str| !line.trim_start().starts_with("//");
+    let text = |path| {
+        let text = fs::read_to_string(path).unwrap();
+        let lines = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+        lines.collect::<Vec<_>>().join("\n")
+    };
     let texts = ["number", "arch", "problem"].map(|room| {
-        let files = sources(&root().join(room)).into_iter().map(fs::read_to_string);
-        files
-            .map(|text| text.unwrap().lines().filter(is_code).collect::<String>())
-            .collect::<String>()
+        sources(&root().join(room)).into_iter().map(text).collect::<Vec<_>>().join("\n")
     });
     let is_there = |name: &str| {
         let name = name.rsplit("::").next().unwrap();

@@ -11,7 +11,6 @@ const KNOWN: &[(&str, &str)] = &[
     ("symbolic/display.rs", "Fraction"),
     ("symbolic/display.rs", "Polynomial"),
     ("symbolic/division.rs", "Polynomial"),
-    ("symbolic/relations.rs", "Fraction"),
 ];
 
 /// Traits that may be implemented in a file that declares neither the trait nor the type: one file has
