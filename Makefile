@@ -1,7 +1,23 @@
 # `make` builds couplet and prints the landmark constants; `make test` runs every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build test lint docs constants checker combinations crates examples exporters bench peers proofs witness m4 coq
+.PHONY: run build test lint docs msrv deny snapshots constants checker combinations crates examples exporters bench peers \
+        proofs witness m4 coq
+
+# Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
+# them too old.
+ALL := --features plots,parquet,proptest
+
+# $(call need,TEST,PACKAGES,WHY): if the test fails, installs Debian packages as root, and names them otherwise.
+define need
+@{ $(1); } >/dev/null 2>&1 || { \
+  if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
+    apt-get update -qq && apt-get install -y -qq --no-install-recommends $(strip $(2)); \
+  else \
+    echo "couplet: $(strip $(3)); install the packages '$(strip $(2))' (sudo apt-get install $(strip $(2)))" >&2; \
+    exit 1; \
+  fi; }
+endef
 
 run: build
 	./target/release/couplet constants
@@ -10,14 +26,29 @@ build: m4
 	cargo build --release --locked
 
 test: m4
-	cargo test --locked --all-features
+	cargo test --locked $(ALL)
+
+# The whole outputs in tests/it/snapshots and the picture of the rooms, written anew; `git diff` shows what
+# has changed.
+snapshots: m4
+	UPDATE_SNAPSHOTS=1 cargo test --locked $(ALL) --test it -- outputs:: door::
 
 lint: m4
 	cargo fmt --check
-	cargo clippy --all-targets --all-features --locked -- -D warnings
+	cargo clippy --all-targets $(ALL) --locked -- -D warnings
 
 docs: m4
-	RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --all-features --locked
+	RUSTDOCFLAGS="-D warnings" cargo doc --no-deps $(ALL) --locked
+
+# Whether the Rust version that Cargo.toml states is enough.
+msrv: m4
+	@.ci/msrv $(ALL)
+
+# Whether every crate has a licence of deny.toml's list and comes from the registry.
+deny:
+	@command -v cargo-deny >/dev/null || { \
+	  echo "couplet: cargo-deny is missing (cargo install --locked cargo-deny)" >&2; exit 1; }
+	cargo deny --locked check licenses bans sources
 
 # The repository's certificates, 100 digits of every landmark; a test says whether they are up to date.
 constants: build
@@ -29,29 +60,11 @@ checker:
 	@! cargo tree --locked --no-default-features --features check,cli -e normal,build | grep -E "rug|gmp-mpfr"
 	cargo test --locked --no-default-features --features check,cli --target-dir target/checker
 
-# Every sensible build without a warning, and what must not be in it. One folder serves all of them, so
-# that no crate is compiled twice for the same features.
-COMBINATIONS := none check check,cli mpfr mpfr,check mpfr,cli mpfr,plots mpfr,proptest default default,plots,parquet,proptest
-COMMAND := clap|indicatif|ctrlc|tempfile|csv
-FIGURES := plotters|resvg
+# Every sensible build without a warning, and what must not be in it.
 combinations: m4
-	@set -e; for features in $(COMBINATIONS); do \
-	  echo "features: $$features"; \
-	  chosen="--locked --no-default-features --features=$$(echo $$features | sed s/none//)"; \
-	  cargo clippy $$chosen --all-targets --quiet --target-dir target/combinations -- -D warnings; \
-	  left_out="a-crate-that-is-not"; \
-	  case $$features in *mpfr*|*default*) ;; *) left_out="$$left_out|rug|gmp-mpfr-sys|rayon";; esac; \
-	  case $$features in *cli*|*default*) ;; *) left_out="$$left_out|$(COMMAND)";; esac; \
-	  case $$features in *plots*) ;; *) left_out="$$left_out|$(FIGURES)";; esac; \
-	  case $$features in *parquet*) ;; *) left_out="$$left_out|parquet";; esac; \
-	  case $$features in *proptest*) ;; *) left_out="$$left_out|proptest";; esac; \
-	  case $$features in none) left_out="$$left_out|serde|serde_json|thiserror";; esac; \
-	  if cargo tree $$chosen -e normal,build --prefix none | grep -E "^($$left_out) "; then \
-	    echo "couplet: a crate is in the build '$$features' that must not be" >&2; exit 1; \
-	  fi; \
-	done
+	@.ci/combinations
 
-# The columns `crates` and `seconds` of the README's table of features: each build from nothing.
+# The columns `crates` and `seconds` of docs/features.md: each build from nothing.
 crates: m4
 	@benches/crates.sh
 
@@ -63,16 +76,10 @@ examples: m4
 
 # The exported constants read back bit for bit by every language they are written for. `make test` does so
 # with those it finds; here the others are installed (but for Julia, which has no package), and Parquet too.
-EXPORTERS := g++ gfortran octave python3 texlive-latex-recommended texlive-science
 exporters: m4
-	@command -v g++ gfortran octave-cli python3 pdflatex >/dev/null && kpsewhich siunitx.sty booktabs.sty >/dev/null || { \
-	  if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
-	    apt-get update -qq && apt-get install -y -qq --no-install-recommends $(EXPORTERS); \
-	  else \
-	    echo "couplet: not every language is there; install the packages '$(EXPORTERS)' (sudo apt-get install $(EXPORTERS))" >&2; \
-	    exit 1; \
-	  fi; }
-	cargo test --locked --all-features --test export
+	$(call need,command -v g++ gfortran octave-cli python3 pdflatex && kpsewhich siunitx.sty booktabs.sty,\
+	g++ gfortran octave python3 texlive-latex-recommended texlive-science,not every language is there)
+	cargo test --locked $(ALL) --test it export::
 
 # Timings of this machine; nothing depends on them.
 bench: m4
@@ -101,22 +108,10 @@ witness:
 
 # GMP's configure script, run by the first build, needs m4.
 m4:
-	@command -v m4 >/dev/null || { \
-	  if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
-	    apt-get update -qq && apt-get install -y -qq --no-install-recommends m4; \
-	  else \
-	    echo "couplet: the first build needs m4; install the package 'm4' (sudo apt-get install m4)" >&2; \
-	    exit 1; \
-	  fi; }
+	$(call need,command -v m4,m4,the first build needs m4)
 
 # Coq with its libraries for intervals and real analysis; 1.1 GB on disk.
-COQ := coq libcoq-interval libcoq-flocq libcoq-coquelicot
 coq:
-	@library=$$(coqc -where 2>/dev/null)/user-contrib; \
-	[ -e "$$library/Interval/Tactic.vo" ] && [ -e "$$library/Coquelicot/Coquelicot.vo" ] || { \
-	  if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
-	    apt-get update -qq && apt-get install -y -qq --no-install-recommends $(COQ); \
-	  else \
-	    echo "couplet: the proofs need Coq with Interval and Coquelicot; install the packages '$(COQ)' (sudo apt-get install $(COQ))" >&2; \
-	    exit 1; \
-	  fi; }
+	$(call need,library=$$(coqc -where)/user-contrib && [ -e "$$library/Interval/Tactic.vo" ] \
+	&& [ -e "$$library/Coquelicot/Coquelicot.vo" ],coq libcoq-interval libcoq-flocq libcoq-coquelicot,\
+	the proofs need Coq with Interval and Coquelicot)

@@ -45,7 +45,7 @@ fn enclosures(point: &CertifiedLandmark, bits: u32) {
 }
 
 fn decimals(point: &CertifiedLandmark, digits: usize) -> Vec<Constant> {
-    point.constants(digits, &|| ()).unwrap()
+    point.constants(digits).unwrap()
 }
 
 fn timed(job: impl FnOnce()) -> Duration {

@@ -1,9 +1,10 @@
 //! What a state costs: proved to 16 digits and as a quick look in doubles, by mode and over a random mix.
 
 use couplet::arch::SelfWeight;
-use couplet::certify::state::{Answer, Arch, Friction};
+use couplet::certify::state::{Answer, Certify};
 use couplet::number::ExactNumber;
-use couplet::solve::start_state::quick_state;
+use couplet::problem::{Arch, Friction};
+use couplet::solve::start::quick_state;
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 

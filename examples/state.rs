@@ -1,24 +1,17 @@
 //! The state of an arch, from exact input: `cargo run --example state`.
 
-use couplet::arch::SelfWeight;
-use couplet::certify::state::{Answer, Arch, Friction};
-use couplet::problem::Mode;
+use couplet::prelude::*;
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
     // Exact: `2.45` is 245/100, and neither number is rounded to a double on the way.
-    let friction = Friction::Coefficient("1.35".parse()?);
-    let arch = Arch::new(SelfWeight::Milankovitch, "2.45".parse()?, friction)?;
+    let arch = Arch::parse("milankovitch", "2.45", "1.35")?;
 
-    let state = match arch.certify(20) {
-        Ok(Answer::Stands(state)) => state,
-        Ok(Answer::Falls(fall)) => return Err(format!("no thickness is enough: {fall:?}").into()),
-        // On a boundary between two modes nothing can be decided, and that is the answer.
-        Err(doubt) => return Err(format!("{} of {:?}", doubt.question, doubt.between).into()),
-    };
-    println!("mode            {}", state.mode.label());
-    println!("thickness t/r   {}", state.thickness.decimal.value);
-    println!("thrust H/(w r)  {}", state.thrust.decimal.value);
+    // That no thickness is enough, or that nothing is decided, is an error here; `certify` tells them apart.
+    let state = arch.least(20)?;
+    println!("mode            {}", state.mode);
+    println!("thickness t/r   {}", state.thickness);
+    println!("thrust H/(w r)  {}", state.thrust);
 
     assert_eq!(state.mode, Mode::RotationalSliding);
     // It is the least thickness: with a little more the arch stands, with a little less it does not.

@@ -8,22 +8,11 @@
 //!
 //! The problem and its equations are those of *Finite-friction least-thickness self-standing domains
 //! of symmetric circular masonry arches, Part II: Milankovitch-like self-weight distribution*
-//! (accepted preprint, 25 March 2025), "the paper" in all that follows.
+//! (accepted preprint, 25 March 2025, University of Bergamo), "the paper" in all that follows.
 //!
-//! # Features
-//!
-//! | feature | what it adds |
-//! |---|---|
-//! | none | [`arch`], the equations, and [`number`] with `f64` and the pure-Rust intervals |
-//! | `check` (default) | [`check`](mod@check): the checker of certificates, pure Rust |
-//! | `mpfr` (default) | the engine: balls and exact numbers, [`symbolic`], [`solve`], [`certify`], [`claims`], [`study`]; brings `check`, and needs a C compiler and `m4` for GMP and MPFR |
-//! | `cli` (default) | the command, and [`report`], what it prints; brings `check`. A library does without |
-//! | `plots` | the figures of a study as SVG and PNG; brings `mpfr` |
-//! | `parquet` | constants and states as Parquet files; brings `mpfr` and `cli` |
-//! | `proptest` | [`strategies`]: arches for the property tests of a solver of your own; brings `mpfr` |
-//!
-//! A program that certifies: `couplet = { default-features = false, features = ["mpfr"] }`; one that
-//! checks what others have certified: `features = ["check"]`.
+//! A program that certifies takes `default-features = false, features = ["mpfr"]`; one that checks what
+//! others have certified takes `features = ["check"]`, pure Rust. The page `docs/features.md` of the
+//! repository has all features, and what each costs.
 #![cfg_attr(feature = "mpfr", doc = "", doc = include_str!("../docs/tour.md"))]
 //!
 //! # Where an equation is
@@ -56,16 +45,41 @@
 //! [`certify::state`].
 //!
 //! Taken on trust: the compiler, GMP and MPFR, the hardware, and that the equations describe masonry.
-// The page speaks of rooms that a smaller build does not have.
 #![cfg_attr(
-    not(all(feature = "mpfr", feature = "cli", feature = "proptest")),
-    allow(rustdoc::broken_intra_doc_links)
+    not(all(feature = "study", feature = "cli", feature = "proptest")),
+    allow(
+        rustdoc::broken_intra_doc_links,
+        reason = "the page speaks of rooms that a smaller build does not have"
+    )
 )]
-#![warn(missing_docs)]
+#![cfg_attr(not(test), warn(clippy::unwrap_used))]
+
+/// The program of the README.
+#[cfg(all(doctest, feature = "mpfr"))]
+#[doc = include_str!("../README.md")]
+pub struct Readme;
 
 /// The numbers of GMP and MPFR that balls are made of, in the version that this crate uses.
 #[cfg(feature = "mpfr")]
 pub use rug;
+
+/// What most programs need: `use couplet::prelude::*`.
+///
+/// ```
+/// use couplet::prelude::*;
+/// let arch = Arch::parse("heyman", "90deg", "0.38")?;
+/// let state = arch.least(12)?;
+/// assert_eq!(format!("{} {}", state.mode, state.thickness), "[s,r,r] 0.122191586363");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[cfg(feature = "mpfr")]
+pub mod prelude {
+    pub use crate::arch::SelfWeight;
+    pub use crate::certify::state::{Answer, Certify};
+    pub use crate::certify::{CertifiedLandmark, Undecided};
+    pub use crate::number::ExactNumber;
+    pub use crate::problem::{Arch, Friction, Landmark, Mode, Quantity};
+}
 
 pub mod arch;
 #[cfg(feature = "mpfr")]
@@ -88,7 +102,7 @@ pub mod scene;
 pub mod solve;
 #[cfg(feature = "proptest")]
 pub mod strategies;
-#[cfg(feature = "mpfr")]
+#[cfg(feature = "study")]
 pub mod study;
 #[cfg(feature = "mpfr")]
 pub mod symbolic;

@@ -9,6 +9,7 @@ use couplet::certify::{CertifiedLandmark, Constant, Value};
 use couplet::number::bits_of;
 use couplet::problem::Landmark;
 use couplet::solve::{newton, start};
+use cpu_time::ProcessTime;
 use rug::Float;
 use std::hint::black_box;
 
@@ -20,15 +21,11 @@ const SAMPLE: f64 = 0.05;
 const SAMPLES: usize = 7;
 const BUDGET: f64 = 60.0;
 
-unsafe extern "C" {
-    /// The C library's: CPU time of the process, all threads, in microseconds.
-    safe fn clock() -> std::ffi::c_long;
-}
-
+/// CPU seconds of the process, all threads.
 fn cpu(job: &dyn Fn(), calls: usize) -> f64 {
-    let start = clock();
+    let start = ProcessTime::now();
     (0..calls).for_each(|_| job());
-    (clock() - start) as f64 / 1e6
+    start.elapsed().as_secs_f64()
 }
 
 /// The median CPU time of a call, after a call to warm up.
@@ -85,21 +82,21 @@ fn main() {
         "enclosure" => {
             let point = triple();
             let seconds = measure(&|| drop(black_box(point.enclosure(bits).unwrap())));
-            (seconds, Some(unknowns(&point.constants(digits, &|| ()).unwrap())))
+            (seconds, Some(unknowns(&point.constants(digits).unwrap())))
         }
         "constants" => {
             let point = triple();
-            let constants = || point.constants(digits, &|| ()).unwrap();
+            let constants = || point.constants(digits).unwrap();
             (measure(&|| drop(black_box(constants()))), Some(unknowns(&constants())))
         }
         // All that `couplet constants T` does but start and print.
         "everything" => {
-            let constants = || triple().constants(digits, &|| ()).unwrap();
+            let constants = || triple().constants(digits).unwrap();
             (measure(&|| drop(black_box(constants()))), Some(unknowns(&constants())))
         }
         "newton" => {
             let system = Landmark::Triple.system(WEIGHT);
-            let root = || newton(&system, start(Landmark::Triple, WEIGHT), 64).unwrap();
+            let root = || newton(&system, start::landmark(Landmark::Triple, WEIGHT), 64).unwrap();
             let values = root().0.iter().map(|x| x.to_f64().to_string()).collect();
             (measure(&|| drop(black_box(root()))), Some(values))
         }

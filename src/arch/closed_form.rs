@@ -25,9 +25,14 @@ fn two_terms<T: Field>(product: &T, u: &T, k: &T) -> T {
 
 /// Eq. (9), `A_M`; `u` is a cube root of [`opening_cube`].
 pub fn opening_variable<T: Field>(at: &Abbreviations<T>, u: &T, k: &T) -> T {
+    opening_variable_from(at, two_terms(&opening_product(at), u, k))
+}
+
+/// Eq. (9) from the sum of its two terms.
+pub fn opening_variable_from<T: Field>(at: &Abbreviations<T>, terms: T) -> T {
     let Abbreviations { sin, f, g } = at;
     let scale = g.clone() / (sin.clone() * opening_root_factor(at));
-    scale * (f.clone() - g + two_terms(&opening_product(at), u, k))
+    scale * (f.clone() - g + terms)
 }
 
 /// `P` of (9): `(f + g)² - f (g + 2S)`.
@@ -54,9 +59,14 @@ pub fn opening_cube<T: Field>(at: &Abbreviations<T>, q: &T) -> T {
 /// Eq. (10), `eta_M`; `u` is a cube root of [`thickness_cube`]. The signs are printed the other way
 /// round, `∓`.
 pub fn thickness<T: Field>(at: &Abbreviations<T>, u: &T, k: &T) -> T {
+    thickness_from(at, two_terms(&thickness_product(at), u, &-k.clone()))
+}
+
+/// Eq. (10) from the sum of its two terms.
+pub fn thickness_from<T: Field>(at: &Abbreviations<T>, terms: T) -> T {
     let Abbreviations { sin, f, g } = at;
     let shift = f.clone() + g;
-    (two_terms(&thickness_product(at), u, &-k.clone()) - shift) / sin
+    (terms - shift) / sin
 }
 
 /// `P` of (10): `(f + g)² + 4S (g - S)`.
@@ -75,9 +85,14 @@ pub fn thickness_cube<T: Field>(at: &Abbreviations<T>, q: &T) -> T {
 
 /// Eq. (11), `h_M`; `u` is a cube root of [`thrust_cube`].
 pub fn thrust<T: Field>(at: &Abbreviations<T>, u: &T, k: &T) -> T {
+    thrust_from(at, two_terms(&thrust_product(at), u, k))
+}
+
+/// Eq. (11) from the sum of its two terms.
+pub fn thrust_from<T: Field>(at: &Abbreviations<T>, terms: T) -> T {
     let Abbreviations { sin, f, g } = at;
     let shift = f.int(3) * f - g - sin.int(2) * sin;
-    (shift + two_terms(&thrust_product(at), u, k)) / (sin.int(6) * sin)
+    (shift + terms) / (sin.int(6) * sin)
 }
 
 /// `P` of (11): `3f² + g² - 4S (2g - S)`.

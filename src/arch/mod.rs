@@ -30,4 +30,4 @@ mod weight;
 
 pub use quotient::Quotient;
 pub use variables::{Configuration, Unknown};
-pub use weight::{Ring, SelfWeight};
+pub use weight::{PerWeight, Ring, SelfWeight};

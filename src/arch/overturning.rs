@@ -35,11 +35,19 @@ pub fn end_of_rotation<T: Field>(ring: &Ring<T>) -> T {
     ring.intrados() - &ring.centroid_factor
 }
 
+/// The thickness `eta_l` at the end of rotation, where [`end_of_rotation`] is zero: 1 for Heyman's weight
+/// and `4√3 - 6` for Milankovitch's, in the field of `root_of_three`. The other root is negative.
+pub fn thickness_at_end<T: Field>(weight: SelfWeight, root_of_three: &T) -> T {
+    match weight {
+        SelfWeight::Heyman => root_of_three.int(1),
+        SelfWeight::Milankovitch => root_of_three.int(4) * root_of_three - root_of_three.int(6),
+    }
+}
+
 #[cfg(all(test, feature = "mpfr"))]
 mod tests {
     use super::*;
     use crate::number::{ExactField, Surd};
-    use rug::Rational;
 
     #[test]
     fn the_inverse_is_the_inverse() {
@@ -53,13 +61,20 @@ mod tests {
 
     #[test]
     fn equation_16_as_printed_does_not_hold() {
-        let eta = Surd::new(-6, 4, 3);
+        let eta = thickness_at_end(SelfWeight::Milankovitch, &Surd::new(0, 1, 3));
         let printed =
             |inner: Surd| eta.int(1) - eta.clone() / (eta.int(2) - &eta) * (eta.int(1) + inner);
         assert!(!printed(eta.square() / eta.int(12)).is_zero());
         assert!(printed(eta.clone() / eta.int(6)).is_zero());
-        assert!(end_of_rotation(&Ring::new(SelfWeight::Milankovitch, &eta)).is_zero());
-        let one = Rational::from(1);
-        assert!(end_of_rotation(&Ring::new(SelfWeight::Heyman, &one)).is_zero());
+    }
+
+    #[test]
+    fn rotation_ends_at_the_closed_form() {
+        for weight in SelfWeight::ALL {
+            let eta = thickness_at_end(weight, &Surd::new(0, 1, 3));
+            assert!(end_of_rotation(&Ring::new(weight, &eta)).is_zero(), "{weight:?}");
+            let other = eta.clone() + eta.int(1);
+            assert!(!end_of_rotation(&Ring::new(weight, &other)).is_zero(), "false twin");
+        }
     }
 }

@@ -93,6 +93,23 @@ pub fn touching<T: Field>(versine: &T, excess: &T, ring: &Ring<T>) -> Quotient<T
     }
 }
 
+/// The thickness where (2), (4) and (5) hold all three, whatever the weight: its moment and the thrust are
+/// eliminated.
+///
+/// ```text
+/// eta = 2 (W - A)/(W + A),   W = beta/sin(beta) + cos(beta)
+/// ```
+///
+/// `joint` is `beta` in `(0, pi)` and `A` the opening variable, in `(0, 2)`; the denominator is positive
+/// there. The thrust is then that of [`touching`].
+pub fn rotating<T: Field>(joint: &Angle<T>, opening_variable: &T) -> Quotient<T> {
+    let sum = joint.rad.clone() / &joint.sin + &joint.cos;
+    Quotient {
+        numerator: (sum.clone() - opening_variable) * joint.rad.int(2),
+        denominator: sum + opening_variable,
+    }
+}
+
 /// Eq. (5), `h_e`: the thrust at which the line of thrust touches the intrados at `beta` instead of
 /// crossing it.
 ///

@@ -1,6 +1,6 @@
 //! The variables of the problem, and a value for each.
 
-use crate::number::{Angle, Real};
+use crate::number::{Angle, Field, Real};
 
 /// A variable of the problem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -69,7 +69,9 @@ impl<T: Real> Configuration<T> {
         }
         self
     }
+}
 
+impl<T: Field> Configuration<T> {
     /// All variables zero, "like" `like`.
     pub fn zero(like: &T) -> Self {
         let (angle, zero) = (Angle::zero(like), like.int(0));
@@ -85,15 +87,49 @@ impl<T: Real> Configuration<T> {
 }
 
 impl<T> Configuration<T> {
+    /// The value of a variable, rad for an angle.
+    pub fn value(&self, unknown: Unknown) -> &T {
+        match unknown {
+            Unknown::HalfOpening => &self.half_opening.rad,
+            Unknown::RotationJoint => &self.rotation_joint.rad,
+            Unknown::SlidingJoint => &self.sliding_joint.rad,
+            Unknown::Thickness => &self.thickness,
+            Unknown::Thrust => &self.thrust,
+            Unknown::Friction => &self.friction,
+        }
+    }
+
     /// The configuration with its values in another number.
     pub fn map<U>(self, f: impl Fn(T) -> U) -> Configuration<U> {
+        self.map_each(|_, angle| angle.map(&f), |_, value| f(value))
+    }
+
+    /// The same from references.
+    pub fn map_ref<U>(&self, f: impl Fn(&T) -> U) -> Configuration<U> {
+        let angle = |x: &Angle<T>| Angle { rad: f(&x.rad), sin: f(&x.sin), cos: f(&x.cos) };
         Configuration {
-            half_opening: self.half_opening.map(&f),
-            rotation_joint: self.rotation_joint.map(&f),
-            sliding_joint: self.sliding_joint.map(&f),
-            thickness: f(self.thickness),
-            thrust: f(self.thrust),
-            friction: f(self.friction),
+            half_opening: angle(&self.half_opening),
+            rotation_joint: angle(&self.rotation_joint),
+            sliding_joint: angle(&self.sliding_joint),
+            thickness: f(&self.thickness),
+            thrust: f(&self.thrust),
+            friction: f(&self.friction),
+        }
+    }
+
+    /// The same, each variable in its own way.
+    pub fn map_each<U>(
+        self,
+        angle: impl Fn(Unknown, Angle<T>) -> Angle<U>,
+        number: impl Fn(Unknown, T) -> U,
+    ) -> Configuration<U> {
+        Configuration {
+            half_opening: angle(Unknown::HalfOpening, self.half_opening),
+            rotation_joint: angle(Unknown::RotationJoint, self.rotation_joint),
+            sliding_joint: angle(Unknown::SlidingJoint, self.sliding_joint),
+            thickness: number(Unknown::Thickness, self.thickness),
+            thrust: number(Unknown::Thrust, self.thrust),
+            friction: number(Unknown::Friction, self.friction),
         }
     }
 }

@@ -32,6 +32,25 @@ impl SelfWeight {
     }
 }
 
+/// A value for each self-weight model: a cache, for instance. A model that is added has to be given one.
+#[derive(Clone, Copy, Debug)]
+pub struct PerWeight<T> {
+    /// For [`SelfWeight::Heyman`].
+    pub heyman: T,
+    /// For [`SelfWeight::Milankovitch`].
+    pub milankovitch: T,
+}
+
+impl<T> PerWeight<T> {
+    /// The value for a model.
+    pub const fn get(&self, weight: SelfWeight) -> &T {
+        match weight {
+            SelfWeight::Heyman => &self.heyman,
+            SelfWeight::Milankovitch => &self.milankovitch,
+        }
+    }
+}
+
 /// The cross-section of the ring: what an equation needs to know of thickness and weight.
 #[derive(Clone, Debug)]
 pub struct Ring<T> {

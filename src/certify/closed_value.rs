@@ -7,7 +7,7 @@
 
 use super::Isolated;
 use crate::arch::{Configuration, Ring, SelfWeight, Unknown, overturning};
-use crate::number::{Angle, Ball, Dual, Enclosure, ExactField, Field, Surd};
+use crate::number::{Ball, Dual, Enclosure, ExactField, Field, Surd};
 use crate::problem::{Equation, Fixed, Landmark, Quantity};
 use rug::Rational;
 
@@ -63,11 +63,10 @@ fn thickness(landmark: Landmark, isolated: &Isolated) -> Option<Surd> {
     if let Some(Fixed::Integer(n)) = system.fixed_value(Unknown::Thickness) {
         return Some(Surd::rational(n, RADICAND));
     }
-    let closed_form = match (landmark, system.weight) {
-        (Landmark::RotationEnd, SelfWeight::Heyman) => Surd::rational(1, RADICAND),
-        (Landmark::RotationEnd, SelfWeight::Milankovitch) => Surd::new(-6, 4, RADICAND),
-        _ => return None,
-    };
+    if landmark != Landmark::RotationEnd {
+        return None;
+    }
+    let closed_form = overturning::thickness_at_end(system.weight, &Surd::new(0, 1, RADICAND));
     let domain = &isolated.domain()[system.index(Unknown::Thickness)?];
     is_thickness_without_thrust(system.weight, &closed_form, domain).then_some(closed_form)
 }
@@ -81,15 +80,7 @@ fn is_thickness_without_thrust(weight: SelfWeight, value: &Surd, domain: &Ball) 
 }
 
 fn residual<T: Field>(weight: SelfWeight, thickness: &T) -> T {
-    let zero = Angle::zero(thickness);
-    let at = Configuration {
-        half_opening: zero.clone(),
-        rotation_joint: zero.clone(),
-        sliding_joint: zero,
-        thickness: thickness.clone(),
-        thrust: thickness.int(0),
-        friction: thickness.int(0),
-    };
+    let at = Configuration { thickness: thickness.clone(), ..Configuration::zero(thickness) };
     Equation::TangencyAtCrown.residual(weight, &at)
 }
 

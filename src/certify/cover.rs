@@ -6,7 +6,7 @@ use rug::Rational;
 
 /// Bits in which a piece is examined.
 const BITS: u32 = 96;
-/// A piece is halved so often at the most.
+/// Maximum number of subdivisions of a piece.
 const DEPTH: usize = 24;
 
 /// Proves that `holds` on every number of `[low, high]`: the interval is halved until the answer is
@@ -33,7 +33,7 @@ pub fn cover(
             verdict => {
                 let what = if verdict == Ternary::False { "false" } else { "not decided" };
                 let at = (low.to_f64(), high.to_f64());
-                return Err(Undecided(format!("{what} between {} and {}", at.0, at.1)));
+                return Err(Undecided::new(format!("{what} between {} and {}", at.0, at.1)));
             }
         }
     }

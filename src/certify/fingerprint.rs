@@ -15,11 +15,11 @@ pub const MAX_FINGERPRINT_DIGITS: usize = 10_000;
 /// is none; beyond [`MAX_FINGERPRINT_DIGITS`] it comes at once.
 pub fn fingerprint(point: &CertifiedLandmark, digits: usize) -> Result<String, Undecided> {
     if digits > MAX_FINGERPRINT_DIGITS {
-        return Err(Undecided(format!("made up to {MAX_FINGERPRINT_DIGITS} digits only")));
+        return Err(Undecided::new(format!("made up to {MAX_FINGERPRINT_DIGITS} digits only")));
     }
     let mut file = Vec::new();
     landmark_certificate(point, digits)?
         .write(&mut file)
-        .map_err(|error| Undecided(format!("the certificate cannot be written: {error}")))?;
+        .map_err(|error| Undecided::new(format!("the certificate cannot be written: {error}")))?;
     Ok(Sha256::digest(&file).iter().map(|byte| format!("{byte:02x}")).collect())
 }

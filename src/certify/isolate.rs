@@ -1,10 +1,11 @@
 //! Exactly one root in a box as large as the proof carries.
 
 use super::Undecided;
-use crate::check::krawczyk;
-use crate::number::{Ball, Enclosure, Magnitude};
-use crate::problem::{Point, System};
-use crate::solve::{Candidate, inverse};
+use super::root::{Equations, Ladder, Operator, inverse_jacobian, largest_boxes};
+use crate::arch::SelfWeight;
+use crate::number::{Ball, Magnitude};
+use crate::problem::{Landmark, Problem, System};
+use crate::solve::Candidate;
 use rug::Float;
 use rug::float::Round;
 
@@ -54,68 +55,31 @@ impl Isolated {
 
 /// Precision of the isolation in bits: ample for boxes as wide as these.
 const BITS: u32 = 64;
-/// A box shape is tried with the scales `0.85^k`, from the whole value down to about `1e-7` of it.
-const TRIALS: i32 = 100;
-/// After so many changes of shape the size of the box has stopped growing.
-const SHAPES: usize = 4;
+/// From the whole value down to about `1e-7` of it.
+const LADDER: Ladder = Ladder { step: 0.85, trials: 100 };
 
-/// Proves that `candidate` lies next to a root of `system` that is unique in a box around it, and
-/// looks for a large such box.
-///
-/// The shape is first in proportion to the values. Then the radii of the image `K(X)` of the largest
-/// box become the next shape: they tell how much room each unknown needs.
-pub fn isolate(system: &System, candidate: &Candidate) -> Result<Isolated, Undecided> {
-    let centre: Vec<Ball> =
-        candidate.0.iter().map(|x| Ball::exact(Float::with_val(BITS, x), BITS)).collect();
-    let preconditioner = preconditioner(system, &centre)
-        .ok_or_else(|| Undecided("the Jacobian at the candidate is singular".into()))?;
-    let values: Vec<Magnitude> = centre.iter().map(|x| Magnitude::lower(x.mid())).collect();
-    let mut best: Option<Isolated> = None;
-    let mut shape = values.clone();
-    for _ in 0..SHAPES {
-        let Some(found) = largest_box(system, &centre, &preconditioner, &shape, &values) else {
-            break;
-        };
-        shape = found.image.iter().map(Ball::rad).collect();
-        if best.as_ref().is_none_or(|best| best.size() < found.size()) {
-            best = Some(found);
-        }
-    }
-    best.ok_or_else(|| Undecided("no box around the candidate is mapped into itself".into()))
-}
-
-/// The largest box of the given shape, none of whose radii exceeds its value, that is mapped into
-/// its interior.
-fn largest_box(
-    system: &System,
-    centre: &[Ball],
-    preconditioner: &[Vec<Ball>],
-    shape: &[Magnitude],
-    values: &[Magnitude],
-) -> Option<Isolated> {
-    let widest = shape.iter().zip(values).map(|(s, v)| s.over(*v)).max()?;
-    (0..TRIALS).find_map(|trial| {
-        let scale = Magnitude::upper(&Float::with_val(53, 0.85f64.powi(trial))).over(widest);
-        let domain: Vec<Ball> =
-            centre.iter().zip(shape).map(|(x, s)| x.clone().widened(s.times(scale))).collect();
-        let point = Point::new(system, &domain);
-        if !system.denominators(&point).iter().all(Enclosure::excludes_zero) {
-            return None;
-        }
-        let image = krawczyk::unique_root(system, centre, preconditioner, &domain)?;
-        Some(Isolated { system: *system, domain, image })
-    })
-}
-
-/// An approximate inverse of the Jacobian at the midpoints.
-fn preconditioner(system: &System, centre: &[Ball]) -> Option<Vec<Vec<Ball>>> {
-    let slopes = system.residuals(&Point::new(system, centre).variables());
-    let jacobian = slopes
-        .iter()
-        .map(|r| (0..centre.len()).map(|k| Float::with_val(BITS, r.derivative(k).mid())).collect())
-        .collect();
-    let exact = |row: Vec<Float>| row.into_iter().map(|y| Ball::exact(y, BITS)).collect();
-    Some(inverse(jacobian)?.into_iter().map(exact).collect())
+/// Proves that `candidate` lies next to the root of a landmark's system that is unique in a box around
+/// it, and looks for a large such box.
+pub fn isolate(
+    landmark: Landmark,
+    weight: SelfWeight,
+    candidate: &Candidate,
+) -> Result<Isolated, Undecided> {
+    let problem = Problem::Landmark { landmark, weight };
+    let centre: Vec<Float> = candidate.0.iter().map(|x| Float::with_val(BITS, x)).collect();
+    let points: Vec<Ball> = centre.iter().map(|x| Ball::exact(x.clone(), BITS)).collect();
+    let inverse = inverse_jacobian(&problem.slopes(BITS, &points), BITS)
+        .ok_or_else(|| Undecided::new("the Jacobian at the candidate is singular"))?;
+    let operator = Operator::<_, Ball>::new(&problem, BITS, &centre, &inverse);
+    let values: Vec<Magnitude> = centre.iter().map(Magnitude::lower).collect();
+    largest_boxes(&values, LADDER, |radii| operator.image(radii))
+        .into_iter()
+        .map(|(radii, image)| {
+            let system = problem.system();
+            Isolated { system, domain: operator.domain(&radii), image }
+        })
+        .max_by(|a, b| a.size().total_cmp(&b.size()))
+        .ok_or_else(|| Undecided::new("no box around the candidate is mapped into itself"))
 }
 
 #[cfg(test)]
@@ -130,8 +94,8 @@ mod tests {
         for landmark in Landmark::ALL {
             for weight in SelfWeight::ALL {
                 let system = landmark.system(weight);
-                let candidate = newton(&system, start(landmark, weight), BITS).unwrap();
-                let isolated = isolate(&system, &candidate).unwrap();
+                let candidate = newton(&system, start::landmark(landmark, weight), BITS).unwrap();
+                let isolated = isolate(landmark, weight, &candidate).unwrap();
                 for (radius, unknown) in isolated.relative_radii().iter().zip(system.unknowns) {
                     assert!(*radius > 5e-3, "{landmark:?} {weight:?} {unknown:?} {radius}");
                 }
@@ -142,8 +106,9 @@ mod tests {
     #[test]
     fn a_point_that_is_no_root_is_not_isolated() {
         let system = Landmark::Triple.system(SelfWeight::Heyman);
-        let candidate = newton(&system, start(Landmark::Triple, SelfWeight::Heyman), BITS).unwrap();
+        let candidate =
+            newton(&system, start::landmark(Landmark::Triple, SelfWeight::Heyman), BITS).unwrap();
         let moved = candidate.0.into_iter().map(|x| x * Float::with_val(BITS, 1.2)).collect();
-        assert!(isolate(&system, &Candidate(moved)).is_err());
+        assert!(isolate(Landmark::Triple, SelfWeight::Heyman, &Candidate(moved)).is_err());
     }
 }

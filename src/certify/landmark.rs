@@ -3,20 +3,32 @@
 use super::closed_value::{Exact, exact};
 use super::{Isolated, Refined, Undecided, isolate, refine, refine_watched, stages};
 use crate::arch::{SelfWeight, Unknown, thrust};
-use crate::number::{Ball, Binary, Enclosure, Field, Real, Rounded, Ternary, bits_of};
-use crate::problem::{Landmark, Quantity, System};
+use crate::number::{Ball, Binary, Field, Real, Rounded, bits_of};
+use crate::problem::{Landmark, Problem, Quantity};
 use crate::solve::{newton, start};
 use rayon::prelude::*;
+use std::fmt;
 
 /// The largest number of digits that can be asked for.
 pub const MAX_DIGITS: usize = 1_000_000;
 
-/// How often the precision is raised when a rounding is not decided.
+/// How often the precision is raised before a rounding counts as undecided.
 const ATTEMPTS: u32 = 6;
 /// Bits beyond the digits asked for, at the first attempt.
 const GUARD: u32 = 32;
 
 /// A landmark whose existence and uniqueness are proved: the only constructor is that proof.
+///
+/// ```
+/// use couplet::prelude::*;
+/// let triple = CertifiedLandmark::new(Landmark::Triple, SelfWeight::Heyman)?;
+/// let thickness = triple.constant(Quantity::Thickness, 30)?;
+/// assert_eq!(thickness.to_string(), "0.679604732098885514787534896210");
+/// # Ok::<(), couplet::certify::Undecided>(())
+/// ```
+///
+/// See also: [`certify_landmark`](super::certify_landmark) for a proof that others can check,
+/// [`Certify`](super::state::Certify) for arches.
 #[derive(Clone, Debug)]
 pub struct CertifiedLandmark {
     landmark: Landmark,
@@ -53,15 +65,30 @@ pub enum Value {
     Infinite,
 }
 
+impl fmt::Display for Constant {
+    /// The digits, or `inf`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.value.fmt(f)
+    }
+}
+
+impl fmt::Display for Value {
+    /// The digits, or `inf`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Finite(rounded) => f.pad(&rounded.value.to_string()),
+            Self::Infinite => f.pad("inf"),
+        }
+    }
+}
+
 /// The quantities that exist at a landmark, in the order of [`Quantity::LANDMARK`].
 pub fn quantities(landmark: Landmark) -> impl Iterator<Item = Quantity> {
     // Which variables a landmark has does not depend on the weight.
     let system = landmark.system(SelfWeight::Heyman);
-    Quantity::LANDMARK.into_iter().filter(move |quantity| {
-        let exists =
-            |unknown| system.index(unknown).is_some() || system.fixed_value(unknown).is_some();
-        quantity.variable().is_some_and(exists)
-    })
+    Quantity::LANDMARK
+        .into_iter()
+        .filter(move |quantity| quantity.variable().is_some_and(|unknown| system.knows(unknown)))
 }
 
 impl CertifiedLandmark {
@@ -69,13 +96,14 @@ impl CertifiedLandmark {
     /// which it does for none of [`Landmark::ALL`].
     pub fn new(landmark: Landmark, weight: SelfWeight) -> Result<Self, Undecided> {
         let system = landmark.system(weight);
-        let candidate = newton(&system, start(landmark, weight), 64)
-            .ok_or_else(|| Undecided("Newton's method finds no candidate".into()))?;
-        let certified = Self { landmark, weight, isolated: isolate(&system, &candidate)? };
+        let candidate = newton(&system, start::landmark(landmark, weight), 64)
+            .ok_or_else(|| Undecided::new("Newton's method finds no candidate"))?;
+        let certified = Self { landmark, weight, isolated: isolate(landmark, weight, &candidate)? };
         let narrow = certified.enclosure(64)?;
-        match domain(&system, &narrow) {
-            Ternary::True => Ok(certified),
-            _ => Err(Undecided("the root is not shown to lie in the physical range".into())),
+        let problem = Problem::Landmark { landmark, weight };
+        match problem.first_failure(narrow.configuration()) {
+            None => Ok(certified),
+            Some(condition) => Err(Undecided::new(condition.label())),
         }
     }
 
@@ -129,25 +157,38 @@ impl CertifiedLandmark {
         }
     }
 
+    /// One quantity of the landmark, correctly rounded to `digits` significant digits, 1 to
+    /// [`MAX_DIGITS`]. Undecided for a quantity that the landmark does not have.
+    pub fn constant(&self, quantity: Quantity, digits: usize) -> Result<Constant, Undecided> {
+        let found = self.constants_of(&[(quantity, digits)])?.pop();
+        found.ok_or_else(|| Undecided::new("nothing was asked for"))
+    }
+
     /// All quantities of the landmark, correctly rounded to `digits` significant digits, 1 to
     /// [`MAX_DIGITS`]; else, or if a rounding stays open, undecided.
-    ///
-    /// `tick` is called [`CertifiedLandmark::ticks`] times on the way.
-    pub fn constants(
+    pub fn constants(&self, digits: usize) -> Result<Vec<Constant>, Undecided> {
+        self.constants_with(digits, &|| ())
+    }
+
+    /// The same, calling `tick` [`CertifiedLandmark::ticks`] times on the way.
+    pub fn constants_with(
         &self,
         digits: usize,
         tick: &(dyn Fn() + Sync),
     ) -> Result<Vec<Constant>, Undecided> {
         let all: Vec<_> = quantities(self.landmark).map(|quantity| (quantity, digits)).collect();
-        self.constants_of(&all, tick)
+        self.constants_of_with(&all, tick)
     }
 
     /// Some quantities of the landmark, each correctly rounded to its own number of significant digits:
     /// the landmark is refined once, to the most that are asked for. A quantity that the landmark does
     /// not have is undecided.
-    ///
-    /// `tick` is called [`CertifiedLandmark::ticks_of`] times on the way.
-    pub fn constants_of(
+    pub fn constants_of(&self, asked: &[(Quantity, usize)]) -> Result<Vec<Constant>, Undecided> {
+        self.constants_of_with(asked, &|| ())
+    }
+
+    /// The same, calling `tick` [`CertifiedLandmark::ticks_of`] times on the way.
+    pub fn constants_of_with(
         &self,
         asked: &[(Quantity, usize)],
         tick: &(dyn Fn() + Sync),
@@ -163,7 +204,7 @@ impl CertifiedLandmark {
         loop {
             found.par_iter_mut().filter(|(_, constant)| constant.is_none()).for_each(
                 |((quantity, digits), constant)| {
-                    *constant = self.constant(&refined, *quantity, *digits);
+                    *constant = self.rounded(&refined, *quantity, *digits);
                     if constant.is_some() {
                         tick();
                     }
@@ -183,13 +224,13 @@ impl CertifiedLandmark {
         Self::ticks_of(landmark, quantities(landmark).count())
     }
 
-    /// How often [`CertifiedLandmark::constants_of`] reports progress for so many quantities.
+    /// How often [`CertifiedLandmark::constants_of`] reports progress for a number of quantities.
     pub fn ticks_of(landmark: Landmark, quantities: usize) -> u64 {
         stages(&landmark.system(SelfWeight::Heyman)) + quantities as u64
     }
 
     /// The value rounded to digits and to a double, if the enclosure decides both.
-    fn constant(&self, refined: &Refined, quantity: Quantity, digits: usize) -> Option<Constant> {
+    fn rounded(&self, refined: &Refined, quantity: Quantity, digits: usize) -> Option<Constant> {
         let prec = || refined.value(Unknown::HalfOpening).map(|x| x.prec());
         let exact = self.exact(quantity);
         let finite = |ball: Ball, rounded: Option<Rounded>| {
@@ -226,7 +267,7 @@ struct Precision {
 impl Precision {
     fn new(digits: usize) -> Result<Self, Undecided> {
         if digits == 0 || digits > MAX_DIGITS {
-            return Err(Undecided(format!("digits must be from 1 to {MAX_DIGITS}")));
+            return Err(Undecided::new(format!("digits must be from 1 to {MAX_DIGITS}")));
         }
         Ok(Self { bits: bits_of(digits) + GUARD, attempt: 0 })
     }
@@ -235,7 +276,7 @@ impl Precision {
         self.attempt += 1;
         if self.attempt > ATTEMPTS {
             let name = quantity.name();
-            return Err(Undecided(format!(
+            return Err(Undecided::new(format!(
                 "the rounding of {name} is not decided at {} bits",
                 self.bits
             )));
@@ -243,26 +284,6 @@ impl Precision {
         self.bits += GUARD << self.attempt;
         Ok(())
     }
-}
-
-/// Whether the variables that were solved for lie in their physical ranges: `0 < alpha < pi`,
-/// `0 < beta < alpha`, `0 < eta < 2`, `0 < h < 1`, `mu > 0`.
-fn domain(system: &System, refined: &Refined) -> Ternary {
-    let alpha = refined.configuration().half_opening.rad;
-    let limit = |unknown| match unknown {
-        Unknown::HalfOpening => Some(alpha.pi()),
-        Unknown::RotationJoint | Unknown::SlidingJoint => Some(alpha.clone()),
-        Unknown::Thickness => Some(alpha.int(2)),
-        Unknown::Thrust => Some(alpha.int(1)),
-        Unknown::Friction => None,
-    };
-    let inside = |&unknown: &Unknown| {
-        refined.value(unknown).map_or(Ternary::Undecided, |x| {
-            let below = limit(unknown).map_or(Ternary::True, |limit| x.is_less_than(&limit));
-            x.is_positive().and(below)
-        })
-    };
-    system.unknowns.iter().map(inside).fold(Ternary::True, Ternary::and)
 }
 
 #[cfg(test)]
@@ -281,17 +302,17 @@ mod tests {
     #[test]
     fn digits_out_of_range_are_refused_before_anything_is_computed() {
         let point = CertifiedLandmark::new(Landmark::OverturningEnd, SelfWeight::Heyman).unwrap();
-        assert!(point.constants(0, &|| ()).is_err());
-        assert!(point.constants(MAX_DIGITS + 1, &|| ()).is_err());
+        assert!(point.constants(0).is_err());
+        assert!(point.constants(MAX_DIGITS + 1).is_err());
     }
 
     #[test]
     fn what_is_asked_together_is_what_is_asked_alone() {
         let point = CertifiedLandmark::new(Landmark::Triple, SelfWeight::Heyman).unwrap();
         let asked = [(Quantity::Friction, 12), (Quantity::Thickness, 60), (Quantity::Friction, 3)];
-        let together = point.constants_of(&asked, &|| ()).unwrap();
+        let together = point.constants_of(&asked).unwrap();
         for (constant, (quantity, digits)) in together.iter().zip(asked) {
-            let alone = point.constants(digits, &|| ()).unwrap();
+            let alone = point.constants(digits).unwrap();
             assert!(alone.contains(constant), "{quantity:?} to {digits} digits");
             assert_eq!(constant.quantity, quantity);
         }
@@ -301,13 +322,13 @@ mod tests {
     #[test]
     fn a_quantity_that_a_landmark_does_not_have_is_undecided() {
         let widest = CertifiedLandmark::new(Landmark::WidestJoint, SelfWeight::Heyman).unwrap();
-        assert!(widest.constants_of(&[(Quantity::Friction, 5)], &|| ()).is_err());
+        assert!(widest.constants_of(&[(Quantity::Friction, 5)]).is_err());
     }
 
     #[test]
     fn one_digit_and_many_agree() {
         let point = CertifiedLandmark::new(Landmark::Border, SelfWeight::Heyman).unwrap();
-        let [few, many] = [1, 60].map(|digits| point.constants(digits, &|| ()).unwrap());
+        let [few, many] = [1, 60].map(|digits| point.constants(digits).unwrap());
         for (few, many) in few.iter().zip(&many) {
             let (Value::Finite(few), Value::Finite(many)) = (&few.value, &many.value) else {
                 panic!()

@@ -10,6 +10,7 @@ mod fingerprint;
 mod isolate;
 mod landmark;
 mod refine;
+pub(crate) mod root;
 pub mod state;
 mod undecided;
 

@@ -13,12 +13,12 @@
 //! residual at full precision and the slopes over a box of a quarter of the bits less, it refines and
 //! encloses in one. The box has to lie in the one where the root is known to be unique.
 
+use super::root::inverse_jacobian;
 use super::{Isolated, Undecided};
 use crate::arch::{Configuration, Unknown};
 use crate::check::krawczyk;
-use crate::number::{Anchor, Angle, Ball, Enclosure, Magnitude, arctangent};
-use crate::problem::{Fixed, Point, System, tally};
-use crate::solve::inverse;
+use crate::number::{Anchor, Angle, Ball, Dual, Enclosure, Magnitude, arctangent};
+use crate::problem::{Fixed, System, tally};
 use rayon::prelude::*;
 use rug::Float;
 use std::sync::OnceLock;
@@ -29,9 +29,8 @@ const SPAN: u32 = 4;
 const STRETCH: u32 = 16;
 /// Bits of a level beyond its share, so that the condition of the system eats no digits.
 const GUARD: u32 = 32;
-/// With fewer bits the angles are quicker one after the other. More than that: what is kept for the whole
-/// process is refined to fewer bits, and a thread that waits for others on the way could meanwhile be
-/// given work that waits for it.
+/// Below this, angles are computed one after the other: faster, and it avoids a deadlock when a thread
+/// that fills a `OnceLock` steals a job that waits for it.
 const WORTH_THREADS: u32 = 1 << 14;
 /// At this size a level is one plain Newton iteration.
 const FLOOR: u32 = 256;
@@ -40,8 +39,7 @@ const FLOOR: u32 = 256;
 #[derive(Clone, Debug)]
 pub struct Refined {
     system: System,
-    values: Vec<Ball>,
-    point: Point<Ball>,
+    at: Configuration<Ball>,
     friction_angle: OnceLock<Option<Ball>>,
 }
 
@@ -55,17 +53,14 @@ impl Refined {
 
     /// An enclosure of a variable; `None` where the system does not know it or it is infinite.
     pub fn value(&self, unknown: Unknown) -> Option<Ball> {
-        match (self.system.index(unknown), self.system.fixed_value(unknown)) {
-            (Some(index), _) => Some(self.values[index].clone()),
-            (None, Some(Fixed::SameAs(other))) => self.value(other),
-            (None, Some(Fixed::Integer(n))) => Some(Ball::integer(n, self.values[0].prec())),
-            (None, Some(Fixed::Infinite) | None) => None,
-        }
+        let is_infinite = self.system.fixed_value(unknown) == Some(Fixed::Infinite);
+        let is_known = self.system.knows(unknown) && !is_infinite;
+        is_known.then(|| self.at.value(unknown).clone())
     }
 
     /// Enclosures of all variables, angles with sine and cosine.
-    pub fn configuration(&self) -> Configuration<Ball> {
-        self.system.configuration(&self.point)
+    pub fn configuration(&self) -> &Configuration<Ball> {
+        &self.at
     }
 }
 
@@ -88,9 +83,9 @@ pub fn refine_watched(
     start = newton(&system, start, FLOOR)?;
     let level = Level::new(&system, start, bits, tick)?;
     let values = level.enclose(isolated)?;
-    let point = level.point(&values, level.bits);
+    let at = level.place(&values, level.bits);
     tick();
-    Ok(Refined { system, values, point, friction_angle: OnceLock::new() })
+    Ok(Refined { system, at, friction_angle: OnceLock::new() })
 }
 
 /// How often [`refine_watched`] reports progress: once for each angle and once at the end.
@@ -103,7 +98,7 @@ fn newton(system: &System, start: Vec<Float>, bits: u32) -> Result<Vec<Float>, U
     let start: Vec<f64> = start.iter().map(Float::to_f64).collect();
     crate::solve::newton(system, &start, bits)
         .map(|candidate| candidate.0)
-        .ok_or_else(|| Undecided("Newton's method leaves the isolated root".into()))
+        .ok_or_else(|| Undecided::new("Newton's method leaves the isolated root"))
 }
 
 /// One level of the ladder.
@@ -147,7 +142,7 @@ impl<'a> Level<'a> {
             level.step *= 2;
             level.inverse = level.inverse()?;
         }
-        // The steps that remain are dear: from nearer anchors they have fewer terms to sum.
+        // The remaining steps are expensive: from nearer anchors they sum fewer terms.
         for (anchor, x) in level.anchors.iter_mut().zip(&level.centre) {
             *anchor = anchor.take().map(|anchor| anchor.moved(x));
         }
@@ -167,29 +162,26 @@ impl<'a> Level<'a> {
     }
 
     /// The values with their angles, moved from the anchors, at a precision.
-    fn point(&self, values: &[Ball], bits: u32) -> Point<Ball> {
-        Point::with_angles(self.system, values, |index, rad| match &self.anchors[index] {
+    fn place(&self, values: &[Ball], bits: u32) -> Configuration<Ball> {
+        let given = Configuration::zero(&Ball::integer(0, bits));
+        self.system.place_with(given, values, |index, rad| match &self.anchors[index] {
             Some(anchor) => anchor.with_precision(bits).angle(rad),
             None => Angle::new(rad.clone()),
         })
+    }
+
+    /// The residuals with their slopes.
+    fn slopes(&self, values: &[Ball]) -> Vec<Dual<Ball>> {
+        self.system.residuals(&self.system.variables(&self.place(values, self.step)))
     }
 
     /// The inverse of the Jacobian at the centre, to the accuracy of the centre.
     fn inverse(&self) -> Result<Vec<Vec<Ball>>, Undecided> {
         let values: Vec<Ball> =
             self.centre.iter().map(|x| Ball::exact(x.clone(), self.step)).collect();
-        let slopes = self.system.residuals(&self.point(&values, self.step).variables());
-        let entry = |slope: Option<&Ball>| {
-            slope.map_or_else(
-                || Float::new(self.step),
-                |slope| Float::with_val(self.step, slope.mid()),
-            )
-        };
-        let jacobian =
-            slopes.iter().map(|r| (0..values.len()).map(|k| entry(r.slope(k))).collect()).collect();
+        let inverse = inverse_jacobian(&self.slopes(&values), self.step)
+            .ok_or_else(|| Undecided::new("the Jacobian at the root is singular"))?;
         let exact = |row: Vec<Float>| row.into_iter().map(|y| Ball::exact(y, self.step)).collect();
-        let inverse = inverse(jacobian)
-            .ok_or_else(|| Undecided("the Jacobian at the root is singular".into()))?;
         Ok(inverse.into_iter().map(exact).collect())
     }
 
@@ -198,7 +190,7 @@ impl<'a> Level<'a> {
     fn corrections(&self, bits: u32) -> Vec<(Ball, Magnitude)> {
         tally::newton_step();
         let values: Vec<Ball> = self.centre.iter().map(|x| Ball::exact(x.clone(), bits)).collect();
-        let residuals = self.system.residuals(&self.point(&values, bits));
+        let residuals = self.system.residuals(&self.place(&values, bits));
         // Residuals are small and have few bits that mean anything; so have the products.
         let residuals: Vec<Ball> =
             residuals.into_iter().map(|r| r.trimmed().with_precision(self.step)).collect();
@@ -227,11 +219,11 @@ impl<'a> Level<'a> {
         let domain: Vec<Ball> =
             centre.iter().zip(radii).map(|(x, radius)| x.clone().widened(radius)).collect();
         if !domain.iter().zip(isolated.domain()).all(|(x, whole)| x.lies_inside(whole)) {
-            return Err(Undecided("the refined box leaves the box of uniqueness".into()));
+            return Err(Undecided::new("the refined box leaves the box of uniqueness"));
         }
         // The slopes need only the accuracy of the inverse: a wider box with shorter numbers.
         let coarse: Vec<Ball> = domain.iter().map(|x| x.with_precision(self.step)).collect();
-        let slopes = self.system.residuals(&self.point(&coarse, self.step).variables());
+        let slopes = self.slopes(&coarse);
         let offsets: Vec<Ball> = domain.iter().map(Ball::centred).collect();
         let spread = krawczyk::spread(&slopes, &self.inverse, &offsets);
         let image: Vec<Ball> = centre
@@ -240,7 +232,7 @@ impl<'a> Level<'a> {
             .map(|(x, ((dx, _), spread))| (x.clone() - dx) + spread)
             .collect();
         if !krawczyk::is_contracted(&image, &domain) {
-            return Err(Undecided("the refined box is not mapped into itself".into()));
+            return Err(Undecided::new("the refined box is not mapped into itself"));
         }
         Ok(image)
     }
@@ -270,8 +262,9 @@ mod tests {
         for landmark in Landmark::ALL {
             let system = landmark.system(SelfWeight::Milankovitch);
             let candidate =
-                crate::solve::newton(&system, start(landmark, system.weight), 64).unwrap();
-            let isolated = isolate(&system, &candidate).unwrap();
+                crate::solve::newton(&system, start::landmark(landmark, system.weight), 64)
+                    .unwrap();
+            let isolated = isolate(landmark, system.weight, &candidate).unwrap();
             let [coarse, fine] = [700, 5000].map(|bits| refine(&isolated, bits).unwrap());
             for &unknown in system.unknowns {
                 let (coarse, fine) = (coarse.value(unknown).unwrap(), fine.value(unknown).unwrap());

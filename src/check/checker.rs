@@ -14,17 +14,15 @@
 use super::format::{Certificate, Witness, shortened};
 use super::krawczyk;
 use super::refusal::Refusal;
-use crate::arch::Unknown;
-use crate::number::{Dual, Enclosure};
-use crate::number::{Dyadic, Engine, Written};
-use crate::problem::Quantity;
-use crate::problem::{Claim, first_failure};
+use crate::arch::{Configuration, Unknown};
+use crate::number::{AstroInterval, Dual, Dyadic, Enclosure, Engine, Written};
+use crate::problem::{Problem, Quantity, System};
 
 /// The verdict of a successful check.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Accepted {
     /// What was claimed.
-    pub claim: Claim,
+    pub problem: Problem,
     /// How many digits the values have.
     pub digits: usize,
     /// The values, each proved to be the correct rounding.
@@ -41,6 +39,29 @@ const GUARD: usize = 64;
 /// The largest number of digits of any certificate.
 pub const MAX_DIGITS: usize = 1_000_000;
 
+/// The digits up to which a certificate is checked in the second arithmetic, astro-float, by default: at
+/// this size that takes about a minute.
+pub const ASTRO_DIGITS: usize = 50_000;
+
+/// Checks the bytes of a file in pure Rust, up to [`ASTRO_DIGITS`] digits.
+///
+/// Guaranteed if it is accepted: the equations of the claim have exactly one root in the stated box, the
+/// conditions of the claim hold there, and each value is its correct rounding. Nothing of the file is
+/// believed. A [`Refusal`] names the place and says nothing about the truth.
+///
+/// ```
+/// let file = include_bytes!("../../proofs/constants/triple-point-heyman.json");
+/// let accepted = couplet::check::verify(file)?;
+/// assert_eq!(accepted.digits, 100);
+/// assert!(couplet::check::verify(b"{}").is_err());
+/// # Ok::<(), couplet::check::Refusal>(())
+/// ```
+///
+/// See also: [`check`] for another arithmetic or another limit.
+pub fn verify(bytes: &[u8]) -> Result<Accepted, Refusal> {
+    check::<AstroInterval>(bytes, ASTRO_DIGITS)
+}
+
 /// Checks the bytes of a file in the arithmetic `E`, up to `max_digits` digits and never more than
 /// [`MAX_DIGITS`]. Whatever the bytes are, the answer is a verdict: a [`Refusal`] names the place.
 pub fn check<E: Engine>(bytes: &[u8], max_digits: usize) -> Result<Accepted, Refusal> {
@@ -52,45 +73,43 @@ pub fn check_certificate<E: Engine>(
     certificate: &Certificate,
     max_digits: usize,
 ) -> Result<Accepted, Refusal> {
-    let claim = certificate.claim.resolve()?;
+    let problem = certificate.claim.resolve()?;
+    let system = problem.system();
     let digits = certificate.digits;
     if !(1..=max_digits.min(MAX_DIGITS)).contains(&digits) {
         return Err(Refusal::Digits(digits, max_digits.min(MAX_DIGITS)));
     }
-    sizes(&claim, certificate)?;
+    sizes(&system, certificate)?;
     let (wide, bits) = (longest(&certificate.unique), longest(&certificate.root));
     let domain = boxed::<E>(&certificate.unique, wide);
-    let inverse: Vec<Vec<E>> = certificate
-        .inverse
-        .iter()
-        .map(|row| row.iter().map(|y| E::exact(y, wide)).collect())
-        .collect();
-    let centre = exact::<E>(&certificate.unique.centre, wide);
-    let at = claim.configuration(&domain);
-    if !claim.denominators(&at).iter().all(Enclosure::excludes_zero) {
+    let inverse: Vec<Vec<E>> = certificate.inverse.iter().map(|row| exact(row, wide)).collect();
+    let given = problem.given::<E>(wide as u32);
+    let at = system.place(given.clone(), &domain);
+    if !system.denominators(&at).iter().all(Enclosure::excludes_zero) {
         return Err(Refusal::Denominator("unique"));
     }
-    let slopes: Vec<Dual<E>> = claim.residuals(&claim.variables(&domain));
-    let contracts = |place, centre: &[E], domain: &[E]| {
-        let residuals = claim.residuals(&claim.configuration(centre));
+    let slopes: Vec<Dual<E>> = system.residuals(&system.variables(&at));
+    let contracts = |place, given: &Configuration<E>, centre: &[E], domain: &[E]| {
+        let residuals = system.residuals(&system.place(given.clone(), centre));
         let image = krawczyk::image(centre, &residuals, &slopes, &inverse, domain);
         let fails = (0..image.len()).find(|&k| !image[k].lies_inside(&domain[k]));
         fails.map_or(Ok(()), |k| {
-            Err(Refusal::Contraction { place, unknown: claim.unknowns()[k].name() })
+            Err(Refusal::Contraction { place, unknown: system.unknowns[k].name() })
         })
     };
-    contracts("unique", &centre, &domain)?;
+    contracts("unique", &given, &exact(&certificate.unique.centre, wide), &domain)?;
 
     let small = boxed::<E>(&certificate.root, bits);
     let outside = (0..small.len()).find(|&k| !small[k].lies_inside(&domain[k]));
     if let Some(k) = outside {
-        return Err(Refusal::Outside(claim.unknowns()[k].name()));
+        return Err(Refusal::Outside(system.unknowns[k].name()));
     }
-    contracts("root", &exact::<E>(&certificate.root.centre, bits), &small)?;
+    let given = problem.given::<E>(bits as u32);
+    contracts("root", &given, &exact(&certificate.root.centre, bits), &small)?;
 
-    let at = claim.configuration(&small);
-    if let Some(words) = first_failure(&claim.margins(&at)) {
-        return Err(Refusal::Condition(words));
+    let at = system.place(given, &small);
+    if let Some(condition) = problem.first_failure(&at) {
+        return Err(Refusal::Condition(condition.label()));
     }
     let mut values: Vec<(Quantity, String)> = Vec::new();
     for value in &certificate.values {
@@ -98,10 +117,10 @@ pub fn check_certificate<E: Engine>(
         let quantity = Quantity::LANDMARK
             .into_iter()
             .find(|quantity| quantity.name() == value.quantity)
-            .filter(|quantity| claim.has(*quantity))
+            .filter(|quantity| problem.has(*quantity))
             .filter(|quantity| values.iter().all(|(known, _)| known != quantity))
             .ok_or_else(unknown)?;
-        let known = claim.known(quantity, &at).ok_or_else(unknown)?;
+        let known = problem.known(quantity, &at).ok_or_else(unknown)?;
         let refused = Refusal::Rounding(quantity.name());
         if value.value == "inf" {
             if !known.is_infinite() {
@@ -125,7 +144,7 @@ pub fn check_certificate<E: Engine>(
     if values.is_empty() {
         return Err(Refusal::NoValues);
     }
-    Ok(Accepted { claim, digits, values })
+    Ok(Accepted { problem, digits, values })
 }
 
 /// The bits in which to work with a box: a few more than its longest number has.
@@ -134,8 +153,8 @@ fn longest(witness: &Witness) -> usize {
 }
 
 /// Checks the sizes of everything before anything is computed.
-fn sizes(claim: &Claim, certificate: &Certificate) -> Result<(), Refusal> {
-    let n = claim.unknowns().len();
+fn sizes(system: &System, certificate: &Certificate) -> Result<(), Refusal> {
+    let n = system.unknowns.len();
     let size = |place, found: usize| {
         if found == n { Ok(()) } else { Err(Refusal::Size { place, found, expected: n }) }
     };
@@ -157,7 +176,7 @@ fn sizes(claim: &Claim, certificate: &Certificate) -> Result<(), Refusal> {
         bounded(place, WITNESS_BITS, &witness.radius)?;
         let flat = |radius: &Dyadic| radius.is_zero() || radius.is_negative();
         if let Some(k) = witness.radius.iter().position(flat) {
-            let unknown: Unknown = claim.unknowns()[k];
+            let unknown: Unknown = system.unknowns[k];
             return Err(Refusal::Radius { place, unknown: unknown.name() });
         }
     }

@@ -3,9 +3,8 @@
 use super::object::{Object, given, given_object, object, objects};
 use super::refusal::Refusal;
 use crate::arch::{SelfWeight, Unknown};
-use crate::number::Dyadic;
-use crate::problem::{Claim, Exact, State, Subject};
-use crate::problem::{Equation, Landmark, Mode};
+use crate::number::{Dyadic, ExactNumber};
+use crate::problem::{Arch, Equation, Friction, Landmark, Mode, Problem, System};
 use serde::{Deserialize, Serialize};
 use std::io;
 
@@ -117,7 +116,7 @@ pub(super) fn shortened(text: &str) -> String {
     beginning(text, 40)
 }
 
-/// At most so many characters of a text, in one line.
+/// At most `length` characters of a text, in one line.
 fn beginning(text: &str, length: usize) -> String {
     let visible = |c: char| {
         let quote = matches!(c, '"' | '\'' | '\\');
@@ -131,7 +130,7 @@ fn beginning(text: &str, length: usize) -> String {
     shown
 }
 
-/// Why a text is no certificate. It may quote the text, which may be long and hold anything.
+/// Why a text is not a certificate. The reason may quote the text, which may be long and hold anything.
 fn reason(error: &serde_json::Error) -> String {
     let words = error.to_string();
     let place = format!(" at line {} column {}", error.line(), error.column());
@@ -142,44 +141,46 @@ fn reason(error: &serde_json::Error) -> String {
 }
 
 impl ClaimFile {
-    /// The claim in the words of the file.
-    pub fn new(claim: &Claim) -> Self {
-        let state = match &claim.subject {
-            Subject::State(state) => Some(StateFile {
-                mode: state.mode.label().to_owned(),
-                half_opening: state.half_opening.text(),
-                friction: state.friction.as_ref().map_or("inf".to_owned(), Exact::text),
-            }),
-            Subject::Landmark(_) => None,
+    /// The problem in the words of the file; `None` for a friction that is given as an angle, for which
+    /// the format has no words.
+    pub fn new(problem: &Problem) -> Option<Self> {
+        let (landmark, state) = match problem {
+            Problem::Landmark { landmark, .. } => (Some(landmark.symbol().to_owned()), None),
+            Problem::State { mode, arch } => {
+                let friction = match arch.friction() {
+                    Friction::Coefficient(mu) => given_text(mu),
+                    Friction::Infinite => "inf".to_owned(),
+                    Friction::Angle(_) => return None,
+                };
+                let half_opening = given_text(arch.half_opening());
+                let mode = mode.label().to_owned();
+                (None, Some(StateFile { mode, half_opening, friction }))
+            }
         };
-        let landmark = match &claim.subject {
-            Subject::Landmark(landmark) => Some(landmark.symbol().to_owned()),
-            Subject::State(_) => None,
-        };
-        let unknowns = claim.unknowns().iter().map(|unknown| unknown.name().to_owned());
-        let equations = claim.equations().iter().map(|equation| equation.label().to_owned());
-        Self {
-            weight: claim.weight.name().to_owned(),
+        let system = problem.system();
+        Some(Self {
+            weight: system.weight.name().to_owned(),
             landmark,
             state,
-            unknowns: unknowns.collect(),
-            equations: equations.collect(),
-        }
+            unknowns: system.unknowns.iter().map(|unknown| unknown.name().to_owned()).collect(),
+            equations: system.equations.iter().map(|e| e.label().to_owned()).collect(),
+        })
     }
 
-    /// The claim, if every name is known and the unknowns and equations are those of the subject.
-    pub fn resolve(&self) -> Result<Claim, Refusal> {
+    /// The problem, if every name is known and the unknowns and equations are those of the subject.
+    pub fn resolve(&self) -> Result<Problem, Refusal> {
         let weight = named("weight", &self.weight, SelfWeight::ALL, SelfWeight::name)?;
-        let subject = match (&self.landmark, &self.state) {
+        let problem = match (&self.landmark, &self.state) {
             (Some(symbol), None) => {
-                Subject::Landmark(named("landmark", symbol, Landmark::ALL, Landmark::symbol)?)
+                let landmark = named("landmark", symbol, Landmark::ALL, Landmark::symbol)?;
+                Problem::Landmark { landmark, weight }
             }
-            (None, Some(state)) => Subject::State(state.resolve()?),
+            (None, Some(state)) => state.resolve(weight)?,
             _ => return Err(Refusal::Subject),
         };
-        let claim = Claim { weight, subject };
-        let unknowns: Vec<&str> = claim.unknowns().iter().copied().map(Unknown::name).collect();
-        let equations: Vec<&str> = claim.equations().iter().copied().map(Equation::label).collect();
+        let System { unknowns, equations, .. } = problem.system();
+        let unknowns: Vec<&str> = unknowns.iter().copied().map(Unknown::name).collect();
+        let equations: Vec<&str> = equations.iter().copied().map(Equation::label).collect();
         for (place, given, expected) in
             [("unknowns", &self.unknowns, unknowns), ("equations", &self.equations, equations)]
         {
@@ -187,7 +188,7 @@ impl ClaimFile {
                 return Err(Refusal::Mismatch { place, expected: expected.join(", ") });
             }
         }
-        Ok(claim)
+        Ok(problem)
     }
 }
 
@@ -203,51 +204,46 @@ fn named<T: Copy, const N: usize>(
 }
 
 impl StateFile {
-    fn resolve(&self) -> Result<State, Refusal> {
+    fn resolve(&self, weight: SelfWeight) -> Result<Problem, Refusal> {
         let mode = named("mode", &self.mode, Mode::ALL, Mode::label)?;
         if mode == Mode::Sliding {
             // No thickness belongs to it.
             return Err(Refusal::Name { place: "mode", text: self.mode.clone() });
         }
-        let given = |place, text: &str| {
-            Exact::parse(text).ok_or_else(|| Refusal::Given { place, text: shortened(text) })
-        };
+        let refused = |place, text: &str| Refusal::Given { place, text: shortened(text) };
+        let number = |place, text: &str| read_given(text).ok_or_else(|| refused(place, text));
         let friction = match self.friction.as_str() {
-            "inf" => None,
-            text => Some(given("friction", text)?),
+            "inf" => Friction::Infinite,
+            text => Friction::Coefficient(number("friction", text)?),
         };
-        let needs_friction = !matches!(mode, Mode::Rotational | Mode::Overturning);
-        let allows_friction = mode != Mode::Overturning;
-        if needs_friction && friction.is_none() || !allows_friction && friction.is_some() {
-            return Err(Refusal::Given { place: "friction", text: shortened(&self.friction) });
+        if !mode.exists_with(friction != Friction::Infinite) {
+            return Err(refused("friction", &self.friction));
         }
-        Ok(State { mode, half_opening: given("half_opening", &self.half_opening)?, friction })
+        let half_opening = number("half_opening", &self.half_opening)?;
+        let arch = Arch::new(weight, half_opening, friction);
+        let arch = arch.map_err(|_| refused("half_opening", &self.half_opening))?;
+        Ok(Problem::State { mode, arch })
     }
 }
 
-impl Exact {
-    /// `49/20`, or `49/20 pi`.
-    pub fn text(&self) -> String {
-        let pi = if self.times_pi { " pi" } else { "" };
-        format!("{}/{}{pi}", self.numerator, self.denominator)
-    }
+/// `49/20`, or `49/20 pi`: how a certificate gives a number.
+pub(crate) fn given_text(x: &ExactNumber) -> String {
+    let pi = if x.is_rational() { "" } else { " pi" };
+    format!("{}/{}{pi}", x.factor().numer(), x.factor().denom())
+}
 
-    /// Reads that form: two integers in decimal digits, the first above zero or zero, the second above
-    /// zero.
-    fn parse(text: &str) -> Option<Self> {
-        let (quotient, times_pi) = match text.strip_suffix(" pi") {
-            Some(quotient) => (quotient, true),
-            None => (text, false),
-        };
-        let (numerator, denominator) = quotient.split_once('/')?;
-        let is_integer = |text: &str| {
-            (1..=MAX_GIVEN).contains(&text.len()) && text.bytes().all(|b| b.is_ascii_digit())
-        };
-        let is_zero = |text: &str| text.bytes().all(|b| b == b'0');
-        if !is_integer(numerator) || !is_integer(denominator) || is_zero(denominator) {
-            return None;
-        }
-        let owned = str::to_owned;
-        Some(Self { numerator: owned(numerator), denominator: owned(denominator), times_pi })
+/// Reads that form: two integers in decimal digits, the second above zero.
+fn read_given(text: &str) -> Option<ExactNumber> {
+    let (quotient, times_pi) = match text.strip_suffix(" pi") {
+        Some(quotient) => (quotient, true),
+        None => (text, false),
+    };
+    let (numerator, denominator) = quotient.split_once('/')?;
+    let is_integer = |text: &str| {
+        (1..=MAX_GIVEN).contains(&text.len()) && text.bytes().all(|b| b.is_ascii_digit())
+    };
+    if !is_integer(numerator) || !is_integer(denominator) {
+        return None;
     }
+    ExactNumber::fraction(numerator.parse().ok()?, denominator.parse().ok()?, times_pi)
 }

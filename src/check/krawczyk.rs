@@ -14,7 +14,6 @@
 //! `F` is smooth on `X`.
 
 use crate::number::{Dual, Enclosure, Field};
-use crate::problem::{Point, System};
 
 /// The last term of `K(X)`, `(I - Y F'(X)) (X - m)`. `preconditioner` is `Y`; `slopes` are the
 /// residuals as dual numbers on a box that holds `X`, of which only the gradients are used; `offsets` is
@@ -59,20 +58,6 @@ pub fn image<E: Enclosure>(
 
 fn sum<E: Field>(like: &E, terms: impl Iterator<Item = E>) -> E {
     terms.fold(like.int(0), |sum, term| sum + term)
-}
-
-/// The proof: `K(X)` if it lies in the interior of `X`, so that `X` holds exactly one root.
-/// `None` says nothing.
-pub fn unique_root<E: Enclosure>(
-    system: &System,
-    centre: &[E],
-    preconditioner: &[Vec<E>],
-    domain: &[E],
-) -> Option<Vec<E>> {
-    let at_centre = system.residuals(&Point::new(system, centre));
-    let slopes = system.residuals(&Point::new(system, domain).variables());
-    let image = image(centre, &at_centre, &slopes, preconditioner, domain);
-    is_contracted(&image, domain).then_some(image)
 }
 
 /// Whether each component of `image` lies in the interior of that of `domain`.

@@ -9,6 +9,9 @@ pub mod krawczyk;
 mod object;
 mod refusal;
 
-pub use checker::{Accepted, MAX_DIGITS, WITNESS_BITS, check, check_certificate};
+pub use checker::{
+    ASTRO_DIGITS, Accepted, MAX_DIGITS, WITNESS_BITS, check, check_certificate, verify,
+};
+pub(crate) use format::given_text;
 pub use format::{Certificate, ClaimFile, SCHEMA, StateFile, ValueFile, Witness};
 pub use refusal::Refusal;

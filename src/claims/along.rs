@@ -6,9 +6,10 @@
 //! states at the two ends of a range bound all states between.
 
 use crate::arch::{Configuration, Ring, SelfWeight, overturning, sliding, statics, thrust};
-use crate::certify::state::{Arch, Friction, Outcome, State};
-use crate::certify::{CertifiedLandmark, Undecided, between};
+use crate::certify::state::{Certify, Outcome, State};
+use crate::certify::{CertifiedLandmark, Undecided};
 use crate::number::{Angle, Ball, Dual, ExactNumber, Field, Real, Ternary};
+use crate::problem::{Arch, Friction};
 use crate::problem::{Landmark, Mode};
 use rug::Rational;
 
@@ -28,23 +29,16 @@ pub(super) struct Along {
 }
 
 fn arch(weight: SelfWeight, alpha: &Rational) -> Result<Arch, Undecided> {
-    Arch::new(weight, ExactNumber::rational(alpha.clone()), Friction::Infinite)
-        .map_err(|e| Undecided(e.to_string()))
+    Arch::new(weight, ExactNumber::from(alpha), Friction::Infinite)
+        .map_err(|e| Undecided::new(e.to_string()))
 }
 
 fn state(weight: SelfWeight, alpha: &Rational) -> Result<State, Undecided> {
     match arch(weight, alpha)?.state_alone(BITS) {
         Ok(Outcome::Stands(state)) => Ok(*state),
-        Ok(Outcome::Falls(_)) => Err(Undecided(format!("no arch of {alpha} stands"))),
-        Err(doubt) => Err(Undecided(doubt.question.into())),
+        Ok(Outcome::Falls(_)) => Err(Undecided::new(format!("no arch of {alpha} stands"))),
+        Err(doubt) => Err(Undecided::new(doubt.reason.clone().into_owned())),
     }
-}
-
-/// The smallest ball that holds two, or nearly.
-fn hull(a: &Ball, b: &Ball) -> Result<Ball, Undecided> {
-    let end = |x: rug::Float| x.to_rational().ok_or_else(|| Undecided("an unbounded state".into()));
-    let (low, high) = (end(a.lower().min(&b.lower()))?, end(a.upper().max(&b.upper()))?);
-    Ok(between(&low, &high))
 }
 
 /// A landmark's variables.
@@ -52,7 +46,7 @@ pub(super) fn landmark(
     landmark: Landmark,
     weight: SelfWeight,
 ) -> Result<Configuration<Ball>, Undecided> {
-    Ok(CertifiedLandmark::new(landmark, weight)?.enclosure(BITS)?.configuration())
+    Ok(CertifiedLandmark::new(landmark, weight)?.enclosure(BITS)?.configuration().clone())
 }
 
 impl Along {
@@ -60,7 +54,7 @@ impl Along {
     pub(super) fn rotational(weight: SelfWeight, alpha: &Rational) -> Result<Self, Undecided> {
         let state = state(weight, alpha)?;
         if state.mode != Mode::Rotational {
-            return Err(Undecided(format!("the state of {alpha} is not purely rotational")));
+            return Err(Undecided::new(format!("the state of {alpha} is not purely rotational")));
         }
         Ok(Self {
             weight,
@@ -75,7 +69,7 @@ impl Along {
         let weight = SelfWeight::Heyman;
         let friction = arch(weight, alpha)?
             .sliding_friction(BITS)
-            .map_err(|doubt| Undecided(doubt.question.into()))?;
+            .map_err(|doubt| Undecided::new(doubt.reason.clone().into_owned()))?;
         let alpha = Angle::new(Ball::enclosing(alpha, BITS));
         let thrust = sliding::shoulder_thrust(&alpha, &friction).value();
         Ok(Self { weight, alpha, thrust, rotation: None })
@@ -84,13 +78,13 @@ impl Along {
     /// All states between two.
     pub(super) fn up_to(&self, other: &Self) -> Result<Self, Undecided> {
         let rotation = match (&self.rotation, &other.rotation) {
-            (Some(a), Some(b)) => Some((hull(&a.0, &b.0)?, hull(&a.1, &b.1)?)),
+            (Some(a), Some(b)) => Some((a.0.hull(&b.0), a.1.hull(&b.1))),
             _ => None,
         };
         Ok(Self {
             weight: self.weight,
-            alpha: Angle::new(hull(&self.alpha.rad, &other.alpha.rad)?),
-            thrust: hull(&self.thrust, &other.thrust)?,
+            alpha: Angle::new(self.alpha.rad.hull(&other.alpha.rad)),
+            thrust: self.thrust.hull(&other.thrust),
             rotation,
         })
     }
@@ -127,7 +121,7 @@ impl Along {
     /// Along rotation, `d/d eta` of the friction of the shoulder less that of an inner joint.
     pub(super) fn friction_gap_slope(&self) -> Result<Ball, Undecided> {
         let (thickness, joint) =
-            self.rotation.clone().ok_or_else(|| Undecided("no rotational state".into()))?;
+            self.rotation.clone().ok_or_else(|| Undecided::new("no rotational state"))?;
         let ring = Ring::new(self.weight, &Dual::variable(thickness, 0));
         let joint = Angle::new(joint).map(Dual::constant);
         // (2) is stationary in the joint, so that its partial derivative is the whole.
@@ -191,5 +185,5 @@ pub(super) fn below(value: &Ball, scale: i32) -> Result<Rational, Undecided> {
 fn multiple(value: &Ball, scale: i32) -> Result<i32, Undecided> {
     let scaled = (value.clone() * value.int(scale)).lower();
     let integer = scaled.floor().to_integer().and_then(|n| n.to_i32());
-    integer.ok_or_else(|| Undecided("an unbounded landmark".into()))
+    integer.ok_or_else(|| Undecided::new("an unbounded landmark"))
 }

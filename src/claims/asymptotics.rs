@@ -42,7 +42,7 @@ pub(super) const CLAIMS: &[Claim] = &[
 const TERMS: usize = 9;
 
 fn unsettled() -> Undecided {
-    Undecided("the series for small openings do not settle".into())
+    Undecided::new("the series for small openings do not settle")
 }
 
 /// Checks that `beta_r²`, `eta` and `h` solve (2), (5) and (4) with the given `A`, each to the order to

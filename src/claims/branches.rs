@@ -192,7 +192,7 @@ fn widest_joint_is_below_a_right_angle(d: &mut Derivation) -> Result<(), Undecid
 
 fn widest_joint(weight: SelfWeight) -> Result<Ball, Undecided> {
     let point = CertifiedLandmark::new(Landmark::WidestJoint, weight)?;
-    Ok(point.enclosure(128)?.configuration().rotation_joint.rad)
+    Ok(point.enclosure(128)?.configuration().rotation_joint.rad.clone())
 }
 
 fn signs_of_the_branches(d: &mut Derivation) -> Result<Finding, Undecided> {

@@ -154,9 +154,9 @@ impl Derivation {
         match decision.outcome {
             Ok(Finding::AsPrinted | Finding::Implicit) => {}
             Ok(Finding::Misprint { .. }) => {
-                return Err(Undecided(format!("{} is false", claim.id)));
+                return Err(Undecided::new(format!("{} is false", claim.id)));
             }
-            Err(Undecided(reason)) => return Err(Undecided(format!("{}: {reason}", claim.id))),
+            Err(undecided) => return Err(undecided.about(claim.id)),
         }
         self.beneath.extend(decision.derivation.supports());
         self.push(Support::Conclusion, format!("By {}: {}", claim.id, claim.statement), None);
@@ -197,12 +197,12 @@ impl Derivation {
         let words = words.into();
         let left = if self.twin() { false_twin(left) } else { left.clone() };
         if [&left, right].iter().any(|x| relations.normal_form(x.denominator()).is_zero()) {
-            return Err(Undecided(format!("{words}: a denominator vanishes identically")));
+            return Err(Undecided::new(format!("{words}: a denominator vanishes identically")));
         }
         let difference = left - right;
         let normal_form = relations.normal_form(difference.numerator());
         if !normal_form.is_zero() {
-            return Err(Undecided(format!("{words}: the difference is {normal_form}")));
+            return Err(Undecided::new(format!("{words}: the difference is {normal_form}")));
         }
         self.push(Support::Algebra, words, Some(right.into()));
         Ok(())
@@ -218,7 +218,7 @@ impl Derivation {
         let words = words.into();
         let left = if self.twin() { left.int(1) + left } else { left.clone() };
         if !(left.clone() - right).is_zero() {
-            return Err(Undecided(format!(
+            return Err(Undecided::new(format!(
                 "{words}: {} is not {}",
                 left.to_string(),
                 right.to_string()
@@ -237,7 +237,7 @@ impl Derivation {
     ) -> Result<String, Undecided> {
         let left = if self.twin() { right.clone() } else { left.clone() };
         if (left.clone() - right).is_zero() {
-            return Err(Undecided(format!("{words}: both are {}", right.to_string())));
+            return Err(Undecided::new(format!("{words}: both are {}", right.to_string())));
         }
         let counterexample = format!("{words}: {} is not {}", left.to_string(), right.to_string());
         self.push(Support::Algebra, &counterexample, None);
@@ -263,7 +263,7 @@ impl Derivation {
         let series = if self.twin() { series.int(1) + series } else { series.clone() };
         let (valuation, order) = (series.valuation(), series.order());
         if valuation < order || order < 1 {
-            return Err(Undecided(format!("{words}: the residual is {}", series.show("x"))));
+            return Err(Undecided::new(format!("{words}: the residual is {}", series.show("x"))));
         }
         self.push(
             Support::Algebra,
@@ -287,8 +287,8 @@ impl Derivation {
                 self.push(support, words, None);
                 Ok(())
             }
-            Ternary::False => Err(Undecided(format!("{words}: false"))),
-            Ternary::Undecided => Err(Undecided(format!("{words}: not decided"))),
+            Ternary::False => Err(Undecided::new(format!("{words}: false"))),
+            Ternary::Undecided => Err(Undecided::new(format!("{words}: not decided"))),
         }
     }
 
@@ -304,8 +304,7 @@ impl Derivation {
             let value = value(x);
             if negated { (-value).is_positive() } else { value.is_positive() }
         };
-        let pieces = cover(low, high, &holds)
-            .map_err(|Undecided(reason)| Undecided(format!("{words}: {reason}")))?;
+        let pieces = cover(low, high, &holds).map_err(|undecided| undecided.about(words))?;
         let range = format!("{words} on [{low}, {high}], {pieces} pieces");
         self.push(Support::Balls, range, None);
         Ok(())

@@ -217,10 +217,8 @@ fn dividing_lines_tend_to_the_end_of_rotation(d: &mut Derivation) -> Result<Find
     let slope = -(eta.int(1) + Symbol::Flag.number() * &eta / eta.int(6));
     let words = "its slope to eta, up to the factor, is not zero";
     d.identity(words, &condition.derivative(&by(Symbol::Thickness)), &slope, &Relations::none())?;
-    for (weight, end) in [
-        (SelfWeight::Heyman, Surd::rational(1, 3)),
-        (SelfWeight::Milankovitch, Surd::new(-6, 4, 3)),
-    ] {
+    for weight in SelfWeight::ALL {
+        let end = overturning::thickness_at_end(weight, &Surd::new(0, 1, 3));
         let value = overturning::end_of_rotation(&Ring::new(weight, &end));
         let words = format!("it vanishes at eta_l = {end}, {} weight", weight.name());
         d.equal(words, &value, &end.int(0))?;

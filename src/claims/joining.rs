@@ -14,36 +14,28 @@ pub(super) const CLAIMS: &[Claim] = &[
         place: "Sec. 2.1, Fig. 4",
         statement: "for Heyman's weight eta(A) and eta(alpha) of the rotational and of the overturning \
                     states join with one slope at l (C1); they do not join C2",
-        decide: |d| {
-            joining(d, SelfWeight::Heyman, &Surd::rational(1, 3), &Surd::rational((-9, 2), 3))
-        },
+        decide: |d| joining(d, SelfWeight::Heyman, &Surd::rational((-9, 2), 3)),
     },
     Claim {
         id: "joining-milankovitch",
         place: "Sec. 2.1, Fig. 4",
         statement: "for Milankovitch's weight eta(A) and eta(alpha) of the rotational and of the \
                     overturning states join with one slope at l (C1); they do not join C2",
-        decide: |d| {
-            joining(d, SelfWeight::Milankovitch, &Surd::new(-6, 4, 3), &Surd::new(0, -4, 3))
-        },
+        decide: |d| joining(d, SelfWeight::Milankovitch, &Surd::new(0, -4, 3)),
     },
 ];
 
 /// Coefficients shown and checked.
 const TERMS: usize = 8;
 
-fn joining(
-    d: &mut Derivation,
-    weight: SelfWeight,
-    thickness: &Surd,
-    slope: &Surd,
-) -> Result<Finding, Undecided> {
+fn joining(d: &mut Derivation, weight: SelfWeight, slope: &Surd) -> Result<Finding, Undecided> {
+    let thickness = &overturning::thickness_at_end(weight, &Surd::new(0, 1, 3));
     d.assume(
         "x = A - A_l; rotation for x >= 0 with u = beta_r^2, overturning for x <= 0 with h = 0",
     );
     let AboutEnd { joint_squared, thickness: rotation, thrust, overturning_thickness: overturned } =
         about_end(weight, thickness, TERMS)
-            .ok_or_else(|| Undecided("the series about l do not settle".into()))?;
+            .ok_or_else(|| Undecided::new("the series about l do not settle"))?;
     let a_at_end = overturning::opening_variable(&Ring::new(weight, thickness)).value();
     d.equal("A_l", &overturned_opening(weight, &overturned).coefficient(0), &a_at_end)?;
 

@@ -1,4 +1,4 @@
-//! The landmark points: what holds besides the equations that define them, and the values that the
+//! The landmark points: what holds beyond the equations that define them, and the values that the
 //! text gives to few digits.
 
 use super::letters::{ring, variables};
@@ -6,11 +6,12 @@ use super::{Claim, Derivation, Finding, Support};
 use crate::arch::{
     Configuration, Ring, SelfWeight, Unknown, contact, overturning, sliding, statics, thrust,
 };
-use crate::certify::state::{Arch, Friction, Outcome, State};
+use crate::certify::state::{Certify, Outcome, State};
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::number::{
     Angle, Ball, Decimal, Enclosure, ExactNumber, Field, Real, Rounded, Ternary, arctangent,
 };
+use crate::problem::{Arch, Friction};
 use crate::problem::{Fixed, Landmark, Mode, Quantity};
 use crate::symbolic::{Fraction, Relations, Symbol, along_the_joint};
 use rug::Rational;
@@ -19,7 +20,7 @@ pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         id: "landmark-T",
         place: "Sec. 2.2, Fig. 8",
-        statement: "at T the mode [r,r,s] meets the other three: (3) holds there besides",
+        statement: "at T the mode [r,r,s] meets the other three: (3) holds there too",
         decide: triple_point,
     },
     Claim {
@@ -45,7 +46,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "landmark-l",
         place: "Sec. 3, Tables 3-4",
         statement: "states without thrust, l, L and all purely overturning ones, strictly require \
-                    infinite friction, against inner sliding; and (2) holds at l besides",
+                    infinite friction, against inner sliding; and (2) holds at l too",
         decide: no_thrust_needs_unlimited_friction,
     },
     Claim {
@@ -92,16 +93,20 @@ fn triple_point(d: &mut Derivation) -> Result<Finding, Undecided> {
 
 fn shift_point(d: &mut Derivation) -> Result<Finding, Undecided> {
     let [below, above] = [Mode::RotationalSliding, Mode::RotationalSlidingRotational];
-    d.certain(
-        Support::Algebra,
-        "both modes have the equations (3), (5), (18); only the order of the joints tells them apart",
-        certain_if(below.system() == above.system()),
-    )?;
     for weight in SelfWeight::ALL {
+        d.certain(
+            Support::Algebra,
+            "both modes have the equations (3), (5), (18); only the order of the joints tells them apart",
+            certain_if(below.system(weight) == above.system(weight)),
+        )?;
         let system = Landmark::Shift.system(weight);
         let same = system.fixed_value(Unknown::RotationJoint)
             == Some(Fixed::SameAs(Unknown::SlidingJoint));
-        let all = below.system().1.iter().all(|equation| system.equations.contains(equation));
+        let all = below
+            .system(weight)
+            .equations
+            .iter()
+            .all(|equation| system.equations.contains(equation));
         d.certain(
             Support::Algebra,
             "S has them all, and beta_r = beta_s",
@@ -124,7 +129,7 @@ fn junction_point(d: &mut Derivation) -> Result<Finding, Undecided> {
         let slope = contact::crown_slope(weight, &at) * at.thrust.int(2);
         d.identity(words, &tangency, &slope, &Relations::none())?;
         let system = Landmark::Junction.system(weight);
-        let (_, equations) = Mode::OverturningSliding.system();
+        let equations = Mode::OverturningSliding.system(weight).equations;
         let all = equations.iter().all(|equation| system.equations.contains(equation));
         let crown = system.fixed_value(Unknown::RotationJoint) == Some(Fixed::Integer(0));
         let words = "J has (3) at beta = 0 and (18), the equations of [r,s]";
@@ -200,7 +205,7 @@ pub(super) fn enclosed(
     weight: SelfWeight,
 ) -> Result<(CertifiedLandmark, Configuration<Ball>), Undecided> {
     let point = CertifiedLandmark::new(landmark, weight)?;
-    let at = point.enclosure(128)?.configuration();
+    let at = point.enclosure(128)?.configuration().clone();
     Ok((point, at))
 }
 
@@ -211,17 +216,17 @@ pub(super) fn state_of(
     weight: SelfWeight,
 ) -> Result<State, Undecided> {
     let number =
-        |text: &str| text.parse::<ExactNumber>().map_err(|error| Undecided(error.to_string()));
+        |text: &str| text.parse::<ExactNumber>().map_err(|error| Undecided::new(error.to_string()));
     let friction = match friction {
         Some(text) => Friction::Coefficient(number(text)?),
         None => Friction::Infinite,
     };
     let arch = Arch::new(weight, number(half_opening)?, friction)
-        .map_err(|error| Undecided(error.to_string()))?;
+        .map_err(|error| Undecided::new(error.to_string()))?;
     match arch.state(128) {
         Ok(Outcome::Stands(state)) => Ok(*state),
-        Ok(Outcome::Falls(_)) => Err(Undecided("the arch does not stand".into())),
-        Err(doubt) => Err(Undecided(doubt.question.into())),
+        Ok(Outcome::Falls(_)) => Err(Undecided::new("the arch does not stand")),
+        Err(doubt) => Err(Undecided::new(doubt.reason.clone().into_owned())),
     }
 }
 
@@ -257,9 +262,9 @@ const ROUNDED: &[(Landmark, SelfWeight, Quantity, &[&str])] = {
 
 /// Checks that `text` is the value rounded to its digits.
 fn rounds_to(d: &mut Derivation, words: &str, value: &Ball, text: &str) -> Result<(), Undecided> {
-    let printed: Decimal = text.parse().map_err(|e| Undecided(format!("{e}")))?;
+    let printed: Decimal = text.parse().map_err(|e| Undecided::new(format!("{e}")))?;
     let rounded = Rounded::from_ball(value, printed.significant_digits())
-        .ok_or_else(|| Undecided(format!("the rounding of {words}")))?;
+        .ok_or_else(|| Undecided::new(format!("the rounding of {words}")))?;
     d.equal(
         format!("{words} to the digits of {text}"),
         &rounded.value.to_rational(),
@@ -273,7 +278,7 @@ fn rounded_values(d: &mut Derivation) -> Result<Finding, Undecided> {
         let words = format!("{} at {}, {}", quantity.name(), landmark.symbol(), weight.name());
         let value = point
             .quantity(&point.enclosure(128)?, *quantity)
-            .ok_or_else(|| Undecided(words.clone()))?;
+            .ok_or_else(|| Undecided::new(words.clone()))?;
         for text in *texts {
             rounds_to(d, &words, &value, text)?;
         }

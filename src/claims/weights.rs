@@ -117,7 +117,7 @@ fn compared(
         if comparison.certified == Relation::Equal {
             let exact = |weight| match CertifiedLandmark::new(landmark, weight)?.exact(quantity) {
                 Some(Exact::Surd(value)) => Ok(value),
-                _ => Err(Undecided(format!("{words} is not exact"))),
+                _ => Err(Undecided::new(format!("{words} is not exact"))),
             };
             let [heyman, milankovitch] = SelfWeight::ALL.map(exact);
             let value = heyman?;
@@ -142,7 +142,7 @@ fn limits_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
     .exact(quantity)
     {
         Some(Exact::Surd(value)) => Ok(value.enclosure(128)),
-        _ => Err(Undecided(format!("{} at {}", quantity.name(), landmark.symbol()))),
+        _ => Err(Undecided::new(format!("{} at {}", quantity.name(), landmark.symbol()))),
     };
     use {Landmark::*, Quantity::*};
     for (landmark, quantity, higher) in [
@@ -327,5 +327,5 @@ fn widest_joints_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
 
 fn shown(value: &Ball) -> Result<String, Undecided> {
     let rounded = Rounded::from_ball(value, 6).map(|rounded| rounded.value.to_string());
-    rounded.ok_or_else(|| Undecided("the semicircle".into()))
+    rounded.ok_or_else(|| Undecided::new("the semicircle"))
 }

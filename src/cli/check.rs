@@ -1,9 +1,8 @@
 //! `couplet check`: also the whole of the small program.
 
-use super::failure::Failure;
-use crate::check::{Accepted, Refusal, check};
-use crate::number::AstroInterval;
-use crate::problem::Subject;
+use super::failure::{Failure, print};
+use crate::check::{Accepted, Refusal, given_text, verify};
+use crate::problem::{Friction, Problem};
 use clap::Args;
 use std::fs::File;
 use std::io::{self, Read};
@@ -47,22 +46,22 @@ fn engine(text: &str) -> Result<EngineChoice, String> {
 #[derive(clap::Subcommand)]
 pub enum Command {
     Check(Arguments),
+    Completions(super::completions::Arguments),
+    Man(super::man::Arguments),
 }
 
 #[cfg(not(feature = "mpfr"))]
 impl Command {
-    /// What to say to someone who names another.
-    pub const NAMES: &str = "; this build has the command check only";
-
-    /// Does what is asked.
-    pub fn run(&self) -> Result<(), Failure> {
-        let Self::Check(arguments) = self;
-        run(arguments)
+    /// Does what is asked; `program` is the whole command line.
+    pub fn run(&self, program: fn() -> clap::Command) -> Result<(), Failure> {
+        match self {
+            Self::Check(arguments) => run(arguments),
+            Self::Completions(arguments) => super::completions::run(arguments, program()),
+            Self::Man(arguments) => super::man::run(arguments, program()),
+        }
     }
 }
 
-/// Pure Rust sines and cosines: 40,000 digits of T take 40 s, 100,000 more than five minutes.
-const ASTRO_DIGITS: usize = 50_000;
 /// A certificate of a million digits has about 25 MB.
 const MAX_BYTES: u64 = 64 << 20;
 
@@ -82,7 +81,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
                 format!("{name}: refused: {reason}")
             }
         };
-        print(&line)?;
+        print(format!("{line}\n").as_bytes())?;
     }
     match refused {
         0 => Ok(()),
@@ -92,9 +91,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 fn checked(bytes: &[u8], engine: EngineChoice) -> Result<Accepted, Refusal> {
     match engine {
-        EngineChoice::Astro => check::<AstroInterval>(bytes, ASTRO_DIGITS),
+        EngineChoice::Astro => verify(bytes),
         #[cfg(feature = "mpfr")]
-        EngineChoice::Mpfr => check::<crate::number::Ball>(bytes, crate::check::MAX_DIGITS),
+        EngineChoice::Mpfr => {
+            crate::check::check::<crate::number::Ball>(bytes, crate::check::MAX_DIGITS)
+        }
     }
 }
 
@@ -110,13 +111,15 @@ fn read(name: &str) -> io::Result<Vec<u8>> {
 
 /// What was accepted, in a few words.
 fn summary(accepted: &Accepted) -> String {
-    let claim = &accepted.claim;
-    let subject = match &claim.subject {
-        Subject::Landmark(landmark) => landmark.symbol().to_owned(),
-        Subject::State(state) => {
-            let friction = state.friction.as_ref().map_or("inf".to_owned(), |mu| mu.text());
-            let mode = state.mode.label();
-            format!("{mode} half_opening {} friction {friction}", state.half_opening.text())
+    let subject = match &accepted.problem {
+        Problem::Landmark { landmark, .. } => landmark.symbol().to_owned(),
+        Problem::State { mode, arch } => {
+            let (half_opening, friction) = (given_text(arch.half_opening()), arch.friction());
+            let friction = match friction {
+                Friction::Coefficient(mu) => given_text(mu),
+                friction => friction.to_string(),
+            };
+            format!("{mode} half_opening {half_opening} friction {friction}")
         }
     };
     let first = accepted.values.first().map_or(String::new(), |(quantity, value)| {
@@ -125,16 +128,9 @@ fn summary(accepted: &Accepted) -> String {
         format!("{} {shown}{more} ", quantity.name())
     });
     let plural = if accepted.digits == 1 { "" } else { "s" };
-    format!("{subject} {}  {first}to {} digit{plural}", claim.weight.name(), accepted.digits)
-}
-
-/// Prints a line; a reader that has closed the pipe has what it wanted.
-fn print(line: &str) -> Result<(), Failure> {
-    use io::Write;
-    match writeln!(io::stdout(), "{line}") {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(Failure::writing("to standard output", &error))
-        }
-        _ => Ok(()),
-    }
+    format!(
+        "{subject} {}  {first}to {} digit{plural}",
+        accepted.problem.weight().name(),
+        accepted.digits
+    )
 }

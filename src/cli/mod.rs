@@ -6,9 +6,11 @@
 mod check;
 #[cfg(feature = "mpfr")]
 mod commands;
+mod completions;
 mod failure;
+mod man;
 
-use clap::Parser;
+use clap::{CommandFactory, Parser};
 use failure::Failure;
 use std::process::ExitCode;
 
@@ -36,7 +38,7 @@ pub fn run() -> ExitCode {
         Ok(cli) => cli,
         Err(error) => return usage(&error),
     };
-    match cli.command.run() {
+    match cli.command.run(Cli::command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             eprintln!("couplet: {failure}");
@@ -71,10 +73,22 @@ fn usage(error: &clap::Error) -> ExitCode {
         .join("; ")
         .replace(":; ", ": ");
     let possible = match error.kind() {
-        clap::error::ErrorKind::InvalidSubcommand => Command::NAMES,
-        clap::error::ErrorKind::UnknownArgument => "; --help lists the options",
-        _ => "",
+        clap::error::ErrorKind::InvalidSubcommand => commands_there_are(),
+        clap::error::ErrorKind::UnknownArgument => "; --help lists the options".into(),
+        _ => String::new(),
     };
     eprintln!("couplet: {}{possible}", line.strip_prefix("error: ").unwrap_or(&line));
     ExitCode::from(2)
+}
+
+/// What to say to someone who names a command that is not there, or not built in.
+fn commands_there_are() -> String {
+    let cli = Cli::command();
+    let names: Vec<&str> = cli.get_subcommands().map(clap::Command::get_name).collect();
+    let Some((last, others)) = names.split_last() else { return String::new() };
+    let these = match cfg!(feature = "study") {
+        true => "the commands are",
+        false => "this build has the commands",
+    };
+    format!("; {these} {} and {last}", others.join(", "))
 }

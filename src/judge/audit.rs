@@ -125,7 +125,7 @@ pub fn compare_weights_of(points: &[Enclosed]) -> Result<Vec<Comparison>, Undeci
             let values = SelfWeight::ALL.map(|weight| points.value(landmark, weight, quantity));
             let [heyman, milankovitch] = values;
             let certified = relation(&milankovitch?, &heyman?).ok_or_else(|| {
-                Undecided(format!("{} at {}", quantity.name(), landmark.symbol()))
+                Undecided::new(format!("{} at {}", quantity.name(), landmark.symbol()))
             })?;
             Ok(Comparison { landmark, quantity, claimed, certified })
         })
@@ -159,7 +159,7 @@ impl Points<'_> {
         quantity: Quantity,
     ) -> Result<Known, Undecided> {
         let missing =
-            || Undecided(format!("{} has no finite {}", landmark.symbol(), quantity.name()));
+            || Undecided::new(format!("{} has no finite {}", landmark.symbol(), quantity.name()));
         let (point, refined) = self.find(landmark, weight).ok_or_else(missing)?;
         match point.exact(quantity) {
             Some(Exact::Surd(surd)) => Ok(match surd.parts() {
@@ -172,7 +172,7 @@ impl Points<'_> {
 }
 
 fn audit_one(printed: &'static Printed, points: &Points<'_>) -> Result<Audited, Undecided> {
-    let undecided = || Undecided(format!("{} {}", printed.place, printed.text));
+    let undecided = || Undecided::new(format!("{} {}", printed.place, printed.text));
     let PrintedNumber { value, unit, digits } = figures(printed.text).ok_or_else(undecided)?;
     let truth = points.value(printed.landmark, printed.weight, printed.quantity)?;
     let error = truth.error_of(&value, &unit);

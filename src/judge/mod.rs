@@ -3,12 +3,24 @@
 //!
 //! A claim is what a row of results says: that the arch stands or falls, the mode, some numbers. Each
 //! number is compared with a proved enclosure, which is narrowed until every comparison is decided;
-//! nothing here is told by a double.
+//! no double decides anything.
 //!
 //! A number is **correct to `k` digits** if its error is at most half a unit of the `k`-th significant
 //! digit of the true value; where that is exactly zero, of the `k`-th decimal place. (The audit of the
-//! paper counts equal leading digits instead, which is what a reader of a table sees.) How the last
-//! printed place was rounded is told besides.
+//! paper counts equal leading digits instead, which is what a reader of a table sees.) The
+//! verdict also says how the last printed place was rounded.
+//!
+//! ```
+//! use couplet::judge::{Claim, CorrectDigits, Demand, Said, Verdict, judge};
+//! use couplet::prelude::*;
+//!
+//! let arch = Arch::parse("heyman", "90deg", "0.38")?;
+//! let said = Said { numbers: vec![(Quantity::Thickness, "0.12220", false)], ..Said::default() };
+//! let judgement = judge(&arch, &Claim::read(&said)?, Demand { digits: 4, or_all_printed: false });
+//! assert_eq!(judgement.verdict, Verdict::Correct);
+//! assert_eq!(judgement.numbers[0].correct_digits, CorrectDigits::Digits(4));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 //!
 //! | file | what it does |
 //! |---|---|

@@ -151,10 +151,10 @@ impl Judged {
         };
         self.errors = Some(Errors { absolute: size, relative, units: units.shown()?, ulp });
         let nearest = match truth {
-            Known::Exact(x) => ExactNumber::rational(x.clone()).nearest_double(),
+            Known::Exact(x) => ExactNumber::from(x).nearest_double(),
             Known::Enclosed(x) => Some(x.nearest_double()?),
         };
-        let double = ExactNumber::rational(number.value.clone()).nearest_double();
+        let double = ExactNumber::from(&number.value).nearest_double();
         self.is_nearest_double = Some(double.is_some() && double == nearest);
         (self.rounding, self.order) = (Some(rounding), Some(order));
         Some(())

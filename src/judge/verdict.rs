@@ -3,11 +3,13 @@
 use super::claim::Claim;
 use super::number::{CorrectDigits, Judged, compared_digits};
 use super::truth::Truth;
-use crate::certify::state::{Arch, Doubt, Fall, Outcome, State};
+use crate::certify::Undecided;
+use crate::certify::state::{Certify, Fall, Outcome, State, raised};
+use crate::problem::Arch;
 use crate::problem::{Mode, Quantity};
 use std::cmp::Ordering;
 
-/// What is said of a row as a whole, from the best to the gravest, and then what cannot be judged.
+/// The verdict on a row, from best to worst, then the rows that cannot be judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Verdict {
     /// Every number is the correct rounding of the truth, and all else is right.
@@ -102,7 +104,7 @@ pub enum Standing {
     /// It does not stand at any thickness.
     Falls(Fall),
     /// This could not be told.
-    Undecided(Doubt),
+    Undecided(Undecided),
 }
 
 /// On which side of the truth a thickness is.
@@ -148,7 +150,7 @@ pub fn judge(arch: &Arch, claim: &Claim, demand: Demand) -> Judgement {
     let bare = |standing, verdict| Judgement { standing, verdict, numbers: Vec::new() };
     let digits = claim.numbers.iter().map(compared_digits).max().unwrap_or(1);
     let frictions = claim.numbers.iter().any(|number| number.quantity.is_friction());
-    let compared = arch.raised(digits, |bits| {
+    let compared = raised(arch, digits, |bits| {
         let outcome = if frictions { arch.state(bits)? } else { arch.state_alone(bits)? };
         Ok(match (outcome, claim.stands) {
             (Outcome::Falls(fall), stands) => {

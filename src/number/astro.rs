@@ -36,6 +36,11 @@ impl AstroInterval {
         Self { low: value.clone(), high: value, prec: prec.max(WORD_BIT_SIZE) }
     }
 
+    /// The same set with results to be rounded to `prec` bits (whole words).
+    pub fn with_precision(&self, prec: usize) -> Self {
+        Self { prec, ..self.clone() }
+    }
+
     /// The number `± mantissa * 2^exponent`, exactly; the mantissa in words of 64 bits, the least
     /// significant first and the last not zero.
     pub fn dyadic(negative: bool, mantissa: &[u64], exponent: i32, prec: usize) -> Self {

@@ -30,6 +30,12 @@ impl<T: Field> Dual<T> {
         Self::with_derivative(value, index, one)
     }
 
+    /// Each value as an unknown, numbered in order.
+    pub fn variables(values: &[T]) -> Vec<Self> {
+        let values = values.iter().enumerate();
+        values.map(|(index, value)| Self::variable(value.clone(), index)).collect()
+    }
+
     /// A value whose only non-zero derivative, to unknown `index`, is `derivative`.
     pub fn with_derivative(value: T, index: usize, derivative: T) -> Self {
         let mut gradient = vec![None; index];

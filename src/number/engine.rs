@@ -8,8 +8,21 @@ pub trait Engine: Enclosure {
     /// The number itself, with results to be rounded to at least `bits` bits.
     fn exact(value: &Dyadic, bits: usize) -> Self;
 
-    /// All numbers within `radius` of `centre`.
-    fn around(centre: &Dyadic, radius: &Dyadic, bits: usize) -> Self;
+    /// Zero, with results to be rounded to at least `bits` bits.
+    fn zero(bits: usize) -> Self {
+        Self::exact(&Dyadic::new(false, Vec::new(), 0), bits)
+    }
+
+    /// The same set, or one that holds it, with results to be rounded to at least `bits` bits.
+    fn with_bits(&self, bits: usize) -> Self;
+
+    /// All numbers within `radius` of one of this set.
+    fn widened_by(&self, radius: &Dyadic) -> Self;
+
+    /// All numbers within `radius` of `centre`, with results to be rounded to at least `bits` bits.
+    fn around(centre: &Dyadic, radius: &Dyadic, bits: usize) -> Self {
+        Self::exact(centre, bits).widened_by(radius)
+    }
 }
 
 impl Engine for AstroInterval {
@@ -17,9 +30,12 @@ impl Engine for AstroInterval {
         Self::dyadic(value.is_negative(), value.words(), value.exponent(), bits)
     }
 
-    fn around(centre: &Dyadic, radius: &Dyadic, bits: usize) -> Self {
-        let radius = Self::exact(radius, bits);
-        Self::exact(centre, bits) + radius.symmetric()
+    fn with_bits(&self, bits: usize) -> Self {
+        self.with_precision(bits)
+    }
+
+    fn widened_by(&self, radius: &Dyadic) -> Self {
+        self.clone() + Self::exact(radius, self.prec).symmetric()
     }
 }
 
@@ -35,8 +51,12 @@ mod mpfr {
             Self::exact(float(value), precision(bits))
         }
 
-        fn around(centre: &Dyadic, radius: &Dyadic, bits: usize) -> Self {
-            Self::new(float(centre), Magnitude::upper(&float(radius)), precision(bits))
+        fn with_bits(&self, bits: usize) -> Self {
+            self.with_precision(precision(bits))
+        }
+
+        fn widened_by(&self, radius: &Dyadic) -> Self {
+            self.clone().widened(Magnitude::upper(&float(radius)))
         }
     }
 

@@ -41,12 +41,16 @@ pub(crate) use owned_operators;
 
 mod angle;
 mod astro;
+#[cfg(feature = "check")]
+mod decimal;
 mod double;
 mod dual;
 #[cfg(feature = "check")]
 mod dyadic;
 #[cfg(feature = "check")]
 mod engine;
+#[cfg(feature = "check")]
+mod exact;
 #[cfg(feature = "mpfr")]
 mod gmp;
 mod stumpff;
@@ -56,15 +60,18 @@ mod written;
 
 pub use angle::Angle;
 pub use astro::AstroInterval;
+#[cfg(feature = "check")]
+pub use decimal::{Decimal, ParseDecimalError};
 pub use dual::Dual;
 #[cfg(feature = "check")]
 pub use dyadic::{Dyadic, MAX_EXPONENT, ParseDyadicError};
 #[cfg(feature = "check")]
 pub use engine::Engine;
+#[cfg(feature = "check")]
+pub use exact::{ExactNumber, ParseExactError};
 #[cfg(feature = "mpfr")]
 pub use gmp::{
-    Anchor, Ball, Binary, Decimal, ExactNumber, Magnitude, ParseDecimalError, ParseExactError,
-    Rounded, Surd, arctangent, bits_of, rational_like,
+    Anchor, Ball, Binary, Magnitude, Rounded, Surd, arctangent, bits_of, rational_like, terminating,
 };
 pub use stumpff::Stumpff;
 #[cfg(feature = "mpfr")]
@@ -72,8 +79,6 @@ pub(crate) use stumpff::terms as stumpff_terms;
 pub use ternary::Ternary;
 #[cfg(feature = "check")]
 pub use written::Written;
-#[cfg(feature = "check")]
-pub(crate) use written::integer_text;
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -115,7 +120,7 @@ pub trait ExactField: Field {
     fn is_zero(&self) -> bool;
 }
 
-/// A field with the functions an arch needs besides.
+/// A field with pi, square roots, sines and cosines: what the statics of an arch need.
 pub trait Real: Field {
     /// The constant `pi` with the precision of `self`.
     fn pi(&self) -> Self;

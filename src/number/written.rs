@@ -79,15 +79,6 @@ impl Written {
     }
 }
 
-/// The integer that a text of digits, with a sign or without, stands for; other characters count as
-/// zeros, so that the text has to be looked at before.
-pub(crate) fn integer_text<E: Enclosure>(text: &str, like: &E) -> E {
-    let digits: Vec<u8> =
-        text.bytes().filter(u8::is_ascii_digit).map(|digit| digit - b'0').collect();
-    let size = integer(&digits, like);
-    if text.starts_with('-') { -size } else { size }
-}
-
 /// Digits that fit an `i32`.
 const CHUNK: usize = 9;
 

@@ -1,131 +1,167 @@
 //! What has to be positive for a state to be admissible everywhere and the thinnest there is.
 //!
-//! The lemma behind it, and the multipliers, are in [`crate::arch::contact`].
+//! The lemma behind it, and the multipliers, are in [`arch::contact`](crate::arch::contact).
 
-use crate::arch::{Configuration, SelfWeight, contact, sliding, statics};
-use crate::number::{Angle, Enclosure, Ternary};
-use crate::problem::{Equation, Mode, tally};
+use super::Mode;
+use crate::arch::Unknown;
 
-/// What has to be positive: the admissibility of the whole half arch, and the least thickness. What is
-/// zero by the equations of the mode is not listed. Without `friction` it is taken as unlimited. `at` has
-/// angles in radians, lengths in `r` and the thrust in `w r`; each margin comes with what it says.
-pub fn conditions<E: Enclosure>(
-    weight: SelfWeight,
-    mode: Mode,
-    at: &Configuration<E>,
-    friction: Option<&E>,
-) -> Vec<(E, &'static str)> {
-    use Mode::*;
-    let mut all = vec![
-        (statics::normal_force(&at.half_opening, &at.thrust), "compression at the shoulder"),
-        (at.thickness.clone(), "a positive thickness"),
-        (at.thickness.int(2) - &at.thickness, "a thickness below the physical limit"),
-    ];
-    let mut needs = |margin: E, question| all.push((margin, question));
-    let from_crown = matches!(mode, Rotational | SlidingRotational);
-    if mode != Overturning {
-        needs(at.thrust.clone(), "a positive thrust");
-        needs(at.thrust.int(1) - &at.thrust, "a thrust below one");
-    }
-    // The line of thrust.
-    if from_crown || matches!(mode, RotationalSliding | RotationalSlidingRotational) {
-        needs(at.rotation_joint.rad.clone(), "a rotational joint below the crown");
-        needs(
-            at.half_opening.rad.clone() - &at.rotation_joint.rad,
-            "a rotational joint above the shoulder",
-        );
-    } else {
-        needs(
-            contact::crown_slope(weight, at),
-            "the line of thrust leaves the intrados at the crown",
-        );
-    }
-    if mode == SlidingRotational {
-        let moment = contact::crown_moment(at);
-        needs(
-            contact::extrados_margin_at_shoulder(weight, at, &moment),
-            "the line of thrust inside the extrados at the shoulder",
-        );
-    }
-    // At [r,s] the crown's pressure point is on the intrados, so not on the extrados.
-    if matches!(mode, RotationalSliding | RotationalSlidingRotational) {
-        let moment = contact::shoulder_moment(weight, at);
-        needs(
-            contact::crown_moment(at) - moment,
-            "the line of thrust inside the extrados at the crown",
-        );
-    }
-    needs(
-        contact::margin_at_physical_limit(weight, at),
-        "every thicker arch stands up to the physical limit",
-    );
-    // Friction, at the steepest joint, which has to be a joint of the arch.
-    if let Some(friction) = friction {
-        let room = match from_crown {
-            true => room_for_steepest(at),
-            false => at.half_opening.rad.clone() - &at.sliding_joint.rad,
+/// One thing that has to be positive.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Condition {
+    /// A variable is above zero.
+    Above(Unknown),
+    /// A variable is below the largest value it can have.
+    Below(Unknown),
+    /// `N(alpha) > 0`.
+    Compression,
+    /// The line of thrust touches the intrados at the crown and stays inside below it.
+    IntradosAtCrown,
+    /// The line of thrust is inside the extrados at the shoulder.
+    ExtradosAtShoulder,
+    /// The line of thrust is inside the extrados at the crown.
+    ExtradosAtCrown,
+    /// Every thicker arch up to `eta = 2` has an admissible state too.
+    ThickerStands,
+    /// The joint at which `T/N` is largest is a joint of the arch.
+    SteepestAboveShoulder,
+    /// `mu` is above what the shoulder asks for.
+    FrictionAtShoulder,
+    /// `mu` is above what the steepest joint asks for.
+    FrictionInside,
+    /// `beta_r > beta_s`.
+    SlidesAboveHaunch,
+    /// `beta_r < beta_s`.
+    SlidesBelowHaunch,
+    /// The mechanism opens the hinge at the shoulder.
+    OpensAtShoulder,
+    /// The mechanism slides the way friction allows.
+    SlidesTheRightWay,
+    /// The shoulder bounds the thrust from above: `sin(alpha) > mu cos(alpha)`.
+    ShoulderBoundsThrust,
+    /// The same, unless the weight of the mechanism grows with the thrust.
+    GrowsOrIsBounded,
+    /// The weight of the mechanism grows with the thrust, which nothing bounds.
+    GrowsWithThrust,
+    /// The weight of the mechanism is positive without thrust.
+    Weight,
+    /// No thinner arch has an admissible state without thrust.
+    NoneThinner,
+    /// The weight of the mechanism is positive at the largest thrust that the shoulder bears.
+    WeightAtLargestThrust,
+    /// No thinner arch has an admissible state at the largest thrust that the shoulder bears.
+    NoneThinnerAtLargestThrust,
+}
+
+impl Condition {
+    /// What has to be positive where the equations of the mode hold, for the state to be admissible on
+    /// the whole half arch and no thinner arch to stand. What is zero by the equations is not listed.
+    pub fn of(mode: Mode, is_limited: bool) -> impl Iterator<Item = Condition> {
+        use {Condition as C, Unknown as U};
+        let state = &[C::Compression, C::Above(U::Thickness), C::Below(U::Thickness)];
+        let thrust = &[C::Above(U::Thrust), C::Below(U::Thrust)];
+        let haunch = &[C::Above(U::RotationJoint), C::Below(U::RotationJoint)];
+        let thinnest = &[
+            C::ThickerStands,
+            C::GrowsOrIsBounded,
+            C::GrowsWithThrust,
+            C::Weight,
+            C::NoneThinner,
+            C::WeightAtLargestThrust,
+            C::NoneThinnerAtLargestThrust,
+        ];
+        // At [r,s] and [r] the crown's pressure point is on the intrados, so not on the extrados.
+        let parts: [&[C]; 6] = match mode {
+            Mode::Rotational => {
+                let own = &[C::SteepestAboveShoulder, C::FrictionAtShoulder, C::FrictionInside];
+                [state, thrust, haunch, own, &[C::OpensAtShoulder], thinnest]
+            }
+            Mode::SlidingRotational => {
+                let own = &[C::ExtradosAtShoulder, C::SteepestAboveShoulder, C::FrictionInside];
+                let slides = &[C::SlidesTheRightWay, C::ShoulderBoundsThrust];
+                [state, thrust, haunch, own, slides, thinnest]
+            }
+            Mode::RotationalSliding => {
+                let own = &[C::ExtradosAtCrown, C::Below(U::SlidingJoint), C::FrictionAtShoulder];
+                let slides = &[C::SlidesTheRightWay, C::SlidesAboveHaunch];
+                [state, thrust, haunch, own, slides, thinnest]
+            }
+            Mode::RotationalSlidingRotational => {
+                let own = &[C::ExtradosAtCrown, C::Below(U::SlidingJoint), C::FrictionAtShoulder];
+                let slides = &[C::SlidesTheRightWay, C::SlidesBelowHaunch];
+                [state, thrust, haunch, own, slides, thinnest]
+            }
+            Mode::OverturningSliding => {
+                let own = &[C::IntradosAtCrown, C::Below(U::SlidingJoint), C::FrictionAtShoulder];
+                [state, thrust, &[], own, &[C::SlidesTheRightWay], thinnest]
+            }
+            Mode::Overturning => {
+                [state, &[], &[], &[C::IntradosAtCrown], &[C::SlidesTheRightWay], thinnest]
+            }
+            // No thickness belongs to it.
+            Mode::Sliding => {
+                let own = &[C::Above(U::Friction), C::Below(U::SlidingJoint)];
+                [&[], &[], &[], own, &[], &[]]
+            }
         };
-        needs(room, "the steepest joint above the shoulder");
-        if mode != SlidingRotational {
-            needs(friction.clone() - shoulder_friction(at), "friction enough at the shoulder");
-        }
-        if from_crown {
-            needs(friction.clone() - inner_friction(at), "friction enough inside");
-        }
+        let needed = move |condition: &C| match condition.needs_friction() {
+            Some(limited) => limited == is_limited,
+            None => true,
+        };
+        parts.into_iter().flatten().copied().filter(needed)
     }
-    // The least thickness.
-    let rates = match mode {
-        Rotational => contact::rates_of_rotation(at),
-        SlidingRotational => contact::rates_of_shoulder_sliding(at),
-        _ => contact::rates_of_inner_sliding(at),
-    };
-    if mode == Rotational {
-        needs(rates.shoulder.clone(), "a mechanism that opens at the shoulder");
-    } else {
-        needs(rates.sliding.clone(), "a mechanism that slides the right way");
-    }
-    if let (SlidingRotational, Some(friction)) = (mode, friction) {
-        needs(
-            sliding::shoulder_thrust(&at.half_opening, friction).denominator,
-            "a shoulder that bounds the thrust from above",
-        );
-    }
-    // W is linear in the thrust: it is least at an end of what friction allows.
-    let (base, slope) = (contact::weight_term(&rates, at), contact::thrust_coefficient(&rates, at));
-    let mut thrusts = vec![at.thrust.int(0)];
-    match (slope.is_positive(), friction) {
-        (Ternary::True, _) => {}
-        (_, Some(friction)) => {
-            let bound = sliding::shoulder_thrust(&at.half_opening, friction);
-            needs(bound.denominator.clone(), "a shoulder that bounds the thrust from above");
-            thrusts.push(bound.value());
-        }
-        (_, None) => needs(slope.clone(), "a combination that grows with the thrust"),
-    }
-    for thrust in thrusts {
-        let term = base.clone() + slope.clone() * thrust;
-        needs(term.clone(), "a positive weight of the mechanism");
-        needs(contact::growth(weight, &rates, at, &term), "no admissible state in a thinner arch");
-    }
-    tally::conditions(all.len());
-    all
-}
 
-/// The friction that the shoulder asks for at the thrust of a state.
-pub fn shoulder_friction<E: Enclosure>(at: &Configuration<E>) -> E {
-    tally::equation(Equation::ShoulderSliding);
-    sliding::shoulder(&at.half_opening, &at.thrust).value()
-}
+    /// What is positive, in words.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Above(Unknown::HalfOpening) => "a positive half opening",
+            Self::Above(Unknown::RotationJoint) => "a rotational joint below the crown",
+            Self::Above(Unknown::SlidingJoint) => "a sliding joint below the crown",
+            Self::Above(Unknown::Thickness) => "a positive thickness",
+            Self::Above(Unknown::Thrust) => "a positive thrust",
+            Self::Above(Unknown::Friction) => "a positive friction",
+            Self::Below(Unknown::HalfOpening) => "a half opening below pi",
+            Self::Below(Unknown::RotationJoint) => "a rotational joint above the shoulder",
+            Self::Below(Unknown::SlidingJoint) => "a sliding joint above the shoulder",
+            Self::Below(Unknown::Thickness) => "a thickness below the physical limit",
+            Self::Below(Unknown::Thrust) => "a thrust below one",
+            Self::Below(Unknown::Friction) => "a bounded friction",
+            Self::Compression => "compression at the shoulder",
+            Self::IntradosAtCrown => "the line of thrust leaves the intrados at the crown",
+            Self::ExtradosAtShoulder => "the line of thrust inside the extrados at the shoulder",
+            Self::ExtradosAtCrown => "the line of thrust inside the extrados at the crown",
+            Self::ThickerStands => "every thicker arch stands up to the physical limit",
+            Self::SteepestAboveShoulder => "the steepest joint above the shoulder",
+            Self::FrictionAtShoulder => "friction enough at the shoulder",
+            Self::FrictionInside => "friction enough inside",
+            Self::SlidesAboveHaunch => "a sliding joint nearer to the crown",
+            Self::SlidesBelowHaunch => "a rotational joint nearer to the crown",
+            Self::OpensAtShoulder => "a mechanism that opens at the shoulder",
+            Self::SlidesTheRightWay => "a mechanism that slides the right way",
+            Self::ShoulderBoundsThrust | Self::GrowsOrIsBounded => {
+                "a shoulder that bounds the thrust from above"
+            }
+            Self::GrowsWithThrust => "a combination that grows with the thrust",
+            Self::Weight | Self::WeightAtLargestThrust => "a positive weight of the mechanism",
+            Self::NoneThinner | Self::NoneThinnerAtLargestThrust => {
+                "no admissible state in a thinner arch"
+            }
+        }
+    }
 
-/// What is left between the shoulder and the joint that is steepest at the thrust of a state, rad.
-pub fn room_for_steepest<E: Enclosure>(at: &Configuration<E>) -> E {
-    let square = at.thrust.clone() * (at.thrust.int(1) - &at.thrust);
-    at.half_opening.rad.clone() - square.sqrt()
-}
-
-/// The friction that the steepest joint asks for at the thrust of a state.
-pub fn inner_friction<E: Enclosure>(at: &Configuration<E>) -> E {
-    tally::equation(Equation::InnerSliding);
-    let square = at.thrust.clone() * (at.thrust.int(1) - &at.thrust);
-    sliding::inner(&Angle::new(square.sqrt()), &at.thrust).value()
+    /// Whether the condition needs a limited friction, or an unlimited one.
+    fn needs_friction(self) -> Option<bool> {
+        match self {
+            Self::SteepestAboveShoulder
+            | Self::FrictionAtShoulder
+            | Self::FrictionInside
+            | Self::Below(Unknown::SlidingJoint)
+            | Self::ShoulderBoundsThrust
+            | Self::GrowsOrIsBounded
+            | Self::WeightAtLargestThrust
+            | Self::NoneThinnerAtLargestThrust => Some(true),
+            Self::GrowsWithThrust => Some(false),
+            _ => None,
+        }
+    }
 }

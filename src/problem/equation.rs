@@ -1,6 +1,5 @@
 //! The equations by their numbers in the paper, and the two forms in which they are used.
 
-use super::tally;
 use crate::arch::small::{self, Scaled};
 use crate::arch::{Configuration, Ring, SelfWeight, sliding, thrust};
 use crate::number::{Dual, Field};
@@ -61,7 +60,6 @@ impl Equation {
 
     /// The equation with its denominator cleared: zero where it holds.
     pub fn residual<T: Field>(self, weight: SelfWeight, at: &Configuration<T>) -> T {
-        tally::equation(self);
         let ring = || Ring::new(weight, &at.thickness);
         match self {
             Self::LowerThrust => thrust::lower(&at.rotation_joint, &ring()).residual(&at.thrust),
@@ -115,7 +113,6 @@ impl Equation {
     /// The equation in scaled variables, cleared of denominators that are positive for small half
     /// openings: zero where it holds. `None` for one that no state of a small half opening needs.
     pub fn scaled_residual<T: Field>(self, weight: SelfWeight, at: &Scaled<T>) -> Option<T> {
-        tally::equation(self);
         Some(match self {
             Self::LowerThrust => small::lower(weight, at),
             Self::WholeThrust => small::whole(weight, at),

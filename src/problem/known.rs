@@ -1,9 +1,6 @@
-//! The quantities of a claim over enclosures, and their comparison with a bound.
+//! What is known of a quantity, and how it compares with a bound.
 
-use super::claim::{Claim, Subject};
-use crate::arch::{Configuration, Unknown, thrust};
 use crate::number::{Enclosure, Ternary};
-use crate::problem::{Fixed, Mode, Quantity};
 
 /// What is known of a quantity.
 pub enum Known<E> {
@@ -13,51 +10,6 @@ pub enum Known<E> {
     AngleOfTangent(E),
     /// Without bound.
     Infinite,
-}
-
-impl Claim {
-    /// Whether the claim has a quantity that can be stated: an unknown of its subject or something
-    /// made from unknowns and fixed variables.
-    pub fn has(&self, quantity: Quantity) -> bool {
-        let known = |unknown| self.unknowns().contains(&unknown) || self.fixed(unknown).is_some();
-        match (&self.subject, quantity) {
-            (Subject::State(_), Quantity::OpeningVariable) => false,
-            // The joint of a mode whose inner joint does not slide is no part of the state.
-            (Subject::State(state), _) if quantity.variable() == Some(Unknown::SlidingJoint) => {
-                !matches!(
-                    state.mode,
-                    Mode::Rotational | Mode::SlidingRotational | Mode::Overturning
-                )
-            }
-            (_, Quantity::IntrinsicThrust) => known(Unknown::Thickness) && known(Unknown::Thrust),
-            _ => quantity.variable().is_some_and(known),
-        }
-    }
-
-    /// The quantity where the variables lie in the configuration given; `None` for what is no value of one
-    /// configuration.
-    pub fn known<E: Enclosure>(
-        &self,
-        quantity: Quantity,
-        at: &Configuration<E>,
-    ) -> Option<Known<E>> {
-        let infinite = self.fixed(Unknown::Friction) == Some(Fixed::Infinite);
-        let value = match quantity.in_radians().unwrap_or(quantity) {
-            Quantity::Thickness => at.thickness.clone(),
-            Quantity::Friction if infinite => return Some(Known::Infinite),
-            Quantity::Friction => at.friction.clone(),
-            Quantity::FrictionAngle if infinite => at.thrust.pi() / at.thrust.int(2),
-            Quantity::FrictionAngle => return Some(Known::AngleOfTangent(at.friction.clone())),
-            Quantity::HalfOpening => at.half_opening.rad.clone(),
-            Quantity::Thrust => at.thrust.clone(),
-            Quantity::IntrinsicThrust => at.thickness.clone() * &at.thrust,
-            Quantity::RotationJoint => at.rotation_joint.rad.clone(),
-            Quantity::SlidingJoint => at.sliding_joint.rad.clone(),
-            Quantity::OpeningVariable => thrust::opening_variable(&at.half_opening).value(),
-            _ => return None,
-        };
-        Some(Known::Enclosed(value))
-    }
 }
 
 impl<E: Enclosure> Known<E> {

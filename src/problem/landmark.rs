@@ -20,14 +20,14 @@
 //!   states nearby come in pairs `±beta_r` and `beta_r` grows like the square root of the distance.
 //!   But (5) sees the joint only through `beta cot(beta) = 1 - beta²/3 - …`, which is analytic with
 //!   the value 1; putting that value leaves a regular system in the other unknowns. For `l`, (2) holds
-//!   besides, since its numerator has a factor `beta²`.
+//!   too, since its numerator has a factor `beta²`.
 //! - **`sb`**: there two branches of the cubic (7) meet, so (2) and (5) have a double root in `eta`,
 //!   and adding the radicand (12) leaves the Jacobian singular. Adding instead that the derivative of
 //!   (2) = (5) to `eta` is zero gives, in `(beta, eta)`, the Jacobian
 //!   `[[G_beta, 0], [G_beta_eta, G_eta_eta]]`, which is regular because neither `G_beta` nor
 //!   `G_eta_eta` vanishes; and it is the same equation for both weights.
 
-use super::{Equation, Fixed, Mode, System};
+use super::{Condition, Equation, Fixed, Mode, System};
 use crate::arch::{SelfWeight, Unknown};
 
 /// A landmark point.
@@ -174,6 +174,14 @@ impl Landmark {
         };
         System { weight, unknowns, equations, fixed }
     }
+
+    /// The physical range of what is solved for: `0 < alpha < pi`, `0 < beta < alpha`, `0 < eta < 2`,
+    /// `0 < h < 1`, `mu > 0`.
+    pub fn conditions(self) -> impl Iterator<Item = Condition> {
+        // What is solved for does not depend on the weight.
+        let unknowns = self.system(SelfWeight::Heyman).unknowns;
+        unknowns.iter().flat_map(|&unknown| [Condition::Above(unknown), Condition::Below(unknown)])
+    }
 }
 
 #[cfg(test)]
@@ -181,7 +189,6 @@ mod tests {
     use super::*;
     use crate::arch::Configuration;
     use crate::number::Angle;
-    use crate::problem::Point;
 
     #[test]
     fn every_system_is_square_and_reads_only_what_it_knows() {
@@ -190,21 +197,12 @@ mod tests {
             assert_eq!(system.unknowns.len(), system.equations.len(), "{landmark:?}");
             // A variable that the system does not know is set to NaN: no residual may see it.
             let values: Vec<f64> = (1..=system.unknowns.len()).map(|i| 0.3 * i as f64).collect();
-            let at = system.configuration(&Point::new(&system, &values));
-            let known = |u| {
-                system.index(u).is_some()
-                    || system.fixed_value(u).is_some_and(|fixed| fixed != Fixed::Infinite)
-            };
-            let number = |u, x| if known(u) { x } else { f64::NAN };
-            let angle = |u, x: Angle<f64>| if known(u) { x } else { Angle::new(f64::NAN) };
-            let spoiled = Configuration {
-                half_opening: angle(Unknown::HalfOpening, at.half_opening),
-                rotation_joint: angle(Unknown::RotationJoint, at.rotation_joint),
-                sliding_joint: angle(Unknown::SlidingJoint, at.sliding_joint),
-                thickness: number(Unknown::Thickness, at.thickness),
-                thrust: number(Unknown::Thrust, at.thrust),
-                friction: number(Unknown::Friction, at.friction),
-            };
+            let at = system.place(Configuration::zero(&0.0), &values);
+            let known = |u| system.knows(u) && system.fixed_value(u) != Some(Fixed::Infinite);
+            let spoiled = at.map_each(
+                |u, x| if known(u) { x } else { Angle::new(f64::NAN) },
+                |u, x| if known(u) { x } else { f64::NAN },
+            );
             for equation in system.equations {
                 let residual = equation.residual(system.weight, &spoiled);
                 assert!(residual.is_finite(), "{landmark:?} {equation:?}");

@@ -6,33 +6,45 @@
 //! | `system` | as many equations as unknowns |
 //! | `landmark` | the seven landmark points |
 //! | `mode` | the seven collapse modes |
+//! | `arch` | an arch: weight, half opening, friction |
+//! | `problem` | a landmark or the state of an arch: system, what is given, conditions |
 //! | `condition` | what makes a state admissible, and the thinnest |
-//! | `quantity` | what can be asked of a landmark or a state |
+//! | `examined`, `examined_small` | how much a state has to spare of each |
+//! | `quantity`, `known` | what can be asked of a landmark or a state, and what is known of it |
 //! | [`published`] | the numbers that the paper prints |
 //! | [`tally`] | counters of evaluations |
 //!
 //! Nothing here searches or proves; it is pure Rust.
 
 #[cfg(feature = "check")]
-mod claim;
+mod arch;
 mod condition;
 mod equation;
-#[cfg(feature = "check")]
+mod examined;
+mod examined_small;
 mod known;
 mod landmark;
 mod mode;
+#[cfg(feature = "check")]
+#[allow(clippy::module_inception, reason = "the room is named after its statement")]
+mod problem;
 pub mod published;
 mod quantity;
 mod system;
 pub mod tally;
 
 #[cfg(feature = "check")]
-pub use claim::{Claim, Exact, State, Subject, first_failure};
-pub use condition::{conditions, inner_friction, room_for_steepest, shoulder_friction};
+pub use arch::{Arch, ArchError, Friction, is_thickness};
+pub use condition::Condition;
 pub use equation::Equation;
-#[cfg(feature = "check")]
+pub use examined::{Examined, inner_friction, room_for_steepest, shoulder_friction};
+pub use examined_small::{
+    ExaminedSmall, scaled_inner_friction, scaled_room_for_steepest, scaled_shoulder_friction,
+};
 pub use known::Known;
 pub use landmark::Landmark;
 pub use mode::Mode;
+#[cfg(feature = "check")]
+pub use problem::Problem;
 pub use quantity::Quantity;
-pub use system::{Fixed, Point, System};
+pub use system::{Fixed, System};

@@ -1,7 +1,8 @@
 //! The seven collapse modes: which joints open or slide, and which equations hold.
 
-use super::Equation;
-use crate::arch::Unknown;
+use super::{Equation, Fixed, System};
+use crate::arch::{SelfWeight, Unknown};
+use std::fmt;
 
 /// A collapse mode of the half arch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -48,31 +49,67 @@ impl Mode {
         }
     }
 
-    /// What is solved for at a given half opening and friction, and the equations that hold.
-    pub fn system(self) -> (&'static [Unknown], &'static [Equation]) {
-        use {Equation as E, Unknown as U};
+    /// Whether the line of thrust touches the intrados at a hinge below the crown.
+    pub fn has_haunch(self) -> bool {
+        !matches!(self, Self::OverturningSliding | Self::Overturning | Self::Sliding)
+    }
+
+    /// Whether an inner joint slides.
+    pub fn slides_inside(self) -> bool {
+        !matches!(self, Self::Rotational | Self::SlidingRotational | Self::Overturning)
+    }
+
+    /// Whether the mode exists with limited friction, and with unlimited.
+    pub fn exists_with(self, limited_friction: bool) -> bool {
         match self {
+            Self::Rotational => true,
+            Self::Overturning => !limited_friction,
+            _ => limited_friction,
+        }
+    }
+
+    /// What is solved for at a given half opening and friction, the equations that hold, and what is
+    /// fixed.
+    pub fn system(self, weight: SelfWeight) -> System {
+        use {Equation as E, Fixed as F, Unknown as U};
+        let (unknowns, equations, fixed): (&[U], &[E], &[(U, F)]) = match self {
             Self::Rotational => (
                 &[U::RotationJoint, U::Thickness, U::Thrust],
                 &[E::LowerThrust, E::WholeThrust, E::Tangency],
+                &[],
             ),
             Self::SlidingRotational => (
                 &[U::RotationJoint, U::Thickness, U::Thrust],
                 &[E::LowerThrust, E::Tangency, E::ShoulderSliding],
+                &[],
             ),
             Self::RotationalSliding | Self::RotationalSlidingRotational => (
                 &[U::RotationJoint, U::Thickness, U::Thrust, U::SlidingJoint],
                 &[E::UpperThrust, E::Tangency, E::InnerSliding, E::Steepest],
+                &[],
             ),
             Self::OverturningSliding => (
                 &[U::Thickness, U::Thrust, U::SlidingJoint],
                 &[E::UpperThrust, E::InnerSliding, E::Steepest],
+                &[(U::RotationJoint, F::Integer(0))],
             ),
-            Self::Overturning => (&[U::Thickness], &[E::WholeThrust]),
+            Self::Overturning => (
+                &[U::Thickness],
+                &[E::WholeThrust],
+                &[(U::RotationJoint, F::Integer(0)), (U::Thrust, F::Integer(0))],
+            ),
             Self::Sliding => (
                 &[U::Friction, U::Thrust, U::SlidingJoint],
                 &[E::ShoulderSliding, E::InnerSliding, E::Steepest],
+                &[],
             ),
-        }
+        };
+        System { weight, unknowns, equations, fixed }
+    }
+}
+
+impl fmt::Display for Mode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.label())
     }
 }

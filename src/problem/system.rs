@@ -1,13 +1,14 @@
 //! Square systems of the equations: named unknowns, named equations, and what is fixed.
 
-use super::Equation;
+use super::{Equation, tally};
+use crate::arch::small::Scaled;
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::number::{Angle, Dual, Field, Real};
 
 /// What a system says of a variable that it does not solve for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fixed {
-    /// An exact value.
+    /// An exact value; for an angle it is zero.
     Integer(i32),
     /// Unbounded; no equation of the system reads it.
     Infinite,
@@ -15,7 +16,8 @@ pub enum Fixed {
     SameAs(Unknown),
 }
 
-/// As many equations as unknowns.
+/// As many equations as unknowns. Variables that are neither unknown nor fixed are given, as the half
+/// opening and the friction of an arch are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct System {
     /// The self-weight model.
@@ -24,63 +26,30 @@ pub struct System {
     pub unknowns: &'static [Unknown],
     /// What has to hold.
     pub equations: &'static [Equation],
-    /// What is known beforehand.
+    /// What is known beforehand, whatever is given.
     pub fixed: &'static [(Unknown, Fixed)],
 }
 
-/// Values of the unknowns of a system, in its order; angles with sine and cosine.
-#[derive(Clone, Debug)]
-pub struct Point<T> {
-    values: Vec<T>,
-    angles: Vec<Option<Angle<T>>>,
-}
-
-impl<T: Field> Point<T> {
-    /// The values with their angles as `angle` makes them (given the index and the value).
-    pub fn with_angles(
-        system: &System,
-        values: &[T],
-        angle: impl Fn(usize, &T) -> Angle<T>,
-    ) -> Self {
-        let angles = system
-            .unknowns
-            .iter()
-            .zip(values)
-            .enumerate()
-            .map(|(index, (unknown, value))| unknown.is_angle().then(|| angle(index, value)))
-            .collect();
-        Self { values: values.to_vec(), angles }
-    }
-
-    /// Every value as an unknown of a [`Dual`] number.
-    pub fn variables(&self) -> Point<Dual<T>> {
-        let values = self.values.iter().cloned().enumerate();
-        let angles = self.angles.iter().enumerate();
-        Point {
-            values: values.map(|(index, value)| Dual::variable(value, index)).collect(),
-            angles: angles
-                .map(|(index, angle)| angle.as_ref().map(|angle| angle.variable(index)))
-                .collect(),
-        }
-    }
-
-    fn value(&self, index: usize) -> T {
-        self.values[index].clone()
-    }
-
-    fn angle(&self, index: usize) -> Option<Angle<T>> {
-        self.angles[index].clone()
-    }
-}
-
-impl<T: Real> Point<T> {
-    /// The values with sines and cosines computed.
-    pub fn new(system: &System, values: &[T]) -> Self {
-        Self::with_angles(system, values, |_, rad| Angle::new(rad.clone()))
-    }
-}
-
 impl System {
+    /// The thrust at which an inner joint just slides, at a given friction.
+    pub fn inner_sliding(weight: SelfWeight) -> Self {
+        use {Equation as E, Unknown as U};
+        let (unknowns, equations) =
+            (&[U::Thrust, U::SlidingJoint], &[E::InnerSliding, E::Steepest]);
+        Self { weight, unknowns, equations, fixed: &[] }
+    }
+
+    /// The thrust at which the line of thrust touches the intrados at a given thickness: the least, on
+    /// the extrados at the crown, or the largest, on the extrados at the shoulder.
+    pub fn touching(weight: SelfWeight, is_least: bool) -> Self {
+        use {Equation as E, Unknown as U};
+        let equations = match is_least {
+            true => &[E::LowerThrust, E::Tangency],
+            false => &[E::UpperThrust, E::Tangency],
+        };
+        Self { weight, unknowns: &[U::RotationJoint, U::Thrust], equations, fixed: &[] }
+    }
+
     /// What the system knows of a variable that is not one of its unknowns.
     pub fn fixed_value(&self, unknown: Unknown) -> Option<Fixed> {
         self.fixed.iter().find(|(name, _)| *name == unknown).map(|(_, fixed)| *fixed)
@@ -91,45 +60,89 @@ impl System {
         self.unknowns.iter().position(|name| *name == unknown)
     }
 
-    /// All variables at a point.
-    pub fn configuration<T: Field>(&self, point: &Point<T>) -> Configuration<T> {
-        let zero = point.values[0].int(0);
-        let number = |unknown| match (self.index(unknown), self.fixed_value(unknown)) {
-            (Some(index), _) => point.value(index),
-            (None, Some(Fixed::Integer(n))) => zero.int(n),
-            _ => zero.clone(),
-        };
-        let angle = |unknown| {
-            let name = match self.fixed_value(unknown) {
-                Some(Fixed::SameAs(other)) => other,
-                _ => unknown,
-            };
-            self.index(name)
-                .and_then(|index| point.angle(index))
-                .unwrap_or_else(|| Angle::zero(&zero))
-        };
-        Configuration {
-            half_opening: angle(Unknown::HalfOpening),
-            rotation_joint: angle(Unknown::RotationJoint),
-            sliding_joint: angle(Unknown::SlidingJoint),
-            thickness: number(Unknown::Thickness),
-            thrust: number(Unknown::Thrust),
-            friction: number(Unknown::Friction),
+    /// Whether the system solves for a variable or fixes it.
+    pub fn knows(&self, unknown: Unknown) -> bool {
+        self.index(unknown).is_some() || self.fixed_value(unknown).is_some()
+    }
+
+    /// The place of the unknown that a variable is, or is equal to.
+    fn source(&self, unknown: Unknown) -> Option<usize> {
+        match self.fixed_value(unknown) {
+            Some(Fixed::SameAs(other)) => self.index(other),
+            _ => self.index(unknown),
         }
     }
 
+    /// All variables: the unknowns have `values`, in order, with sines and cosines computed; what is
+    /// neither unknown nor fixed is as `given`.
+    pub fn place<T: Real>(&self, given: Configuration<T>, values: &[T]) -> Configuration<T> {
+        self.place_with(given, values, |_, rad| Angle::new(rad.clone()))
+    }
+
+    /// The same with angles as `angle` makes them, given the place of the unknown and its value.
+    pub fn place_with<T: Field>(
+        &self,
+        given: Configuration<T>,
+        values: &[T],
+        angle: impl Fn(usize, &T) -> Angle<T>,
+    ) -> Configuration<T> {
+        let unknowns = self.unknowns.iter().zip(values).enumerate();
+        let angles: Vec<Option<Angle<T>>> = unknowns
+            .map(|(index, (unknown, value))| unknown.is_angle().then(|| angle(index, value)))
+            .collect();
+        given.map_each(
+            |unknown, given| match (self.source(unknown), self.fixed_value(unknown)) {
+                (Some(index), _) => angles[index].clone().unwrap_or(given),
+                (None, Some(Fixed::Integer(_))) => Angle::zero(&given.rad),
+                _ => given,
+            },
+            |unknown, given| match (self.source(unknown), self.fixed_value(unknown)) {
+                (Some(index), _) => values[index].clone(),
+                (None, Some(Fixed::Integer(n))) => given.int(n),
+                _ => given,
+            },
+        )
+    }
+
+    /// All variables at a point, each unknown as a variable of dual numbers.
+    pub fn variables<T: Field>(&self, at: &Configuration<T>) -> Configuration<Dual<T>> {
+        at.clone().map_each(
+            |unknown, angle| match self.source(unknown) {
+                Some(index) => angle.variable(index),
+                None => angle.map(Dual::constant),
+            },
+            |unknown, value| match self.source(unknown) {
+                Some(index) => Dual::variable(value, index),
+                None => Dual::constant(value),
+            },
+        )
+    }
+
+    /// The values of the unknowns, in order.
+    pub fn values<T: Clone>(&self, at: &Configuration<T>) -> Vec<T> {
+        self.unknowns.iter().map(|&unknown| at.value(unknown).clone()).collect()
+    }
+
     /// The residuals of the equations, in order.
-    pub fn residuals<T: Field>(&self, point: &Point<T>) -> Vec<T> {
-        let at = self.configuration(point);
-        self.equations.iter().map(|equation| equation.residual(self.weight, &at)).collect()
+    pub fn residuals<T: Field>(&self, at: &Configuration<T>) -> Vec<T> {
+        let residual = |equation: &Equation| {
+            tally::equation(*equation);
+            equation.residual(self.weight, at)
+        };
+        self.equations.iter().map(residual).collect()
+    }
+
+    /// The residuals in scaled variables; `None` if an equation has no such form.
+    pub fn scaled_residuals<T: Field>(&self, at: &Scaled<T>) -> Option<Vec<T>> {
+        let residual = |equation: &Equation| {
+            tally::equation(*equation);
+            equation.scaled_residual(self.weight, at)
+        };
+        self.equations.iter().map(residual).collect()
     }
 
     /// The denominators that the residuals have cleared.
-    pub fn denominators<T: Field>(&self, point: &Point<T>) -> Vec<T> {
-        let at = self.configuration(point);
-        self.equations
-            .iter()
-            .filter_map(|equation| equation.denominator(self.weight, &at))
-            .collect()
+    pub fn denominators<T: Field>(&self, at: &Configuration<T>) -> Vec<T> {
+        self.equations.iter().filter_map(|equation| equation.denominator(self.weight, at)).collect()
     }
 }

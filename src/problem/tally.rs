@@ -1,4 +1,4 @@
-//! How often what is evaluated: counters of each thread, read by who wants to know what a result cost.
+//! Counters of evaluations, for each thread: what a result cost.
 //!
 //! An evaluation is counted where an equation is used, not in the equation, which stays a formula. What
 //! runs on other threads is not seen; the proofs evaluate their equations on the thread that asks.
@@ -62,10 +62,10 @@ thread_local! {
 ///
 /// ```
 /// use couplet::arch::{Configuration, SelfWeight};
-/// use couplet::problem::{Equation, tally};
+/// use couplet::problem::{Equation, System, tally};
 /// let at = Configuration::zero(&0.0);
-/// let (_, tally) = tally::measure(|| Equation::Steepest.residual(SelfWeight::Heyman, &at));
-/// assert_eq!((tally.of(Equation::Steepest), tally.evaluations()), (1, 1));
+/// let (_, tally) = tally::measure(|| System::inner_sliding(SelfWeight::Heyman).residuals(&at));
+/// assert_eq!((tally.of(Equation::Steepest), tally.evaluations()), (1, 2));
 /// ```
 pub fn measure<T>(job: impl FnOnce() -> T) -> (T, Tally) {
     let mut before = CURRENT.replace(Tally::EMPTY);
@@ -89,9 +89,9 @@ pub(crate) fn equation(equation: Equation) {
     change(|tally| tally.equations[equation as usize] += 1);
 }
 
-/// Counts conditions whose sign is looked at.
-pub(crate) fn conditions(count: usize) {
-    change(|tally| tally.conditions += count as u64);
+/// Counts a condition whose sign is looked at.
+pub(crate) fn condition() {
+    change(|tally| tally.conditions += 1);
 }
 
 /// Counts a landmark that is consulted.
@@ -121,7 +121,7 @@ mod tests {
         let ((inner, after), outer) = measure(|| {
             equation(Equation::Tangency);
             let ((), inner) = measure(|| equation(Equation::Tangency));
-            conditions(3);
+            (0..3).for_each(|_| condition());
             (inner, measure(|| ()).1)
         });
         assert_eq!((inner.of(Equation::Tangency), inner.conditions), (1, 0));

@@ -6,9 +6,10 @@
 use super::value::Value;
 use super::words::reason;
 use crate::arch::{SelfWeight, Unknown};
-use crate::certify::state::{Answer as Outcome, Arch, AssessmentDigits, Doubt, Fall};
+use crate::certify::state::{Answer as Outcome, AssessmentDigits, Fall};
 use crate::certify::{CertifiedLandmark, Constant, Undecided};
 use crate::number::ExactNumber;
+use crate::problem::Arch;
 use crate::problem::{Equation, Landmark, Mode, Quantity};
 
 /// A landmark or an arch, what became of it, and its proved values.
@@ -68,14 +69,7 @@ pub enum Status {
     /// It is proved that no thickness is enough.
     Falls(Fall),
     /// Nothing is known.
-    Undecided {
-        /// What could not be told.
-        question: String,
-        /// The modes between which it could not be told.
-        between: Vec<Mode>,
-        /// A bound of the difference that could not be told from zero.
-        gap: f64,
-    },
+    Undecided(Undecided),
     /// The query is wrong, and how.
     Refused(String),
 }
@@ -103,7 +97,7 @@ impl Status {
     pub fn name(&self) -> &'static str {
         match self {
             Self::Proved | Self::Falls(_) => "proved",
-            Self::Undecided { .. } => "undecided",
+            Self::Undecided(_) => "undecided",
             Self::Refused(_) => "refused",
         }
     }
@@ -113,22 +107,9 @@ impl Status {
         match self {
             Self::Proved => None,
             Self::Falls(fall) => Some(reason(*fall)),
-            Self::Undecided { question, .. } => Some(question),
+            Self::Undecided(undecided) => Some(&undecided.reason),
             Self::Refused(error) => Some(error),
         }
-    }
-}
-
-impl From<&Doubt> for Status {
-    fn from(doubt: &Doubt) -> Self {
-        let Doubt { question, between, gap, .. } = doubt;
-        Self::Undecided { question: (*question).into(), between: between.clone(), gap: *gap }
-    }
-}
-
-impl From<&Undecided> for Status {
-    fn from(undecided: &Undecided) -> Self {
-        Self::Undecided { question: undecided.0.clone(), between: Vec::new(), gap: f64::NAN }
     }
 }
 
@@ -160,7 +141,7 @@ impl Answer {
                 answer.certificate = Err("not asked for".into());
             }
             Err(undecided) => {
-                answer.status = undecided.into();
+                answer.status = Status::Undecided(undecided.clone());
                 answer.certificate = Err("nothing is proved".into());
             }
         }
@@ -173,14 +154,15 @@ impl Answer {
         if let (Subject::Landmark { landmark, weight }, Some(_)) = (&self.subject, &self.proof) {
             let (symbol, weight) = (landmark.symbol(), weight.name());
             let command = format!("couplet certify {symbol} --weight {weight} --digits {digits}");
-            self.certificate =
-                hash.map(|sha256| Fingerprint { command, sha256 }).map_err(|undecided| undecided.0);
+            self.certificate = hash
+                .map(|sha256| Fingerprint { command, sha256 })
+                .map_err(|undecided| undecided.reason.into_owned());
         }
         self
     }
 
     /// The state of an arch at its least thickness. The line tells arches apart.
-    pub fn state(line: u64, arch: &Arch, found: &Result<Outcome, Doubt>) -> Self {
+    pub fn state(line: u64, arch: &Arch, found: &Result<Outcome, Undecided>) -> Self {
         let mut answer = Self::new(Subject::arch(line, arch, None), Status::Proved);
         match found {
             Ok(Outcome::Stands(digits)) => {
@@ -192,7 +174,7 @@ impl Answer {
                 answer.stands = Some(false);
                 answer.status = Status::Falls(*fall);
             }
-            Err(doubt) => answer.status = doubt.into(),
+            Err(undecided) => answer.status = Status::Undecided(undecided.clone()),
         }
         answer
     }
@@ -201,7 +183,7 @@ impl Answer {
     pub fn assessment(
         line: u64,
         (arch, thickness): (&Arch, &ExactNumber),
-        found: &Result<AssessmentDigits, Doubt>,
+        found: &Result<AssessmentDigits, Undecided>,
     ) -> Self {
         let mut answer = Self::new(Subject::arch(line, arch, Some(thickness)), Status::Proved);
         match found {
@@ -216,7 +198,7 @@ impl Answer {
                     value.limited_by = Some(limit.limited_by);
                 }
             }
-            Err(doubt) => answer.status = doubt.into(),
+            Err(undecided) => answer.status = Status::Undecided(undecided.clone()),
         }
         answer
     }
@@ -233,7 +215,7 @@ impl Answer {
 
     /// Whether nothing could be told.
     pub fn is_undecided(&self) -> bool {
-        matches!(self.status, Status::Undecided { .. })
+        matches!(self.status, Status::Undecided(_))
     }
 }
 

@@ -101,7 +101,7 @@ fn entry(report: &Answers, answer: &Answer) -> Fields {
     fields.add("reason", answer.status.reason());
     if !report.are_assessed() {
         let (between, gap) = match &answer.status {
-            Status::Undecided { between, gap, .. } => (&between[..], Some(*gap)),
+            Status::Undecided(undecided) => (&undecided.between[..], undecided.gap),
             _ => (&[][..], None),
         };
         let between: Vec<&str> = between.iter().map(|mode| mode.label()).collect();

@@ -4,12 +4,10 @@
 //! sees. [`Format`] is the one list of formats, one file each.
 //!
 //! ```
-//! use couplet::arch::SelfWeight;
-//! use couplet::certify::state::{Arch, Friction};
+//! use couplet::prelude::{Arch, Certify};
 //! use couplet::report::{Answer, Answers, Content, Format, Report};
 //!
-//! let friction = Friction::Coefficient("0.38".parse()?);
-//! let arch = Arch::new(SelfWeight::Heyman, "pi/2".parse()?, friction)?;
+//! let arch = Arch::parse("heyman", "pi/2", "0.38")?;
 //! let answer = Answer::state(1, &arch, &arch.certify(12));
 //! let report = Report::Answers(Answers::arch(12, answer));
 //! let format = Format::named(Content::Answers, "python").unwrap();

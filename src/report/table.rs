@@ -76,14 +76,16 @@ fn arch(answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
     let weight = model(*weight);
     writeln!(out, "Arch of half opening {half_opening},{eta} friction {friction}, {weight}\n")?;
     match &answer.status {
-        Status::Undecided { question, between, gap } => {
-            writeln!(out, "undecided: {question}")?;
-            let between: Vec<_> = between.iter().map(|mode| mode.label()).collect();
-            if between.is_empty() {
-                return Ok(());
+        Status::Undecided(undecided) => {
+            writeln!(out, "{undecided}")?;
+            let between: Vec<_> = undecided.between.iter().map(|mode| mode.label()).collect();
+            match undecided.gap.filter(|_| !between.is_empty()) {
+                Some(gap) => {
+                    let between = between.join(" and ");
+                    writeln!(out, "   between {between}; the difference is below {gap:.1e}")
+                }
+                None => Ok(()),
             }
-            let between = between.join(" and ");
-            writeln!(out, "   between {between}; the difference is below {gap:.1e}")
         }
         _ if thickness.is_some() => assessment(answer, out),
         Status::Falls(fall) => falls(*fall, out),

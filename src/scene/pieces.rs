@@ -1,7 +1,7 @@
 //! The pieces of a plan, computed: a landmark, an arch. Each answers whatever any item asks of it.
 
 use super::plan::{ArchNode, LandmarkNode, Plan};
-use crate::certify::state::{Answer, AssessmentDigits, Doubt, Inquiry};
+use crate::certify::state::{Answer, AssessmentDigits, Inquiry};
 use crate::certify::{CertifiedLandmark, Constant, Undecided, fingerprint};
 use crate::claims::Decision;
 use crate::judge::{Enclosed, enclosed};
@@ -33,9 +33,9 @@ pub struct LandmarkPiece {
 /// What is certain of an arch.
 pub struct ArchPiece {
     /// By the number of digits.
-    pub states: BTreeMap<usize, Result<Answer, Doubt>>,
+    pub states: BTreeMap<usize, Result<Answer, Undecided>>,
     /// In the order in which they are asked for.
-    pub thicknesses: Vec<Result<AssessmentDigits, Doubt>>,
+    pub thicknesses: Vec<Result<AssessmentDigits, Undecided>>,
 }
 
 /// A result for each piece, none of them there yet.
@@ -60,7 +60,7 @@ impl LandmarkPiece {
         let point = CertifiedLandmark::new(node.landmark, node.weight)?;
         let constants = match node.asked.as_slice() {
             [] => Vec::new(),
-            asked => point.constants_of(asked, tick)?,
+            asked => point.constants_of_with(asked, tick)?,
         };
         let certificates =
             node.certificates.iter().map(|&digits| (digits, fingerprint(&point, digits))).collect();

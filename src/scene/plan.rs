@@ -3,10 +3,11 @@
 
 use super::schema::{Scene, SceneArch, What};
 use crate::arch::SelfWeight;
-use crate::certify::state::{Arch, Friction, Wanted};
+use crate::certify::state::Wanted;
 use crate::certify::{CertifiedLandmark, quantities};
 use crate::claims::Claim;
 use crate::number::ExactNumber;
+use crate::problem::{Arch, Friction};
 use crate::problem::{Landmark, Quantity};
 use rug::Rational;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -100,7 +101,7 @@ type ArchKey = (SelfWeight, Number, Option<(bool, Number)>);
 type Number = (Rational, bool);
 
 fn number(x: &ExactNumber) -> Number {
-    (x.factor().clone(), x.is_rational())
+    (x.to_rational(), x.is_rational())
 }
 
 fn arch_key(arch: &Arch) -> ArchKey {
@@ -279,7 +280,7 @@ impl ArchNode<'_> {
             true => Wanted::Everything,
             false => Wanted::Standing,
         };
-        let key = (node, thickness.factor().clone(), digits);
+        let key = (node, thickness.to_rational(), digits);
         let place = *known.entry(key).or_insert_with(|| {
             let thickness = thickness.clone();
             self.thicknesses.push(ThicknessNode { thickness, digits, wanted });

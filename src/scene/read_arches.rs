@@ -5,9 +5,9 @@ use super::read_numbers::{Meaning, Numbers, SceneNumber, numbers};
 use super::schema::{MAX_ARCH_DIGITS, MAX_ARCHES, SceneArch, What};
 use super::value::Reader;
 use crate::arch::SelfWeight;
-use crate::certify::state::{Arch, Friction};
 use crate::number::{ExactNumber, ParseExactError};
 use crate::problem::Quantity;
+use crate::problem::{Arch, Friction};
 use std::ops::Range;
 use toml::de::DeTable;
 

@@ -3,8 +3,8 @@
 use super::schema::MAX_ARCHES;
 use super::value::{Reader, Value};
 use crate::arch::SelfWeight;
-use crate::certify::state::{Arch, ArchError, Friction, is_thickness};
-use crate::number::{Decimal, ExactNumber, ParseExactError};
+use crate::number::{ExactNumber, ParseExactError, terminating};
+use crate::problem::{Arch, ArchError, Friction, is_thickness};
 use crate::report::words::shortened;
 use rug::Rational;
 use std::collections::HashMap;
@@ -81,16 +81,19 @@ impl Meaning {
 
     fn parse(self, text: &str) -> Result<Option<ExactNumber>, ParseExactError> {
         match self {
-            Self::Friction if text == "inf" => Ok(None),
-            Self::HalfOpening | Self::FrictionAngle => ExactNumber::angle(text).map(Some),
-            Self::Friction | Self::Thickness => text.parse().map(Some),
+            Self::Friction => match text.parse()? {
+                Friction::Coefficient(mu) => Ok(Some(mu)),
+                Friction::Infinite => Ok(None),
+                Friction::Angle(_) => Err(ParseExactError::Syntax(text.to_owned())),
+            },
+            _ => text.parse().map(Some),
         }
     }
 
     /// The range that a number is not in, if it is not.
     fn outside(self, number: &ExactNumber) -> Option<&'static str> {
         let weight = SelfWeight::Milankovitch;
-        let one = || ExactNumber::rational(1);
+        let one = || ExactNumber::from(&Rational::from(1));
         let made = match self {
             Self::HalfOpening => Arch::new(weight, number.clone(), Friction::Infinite),
             Self::Friction => Arch::new(weight, one(), Friction::Coefficient(number.clone())),
@@ -105,6 +108,7 @@ impl Meaning {
             ArchError::HalfOpening(_) => "between 0 and pi (180deg)",
             ArchError::Friction(_) => "0 or more",
             ArchError::FrictionAngle(_) => "between 0 and pi/2 (90deg)",
+            _ => self.allowed(),
         })
     }
 }
@@ -127,7 +131,7 @@ pub fn numbers(reader: &mut Reader, meaning: Meaning, value: &Value) -> Option<N
     let mut seen: HashMap<Option<(Rational, bool)>, Range<usize>> = HashMap::new();
     for element in reader.elements(meaning.key(), value, meaning.allowed()) {
         let Some(given) = number(reader, meaning, element) else { continue };
-        let number = given.number.as_ref().map(|x| (x.factor().clone(), x.is_rational()));
+        let number = given.number.as_ref().map(|x| (x.to_rational(), x.is_rational()));
         if let Some(first) = seen.insert(number, element.span()) {
             let (text, at) =
                 (reader.source.shown(element.span()), reader.source.place(first.start));
@@ -215,7 +219,7 @@ fn range(reader: &mut Reader, meaning: Meaning, value: &Value, table: &DeTable) 
 /// A number in the unit in which it is written; none that is infinite has one.
 fn scaled(given: &SceneNumber) -> Option<(Rational, Unit)> {
     let number = given.number.as_ref()?;
-    let factor = number.factor().clone();
+    let factor = number.to_rational();
     Some(match (number.is_rational(), given.text.ends_with("deg")) {
         (_, true) => (factor * 180, Unit::Degrees),
         (true, false) => (factor, Unit::One),
@@ -228,7 +232,7 @@ const SHORT: usize = 30;
 
 /// A number as a person would write it.
 fn text(value: &Rational, unit: Unit) -> String {
-    let plain = || match Decimal::terminating(value, SHORT) {
+    let plain = || match terminating(value, SHORT) {
         Some(decimal) => decimal.to_string(),
         None => value.to_string(),
     };
@@ -260,7 +264,7 @@ mod tests {
         ] {
             let value = Rational::from(value);
             assert_eq!(text(&value, unit), written);
-            let number = ExactNumber::angle(written).unwrap();
+            let number = written.parse::<ExactNumber>().unwrap();
             let read =
                 scaled(&SceneNumber { number: Some(number), text: written.to_owned() }).unwrap();
             assert!(read.0 == value && read.1 == unit, "{written}");

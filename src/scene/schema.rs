@@ -2,9 +2,9 @@
 
 use super::fault::Position;
 use crate::arch::SelfWeight;
-use crate::certify::state::Arch;
 use crate::claims::Claim;
 use crate::number::ExactNumber;
+use crate::problem::Arch;
 use crate::problem::{Landmark, Quantity};
 use crate::report::{Content, Format};
 use std::path::PathBuf;

@@ -1,38 +1,80 @@
-//! Approximate inverses of small, sparse matrices.
+//! Small, sparse systems of linear equations by Gauss–Jordan elimination with partial pivoting, in the
+//! numbers and at the precision of their entries. Zeros are not computed with.
 
+use crate::number::{Dual, Field};
 use rug::Float;
+use std::cmp::Ordering;
 
-/// The inverse of a square matrix by Gauss–Jordan elimination with partial pivoting, at the
-/// precision of its entries; zeros are not computed with. `None` where no pivot is left.
-pub fn inverse(mut matrix: Vec<Vec<Float>>) -> Option<Vec<Vec<Float>>> {
+/// A number with a size, so that a pivot and a last step can be chosen.
+pub trait Approximate: Field + PartialOrd {
+    /// The exponent of its size in base two; very small for zero.
+    fn exponent(&self) -> i64;
+}
+
+impl Approximate for f64 {
+    fn exponent(&self) -> i64 {
+        if *self == 0.0 { i64::MIN } else { self.abs().log2().floor() as i64 }
+    }
+}
+
+impl Approximate for Float {
+    fn exponent(&self) -> i64 {
+        self.get_exp().map_or(i64::MIN, i64::from)
+    }
+}
+
+/// The approximate inverse of a square matrix. `None` where no pivot is left.
+pub fn inverse<T: Approximate>(mut matrix: Vec<Vec<T>>) -> Option<Vec<Vec<T>>> {
     let n = matrix.len();
     for (i, row) in matrix.iter_mut().enumerate() {
-        let prec = row.first()?.prec();
-        row.extend((0..n).map(|j| Float::with_val(prec, u32::from(i == j))));
+        let one = row.first()?.int(1);
+        row.extend((0..n).map(|j| one.int(i32::from(i == j))));
     }
+    eliminate(matrix)
+}
+
+/// The step of Newton's method, the inverse of the Jacobian times the residuals. `None` where no pivot is left.
+pub fn newton_step<T: Approximate>(residuals: &[Dual<T>]) -> Option<Vec<T>> {
+    let row = |r: &Dual<T>| {
+        let slopes = (0..residuals.len()).map(|k| r.derivative(k));
+        slopes.chain([r.value().clone()]).collect()
+    };
+    let solved = eliminate(residuals.iter().map(row).collect())?;
+    Some(solved.into_iter().flatten().collect())
+}
+
+/// What is to the right of a square matrix when that has become the identity.
+fn eliminate<T: Approximate>(mut rows: Vec<Vec<T>>) -> Option<Vec<Vec<T>>> {
+    let n = rows.len();
+    let is_zero = |x: &T| x.exponent() == i64::MIN;
+    let size = |x: &T| if *x < x.int(0) { -x.clone() } else { x.clone() };
     for column in 0..n {
-        let pivot =
-            (column..n).filter(|&row| matrix[row][column].is_normal()).max_by(|&a, &b| {
-                let size = |row: usize| matrix[row][column].as_abs();
-                size(a).total_cmp(&size(b))
-            })?;
-        matrix.swap(column, pivot);
-        let mut pivot_row = matrix[column].clone();
-        let head = pivot_row[column].clone();
-        pivot_row.iter_mut().filter(|x| !x.is_zero()).for_each(|x| *x /= &head);
-        for (index, row) in matrix.iter_mut().enumerate() {
-            let factor = row[column].clone();
-            if index == column || factor.is_zero() {
+        let pivots = (column..n).filter(|&row| !is_zero(&rows[row][column]));
+        let pivot = pivots.max_by(|&a, &b| {
+            size(&rows[a][column]).partial_cmp(&size(&rows[b][column])).unwrap_or(Ordering::Equal)
+        })?;
+        rows.swap(column, pivot);
+        let head = rows[column][column].clone();
+        let pivot_row = std::mem::take(&mut rows[column]).into_iter();
+        let pivot_row: Vec<T> =
+            pivot_row.map(|x| if is_zero(&x) { x } else { x / &head }).collect();
+        for row in rows.iter_mut().filter(|row| !row.is_empty()) {
+            let zero = head.int(0);
+            let factor = std::mem::replace(&mut row[column], zero);
+            if is_zero(&factor) {
                 continue;
             }
-            for (x, y) in row.iter_mut().zip(&pivot_row).filter(|(_, y)| !y.is_zero()) {
-                *x -= factor.clone() * y;
-            }
-            row[column] = Float::with_val(factor.prec(), 0);
+            let entries = std::mem::take(row).into_iter().zip(&pivot_row).enumerate();
+            *row = entries
+                .map(|(place, (x, y))| match place == column || is_zero(y) {
+                    true => x,
+                    false => x - factor.clone() * y,
+                })
+                .collect();
         }
-        matrix[column] = pivot_row;
+        rows[column] = pivot_row;
     }
-    Some(matrix.into_iter().map(|row| row.into_iter().skip(n).collect()).collect())
+    Some(rows.into_iter().map(|row| row.into_iter().skip(n).collect()).collect())
 }
 
 #[cfg(test)]

@@ -3,12 +3,11 @@
 pub mod expansion;
 mod linear;
 mod newton;
-mod start;
-pub mod start_state;
+pub mod start;
+mod zero;
 
-pub use linear::inverse;
-pub use newton::{newton, polish, settle};
-pub use start::start;
+pub use linear::{Approximate, inverse, newton_step};
+pub use newton::{newton, settle};
 
 use rug::Float;
 

@@ -1,9 +1,10 @@
 //! Newton's method in MPFR arithmetic, with the Jacobian from dual numbers.
 
-use super::{Candidate, inverse};
-use crate::arch::{Configuration, SelfWeight, Unknown};
+use super::Candidate;
+use super::linear::newton_step;
+use crate::arch::Configuration;
 use crate::number::Dual;
-use crate::problem::{Equation, Point, System, tally};
+use crate::problem::{System, tally};
 use rug::Float;
 
 /// Beside a limit where two roots meet Newton's method halves the distance before it squares it.
@@ -14,36 +15,29 @@ const SLACK: i64 = 6;
 /// Steps shorter than this part of their variables, in bits, are short.
 const SHORT: i64 = -24;
 
-/// A candidate root of `system` to `bits` bits, from a start value nearby. `None` if the iteration
-/// does not settle on positive numbers.
+/// A candidate root of `system`, whose unknowns are positive, to `bits` bits.
+///
+/// It is assumed that `start` has a value for each unknown, in the order of the system, near a simple root.
+/// Nothing is guaranteed: from elsewhere the answer may be another root. `None` if the iteration does not
+/// settle as [`settle`] has it.
 pub fn newton(system: &System, start: &[f64], bits: u32) -> Option<Candidate> {
     let prec = bits + 4 * SLACK as u32;
     let start = start.iter().map(|v| Float::with_val(prec, v)).collect();
-    let root = settle(start, |x| system.residuals(&Point::new(system, x).variables()))?;
+    let given = Configuration::zero(&Float::new(prec));
+    let at = |x: &[Float]| system.variables(&system.place(given.clone(), x));
+    let root = settle(start, |x| system.residuals(&at(x)))?;
     Some(Candidate(root.iter().map(|x| Float::with_val(bits, x)).collect()))
 }
 
-/// A candidate for the `unknowns` that satisfy the `equations`, everything else as in `given`.
-pub fn polish(
-    weight: SelfWeight,
-    (unknowns, equations): (&[Unknown], &[Equation]),
-    given: &Configuration<Float>,
-    start: &[Float],
-) -> Option<Vec<Float>> {
-    let given = given.clone().map(Dual::constant);
-    settle(start.to_vec(), |x| {
-        let variables = unknowns.iter().zip(x).enumerate();
-        let at = variables.fold(given.clone(), |at, (index, (&unknown, x))| {
-            at.with(unknown, Dual::variable(x.clone(), index))
-        });
-        equations.iter().map(|equation| equation.residual(weight, &at)).collect()
-    })
-}
-
-/// Newton's method for positive unknowns. `None` if it leaves the numbers or does not settle.
+/// Newton's method for positive unknowns, at the precision of the start.
 ///
-/// It settles when the steps are short, or when short steps no longer get shorter: then they are the
-/// rounding of an ill-conditioned system, and whether the digits are enough is for the proof to say.
+/// It is assumed that `residuals` has as many entries as there are unknowns, with the derivatives to them, and
+/// that a simple root is near. The method settles when a step is so short that what it leaves, about its
+/// square, is as good as nothing, or when short steps no longer get shorter: then they are the rounding of an
+/// ill-conditioned system, and whether the digits are enough is for the proof to say. The unknowns stay
+/// positive. `None` if the Jacobian is singular, the numbers overflow or nothing settles in 200 steps.
+///
+/// Not guaranteed: that there is a root next to the answer, or that it is the root nearest to the start.
 pub fn settle(
     mut x: Vec<Float>,
     residuals: impl Fn(&[Float]) -> Vec<Dual<Float>>,
@@ -51,15 +45,9 @@ pub fn settle(
     let mut last = i64::MAX;
     for _ in 0..STEPS {
         tally::newton_step();
-        let residuals = residuals(&x);
-        let jacobian =
-            residuals.iter().map(|r| (0..x.len()).map(|k| r.derivative(k)).collect()).collect();
-        let inverse = inverse(jacobian)?;
+        let steps = newton_step(&residuals(&x))?;
         let (mut settled, mut longest) = (true, i64::MIN);
-        for (x, row) in x.iter_mut().zip(&inverse) {
-            let zero = Float::new(x.prec());
-            let step =
-                row.iter().zip(&residuals).fold(zero, |sum, (y, r)| sum + y.clone() * r.value());
+        for (x, step) in x.iter_mut().zip(steps) {
             // A variable never crosses zero: a longer step stops half-way there.
             let next = Float::with_val(x.prec(), &*x - &step);
             if next > 0 {

@@ -4,9 +4,10 @@ use super::numbers::decimal;
 use super::places::half_openings;
 use super::queries::{Query, query};
 use super::weight;
-use crate::certify::state::{Answer, Arch, Digits, Friction};
+use crate::certify::state::{Answer, Certify, Digits};
 use crate::problem::Mode;
-use crate::solve::start_state::{quick_state, sliding};
+use crate::problem::{Arch, Friction};
+use crate::solve::start::{quick_state, sliding};
 use proptest::prelude::*;
 use rug::Float;
 

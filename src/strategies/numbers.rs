@@ -1,7 +1,7 @@
 //! Half openings and frictions as exact numbers, from ordinary to absurd.
 
-use crate::certify::state::Friction;
 use crate::number::ExactNumber;
+use crate::problem::Friction;
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 

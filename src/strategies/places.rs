@@ -4,7 +4,8 @@ use crate::arch::{SelfWeight, Unknown};
 use crate::certify::CertifiedLandmark;
 use crate::number::{Ball, Rounded, bits_of};
 use crate::problem::{Landmark, Mode};
-use std::sync::OnceLock;
+use std::collections::HashMap;
+use std::sync::LazyLock;
 
 /// Digits of a landmark that a query next to it can share with it.
 pub(super) const DIGITS: usize = 40;
@@ -12,17 +13,21 @@ pub(super) const DIGITS: usize = 40;
 /// A landmark's half opening and friction; `None` where it has none.
 type Place = [Option<Ball>; 2];
 
-/// The half opening or the friction of a landmark, which is computed once.
+/// The half opening or the friction of a landmark; all of them are computed when the first is asked for.
 fn value(landmark: Landmark, weight: SelfWeight, unknown: Unknown) -> Option<&'static Ball> {
-    static PLACES: [[OnceLock<Place>; 7]; 2] = [const { [const { OnceLock::new() }; 7] }; 2];
-    let compute = || {
-        let refined = CertifiedLandmark::new(landmark, weight)
-            .and_then(|point| point.enclosure(bits_of(DIGITS) + 64));
-        let value = |unknown| refined.as_ref().ok()?.value(unknown);
-        [value(Unknown::HalfOpening), value(Unknown::Friction)]
-    };
-    let place = PLACES[weight as usize][landmark as usize].get_or_init(compute);
-    place[usize::from(unknown == Unknown::Friction)].as_ref()
+    static PLACES: LazyLock<HashMap<(Landmark, SelfWeight), Place>> = LazyLock::new(|| {
+        let all = Landmark::ALL.into_iter().flat_map(|l| SelfWeight::ALL.map(|w| (l, w)));
+        all.map(|(landmark, weight)| ((landmark, weight), place(landmark, weight))).collect()
+    });
+    let [half_opening, friction] = PLACES.get(&(landmark, weight))?;
+    if unknown == Unknown::Friction { friction.as_ref() } else { half_opening.as_ref() }
+}
+
+fn place(landmark: Landmark, weight: SelfWeight) -> Place {
+    let refined = CertifiedLandmark::new(landmark, weight)
+        .and_then(|point| point.enclosure(bits_of(DIGITS) + 64));
+    let value = |unknown| refined.as_ref().ok()?.value(unknown);
+    [value(Unknown::HalfOpening), value(Unknown::Friction)]
 }
 
 /// The decimal of so many digits just below a landmark's value, or just above it.

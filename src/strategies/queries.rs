@@ -4,9 +4,9 @@ use super::numbers::{friction, half_opening};
 use super::places::{DIGITS, beside};
 use super::weight;
 use crate::arch::{SelfWeight, Unknown};
-use crate::certify::state::{Arch, ArchError, Friction};
-use crate::number::{ExactNumber, Real};
+use crate::number::{Ball, ExactNumber, Real};
 use crate::problem::Landmark;
+use crate::problem::{Arch, ArchError, Friction};
 use proptest::prelude::*;
 use proptest::sample::select;
 use std::fmt;
@@ -32,7 +32,7 @@ impl Query {
     /// unlimited friction is infinite.
     pub fn doubles(&self) -> (f64, f64) {
         // More bits than a tie between two doubles could hide in.
-        let ball = |x: &ExactNumber| x.enclosure(256);
+        let ball = |x: &ExactNumber| x.enclosure::<Ball>(256);
         let friction = match &self.friction {
             Friction::Coefficient(mu) => ball(mu).mid().to_f64(),
             Friction::Angle(phi) => {

@@ -1,17 +1,18 @@
 //! Error against run time: every way the product can compute a value, on the same problems.
 
-use super::Problem;
+use super::Task;
 use super::closed::{Branch, Form, printed, trigonometric};
 use super::double_double;
 use super::enclosure::{Errors, enclose, enclose_at, error, relative_radius};
 use super::newton::{doubling, newton};
 use super::row::{Row, Timed, timed};
 use super::static_programme::least_thickness;
-use crate::arch::{SelfWeight, cubic};
+use crate::arch::{SelfWeight, Unknown, cubic};
 use crate::certify::CertifiedLandmark;
-use crate::certify::state::{Arch, Friction, Outcome};
+use crate::certify::state::{Certify, Outcome};
 use crate::number::Engine;
 use crate::number::{Angle, AstroInterval, Ball, Enclosure, ExactNumber, Real, rational_like};
+use crate::problem::{Arch, Friction};
 use crate::problem::{Landmark, Mode, tally};
 use crate::solve::start;
 use qd::Quad;
@@ -26,7 +27,7 @@ pub struct Case {
     /// Which of them.
     pub name: String,
     /// What is computed.
-    pub problem: Problem,
+    pub problem: Task,
     /// Start values, good to three digits or so.
     pub start: Vec<f64>,
     /// The closed form, where there is one: which, on which branch, at which joint.
@@ -82,11 +83,9 @@ pub fn cases() -> Vec<Case> {
             for (quantity, form) in kinds {
                 let joint = joint.clone();
                 let problem = match form {
-                    Form::Thickness => Problem::Thickness { weight, joint: joint.clone() },
-                    Form::OpeningVariable => {
-                        Problem::OpeningVariable { weight, joint: joint.clone() }
-                    }
-                    Form::Thrust => Problem::Thrust { weight, joint: joint.clone() },
+                    Form::Thickness => Task::Thickness { weight, joint: joint.clone() },
+                    Form::OpeningVariable => Task::OpeningVariable { weight, joint: joint.clone() },
+                    Form::Thrust => Task::Thrust { weight, joint: joint.clone() },
                 };
                 cases.push(Case {
                     quantity,
@@ -101,7 +100,7 @@ pub fn cases() -> Vec<Case> {
             quantity: "radicand",
             name: format!("beta = {joint}"),
             start: vec![cubic::radicand(&cubic::abbreviations(&at), &1.0)],
-            problem: Problem::Radicand { weight, joint: joint.clone() },
+            problem: Task::Radicand { weight, joint: joint.clone() },
             closed: None,
         });
     }
@@ -112,7 +111,7 @@ pub fn cases() -> Vec<Case> {
         cases.push(Case {
             quantity: "half-opening",
             name: format!("A = {a}"),
-            problem: Problem::HalfOpening { a },
+            problem: Task::HalfOpening { a },
             start: vec![alpha],
             closed: None,
         });
@@ -122,8 +121,8 @@ pub fn cases() -> Vec<Case> {
             cases.push(Case {
                 quantity: "landmark",
                 name: format!("{} {}", landmark.symbol(), weight.name()),
-                problem: Problem::Landmark { weight, landmark },
-                start: start(landmark, weight).to_vec(),
+                problem: Task::Landmark { weight, landmark },
+                start: start::landmark(landmark, weight).to_vec(),
                 closed: None,
             });
         }
@@ -169,22 +168,14 @@ fn states() -> Vec<Case> {
         let (half_opening, friction) = (Rational::from(alpha), Rational::from(mu));
         let arch = arch(weight, &half_opening, &friction)?;
         let Ok(Outcome::Stands(state)) = arch.state(128) else { return None };
-        let start = mode.system().0.iter().map(|unknown| {
-            use crate::arch::Unknown as U;
-            let value = match unknown {
-                U::RotationJoint => state.rotation_joint.mid(),
-                U::SlidingJoint => state.sliding_joint.as_ref()?.mid(),
-                U::Thickness => state.thickness.mid(),
-                _ => state.thrust.mid(),
-            };
-            // Nobody starts at the solution.
-            Some(value.to_f64() * 1.001)
-        });
+        // Nobody starts at the solution.
+        let start = |&unknown| Some(state.value(unknown)?.mid().to_f64() * 1.001);
+        let start: Option<_> = mode.system(weight).unknowns.iter().map(start).collect();
         (state.mode == mode).then_some(Case {
             quantity: "state",
             name: format!("{} alpha = {half_opening}, mu = {friction}", mode.label()),
-            start: start.collect::<Option<_>>()?,
-            problem: Problem::State { weight, mode, half_opening, friction },
+            start: start?,
+            problem: Task::State { weight, mode, half_opening, friction },
             closed: None,
         })
     });
@@ -192,8 +183,8 @@ fn states() -> Vec<Case> {
 }
 
 fn arch(weight: SelfWeight, half_opening: &Rational, friction: &Rational) -> Option<Arch> {
-    let friction = Friction::Coefficient(ExactNumber::rational(friction.clone()));
-    Arch::new(weight, ExactNumber::rational(half_opening.clone()), friction).ok()
+    let friction = Friction::Coefficient(ExactNumber::from(friction));
+    Arch::new(weight, ExactNumber::from(half_opening), friction).ok()
 }
 
 /// All measurements of one case.
@@ -280,10 +271,10 @@ impl Case {
 
     /// The discrete static programme, for the thickness of a state: its error is that of the joints.
     fn static_programme(&self, joints: usize, effort: &Effort, truth: &[Ball]) -> Option<Row> {
-        let Problem::State { weight, mode, half_opening, friction } = &self.problem else {
+        let Task::State { weight, mode, half_opening, friction } = &self.problem else {
             return None;
         };
-        let index = mode.system().0.iter().position(|u| *u == crate::arch::Unknown::Thickness)?;
+        let index = mode.system(*weight).index(Unknown::Thickness)?;
         let (alpha, mu) = (half_opening.to_f64(), friction.to_f64());
         let timed = timed(effort.budget, || least_thickness(*weight, alpha, mu, joints));
         let value = Float::with_val(53, timed.value);
@@ -323,26 +314,20 @@ impl Case {
 
     fn certified(&self, bits: u32) -> Option<Vec<Ball>> {
         match &self.problem {
-            Problem::Landmark { weight, landmark } => {
+            Task::Landmark { weight, landmark } => {
                 let point = CertifiedLandmark::new(*landmark, *weight).ok()?;
                 let refined = point.enclosure(bits).ok()?;
                 let unknowns = landmark.system(*weight).unknowns.iter();
                 unknowns.map(|&unknown| refined.value(unknown)).collect()
             }
-            Problem::State { weight, mode, half_opening, friction } => {
+            Task::State { weight, mode, half_opening, friction } => {
                 let Outcome::Stands(state) =
                     arch(*weight, half_opening, friction)?.state_alone(bits).ok()?
                 else {
                     return None;
                 };
-                use crate::arch::Unknown as U;
-                let value = |unknown: &U| match unknown {
-                    U::RotationJoint => Some(state.rotation_joint.clone()),
-                    U::SlidingJoint => state.sliding_joint.clone(),
-                    U::Thickness => Some(state.thickness.clone()),
-                    _ => Some(state.thrust.clone()),
-                };
-                mode.system().0.iter().map(value).collect()
+                let value = |&unknown| state.value(unknown).cloned();
+                mode.system(*weight).unknowns.iter().map(value).collect()
             }
             problem => enclose::<Ball>(problem, &self.start, bits),
         }

@@ -91,14 +91,10 @@ pub fn trigonometric<T: Trigonometric>(form: Form, branch: Branch, joint: &Angle
     let angle = if difference { third - turn } else { third + turn };
     let (_, cosine) = angle.sin_cos();
     let terms = product.sqrt() * cosine * one.int(2);
-    let Abbreviations { sin, f, g } = at;
     match form {
-        Form::OpeningVariable => {
-            let scale = g.clone() / (sin.clone() * (g.int(3) * &g - g.int(2) * &sin));
-            scale * (f - g + terms)
-        }
-        Form::Thickness => (terms - (f + g)) / sin,
-        Form::Thrust => (f.int(3) * &f - g - f.int(2) * &sin + terms) / (sin.int(6) * sin),
+        Form::OpeningVariable => closed_form::opening_variable_from(&at, terms),
+        Form::Thickness => closed_form::thickness_from(&at, terms),
+        Form::Thrust => closed_form::thrust_from(&at, terms),
     }
 }
 

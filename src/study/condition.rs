@@ -1,6 +1,6 @@
 //! The condition number of a problem: how many digits of the result its input decides.
 
-use super::Problem;
+use super::Task;
 use crate::solve::inverse;
 use rug::Float;
 
@@ -10,7 +10,7 @@ use rug::Float;
 ///
 /// The derivatives are those of the equations, from dual numbers: with `F(x, a) = 0` the root changes by
 /// `-F_x⁻¹ F_a` times the change of `a`.
-pub fn condition(problem: &Problem, root: &[Float], index: usize) -> Option<f64> {
+pub fn condition(problem: &Task, root: &[Float], index: usize) -> Option<f64> {
     let n = root.len();
     let equations = problem.residuals_with_parameters(root);
     let parameters = problem.parameters(&root[0]);
@@ -34,7 +34,7 @@ mod tests {
     #[test]
     fn it_is_the_change_of_the_root_with_the_parameter() {
         // A(alpha) = a: d alpha/da = 1/A', and A' = (sin alpha - alpha)/(1 - cos alpha).
-        let problem = Problem::HalfOpening { a: Rational::from(1) };
+        let problem = Task::HalfOpening { a: Rational::from(1) };
         let root = newton(&problem, &[Float::with_val(100, 2.33)], 100).unwrap().root;
         let alpha = root[0].to_f64();
         let slope = (alpha.sin() - alpha) / (1.0 - alpha.cos());
@@ -50,8 +50,8 @@ mod tests {
     fn a_problem_without_parameters_has_none() {
         use crate::arch::SelfWeight;
         use crate::problem::Landmark;
-        let problem = Problem::Landmark { weight: SelfWeight::Heyman, landmark: Landmark::Triple };
-        let start = crate::solve::start(Landmark::Triple, SelfWeight::Heyman);
+        let problem = Task::Landmark { weight: SelfWeight::Heyman, landmark: Landmark::Triple };
+        let start = crate::solve::start::landmark(Landmark::Triple, SelfWeight::Heyman);
         let start: Vec<Float> = start.iter().map(|x| Float::with_val(100, x)).collect();
         assert!(condition(&problem, &newton(&problem, &start, 100).unwrap().root, 0).is_none());
     }

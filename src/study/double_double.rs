@@ -4,8 +4,8 @@
 //! other kept crate, `twofloat` 0.8, has sines, to 23 digits; but its quotient of two numbers has the
 //! digits of a double only, 1/3 for instance.)
 
-use super::newton::Approximate;
 use crate::number::{Field, Real};
+use crate::solve::Approximate;
 use qd::Quad;
 use rug::Float;
 

@@ -1,68 +1,46 @@
 //! The root of a problem in a proved box: the reference for every error, and a method itself.
 
-use super::{Problem, newton};
-use crate::check::krawczyk;
-use crate::number::{Ball, Enclosure, Magnitude};
-use crate::number::{Dyadic, Engine};
-use crate::solve::inverse;
+use super::{Task, newton};
+use crate::certify::root::{Equations, Operator, corrections, inflated, inverse_jacobian};
+use crate::number::{Ball, Dual, Enclosure, Engine, Magnitude};
 use rug::Float;
+
+impl<E: Engine> Equations<E> for Task {
+    fn residuals(&self, bits: u32, x: &[E]) -> Vec<E> {
+        self.slopes(bits, x).into_iter().map(|r| r.value().clone()).collect()
+    }
+
+    fn slopes(&self, _bits: u32, x: &[E]) -> Vec<Dual<E>> {
+        Task::residuals(self, x)
+    }
+
+    /// A denominator that may vanish leaves residuals without bounds, with which no box is proved.
+    fn is_regular(&self, _bits: u32, _x: &[E]) -> bool {
+        true
+    }
+}
 
 /// A box that holds exactly one root next to the start, to about `bits` bits, in the arithmetic `E`;
 /// `None` if that is not proved.
 ///
 /// The centre comes from Newton's method in MPFR: where the box is does not need to be trusted.
-pub fn enclose<E: Engine>(problem: &Problem, start: &[f64], bits: u32) -> Option<Vec<E>> {
-    let centre = newton::doubling(problem, start, bits)?.root;
-    enclose_at(problem, &centre, bits)
+pub fn enclose<E: Engine>(task: &Task, start: &[f64], bits: u32) -> Option<Vec<E>> {
+    let centre = newton::doubling(task, start, bits)?.root;
+    enclose_at(task, &centre, bits)
 }
 
 /// The same around a centre that is known.
-pub fn enclose_at<E: Engine>(problem: &Problem, centre: &[Float], bits: u32) -> Option<Vec<E>> {
-    let n = centre.len();
-    let working = bits as usize;
+pub fn enclose_at<E: Engine>(task: &Task, centre: &[Float], bits: u32) -> Option<Vec<E>> {
     // The inverse only has to be near; but a stiff system is told from a singular one by many bits.
     let near = bits.min(2048);
     let low: Vec<Ball> =
         centre.iter().map(|x| Ball::exact(Float::with_val(near, x), near)).collect();
-    let slopes = problem.residuals(&low);
-    let jacobian = slopes
-        .iter()
-        .map(|r| (0..n).map(|k| Float::with_val(near, r.derivative(k).mid())).collect())
-        .collect();
-    let inverse = inverse(jacobian)?;
-    let exact = |x: &Float| E::exact(&Dyadic::from(x), working);
-    let rows: Vec<Vec<E>> = inverse.iter().map(|row| row.iter().map(exact).collect()).collect();
-    let points: Vec<E> = centre.iter().map(exact).collect();
-    let residuals: Vec<E> =
-        problem.residuals(&points).into_iter().map(|r| r.value().clone()).collect();
-    // A box several times as wide as the correction that the residuals ask for; in balls, to see sizes.
-    let balls: Vec<Ball> = centre.iter().map(|x| Ball::exact(x.clone(), bits)).collect();
-    let at_balls = problem.residuals(&balls);
-    let radii: Vec<Magnitude> = inverse
-        .iter()
-        .zip(centre)
-        .map(|(row, x)| {
-            let terms = row.iter().zip(&at_balls).map(|(y, r)| {
-                let size = Magnitude::upper(r.value().mid()).plus(r.value().rad());
-                Magnitude::upper(y).times(size)
-            });
-            let rounding = Magnitude::upper(x).shifted(-i64::from(bits));
-            terms.fold(rounding, Magnitude::plus)
-        })
-        .collect();
-    [2, 4, 8, 16, 24].into_iter().find_map(|inflation| {
-        let domain: Vec<E> = centre
-            .iter()
-            .zip(&radii)
-            .map(|(x, r)| {
-                let radius = r.shifted(inflation).to_float();
-                E::around(&Dyadic::from(x), &Dyadic::from(&radius), working)
-            })
-            .collect();
-        let slopes = problem.residuals(&domain);
-        let image = krawczyk::image(&points, &residuals, &slopes, &rows, &domain);
-        krawczyk::is_contracted(&image, &domain).then_some(image)
-    })
+    let inverse = inverse_jacobian(&task.slopes(near, &low), near)?;
+    // How wide the box has to be is seen in balls.
+    let points: Vec<Ball> = centre.iter().map(|x| Ball::exact(x.clone(), bits)).collect();
+    let residuals = Equations::residuals(task, bits, &points);
+    let corrections = corrections(&inverse, &residuals, centre, bits);
+    inflated(&Operator::<_, E>::new(task, bits, centre, &inverse), &corrections)
 }
 
 /// An upper bound of the distance of a value from the truth, which `truth` encloses.

@@ -2,7 +2,7 @@
 
 use super::target::{Target, arch, before, rotational};
 use crate::arch::Unknown;
-use crate::certify::state::Outcome;
+use crate::certify::state::{Certify, Outcome};
 use crate::problem::{Landmark, Mode};
 use rug::{Float, Rational};
 

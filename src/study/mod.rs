@@ -2,7 +2,7 @@
 //!
 //! | file | what it does |
 //! |---|---|
-//! | `problem` | what is computed: systems with exact parameters |
+//! | `task` | what is computed: systems with exact parameters |
 //! | `newton`, `closed`, `double_double`, `static_programme` | how others would compute it |
 //! | `condition` | what the problem itself loses |
 //! | `accuracy` | every method on every case, at every precision |
@@ -25,12 +25,12 @@ pub mod enclosure;
 pub mod figure;
 pub mod limits;
 pub mod newton;
-mod problem;
 pub mod row;
 pub mod stability;
 #[cfg(feature = "plots")]
 pub mod stability_figure;
 pub mod static_programme;
 mod target;
+mod task;
 
-pub use problem::Problem;
+pub use task::Task;

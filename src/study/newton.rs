@@ -1,26 +1,9 @@
 //! Newton's method over any approximate number: what a careful user would write.
 
-use super::Problem;
+use super::Task;
 use crate::number::Real;
+use crate::solve::{Approximate, newton_step};
 use rug::Float;
-
-/// A number with a size, so that a pivot and a last step can be chosen.
-pub trait Approximate: Real {
-    /// The exponent of its size in base two; very small for zero.
-    fn exponent(&self) -> i64;
-}
-
-impl Approximate for f64 {
-    fn exponent(&self) -> i64 {
-        if *self == 0.0 { i64::MIN } else { self.abs().log2().floor() as i64 }
-    }
-}
-
-impl Approximate for Float {
-    fn exponent(&self) -> i64 {
-        self.get_exp().map_or(i64::MIN, i64::from)
-    }
-}
 
 /// Steps after which the iteration is given up.
 const STEPS: usize = 100;
@@ -35,11 +18,11 @@ pub struct Newton<T> {
 
 /// Newton's method at the precision of the start, until a step is of the size of the rounding (`bits`)
 /// or no longer gets smaller. `None` if it breaks down.
-pub fn newton<T: Approximate>(problem: &Problem, start: &[T], bits: u32) -> Option<Newton<T>> {
+pub fn newton<T: Approximate + Real>(problem: &Task, start: &[T], bits: u32) -> Option<Newton<T>> {
     let mut root = start.to_vec();
     let mut last = i64::MAX;
     for steps in 1..=STEPS {
-        let step = step(problem, &root)?;
+        let step = newton_step(&problem.residuals(&root))?;
         let relative =
             root.iter().zip(&step).map(|(x, s)| s.exponent().saturating_sub(x.exponent()));
         let size = relative.max().unwrap_or(i64::MIN);
@@ -56,33 +39,8 @@ pub fn newton<T: Approximate>(problem: &Problem, start: &[T], bits: u32) -> Opti
     None
 }
 
-/// The Newton step, by elimination with the largest pivot.
-pub fn step<T: Approximate>(problem: &Problem, x: &[T]) -> Option<Vec<T>> {
-    let n = x.len();
-    let residuals = problem.residuals(x);
-    let mut rows: Vec<Vec<T>> = residuals
-        .iter()
-        .map(|r| (0..n).map(|k| r.derivative(k)).chain([r.value().clone()]).collect())
-        .collect();
-    for column in 0..n {
-        let pivot = (column..n).max_by_key(|&row| rows[row][column].exponent())?;
-        rows.swap(column, pivot);
-        let head = rows[column].clone();
-        if head[column].exponent() == i64::MIN {
-            return None;
-        }
-        for (_, entries) in rows.iter_mut().enumerate().filter(|(row, _)| *row != column) {
-            let factor = entries[column].clone() / &head[column];
-            for (entry, above) in entries.iter_mut().zip(&head).skip(column) {
-                *entry = entry.clone() - factor.clone() * above;
-            }
-        }
-    }
-    (0..n).map(|i| Some(rows[i][n].clone() / &rows[i][i])).collect()
-}
-
 /// Newton's method in MPFR, the precision doubled with each step from a start in doubles.
-pub fn doubling(problem: &Problem, start: &[f64], bits: u32) -> Option<Newton<Float>> {
+pub fn doubling(problem: &Task, start: &[f64], bits: u32) -> Option<Newton<Float>> {
     let first = 64.min(bits);
     let start: Vec<Float> = start.iter().map(|x| Float::with_val(first, x)).collect();
     let mut found = newton(problem, &start, first)?;
@@ -91,7 +49,7 @@ pub fn doubling(problem: &Problem, start: &[f64], bits: u32) -> Option<Newton<Fl
     while precision < bits {
         precision = (2 * precision - 20).min(bits);
         let x: Vec<Float> = found.root.iter().map(|x| Float::with_val(precision, x)).collect();
-        let step = step(problem, &x)?;
+        let step = newton_step(&problem.residuals(&x))?;
         found.root = x.into_iter().zip(step).map(|(x, s)| x - s).collect();
         found.steps += 1;
     }

@@ -126,7 +126,7 @@ pub fn climb(limit: &Limit, k: u32, budget: Duration) -> Vec<Rung> {
             add("scaled equations, 53 bits", 53, &|| target.scaled(53));
         }
         if matches!(target, Target::State { mode: Mode::Rotational, .. }) {
-            add("series or table, double", 53, &|| Some(target.start(53)?.swap_remove(index)));
+            add("start value, double", 53, &|| Some(target.start(53)?.swap_remove(index)));
         }
     }
     rungs.push(certified(&target, &truth, rung("certified", 0), condition_log10, budget));

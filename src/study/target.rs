@@ -1,6 +1,6 @@
 //! A problem next to a limit: its certified value, its condition, and where a search starts.
 
-use super::Problem;
+use super::Task;
 use super::closed::{Branch, Form, trigonometric};
 use super::condition::condition;
 use super::enclosure::enclose_at;
@@ -8,10 +8,11 @@ use super::newton::newton;
 use crate::arch::small::Scaled;
 use crate::arch::{SelfWeight, Unknown, overturning};
 use crate::certify::CertifiedLandmark;
-use crate::certify::state::{Arch, Friction, Outcome};
+use crate::certify::state::{Certify, Outcome};
 use crate::number::{Angle, Ball, Dual, ExactNumber, Real, rational_like};
+use crate::problem::{Arch, Friction};
 use crate::problem::{Landmark, Mode};
-use crate::solve::{settle, start_state};
+use crate::solve::{settle, start};
 use rug::{Float, Rational};
 
 pub(super) const WEIGHT: SelfWeight = SelfWeight::Milankovitch;
@@ -44,9 +45,9 @@ pub(super) fn before(
 }
 
 pub(super) fn arch(half_opening: &Rational, friction: Option<&Rational>) -> Option<Arch> {
-    let friction = friction
-        .map_or(Friction::Infinite, |mu| Friction::Coefficient(ExactNumber::rational(mu.clone())));
-    Arch::new(WEIGHT, ExactNumber::rational(half_opening.clone()), friction).ok()
+    let friction =
+        friction.map_or(Friction::Infinite, |mu| Friction::Coefficient(ExactNumber::from(mu)));
+    Arch::new(WEIGHT, ExactNumber::from(half_opening), friction).ok()
 }
 
 impl Target {
@@ -59,11 +60,7 @@ impl Target {
                 else {
                     return None;
                 };
-                (state.mode == *mode).then_some(match output {
-                    Unknown::RotationJoint => state.rotation_joint,
-                    Unknown::Thrust => state.thrust,
-                    _ => state.thickness,
-                })
+                state.value(*output).filter(|_| state.mode == *mode).cloned()
             }
             Self::Sliding { half_opening } => arch(half_opening, None)?.sliding_friction(bits).ok(),
             Self::Closed { joint } => {
@@ -79,21 +76,21 @@ impl Target {
     }
 
     /// The equations as a problem for the methods of others.
-    pub(super) fn problem(&self) -> Option<Problem> {
+    pub(super) fn problem(&self) -> Option<Task> {
         Some(match self {
-            Self::State { mode, half_opening, friction, .. } => Problem::State {
+            Self::State { mode, half_opening, friction, .. } => Task::State {
                 weight: WEIGHT,
                 mode: *mode,
                 half_opening: half_opening.clone(),
                 friction: friction.clone().unwrap_or_default(),
             },
-            Self::Sliding { half_opening } => Problem::State {
+            Self::Sliding { half_opening } => Task::State {
                 weight: WEIGHT,
                 mode: Mode::Sliding,
                 half_opening: half_opening.clone(),
                 friction: Rational::new(),
             },
-            Self::Closed { joint } => Problem::Thickness { weight: WEIGHT, joint: joint.clone() },
+            Self::Closed { joint } => Task::Thickness { weight: WEIGHT, joint: joint.clone() },
             Self::Overturning { .. } => return None,
         })
     }
@@ -101,9 +98,7 @@ impl Target {
     /// The place of the output among the unknowns.
     pub(super) fn index(&self) -> usize {
         match self {
-            Self::State { mode, output, .. } => {
-                mode.system().0.iter().position(|unknown| unknown == output).unwrap_or(0)
-            }
+            Self::State { mode, output, .. } => mode.system(WEIGHT).index(*output).unwrap_or(0),
             _ => 0,
         }
     }
@@ -113,7 +108,7 @@ impl Target {
         let number = |x: &Rational| Float::with_val(bits, x);
         Some(match self {
             Self::State { mode: Mode::Rotational, half_opening, .. } => {
-                start_state::rotational(WEIGHT, &number(half_opening)).to_vec()
+                start::rotational(WEIGHT, &number(half_opening)).to_vec()
             }
             Self::State { mode, half_opening, friction, .. } => {
                 // Next to the certified state: what is measured is the last digits.
@@ -122,16 +117,12 @@ impl Target {
                 else {
                     return None;
                 };
-                let value = |unknown: &Unknown| match unknown {
-                    Unknown::RotationJoint => Some(state.rotation_joint.mid().clone()),
-                    Unknown::SlidingJoint => Some(state.sliding_joint.as_ref()?.mid().clone()),
-                    Unknown::Thickness => Some(state.thickness.mid().clone()),
-                    _ => Some(state.thrust.mid().clone()),
-                };
-                let values: Option<Vec<Float>> = mode.system().0.iter().map(value).collect();
+                let value = |&unknown| state.value(unknown).map(|x| x.mid().clone());
+                let unknowns = mode.system(WEIGHT).unknowns.iter();
+                let values: Option<Vec<Float>> = unknowns.map(value).collect();
                 values?.iter().map(|x| Float::with_val(bits, x) * 1.0001f64).collect()
             }
-            Self::Sliding { half_opening } => start_state::sliding(&number(half_opening)).to_vec(),
+            Self::Sliding { half_opening } => start::sliding(&number(half_opening)).to_vec(),
             Self::Closed { joint } => {
                 let at = Angle::new(rational_like(&Float::new(bits), joint));
                 vec![trigonometric(Form::Thickness, Branch::Upper, &at)]
@@ -163,20 +154,20 @@ impl Target {
             Self::Sliding { half_opening } => (Mode::Sliding, half_opening),
             _ => return None,
         };
-        let (unknowns, equations) = mode.system();
+        let system = mode.system(WEIGHT);
         let alpha = Float::with_val(bits, half_opening);
         let y = alpha.clone().square();
         let start = match mode {
-            Mode::Sliding => start_state::scaled_sliding(&y),
-            _ => start_state::scaled_rotational(WEIGHT, &y)?,
+            Mode::Sliding => start::scaled_sliding(&y),
+            _ => start::scaled_rotational(WEIGHT, &y),
         };
         let given = Scaled::new(&Dual::constant(y.clone()));
         let root = settle(start.to_vec(), |x| {
-            let variables = unknowns.iter().zip(x).enumerate();
+            let variables = system.unknowns.iter().zip(x).enumerate();
             let at = variables.fold(given.clone(), |at, (index, (&u, x))| {
                 at.with(u, Dual::variable(x.clone(), index))
             });
-            equations.iter().filter_map(|e| e.scaled_residual(WEIGHT, &at)).collect()
+            system.scaled_residuals(&at).unwrap_or_default()
         })?;
         let [first, second, _] = &root[..] else { return None };
         Some(match mode {

@@ -3,7 +3,7 @@
 //! The resultant of `p` and `q` with respect to `x` is the determinant of their Sylvester matrix. It
 //! is zero exactly when they have a common root in `x` (in an algebraic closure) or both leading
 //! coefficients vanish. The same determinant with its last column replaced by `x^k p` and `x^k q`
-//! shows it as a combination, `resultant = u p + v q`: whoever doubts it multiplies out.
+//! shows it as a combination, `resultant = u p + v q`: anybody can check it by multiplying out.
 
 use super::{Polynomial, Symbol};
 

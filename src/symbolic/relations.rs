@@ -36,7 +36,7 @@ impl Relations {
         )
     }
 
-    /// The relations and besides `symbol^power = value`. The value must have a smaller degree than
+    /// These relations and `symbol^power = value`. The value must have a smaller degree than
     /// `power` in `symbol`, and contain no symbol whose rule, applied to it, would bring `symbol`
     /// back: else a normal form would not be reached.
     pub fn with(mut self, symbol: Symbol, power: u16, value: Polynomial) -> Self {

@@ -328,7 +328,7 @@ mod tests {
         let root = Series::root(x.int(1), |y| y.square() - Dual::constant(inside.clone())).unwrap();
         let expected = [(1, 1), (1, 2), (-1, 8), (1, 16), (-5, 128)].map(Rational::from);
         assert_eq!(root.coefficients(0), expected);
-        // A double root at x = 0: no guess settles, and nothing is said.
+        // A double root at x = 0: no guess settles, so there is no answer.
         assert!(Series::root(x.int(0), |y| y.square() - Dual::constant(x.clone())).is_none());
     }
 }

@@ -1,26 +1,30 @@
 //! Several questions about one arch, which share what is proved on the way.
 
-use super::assess::Wanted;
-use super::choice::{Asked, Outcome};
-use super::digits::{Answer, AssessmentDigits, GUARD, raised};
-use super::question::{Arch, Attempt, Doubt, Friction, Query};
+use super::assess::{Assessment, Wanted, assessment};
+use super::digits::{Answer, AssessmentDigits, Digits};
+use super::mode::{Asked, outcome};
+use super::query::{Query, bits_lost, bits_lost_unless_small};
+use super::raise::{GUARD, raise};
+use super::state::Outcome;
+use crate::certify::Undecided;
 use crate::number::{ExactNumber, bits_of};
+use crate::problem::Arch;
 use std::collections::BTreeMap;
 
-/// Questions about an arch. Its state is proved once at each precision, whoever asks.
+/// Questions about an arch, which share its state: it is proved once at each precision.
 pub struct Inquiry<'a> {
     arch: &'a Arch,
     /// What the state is asked for at every precision.
     asked: Asked,
     /// Bits enough for the question with the most digits, if the equations lose none.
     bits: u32,
-    states: BTreeMap<u32, Attempt<Outcome>>,
+    states: BTreeMap<u32, Result<Outcome, Undecided>>,
     /// States with unlimited friction.
-    unlimited: BTreeMap<u32, Attempt<Outcome>>,
+    unlimited: BTreeMap<u32, Result<Outcome, Undecided>>,
 }
 
 impl<'a> Inquiry<'a> {
-    /// Questions of at most so many digits; `frictions` says whether any asks for the frictions at which
+    /// Questions of at most `most_digits` digits; `frictions` says whether any asks for the frictions at which
     /// the mode changes.
     pub fn new(arch: &'a Arch, most_digits: usize, frictions: bool) -> Self {
         let bits = bits_of(most_digits) + GUARD;
@@ -29,51 +33,59 @@ impl<'a> Inquiry<'a> {
         Self { arch, asked, bits, states, unlimited }
     }
 
-    /// The state to so many digits. The frictions at which the mode changes are left out unless they are
+    /// The state to `digits` digits. The frictions at which the mode changes are left out unless they are
     /// asked for here and in [`Inquiry::new`].
-    pub fn state(&mut self, digits: usize, frictions: bool) -> Result<Answer, Doubt> {
-        let lost = if self.arch.is_small(self.bits) { 0 } else { self.arch.bits_lost() };
-        raised(self.bits + lost, |bits| {
+    pub fn state(&mut self, digits: usize, frictions: bool) -> Result<Answer, Undecided> {
+        let lost = bits_lost_unless_small(self.arch, self.bits);
+        raise(self.bits + lost, |bits| {
             Ok(match self.outcome(bits)? {
                 Outcome::Falls(fall) => Some(Answer::Falls(fall)),
                 Outcome::Stands(mut state) => {
                     state.frictions = state.frictions.filter(|_| frictions);
-                    state.digits(digits).map(|digits| Answer::Stands(Box::new(digits)))
+                    Digits::new(&state, digits).map(|digits| Answer::Stands(Box::new(digits)))
                 }
             })
         })
     }
 
-    /// What holds for the arch with a given thickness, in `(0, 2)`, to so many digits.
+    /// What holds for the arch with a given thickness, in `(0, 2)`, to `digits` digits.
     pub fn assess(
         &mut self,
         thickness: &ExactNumber,
         digits: usize,
         wanted: Wanted,
-    ) -> Result<AssessmentDigits, Doubt> {
-        let first = self.bits + self.arch.bits_lost();
-        raised(first, |bits| Ok(self.assessment(thickness, bits, wanted)?.digits(digits)))
+    ) -> Result<AssessmentDigits, Undecided> {
+        let first = self.bits + bits_lost(self.arch);
+        raise(first, |bits| {
+            Ok(AssessmentDigits::new(&self.assessment(thickness, bits, wanted)?, digits))
+        })
+    }
+
+    /// What holds for the arch with a given thickness, in enclosures of `bits` bits.
+    pub(super) fn assessment(
+        &mut self,
+        thickness: &ExactNumber,
+        bits: u32,
+        wanted: Wanted,
+    ) -> Result<Assessment, Undecided> {
+        let state = self.outcome(bits)?;
+        assessment(self.arch, thickness, bits, wanted, state, || self.unlimited(bits))
     }
 
     /// The state of the arch with numbers of `bits` bits.
-    pub(super) fn outcome(&mut self, bits: u32) -> Attempt<Outcome> {
+    fn outcome(&mut self, bits: u32) -> Result<Outcome, Undecided> {
         let (arch, asked) = (self.arch, self.asked);
         let state = self.states.entry(bits);
-        state.or_insert_with(|| Query::new(arch, bits).outcome(asked)).clone()
+        state.or_insert_with(|| outcome(&Query::new(arch, bits), asked)).clone()
     }
 
     /// The same with unlimited friction.
-    pub(super) fn unlimited(&mut self, bits: u32) -> Attempt<Outcome> {
-        if *self.arch.friction() == Friction::Infinite {
+    fn unlimited(&mut self, bits: u32) -> Result<Outcome, Undecided> {
+        if !self.arch.is_limited() {
             return self.outcome(bits);
         }
-        let arch = self.arch;
+        let arch = self.arch.unlimited();
         let state = self.unlimited.entry(bits);
-        state.or_insert_with(|| arch.with_friction(Friction::Infinite).state_alone(bits)).clone()
-    }
-
-    /// The arch of the questions.
-    pub(super) fn arch(&self) -> &'a Arch {
-        self.arch
+        state.or_insert_with(|| outcome(&Query::new(&arch, bits), Asked::Nothing)).clone()
     }
 }

@@ -12,30 +12,40 @@
 //! Parts 2 and 3 come down to a few signs; [`crate::arch::contact`] has the lemma, and why a proved state
 //! has one mode. A comparison that is not decided raises the precision; if it stays undecided, that is the
 //! answer.
-
 //!
 //! | file | what it does |
 //! |---|---|
-//! | `question` | an arch, as it is asked about |
-//! | `root`, `rotation` | part 1 |
-//! | `choice` | part 4: which mode, and its start values |
+//! | `certify` | the questions, as methods of an arch |
+//! | `query` | an arch at one precision; part 1 for the printed equations |
+//! | `rotation` | part 1 for pure rotation |
 //! | `small` | parts 1 to 3 for small half openings |
-//! | [`conditions`](crate::problem::conditions) | parts 2 and 3 |
-//! | `assess` | an arch of a given thickness |
-//! | `digits` | raises the precision until every digit is decided |
+//! | `mode` | parts 2 to 4: which mode, and its start values |
+//! | `state` | the outcome |
+//! | `thrust_range`, `assess` | an arch of a given thickness |
+//! | `figure`, `digits` | the outcome in digits |
+//! | `raise` | raises the precision until everything is decided |
 //! | `inquiry` | several questions about one arch, which share its state |
 
 mod assess;
-mod choice;
+mod certify;
 mod digits;
+mod figure;
 mod inquiry;
-mod question;
-mod root;
+mod mode;
+mod query;
+mod raise;
 mod rotation;
 mod small;
+#[allow(clippy::module_inception, reason = "the folder is named after what it proves")]
+mod state;
+mod thrust_range;
 
-pub use assess::{Assessment, Limit, Touch, Wanted};
-pub use choice::{Fall, Frictions, Outcome, State};
-pub use digits::{Answer, AssessmentDigits, Digits, Figure, LimitDigits};
+pub use assess::{Assessment, Wanted};
+pub use certify::{Certify, NoState};
+pub use digits::{Answer, AssessmentDigits, Digits, LimitDigits};
+pub use figure::Figure;
 pub use inquiry::Inquiry;
-pub use question::{Arch, ArchError, Doubt, Friction, is_thickness};
+pub(crate) use query::bits_lost;
+pub(crate) use raise::raised;
+pub use state::{Fall, Frictions, Outcome, State};
+pub use thrust_range::{Limit, Touch};

@@ -4,11 +4,11 @@
 //! an unknown of its own the thrust would need twice the digits, and in the joint the equations have a
 //! double root: there the square of the joint is the unknown, in which they are smooth.
 
-use super::question::{Attempt, Query};
-use super::root::{Equations, unique_root};
-use super::small::is_small;
+use super::query::{Query, is_small};
 use crate::arch::{Configuration, Ring, SelfWeight, Unknown, thrust};
-use crate::number::{Angle, Ball, Dual, Enclosure, Field, Real, Stumpff};
+use crate::certify::Undecided;
+use crate::certify::root::{Form, root_near};
+use crate::number::{Angle, Ball, Enclosure, Field, Real, Stumpff};
 use crate::problem::{Equation, tally};
 use rug::Float;
 
@@ -61,24 +61,24 @@ impl Joint {
     }
 }
 
-impl Query {
-    /// The root of (2), (4) and (5) next to `beta_r`, `eta`, proved to exist and to be unique in a box.
-    pub(super) fn rotational_root(&self, [beta, eta]: [Float; 2]) -> Attempt<Configuration<Ball>> {
-        let exponent = beta.get_exp().map_or(0, |exponent| 2 * i64::from(exponent));
-        let (joint, start) = match is_small(exponent, self.bits) {
-            true => (Joint::Square, vec![beta.square(), eta]),
-            false => (Joint::Angle, vec![beta, eta]),
-        };
-        let equations = Rotation { query: self, joint };
-        let root = unique_root(&equations, self.bits, start)?;
-        let thrust = thrust_at(self.weight, &joint.haunch(root[0].clone()), &root[1]);
-        let beta = match joint {
-            Joint::Angle => root[0].clone(),
-            Joint::Square => root[0].sqrt(),
-        };
-        let at = self.given.clone().with(Unknown::RotationJoint, beta);
-        Ok(at.with(Unknown::Thickness, root[1].clone()).with(Unknown::Thrust, thrust))
-    }
+/// The root of (2), (4) and (5) next to `beta_r`, `eta`, proved to exist and to be unique in a box.
+pub(super) fn rotational_root(
+    query: &Query,
+    [beta, eta]: [Float; 2],
+) -> Result<Configuration<Ball>, Undecided> {
+    let exponent = beta.get_exp().map_or(0, |exponent| 2 * i64::from(exponent));
+    let (joint, start) = match is_small(exponent, query.bits) {
+        true => (Joint::Square, vec![beta.square(), eta]),
+        false => (Joint::Angle, vec![beta, eta]),
+    };
+    let root = root_near(&Rotation { query, joint }, query.bits, start)?;
+    let thrust = thrust_at(query.weight, &joint.haunch(root[0].clone()), &root[1]);
+    let beta = match joint {
+        Joint::Angle => root[0].clone(),
+        Joint::Square => root[0].sqrt(),
+    };
+    let at = query.given.clone().with(Unknown::RotationJoint, beta);
+    Ok(at.with(Unknown::Thickness, root[1].clone()).with(Unknown::Thrust, thrust))
 }
 
 fn thrust_at<T: Field>(weight: SelfWeight, haunch: &Haunch<T>, eta: &T) -> T {
@@ -91,31 +91,20 @@ struct Rotation<'a> {
     joint: Joint,
 }
 
-impl Rotation<'_> {
-    fn residuals<T>(&self, given: Configuration<T>, x: Vec<Dual<T>>) -> Vec<Dual<T>>
-    where
-        T: Real + Stumpff,
-    {
+impl Form for Rotation<'_> {
+    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
         let weight = self.query.weight;
         let [joint, eta] = [0, 1].map(|index| x[index].clone());
         let haunch = self.joint.haunch(joint);
         let thrust = thrust_at(weight, &haunch, &eta);
         let ring = Ring::new(weight, &eta);
-        tally::equation(Equation::Tangency);
+        // The thrust is what (2) and (5) have in common.
+        let used = [Equation::LowerThrust, Equation::Tangency, Equation::WholeThrust];
+        used.into_iter().for_each(tally::equation);
         let tangency = thrust::tangency(&haunch.times_cotangent, &ring).residual(&thrust);
-        let given = given.map(Dual::constant);
+        let given = self.query.given.map_ref(number);
         let at = given.with(Unknown::Thickness, eta).with(Unknown::Thrust, thrust);
         vec![Equation::WholeThrust.residual(weight, &at), tangency]
-    }
-}
-
-impl Equations for Rotation<'_> {
-    fn approximate(&self, bits: u32, x: Vec<Dual<Float>>) -> Vec<Dual<Float>> {
-        self.residuals(self.query.given.clone().map(|x| Float::with_val(bits, x.mid())), x)
-    }
-
-    fn enclose(&self, bits: u32, x: Vec<Dual<Ball>>) -> Vec<Dual<Ball>> {
-        self.residuals(self.query.given.clone().map(|x| x.with_precision(bits)), x)
     }
 
     /// Then (2) follows: with the thrust that (2) and (5) have in common, it is a multiple of (5).

@@ -17,7 +17,7 @@ pub fn file(points: &[CertifiedLandmark]) -> Result<String, Undecided> {
         for weight in SelfWeight::ALL {
             let point = find(points, landmark, weight)?;
             let theorems = theorems(point).ok_or_else(|| {
-                Undecided(format!("no exact value of A at {}", landmark.symbol()))
+                Undecided::new(format!("no exact value of A at {}", landmark.symbol()))
             })?;
             out.push_str(&theorems);
         }

@@ -23,7 +23,7 @@ pub fn file(points: &[CertifiedLandmark]) -> Result<String, Undecided> {
         let radicand =
             cubic::radicand(&cubic::abbreviations(&Term::angle("beta")), &Term::constant(delta));
         let beta = point.enclosure(BITS)?.value(Unknown::RotationJoint);
-        let beta = beta.ok_or_else(|| Undecided("sb has no rotational joint".into()))?;
+        let beta = beta.ok_or_else(|| Undecided::new("sb has no rotational joint"))?;
         let mut values = bracket(&beta);
         values.extend(BRACKET.map(|(name, value)| (name, value.to_owned())));
         values.extend([

@@ -71,7 +71,7 @@ fn find(
     points
         .iter()
         .find(|point| (point.landmark(), point.weight()) == (landmark, weight))
-        .ok_or_else(|| Undecided(format!("{} is missing", landmark.symbol())))
+        .ok_or_else(|| Undecided::new(format!("{} is missing", landmark.symbol())))
 }
 
 /// Bits of an enclosure from which digits are printed.

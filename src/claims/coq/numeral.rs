@@ -1,6 +1,6 @@
 //! Rationals with few decimals, which is how a table is printed.
 
-use crate::number::{Ball, Decimal};
+use crate::number::{Ball, terminating};
 use rug::ops::{DivRounding, Pow};
 use rug::{Float, Integer, Rational};
 
@@ -11,7 +11,7 @@ const MOST: u32 = 90;
 
 /// A rational number that ends after some decimals, as Coq reads it.
 pub fn text(value: &Rational) -> String {
-    Decimal::terminating(value, DIGITS).map_or_else(|| value.to_string(), |d| d.to_string())
+    terminating(value, DIGITS).map_or_else(|| value.to_string(), |d| d.to_string())
 }
 
 /// A rational number as a fraction.

@@ -5,10 +5,10 @@
 
 use super::numeral::{distance, down, exact, nearest, places, radius, up};
 use super::{Symbols, Term};
-use crate::arch::Unknown;
+use crate::arch::{Configuration, Unknown};
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::number::{Angle, Ball, Dual, Magnitude};
-use crate::problem::{Point, System};
+use crate::problem::System;
 use crate::solve::inverse;
 use rug::{Float, Rational};
 
@@ -40,9 +40,10 @@ impl Cleared {
     pub fn new(system: &System) -> Self {
         let symbols = Symbols::of(system);
         let variables: Vec<Term> = symbols.iter().map(Term::variable).collect();
-        let point = Point::with_angles(system, &variables, |k, _| Term::angle(symbols.get(k)));
+        let given = Configuration::zero(&Term::constant(0));
+        let at = system.place_with(given, &variables, |k, _| Term::angle(symbols.get(k)));
         let residuals: Vec<Term> =
-            system.residuals(&point).iter().map(|term| term.fraction().0).collect();
+            system.residuals(&at).iter().map(|term| term.fraction().0).collect();
         let slopes = |term: &Term| gradient(term, &symbols);
         let jacobian = residuals.iter().map(slopes).collect();
         Self { residuals, jacobian }
@@ -89,7 +90,8 @@ impl Table {
     /// Chooses the numbers: the largest wide box of the shape that the isolation has found, on which
     /// the system contracts well.
     pub fn new(point: &CertifiedLandmark, cleared: &Cleared) -> Result<Self, Undecided> {
-        let failed = |what| Undecided(format!("{} for Coq: {what}", point.landmark().symbol()));
+        let failed =
+            |what| Undecided::new(format!("{} for Coq: {what}", point.landmark().symbol()));
         let system = point.isolated().system();
         let refined = point.enclosure(BITS)?;
         let values = system.unknowns.iter().map(|&unknown| refined.value(unknown));

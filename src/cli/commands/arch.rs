@@ -2,9 +2,9 @@
 
 use super::parse;
 use crate::arch::SelfWeight;
-use crate::certify::state::{Arch, Friction, is_thickness};
 use crate::cli::failure::Failure;
 use crate::number::{ExactNumber, ParseExactError};
+use crate::problem::{Arch, Friction, is_thickness};
 use clap::Args;
 
 /// An arch, all of it exact: `0.1` is one tenth, `80deg` and `pi/2` are what they say.
@@ -58,7 +58,7 @@ pub fn arch(weight: SelfWeight, half_opening: &str, friction: Friction) -> Resul
 
 /// An angle in radians, or in degrees with `deg` behind.
 pub fn angle(text: &str) -> Result<ExactNumber, String> {
-    ExactNumber::angle(text).map_err(|error| error.to_string())
+    text.parse().map_err(|error: ParseExactError| error.to_string())
 }
 
 /// A friction coefficient, or `inf`.

@@ -3,6 +3,7 @@
 use super::arch::{ArchArguments, thickness};
 use super::output::AnswerOutput;
 use super::state::print;
+use crate::certify::state::Certify;
 use crate::cli::failure::Failure;
 use crate::report::Answer;
 use clap::Args;

@@ -59,7 +59,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let bar = progress::bar(ticks, points.len() * digits);
     let answer = |point: (Landmark, SelfWeight)| {
         let proved = CertifiedLandmark::new(point.0, point.1).and_then(|landmark| {
-            let constants = landmark.constants(digits, &|| bar.inc(1))?;
+            let constants = landmark.constants_with(digits, &|| bar.inc(1))?;
             let hash = hashed.then(|| fingerprint(&landmark, digits));
             let answer = Answer::landmark(point, Ok((&landmark, constants)));
             Ok(match hash {

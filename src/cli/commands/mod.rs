@@ -14,10 +14,11 @@ mod rows;
 mod run;
 mod state;
 mod states;
+#[cfg(feature = "study")]
 mod study;
 
-use super::check;
 use super::failure::Failure;
+use super::{check, completions, man};
 use clap::Subcommand;
 
 #[derive(Subcommand)]
@@ -32,16 +33,15 @@ pub enum Command {
     Run(run::Arguments),
     Certify(certify::Arguments),
     Check(check::Arguments),
+    #[cfg(feature = "study")]
     Study(study::Arguments),
+    Completions(completions::Arguments),
+    Man(man::Arguments),
 }
 
 impl Command {
-    /// What to say to someone who names another.
-    pub const NAMES: &str = "; the commands are constants, state, assess, states, judge, audit, prove, run, \
-                             certify, check and study";
-
-    /// Does what is asked.
-    pub fn run(&self) -> Result<(), Failure> {
+    /// Does what is asked; `program` is the whole command line.
+    pub fn run(&self, program: fn() -> clap::Command) -> Result<(), Failure> {
         match self {
             Self::Constants(arguments) => constants::run(arguments),
             Self::State(arguments) => state::run(arguments),
@@ -53,7 +53,10 @@ impl Command {
             Self::Run(arguments) => run::run(arguments),
             Self::Certify(arguments) => certify::run(arguments),
             Self::Check(arguments) => check::run(arguments),
+            #[cfg(feature = "study")]
             Self::Study(arguments) => study::run(arguments),
+            Self::Completions(arguments) => completions::run(arguments, program()),
+            Self::Man(arguments) => man::run(arguments, program()),
         }
     }
 }

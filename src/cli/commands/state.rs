@@ -4,6 +4,7 @@ use super::arch::ArchArguments;
 use super::output::AnswerOutput;
 use super::parse;
 use crate::certify::CertifiedLandmark;
+use crate::certify::state::Certify;
 use crate::cli::failure::Failure;
 use crate::problem::Landmark;
 use crate::report::{Answer, Answers, Report, Status};
@@ -43,9 +44,7 @@ pub fn print(
     let file = output.open()?;
     let answer = answer();
     let undecided = match &answer.status {
-        Status::Undecided { question, .. } => {
-            Err(Failure::Undecided(format!("undecided: {question}")))
-        }
+        Status::Undecided(undecided) => Err(Failure::Undecided(undecided.to_string())),
         _ => Ok(()),
     };
     let report = Report::Answers(Answers::arch(digits, answer));
@@ -58,7 +57,7 @@ fn at_landmark(landmark: Landmark, arguments: &Arguments) -> Result<(), Failure>
     let (weight, digits) = (arguments.arch.weight, arguments.arch.digits);
     let undecided = |error: crate::certify::Undecided| Failure::Undecided(error.to_string());
     let point = CertifiedLandmark::new(landmark, weight).map_err(undecided)?;
-    let constants = point.constants(digits, &|| ()).map_err(undecided)?;
+    let constants = point.constants(digits).map_err(undecided)?;
     let answer = Answer::landmark((landmark, weight), Ok((&point, constants)));
     let answer = Answer { modes: landmark.modes().to_vec(), ..answer };
     let report = Report::Answers(Answers::point(digits, answer));

@@ -4,6 +4,7 @@ use super::arch::{arch, friction, thickness};
 use super::output::fits_standard_output;
 use super::parse;
 use super::rows::{Line, Progress, Source, Syntax, csv_records, in_order, json_error, json_lines};
+use crate::certify::state::Certify;
 use crate::cli::failure::Failure;
 use crate::report::{Answer, Answers, Content, Format, Status};
 use clap::Args;

@@ -1,6 +1,6 @@
 //! Sine and cosine near a point where they are known, and the arctangent that follows.
 //!
-//! Sine and cosine of a full-length argument are the dearest thing a landmark needs. An [`Anchor`]
+//! Sine and cosine of a full-length argument are the most expensive part of a landmark. An [`Anchor`]
 //! holds them at one **short** argument, which is cheaper, and reaches every argument nearby by a
 //! few multiplications: with `d = x - anchor`,
 //!

@@ -74,6 +74,12 @@ impl Ball {
         Self { mid: Float::new(prec.min(32)), rad: Magnitude::INFINITE, prec }
     }
 
+    /// A ball that holds this one and another; tight where they differ by little.
+    pub fn hull(&self, other: &Self) -> Self {
+        let gap = self.clone() - other;
+        self.clone().widened(Magnitude::upper(gap.mid()).plus(gap.rad())).widened(other.rad())
+    }
+
     /// The midpoint; zero for the whole line.
     pub fn mid(&self) -> &Float {
         &self.mid

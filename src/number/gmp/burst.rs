@@ -79,7 +79,7 @@ fn sine_and_versine(numerator: &Integer, places: u32, prec: u32) -> (Ball, Ball)
     let (numerator, places) = (Integer::from(numerator >> zeros), places - zeros);
     let bits = numerator.significant_bits();
     let r = Ball::exact(Float::with_val(bits.max(2), &numerator) >> places, prec);
-    // r < 2^-small: each factor of r makes so many bits superfluous.
+    // r < 2^-small: each factor of r makes that many bits superfluous.
     let series = Series {
         square: Integer::from(numerator.square_ref()),
         shift: 2 * places,

@@ -20,7 +20,8 @@ impl ExactField for Rational {
     }
 }
 
-/// A rational number "like `like`": exact where the type is, enclosed where it encloses.
+/// A rational number in the type and precision of `like`: exact where the type is exact, an enclosure
+/// where it encloses.
 pub fn rational_like<T: Field>(like: &T, value: &Rational) -> T {
     // From the most significant digit in base 2^24, each of which fits an `i32`.
     let integer = |n: &Integer| {

@@ -33,7 +33,7 @@ mod tests {
     use proptest::prelude::*;
     use rug::Rational;
 
-    /// Enclosures of the functions from sine and cosine with so many bits that nothing is lost.
+    /// Enclosures of the functions from sine and cosine, with enough bits that no digit is lost.
     fn from_sine_and_cosine(x: &Rational, bits: u32) -> [Ball; 5] {
         let x = Ball::enclosing(x, 8 * bits + 4096);
         let (sin, cos) = x.sin_cos();

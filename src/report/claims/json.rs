@@ -1,7 +1,6 @@
 //! Claims as JSON, `couplet.claims/1`. Fields may be added, none changes its meaning.
 
 use super::decided::{Claims, as_printed};
-use crate::certify::Undecided;
 use crate::claims::{Finding, Step};
 use crate::report::json;
 use serde::Serialize;
@@ -62,7 +61,7 @@ pub fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
             _ => (None, None),
         };
         let reason = match &decision.outcome {
-            Err(Undecided(reason)) => Some(reason.as_str()),
+            Err(undecided) => Some(&*undecided.reason),
             Ok(_) => None,
         };
         let steps = decision.derivation.steps();

@@ -1,7 +1,6 @@
 //! Claims for a person at a terminal.
 
 use super::decided::{Claims, as_printed, summary};
-use crate::certify::Undecided;
 use crate::claims::{Decision, Finding, Support};
 use std::io;
 
@@ -34,7 +33,7 @@ fn heading(decision: &Decision, timed: bool, out: &mut dyn io::Write) -> io::Res
             wrapped(&format!("as printed: {counterexample}"), "           ", out)?;
             wrapped(&format!("corrected:  {corrected}"), "           ", out)
         }
-        Err(Undecided(reason)) => wrapped(&format!("reason: {reason}"), "           ", out),
+        Err(undecided) => wrapped(&format!("reason: {}", undecided.reason), "           ", out),
         Ok(_) => Ok(()),
     }
 }

@@ -107,7 +107,7 @@ impl JudgedRow {
             Ok(judgement) => match &judgement.standing {
                 Standing::Stands(_) => None,
                 Standing::Falls(fall) => Some(reason(*fall)),
-                Standing::Undecided(doubt) => Some(doubt.question),
+                Standing::Undecided(doubt) => Some(&doubt.reason),
             },
         }
     }

@@ -3,10 +3,10 @@
 use super::super::arch::{angle, friction};
 use super::columns::{Columns, Role};
 use crate::arch::SelfWeight;
-use crate::certify::state::{Arch, Friction};
 use crate::cli::commands::parse;
 use crate::judge::{Claim, Demand, Said, judge};
 use crate::number::ExactNumber;
+use crate::problem::{Arch, Friction};
 use crate::report::judged::JudgedRow;
 use rug::Rational;
 
@@ -125,5 +125,5 @@ impl Judge {
 /// The nearest double, exactly.
 fn nearest(x: &ExactNumber) -> Result<ExactNumber, String> {
     let exact = x.nearest_double().and_then(Rational::from_f64);
-    exact.map(ExactNumber::rational).ok_or_else(|| format!("'{x}' is beyond all doubles"))
+    exact.as_ref().map(ExactNumber::from).ok_or_else(|| format!("'{x}' is beyond all doubles"))
 }

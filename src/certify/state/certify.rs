@@ -1,0 +1,119 @@
+//! What can be proved of an arch: the door to this folder.
+
+use super::assess::{Assessment, Wanted};
+use super::digits::{Answer, AssessmentDigits, Digits};
+use super::inquiry::Inquiry;
+use super::mode::{Asked, outcome, pure_sliding};
+use super::query::{Query, bits_lost};
+use super::state::{Fall, Outcome};
+use crate::certify::Undecided;
+use crate::number::{Ball, ExactNumber};
+use crate::problem::Arch;
+
+/// Why an arch has no least thickness to show.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum NoState {
+    /// It stands at no thickness, which is proved.
+    #[error("the arch stands at no thickness: {}", .0.reason())]
+    Falls(Fall),
+    /// The proof did not succeed.
+    #[error(transparent)]
+    Undecided(#[from] Undecided),
+}
+
+/// Proofs about an arch.
+///
+/// ```
+/// use couplet::prelude::*;
+/// let arch = Arch::parse("milankovitch", "80deg", "0.6")?;
+/// let state = arch.least(17)?;
+/// assert_eq!(format!("{} {}", state.mode, state.thickness), "[r,r,r] 0.068650463330373536");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// See also: [`Inquiry`] for several questions about one arch, [`CertifiedLandmark`] for the landmarks.
+///
+/// [`CertifiedLandmark`]: crate::certify::CertifiedLandmark
+pub trait Certify {
+    /// The state at the least thickness, correctly rounded to `digits` significant digits, at least one.
+    fn least(&self, digits: usize) -> Result<Digits, NoState>;
+
+    /// The same, with the proof that the arch stands at no thickness as one of the answers: the precision
+    /// is raised until every comparison and every rounding is decided. Undecided if the arch lies on a
+    /// boundary, or nearer to one than 8192 bits or four times those of the digits can tell.
+    fn certify(&self, digits: usize) -> Result<Answer, Undecided>;
+
+    /// The same without the frictions at which the mode changes: nothing is evaluated that the proof of
+    /// the state does not need.
+    fn certify_alone(&self, digits: usize) -> Result<Answer, Undecided>;
+
+    /// What holds for the arch with a given thickness `t/r` in `(0, 2)`, in the same way; any other
+    /// thickness is undecided.
+    fn certify_thickness(
+        &self,
+        thickness: &ExactNumber,
+        digits: usize,
+    ) -> Result<AssessmentDigits, Undecided>;
+
+    /// The state in enclosures, proved with numbers of `bits` bits, at least one: 64 are enough for an
+    /// ordinary arch. What these cannot tell is undecided; more bits may.
+    fn state(&self, bits: u32) -> Result<Outcome, Undecided>;
+
+    /// The same without the frictions at which the mode changes.
+    fn state_alone(&self, bits: u32) -> Result<Outcome, Undecided>;
+
+    /// What holds for the arch with a given thickness, in enclosures.
+    fn assess(&self, thickness: &ExactNumber, bits: u32) -> Result<Assessment, Undecided>;
+
+    /// The friction below which nothing stands at this half opening: that of the purely sliding state.
+    fn sliding_friction(&self, bits: u32) -> Result<Ball, Undecided>;
+
+    /// Bits that the printed equations lose to cancellation for this arch: what [`Certify::state`] may
+    /// need beyond 64.
+    fn bits_lost(&self) -> u32;
+}
+
+impl Certify for Arch {
+    fn least(&self, digits: usize) -> Result<Digits, NoState> {
+        match self.certify(digits)? {
+            Answer::Stands(state) => Ok(*state),
+            Answer::Falls(fall) => Err(NoState::Falls(fall)),
+        }
+    }
+
+    fn certify(&self, digits: usize) -> Result<Answer, Undecided> {
+        Inquiry::new(self, digits, true).state(digits, true)
+    }
+
+    fn certify_alone(&self, digits: usize) -> Result<Answer, Undecided> {
+        Inquiry::new(self, digits, false).state(digits, false)
+    }
+
+    fn certify_thickness(
+        &self,
+        thickness: &ExactNumber,
+        digits: usize,
+    ) -> Result<AssessmentDigits, Undecided> {
+        Inquiry::new(self, digits, false).assess(thickness, digits, Wanted::Everything)
+    }
+
+    fn state(&self, bits: u32) -> Result<Outcome, Undecided> {
+        outcome(&Query::new(self, bits), Asked::Frictions)
+    }
+
+    fn state_alone(&self, bits: u32) -> Result<Outcome, Undecided> {
+        outcome(&Query::new(self, bits), Asked::Nothing)
+    }
+
+    fn assess(&self, thickness: &ExactNumber, bits: u32) -> Result<Assessment, Undecided> {
+        Inquiry::new(self, 1, false).assessment(thickness, bits, Wanted::Everything)
+    }
+
+    fn sliding_friction(&self, bits: u32) -> Result<Ball, Undecided> {
+        pure_sliding(&Query::new(self, bits))
+    }
+
+    fn bits_lost(&self) -> u32 {
+        bits_lost(self)
+    }
+}

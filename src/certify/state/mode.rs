@@ -1,0 +1,327 @@
+//! Which mode an arch collapses in: every comparison decided, or the reason why not.
+
+use super::query::Query;
+use super::rotation::rotational_root;
+use super::small::Small;
+use super::state::{Fall, Frictions, Outcome, State};
+use crate::arch::{Configuration, PerWeight, SelfWeight, contact, overturning, sliding, thrust};
+use crate::certify::undecided::{decide, require, require_condition};
+use crate::certify::{CertifiedLandmark, Undecided};
+use crate::number::{Angle, Ball, Enclosure, Ternary};
+use crate::problem::{
+    Condition, Examined, Landmark, Mode, System, inner_friction, room_for_steepest,
+    shoulder_friction, tally,
+};
+use crate::solve::start;
+use rug::Float;
+use std::sync::OnceLock;
+
+/// What a question about a state asks beyond its thickness and its mode.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Asked {
+    /// Nothing: only what its proof needs is evaluated.
+    Nothing,
+    /// The frictions at which the mode changes.
+    Frictions,
+}
+
+/// A purely rotational state.
+struct Rotation {
+    state: State,
+    /// The frictions that the shoulder and an inner joint ask for, where friction matters.
+    frictions: Option<[Ball; 2]>,
+}
+
+impl Rotation {
+    /// The friction from which collapse is purely rotational: the larger of the two.
+    fn friction(&self) -> Option<Ball> {
+        let [shoulder, inner] = self.frictions.as_ref()?;
+        Some(match shoulder.is_less_than(inner) {
+            Ternary::True => inner.clone(),
+            Ternary::False => shoulder.clone(),
+            Ternary::Undecided => shoulder.hull(inner),
+        })
+    }
+}
+
+/// What is found where the friction is above the purely sliding one.
+enum Found {
+    /// A state, and the friction from which collapse is purely rotational, if any is enough and it was
+    /// asked for.
+    State(Box<State>, Option<Ball>),
+    /// It would have to be thicker than twice the radius.
+    Falls,
+}
+
+/// The state, and why it is the one.
+///
+/// A state that is admissible and the thinnest is a proof by itquery. Whether the friction is below
+/// the purely sliding one, and where the half opening is beside those of `l` and `L`, is proved where
+/// it is the answer, or where a candidate suggests that there is no state.
+pub(super) fn outcome(query: &Query, asked: Asked) -> Result<Outcome, Undecided> {
+    tally::working_bits(query.bits);
+    let mut least_friction = None;
+    if asked == Asked::Frictions || seems_to_slide(query) {
+        let slides = pure_sliding(query)?;
+        if falls_by_sliding(query, &slides)? {
+            return Ok(Outcome::Falls(Fall::Sliding));
+        }
+        least_friction = Some(slides);
+    }
+    let found = state_above_sliding(query, asked);
+    let is_proved = matches!(found, Ok(Found::State(..)));
+    if !is_proved && least_friction.is_none() && query.is_limited {
+        // Too little friction would be the reason, and comes before any other.
+        if falls_by_sliding(query, &pure_sliding(query)?)? {
+            return Ok(Outcome::Falls(Fall::Sliding));
+        }
+    }
+    match found? {
+        Found::Falls => Ok(Outcome::Falls(Fall::Thickness)),
+        Found::State(mut state, rotational) => {
+            state.frictions = least_friction
+                .filter(|_| asked == Asked::Frictions)
+                .map(|sliding| Frictions { sliding, rotational });
+            Ok(Outcome::Stands(state))
+        }
+    }
+}
+
+/// Whether the friction seems to be below the purely sliding one: a candidate.
+fn seems_to_slide(query: &Query) -> bool {
+    query.friction().is_some_and(|friction| {
+        let [least, ..] = start::sliding(&Float::with_val(64, query.alpha()));
+        *friction.mid() < least * 1.001f64
+    })
+}
+
+/// The friction of the purely sliding state.
+pub(super) fn pure_sliding(query: &Query) -> Result<Ball, Undecided> {
+    if let Some(small) = Small::of(query) {
+        return Ok(small.pure_sliding()?.friction());
+    }
+    let slides = query.root(Mode::Sliding.system(query.weight), &start::sliding(&query.alpha()))?;
+    require(&slides.friction, "a positive purely sliding friction", &[])?;
+    let inside = slides.half_opening.rad.clone() - &slides.sliding_joint.rad;
+    require(&inside, "the steepest joint above the shoulder", &[])?;
+    Ok(slides.friction)
+}
+
+fn falls_by_sliding(query: &Query, least_friction: &Ball) -> Result<bool, Undecided> {
+    let Some(friction) = query.friction() else { return Ok(false) };
+    let margin = friction.clone() - least_friction;
+    Ok(!decide(&margin, "whether the friction is enough to stand", &[Mode::Sliding])?)
+}
+
+/// The state, if the friction is above the purely sliding one; below it the answer is not to be used
+/// unless it is a state.
+fn state_above_sliding(query: &Query, asked: Asked) -> Result<Found, Undecided> {
+    let rotation = match rotation_if_any(query, asked) {
+        Err(undecided) if query.is_limited => return beside_the_end(query, asked, undecided),
+        rotation => rotation?,
+    };
+    let Some(rotation) = rotation else {
+        return match query.friction() {
+            Some(_) => inner_sliding(query, None),
+            None => overturning(query),
+        };
+    };
+    let critical = rotation.friction();
+    let (Some(friction), Some([shoulder, inner])) = (query.friction(), &rotation.frictions) else {
+        return Ok(Found::State(Box::new(rotation.state), critical));
+    };
+    let margin = |critical: &Ball, mode| {
+        decide(
+            &(friction.clone() - critical),
+            "whether the friction is enough for pure rotation",
+            &[Mode::Rotational, mode],
+        )
+    };
+    let holds_shoulder = margin(shoulder, Mode::SlidingRotational);
+    let holds_inner = margin(inner, Mode::RotationalSliding);
+    // Both can fail only below the purely sliding friction.
+    match (holds_shoulder, holds_inner) {
+        (Ok(true), Ok(true)) => Ok(Found::State(Box::new(rotation.state), critical)),
+        (Ok(false), _) => shoulder_sliding(query, critical),
+        (_, Ok(false)) => inner_sliding(query, critical),
+        (Err(undecided), _) | (_, Err(undecided)) => Err(undecided),
+    }
+}
+
+/// The state where these bits prove no rotation and cannot exclude one either, as next to the end of
+/// rotation. A sliding state that is proved is the answer all the same; what stays open is then only
+/// which friction, if any, would be enough for rotation.
+fn beside_the_end(query: &Query, asked: Asked, undecided: Undecided) -> Result<Found, Undecided> {
+    match inner_sliding(query, None) {
+        Ok(Found::State(state, _)) if asked == Asked::Frictions => {
+            Err(undecided.between(&[state.mode]))
+        }
+        Ok(found) => Ok(found),
+        Err(_) => Err(undecided),
+    }
+}
+
+/// The purely rotational state, unless the half opening is beyond the end of rotation.
+fn rotation_if_any(query: &Query, asked: Asked) -> Result<Option<Rotation>, Undecided> {
+    if start::seems_to_rotate(query.weight, &query.alpha())
+        && let Ok(rotation) = rotation(query, asked)
+    {
+        return Ok(Some(rotation));
+    }
+    let [end, _] = limits(query.weight, query.bits);
+    let rotates = decide(
+        &(end - &query.given.half_opening.rad),
+        "whether the half opening is below that of the end of rotation",
+        &[Mode::Rotational, Mode::Overturning],
+    )?;
+    if rotates { rotation(query, asked).map(Some) } else { Ok(None) }
+}
+
+/// The purely rotational state, proved for unlimited friction.
+fn rotation(query: &Query, asked: Asked) -> Result<Rotation, Undecided> {
+    let friction_matters = asked == Asked::Frictions || query.is_limited;
+    if let Some(small) = Small::of(query) {
+        let root = small.rotation()?;
+        let frictions = if friction_matters { Some(root.frictions()?) } else { None };
+        return Ok(Rotation { state: root.into_state(Mode::Rotational), frictions });
+    }
+    let [beta, eta, _] = start::rotational(query.weight, &query.alpha());
+    let at = rotational_root(query, [beta, eta])?;
+    prove(query, Mode::Rotational, &at, false)?;
+    let mut frictions = None;
+    if friction_matters {
+        require(&room_for_steepest(&at), "the steepest joint above the shoulder", &[])?;
+        frictions = Some([shoulder_friction(&at), inner_friction(&at)]);
+    }
+    Ok(Rotation { state: State::new(Mode::Rotational, at), frictions })
+}
+
+fn shoulder_sliding(query: &Query, rotational: Option<Ball>) -> Result<Found, Undecided> {
+    if let Some(small) = Small::of(query) {
+        let state = small.shoulder_sliding()?.into_state(Mode::SlidingRotational);
+        return Ok(Found::State(Box::new(state), rotational));
+    }
+    let bound = sliding::shoulder_thrust(&query.given.half_opening, &query.given.friction).value();
+    let thrust = if bound.is_bounded() {
+        Float::with_val(query.bits, bound.mid())
+    } else {
+        // Near the purely sliding friction the two thrusts are close, and either is a good start.
+        let [_, thrust, _] = start::sliding(&query.alpha());
+        thrust
+    };
+    let start = start::rotational_with_thrust(query.weight, &thrust);
+    let at = query.root(Mode::SlidingRotational.system(query.weight), &start)?;
+    proved(query, Mode::SlidingRotational, at, rotational)
+}
+
+/// The purely overturning state, where there is one.
+fn overturning(query: &Query) -> Result<Found, Undecided> {
+    let [_, limit] = limits(query.weight, query.bits);
+    if !decide(
+        &(limit - &query.given.half_opening.rad),
+        "whether the half opening is below that of the end of overturning",
+        &[Mode::Overturning],
+    )? {
+        return Ok(Found::Falls);
+    }
+    let at = query.root(Mode::Overturning.system(query.weight), &[overturning_start(query)])?;
+    proved(query, Mode::Overturning, at, None)
+}
+
+fn inner_sliding(query: &Query, rotational: Option<Ball>) -> Result<Found, Undecided> {
+    let friction = Float::with_val(query.bits, query.given.friction.mid());
+    let [h, joint] = start::inner_sliding(&friction);
+    let slid = query.root(System::inner_sliding(query.weight), &[h, joint])?;
+    let margin = contact::margin_at_physical_limit(query.weight, &slid);
+    if !decide(
+        &margin,
+        "whether the physical limit of the thickness is enough",
+        &[Mode::OverturningSliding],
+    )? {
+        return Ok(Found::Falls);
+    }
+    let (h, joint) = (slid.thrust.mid(), slid.sliding_joint.rad.mid());
+    let start = start::rotational_sliding(query.weight, query.alpha().to_f64(), h.to_f64());
+    let float = |x: f64| Float::with_val(query.bits, x);
+    let at_crown = || {
+        let start = [float(start.thickness), h.clone(), joint.clone()];
+        let at = query.root(Mode::OverturningSliding.system(query.weight), &start)?;
+        let slope = contact::crown_slope(query.weight, &at);
+        let between = [Mode::OverturningSliding, Mode::RotationalSlidingRotational];
+        let nearest = decide(&slope, "whether the intrados is touched at the crown", &between)?;
+        Ok((at, nearest))
+    };
+    if start.joint.is_none() {
+        let (at, nearest) = at_crown()?;
+        if nearest {
+            return proved(query, Mode::OverturningSliding, at, rotational);
+        }
+    }
+    let beta = float(start.joint.unwrap_or(1e-6));
+    let start = [beta, float(start.thickness), h.clone(), joint.clone()];
+    let (at, mode) = match query.root(Mode::RotationalSliding.system(query.weight), &start) {
+        Ok(at) => {
+            let above = at.rotation_joint.rad.clone() - &at.sliding_joint.rad;
+            let between = [Mode::RotationalSliding, Mode::RotationalSlidingRotational];
+            let above = decide(&above, "which of the two inner joints is higher", &between)?;
+            (at, between[usize::from(!above)])
+        }
+        // Beside the line beta_r = 0 the joint may be at the crown after all.
+        Err(undecided) => match at_crown()? {
+            (at, true) => (at, Mode::OverturningSliding),
+            (_, false) => return Err(undecided),
+        },
+    };
+    proved(query, mode, at, rotational)
+}
+
+fn overturning_start(query: &Query) -> Float {
+    let alpha = query.alpha().to_f64();
+    let a = thrust::opening_variable(&Angle::new(alpha)).value();
+    let eta = overturning::thickness(query.weight, &a);
+    Float::with_val(query.bits, if eta.is_finite() { eta } else { 1.9 })
+}
+
+/// The state, with parts 2 and 3 of its proof.
+fn proved(
+    query: &Query,
+    mode: Mode,
+    at: Configuration<Ball>,
+    rotational: Option<Ball>,
+) -> Result<Found, Undecided> {
+    prove(query, mode, &at, query.is_limited)?;
+    Ok(Found::State(Box::new(State::new(mode, at)), rotational))
+}
+
+/// Parts 2 and 3 of the proof: the state is admissible, and none thinner is.
+fn prove(
+    query: &Query,
+    mode: Mode,
+    at: &Configuration<Ball>,
+    is_limited: bool,
+) -> Result<(), Undecided> {
+    let state = Examined::new(query.weight, mode, at);
+    // A root that fails one of them is not the state of the arch.
+    Condition::of(mode, is_limited)
+        .try_for_each(|condition| require_condition(condition, &state.margin(condition), mode))
+}
+
+/// The half openings of `l` and `L`, to at least `bits` bits.
+fn limits(weight: SelfWeight, bits: u32) -> [Ball; 2] {
+    static CACHED: PerWeight<OnceLock<[Ball; 2]>> =
+        PerWeight { heyman: OnceLock::new(), milankovitch: OnceLock::new() };
+    const ENOUGH: u32 = 1024;
+    tally::landmark();
+    let at = |bits: u32| {
+        [Landmark::RotationEnd, Landmark::OverturningEnd].map(|landmark| {
+            let opening = |point: CertifiedLandmark| -> Result<Ball, Undecided> {
+                Ok(point.enclosure(bits)?.configuration().half_opening.rad.clone())
+            };
+            CertifiedLandmark::new(landmark, weight).and_then(opening).unwrap_or(Ball::whole(bits))
+        })
+    };
+    if bits > ENOUGH {
+        return at(bits);
+    }
+    CACHED.get(weight).get_or_init(|| at(ENOUGH)).clone().map(|x| x.with_precision(bits))
+}

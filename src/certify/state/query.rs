@@ -1,0 +1,93 @@
+//! An arch at one precision: what every step of a proof reads.
+
+use crate::arch::{Configuration, SelfWeight};
+use crate::certify::Undecided;
+use crate::certify::root::{Form, root_near};
+use crate::number::{Ball, Enclosure, Real, Stumpff, stumpff_terms};
+use crate::problem::{Arch, Friction, System};
+use rug::Float;
+
+/// An arch in numbers of some bits.
+pub(super) struct Query {
+    pub weight: SelfWeight,
+    pub bits: u32,
+    /// What is given: the half opening and, if finite, the friction.
+    pub given: Configuration<Ball>,
+    pub is_limited: bool,
+}
+
+impl Query {
+    /// The arch in numbers of `bits` bits.
+    pub fn new(arch: &Arch, bits: u32) -> Self {
+        let is_limited = arch.is_limited();
+        Self { weight: arch.weight(), bits, given: arch.given(bits), is_limited }
+    }
+
+    /// The friction, where it is limited.
+    pub fn friction(&self) -> Option<&Ball> {
+        self.is_limited.then_some(&self.given.friction)
+    }
+
+    /// The half opening as a candidate.
+    pub fn alpha(&self) -> Float {
+        Float::with_val(self.bits, self.given.half_opening.rad.mid())
+    }
+
+    /// The root of a system next to a start value, proved to exist and to be unique in a box.
+    pub fn root(&self, system: System, start: &[Float]) -> Result<Configuration<Ball>, Undecided> {
+        let root = root_near(&Given { system, query: self }, self.bits, start.to_vec())?;
+        Ok(system.place(self.given.clone(), &root))
+    }
+}
+
+/// A system with what is given.
+struct Given<'a> {
+    system: System,
+    query: &'a Query,
+}
+
+impl Form for Given<'_> {
+    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
+        let given = self.query.given.map_ref(number);
+        self.system.residuals(&self.system.place(given, x))
+    }
+
+    fn is_regular(&self, x: &[Ball]) -> bool {
+        let at = self.system.place(self.query.given.clone(), x);
+        self.system.denominators(&at).iter().all(Enclosure::excludes_zero)
+    }
+}
+
+/// More terms than this, and sines and cosines with a few more bits are cheaper.
+const MANY_TERMS: i32 = 24;
+/// `alpha²` is below two to this power: then the series of the start values hold.
+const SMALL: i64 = -4;
+
+/// Whether an angle is so small, at a precision of `bits` bits, that equations are used in variables in
+/// which nothing cancels; `2^exponent` bounds its square.
+pub(super) fn is_small(exponent: i64, bits: u32) -> bool {
+    exponent <= SMALL && stumpff_terms(bits, exponent) <= MANY_TERMS
+}
+
+/// Bits that the printed equations lose by cancellation: the thickness falls like the fourth power of a
+/// small half opening, the thrust like the inverse square of a large friction.
+pub(crate) fn bits_lost(arch: &Arch) -> u32 {
+    let friction = match arch.friction() {
+        Friction::Coefficient(mu) => exponent(&mu.enclosure(64)).max(64) - 64,
+        _ => 0,
+    };
+    let opening = exponent(&arch.half_opening().enclosure(64));
+    opening.min(0).unsigned_abs() * 6 + friction.unsigned_abs() * 4
+}
+
+/// The same, where equations that lose none are used for small half openings, at a precision of `bits`
+/// bits.
+pub(super) fn bits_lost_unless_small(arch: &Arch, bits: u32) -> u32 {
+    let opening: Ball = arch.half_opening().enclosure(64);
+    let is_small = opening.mid().get_exp().is_some_and(|e| is_small(2 * i64::from(e), bits));
+    if is_small { 0 } else { bits_lost(arch) }
+}
+
+fn exponent(x: &Ball) -> i32 {
+    x.mid().get_exp().unwrap_or(0)
+}

@@ -1,0 +1,42 @@
+//! The precision is raised until a proof decides everything.
+
+use super::query::bits_lost_unless_small;
+use crate::certify::Undecided;
+use crate::number::bits_of;
+use crate::problem::Arch;
+
+/// The precision is doubled up to this many bits, and at least twice, before a comparison or a rounding
+/// counts as undecided.
+const ENOUGH: u32 = 8192;
+/// Bits beyond the digits asked for, at the first attempt.
+pub(super) const GUARD: u32 = 48;
+
+/// A proof that decides everything: `first` bits, and twice as many until they are enough.
+pub(super) fn raise<T>(
+    first: u32,
+    mut proof: impl FnMut(u32) -> Result<Option<T>, Undecided>,
+) -> Result<T, Undecided> {
+    let mut bits = first;
+    let rounding = || Undecided::new("the rounding");
+    let mut last = rounding();
+    while bits <= ENOUGH.max(4 * first) {
+        match proof(bits) {
+            Ok(Some(answer)) => return Ok(answer),
+            Ok(None) => last = rounding(),
+            Err(undecided) => last = undecided,
+        }
+        bits *= 2;
+    }
+    Err(last)
+}
+
+/// What a proof about an arch finds, with more bits until it decides everything, first with enough for
+/// `digits` digits; what stays undecided otherwise.
+pub(crate) fn raised<T>(
+    arch: &Arch,
+    digits: usize,
+    proof: impl FnMut(u32) -> Result<Option<T>, Undecided>,
+) -> Result<T, Undecided> {
+    let first = bits_of(digits) + GUARD;
+    raise(first + bits_lost_unless_small(arch, first), proof)
+}

@@ -1,0 +1,85 @@
+//! What is certain of an arch: enclosures, all proved.
+
+use crate::arch::{Configuration, Unknown};
+use crate::number::Ball;
+use crate::problem::Mode;
+
+/// What is certain of an arch.
+#[derive(Clone, Debug)]
+pub enum Outcome {
+    /// It stands from a least thickness on.
+    Stands(Box<State>),
+    /// It does not stand at any thickness up to the physical limit 2.
+    Falls(Fall),
+}
+
+/// Why no thickness is enough.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fall {
+    /// The friction is below that of the purely sliding state.
+    Sliding,
+    /// It would have to be thicker than twice the radius.
+    Thickness,
+}
+
+impl Fall {
+    /// The reason in words.
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::Sliding => "it slides: the friction is below that of the purely sliding state",
+            Self::Thickness => "it would have to be thicker than twice its radius",
+        }
+    }
+}
+
+/// The state at the least thickness: enclosures, all proved.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct State {
+    /// How it collapses.
+    pub mode: Mode,
+    /// `eta`.
+    pub thickness: Ball,
+    /// `h`.
+    pub thrust: Ball,
+    /// `beta_r`, rad; exactly zero at the crown.
+    pub rotation_joint: Ball,
+    /// `beta_s`, rad, if an inner joint slides.
+    pub sliding_joint: Option<Ball>,
+    /// The frictions at which the mode changes, if they are asked for.
+    pub frictions: Option<Frictions<Ball>>,
+}
+
+/// The frictions between which a half opening has states that slide.
+#[derive(Clone, Debug)]
+pub struct Frictions<T> {
+    /// The friction below which nothing stands.
+    pub sliding: T,
+    /// The friction from which collapse is purely rotational; `None` if no friction is enough.
+    pub rotational: Option<T>,
+}
+
+impl State {
+    /// A state without the frictions at which its mode changes.
+    pub(super) fn new(mode: Mode, at: Configuration<Ball>) -> Self {
+        Self {
+            mode,
+            thickness: at.thickness,
+            thrust: at.thrust,
+            rotation_joint: at.rotation_joint.rad,
+            sliding_joint: mode.slides_inside().then_some(at.sliding_joint.rad),
+            frictions: None,
+        }
+    }
+
+    /// The value of a variable that is solved for, where the state has it.
+    pub fn value(&self, unknown: Unknown) -> Option<&Ball> {
+        match unknown {
+            Unknown::RotationJoint => Some(&self.rotation_joint),
+            Unknown::SlidingJoint => self.sliding_joint.as_ref(),
+            Unknown::Thickness => Some(&self.thickness),
+            Unknown::Thrust => Some(&self.thrust),
+            Unknown::HalfOpening | Unknown::Friction => None,
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! Decimal text, read exactly.
+
+use std::fmt;
+use std::str::FromStr;
+
+/// The decimal number `sign digits * 10^exponent`, with `digits` an integer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Decimal {
+    negative: bool,
+    /// Decimal digits without leading zeros; empty for zero.
+    digits: String,
+    exponent: i64,
+}
+
+/// Why a text is not a decimal number.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ParseDecimalError {
+    /// Not digits with at most one point, a sign and an exponent.
+    #[error("'{0}' is not a decimal number")]
+    Syntax(String),
+    /// The exponent is beyond ±1,000,000.
+    #[error("'{0}' has an exponent beyond ±{MAX_EXPONENT}")]
+    Exponent(String),
+}
+
+const MAX_EXPONENT: i64 = 1_000_000;
+
+impl Decimal {
+    /// The decimal of a sign, digits and the power of ten of the last digit.
+    pub(super) fn new(negative: bool, digits: String, exponent: i64) -> Self {
+        let trimmed = digits.trim_start_matches('0');
+        let negative = negative && !trimmed.is_empty();
+        Self { negative, digits: trimmed.to_owned(), exponent }
+    }
+
+    /// The number of significant digits as written.
+    pub fn significant_digits(&self) -> usize {
+        self.digits.len()
+    }
+
+    /// The significant digits, without leading zeros.
+    pub fn digits(&self) -> &str {
+        &self.digits
+    }
+
+    /// Whether it is below zero.
+    pub fn is_negative(&self) -> bool {
+        self.negative
+    }
+
+    /// The power of ten of the last written digit: one unit of the last place is `10^exponent`.
+    pub fn exponent(&self) -> i64 {
+        self.exponent
+    }
+
+    /// The power of ten just above the number: `10^(magnitude-1) <= |x| < 10^magnitude`.
+    pub fn magnitude(&self) -> i64 {
+        self.exponent + self.digits.len() as i64
+    }
+
+    /// The exact value.
+    #[cfg(feature = "mpfr")]
+    pub fn to_rational(&self) -> rug::Rational {
+        use rug::{Integer, Rational, ops::Pow};
+        let digits = if self.digits.is_empty() { "0" } else { &self.digits };
+        let integer = Integer::from_str_radix(digits, 10).unwrap_or_default();
+        let scale = Integer::from(10).pow(self.exponent.unsigned_abs() as u32);
+        let value = if self.exponent < 0 {
+            Rational::from((integer, scale))
+        } else {
+            Rational::from(integer * scale)
+        };
+        if self.negative { -value } else { value }
+    }
+
+    /// This decimal moved by one unit of its last place, away from zero or towards it.
+    #[cfg(feature = "mpfr")]
+    pub(super) fn neighbour(&self, away: bool) -> Self {
+        let mut digits = self.digits.clone().into_bytes();
+        let (from, to) = if away { (b'9', b'0') } else { (b'0', b'9') };
+        for digit in digits.iter_mut().rev() {
+            if *digit == from {
+                *digit = to;
+            } else {
+                *digit = if away { *digit + 1 } else { *digit - 1 };
+                break;
+            }
+        }
+        let mut text = String::from_utf8(digits).unwrap_or_default();
+        let mut exponent = self.exponent;
+        if away && text.bytes().all(|d| d == b'0') {
+            // 999 becomes 100 and a higher power of ten: the number of digits stays.
+            text.pop();
+            text.insert(0, '1');
+            exponent += 1;
+        }
+        Self::new(self.negative, text, exponent)
+    }
+}
+
+impl fmt::Display for Decimal {
+    /// Plain digits for ordinary sizes, scientific notation outside `1e-7 … 1e21`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.digits.is_empty() {
+            return f.write_str("0");
+        }
+        if self.negative {
+            f.write_str("-")?;
+        }
+        let magnitude = self.magnitude();
+        let length = self.digits.len() as i64;
+        if !(-6..=21).contains(&magnitude) {
+            let (head, tail) = self.digits.split_at(1);
+            let point = if tail.is_empty() { "" } else { "." };
+            write!(f, "{head}{point}{tail}e{}", magnitude - 1)
+        } else if magnitude <= 0 {
+            write!(f, "0.{}{}", "0".repeat(-magnitude as usize), self.digits)
+        } else if magnitude >= length {
+            write!(f, "{}{}", self.digits, "0".repeat((magnitude - length) as usize))
+        } else {
+            let (head, tail) = self.digits.split_at(magnitude as usize);
+            write!(f, "{head}.{tail}")
+        }
+    }
+}
+
+impl FromStr for Decimal {
+    type Err = ParseDecimalError;
+
+    /// Reads `-12.5`, `1e-30`, `.5`, exactly. Trailing zeros count as digits.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let shown = || text.chars().take(40).collect::<String>();
+        let syntax = || ParseDecimalError::Syntax(shown());
+        let (negative, rest) = match text.strip_prefix('-') {
+            Some(rest) => (true, rest),
+            None => (false, text.strip_prefix('+').unwrap_or(text)),
+        };
+        let (number, power) = match rest.split_once(['e', 'E']) {
+            Some((number, power)) => (number, power),
+            None => (rest, "0"),
+        };
+        let (whole, fraction) = number.split_once('.').unwrap_or((number, ""));
+        let all_digits = |s: &str| s.bytes().all(|b| b.is_ascii_digit());
+        let unsigned = power.strip_prefix(['+', '-']).unwrap_or(power);
+        if whole.len() + fraction.len() == 0
+            || !all_digits(whole)
+            || !all_digits(fraction)
+            || unsigned.is_empty()
+            || !all_digits(unsigned)
+        {
+            return Err(syntax());
+        }
+        let power = power
+            .parse::<i64>()
+            .ok()
+            .filter(|p| p.unsigned_abs() <= MAX_EXPONENT as u64)
+            .ok_or_else(|| ParseDecimalError::Exponent(shown()))?;
+        Ok(Self::new(negative, format!("{whole}{fraction}"), power - fraction.len() as i64))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    #[cfg(feature = "mpfr")]
+    use proptest::prelude::*;
+
+    #[cfg(feature = "mpfr")]
+    proptest! {
+        #![proptest_config(crate::number::test_config::config(256))]
+        #[test]
+        fn text_goes_round(negative in any::<bool>(), n in any::<u128>(), exponent in -400i64..400) {
+            let decimal = Decimal::new(negative, n.to_string(), exponent);
+            let back: Decimal = decimal.to_string().parse().unwrap();
+            prop_assert_eq!(back.to_rational(), decimal.to_rational());
+        }
+    }
+
+    #[test]
+    fn sizes_far_from_one_are_scientific() {
+        assert_eq!("1.5e-30".parse::<Decimal>().unwrap().to_string(), "1.5e-30");
+        assert_eq!("-0.001".parse::<Decimal>().unwrap().to_string(), "-0.001");
+        for bad in
+            ["", ".", "1e", "1.2.3", "0x10", "nan", "1e9999999", "1e-9223372036854775808", "--1"]
+        {
+            assert!(bad.parse::<Decimal>().is_err(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,313 @@
+//! Exact input: decimals, fractions and multiples of pi, read as text and never rounded.
+
+use super::{Decimal, Dyadic, Engine, ParseDecimalError};
+use num_bigint::{BigInt, Sign};
+use num_rational::BigRational;
+use std::fmt;
+use std::str::FromStr;
+
+/// A number given exactly.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ExactNumber {
+    /// The rational number, or the rational factor of pi.
+    factor: BigRational,
+    times_pi: bool,
+    /// As it was given.
+    text: String,
+}
+
+/// Texts longer than this are refused; it is far more than any number of digits worth giving.
+const MAX_LENGTH: usize = 20_000;
+/// Exponents beyond this are refused.
+const MAX_EXPONENT: u32 = 1_000;
+/// The same in bits, and a little more.
+const MAX_BITS: u64 = 3_330;
+
+/// Why a text is not an exact number.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ParseExactError {
+    /// None of the forms that are read.
+    #[error(
+        "'{0}' is not a number: give a decimal (0.1), a fraction (1/3) or a multiple of pi (2pi/3)"
+    )]
+    Syntax(String),
+    /// Too long to be meant.
+    #[error("a number of {0} characters is too long: at most {MAX_LENGTH} are read")]
+    Length(usize),
+    /// Too large or too small to be meant.
+    #[error("'{0}' is out of range: numbers from 1e-{MAX_EXPONENT} to 1e{MAX_EXPONENT} are read")]
+    Range(String),
+    /// Degrees of a multiple of pi.
+    #[error("'{0}' has two units")]
+    Units(String),
+}
+
+impl ExactNumber {
+    /// An exact rational number.
+    pub fn rational(factor: BigRational) -> Self {
+        let text = factor.to_string();
+        Self { factor, times_pi: false, text }
+    }
+
+    /// The fraction `numerator/denominator`, or that part of pi; `None` if the denominator is zero.
+    pub fn fraction(numerator: BigInt, denominator: BigInt, times_pi: bool) -> Option<Self> {
+        if denominator == BigInt::ZERO {
+            return None;
+        }
+        // Reducing costs far more than anything that is done with it.
+        let factor = BigRational::new_raw(numerator, denominator);
+        let text =
+            format!("{}{}/{}", factor.numer(), if times_pi { "*pi" } else { "" }, factor.denom());
+        Some(Self { factor, times_pi, text })
+    }
+
+    /// The angle of this number of degrees, in radians: `value pi / 180`. For a rational number; a multiple of
+    /// pi has its unit already.
+    pub fn degrees(&self) -> Self {
+        let factor = &self.factor / BigInt::from(180);
+        Self { factor, times_pi: true, text: format!("{}deg", self.text) }
+    }
+
+    /// Whether this is a rational number, not a multiple of pi.
+    pub fn is_rational(&self) -> bool {
+        !self.times_pi
+    }
+
+    /// The rational number, or the rational factor of pi.
+    pub fn factor(&self) -> &BigRational {
+        &self.factor
+    }
+
+    /// The same as a number of GMP.
+    #[cfg(feature = "mpfr")]
+    pub fn to_rational(&self) -> rug::Rational {
+        let integer = |x: &BigInt| {
+            let (sign, words) = x.to_u64_digits();
+            let size = rug::Integer::from_digits(&words, rug::integer::Order::Lsf);
+            if sign == Sign::Minus { -size } else { size }
+        };
+        rug::Rational::from((integer(self.factor.numer()), integer(self.factor.denom())))
+    }
+
+    /// The double nearest to it, ties to even: what a program in double precision makes of it at best.
+    /// `None` beyond the largest double.
+    #[cfg(feature = "mpfr")]
+    pub fn nearest_double(&self) -> Option<f64> {
+        // Few bits decide nearly always; a tie is rational, and exact in the bits of a long number.
+        let found = [128, 4096, 80_000]
+            .iter()
+            .find_map(|&bits| self.enclosure::<super::Ball>(bits).nearest_double());
+        found.filter(|x| x.is_finite())
+    }
+
+    /// An enclosure in numbers of `bits` bits, at least one.
+    pub fn enclosure<E: Engine>(&self, bits: u32) -> E {
+        let integer = |x: &BigInt| {
+            let (sign, words) = x.to_u64_digits();
+            E::exact(&Dyadic::new(sign == Sign::Minus, words, 0), bits as usize)
+        };
+        let numerator = integer(self.factor.numer());
+        let factor = match self.factor.is_integer() {
+            true => numerator,
+            false => numerator / integer(self.factor.denom()),
+        };
+        if self.times_pi { factor.pi() * factor } else { factor }
+    }
+}
+
+#[cfg(feature = "mpfr")]
+impl From<&rug::Rational> for ExactNumber {
+    fn from(value: &rug::Rational) -> Self {
+        let integer = |x: &rug::Integer| {
+            let sign = if *x < 0 { Sign::Minus } else { Sign::Plus };
+            BigInt::from_slice(sign, &x.to_digits::<u32>(rug::integer::Order::Lsf))
+        };
+        Self::rational(BigRational::new(integer(value.numer()), integer(value.denom())))
+    }
+}
+
+impl fmt::Display for ExactNumber {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+impl FromStr for ExactNumber {
+    type Err = ParseExactError;
+
+    /// Reads `0.1`, `1e-30`, `1/3`, `pi`, `pi/2`, `2pi/3`, `0.8*pi`, and degrees: `80deg`.
+    ///
+    /// ```
+    /// use couplet::number::ExactNumber;
+    /// let third: ExactNumber = "1/3".parse().unwrap();
+    /// assert!(third.is_rational());
+    /// let [degrees, radians]: [ExactNumber; 2] = ["120deg", "2pi/3"].map(|x| x.parse().unwrap());
+    /// assert_eq!(degrees.factor(), radians.factor());
+    /// ```
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        if text.len() > MAX_LENGTH {
+            return Err(ParseExactError::Length(text.len()));
+        }
+        if let Some(degrees) = text.strip_suffix("deg") {
+            let degrees: Self = degrees.parse()?;
+            return match degrees.is_rational() {
+                true => Ok(degrees.degrees()),
+                false => Err(ParseExactError::Units(text.to_owned())),
+            };
+        }
+        let shown = || text.chars().take(40).collect::<String>();
+        let syntax = || ParseExactError::Syntax(shown());
+        let (numerator, denominator) = match text.split_once('/') {
+            Some((numerator, denominator)) => (numerator, Some(denominator)),
+            None => (text, None),
+        };
+        let (numerator, times_pi) =
+            match numerator.strip_suffix("pi").or(numerator.strip_suffix('π')) {
+                Some(rest) => (rest.strip_suffix('*').unwrap_or(rest), true),
+                None => (numerator, false),
+            };
+        let decimal = |text: &str| {
+            let decimal: Decimal = text.parse().map_err(|error| match error {
+                ParseDecimalError::Exponent(_) => ParseExactError::Range(shown()),
+                ParseDecimalError::Syntax(_) => syntax(),
+            })?;
+            let in_range = decimal.magnitude().unsigned_abs() <= u64::from(MAX_EXPONENT)
+                && decimal.exponent().unsigned_abs() <= (MAX_EXPONENT as usize + MAX_LENGTH) as u64;
+            match in_range || decimal.digits().is_empty() {
+                true => Ok(rational(&decimal)),
+                false => Err(ParseExactError::Range(shown())),
+            }
+        };
+        let mut factor = match numerator {
+            "" if times_pi => BigInt::from(1).into(),
+            "-" if times_pi => BigInt::from(-1).into(),
+            number => decimal(number)?,
+        };
+        if let Some(denominator) = denominator {
+            let denominator = integer(denominator).filter(|n| n.sign() == Sign::Plus);
+            factor /= denominator.ok_or_else(syntax)?;
+        }
+        // A division can leave the range too: 1e-1000/1000….
+        let (above, below) = (factor.numer().bits(), factor.denom().bits());
+        if above != 0 && above.abs_diff(below) > MAX_BITS {
+            return Err(ParseExactError::Range(shown()));
+        }
+        Ok(Self { factor, times_pi, text: text.to_owned() })
+    }
+}
+
+/// The exact value of a decimal.
+fn rational(decimal: &Decimal) -> BigRational {
+    let Some(digits) = integer(decimal.digits()) else { return BigInt::ZERO.into() };
+    let digits = if decimal.is_negative() { -digits } else { digits };
+    let scale = BigInt::from(10).pow(decimal.exponent().unsigned_abs() as u32);
+    match decimal.exponent() < 0 {
+        true => BigRational::new(digits, scale),
+        false => (digits * scale).into(),
+    }
+}
+
+/// An integer of decimal digits and nothing else.
+fn integer(digits: &str) -> Option<BigInt> {
+    let is_integer = !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
+    is_integer.then(|| digits.parse().ok())?
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::{AstroInterval, Enclosure, Field, Real};
+
+    fn factor(text: &str) -> BigRational {
+        text.parse::<ExactNumber>().unwrap().factor().clone()
+    }
+
+    fn quotient(numerator: i32, denominator: i32) -> BigRational {
+        BigRational::new(numerator.into(), denominator.into())
+    }
+
+    #[test]
+    fn numbers_are_read_exactly() {
+        assert_eq!(factor("0.1"), quotient(1, 10));
+        assert_eq!(factor("1/3"), quotient(1, 3));
+        assert_eq!(factor("pi"), quotient(1, 1));
+        assert_eq!(factor("0.5*pi"), quotient(1, 2));
+        assert_eq!(factor("1.5pi/3"), quotient(1, 2));
+        assert_eq!(factor("0"), quotient(0, 1));
+        assert_eq!(factor("-0.5e1"), quotient(-5, 1));
+        let hundred = format!("0.{}1", "0".repeat(99));
+        assert_eq!(factor(&hundred), factor("1e-100"));
+        assert_eq!(factor("45deg"), quotient(1, 4));
+    }
+
+    #[test]
+    fn absurd_input_is_refused() {
+        let long = "1".repeat(1_000_000);
+        let tiny = format!("1e-1000/1{}", "0".repeat(18_000));
+        for bad in [
+            "",
+            "nan",
+            "inf",
+            "1e1000000000",
+            "1e-2000",
+            "1/0",
+            "1/-3",
+            "pi2",
+            "1//2",
+            "1/ 3",
+            "1/1_0",
+            "2pideg",
+            "deg",
+            "e",
+            &long,
+            &tiny,
+        ] {
+            assert!(bad.parse::<ExactNumber>().is_err(), "{}", &bad[..bad.len().min(20)]);
+        }
+    }
+
+    #[test]
+    fn an_absurd_exponent_is_a_number_out_of_range() {
+        for far in ["1e2000", "1e-999999999", "1e99999999999999999999", "1e-99999999pi"] {
+            let error = far.parse::<ExactNumber>().unwrap_err();
+            assert_eq!(error, ParseExactError::Range(far.to_owned()));
+        }
+    }
+
+    #[cfg(feature = "mpfr")]
+    #[test]
+    fn the_nearest_double_is_that_of_the_compiler() {
+        for text in ["0.1", "1e-320", "1.5707963267948966", "2.4703282292062328e-324", "1e-400"] {
+            let number: ExactNumber = text.parse().unwrap();
+            assert_eq!(number.nearest_double(), text.parse().ok(), "{text}");
+        }
+        let right = "90".parse::<ExactNumber>().unwrap().degrees();
+        assert_eq!(right.nearest_double(), Some(std::f64::consts::FRAC_PI_2));
+        assert_eq!("1e309".parse::<ExactNumber>().unwrap().nearest_double(), None);
+        // Exactly between two doubles.
+        let tie: ExactNumber = "9007199254740993".parse().unwrap();
+        assert_eq!(tie.nearest_double(), Some(9007199254740992.0));
+    }
+
+    #[test]
+    fn the_enclosure_holds_the_number() {
+        let third: AstroInterval = "1/3".parse::<ExactNumber>().unwrap().enclosure(200);
+        assert!((third.clone() * third.int(3)).overlaps(&third.int(1)));
+        let right: AstroInterval = "90deg".parse::<ExactNumber>().unwrap().enclosure(200);
+        let (_, cos) = right.sin_cos();
+        assert!(cos.overlaps(&cos.int(0)) && cos.is_less_than(&cos.ratio(1, 1 << 30)).is_proved());
+    }
+
+    #[cfg(feature = "mpfr")]
+    #[test]
+    fn the_numbers_of_gmp_are_the_same() {
+        let long = "123456789012345678901234567890/7";
+        let rational: rug::Rational = long.parse().unwrap();
+        assert_eq!(long.parse::<ExactNumber>().unwrap().to_rational(), rational);
+        let negative = -rational;
+        assert_eq!(ExactNumber::from(&negative).to_rational(), negative);
+        let held: crate::number::Ball = long.parse::<ExactNumber>().unwrap().enclosure(200);
+        assert!(!held.contains(&negative) && held.contains(&-negative));
+    }
+}

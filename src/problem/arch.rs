@@ -1,0 +1,232 @@
+//! An arch, as it is asked about.
+
+use crate::arch::{Configuration, SelfWeight, Unknown};
+use crate::number::{
+    AstroInterval, Enclosure, Engine, ExactNumber, Field, ParseExactError, Real, Ternary,
+};
+use num_rational::BigRational;
+use std::fmt;
+use std::str::FromStr;
+
+/// The friction of the joints.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Friction {
+    /// `mu`.
+    Coefficient(ExactNumber),
+    /// `phi = atan(mu)`, rad.
+    Angle(ExactNumber),
+    /// No limit.
+    Infinite,
+}
+
+/// An arch whose thickness is asked for.
+///
+/// ```
+/// use couplet::problem::Arch;
+/// let arch = Arch::parse("milankovitch", "80deg", "0.6").unwrap();
+/// assert_eq!(arch.to_string(), "milankovitch, half opening 80deg, friction 0.6");
+/// assert!(Arch::parse("milankovitch", "180deg", "0.6").is_err(), "not below pi");
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Arch {
+    weight: SelfWeight,
+    half_opening: ExactNumber,
+    friction: Friction,
+}
+
+/// Why an arch is refused.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ArchError {
+    /// The half opening is not between 0 and pi.
+    #[error("the half opening {0} is not between 0 and pi (180deg)")]
+    HalfOpening(String),
+    /// The friction is negative.
+    #[error("the friction {0} is negative")]
+    Friction(String),
+    /// The friction angle is not between 0 and a right angle.
+    #[error("the friction angle {0} is not between 0 and pi/2 (90deg)")]
+    FrictionAngle(String),
+    /// The self-weight model has no such name.
+    #[error("'{0}' is not a self-weight model: heyman or milankovitch")]
+    SelfWeight(String),
+    /// A text is not an exact number.
+    #[error(transparent)]
+    Number(#[from] ParseExactError),
+}
+
+impl FromStr for Friction {
+    type Err = ParseExactError;
+
+    /// Reads a coefficient (`0.6`), an angle in degrees (`31deg`) or as the argument of a tangent
+    /// (`tan(0.54)`, `tan(31deg)`), or `inf`.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let tangent = text.strip_prefix("tan(").and_then(|rest| rest.strip_suffix(')'));
+        match (text, tangent) {
+            ("inf", _) => Ok(Self::Infinite),
+            (_, Some(angle)) => angle.parse().map(Self::Angle),
+            _ if text.ends_with("deg") => text.parse().map(Self::Angle),
+            _ => text.parse().map(Self::Coefficient),
+        }
+    }
+}
+
+impl fmt::Display for Friction {
+    /// The coefficient, `tan(angle)` or `inf`: what [`Friction::from_str`] reads.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Coefficient(mu) => mu.fmt(f),
+            Self::Angle(phi) => write!(f, "tan({phi})"),
+            Self::Infinite => f.write_str("inf"),
+        }
+    }
+}
+
+/// Whether a thickness is between 0 and the physical limit 2.
+pub fn is_thickness(thickness: &ExactNumber) -> bool {
+    let (zero, limit) = (ratio(0, 1), ratio(2, 1));
+    thickness.is_rational() && *thickness.factor() > zero && *thickness.factor() < limit
+}
+
+impl Arch {
+    /// An arch, if its half opening is in `(0, pi)`, in radians, and its friction coefficient in
+    /// `[0, inf)` or its friction angle in `[0, pi/2]`, in radians; pi/2 is [`Friction::Infinite`].
+    pub fn new(
+        weight: SelfWeight,
+        half_opening: ExactNumber,
+        friction: Friction,
+    ) -> Result<Self, ArchError> {
+        if !is_between(&half_opening, false, 1) {
+            return Err(ArchError::HalfOpening(half_opening.to_string()));
+        }
+        let friction = match friction {
+            Friction::Coefficient(mu) if *mu.factor() < ratio(0, 1) => {
+                return Err(ArchError::Friction(mu.to_string()));
+            }
+            Friction::Angle(phi) if !phi.is_rational() && *phi.factor() == ratio(1, 2) => {
+                Friction::Infinite
+            }
+            Friction::Angle(phi) if !is_between(&phi, true, 2) => {
+                return Err(ArchError::FrictionAngle(phi.to_string()));
+            }
+            friction => friction,
+        };
+        Ok(Self { weight, half_opening, friction })
+    }
+
+    /// An arch from the texts that the command line reads: `heyman` or `milankovitch`, a half opening
+    /// in radians or degrees, a [`Friction`].
+    pub fn parse(weight: &str, half_opening: &str, friction: &str) -> Result<Self, ArchError> {
+        let unknown = || ArchError::SelfWeight(weight.chars().take(40).collect());
+        let known = SelfWeight::ALL.into_iter().find(|model| model.name() == weight);
+        Self::new(known.ok_or_else(unknown)?, half_opening.parse()?, friction.parse()?)
+    }
+
+    /// The same arch with unlimited friction.
+    pub fn unlimited(&self) -> Self {
+        Self { friction: Friction::Infinite, ..self.clone() }
+    }
+
+    /// The self-weight model.
+    pub fn weight(&self) -> SelfWeight {
+        self.weight
+    }
+
+    /// The half opening as given.
+    pub fn half_opening(&self) -> &ExactNumber {
+        &self.half_opening
+    }
+
+    /// The friction as given.
+    pub fn friction(&self) -> &Friction {
+        &self.friction
+    }
+
+    /// Whether the friction is limited.
+    pub fn is_limited(&self) -> bool {
+        self.friction != Friction::Infinite
+    }
+
+    /// What is given, in numbers of `bits` bits: the half opening and, if it is limited, the friction;
+    /// everything else zero.
+    pub fn given<E: Engine>(&self, bits: u32) -> Configuration<E> {
+        let alpha: E = self.half_opening.enclosure(bits);
+        let given = Configuration::zero(&alpha).with(Unknown::HalfOpening, alpha);
+        match &self.friction {
+            Friction::Coefficient(mu) => given.with(Unknown::Friction, mu.enclosure(bits)),
+            Friction::Angle(phi) => {
+                let (sin, cos) = phi.enclosure::<E>(bits).sin_cos();
+                given.with(Unknown::Friction, sin / cos)
+            }
+            Friction::Infinite => given,
+        }
+    }
+}
+
+impl fmt::Display for Arch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { weight, half_opening, friction } = self;
+        write!(f, "{}, half opening {half_opening}, friction {friction}", weight.name())
+    }
+}
+
+fn ratio(numerator: i32, denominator: i32) -> BigRational {
+    BigRational::new(numerator.into(), denominator.into())
+}
+
+/// Whether an angle is above zero (or is zero, if that is allowed) and below `pi / divisor`.
+fn is_between(x: &ExactNumber, zero_is_in: bool, divisor: i32) -> bool {
+    let zero = ratio(0, 1);
+    let positive = *x.factor() > zero || (zero_is_in && *x.factor() == zero);
+    // A multiple of pi is compared exactly.
+    if !x.is_rational() {
+        return positive && *x.factor() < ratio(1, divisor);
+    }
+    // Few bits decide nearly always; the last are more than the longest number that is read has.
+    let mut below = [128, 80_000].into_iter().map(|bits| {
+        let x: AstroInterval = x.enclosure(bits);
+        x.is_less_than(&(x.pi() / x.int(divisor)))
+    });
+    positive && below.find(|below| *below != Ternary::Undecided) == Some(Ternary::True)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_displayed_is_read_back() {
+        for text in ["0.6", "inf", "tan(35deg)", "tan(0.5)", "1/3"] {
+            let friction: Friction = text.parse().unwrap();
+            assert_eq!(friction.to_string(), text);
+            assert_eq!(friction.to_string().parse(), Ok(friction));
+        }
+        assert_eq!("35deg".parse::<Friction>(), "tan(35deg)".parse());
+        assert!("tan(35deg".parse::<Friction>().is_err());
+    }
+
+    #[test]
+    fn an_arch_outside_its_range_is_refused() {
+        let refused = |weight, alpha, mu| Arch::parse(weight, alpha, mu).unwrap_err();
+        assert!(matches!(refused("heyman", "pi", "1"), ArchError::HalfOpening(_)));
+        assert!(matches!(refused("heyman", "0", "1"), ArchError::HalfOpening(_)));
+        assert!(matches!(
+            refused("heyman", "3.1415926535897932385", "1"),
+            ArchError::HalfOpening(_)
+        ));
+        assert!(Arch::parse("heyman", "3.1415926535897932384", "1").is_ok());
+        assert!(matches!(refused("heyman", "1", "-1"), ArchError::Friction(_)));
+        assert!(matches!(refused("heyman", "1", "tan(91deg)"), ArchError::FrictionAngle(_)));
+        assert!(matches!(refused("Heyman", "1", "1"), ArchError::SelfWeight(_)));
+        assert!(matches!(refused("heyman", "x", "1"), ArchError::Number(_)));
+        let right = Arch::parse("heyman", "1", "90deg").unwrap();
+        assert_eq!(*right.friction(), Friction::Infinite);
+    }
+
+    #[test]
+    fn a_thickness_is_a_number_between_zero_and_two() {
+        let is = |text: &str| is_thickness(&text.parse().unwrap());
+        assert!(is("1e-30") && is("1.999"));
+        assert!(!is("0") && !is("2") && !is("-1") && !is("pi/4"));
+    }
+}

@@ -1,0 +1,111 @@
+//! A problem: its equations, what is given, and the conditions on its root.
+
+use super::{Arch, Condition, Examined, Fixed, Known, Landmark, Mode, Quantity, System};
+use crate::arch::{Configuration, SelfWeight, Unknown, thrust};
+use crate::number::{Enclosure, Engine};
+
+/// A landmark, or an arch with the mode in which it collapses at its least thickness: what a proof is
+/// about, and what a certificate claims.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Problem {
+    /// A landmark point.
+    Landmark {
+        /// Which.
+        landmark: Landmark,
+        /// The self-weight model.
+        weight: SelfWeight,
+    },
+    /// The state of an arch at its least thickness.
+    State {
+        /// How it collapses.
+        mode: Mode,
+        /// The arch.
+        arch: Arch,
+    },
+}
+
+impl Problem {
+    /// The self-weight model.
+    pub fn weight(&self) -> SelfWeight {
+        match self {
+            Self::Landmark { weight, .. } => *weight,
+            Self::State { arch, .. } => arch.weight(),
+        }
+    }
+
+    /// What is solved for, what has to hold, and what is fixed.
+    pub fn system(&self) -> System {
+        match self {
+            Self::Landmark { landmark, weight } => landmark.system(*weight),
+            Self::State { mode, arch } => mode.system(arch.weight()),
+        }
+    }
+
+    /// What is given, in numbers of `bits` bits; everything else is zero.
+    pub fn given<E: Engine>(&self, bits: u32) -> Configuration<E> {
+        match self {
+            Self::Landmark { .. } => Configuration::zero(&E::zero(bits as usize)),
+            Self::State { arch, .. } => arch.given(bits),
+        }
+    }
+
+    /// What has to be positive at the root: the physical range and, for a state, its admissibility, that
+    /// no thinner arch stands, and what tells its mode from others.
+    pub fn conditions(&self) -> Vec<Condition> {
+        match self {
+            Self::Landmark { landmark, .. } => landmark.conditions().collect(),
+            Self::State { mode, arch } => {
+                let opening = Unknown::HalfOpening;
+                let range = [Condition::Above(opening), Condition::Below(opening)];
+                range.into_iter().chain(Condition::of(*mode, arch.is_limited())).collect()
+            }
+        }
+    }
+
+    /// The first condition that is not shown to hold.
+    pub fn first_failure<E: Enclosure>(&self, at: &Configuration<E>) -> Option<Condition> {
+        // A landmark's conditions are those of every mode that meets there.
+        let mode = match self {
+            Self::Landmark { landmark, .. } => landmark.modes()[0],
+            Self::State { mode, .. } => *mode,
+        };
+        let state = Examined::new(self.weight(), mode, at);
+        let fails = |condition: &Condition| !state.margin(*condition).is_positive().is_proved();
+        self.conditions().into_iter().find(fails)
+    }
+
+    /// Whether the problem has a quantity that can be stated: an unknown of its subject or something
+    /// made from unknowns and fixed variables.
+    pub fn has(&self, quantity: Quantity) -> bool {
+        let system = self.system();
+        match (self, quantity) {
+            (Self::State { .. }, Quantity::OpeningVariable) => false,
+            // The joint of a mode whose inner joint does not slide does not belong to the state.
+            (Self::State { mode, .. }, _) if quantity.variable() == Some(Unknown::SlidingJoint) => {
+                mode.slides_inside()
+            }
+            (_, Quantity::IntrinsicThrust) => {
+                system.knows(Unknown::Thickness) && system.knows(Unknown::Thrust)
+            }
+            _ => quantity.variable().is_some_and(|unknown| system.knows(unknown)),
+        }
+    }
+
+    /// The quantity where the variables lie in the configuration given; `None` for a quantity that one
+    /// configuration does not determine.
+    pub fn known<E: Enclosure>(
+        &self,
+        quantity: Quantity,
+        at: &Configuration<E>,
+    ) -> Option<Known<E>> {
+        let infinite = self.system().fixed_value(Unknown::Friction) == Some(Fixed::Infinite);
+        Some(Known::Enclosed(match quantity.in_radians().unwrap_or(quantity) {
+            Quantity::Friction if infinite => return Some(Known::Infinite),
+            Quantity::FrictionAngle if infinite => at.thrust.pi() / at.thrust.int(2),
+            Quantity::FrictionAngle => return Some(Known::AngleOfTangent(at.friction.clone())),
+            Quantity::IntrinsicThrust => at.thickness.clone() * &at.thrust,
+            Quantity::OpeningVariable => thrust::opening_variable(&at.half_opening).value(),
+            quantity => at.value(quantity.variable()?).clone(),
+        }))
+    }
+}

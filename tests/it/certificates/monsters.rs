@@ -1,0 +1,139 @@
+//! Files that are large, deep or large in what they ask for: refused quickly, in few words and with
+//! little memory.
+
+use super::originals::{both, landmark, state};
+use couplet::check::{Refusal, check};
+use couplet::number::AstroInterval;
+use cpu_time::ThreadTime;
+use serde_json::{Value, json};
+use std::time::Duration;
+
+/// The largest number of digits in this file.
+const MAX_DIGITS: usize = 40;
+
+/// The certificate of T with another value at a place.
+fn with(place: &str, value: impl Into<Value>) -> Vec<u8> {
+    let mut copy = landmark("T").clone();
+    *copy.pointer_mut(place).unwrap() = value.into();
+    copy.to_string().into_bytes()
+}
+
+/// The same with one text replaced by another.
+fn text(from: &str, to: impl AsRef<str>) -> Vec<u8> {
+    landmark("T").to_string().replacen(from, to.as_ref(), 1).into_bytes()
+}
+
+fn long() -> String {
+    "7".repeat(10_000_000)
+}
+
+fn long_half_opening() -> Vec<u8> {
+    let mut arch = state("2.45", "1.35").clone();
+    arch["claim"]["state"]["half_opening"] = json!(format!("{0}/{0}", long()));
+    arch.to_string().into_bytes()
+}
+
+fn is_refused(name: &str, bytes: &[u8]) {
+    // Of this thread alone: a busy machine makes no file slow.
+    let start = ThreadTime::now();
+    let refusal = check::<AstroInterval>(bytes, MAX_DIGITS).expect_err(name).to_string();
+    let took = start.elapsed();
+    assert!(took < Duration::from_secs(2), "{name}: {took:?}");
+    assert!(refusal.len() < 400 && !refusal.contains(char::is_control), "{name}: {refusal}");
+    assert_eq!(both(bytes, MAX_DIGITS).unwrap_err().to_string(), refusal, "{name}");
+}
+
+/// One test for each monster, and the list of all.
+macro_rules! monsters {
+    ($($name:ident: $bytes:expr;)*) => {
+        $(
+            #[test]
+            fn $name() {
+                is_refused(stringify!($name), &$bytes);
+            }
+        )*
+
+        #[cfg(all(target_os = "linux", feature = "cli"))]
+        const MONSTERS: &[fn() -> Vec<u8>] = &[$(|| $bytes),*];
+    };
+}
+
+monsters! {
+    a_deep_list: "[".repeat(1_000_000).into_bytes();
+    a_deep_object: "{\"claim\":".repeat(1_000_000).into_bytes();
+    a_deep_inverse: text("\"inverse\":[", format!("\"inverse\":{}", "[".repeat(1_000_000)));
+    an_unknown_field: text("{", format!("{{\"{}\":1,", long()));
+    digits_as_a_long_number: text("\"digits\":30", format!("\"digits\":{}", long()));
+    digits_as_a_long_text: text("\"digits\":30", format!("\"digits\":\"{}\"", long()));
+    digits_of_64_bits: text("\"digits\":30", "\"digits\":18446744073709551615");
+    digits_beyond_64_bits: text("\"digits\":30", "\"digits\":18446744073709551616");
+    half_a_surrogate:
+        text("\"tool\":\"", format!("\"tool\":\"{}\\ud800", "\\u0041".repeat(1_000_000)));
+    white_space: [" ".repeat(10_000_000).as_bytes(), b"x"].concat();
+    empty_lists: text("\"inverse\":[", format!("\"inverse\":[{}", "[],".repeat(1_000_000)));
+    empty_names: text("\"unknowns\":[", format!("\"unknowns\":[{}", "\"\",".repeat(1_000_000)));
+    empty_values:
+        text(
+            "\"values\":[",
+            format!("\"values\":[{}", "{\"quantity\":\"\",\"value\":\"\"},".repeat(300_000)),
+        );
+    a_long_schema: with("/schema", long());
+    a_long_weight: with("/claim/weight", long());
+    a_long_landmark: with("/claim/landmark", long());
+    a_long_unknown: with("/claim/unknowns/0", long());
+    a_long_quantity: with("/values/0/quantity", long());
+    a_long_value: with("/values/0/value", long());
+    a_long_mantissa: with("/root/centre/2", format!("0x{}p0", long()));
+    a_long_exponent: with("/root/centre/2", format!("0x1p{}", long()));
+    a_long_negative_exponent: with("/root/centre/2", format!("0x1p-{}", long()));
+    a_long_number_without_an_exponent: with("/root/centre/2", long());
+    a_long_negative_number: with("/root/centre/2", format!("-0x{}", long()));
+    a_value_with_many_zeros: with("/values/0/value", format!("0.{}1", "0".repeat(10_000_000)));
+    a_large_value: with("/values/0/value", format!("1{}", "0".repeat(10_000_000)));
+    a_value_with_a_long_exponent: with("/values/0/value", format!("1e-{}", long()));
+    a_long_half_opening: long_half_opening();
+    a_large_inverse: with("/inverse/2/2", "0x1p10000000");
+    a_large_unique_centre: with("/unique/centre/0", "0x1p10000000");
+    a_large_unique_radius: with("/unique/radius/1", "0x1p10000000");
+    a_large_root_centre: with("/root/centre/3", "0x1p10000000");
+    a_large_root_radius: with("/root/radius/4", "0x1p10000000");
+    a_small_unique_centre: with("/unique/centre/0", "0x1p-10000000");
+    a_small_unique_radius: with("/unique/radius/1", "0x1p-10000000");
+    a_small_root_centre: with("/root/centre/3", "0x1p-10000000");
+    a_small_root_radius: with("/root/radius/4", "0x1p-10000000");
+}
+
+/// What made it is not looked at, however long its name.
+#[test]
+fn a_long_name_of_the_tool_is_accepted() {
+    let mut copy = landmark("L").clone();
+    copy["tool"] = json!(long());
+    both(copy.to_string().as_bytes(), MAX_DIGITS).unwrap();
+}
+
+#[test]
+fn a_file_of_spaces_is_refused() {
+    assert!(matches!(both(&vec![b' '; 1 << 24], MAX_DIGITS), Err(Refusal::Format(_))));
+}
+
+/// The program refuses them all with a quarter of a gigabyte.
+#[cfg(all(target_os = "linux", feature = "cli"))]
+#[test]
+fn monsters_are_refused_in_little_memory() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut files = Vec::new();
+    for (index, bytes) in MONSTERS.iter().enumerate() {
+        let path = folder.path().join(format!("{index}.json"));
+        std::fs::write(&path, bytes()).unwrap();
+        files.push(path);
+    }
+    let output = std::process::Command::new("sh")
+        .args(["-c", "ulimit -v 262144; exec \"$0\" check \"$@\"", env!("CARGO_BIN_EXE_couplet")])
+        .args(&files)
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
+    let lines = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(lines.lines().filter(|line| line.contains(".json: refused: ")).count(), files.len());
+    assert_eq!(lines.lines().count(), files.len());
+}

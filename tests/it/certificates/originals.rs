@@ -1,0 +1,122 @@
+//! Valid certificates to spoil, and certificates of any root of the equations, whether it is the one
+//! claimed or not.
+
+use crate::arches::{M, arch};
+use couplet::arch::SelfWeight;
+use couplet::certify::{certify_landmark, certify_state};
+use couplet::check::{
+    Accepted, Certificate, ClaimFile, Refusal, SCHEMA, ValueFile, Witness, check,
+};
+use couplet::number::{AstroInterval, Ball, Dyadic};
+use couplet::problem::{Landmark, Mode, Problem};
+use couplet::solve::inverse;
+use rug::Float;
+use serde_json::Value;
+use std::collections::HashMap;
+use std::sync::Mutex;
+
+/// The answer of both arithmetics, which has to be the same.
+pub fn both(bytes: &[u8], max_digits: usize) -> Result<Accepted, Refusal> {
+    let by_astro = check::<AstroInterval>(bytes, max_digits);
+    assert_eq!(by_astro, check::<Ball>(bytes, max_digits));
+    by_astro
+}
+
+pub fn to_value(certificate: &Certificate) -> Value {
+    serde_json::to_value(certificate).unwrap()
+}
+
+/// What has been made once.
+fn kept(name: String, make: impl FnOnce() -> Certificate) -> &'static Value {
+    static MADE: Mutex<Option<HashMap<String, &'static Value>>> = Mutex::new(None);
+    let mut made = MADE.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+    let made = made.get_or_insert_default();
+    made.entry(name).or_insert_with(|| Box::leak(Box::new(to_value(&make()))))
+}
+
+/// The certificate of a landmark with 30 digits, for Heyman's weight.
+pub fn landmark(symbol: &str) -> &'static Value {
+    kept(symbol.to_owned(), || {
+        let landmark = Landmark::ALL.into_iter().find(|l| l.symbol() == symbol).unwrap();
+        certify_landmark(landmark, SelfWeight::Heyman, 30).unwrap()
+    })
+}
+
+/// The certificate of a state with 20 digits, for Milankovitch's weight.
+pub fn state(half_opening: &str, friction: &str) -> &'static Value {
+    kept(format!("{half_opening} {friction}"), || {
+        certify_state(&arch(M, half_opening, friction), 20).unwrap()
+    })
+}
+
+pub fn landmark_problem(landmark: Landmark, weight: SelfWeight) -> Problem {
+    Problem::Landmark { landmark, weight }
+}
+
+/// The claim that an arch of this half opening and friction collapses in this mode.
+pub fn state_problem(
+    weight: SelfWeight,
+    mode: Mode,
+    half_opening: &str,
+    friction: &str,
+) -> Problem {
+    Problem::State { mode, arch: arch(weight, half_opening, friction) }
+}
+
+/// The root of a certificate, roughly.
+pub fn root(certificate: &Value) -> Vec<f64> {
+    let number = |text: &Value| -> f64 {
+        let number: Dyadic = text.as_str().unwrap().parse().unwrap();
+        let mantissa = rug::Integer::from_digits(number.words(), rug::integer::Order::Lsf);
+        let size = (Float::with_val(64, mantissa) << number.exponent()).to_f64();
+        if number.is_negative() { -size } else { size }
+    };
+    certificate["root"]["centre"].as_array().unwrap().iter().map(number).collect()
+}
+
+/// A certificate with right witnesses for the root of the equations next to `start`. Its only value is of
+/// no importance.
+pub fn at_root(problem: &Problem, start: &[f64]) -> Certificate {
+    let mut certificate = find_root(problem, start).expect("a root");
+    certificate.values =
+        vec![ValueFile { quantity: "thickness".to_owned(), value: "1".to_owned() }];
+    certificate
+}
+
+/// The same without a value, where Newton's method finds its way.
+pub fn find_root(problem: &Problem, start: &[f64]) -> Option<Certificate> {
+    const BITS: u32 = 256;
+    let mut x: Vec<Float> = start.iter().map(|v| Float::with_val(BITS, v)).collect();
+    let n = x.len();
+    let mut y = Vec::new();
+    for _ in 0..20 {
+        let balls: Vec<Ball> = x.iter().map(|x| Ball::exact(x.clone(), BITS)).collect();
+        let system = problem.system();
+        let at = system.place(problem.given(BITS), &balls);
+        let residuals = system.residuals(&system.variables(&at));
+        let row = |r: &couplet::number::Dual<Ball>| {
+            (0..n).map(|k| Float::with_val(BITS, r.derivative(k).mid())).collect()
+        };
+        y = inverse(residuals.iter().map(row).collect())?;
+        if !y.iter().flatten().all(Float::is_finite) {
+            return None;
+        }
+        for (x, row) in x.iter_mut().zip(&y) {
+            for (y, r) in row.iter().zip(&residuals) {
+                *x -= Float::with_val(BITS, y * r.value().mid());
+            }
+        }
+    }
+    let dyadic = |bits: u32, x: &Float| Dyadic::from(&Float::with_val(bits, x));
+    let radius = |exponent: i32| vec![Dyadic::new(false, vec![1], exponent); n];
+    Some(Certificate {
+        schema: SCHEMA.to_owned(),
+        tool: "a test".to_owned(),
+        claim: ClaimFile::new(problem)?,
+        digits: 5,
+        unique: Witness { centre: x.iter().map(|x| dyadic(64, x)).collect(), radius: radius(-30) },
+        inverse: y.iter().map(|row| row.iter().map(|y| dyadic(64, y)).collect()).collect(),
+        root: Witness { centre: x.iter().map(|x| dyadic(200, x)).collect(), radius: radius(-100) },
+        values: Vec::new(),
+    })
+}

@@ -1,0 +1,105 @@
+//! A table of spoiled certificates: one test for each, which names why it has to be refused.
+
+use super::originals::{both, landmark, state};
+use couplet::check::Refusal;
+use serde_json::Value;
+
+/// The largest number of digits that is accepted.
+pub const MAX_DIGITS: usize = 60;
+
+/// A spoiled certificate, and what was done to it.
+pub struct Spoiled {
+    what: String,
+    bytes: Vec<u8>,
+}
+
+impl Spoiled {
+    pub fn new(what: &str, bytes: impl Into<Vec<u8>>) -> Self {
+        Self { what: what.to_owned(), bytes: bytes.into() }
+    }
+}
+
+/// A certificate that is accepted, to be spoiled.
+#[derive(Clone, Copy)]
+pub struct Original(pub &'static Value);
+
+/// That of the triple point.
+pub fn point() -> Original {
+    Original(landmark("T"))
+}
+
+/// That of an arch.
+pub fn arch() -> Original {
+    Original(state("2.45", "1.35"))
+}
+
+impl Original {
+    /// With another value at some place.
+    pub fn with(self, place: &str, value: impl Into<Value>) -> Spoiled {
+        let value = value.into();
+        let what = format!("{place} = {value:.60}");
+        self.changed(&what, |copy| *copy.pointer_mut(place).expect(place) = value)
+    }
+
+    /// Without one of the fields of an object.
+    pub fn without(self, place: &str, key: &str) -> Spoiled {
+        let what = format!("{place} without {key}");
+        self.changed(&what, |copy| {
+            let object = copy.pointer_mut(place).unwrap().as_object_mut().unwrap();
+            assert!(object.remove(key).is_some(), "{what}");
+        })
+    }
+
+    /// With one text replaced by another.
+    pub fn replaced(self, from: &str, to: &str) -> Spoiled {
+        let text = self.0.to_string();
+        assert!(text.contains(from), "{from}");
+        Spoiled::new(to, text.replacen(from, to, 1))
+    }
+
+    pub fn changed(self, what: &str, change: impl FnOnce(&mut Value)) -> Spoiled {
+        let mut copy = self.0.clone();
+        change(&mut copy);
+        Spoiled::new(what, copy.to_string())
+    }
+}
+
+/// Spoiled copies of one kind with their reasons.
+pub type Cases = Vec<(Spoiled, Refusal)>;
+
+/// Both arithmetics refuse each copy for exactly its reason.
+pub fn refused(cases: Cases) {
+    for (Spoiled { what, bytes }, expected) in cases {
+        let found = both(&bytes, MAX_DIGITS).expect_err(&what);
+        match (&found, &expected) {
+            // The place in the file and the types expected are serde's words.
+            (Refusal::Format(found), Refusal::Format(expected)) => {
+                assert!(found.starts_with(expected), "{what}: {found}");
+            }
+            _ => assert_eq!(found, expected, "{what}"),
+        }
+        let words = found.to_string();
+        assert!(words.len() < 400 && !words.contains(char::is_control), "{what}: {words}");
+    }
+}
+
+/// A table of spoiled copies: `name: copy => reason;` or, for copies of one kind, `name: cases;`.
+macro_rules! refusals {
+    (@cases $spoiled:expr => $refusal:expr) => { vec![($spoiled, $refusal)] };
+    (@cases $cases:expr) => { $cases };
+    ($($name:ident: $spoiled:expr $(=> $refusal:expr)?;)*) => {
+        $(
+            #[test]
+            fn $name() {
+                $crate::certificates::refusals::refused(refusals!(@cases $spoiled $(=> $refusal)?));
+            }
+        )*
+
+        /// The reasons in the table.
+        pub fn expected() -> Vec<couplet::check::Refusal> {
+            let tables: Vec<$crate::certificates::refusals::Cases> =
+                vec![$(refusals!(@cases $spoiled $(=> $refusal)?)),*];
+            tables.into_iter().flatten().map(|(_, refusal)| refusal).collect()
+        }
+    };
+}

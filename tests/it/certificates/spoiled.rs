@@ -1,0 +1,145 @@
+//! Whatever is done to a certificate: what is still accepted is still true.
+
+use super::originals::{both, landmark, state};
+use super::spoiler::{Step, spoil, spoil_bytes};
+use crate::hard::config;
+use couplet::arch::SelfWeight;
+use couplet::certify::state::{Answer, Certify};
+use couplet::certify::{CertifiedLandmark, Value as Constant};
+use couplet::check::{Accepted, check};
+use couplet::number::{AstroInterval, Ball, Rounded};
+use couplet::problem::{Landmark, Problem, Quantity};
+use proptest::prelude::*;
+use proptest::test_runner::TestRunner;
+use rug::ops::Pow;
+use rug::{Integer, Rational};
+use serde_json::Value;
+use std::cell::Cell;
+
+/// The largest number of digits in this file.
+const MAX_DIGITS: usize = 40;
+
+/// The number that a text of the form `d.ddd[e±n]` stands for.
+fn decimal(text: &str) -> Rational {
+    let (mantissa, power) = text.split_once('e').unwrap_or((text, "0"));
+    let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let digits: Integer = format!("{whole}{part}").parse().unwrap();
+    let power: i32 = power.parse::<i32>().unwrap() - part.len() as i32;
+    let ten = Integer::from(10).pow(power.unsigned_abs());
+    if power < 0 { Rational::from((digits, ten)) } else { Rational::from(digits * ten) }
+}
+
+/// The correctly rounded value as the solver has it; `None` for infinity.
+fn truth(accepted: &Accepted, quantity: Quantity) -> Option<Rational> {
+    let digits = accepted.digits;
+    let rational = |rounded: Rounded| Some(rounded.value.to_rational());
+    match &accepted.problem {
+        Problem::Landmark { landmark, weight } => {
+            let point = CertifiedLandmark::new(*landmark, *weight).unwrap();
+            let constants = point.constants(digits).unwrap();
+            match constants.into_iter().find(|c| c.quantity == quantity).unwrap().value {
+                Constant::Infinite => None,
+                Constant::Finite(rounded) => rational(rounded),
+            }
+        }
+        Problem::State { mode, arch } => {
+            let Answer::Stands(known) = arch.certify(digits).unwrap() else { panic!("{arch}") };
+            assert_eq!(known.mode, *mode);
+            let figure = match quantity {
+                Quantity::Thickness => known.thickness,
+                Quantity::Thrust => known.thrust,
+                Quantity::IntrinsicThrust => known.intrinsic_thrust,
+                Quantity::RotationJoint => known.rotation_joint,
+                Quantity::SlidingJoint => known.sliding_joint.unwrap(),
+                // The solver has no degrees: a quantity put in by the spoiler, rare enough.
+                _ => panic!("{quantity:?}"),
+            };
+            rational(figure.decimal)
+        }
+    }
+}
+
+/// Whether one of the arithmetics accepts it (at the edge one may and the other not); if so, every value
+/// has to be the right one.
+fn accepted_and_true(bytes: &[u8]) -> bool {
+    let verdicts = [check::<AstroInterval>(bytes, MAX_DIGITS), check::<Ball>(bytes, MAX_DIGITS)];
+    let Some(accepted) = verdicts.into_iter().find_map(Result::ok) else { return false };
+    for (quantity, text) in &accepted.values {
+        let right = truth(&accepted, *quantity);
+        let found = (text != "inf").then(|| decimal(text));
+        assert_eq!(found, right, "{:?} {quantity:?}", accepted.problem);
+    }
+    true
+}
+
+/// The certificates that are spoiled: most of them small, so that each part is hit.
+fn originals() -> Vec<Value> {
+    let mut all = vec![
+        landmark("T").clone(),
+        landmark("l").clone(),
+        landmark("sb").clone(),
+        state("2.45", "1.35").clone(),
+        state("2.5", "inf").clone(),
+    ];
+    for value in &mut all {
+        // A value is looked for among the constants each time: a few are enough.
+        value["values"].as_array_mut().unwrap().truncate(3);
+    }
+    all
+}
+
+/// Spoils the originals again and again; returns how many were accepted and how many refused.
+fn spoiled(cases: u32, make: impl Fn(&Value, &[Step]) -> Vec<u8>) -> (u32, u32) {
+    let originals = originals();
+    let (accepted, refused) = (Cell::new(0), Cell::new(0));
+    let steps = prop::collection::vec((any::<u8>(), any::<u64>(), any::<u64>()), 1..3);
+    let strategy = (0..originals.len(), steps);
+    TestRunner::new(config(cases))
+        .run(&strategy, |(original, steps)| {
+            let bytes = make(&originals[original], &steps);
+            let count = if accepted_and_true(&bytes) { &accepted } else { &refused };
+            count.set(count.get() + 1);
+            Ok(())
+        })
+        .unwrap_or_else(|failure| panic!("{failure}"));
+    (accepted.get(), refused.get())
+}
+
+#[test]
+fn what_is_accepted_after_changes_of_values_is_true() {
+    let (accepted, refused) = spoiled(8000, |original, steps| {
+        let mut copy = original.clone();
+        steps.iter().for_each(|step| spoil(&mut copy, step));
+        copy.to_string().into_bytes()
+    });
+    assert!(accepted > 800 && refused > 4000, "{accepted} {refused}");
+}
+
+#[test]
+fn what_is_accepted_after_changes_of_bytes_is_true() {
+    let (accepted, refused) = spoiled(8000, |original, steps| {
+        let mut bytes = original.to_string().into_bytes();
+        steps.iter().for_each(|step| spoil_bytes(&mut bytes, step));
+        bytes
+    });
+    assert!(accepted > 200 && refused > 4000, "{accepted} {refused}");
+}
+
+/// The right values of another claim are not those of this one.
+#[test]
+fn the_oracle_sees_what_is_false() {
+    let accepted = both(landmark("T").to_string().as_bytes(), MAX_DIGITS).unwrap();
+    let (quantity, text) = &accepted.values[0];
+    assert_eq!(truth(&accepted, *quantity), Some(decimal(text)));
+    let fewer = Accepted { digits: accepted.digits - 1, ..accepted.clone() };
+    assert_ne!(truth(&fewer, *quantity), Some(decimal(&text[..text.len() - 3])));
+    let mut other = accepted.clone();
+    let landmark = Landmark::Triple;
+    other.problem = Problem::Landmark { landmark, weight: SelfWeight::Milankovitch };
+    assert_ne!(truth(&other, *quantity), Some(decimal(text)));
+    let landmark = Landmark::Junction;
+    other.problem = Problem::Landmark { landmark, weight: SelfWeight::Milankovitch };
+    assert_ne!(truth(&other, *quantity), Some(decimal(text)));
+    assert_eq!(decimal("1.25e-1"), Rational::from((1, 8)));
+    assert_eq!(decimal("150"), 150);
+}

@@ -1,0 +1,66 @@
+//! `couplet prove`.
+
+use super::printed;
+use crate::program::{command, json};
+
+#[test]
+fn claims_are_decided_and_a_misprint_is_no_failure() {
+    let file = json(&["prove", "--format", "json"]);
+    assert_eq!(file["schema"], "couplet.claims/1");
+    let claims = file["claims"].as_array().unwrap();
+    assert!(claims.len() >= 30);
+    assert!(claims.iter().all(|claim| claim["verdict"] == "proved"), "{claims:?}");
+    let claim = |id: &str| claims.iter().find(|claim| claim["id"] == *id).unwrap();
+    assert_eq!(claim("eq-8")["as_printed"], "proved");
+    assert_eq!(claim("eq-2-4-imply-3")["as_printed"], "not stated");
+    let misprint = claim("eq-16");
+    assert_eq!(misprint["as_printed"], "refuted");
+    assert!(misprint["counterexample"].as_str().unwrap().contains("7−4√3 is not 0"));
+    assert!(misprint["corrected"].as_str().unwrap().contains("delta_M eta/6"));
+    assert!(misprint.get("derivation").is_none(), "only where it is asked for");
+}
+
+#[test]
+fn a_derivation_can_be_followed() {
+    let text = printed(&["prove", "eq-7", "--show"]);
+    for line in [
+        "S delta eta^3 + 3 (f + g) eta^2 - 12 (g - S) eta - 12 (f - g)",
+        "let    cofactor u of P",
+        "given  S != 0, 2 - eta != 0",
+        "4 claims: 3 proved as printed, 1 proved, not stated in the paper",
+    ] {
+        assert!(text.contains(line), "{line}");
+    }
+    let file = json(&["prove", "eq-8", "--show", "--format", "json"]);
+    let steps = file["claims"][0]["derivation"].as_array().unwrap();
+    assert!(steps.iter().all(|step| step["support"] == "algebra"));
+    let document = printed(&["prove", "eq-7-eta", "--show", "--format", "latex"]);
+    assert!(document.starts_with("\\documentclass") && document.ends_with("\\end{document}\n"));
+    assert!(document.contains(r"S \delta_M {\eta}^{3} + 3 (f + g) {\eta}^{2}"));
+}
+
+/// Claims are decided in parallel, and many of them wait for the same comparison of the weights.
+#[test]
+fn no_claim_waits_for_one_that_waits_for_it() {
+    for _ in 0..10 {
+        for threads in ["3", "6", "12"] {
+            let mut child = command(&["prove", "weights", "friction"])
+                .env("RAYON_NUM_THREADS", threads)
+                .stdout(std::process::Stdio::null())
+                .spawn()
+                .unwrap();
+            let start = std::time::Instant::now();
+            let status = loop {
+                if let Some(status) = child.try_wait().unwrap() {
+                    break status;
+                }
+                if start.elapsed() > std::time::Duration::from_secs(60) {
+                    child.kill().unwrap();
+                    panic!("{threads} threads wait for one another");
+                }
+                std::thread::sleep(std::time::Duration::from_millis(5));
+            };
+            assert!(status.success());
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! `couplet constants` and `couplet audit`.
+
+use super::{exact, printed, stdout};
+use crate::program::{couplet, json};
+use couplet::number::Decimal;
+use serde_json::Value;
+
+fn entry<'a>(file: &'a Value, list: &str, keys: &[(&str, &str)]) -> &'a Value {
+    let all = file[list].as_array().unwrap();
+    all.iter().find(|e| keys.iter().all(|(key, value)| e[*key] == **value)).unwrap()
+}
+
+#[test]
+fn the_default_table_has_every_landmark_proved() {
+    let output = couplet(&["constants"]);
+    assert_eq!(output.status.code(), Some(0));
+    let text = stdout(&output);
+    assert_eq!(text.matches("proved: one solution").count(), 14);
+    for line in [
+        "0.618318241074323446374432256517",
+        "0.679604732098885514787534896210",
+        "= 2(2√3−3)",
+        "= √3−1",
+        "= 2/3",
+        "inf",
+    ] {
+        assert!(text.contains(line), "{line}");
+    }
+}
+
+#[test]
+fn json_is_stable_and_its_bounds_enclose() {
+    let file = json(&["constants", "--digits", "25", "--format", "json"]);
+    assert_eq!(file["schema"], "couplet.constants/1");
+    assert_eq!(file["digits"], 25);
+    let more = json(&["constants", "--digits", "60", "--format", "json"]);
+    let (few, many) =
+        (file["constants"].as_array().unwrap(), more["constants"].as_array().unwrap());
+    assert_eq!(few.len(), many.len());
+    assert_eq!(few.len(), 2 * (6 * 13 + 8));
+    for (few, many) in few.iter().zip(many) {
+        for key in ["weight", "landmark", "quantity", "exact"] {
+            assert_eq!(few[key], many[key]);
+        }
+        if few["value"] == "inf" {
+            assert_eq!(few["exact"], "inf");
+            continue;
+        }
+        let (lower, value, upper) =
+            (exact(&few["lower"]), exact(&few["value"]), exact(&few["upper"]));
+        let truth = exact(&many["value"]);
+        assert!(lower <= truth && truth <= upper, "{few} {many}");
+        let unit = upper.clone() - &lower;
+        assert!((value.clone() - truth).abs() * 2 <= unit, "correctly rounded: {few}");
+        assert!(value == lower || value == upper);
+        let digits =
+            few["value"].as_str().unwrap().parse::<Decimal>().unwrap().significant_digits();
+        assert!(digits == 25 || few["exact"] != Value::Null, "{few}");
+    }
+    for proof in file["proofs"].as_array().unwrap() {
+        assert_eq!(proof["verdict"], "proved");
+        for radius in proof["box_relative_radius"].as_object().unwrap().values() {
+            assert!(radius.as_f64().unwrap() > 1e-3, "a macroscopic box: {proof}");
+        }
+    }
+}
+
+#[test]
+fn landmarks_and_weights_are_selected() {
+    let file = json(&[
+        "constants",
+        "T",
+        "B",
+        "--weight",
+        "milankovitch",
+        "--digits",
+        "1000",
+        "--format",
+        "json",
+    ]);
+    let constants = file["constants"].as_array().unwrap();
+    assert_eq!(constants.len(), 26);
+    let thickness = entry(&file, "constants", &[("landmark", "T"), ("quantity", "thickness")]);
+    let text = thickness["value"].as_str().unwrap();
+    assert!(text.starts_with("0.61831824107432344637443225651706527335"));
+    assert_eq!(text.len(), 1002);
+    let border = entry(&file, "constants", &[("landmark", "B"), ("quantity", "thickness")]);
+    assert_eq!((&border["value"], &border["exact"]), (&"2".into(), &"2".into()));
+}
+
+#[test]
+fn csv_has_a_row_for_each_constant() {
+    let text = printed(&["constants", "L", "--digits", "5", "--format", "csv"]);
+    assert_eq!(text.lines().count(), 27);
+    assert!(text.starts_with("weight,landmark,quantity,value,lower,upper,exact\n"));
+    assert!(text.contains("heyman,L,half_opening,2.7865,2.7864,2.7865,\n"), "{text}");
+    assert!(text.contains("milankovitch,L,A,0.66667,0.66666,0.66667,2/3\n"), "{text}");
+}
+
+#[test]
+fn the_audit_finds_what_the_tables_got_wrong() {
+    let file = json(&["audit", "--format", "json"]);
+    assert_eq!(file["schema"], "couplet.audit/1");
+    let number = |place, landmark, quantity| {
+        entry(&file, "printed", &[("place", place), ("landmark", landmark), ("quantity", quantity)])
+    };
+    let thickness = number("Table 1", "T", "thickness");
+    assert_eq!(thickness["printed"], "0.6796047320988860");
+    assert_eq!(thickness["error_units"], "4.85");
+    assert_eq!(thickness["correct_digits"], 14);
+    assert_eq!(thickness["verdict"], "wrong");
+    assert_eq!(number("Table 2", "J", "sliding_joint")["verdict"], "correctly rounded");
+    assert_eq!(number("Table 1", "T", "friction")["verdict"], "faithful");
+    assert_eq!(number("Table 4", "l", "A")["verdict"], "correctly rounded");
+    let comparison = |landmark, quantity| {
+        entry(&file, "comparisons", &[("landmark", landmark), ("quantity", quantity)])["verdict"]
+            .clone()
+    };
+    assert_eq!(comparison("T", "friction"), "proved");
+    assert_eq!(comparison("B", "thickness"), "refuted", "both are 2");
+}

@@ -1,0 +1,92 @@
+//! What is written: whole, alone, and nothing if the run is interrupted.
+
+use crate::program::{Scratch, command, couplet, said, start, text};
+use serde_json::Value;
+use std::process::Command;
+
+/// A file in an empty folder that cannot be written.
+fn cannot_be_written(name: &str) {
+    let scratch = Scratch::new();
+    let path = scratch.path(name);
+    let (code, _, message) = said(&couplet(&["constants", "L", "--output", &path]));
+    assert_eq!(code, Some(3), "{path}");
+    assert_eq!(message.lines().count(), 1, "{message}");
+    assert!(message.contains(&path), "{message}");
+}
+
+#[test]
+fn a_file_in_a_missing_folder_is_a_resource_failure() {
+    cannot_be_written("missing/file.json");
+}
+
+#[test]
+fn a_folder_for_a_file_is_a_resource_failure() {
+    cannot_be_written("");
+}
+
+#[test]
+fn a_file_appears_whole_and_alone() {
+    let scratch = Scratch::new();
+    let path = scratch.path("constants.json");
+    std::fs::write(&path, "old").unwrap();
+    let output = couplet(&["constants", "L", "--format", "json", "--output", &path]);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(output.stdout.is_empty());
+    let file: Value = serde_json::from_str(&scratch.read("constants.json")).unwrap();
+    assert_eq!(file["schema"], "couplet.constants/1");
+    assert_eq!(scratch.files(".").len(), 1, "nothing is left beside it");
+    let refused = couplet(&["constants", "L", "--digits", "0", "--output", &path]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(scratch.read("constants.json").contains("couplet.constants/1"), "kept");
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_leaves_nothing() {
+    let scratch = Scratch::new();
+    let path = scratch.path("million.json");
+    let mut child =
+        command(&["constants", "T", "--digits", "1000000", "--output", &path]).spawn().unwrap();
+    // The unfinished file is there from the start; the work itself takes many seconds.
+    while scratch.files(".").is_empty() {
+        std::thread::sleep(std::time::Duration::from_millis(10));
+        assert!(child.try_wait().unwrap().is_none(), "the run ended too early to be interrupted");
+    }
+    std::thread::sleep(std::time::Duration::from_millis(200));
+    let id = child.id().to_string();
+    assert!(Command::new("kill").args(["-INT", &id]).status().unwrap().success());
+    let status = child.wait().unwrap();
+    assert_eq!(status.code(), Some(130));
+    assert_eq!(scratch.files(".").len(), 0, "neither a half-written file nor a temporary one");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_device_is_written_to_and_not_replaced() {
+    let output = couplet(&["constants", "L", "--output", "/dev/null"]);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(!std::fs::metadata("/dev/null").unwrap().is_file());
+}
+
+/// A reader that stops early has what it wanted.
+fn closed_pipe(format: &str) {
+    let mut child = start(&["constants", "--digits", "5000", "--format", format]);
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!((output.status.code(), text(&output.stderr).as_str()), (Some(0), ""), "{format}");
+}
+
+#[test]
+fn a_pipe_closed_on_a_table_is_no_failure() {
+    closed_pipe("table");
+}
+
+#[test]
+fn a_pipe_closed_on_json_is_no_failure() {
+    closed_pipe("json");
+}
+
+#[test]
+fn a_pipe_closed_on_csv_is_no_failure() {
+    closed_pipe("csv");
+}

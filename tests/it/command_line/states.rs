@@ -1,0 +1,146 @@
+//! `couplet state`, `couplet assess` and `couplet states`.
+
+use super::{exact, stdout};
+use crate::program::{fed, json};
+use serde_json::Value;
+use std::process::Output;
+
+#[test]
+fn a_state_has_its_proof_and_its_schema() {
+    let query = ["--half-opening", "2.45", "--friction", "1.35", "--weight", "milankovitch"];
+    let state = json(&[&["state"], &query[..], &["--digits", "40", "--format", "json"]].concat());
+    assert_eq!(state["schema"], "couplet.state/1");
+    assert_eq!((&state["half_opening"], &state["friction"]), (&"2.45".into(), &"1.35".into()));
+    assert_eq!(
+        (&state["verdict"], &state["stands"], &state["mode"]),
+        (&"proved".into(), &true.into(), &"[r,r,s]".into())
+    );
+    assert_eq!(state["thickness"]["value"], "0.6502437808013831727900411061821618712236");
+    assert_eq!(state["reason"], Value::Null);
+    for key in ["thickness", "thrust", "rotation_joint", "sliding_joint"] {
+        let [lower, value, upper] = ["lower", "value", "upper"].map(|end| exact(&state[key][end]));
+        assert!(lower <= value && value <= upper && lower < upper, "{key}");
+    }
+    let aliases =
+        json(&["state", "--alpha", "2.45", "--mu", "27/20", "--digits", "40", "--format", "json"]);
+    assert_eq!(aliases["thickness"], state["thickness"], "a fraction is the same number");
+    let degrees =
+        json(&["state", "--alpha", "90deg", "--friction-angle", "21deg", "--format", "json"]);
+    let radians =
+        json(&["state", "--alpha", "pi/2", "--friction-angle", "7pi/60", "--format", "json"]);
+    assert_eq!(degrees["thickness"], radians["thickness"]);
+    let falls = json(&["state", "--alpha", "2.6", "--mu", "0.3", "--format", "json"]);
+    assert_eq!(
+        (&falls["stands"], &falls["mode"], &falls["reason"]),
+        (&false.into(), &Value::Null, &"sliding".into())
+    );
+    let thick = json(&["state", "--alpha", "2.65", "--mu", "9", "--format", "json"]);
+    assert_eq!(thick["reason"], "thickness");
+}
+
+#[test]
+fn a_landmark_lists_all_its_modes() {
+    let state = json(&["state", "--at", "T", "--weight", "heyman", "--format", "json"]);
+    assert_eq!(state["modes"].as_array().unwrap().len(), 4);
+    assert_eq!(state["values"]["thickness"]["value"], "0.679604732098885514787534896210");
+}
+
+#[test]
+fn an_arch_as_it_stands() {
+    let found = json(&[
+        "assess",
+        "--half-opening",
+        "80deg",
+        "--thickness",
+        "0.12",
+        "--friction",
+        "0.6",
+        "--format",
+        "json",
+    ]);
+    assert_eq!((&found["schema"], &found["stands"]), (&"couplet.assess/1".into(), &true.into()));
+    assert!(exact(&found["geometric_safety"]["value"]) > 1);
+    assert!(
+        exact(&found["least_thrust"]["thrust"]["value"])
+            < exact(&found["largest_thrust"]["thrust"]["value"])
+    );
+    let thin = json(&[
+        "assess",
+        "--half-opening",
+        "80deg",
+        "--thickness",
+        "0.05",
+        "--friction",
+        "0.6",
+        "--format",
+        "json",
+    ]);
+    assert_eq!((&thin["stands"], &thin["least_thrust"]), (&false.into(), &Value::Null));
+}
+
+/// Runs `couplet states` on a text.
+fn states(arguments: &[&str], input: &str) -> Output {
+    fed(&[&["states"], arguments].concat(), input)
+}
+
+#[test]
+fn many_states_keep_their_order_and_bad_rows_their_line() {
+    let mut input = String::from("weight,alpha,mu\n");
+    for i in 1..=3000 {
+        input += &format!("milankovitch,{i}/1200,2\n");
+    }
+    input += "heyman,banana,1\nheyman,1\nheyman,pi/2,0.38\n";
+    let output = states(&[], &input);
+    assert_eq!(output.status.code(), Some(2), "two rows are bad");
+    let text = stdout(&output);
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(lines.len(), 3004);
+    for i in [1, 1500, 3000] {
+        assert!(lines[i].starts_with(&format!("milankovitch,{i}/1200,2,proved,")), "{}", lines[i]);
+    }
+    assert!(
+        lines[3001].contains("3002,'banana' is not a number")
+            || lines[3001].contains("3002,\"'banana'"),
+        "{}",
+        lines[3001]
+    );
+    assert!(lines[3002].contains("3003,2 columns are too few"));
+    // The nearest double, in decimal and in hexadecimal.
+    assert!(lines[3003].contains(",0.12219158636254615,0x1.f47f2a34603cap-4,"), "{}", lines[3003]);
+}
+
+#[test]
+fn json_lines_in_and_out() {
+    let input = "{\"weight\":\"heyman\",\"half_opening\":\"pi/2\",\"friction\":0.38}\n\n{\"weight\":1}\nnonsense\n";
+    let output = states(&["--digits", "6"], input);
+    assert_eq!(output.status.code(), Some(2));
+    let lines: Vec<Value> =
+        stdout(&output).lines().map(|l| serde_json::from_str(l).unwrap()).collect();
+    assert_eq!(lines.len(), 3);
+    assert_eq!(lines[0]["thickness"]["value"], "0.122192");
+    assert_eq!((lines[1]["line"].as_u64(), lines[2]["line"].as_u64()), (Some(3), Some(4)));
+    // The symbols of the paper are names too, in both.
+    for query in [
+        "weight,alpha,mu,eta\nheyman,pi/2,0.38,0.2\n",
+        "{\"weight\":\"heyman\",\"alpha\":\"pi/2\",\"mu\":0.38,\"eta\":0.2}\n",
+    ] {
+        let assessed = states(&["--format", "jsonl", "--digits", "6"], query);
+        let line: Value = serde_json::from_str(stdout(&assessed).trim()).unwrap();
+        assert_eq!((&line["schema"], &line["stands"]), (&"couplet.assess/1".into(), &true.into()));
+    }
+}
+
+#[test]
+fn a_number_longer_than_a_command_line_is_refused() {
+    let digits = format!("0.{}", "1".repeat(1_000_000));
+    let output = states(&[], &format!("weight,alpha,mu\nheyman,{digits},1\n"));
+    assert_eq!(output.status.code(), Some(2));
+    assert!(stdout(&output).contains("a number of 1000002 characters is too long"));
+}
+
+#[test]
+fn a_file_without_queries_is_refused() {
+    for input in ["", "\n", "a,b\n1,2\n"] {
+        assert_eq!(states(&[], input).status.code(), Some(2), "{input:?}");
+    }
+}

@@ -1,0 +1,42 @@
+//! Wrong input is told in one line, with what is possible.
+
+wrong_uses! {
+    an_unknown_landmark: ["constants", "X"] => "one of T, S, J, B, l, L, sb";
+    a_landmark_in_small_letters: ["constants", "t"] => "one of T, S, J, B, l, L, sb";
+    both_weights: ["constants", "--weight", "both"] => "one of heyman, milankovitch";
+    an_unknown_format: ["constants", "--format", "yaml"] => "one of table, json, csv";
+    no_format: ["audit", "--format", ""] => "one of table, json, csv";
+    no_digits: ["constants", "--digits", "0"] => "from 1 to 1000000";
+    negative_digits: ["constants", "--digits", "-5"] => "from 1 to 1000000";
+    digits_in_words: ["constants", "--digits", "ten"] => "from 1 to 1000000";
+    a_digit_too_many: ["constants", "--digits", "1000001"] => "from 1 to 1000000";
+    digits_beyond_64_bits: ["constants", "--digits", "99999999999999999999999"] => "from 1 to 1000000";
+    half_a_digit: ["constants", "--digits", "30.5"] => "from 1 to 1000000";
+    an_option_without_its_value: ["constants", "--digits"] => "a value is required";
+    an_option_that_is_none: ["constants", "--digit", "3"] => "--digits";
+    a_command_that_is_none: ["constant"] => "constants";
+    an_unknown_claim: ["prove", "eq-99"] => "the claims are eq-2, eq-3";
+    half_a_claim: ["prove", "eq-"] => "the claims are eq-2, eq-3";
+    a_format_that_claims_do_not_have: ["prove", "--format", "csv"] => "one of text, json, latex";
+    an_unknown_experiment: ["study", "accuracy", "--only", "T"] => "there are eta-cubic, A-cubic";
+    an_unknown_limit: ["study", "stability", "--only", "state"] => "there are alpha-to-zero";
+
+    a_zero_half_opening: ["state", "--alpha", "0", "--mu", "1"] => "between 0 and pi";
+    a_negative_half_opening: ["state", "--alpha", "-1", "--mu", "1"] => "between 0 and pi";
+    a_half_opening_beyond_a_turn: ["state", "--alpha", "3.2", "--mu", "1"] => "between 0 and pi";
+    half_a_turn_in_degrees: ["state", "--alpha", "180deg", "--mu", "1"] => "between 0 and pi";
+    nan: ["state", "--alpha", "nan", "--mu", "1"] => "'nan'";
+    a_tiny_half_opening: ["state", "--alpha", "1e-1000000000", "--mu", "1"] => "out of range";
+    a_negative_friction: ["state", "--alpha", "1", "--mu", "-1"] => "negative";
+    a_huge_friction: ["state", "--alpha", "1", "--mu", "1e1000000000"] => "out of range";
+    a_friction_angle_too_large:
+        ["state", "--alpha", "1", "--friction-angle", "91deg"] => "between 0 and pi/2";
+    a_negative_friction_angle:
+        ["state", "--alpha", "1", "--friction-angle", "-1deg"] => "between 0 and pi/2";
+    no_friction: ["state", "--alpha", "1"] => "--friction";
+    a_state_without_digits: ["state", "--alpha", "1", "--mu", "1", "--digits", "0"] => "from 1 to 10000";
+    a_thickness_beyond_the_limit:
+        ["assess", "--alpha", "1", "--mu", "1", "--thickness", "2.5"] => "between 0 and 2";
+    a_zero_thickness: ["assess", "--alpha", "1", "--mu", "1", "--thickness", "0"] => "between 0 and 2";
+    no_thickness: ["assess", "--alpha", "1", "--mu", "1"] => "--thickness";
+}

@@ -1,0 +1,85 @@
+//! The picture of the rooms in `docs/architecture.md` is drawn from the code.
+
+use crate::rooms::{ROOMS, code, rooms_used, root, sources};
+use std::fs;
+use std::path::Path;
+
+const BEGIN: &str = "<!-- rooms: drawn by `make snapshots` -->\n";
+const END: &str = "<!-- end -->\n";
+
+/// A row for each room: ■ itself, □ a room that it uses, · one that it does without.
+fn picture() -> String {
+    let mut lines = String::from("```text\n");
+    for (level, room) in ROOMS.iter().enumerate() {
+        let files = sources(&root().join(room));
+        let texts: Vec<String> = files.iter().map(|path| code(path)).collect();
+        let uses = |other: &str| {
+            texts.iter().any(|text| rooms_used(text).iter().any(|used| used == other))
+        };
+        let marks = ROOMS[..level].iter().map(|other| if uses(other) { "□ " } else { "· " });
+        let marks: String = marks.chain(["■ "]).collect();
+        let width = 2 * ROOMS.len();
+        let line = format!("{room:<11}{marks:<width$}  {}", needs(room));
+        lines += &format!("{}\n", line.trim_end());
+    }
+    lines + "```\n\n" + &table()
+}
+
+/// The features without which a room is not built, as `lib.rs` has them.
+fn needs(room: &str) -> String {
+    let library = fs::read_to_string(root().join("lib.rs")).unwrap();
+    let before = library.split(&format!("pub mod {room};")).next().unwrap();
+    let condition = before.lines().last().filter(|line| line.starts_with("#[cfg("));
+    let names = condition.unwrap_or_default().split('"').skip(1).step_by(2);
+    names.collect::<Vec<_>>().join(" and ")
+}
+
+/// What each room says of itself first.
+fn table() -> String {
+    let mut lines = String::from("| room | what is in it |\n|---|---|\n");
+    for room in ROOMS {
+        let file = fs::read_to_string(root().join(room).join("mod.rs")).unwrap();
+        let words = file.lines().map_while(|line| line.strip_prefix("//! "));
+        let words = words.collect::<Vec<_>>().join(" ");
+        let words = words.replace("[`", "`").replace("`]", "`");
+        let first = words.split(". ").next().unwrap().trim_end_matches('.');
+        lines += &format!("| `{room}` | {first} |\n");
+    }
+    lines
+}
+
+#[test]
+fn the_picture_of_the_rooms_is_drawn_from_the_code() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/architecture.md");
+    let page = fs::read_to_string(&path).unwrap();
+    let (before, rest) = page.split_once(BEGIN).unwrap();
+    let (stored, after) = rest.split_once(END).unwrap();
+    let drawn = picture();
+    if std::env::var_os("UPDATE_SNAPSHOTS").is_some() {
+        return fs::write(&path, format!("{before}{BEGIN}{drawn}{END}{after}")).unwrap();
+    }
+    assert_eq!(stored, drawn, "make snapshots draws it anew");
+}
+
+/// Each name of the table of symbols is in the code.
+#[test]
+fn every_symbol_has_its_name() {
+    let page = include_str!("../../../docs/architecture.md");
+    let table = page.split("| paper | code | meaning |\n").nth(1).unwrap();
+    let rows: Vec<&str> = table.lines().skip(1).take_while(|line| line.starts_with('|')).collect();
+    assert!(rows.len() > 20);
+    let texts = ["number", "arch", "problem"]
+        .map(|room| sources(&root().join(room)).iter().map(|path| code(path)).collect::<String>());
+    let is_there = |name: &str| {
+        let name = name.rsplit("::").next().unwrap();
+        let words =
+            |text: &str| text.split(|c: char| !c.is_alphanumeric() && c != '_').any(|w| w == name);
+        texts.iter().any(|text| words(text))
+    };
+    for row in rows {
+        let names = row.split('|').skip(2).flat_map(|cell| cell.split('`').skip(1).step_by(2));
+        for name in names.filter(|name| !["inf", "r", "s"].contains(name)) {
+            assert!(is_there(name), "{name}: {row}");
+        }
+    }
+}

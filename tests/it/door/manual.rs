@@ -1,0 +1,91 @@
+//! Completions and manual pages: each knows every command, and the programs that read them do not complain.
+
+use crate::program::{Scratch, couplet};
+use std::process::{Command, Stdio};
+
+/// The commands of this build, from its help.
+fn commands() -> Vec<String> {
+    let help = String::from_utf8(couplet(&["--help"]).stdout).unwrap();
+    let list = help.split("Commands:\n").nth(1).unwrap().split("\n\n").next().unwrap().to_owned();
+    let names = list.lines().map(|line| line.split_whitespace().next().unwrap().to_owned());
+    names.filter(|name| name != "help").collect()
+}
+
+/// Runs a program if it is there; what it complains of.
+fn complaint(program: &str, arguments: &[&str]) -> Option<String> {
+    let mut command = Command::new(program);
+    let output = command.args(arguments).stdin(Stdio::null()).output().ok()?;
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    (!output.status.success() || !said.is_empty()).then_some(said)
+}
+
+#[test]
+fn the_completions_name_every_command() {
+    let scratch = Scratch::new();
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let output = couplet(&["completions", shell]);
+        assert_eq!(output.status.code(), Some(0), "{shell}");
+        let script = String::from_utf8(output.stdout).unwrap();
+        for name in commands() {
+            assert!(script.contains(&name), "{shell}: {name}");
+        }
+        let file = scratch.path(shell);
+        std::fs::write(&file, script).unwrap();
+        // Those of the shells that can read a script without running it.
+        if ["bash", "zsh", "fish"].contains(&shell) {
+            assert_eq!(complaint(shell, &["-n", &file]), None, "{shell}");
+        }
+    }
+}
+
+#[test]
+fn every_command_has_a_page() {
+    let scratch = Scratch::new();
+    let folder = scratch.path("made/man1");
+    assert_eq!(couplet(&["man", &folder]).status.code(), Some(0));
+    let mut pages: Vec<String> = std::fs::read_dir(&folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    pages.sort();
+    assert!(pages.contains(&"couplet.1".into()));
+    assert!(pages.iter().all(|page| !page.contains("help")), "{pages:?}");
+    for name in commands() {
+        assert!(pages.contains(&format!("couplet-{name}.1")), "{name}: {pages:?}");
+    }
+    for page in &pages {
+        let path = format!("{folder}/{page}");
+        let text = std::fs::read_to_string(&path).unwrap();
+        assert!(text.contains(".SH NAME") && text.contains(".SH DESCRIPTION"), "{page}");
+        assert_eq!(complaint("man", &["--warnings", "-E", "UTF-8", "-l", "-Z", &path]), None);
+        assert_eq!(complaint("mandoc", &["-T", "lint", "-W", "error", &path]), None, "{page}");
+    }
+}
+
+#[test]
+fn the_page_of_couplet_itself_goes_to_standard_output() {
+    let output = couplet(&["man"]);
+    let page = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success() && page.contains("Exit codes: 0 everything asked was proved"));
+    for name in commands() {
+        // A hyphen is escaped in a page.
+        assert!(page.replace('\\', "").contains(&format!("couplet-{name}(1)")), "{name}");
+    }
+}
+
+#[test]
+fn what_cannot_be_written_is_named() {
+    for (arguments, message) in [
+        (&["completions", "ksh"][..], "bash, elvish, fish, powershell, zsh"),
+        (&["completions"], "<SHELL>"),
+    ] {
+        let output = couplet(arguments);
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(said.lines().count() == 1 && said.contains(message), "{said}");
+    }
+    let output = couplet(&["man", "/dev/null/pages"]);
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(3));
+    assert!(said.lines().count() == 1 && said.contains("/dev/null/pages"), "{said}");
+}

@@ -1,0 +1,98 @@
+//! Parquet files, read back.
+
+use super::expected::all;
+use crate::program::{Scratch, fed};
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::record::{Field, Row};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs::File;
+
+/// The rows by column, and the metadata.
+fn read(file: Vec<u8>) -> (Vec<BTreeMap<String, Field>>, BTreeMap<String, String>) {
+    let scratch = Scratch::new();
+    scratch.write("table.parquet", file);
+    let file = File::open(scratch.path("table.parquet")).unwrap();
+    let reader = SerializedFileReader::new(file).unwrap();
+    let notes = reader.metadata().file_metadata().key_value_metadata().unwrap();
+    let notes = notes.iter().map(|note| (note.key.clone(), note.value.clone().unwrap()));
+    let row = |row: Result<Row, _>| row.unwrap().into_columns().into_iter().collect();
+    (reader.get_row_iter(None).unwrap().map(row).collect(), notes.collect())
+}
+
+fn text(field: &Field) -> &str {
+    if let Field::Str(text) = field { text } else { "" }
+}
+
+fn double(field: &Field) -> u64 {
+    if let Field::Double(x) = field { x.to_bits() } else { panic!("{field:?}") }
+}
+
+#[test]
+fn constants_are_read_back_bit_for_bit() {
+    let (rows, notes) = read(super::constants("parquet"));
+    assert_eq!(
+        (notes["couplet.digits"].as_str(), notes["couplet.schema"].as_str()),
+        ("3", "couplet.constants/1")
+    );
+    assert!(notes["couplet.tool"].starts_with("couplet "));
+    let all = all();
+    assert_eq!(rows.len(), all.len());
+    for row in rows {
+        let point = match text(&row["landmark"]) {
+            "l" => "ROTATION_END".to_owned(),
+            "L" => "OVERTURNING_END".to_owned(),
+            other => other.to_uppercase(),
+        };
+        let name = format!("{point}_{}_{}", text(&row["weight"]), text(&row["quantity"]));
+        let value = &all[&name.to_uppercase()];
+        value.check(
+            ["double", "double_lower", "double_upper", "double_error"].map(|key| double(&row[key])),
+        );
+        assert_eq!((text(&row["value"]), text(&row["status"])), (value.text.as_str(), "proved"));
+        assert_eq!(text(&row["certificate_sha256"]).len(), 64);
+        assert_eq!((&row["mode"], &row["line"]), (&Field::Null, &Field::Null));
+    }
+}
+
+#[test]
+fn states_have_a_row_for_each_value_and_for_each_that_has_none() {
+    let mut input =
+        String::from("weight,alpha,mu\nheyman,pi/2,0.38\nheyman,2.6,0.3\nheyman,banana,1\n");
+    for i in 1..=3000 {
+        input += &format!("milankovitch,{i}/1200,2\n");
+    }
+    let output = fed(&["states", "--format", "parquet", "--digits", "5"], &input);
+    assert_eq!(output.status.code(), Some(2), "one row is bad");
+    let (rows, notes) = read(output.stdout);
+    assert_eq!(notes["couplet.schema"], "couplet.states/1");
+    let lines: BTreeSet<i64> = rows
+        .iter()
+        .map(|row| if let Field::Long(line) = row["line"] { line } else { panic!("{row:?}") })
+        .collect();
+    assert_eq!(lines, (2..=3004).collect(), "two groups");
+    assert_eq!(text(&rows[0]["value"]), "0.12219");
+    assert_eq!(double(&rows[0]["double"]), 0.12219158636254615f64.to_bits(), "of the true value");
+    assert_eq!((text(&rows[0]["mode"]), text(&rows[0]["half_opening"])), ("[s,r,r]", "pi/2"));
+    let of = |line| rows.iter().find(|row| row["line"] == Field::Long(line)).unwrap();
+    let fallen = of(3);
+    assert_eq!((text(&fallen["reason"]), &fallen["stands"]), ("sliding", &Field::Bool(false)));
+    assert_eq!(fallen["quantity"], Field::Null);
+    assert_eq!(text(&of(4)["status"]), "refused");
+    assert!(text(&of(4)["reason"]).contains("banana"));
+    let assessed = fed(
+        &["states", "--format", "parquet"],
+        "weight,alpha,mu,thickness\nheyman,pi/2,0.38,0.2\n",
+    );
+    let (rows, _) = read(assessed.stdout);
+    assert_eq!(
+        (text(&rows[0]["quantity"]), text(&rows[0]["thickness"])),
+        ("least_thickness", "0.2")
+    );
+}
+
+#[test]
+fn no_queries_make_a_file_without_rows() {
+    let output = fed(&["states", "--format", "parquet"], "weight,alpha,mu\n");
+    assert_eq!(output.status.code(), Some(0));
+    assert!(read(output.stdout).0.is_empty());
+}

@@ -1,0 +1,16 @@
+//! Formats that are not there are named in one line.
+
+const OF_ANSWERS: &str =
+    "one of table, json, csv, toml, latex, c, rust, python, julia, matlab, fortran, parquet";
+
+wrong_uses! {
+    constants_for_cpp: ["constants", "--format", "cpp"] => OF_ANSWERS;
+    constants_in_no_format: ["constants", "--format", ""] => OF_ANSWERS;
+    states_in_toml: ["states", "--format", "toml"] => "one of csv, jsonl, parquet";
+    an_audit_in_toml: ["audit", "--format", "toml"] => "one of table, json, csv";
+    a_state_in_lines: ["state", "--alpha", "1", "--mu", "1", "--format", "jsonl"] => OF_ANSWERS;
+    #[cfg(not(feature = "parquet"))]
+    constants_in_parquet: ["constants", "--format", "parquet"] => "--features parquet";
+    #[cfg(not(feature = "parquet"))]
+    states_in_parquet: ["states", "--format", "parquet"] => "--features parquet";
+}

@@ -1,0 +1,91 @@
+//! Wrong columns are refused before anything is computed.
+
+use crate::program::{Scratch, couplet, fed, refused, text};
+
+const CSV: &str = "a,b,c,c,d\n1,0.5,0.1,0.1,heyman\n";
+const JSON: &str = "{\"a\":1,\"b\":0.5,\"c\":0.1}\n";
+const HEYMAN: &[&str] = &["--weight", "heyman"];
+
+/// One test for each file, with options and what its columns mean.
+macro_rules! refusals {
+    ($($name:ident: $input:expr, $arguments:expr $(, $columns:literal)? => $words:literal;)*) => {$(
+        #[test]
+        fn $name() {
+            let columns: &[&str] = &[$("--columns", $columns)?];
+            let arguments = [&["judge", "-", "--format", "csv"][..], $arguments, columns].concat();
+            refused(&arguments, $input, $words);
+        }
+    )*};
+}
+
+refusals! {
+    an_unknown_column_of_the_file:
+        CSV, HEYMAN, "a=half_opening,b=friction,x=thickness"
+        => "the file has no column 'x'; its columns are 'a', 'b', 'c', 'c', 'd'";
+    a_column_that_is_there_twice:
+        CSV, HEYMAN, "a=half_opening,b=friction,c=thickness" => "two columns 'c'";
+    a_meaning_that_is_none:
+        CSV, HEYMAN, "a=half_opening,b=friction,d=thick" => "'thick' is no column of ours: weight";
+    a_meaning_of_two_columns:
+        CSV, HEYMAN, "a=half_opening,b=friction,d=friction" => "both named friction";
+    a_column_with_two_meanings:
+        CSV, HEYMAN, "a=half_opening,b=friction,a=thickness" => "named twice";
+    nothing_to_judge: CSV, HEYMAN, "a=half_opening,b=friction" => "anything to judge";
+    no_friction: CSV, HEYMAN, "a=half_opening,d=mode" => "no column for the friction";
+    no_half_opening: CSV, HEYMAN, "b=friction,d=mode" => "no column for the half opening";
+    a_unit_that_is_none:
+        CSV, HEYMAN, "a=half_opening:turns,b=friction,d=mode" => "rad or deg";
+    a_unit_of_the_friction: CSV, HEYMAN, "a=half_opening,b=friction:deg,d=mode" => "has no unit";
+    two_frictions:
+        CSV, HEYMAN, "a=half_opening,b=friction,d=friction_angle,c=mode" => "name one of them";
+    no_weight: CSV, &[], "a=half_opening,b=friction,d=mode" => "the weight is missing";
+    a_weight_too_many_and_a_column_twice:
+        CSV, HEYMAN, "a=half_opening,b=friction,c=mode,d=weight" => "two columns 'c'";
+    a_weight_too_many:
+        "a,b,c,d\n", HEYMAN, "a=half_opening,b=friction,c=mode,d=weight" => "--weight is not needed";
+    other_names_than_ours: CSV, HEYMAN => "no column for the half opening";
+    semicolons:
+        "half_opening;friction;eta\n", HEYMAN
+        => "--columns theirs=half_opening; its columns are 'half_opening;friction;eta'";
+    two_names_of_one_column:
+        "alpha,half_opening,mu,eta\n", HEYMAN => "'half_opening' and 'alpha', which are the same";
+    an_unknown_column_of_json:
+        JSON, HEYMAN, "a=half_opening,b=friction,x=thickness" => "the first rows have no column 'x'";
+    json_with_other_names_than_ours: JSON, HEYMAN => "no column for the half opening";
+    json_without_a_weight:
+        JSON, &[], "a=half_opening,b=friction,c=thickness" => "the weight is missing";
+    an_empty_file: "", HEYMAN => "the file is empty";
+    a_json_array: "[{}]", HEYMAN => "a JSON array is not read";
+    both_weights: CSV, &["--weight", "both"] => "one of heyman, milankovitch";
+    no_digits_accepted: CSV, &["--accept", "0"] => "from 1 to 10000";
+    fewer_than_no_worst_rows: CSV, &["--worst", "-1"] => "--worst";
+    single_precision: CSV, &["--inputs", "single"] => "exact, double";
+}
+
+#[test]
+fn a_missing_file_is_a_resource_failure() {
+    assert_eq!(fed(&["judge", "missing.csv"], b"").status.code(), Some(3));
+}
+
+const RESULTS: &str = "weight,half_opening,friction,thickness\nheyman,1,0.5,0.0190\n";
+
+#[test]
+fn what_is_judged_is_not_written_over() {
+    let scratch = Scratch::new();
+    scratch.write("results.csv", RESULTS);
+    let file = scratch.path("results.csv");
+    let output = couplet(&["judge", &file, "--output", &file]);
+    assert_eq!(output.status.code(), Some(2));
+    let message = format!("couplet: {file} is what is judged and is not written over\n");
+    assert_eq!(text(&output.stderr), message);
+    assert_eq!(scratch.read("results.csv"), RESULTS);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_a_resource_failure() {
+    let output = fed(&["judge", "-", "--output", "/dev/full"], RESULTS);
+    assert_eq!(output.status.code(), Some(3));
+    let message = text(&output.stderr);
+    assert!(message.starts_with("couplet: cannot write /dev/full: "), "{message}");
+}

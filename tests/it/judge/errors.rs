@@ -1,0 +1,103 @@
+//! What the library tells of a claim is so.
+
+use crate::arches::{H, arch};
+use crate::hard::config;
+use couplet::certify::state::{Answer, Certify, Digits, Outcome};
+use couplet::judge::{Claim, CorrectDigits, Demand, Said, Verdict, judge};
+use couplet::number::Decimal;
+use couplet::problem::Arch;
+use couplet::problem::Mode;
+use couplet::problem::Quantity;
+use proptest::prelude::*;
+use rug::{Integer, Rational};
+
+const USUAL: Demand = Demand { digits: 3, or_all_printed: true };
+
+#[test]
+fn what_cannot_be_told_is_accepted_of_nobody() {
+    // Nearer to the line than any precision that is tried can tell.
+    let critical = match arch(H, "pi/2", "1").state(12_000) {
+        Ok(Outcome::Stands(state)) => state.frictions.unwrap().rotational.unwrap(),
+        other => panic!("{other:?}"),
+    };
+    let line = arch(H, "pi/2", &critical.mid().to_string_radix(10, Some(3_300)));
+    let verdict = |mode: &str, thickness: &str| {
+        let numbers = vec![(Quantity::Thickness, thickness, false)];
+        let said = Said { stands: Some("yes"), mode: Some(mode), numbers };
+        judge(&line, &Claim::read(&said).unwrap(), USUAL).verdict
+    };
+    // Even of the two modes that meet at the line: nearer than can be told is not on it.
+    assert_eq!(verdict("rrr", ""), Verdict::Undecided);
+    assert_eq!(verdict("srr", ""), Verdict::Undecided);
+    assert_eq!(verdict("rrs", ""), Verdict::Undecided);
+    assert_eq!(verdict("srr", "0.107"), Verdict::Undecided);
+}
+
+fn semicircle() -> (Arch, Box<Digits>) {
+    let arch = arch(H, "pi/2", "0.38");
+    match arch.certify(80) {
+        Ok(Answer::Stands(state)) => (arch, state),
+        other => panic!("{other:?}"),
+    }
+}
+
+fn power_of_ten(exponent: i64) -> Rational {
+    let power = Rational::from(Integer::from(Integer::u_pow_u(10, exponent.unsigned_abs() as u32)));
+    if exponent < 0 { power.recip() } else { power }
+}
+
+proptest! {
+    #![proptest_config(config(100))]
+
+    /// Claims beside the truth by a known error of any size: what is told of it is so.
+    #[test]
+    fn errors_are_what_they_are(
+        error in 1u32..1_000_000, places in 1i64..40, below in any::<bool>(), extra in 0usize..8,
+    ) {
+        let (arch, state) = semicircle();
+        let truth = state.thickness.decimal.value.to_rational();
+        let step = Rational::from(error) * power_of_ten(-6 - places);
+        let moved = if below { truth.clone() - &step } else { truth.clone() + &step };
+        // Written with a few digits more than the error needs.
+        let written = couplet::number::Rounded::from_rational(&moved, places as usize + 7 + extra).unwrap();
+        let text = written.value.to_string();
+        let numbers = vec![(Quantity::Thickness, text.as_str(), false)];
+        let claim = Claim::read(&Said { numbers, ..Said::default() }).unwrap();
+        let found = judge(&arch, &claim, USUAL);
+        let thickness = &found.numbers[0];
+        let claimed = written.value.to_rational();
+        let size = Rational::from(&claimed - &truth).abs();
+        let errors = thickness.errors.as_ref().unwrap();
+        let near = |shown: &Decimal, exact: Rational| {
+            let slack = exact.clone() / 199u32;
+            (shown.to_rational() - exact).abs() <= slack
+        };
+        prop_assert!(near(&errors.absolute, size.clone()));
+        prop_assert!(near(errors.relative.as_ref().unwrap(), size.clone() / &truth));
+        prop_assert!(near(&errors.units, size.clone() * power_of_ten(-written.value.exponent())));
+        // 0.122 is in [2^-4, 2^-3), where doubles are 2^-56 apart.
+        prop_assert!(near(errors.ulp.as_ref().unwrap(), size.clone() << 56u32));
+        let CorrectDigits::Digits(digits) = thickness.correct_digits else { panic!() };
+        let within = |k: i64| Rational::from(&size * 2u32) <= power_of_ten(-k);
+        let rounded = size <= power_of_ten(written.value.exponent()) / 2u32;
+        prop_assert_eq!(thickness.is_correctly_rounded(), rounded);
+        if !rounded {
+            prop_assert!(digits == 0 || within(digits as i64));
+            prop_assert!(!within(digits as i64 + 1));
+        }
+        prop_assert_eq!(thickness.order.unwrap() == std::cmp::Ordering::Less, claimed < truth);
+    }
+
+    /// Every mode but the certified one is wrong.
+    #[test]
+    fn another_mode_is_wrong(place in 0usize..7) {
+        let (arch, state) = semicircle();
+        let mode = Mode::ALL[place];
+        let text = state.thickness.decimal.value.to_string();
+        let numbers = vec![(Quantity::Thickness, text.as_str(), false)];
+        let said = Said { mode: Some(mode.label()), numbers, ..Said::default() };
+        let found = judge(&arch, &Claim::read(&said).unwrap(), USUAL);
+        prop_assert_eq!(found.verdict == Verdict::WrongMode, mode != state.mode);
+        prop_assert_eq!(found.verdict == Verdict::CorrectlyRounded, mode == state.mode);
+    }
+}

@@ -1,0 +1,118 @@
+//! What a file may hold: any inputs, units and rows, good and bad ones.
+
+use super::{rows, verdicts};
+use crate::arches::{H, M, number};
+use couplet::certify::state::{Answer, Certify};
+use couplet::number::ExactNumber;
+use couplet::problem::{Arch, Friction};
+use rug::Rational;
+
+/// A program in double precision computes with the double next to 0.1, which is more than 0.1.
+#[test]
+fn inputs_are_exact_or_doubles() {
+    let thickness = |half_opening: ExactNumber, friction: ExactNumber| {
+        let friction = Friction::Coefficient(friction);
+        let arch = Arch::new(M, half_opening, friction).unwrap();
+        match arch.certify(25) {
+            Ok(Answer::Stands(state)) => state.thickness.decimal.value.to_string(),
+            other => panic!("{other:?}"),
+        }
+    };
+    let double = |x: f64| ExactNumber::from(&Rational::from_f64(x).unwrap());
+    let table = [
+        ("0.1", thickness(number("0.1"), number("0.7")), thickness(double(0.1), double(0.7))),
+        (
+            "50.1deg",
+            thickness(number("50.1").degrees(), number("0.7")),
+            thickness(double(double(50.1).degrees().nearest_double().unwrap()), double(0.7)),
+        ),
+    ];
+    for (half_opening, exact, doubles) in table {
+        for (inputs, right) in [("exact", &exact), ("double", &doubles)] {
+            let input = format!(
+                "half_opening,friction,thickness\n{half_opening},0.7,{exact}\n{half_opening},0.7,{doubles}\n"
+            );
+            let arguments = ["--weight", "milankovitch", "--inputs", inputs];
+            let (_, rows) = rows(&arguments, input);
+            let found = rows.iter().find(|row| row["verdict"] == "correctly rounded").unwrap();
+            assert_eq!(found["numbers"]["thickness"]["claimed"], **right);
+            assert_eq!(verdicts(&rows).iter().filter(|v| **v == "correctly rounded").count(), 1);
+        }
+    }
+}
+
+#[test]
+fn angles_may_be_in_degrees() {
+    let input = "a,phi,joint\n80,30,52.9\n80deg,30,0.9233\n";
+    let columns = "a=half_opening:deg,phi=friction_angle:deg,joint=rotation_joint:deg";
+    let (_, rows) = rows(&["--weight", "heyman", "--columns", columns], input);
+    let value = rows[0]["numbers"]["rotation_joint"]["value"].as_str().unwrap();
+    let arch = Arch::new(H, number("80").degrees(), Friction::Infinite).unwrap();
+    let Ok(Answer::Stands(state)) = arch.certify(20) else { panic!() };
+    let degrees = state.rotation_joint.double.to_degrees();
+    approx::assert_relative_eq!(value.parse::<f64>().unwrap(), degrees, max_relative = 1e-14);
+    assert_eq!(
+        (&rows[0]["half_opening"], &rows[0]["friction"]),
+        (&"80deg".into(), &"tan(30deg)".into())
+    );
+    assert_eq!(rows[1]["half_opening"], "80deg", "not twice");
+    assert_eq!(rows[1]["verdict"], "inaccurate", "radians where degrees were named");
+}
+
+#[test]
+fn bad_rows_do_not_stop_the_others() {
+    let long = format!("0.{}", "1".repeat(20_001));
+    let mut input: Vec<u8> = b"\xEF\xBB\xBFhalf_opening , friction,thickness\r\n".to_vec();
+    let bad: [&[u8]; 17] = [
+        b"1,1,\xFF\xFE",
+        b"1,1",
+        b"1,1,1,1",
+        b"nan,1,1",
+        b"1,NaN,1",
+        b",1,1",
+        b"1,,1",
+        b"1,1,1e-999999999",
+        b"1,1,1e999999999999999999999999",
+        b"1,1,1e5001",
+        b"1e400,1,1",
+        b"1e-999999999,1,1",
+        b"1,1e1000000,1",
+        b"1,1,\"0,1\"",
+        b"1,1,0x1p-3",
+        b"0,1,1",
+        long.as_bytes(),
+    ];
+    for row in bad {
+        input.extend(row);
+        input.extend(b"\r\n\"1\",\"0.5\",\"1e-9\"\r\n");
+    }
+    input.extend(b"1,1,1e3000\n1,1,1e-5000\n1,1,-1\n1,\"0.5\",0.02");
+    let (code, rows) = rows(&["--weight", "heyman"], &input);
+    assert_eq!(code, Some(2));
+    assert_eq!(rows.len(), 2 * bad.len() + 4);
+    for (index, row) in rows.iter().take(2 * bad.len()).enumerate() {
+        assert_eq!(row["line"], index + 2);
+        let verdict = if index % 2 == 0 { "bad row" } else { "thinner than the least thickness" };
+        assert_eq!(row["verdict"], verdict, "{row}");
+        assert!(index % 2 == 1 || !row["reason"].as_str().unwrap().is_empty());
+    }
+    let last = &verdicts(&rows)[2 * bad.len()..];
+    let thicker = "thicker than the least thickness";
+    let thinner = "thinner than the least thickness";
+    assert_eq!(last, [thicker, thinner, thinner, "correctly rounded"]);
+}
+
+#[test]
+fn json_lines_are_read_as_they_are_written() {
+    let input = "\u{FEFF}{\"a\":1,\"b\":0.5,\"t\":null}\n\n{\"a\":1,\"b\":0.50,\"t\":1.9e-2,\"u\":[]}\n\
+        {\"a\":1,\"b\":0.5}\n{\"a\":1,\"a\":2}\n[1]\n{\"a\":{},\"b\":1,\"t\":1}\n{\"a\":1,\"b\":1,\"t\":\"\\ud800\"}\nx\n";
+    let columns = "a=half_opening,b=friction,t=thickness";
+    let (code, rows) = rows(&["--weight", "heyman", "--columns", columns], input);
+    assert_eq!(code, Some(2));
+    let falls = "claims that an arch falls which stands";
+    let bad = "bad row";
+    assert_eq!(verdicts(&rows), [falls, "correctly rounded", "no claim", bad, bad, bad, bad, bad]);
+    let lines: Vec<_> = rows.iter().map(|row| row["line"].as_u64().unwrap()).collect();
+    assert_eq!(lines, [1, 3, 4, 5, 6, 7, 8, 9]);
+    assert_eq!(rows[1]["numbers"]["thickness"]["claimed"], "1.9e-2");
+}

@@ -1,0 +1,123 @@
+//! Results from the literature and our own, right and with a wrong last digit.
+
+use super::{rows, verdicts};
+use crate::program::{fed, text};
+use couplet::number::Decimal;
+use couplet::problem::Mode;
+use couplet::problem::Quantity;
+
+/// Cocchetti & Rizzi, Frattura ed Integrità Strutturale 51 (2020): the Heyman-like semicircle.
+const LITERATURE: &str = "alpha,mu,t_over_r,mode\n\
+    90,0.5,0.107426,rrr\n90,0.39,0.112750,srr\n90,0.38,0.122192,srr\n90,0.37,0.132031,srr\n\
+    90,0.36,0.142273,srr\n90,0.35,0.152920,srr\n90,0.34,0.163977,srr\n90,0.33,0.175448,srr\n\
+    90,0.32,0.187338,srr\n90,0.31,0.199653,srr\n90,0.309,,\n";
+const THEIRS: &str = "alpha=half_opening:deg,mu=friction,t_over_r=thickness,mode";
+
+#[test]
+fn the_literature_is_right() {
+    let arguments = ["--weight", "heyman", "--columns", THEIRS];
+    let (code, rows) = rows(&arguments, LITERATURE);
+    assert_eq!(code, Some(0));
+    assert_eq!(rows.len(), 11);
+    assert!(verdicts(&rows[..10]).iter().all(|verdict| *verdict == "correctly rounded"));
+    assert_eq!((&rows[10]["verdict"], &rows[10]["reason"]), (&"correct".into(), &"sliding".into()));
+    let first = &rows[0]["numbers"]["thickness"];
+    assert_eq!(
+        (&first["value"], &first["error"]),
+        (&"0.10742645275542448".into(), &"0.000000453".into())
+    );
+    assert_eq!((&first["error_units"], &first["correct_digits"]), (&"0.453".into(), &"6".into()));
+    assert_eq!(rows[0]["side"], "thinner");
+    let table = fed(&[&["judge", "-"], &arguments[..]].concat(), LITERATURE.as_bytes());
+    let table = text(&table.stdout);
+    assert!(table.starts_with("11 rows: 11 accepted"), "{table}");
+    assert!(
+        table.contains(
+            "thickness                  10        10         0         0         0       6"
+        ),
+        "{table}"
+    );
+}
+
+fn queries() -> String {
+    let mut text = String::from("weight,half_opening,friction\n");
+    // The rarer modes.
+    for arch in ["2.45,1.35", "2.533,1.545", "2.57,1.75", "2.62,inf"] {
+        text += &format!("milankovitch,{arch}\n");
+    }
+    for weight in ["heyman", "milankovitch"] {
+        for i in (1..=60).step_by(2) {
+            for friction in ["0.2", "1/3", "0.7", "1.3", "1.6", "40"] {
+                text += &format!("{weight},{i}/23,{friction}\n");
+            }
+            text += &format!("{weight},{i}e-30,{i}e-80\n{weight},{}deg,inf\n", i * 3 - 1);
+        }
+    }
+    text
+}
+
+#[test]
+fn our_own_states_are_right() {
+    for (digits, format) in
+        [("1", "csv"), ("6", "csv"), ("17", "csv"), ("17", "jsonl"), ("40", "csv")]
+    {
+        let states = fed(&["states", "--digits", digits, "--format", format], queries().as_bytes());
+        assert_eq!(states.status.code(), Some(0));
+        let (code, rows) = rows(&["--accept", digits], &states.stdout);
+        assert_eq!((code, rows.len()), (Some(0), 484), "{digits} {format}");
+        let wrong = rows.iter().find(|row| {
+            row["verdict"] != if row["stands"] == true { "correctly rounded" } else { "correct" }
+        });
+        assert_eq!(wrong, None, "{digits} {format}");
+        let count = |mode: &str| rows.iter().filter(|row| row["mode"] == *mode).count();
+        let met = Mode::ALL.into_iter().filter(|mode| count(mode.label()) > 0);
+        assert_eq!(met.count(), 6, "all but [s,s], in which nothing stands");
+        let falls = rows.iter().filter(|row| row["stands"] == false).count();
+        assert!(falls > 50 && rows.len() - falls > 100);
+    }
+}
+
+/// The same columns with the last digit of each number moved by one: none is the correct rounding.
+#[test]
+fn a_wrong_last_digit_is_seen_everywhere() {
+    let states = fed(&["states", "--digits", "12"], queries().as_bytes());
+    let mut reader = csv::Reader::from_reader(&states.stdout[..]);
+    let header = reader.headers().unwrap().clone();
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(&header).unwrap();
+    for record in reader.records() {
+        let record = record.unwrap();
+        let moved = header.iter().zip(&record).map(|(name, field)| {
+            let is_number = Quantity::STATE.iter().any(|m| m.name() == name);
+            // Exact values end early, and a hundredth is then no small change.
+            let full = field.parse::<Decimal>().is_ok_and(|x| x.significant_digits() == 12);
+            let (mantissa, exponent) = field.split_at(field.find('e').unwrap_or(field.len()));
+            match mantissa.chars().last().and_then(|c| c.to_digit(10)) {
+                Some(digit) if is_number && full => {
+                    let other = if digit == 9 { 8 } else { digit + 1 };
+                    format!("{}{other}{exponent}", &mantissa[..mantissa.len() - 1])
+                }
+                _ => field.to_owned(),
+            }
+        });
+        writer.write_record(moved).unwrap();
+    }
+    let (code, rows) = rows(&[], writer.into_inner().unwrap());
+    assert_eq!(code, Some(0), "three digits are still right");
+    let mut seen = 0;
+    for number in rows.iter().flat_map(|row| row["numbers"].as_object().unwrap().values()) {
+        if number["claimed"]
+            .as_str()
+            .unwrap()
+            .parse::<Decimal>()
+            .is_ok_and(|x| x.significant_digits() == 12)
+        {
+            assert!(number["rounding"] == "faithful" || number["rounding"] == "wrong", "{number}");
+            let digits: usize = number["correct_digits"].as_str().unwrap().parse().unwrap();
+            assert!((10..=12).contains(&digits), "{number}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 1500, "{seen}");
+    assert!(verdicts(&rows).iter().all(|verdict| *verdict == "correct"));
+}

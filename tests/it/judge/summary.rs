@@ -1,0 +1,72 @@
+//! What is said of all rows, and of rows without end.
+
+use super::rows;
+use crate::program::{Scratch, couplet, start, text};
+use serde_json::Value;
+use std::io::{BufRead, BufReader, Write};
+
+/// What is written does not wait for the end of the file.
+#[test]
+fn a_file_without_end_is_judged_as_it_comes() {
+    let mut child = start(&["judge", "-", "--weight", "heyman", "--format", "csv", "--worst", "0"]);
+    let mut stdin = child.stdin.take().unwrap();
+    let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
+    let rows = "1,0.5,0.0211\n".repeat(6000);
+    stdin.write_all(b"half_opening,friction,thickness\n").unwrap();
+    stdin.write_all(rows.as_bytes()).unwrap();
+    stdin.flush().unwrap();
+    let first: Vec<String> = lines.by_ref().take(2000).map(Result::unwrap).collect();
+    assert!(first[0].starts_with("line,weight,") && first[1999].starts_with("2000,heyman,1,0.5,"));
+    // The reader goes away while the file still grows: that is no failure.
+    drop(lines);
+    let _ = stdin.write_all(rows.as_bytes());
+    drop(stdin);
+    let output = child.wait_with_output().unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!((output.status.code(), message.as_str()), (Some(0), ""));
+}
+
+#[test]
+fn a_summary_keeps_the_worst_and_counts_all() {
+    let mut input = String::from("half_opening,friction,thickness\n");
+    for i in 0..3000 {
+        input += &format!("pi/2,0.38,0.12219{:04}\n", i % 1000);
+    }
+    input += "pi/2,0.38,0.121\npi/2,0.38,0.100\npi/2,0.3,0.1\npi/2,0.38,0.9\n";
+    let scratch = Scratch::new();
+    scratch.write("in.csv", &input);
+    let (file, found) = (scratch.path("in.csv"), scratch.path("out.json"));
+    let demand = ["--weight", "heyman", "--format", "json", "--worst", "4", "-o", &found];
+    let output = couplet(&[&["judge", &file][..], &demand].concat());
+    assert_eq!(output.status.code(), Some(1));
+    assert_eq!(text(&output.stderr), "couplet: 4 of 3004 rows are not accepted\n");
+    let found: Value = serde_json::from_str(&scratch.read("out.json")).unwrap();
+    assert_eq!((&found["schema"], &found["rows"]), (&"couplet.judge/1".into(), &3004.into()));
+    assert_eq!(found["accepted"], 3000);
+    let lines: Vec<_> =
+        found["worst"].as_array().unwrap().iter().map(|r| r["line"].as_u64().unwrap()).collect();
+    // It cannot stand; too thin, with fewer digits first; too thick.
+    assert_eq!(lines, [3004, 3003, 3002, 3005]);
+    let bars = found["correct_digits"].as_array().unwrap();
+    let rows: u64 = bars.iter().map(|bar| bar["rows"].as_u64().unwrap()).sum();
+    assert_eq!(rows, 3003, "all but the one without a number");
+    let counted: u64 =
+        found["verdicts"].as_object().unwrap().values().map(|v| v.as_u64().unwrap()).sum();
+    assert_eq!(counted, 3004);
+    assert_eq!(found["numbers"]["thickness"]["judged"], 3003);
+}
+
+#[test]
+fn accept_asks_for_digits() {
+    let input = "half_opening,friction,thickness\npi/2,0.38,0.12\npi/2,0.38,0.12219158\n";
+    let asked = |digits: &[&str]| {
+        let (code, rows) = rows(&[&["--weight", "heyman"], digits].concat(), input);
+        let accepted: Vec<bool> = rows.iter().map(|r| r["accepted"].as_bool().unwrap()).collect();
+        (code, accepted)
+    };
+    assert_eq!(asked(&[]), (Some(0), vec![true, true]), "two digits, correctly rounded");
+    assert_eq!(asked(&["--accept", "2"]), (Some(0), vec![true, true]));
+    assert_eq!(asked(&["--accept", "3"]), (Some(1), vec![false, true]));
+    assert_eq!(asked(&["--accept", "7"]), (Some(1), vec![false, true]));
+    assert_eq!(asked(&["--accept", "8"]), (Some(1), vec![false, false]));
+}

@@ -1,0 +1,146 @@
+//! What an enclosure promises: results hold those of higher precision, of numbers inside, of the other
+//! arithmetic.
+
+use super::sample::Sample;
+use crate::hard::{config, hard_rational};
+use couplet::number::{AstroInterval, Ball, Dual, Enclosure, Field, Magnitude, Real, Ternary};
+use proptest::prelude::*;
+use rug::{Float, Rational};
+
+/// All elementary results of two exact arguments, in one enclosure type.
+fn results<E: Enclosure>(x: &E, y: &E) -> Vec<E> {
+    let (sin, cos) = x.sin_cos();
+    let size = x.square();
+    vec![
+        x.clone() + y,
+        x.clone() - y,
+        x.clone() * y,
+        x.clone() / y,
+        x.square(),
+        size.sqrt(),
+        sin,
+        cos,
+        x.pi(),
+        -y.clone(),
+    ]
+}
+
+/// Mantissa and exponent apart, so that sizes far from one and cancellation are met.
+fn any_float(bits: u32) -> impl Strategy<Value = Float> {
+    let special = prop_oneof![Just(0u64), Just(1), Just(u64::MAX), Just(1 << 63), any::<u64>()];
+    (special, any::<u64>(), -200i32..60, any::<bool>()).prop_map(
+        move |(high, low, shift, minus)| {
+            let mut x = Float::with_val(bits.max(128), high) << 64;
+            x += low;
+            x >>= 128;
+            let x = Float::with_val(bits, x) << shift;
+            if minus { -x } else { x }
+        },
+    )
+}
+
+proptest! {
+    #![proptest_config(config(400))]
+
+    /// The contract: results at a low precision hold those at a much higher one.
+    #[test]
+    fn a_ball_holds_the_result_at_higher_precision(x in any_float(128), y in any_float(128), prec in 2u32..300) {
+        let make = |prec| (Ball::exact(x.clone(), prec), Ball::exact(y.clone(), prec));
+        let ((a, b), (c, d)) = (make(prec), make(2000));
+        for (index, (coarse, fine)) in results(&a, &b).iter().zip(results(&c, &d)).enumerate() {
+            prop_assert!(coarse.lower() <= fine.upper() && fine.lower() <= coarse.upper(), "{index} {x} {y}");
+            // Much finer, so that overlapping means holding: the finer ball sticks out by a hair at most.
+            let hair = Float::with_val(2100, fine.upper() - fine.lower());
+            prop_assert!(coarse.lower() <= Float::with_val(2100, fine.lower() + &hair));
+            prop_assert!(coarse.upper() >= Float::with_val(2100, fine.upper() - &hair));
+        }
+    }
+
+    /// Two arithmetics that share nothing agree.
+    #[test]
+    fn both_arithmetics_overlap(x in any_float(128), y in any_float(128), words in 1usize..12) {
+        let prec = 64 * words;
+        let (a, b) = (Ball::exact(x.clone(), prec as u32), Ball::exact(y.clone(), prec as u32));
+        let (c, d) = (AstroInterval::between(&x, &x, prec), AstroInterval::between(&y, &y, prec));
+        for (index, (ball, interval)) in results(&a, &b).iter().zip(results(&c, &d)).enumerate() {
+            let Some((low, high)) = interval.ends() else {
+                prop_assert!(!ball.is_bounded(), "{index} {x} {y}");
+                continue;
+            };
+            prop_assert!(ball.lower() <= high && low <= ball.upper(), "{index} {x} {y}: {ball:?} {low} {high}");
+        }
+    }
+
+    /// Wide arguments: the image of every number inside lies in the image of the ball.
+    #[test]
+    fn a_wide_ball_holds_the_image_of_its_numbers(
+        x in any_float(64), y in any_float(64), wide in -100i64..8, inside in -1.0f64..=1.0, along in -1.0f64..=1.0,
+    ) {
+        let (a, b) = (
+            Ball::new(x.clone(), Magnitude::power_of_two(wide), 100),
+            Ball::new(y.clone(), Magnitude::power_of_two(wide - 3), 100),
+        );
+        let moved = |x: &Float, part: f64, shift: i64| {
+            let offset = Float::with_val(600, part) << shift as i32;
+            Ball::exact(Float::with_val(600, x + &offset), 2000)
+        };
+        let (p, q) = (moved(&x, inside, wide), moved(&y, along, wide - 3));
+        for (index, (image, point)) in results(&a, &b).iter().zip(results(&p, &q)).enumerate() {
+            let outside = image.is_bounded() && point.is_bounded()
+                && (image.upper() < point.lower() || point.upper() < image.lower());
+            prop_assert!(!outside, "{index} {x} {y}: {image:?} does not hold {point:?}");
+        }
+    }
+
+    #[test]
+    fn decided_comparisons_are_true(x in hard_rational(), y in hard_rational()) {
+        let ball = Ball::enclosing(&x, 80).is_less_than(&Ball::enclosing(&y, 80));
+        let astro = AstroInterval::enclosing(&x, 64).is_less_than(&AstroInterval::enclosing(&y, 64));
+        for answer in [ball, astro] {
+            match answer {
+                Ternary::True => prop_assert!(x < y),
+                Ternary::False => prop_assert!(x >= y),
+                Ternary::Undecided => {}
+            }
+        }
+    }
+
+    #[test]
+    fn aliasing_makes_no_difference(x in hard_rational()) {
+        let a = Ball::sample(&x);
+        prop_assert!((a.clone() - &a).contains(&Rational::new()));
+        prop_assert!((a.clone() * &a).contains(&Rational::from(x.square_ref())));
+        if x != 0 {
+            prop_assert!((a.clone() / &a).contains(&Rational::from(1)));
+        }
+    }
+}
+
+#[test]
+fn a_double_lies_within_its_ball_widened_by_its_own_error() {
+    for tenth in 1..300 {
+        let x = f64::from(tenth) / 10.0;
+        let (sin, cos) = Ball::exact(Float::with_val(53, x), 120).sin_cos();
+        for (double, ball) in [(x.sin(), sin), (x.cos(), cos)] {
+            let slack = Magnitude::power_of_two(-52);
+            let exact = Float::with_val(53, double).to_rational().unwrap();
+            assert!(ball.widened(slack).contains(&exact), "{x}");
+        }
+    }
+}
+
+#[test]
+fn a_divisor_that_holds_zero_gives_the_whole_line() {
+    let zero = Ball::new(Float::with_val(64, 0), Magnitude::power_of_two(-200), 64);
+    assert!(!(Ball::integer(1, 64) / &zero).is_bounded());
+    assert!(!(Dual::variable(zero.int(1), 0) / Dual::constant(zero)).derivative(0).is_bounded());
+}
+
+#[test]
+fn a_huge_argument_of_sine_is_refused_quickly() {
+    let x: Float = Float::with_val(64, 1) << 500_000_000;
+    let ball = Ball::exact(x.clone(), 64).sin_cos();
+    let interval = AstroInterval::between(&x, &x, 64).sin_cos();
+    assert!(ball.0.contains(&Rational::from(1)) && ball.0.contains(&Rational::from(-1)));
+    assert_eq!(interval.0.ends().unwrap().0, -1);
+}

@@ -1,0 +1,117 @@
+//! The rooms of the house: a room uses itself and the rooms above it, no files go in circles, and the
+//! equations stay pure.
+
+mod circles;
+mod names;
+mod purity;
+mod scattered;
+mod source;
+
+use names::paths_in;
+use source::tokens;
+pub use source::{code, root, sources};
+use std::collections::BTreeSet;
+use std::fmt::Debug;
+use std::fs;
+
+/// From the top: what a room may use stands before it.
+pub const ROOMS: [&str; 14] = [
+    "number",
+    "symbolic",
+    "arch",
+    "problem",
+    "check",
+    "solve",
+    "certify",
+    "judge",
+    "claims",
+    "study",
+    "strategies",
+    "report",
+    "scene",
+    "cli",
+];
+
+/// What is found is what is known: nothing more, and nothing less, so that no exception outlives its reason.
+fn nothing_else<T: Ord + Debug>(found: BTreeSet<T>, known: BTreeSet<T>, what: &str) {
+    let new: Vec<_> = found.difference(&known).collect();
+    assert!(new.is_empty(), "{what}: {new:#?}");
+    let gone: Vec<_> = known.difference(&found).collect();
+    assert!(gone.is_empty(), "no longer {what}, so strike out of the list: {gone:#?}");
+}
+
+/// The rooms that a code names as `crate::room`.
+pub fn rooms_used(code: &str) -> Vec<String> {
+    let paths = paths_in(code).into_iter().filter(|path| path[0] == "crate");
+    let rooms = paths.filter_map(|path| path.into_iter().nth(1));
+    rooms.filter(|name| ROOMS.contains(&name.as_str())).collect()
+}
+
+#[test]
+fn a_room_uses_only_rooms_above_it() {
+    assert_eq!(rooms_used("use crate::solve::x; crate::nothing"), ["solve"], "the test sees");
+    assert_eq!(rooms_used("use crate::{cli, study::{a, b}}; crate::arch::c()").len(), 4);
+    for (level, room) in ROOMS.iter().enumerate() {
+        for path in sources(&root().join(room)) {
+            for used in rooms_used(&code(&path)) {
+                let allowed = ROOMS[..=level].contains(&used.as_str());
+                assert!(allowed, "{} uses {used}, which is below {room}", path.display());
+            }
+        }
+    }
+}
+
+#[test]
+fn every_file_is_in_a_room() {
+    for entry in fs::read_dir(root()).unwrap() {
+        let name = entry.unwrap().file_name().into_string().unwrap();
+        let known =
+            ROOMS.contains(&name.as_str()) || ["lib.rs", "main.rs"].contains(&name.as_str());
+        assert!(known, "src/{name} is in no room");
+    }
+}
+
+#[test]
+fn the_solver_proves_nothing() {
+    for path in sources(&root().join("solve")) {
+        assert!(!code(&path).contains("Certified"), "{}", path.display());
+    }
+}
+
+/// How often a value of a type is made by its fields, in the file of the type: by its name anywhere, and as
+/// `Self` in its own `impl` blocks.
+fn constructions(code: &str, of: &str) -> usize {
+    let made = |code: &str, name: &str| {
+        let literal = |words: &&[&str]| {
+            // Behind these words the brace begins a declaration or a body.
+            let is_other = ["struct", "impl", "for", "->", "&"].contains(&words[0]);
+            words[1..] == [name, "{"] && !is_other
+        };
+        tokens(code).windows(3).filter(literal).count()
+    };
+    let head = format!("\nimpl {of} {{");
+    let blocks = code.split(&head).skip(1);
+    let of_itself = blocks.map(|block| made(block.split("\n}").next().unwrap(), "Self"));
+    made(code, of) + of_itself.sum::<usize>()
+}
+
+/// What is certified is made in one place, by the proof: its fields are private to its file, and there it
+/// is made once.
+#[test]
+fn the_proof_is_the_only_constructor() {
+    let twice = "struct A {\n}\nimpl A {\nfn b() -> Self { Self { c } }\n}\nfn d() -> A { A { c } }\n\
+                 impl B {\nfn e() -> Self { Self {} }\n}";
+    assert_eq!(constructions(twice, "A"), 2, "the test sees");
+    let certify = sources(&root().join("certify"));
+    let mut files = certify.iter().map(|path| code(path));
+    let code = files.find(|code| code.contains("pub struct CertifiedLandmark {")).unwrap();
+    let fields = code.split("pub struct CertifiedLandmark {").nth(1).unwrap();
+    assert!(!fields.split('}').next().unwrap().contains("pub"), "{fields}");
+    assert_eq!(constructions(&code, "CertifiedLandmark"), 1);
+}
+
+#[test]
+fn the_program_is_thin() {
+    let lines = fs::read_to_string(root().join("main.rs")).unwrap().lines().count();
+    assert!(lines < 60, "main.rs has {lines} lines");
+}

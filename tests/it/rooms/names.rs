@@ -1,0 +1,230 @@
+//! What each file declares, imports and names, and the file that a name stands for.
+
+use super::source::{bare, root, sources, tokens};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+
+/// `certify::state` as its parts; the front of a folder has the name of the folder.
+pub type Module = Vec<String>;
+
+/// A path by the names in it.
+pub type Names = Vec<String>;
+
+/// What stands in a file.
+#[derive(Debug, Default)]
+pub struct File {
+    /// Its place below `src`.
+    pub place: String,
+    /// The modules that it declares, each in a file of its own.
+    children: BTreeSet<String>,
+    /// Everything else that it declares.
+    items: BTreeSet<String>,
+    /// What it imports: the path, the name that it gets here (`*` for all), and whether others see it.
+    imports: Vec<(Names, String, bool)>,
+    /// The paths in its code.
+    paths: Vec<Names>,
+    /// The headers of its `impl` blocks.
+    pub impls: Vec<Names>,
+}
+
+/// All files of a crate.
+pub struct Tree(BTreeMap<Module, File>);
+
+impl Tree {
+    /// The crate itself.
+    pub fn of_the_crate() -> Self {
+        let text = |path| (fs::read_to_string(&path).unwrap(), path);
+        let texts = sources(&root()).into_iter().map(text).map(|(text, path)| {
+            (path.strip_prefix(root()).unwrap().to_str().unwrap().to_owned(), text)
+        });
+        Self::new(texts)
+    }
+
+    /// A crate of these files: the place below `src` and the text.
+    pub fn new<P: Into<String>, T: AsRef<str>>(texts: impl IntoIterator<Item = (P, T)>) -> Self {
+        let file = |(place, text): (P, T)| {
+            let place: String = place.into();
+            let names = place.trim_end_matches(".rs").split('/').map(str::to_owned);
+            let mut module: Module = names.collect();
+            module.pop_if(|last| *last == "mod" || *last == "lib");
+            (module, File { place, ..File::read(&bare(text.as_ref())) })
+        };
+        let mut tree = Self(texts.into_iter().map(file).collect());
+        // What is declared by nobody is compiled for tests only, or is another program.
+        let is_declared = |module: &Module| {
+            let front = module.split_last().map(|(last, front)| (last, tree.0.get(front)));
+            front.is_none_or(|(last, front)| front.is_some_and(|f| f.children.contains(last)))
+        };
+        let declared: BTreeSet<Module> =
+            tree.0.keys().filter(|m| is_declared(m)).cloned().collect();
+        tree.0.retain(|module, _| declared.contains(module));
+        tree
+    }
+
+    pub fn files(&self) -> impl Iterator<Item = (&Module, &File)> {
+        self.0.iter()
+    }
+
+    pub fn place(&self, module: &[String]) -> &str {
+        &self.0[module].place
+    }
+
+    /// The files whose items a file names, itself among them. What it hands on is not named.
+    pub fn used_by(&self, module: &Module) -> BTreeSet<Module> {
+        let file = &self.0[module];
+        let imported = file.imports.iter().filter(|(_, name, public)| !public && name != "*");
+        let paths = imported.map(|(path, ..)| path).chain(&file.paths);
+        paths.filter_map(|path| self.owner(module, path)).collect()
+    }
+
+    /// The file of the item that a path stands for, seen from a file.
+    pub fn owner(&self, from: &Module, path: &[String]) -> Option<Module> {
+        match self.resolve(from.clone(), path, &mut BTreeSet::new())? {
+            Meant::Item(module) => Some(module),
+            Meant::Module(_) => None,
+        }
+    }
+
+    fn resolve(
+        &self,
+        mut from: Module,
+        path: &[String],
+        seen: &mut BTreeSet<(Module, Names)>,
+    ) -> Option<Meant> {
+        let Some((first, rest)) = path.split_first() else { return Some(Meant::Module(from)) };
+        if !seen.insert((from.clone(), path.to_vec())) {
+            return None;
+        }
+        let file = self.0.get(&from)?;
+        match first.as_str() {
+            "crate" => return self.resolve(Vec::new(), rest, seen),
+            "self" => return self.resolve(from, rest, seen),
+            "super" => {
+                from.pop()?;
+                return self.resolve(from, rest, seen);
+            }
+            name if file.children.contains(name) => {
+                from.push(name.to_owned());
+                return self.resolve(from, rest, seen);
+            }
+            name if file.items.contains(name) => return Some(Meant::Item(from)),
+            _ => {}
+        }
+        file.imports.iter().find_map(|(import, name, _)| match name.as_str() {
+            "*" => match self.resolve(from.clone(), import, seen)? {
+                Meant::Module(module) if module != from => self.resolve(module, path, seen),
+                _ => None,
+            },
+            name if name == first => self.resolve(from.clone(), &[import, rest].concat(), seen),
+            _ => None,
+        })
+    }
+}
+
+/// All paths that a code names or imports.
+pub fn paths_in(code: &str) -> Vec<Names> {
+    let File { imports, mut paths, .. } = File::read(code);
+    paths.extend(imports.into_iter().map(|(path, ..)| path));
+    paths
+}
+
+enum Meant {
+    Module(Module),
+    Item(Module),
+}
+
+impl File {
+    fn read(code: &str) -> Self {
+        let tokens = tokens(code);
+        let (mut file, mut depth, mut public, mut at) = (Self::default(), 0, false, 0);
+        while at < tokens.len() {
+            let next = tokens.get(at + 1).copied().unwrap_or_default();
+            match tokens[at] {
+                "{" => depth += 1,
+                "}" => depth -= 1,
+                "pub" => {
+                    // With what stands in parentheses behind it.
+                    let close = |end| tokens[at..].iter().position(|t| *t == end).unwrap();
+                    at += if next == "(" { close(")") + 1 } else { 1 };
+                    public = true;
+                    continue;
+                }
+                "use" => {
+                    at = file.import(&tokens, at + 1, &[], public);
+                    public = false;
+                    continue;
+                }
+                "mod" if depth == 0 && tokens.get(at + 2) == Some(&";") => {
+                    file.children.insert(next.to_owned());
+                }
+                "fn" | "struct" | "enum" | "trait" | "type" | "const" | "static" if depth == 0 => {
+                    file.items.insert(next.to_owned());
+                }
+                // An item, not `impl Trait` in a signature.
+                "impl" if at == 0 || ["}", ";", "]"].contains(&tokens[at - 1]) => {
+                    let header = tokens[at + 1..].iter().take_while(|token| **token != "{");
+                    file.impls.push(header.map(|token| (*token).to_owned()).collect());
+                }
+                word if is_name(word) && (at == 0 || !["::", "."].contains(&tokens[at - 1])) => {
+                    file.paths.push(path(&tokens[at..]));
+                }
+                _ => {}
+            }
+            public = false;
+            at += 1;
+        }
+        file
+    }
+
+    /// Reads what comes after `use` or, in braces, after a path; returns where it ends.
+    fn import(&mut self, tokens: &[&str], mut at: usize, before: &[String], public: bool) -> usize {
+        let mut path = before.to_vec();
+        loop {
+            match tokens[at] {
+                "{" => {
+                    while tokens[at] != "}" {
+                        // Behind the brace or a comma.
+                        at += 1;
+                        if tokens[at] != "}" {
+                            at = self.import(tokens, at, &path, public);
+                        }
+                    }
+                    return at + 1;
+                }
+                "*" => {
+                    self.imports.push((path, "*".to_owned(), public));
+                    return at + 1;
+                }
+                "::" => {}
+                "as" => {
+                    self.imports.push((path, tokens[at + 1].to_owned(), public));
+                    return at + 2;
+                }
+                "," | ";" | "}" => {
+                    path.pop_if(|last| last == "self");
+                    let name = path.last().cloned().unwrap_or_default();
+                    self.imports.push((path, name, public));
+                    return at;
+                }
+                name => path.push(name.to_owned()),
+            }
+            at += 1;
+        }
+    }
+}
+
+pub fn is_name(token: &str) -> bool {
+    token.starts_with(|c: char| c.is_alphabetic() || c == '_')
+}
+
+/// The path that tokens begin with.
+pub fn path<T: AsRef<str>>(tokens: &[T]) -> Names {
+    let mut names = vec![tokens[0].as_ref().to_owned()];
+    for pair in tokens[1..].chunks_exact(2) {
+        match [pair[0].as_ref(), pair[1].as_ref()] {
+            ["::", name] if is_name(name) => names.push(name.to_owned()),
+            _ => break,
+        }
+    }
+    names
+}

@@ -1,0 +1,144 @@
+//! The source as text: its code without comments, words and tests, and the tokens of that.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+pub fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
+}
+
+/// All files below a folder.
+pub fn sources(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            found.extend(sources(&path));
+        } else if path.extension().is_some_and(|e| e == "rs") {
+            found.push(path);
+        }
+    }
+    found
+}
+
+/// The code of a file.
+pub fn code(path: &Path) -> String {
+    bare(&fs::read_to_string(path).unwrap())
+}
+
+/// A text without comments, what is between quotes, and what is compiled for tests only.
+pub fn bare(text: &str) -> String {
+    without_tests(&without_words(text))
+}
+
+/// Without comments, and with empty quotes.
+fn without_words(text: &str) -> String {
+    let (mut code, mut rest) = (String::new(), text);
+    while let Some(c) = rest.chars().next() {
+        let in_name = code.ends_with(|c: char| c.is_alphanumeric() || c == '_');
+        let (kept, length) = if rest.starts_with("//") {
+            ("", rest.find('\n').unwrap_or(rest.len()))
+        } else if rest.starts_with("/*") {
+            ("", block_comment(rest))
+        } else if let Some(length) = raw_string(rest).filter(|_| !in_name) {
+            ("\"\"", length)
+        } else if c == '"' {
+            ("\"\"", quoted(rest, '"'))
+        } else if c == '\'' && is_character(rest) {
+            ("' '", quoted(rest, '\''))
+        } else {
+            (&rest[..c.len_utf8()], c.len_utf8())
+        };
+        code += kept;
+        rest = &rest[length..];
+    }
+    code
+}
+
+/// The length of a comment, with those in it.
+fn block_comment(text: &str) -> usize {
+    let (mut depth, mut at) = (0, 0);
+    while at < text.len() {
+        let (step, change) = match &text.as_bytes()[at..] {
+            [b'/', b'*', ..] => (2, 1),
+            [b'*', b'/', ..] => (2, -1),
+            _ => (1, 0),
+        };
+        (at, depth) = (at + step, depth + change);
+        if depth == 0 {
+            break;
+        }
+    }
+    at
+}
+
+/// The length of `r"…"` or `r#"…"#`, if the text begins with one.
+fn raw_string(text: &str) -> Option<usize> {
+    let marks = text.strip_prefix("br").or_else(|| text.strip_prefix('r'))?;
+    let inside = marks.trim_start_matches('#');
+    let close = format!("\"{}", &marks[..marks.len() - inside.len()]);
+    let inside = inside.strip_prefix('"')?;
+    Some(text.len() - inside.len() + inside.find(&close)? + close.len())
+}
+
+/// The length of a text in quotes.
+fn quoted(text: &str, quote: char) -> usize {
+    let mut escaped = false;
+    for (at, c) in text.char_indices().skip(1) {
+        match c {
+            _ if escaped => escaped = false,
+            '\\' => escaped = true,
+            c if c == quote => return at + c.len_utf8(),
+            _ => {}
+        }
+    }
+    text.len()
+}
+
+/// Whether a quote begins a character, and not the name of a lifetime.
+fn is_character(text: &str) -> bool {
+    let mut next = text.chars().skip(1);
+    next.next() == Some('\\') || next.next() == Some('\'')
+}
+
+/// Without the items that only tests have.
+fn without_tests(code: &str) -> String {
+    let Some(start) = code.find("#[cfg(test)]").or_else(|| code.find("#[cfg(all(test")) else {
+        return code.to_owned();
+    };
+    let mut depth = 0;
+    let end = code[start..].find(|c| {
+        depth += i32::from(c == '{') - i32::from(c == '}');
+        depth == 0 && (c == '}' || c == ';')
+    });
+    let end = end.map_or(code.len(), |length| start + length + 1);
+    code[..start].to_owned() + &without_tests(&code[end..])
+}
+
+/// The names and signs of a code; a lifetime is one of them.
+pub fn tokens(code: &str) -> Vec<&str> {
+    let (mut tokens, mut rest) = (Vec::new(), code.trim_start());
+    while let Some(c) = rest.chars().next() {
+        let name = |text: &str| {
+            text.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(text.len())
+        };
+        let is_pair = ["::", "->", "=>"].iter().any(|pair| rest.starts_with(pair));
+        let length = match c {
+            '\'' => 1 + name(&rest[1..]),
+            _ if is_pair => 2,
+            _ => name(rest).max(c.len_utf8()),
+        };
+        tokens.push(&rest[..length]);
+        rest = rest[length..].trim_start();
+    }
+    tokens
+}
+
+#[test]
+fn words_and_tests_are_no_code() {
+    let text = "fn a<'b>() { // it's\n \"a \\\" {\" /* /* */ } */ r#\"{\"}\"# '\"' '\\'' }\n\
+                #[cfg(test)]\nmod tests { fn c() { \"}\" } }\n\
+                #[cfg(all(test, feature = \"x\"))]\nuse d;\nfn e() {}";
+    assert_eq!(bare(text), "fn a<'b>() { \n \"\"  \"\" ' ' ' ' }\n\n\nfn e() {}");
+    assert_eq!(tokens("a::b -> &'c D<e>"), ["a", "::", "b", "->", "&", "'c", "D", "<", "e", ">"]);
+}

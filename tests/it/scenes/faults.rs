@@ -1,0 +1,208 @@
+//! Every class of fault has its place, and says what is allowed.
+
+use super::{faults, scene_in};
+use crate::program::{Scratch, couplet, text};
+use std::time::{Duration, Instant};
+
+/// One test for each fault, and the list of all: what comes after the first line of the scene, and what is
+/// said of it.
+macro_rules! faults {
+    ($($name:ident: $scene:literal => $fault:literal;)*) => {
+        $(
+            #[test]
+            fn $name() {
+                assert_eq!(faults($scene), [$fault]);
+            }
+        )*
+
+        const SCENES: &[&str] = &[$($scene),*];
+    };
+}
+
+faults! {
+    nothing_asked:
+        ""
+        => "1:1: the scene asks for nothing; it may have [[constants]], [[arches]], [[claims]], [[audit]]";
+    a_key_twice:
+        "digits = 3\ndigits = 4\n"
+        => "3:1: not TOML: duplicate key";
+    a_bracket_too_few:
+        "[[arches]\n"
+        => "2:10: not TOML: unclosed array table, expected `]`";
+    an_unknown_key:
+        "colour = 1\n"
+        => "2:1: there is no key \"colour\" in a scene; the keys are schema, digits, weight, constants, arches, claims, audit";
+    digits_as_text:
+        "digits = \"30\"\n"
+        => "2:10: digits \"30\" is not a whole number from 1 to 1000000";
+    no_digits:
+        "digits = 0\n"
+        => "2:10: digits 0 is not a whole number from 1 to 1000000";
+    a_weight_twice:
+        "weight = [\"heyman\", \"heyman\"]\n"
+        => "2:21: weight \"heyman\" is listed twice";
+    no_weight:
+        "weight = []\n"
+        => "2:10: weight is an empty list; give one of heyman, milankovitch";
+    constants_as_a_number:
+        "constants = 3\n"
+        => "2:13: constants 3 is not a table [[constants]]";
+    an_unknown_landmark:
+        "[constants]\nlandmarks = \"X\"\n"
+        => "3:13: landmarks \"X\" is not one of T, S, J, B, l, L, sb";
+    a_landmark_that_is_a_number:
+        "[constants]\nlandmarks = [\"T\", 3]\n"
+        => "3:19: landmarks 3 is not one of T, S, J, B, l, L, sb";
+    a_key_without_its_last_letter:
+        "[constants]\nlandmark = \"T\"\n"
+        => "3:1: there is no key \"landmark\" in [[constants]] (did you mean \"landmarks\"?); the keys are landmarks, quantities, weight, digits, format, output";
+    a_quantity_that_none_of_the_landmarks_has:
+        "[constants]\nlandmarks = \"sb\"\nquantities = \"friction\"\n"
+        => "4:14: none of the landmarks has the quantity friction";
+    a_quantity_without_its_last_letter:
+        "[constants]\nquantities = \"thicknes\"\n"
+        => "3:14: quantities \"thicknes\" is not one of thickness, friction, friction_angle, friction_angle_degrees, half_opening, half_opening_degrees, thrust, intrinsic_thrust, rotation_joint, rotation_joint_degrees, sliding_joint, sliding_joint_degrees, A (did you mean \"thickness\"?)";
+    an_unknown_format:
+        "[audit]\nformat = \"xml\"\n"
+        => "3:10: format \"xml\" is not one of table, json, csv";
+    an_unknown_end_of_a_file:
+        "[audit]\noutput = \"a.xml\"\n"
+        => "3:10: output \"a.xml\" does not tell a format by its end (txt, json, csv); give it such an end, or a format, one of table, json, csv";
+    an_output_that_is_a_number:
+        "[constants]\noutput = 3\n"
+        => "3:10: output 3 is not a text";
+    an_output_outside_the_folder:
+        "[constants]\noutput = \"../a.csv\"\n"
+        => "3:10: output \"../a.csv\" is not a file inside the folder of outputs (a relative path without ..)";
+    an_absolute_output:
+        "[constants]\noutput = \"/a.csv\"\n"
+        => "3:10: output \"/a.csv\" is not a file inside the folder of outputs (a relative path without ..)";
+    an_output_of_two_lines:
+        "[constants]\noutput = \"a\\nb.csv\"\n"
+        => "3:10: output \"a\\nb.csv\" is not a file inside the folder of outputs (a relative path without ..)";
+    the_record_of_the_run_as_an_output:
+        "[constants]\noutput = \"couplet-run.json\"\n"
+        => "3:10: output \"couplet-run.json\" is where the run keeps its own record";
+    an_output_twice:
+        "[[constants]]\noutput = \"a.csv\"\n[[audit]]\noutput = \"./a.csv\"\n"
+        => "5:10: output \"./a.csv\" is already written by the item whose output is in line 3";
+    outputs_that_differ_in_case:
+        "[[constants]]\noutput = \"a.csv\"\n[[audit]]\noutput = \"A.csv\"\n"
+        => "5:10: output \"A.csv\" differs in case only from the output in line 3";
+    a_file_as_a_folder:
+        "[[constants]]\noutput = \"a.csv\"\n[[audit]]\noutput = \"a.csv/b.csv\"\n"
+        => "5:10: output \"a.csv/b.csv\" and the output in line 3 cannot be a file and its folder";
+    a_quantity_of_arches_of_a_thickness:
+        "[arches]\nhalf_opening = 1\nfriction = 1\nquantities = \"least_thickness\"\n"
+        => "5:14: quantities \"least_thickness\" is not one of thickness, thrust, intrinsic_thrust, rotation_joint, sliding_joint, sliding_friction, rotational_friction";
+    no_half_opening:
+        "[arches]\nfriction = 1\n"
+        => "2:1: half_opening is missing; give an angle (2.45, \"pi/2\", \"80deg\")";
+    no_friction:
+        "[arches]\nhalf_opening = 1\n"
+        => "2:1: friction is missing; give a coefficient (0.6, \"3/5\", \"inf\"), or friction_angle, an angle (0.5, \"pi/6\", \"21deg\")";
+    two_frictions:
+        "[arches]\nhalf_opening = 1\nfriction = 1\nfriction_angle = 1\n"
+        => "5:18: friction_angle besides friction; give one of them";
+    a_half_opening_beyond_a_turn:
+        "[arches]\nfriction = 1\nhalf_opening = \"200deg\"\n"
+        => "4:16: half_opening \"200deg\" is not between 0 and pi (180deg)";
+    two_units:
+        "[arches]\nfriction = 1\nhalf_opening = \"2pideg\"\n"
+        => "4:16: half_opening: '2pideg' has two units";
+    a_friction_out_of_range:
+        "[arches]\nhalf_opening = 1\nfriction = 1e99999999999999999999\n"
+        => "4:12: friction: '1e99999999999999999999' is out of range: numbers from 1e-1000 to 1e1000 are read";
+    a_half_opening_that_is_true:
+        "[arches]\nfriction = 1\nhalf_opening = [1, true]\n"
+        => "4:20: half_opening true is not an angle (2.45, \"pi/2\", \"80deg\")";
+    no_half_openings:
+        "[arches]\nfriction = 1\nhalf_opening = []\n"
+        => "4:16: half_opening is an empty list; give an angle (2.45, \"pi/2\", \"80deg\")";
+    a_friction_twice:
+        "[arches]\nhalf_opening = 1\nfriction = [0.5, 1, \"1/2\"]\n"
+        => "4:21: friction \"1/2\" is listed twice, first in line 4, column 13";
+    a_negative_friction:
+        "[arches]\nhalf_opening = 1\nfriction = -0.5\n"
+        => "4:12: friction -0.5 is not 0 or more";
+    a_friction_angle_of_half_a_turn:
+        "[arches]\nhalf_opening = 1\nfriction_angle = \"pi\"\n"
+        => "4:18: friction_angle \"pi\" is not between 0 and pi/2 (90deg)";
+    a_thickness_in_multiples_of_pi:
+        "[arches]\nhalf_opening = 1\nfriction = 1\nthickness = \"pi/3\"\n"
+        => "5:13: thickness \"pi/3\" is not a ratio of thickness to radius (0.12, \"3/25\")";
+    a_thickness_beyond_the_limit:
+        "[arches]\nhalf_opening = 1\nfriction = 1\nthickness = 2\n"
+        => "5:13: thickness 2 is not between 0 and 2";
+    a_range_that_falls:
+        "[arches]\nhalf_opening = 1\nfriction = { from = 0.5, to = 0.3, steps = 3 }\n"
+        => "4:12: friction from 0.5 to 0.3 does not rise; give the smaller first";
+    a_range_of_one_step:
+        "[arches]\nhalf_opening = 1\nfriction = { from = 0.5, to = 0.6, steps = 1 }\n"
+        => "4:44: steps 1 is not a whole number from 2 to 100000";
+    a_range_without_end:
+        "[arches]\nhalf_opening = 1\nfriction = { from = 0.5, to = \"inf\", steps = 3 }\n"
+        => "4:12: friction has a range without end";
+    a_range_without_its_end:
+        "[arches]\nhalf_opening = 1\nfriction = { from = 0.5, steps = 3 }\n"
+        => "4:12: friction has no to; a range is { from = …, to = …, steps = … }";
+    a_range_in_two_units:
+        "[arches]\nfriction = 1\nhalf_opening = { from = \"10deg\", to = \"pi/2\", steps = 3 }\n"
+        => "4:16: half_opening from 10deg to pi/2 is in two units; give both in radians, as multiples of pi, or in degrees";
+    too_many_arches:
+        "[arches]\nhalf_opening = { from = 1, to = 2, steps = 1000 }\nfriction = { from = 1, to = 2, steps = 101 }\n"
+        => "2:1: 101000 arches are too many; a scene has at most 100000";
+    too_many_digits_for_arches:
+        "digits = 20000\n[arches]\nhalf_opening = 1\nfriction = 1\n"
+        => "3:1: the scene's 20000 digits are too many for arches; give this item digits of its own, 1 to 10000";
+    a_text_for_true_or_false:
+        "[claims]\nshow = \"yes\"\n"
+        => "3:8: show \"yes\" is not true or false";
+    a_claim_twice:
+        "[claims]\nprove = [\"eq-16\", \"eq-16\"]\n"
+        => "3:19: prove \"eq-16\" is listed twice";
+}
+
+#[test]
+fn an_unknown_claim() {
+    let claim = faults("[claims]\nprove = \"eq-99\"\n");
+    assert!(
+        claim[0].starts_with("3:9: prove \"eq-99\" is not a claim (did you mean "),
+        "{claim:?}"
+    );
+    assert!(claim[0].contains("the claims are eq-2, eq-3, "), "{claim:?}");
+}
+
+#[test]
+fn all_faults_are_said_at_once_and_nothing_is_computed() {
+    let scratch = Scratch::new();
+    // Valid items that would take hours, with one wrong thing each behind them.
+    let mut scene = "[[constants]]\ndigits = 1_000_000\noutput = \"out/all.csv\"\n".to_owned();
+    let wrong: Vec<&&str> = SCENES
+        .iter()
+        .filter(|text| text.starts_with("[arches]") || text.starts_with("[claims]"))
+        .collect();
+    for text in &wrong {
+        scene += &text.replacen("[arches]", "[[arches]]", 1).replacen("[claims]", "[[claims]]", 1);
+    }
+    let path = scene_in(&scratch, &scene);
+    let start = Instant::now();
+    let output = couplet(&["run", &path, "--output", &scratch.path("out")]);
+    assert!(start.elapsed() < Duration::from_secs(20));
+    assert_eq!(output.status.code(), Some(2));
+    assert!(output.stdout.is_empty());
+    assert_eq!(scratch.files("."), ["scene.toml"]);
+    let said = text(&output.stderr);
+    let lines: Vec<&str> = said.lines().collect();
+    assert_eq!(lines.len(), wrong.len() + 1, "{said}");
+    let places: Vec<usize> = lines[..wrong.len()]
+        .iter()
+        .map(|line| {
+            let place = line.strip_prefix(&format!("{path}:")).unwrap();
+            place.split(':').next().unwrap().parse().unwrap()
+        })
+        .collect();
+    assert!(places.is_sorted(), "{said}");
+    let sum = format!("couplet: {path} has {} errors; nothing was computed", wrong.len());
+    assert_eq!(lines[wrong.len()], sum);
+}

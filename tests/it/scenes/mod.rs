@@ -1,0 +1,47 @@
+//! Scenes as a user meets them: every fault with its place, nothing computed that is not needed, nothing
+//! written that is not whole, nothing computed again that is complete.
+
+mod cost;
+mod examples;
+mod faults;
+mod outputs;
+mod plan;
+mod reading;
+mod resume;
+
+use crate::program::Scratch;
+use couplet::scene::{Fault, read};
+
+const HEAD: &str = "schema = \"couplet.scene/1\"\n";
+
+/// The path of a new scene, of which this comes after the first line.
+fn scene_in(scratch: &Scratch, text: &str) -> String {
+    scratch.write("scene.toml", format!("{HEAD}{text}"));
+    scratch.path("scene.toml")
+}
+
+fn place(fault: &Fault) -> String {
+    format!("{}:{}: {}", fault.place.line, fault.place.column, fault.message)
+}
+
+/// The faults of a scene after its first line, as `line:column: message`.
+fn faults(text: &str) -> Vec<String> {
+    read(&format!("{HEAD}{text}")).err().unwrap_or_default().iter().map(place).collect()
+}
+
+/// A column of a CSV file.
+fn column(csv: &str, name: &str) -> Vec<String> {
+    let mut reader = csv::Reader::from_reader(csv.as_bytes());
+    let place = reader.headers().unwrap().iter().position(|header| header == name).unwrap();
+    reader.records().map(|record| record.unwrap()[place].to_owned()).collect()
+}
+
+const ONE_THICKNESS: &str =
+    "[[arches]]\nhalf_opening = \"pi/2\"\nfriction = \"inf\"\nquantities = \"thickness\"\n";
+
+const THREE: &str = "digits = 20\n\
+    [[constants]]\nlandmarks = \"T\"\noutput = \"constants.json\"\n\
+    [[arches]]\nhalf_opening = { from = 0.5, to = 2.5, steps = 9 }\nfriction = [0.5, 1.5]\n\
+    output = \"deep/arches.csv\"\n\
+    [[claims]]\nprove = [\"eq-7\", \"eq-16\"]\nshow = true\noutput = \"claims.json\"\n\
+    [[arches]]\nhalf_opening = 1\nfriction = 1\n";

@@ -1,0 +1,168 @@
+//! What is read, and what is no scene at all.
+
+use super::{HEAD, faults, place, scene_in};
+use crate::program::{Scratch, couplet, fed, text};
+use couplet::problem::Quantity;
+use couplet::scene::{EXAMPLE, Kind, MAX_BYTES, What, read, read_bytes};
+use cpu_time::ThreadTime;
+use std::time::Duration;
+
+#[test]
+fn the_example_is_a_scene_and_has_every_key() {
+    let output = couplet(&["run", "--schema"]);
+    assert_eq!((output.status.code(), text(&output.stdout)), (Some(0), EXAMPLE.to_owned()));
+    let scene = read(EXAMPLE).unwrap();
+    for kind in Kind::ALL {
+        assert!(scene.items.iter().any(|item| item.what.kind() == kind), "{}", kind.name());
+        for key in kind.keys() {
+            assert!(EXAMPLE.contains(&format!("\n{key} = ")), "{} {key}", kind.name());
+        }
+    }
+    let of_arches = Quantity::STATE.into_iter().chain(Quantity::ASSESSMENT);
+    for quantity in
+        Quantity::LANDMARK.into_iter().filter(|q| q.in_radians().is_none()).chain(of_arches)
+    {
+        assert!(EXAMPLE.contains(quantity.name()), "{}", quantity.name());
+    }
+}
+
+#[test]
+fn no_scene_is_so_large_that_reading_it_takes_long() {
+    let range = "{ from = 0.1, to = 3, steps = 60_000 }";
+    let item = format!("[[arches]]\nhalf_opening = {range}\nfriction = 1\n");
+    let start = ThreadTime::now();
+    let said = faults(&item.repeat(1001));
+    assert!(start.elapsed() < Duration::from_secs(20), "{:?}", start.elapsed());
+    assert_eq!(said.len(), 1000, "all items but the first, and that they are too many");
+    let second = "60000 arches after 60000 before are too many; a scene has at most 100000";
+    assert_eq!(said[0], format!("5:1: {second}"));
+    assert_eq!(said[999], "3002:1: a scene has at most 1000 items");
+
+    // A long list on one line, in which everything is wrong.
+    let list = "9,".repeat(300_000);
+    let start = ThreadTime::now();
+    let said = faults(&format!("[arches]\nfriction = 1\nhalf_opening = [{list}]\n"));
+    assert!(start.elapsed() < Duration::from_secs(10), "{:?}", start.elapsed());
+    assert_eq!(said.len(), 300_000);
+    assert_eq!(said[299_999], "4:600015: half_opening 9 is not between 0 and pi (180deg)");
+}
+
+/// The only fault of what is no scene of this version.
+fn fault(bytes: &[u8]) -> String {
+    let faults = read_bytes(bytes).unwrap_err();
+    assert_eq!(faults.len(), 1);
+    place(&faults[0])
+}
+
+const SCHEMA: &str = "\"couplet.scene/1\"";
+
+#[test]
+fn another_version_is_said_and_no_more() {
+    let message =
+        format!("2:10: schema \"couplet.scene/2\" is not one that is read here: {SCHEMA}");
+    assert_eq!(fault(b"colour = 1\nschema = \"couplet.scene/2\"\n"), message);
+}
+
+#[test]
+fn a_missing_schema_is_said_and_no_more() {
+    let message = format!("1:1: schema is missing; a scene has schema = {SCHEMA}");
+    assert_eq!(fault(b"[constants]\n"), message);
+}
+
+#[test]
+fn what_is_not_utf_8_has_its_place() {
+    assert_eq!(fault(b"a = 1\n# \xe4\n"), "2:3: not TOML: this is no text in UTF-8");
+}
+
+#[test]
+fn a_byte_too_many_is_refused() {
+    let long = vec![b'#'; MAX_BYTES + 1];
+    assert_eq!(fault(&long), format!("1:1: a scene has at most {MAX_BYTES} bytes"));
+}
+
+/// Nested deeper than anything that is meant.
+#[test]
+fn a_deep_list_is_refused() {
+    assert!(read(&format!("{HEAD}x = {}", "[".repeat(100_000))).is_err());
+}
+
+/// What a hasty hand makes of a file: cut, or with a piece gone, or twice.
+#[test]
+fn a_spoiled_scene_is_a_scene_or_has_faults_with_places() {
+    let lines = EXAMPLE.lines().count();
+    let (mut good, mut bad) = (0, 0);
+    let pieces = (0..EXAMPLE.len()).step_by(17).filter(|k| EXAMPLE.is_char_boundary(*k));
+    for k in pieces {
+        let end = (k + 1..).find(|end| EXAMPLE.is_char_boundary(*end)).unwrap();
+        for spoiled in [
+            EXAMPLE[..k].to_owned(),
+            format!("{}{}", &EXAMPLE[..k], &EXAMPLE[end..]),
+            format!("{}{}", &EXAMPLE[..end], &EXAMPLE[k..]),
+            format!("{}\"{}", &EXAMPLE[..k], &EXAMPLE[k..]),
+            format!("{}]\n[{}", &EXAMPLE[..k], &EXAMPLE[k..]),
+        ] {
+            match read(&spoiled) {
+                Ok(scene) => good += usize::from(!scene.items.is_empty()),
+                Err(faults) => {
+                    bad += 1;
+                    assert!(!faults.is_empty() && faults.is_sorted());
+                    for fault in faults {
+                        assert!((1..=lines + 2).contains(&fault.place.line), "{fault:?}");
+                        assert_eq!(fault.message.lines().count(), 1, "{fault:?}");
+                    }
+                }
+            }
+        }
+    }
+    assert!(good > 100 && bad > 100, "{good} good, {bad} bad");
+}
+
+#[test]
+fn a_number_is_what_its_text_says() {
+    let scratch = Scratch::new();
+    // As a double the first would be another number than the second.
+    let scene = "[arches]\nhalf_opening = \"pi/2\"\nquantities = \"thickness\"\ndigits = 40\n";
+    let run = |friction: &str| {
+        let path = scene_in(&scratch, &format!("{scene}friction = {friction}\n"));
+        let output = couplet(&["run", &path]);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let words = text(&output.stdout);
+        words.split_whitespace().find(|word| word.starts_with("0.1")).unwrap().to_owned()
+    };
+    assert_eq!(
+        run("0.350000000000000000001"),
+        run("\"350000000000000000001/1000000000000000000000\"")
+    );
+    assert_ne!(run("0.350000000000000000001"), run("0.35"));
+    assert_eq!(run("0.35"), run("\"7/20\""));
+    assert_eq!(run("+3.5e-1"), run("0.35"));
+    assert_eq!(run("0.3_5"), run("0.35"));
+}
+
+#[test]
+fn a_range_has_both_its_ends_and_exact_steps() {
+    let scene = read(&format!(
+        "{HEAD}[arches]\nhalf_opening = {{ from = \"pi/6\", to = \"pi/2\", steps = 3 }}\n\
+         friction = {{ from = 0.4, to = 1, steps = 4 }}\n"
+    ));
+    let What::Arches { arches, .. } = &scene.unwrap().items[0].what else { panic!() };
+    let texts: Vec<(String, String)> = arches
+        .iter()
+        .map(|one| (one.arch.half_opening().to_string(), one.arch.friction().to_string()))
+        .collect();
+    assert_eq!(texts.len(), 12);
+    assert_eq!(texts[0], ("pi/6".to_owned(), "0.4".to_owned()));
+    assert_eq!(texts[5], ("pi/3".to_owned(), "0.6".to_owned()));
+    assert_eq!(texts[11], ("pi/2".to_owned(), "1".to_owned()));
+}
+
+#[test]
+fn a_scene_may_come_from_standard_input() {
+    let one = "[constants]\nlandmarks = \"T\"\nquantities = \"thickness\"\ndigits = 12\n";
+    let output = fed(&["run", "-"], format!("{HEAD}{one}"));
+    assert_eq!(output.status.code(), Some(0));
+    assert!(text(&output.stdout).contains("0.618318241074"));
+    let output = fed(&["run", "-"], one);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).starts_with("standard input:1:1: schema is missing; "));
+}
