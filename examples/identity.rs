@@ -6,7 +6,7 @@ use couplet::arch::{Ring, cubic, thrust};
 use couplet::claims::{Finding, claims};
 use couplet::number::{Angle, Ball, Field};
 use couplet::rug::Rational;
-use couplet::symbolic::{Relations, Symbol};
+use couplet::symbolic::{Letters, Relations, Symbol};
 
 /// The second cubic (7) is said to be what is left of (2) = (5). Zero, if that is so.
 fn left_over<T: Field>(joint: &Angle<T>, thickness: &T, delta: &T) -> T {
@@ -32,7 +32,7 @@ fn main() {
         (Symbol::joint(), Symbol::Thickness.number(), Symbol::Flag.number());
     let formula = left_over(&joint, &thickness, &delta);
     let circle = Relations::trigonometric();
-    println!("as a formula  {}", circle.reduce(&formula));
+    println!("as a formula  {}", formula.reduced(&circle));
     assert!(formula.vanishes(&circle));
     // A check that cannot fail would be none: without sin² + cos² = 1 it is not an identity.
     assert!(!formula.vanishes(&Relations::none()));

@@ -228,7 +228,7 @@ mod tests {
     use crate::arch::{Configuration, contact, statics};
     use crate::number::Angle;
     use crate::problem::Equation;
-    use crate::symbolic::{Fraction, Relations, Symbol};
+    use crate::symbolic::{Fraction, Letters, Relations, Symbol};
 
     /// The letters: `x = alpha`, the ratios `b = beta_r/alpha` and `z = beta_s/alpha`, and for each angle
     /// `c_3` and `c_4`, of which everything else follows by the recurrence.

@@ -14,7 +14,7 @@ pub enum Refusal {
     #[error("schema: '{0}' is not couplet.certificate/1")]
     Schema(String),
     /// Neither a landmark nor a state, or both.
-    #[error("claim: it names a landmark or a state, one of the two")]
+    #[error("claim: needs exactly one of 'landmark' and 'state'")]
     Subject,
     /// A name that does not exist.
     #[error("claim: there is no {place} '{text}'")]
@@ -87,13 +87,13 @@ pub enum Refusal {
     #[error("root: it does not show {0}")]
     Condition(&'static str),
     /// A quantity that does not exist for the subject, or twice, or none.
-    #[error("values: '{0}' is no quantity of the subject, or stands twice")]
+    #[error("values: '{0}' is not a quantity of this subject, or appears twice")]
     Quantity(String),
     /// No values.
     #[error("values: there are none")]
     NoValues,
-    /// A value that is no decimal number of at most that many digits.
-    #[error("values: {0} is no decimal number of so many digits")]
+    /// A value that is not a decimal number with at most the claimed digits.
+    #[error("values: {0} is not a decimal number with at most the claimed digits")]
     Decimal(&'static str),
     /// A value that is not shown to be the correct rounding.
     #[error("values: {0} is not shown to be the correct rounding")]

@@ -20,7 +20,7 @@ use crate::arch::{Ring, SelfWeight, closed_form, cubic, overturning};
 use crate::certify::{CertifiedLandmark, Undecided, between};
 use crate::number::{Angle, Ball, Dual, Enclosure, Field, Real, Ternary};
 use crate::problem::Landmark;
-use crate::symbolic::{Fraction, Polynomial, Relations, Symbol, discriminant};
+use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol, discriminant};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[

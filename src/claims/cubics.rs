@@ -5,7 +5,7 @@ use crate::arch::cubic::{self, Abbreviations};
 use crate::arch::{Quotient, Ring, overturning, thrust};
 use crate::certify::Undecided;
 use crate::number::Field;
-use crate::symbolic::{Elimination, Fraction, Polynomial, Relations, Symbol};
+use crate::symbolic::{Elimination, Fraction, Letters, Polynomial, Relations, Symbol};
 use crate::symbolic::{along_the_joint, eliminate};
 
 pub(super) const CLAIMS: &[Claim] = &[

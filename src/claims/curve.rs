@@ -23,7 +23,7 @@ use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Dual, Field, Real};
 use crate::problem::Mode;
 use crate::symbolic::{
-    Fraction, Polynomial, Relations, Symbol, along_the_joint, along_the_opening,
+    Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint, along_the_opening,
 };
 use rug::Rational;
 

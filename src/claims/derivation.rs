@@ -320,6 +320,7 @@ fn false_twin(fraction: &Fraction) -> Fraction {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::symbolic::Letters;
 
     #[test]
     fn a_false_identity_ends_the_derivation() {

@@ -18,7 +18,7 @@ use crate::arch::{
 use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Dual, Enclosure, Field, Real, Ternary};
 use crate::problem::Landmark;
-use crate::symbolic::{Relations, Symbol, along_the_joint};
+use crate::symbolic::{Letters, Relations, Symbol, along_the_joint};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[

@@ -13,7 +13,7 @@ use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Enclosure, Field, Surd};
 use crate::problem::Landmark;
 use crate::symbolic::{
-    Fraction, Polynomial, Relations, Symbol, along_the_joint, along_the_opening,
+    Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint, along_the_opening,
 };
 use rug::Rational;
 

@@ -13,7 +13,7 @@ use crate::number::{
 };
 use crate::problem::{Arch, Friction};
 use crate::problem::{Fixed, Landmark, Mode, Quantity};
-use crate::symbolic::{Fraction, Relations, Symbol, along_the_joint};
+use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[

@@ -1,7 +1,7 @@
 //! The arch as letters, for the claims that speak of all of it.
 
 use crate::arch::{Configuration, Ring};
-use crate::symbolic::{Fraction, Symbol};
+use crate::symbolic::{Fraction, Letters, Symbol};
 
 /// The ring with symbolic thickness and `delta_M`.
 pub(super) fn ring() -> Ring<Fraction> {

@@ -4,7 +4,7 @@ use super::{Claim, Derivation, Finding};
 use crate::arch::{Ring, statics, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Dual, Field};
-use crate::symbolic::{Fraction, Relations, Symbol};
+use crate::symbolic::{Fraction, Letters, Relations, Symbol};
 
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {

@@ -5,7 +5,7 @@ use super::{Claim, Derivation, Finding};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Field, Surd};
-use crate::symbolic::{Fraction, Relations, Symbol, along_the_opening};
+use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_opening};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[

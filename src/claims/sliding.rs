@@ -4,7 +4,7 @@ use super::{Claim, Derivation, Finding};
 use crate::arch::{sliding, statics};
 use crate::certify::Undecided;
 use crate::number::Field;
-use crate::symbolic::{Fraction, Polynomial, Relations, Symbol, along_the_joint};
+use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint};
 
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
@@ -72,7 +72,7 @@ fn stationary(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.assume("0 < h < 1, 0 <= beta < pi, N > 0 there (it is h at the crown)");
     let (shear, normal) = forces();
     let slope = (shear / &normal).derivative(&along_the_joint());
-    d.define("(T/N)'", &Relations::trigonometric().reduce(&slope));
+    d.define("(T/N)'", &slope.reduced(&Relations::trigonometric()));
     let joint = Symbol::Joint.number();
     let expected = -sliding::steepest(&joint, &Symbol::Thrust.number()) / normal.square();
     d.identity("it is (h (1-h) - beta^2)/N^2", &slope, &expected, &Relations::trigonometric())?;

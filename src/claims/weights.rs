@@ -9,7 +9,7 @@ use crate::certify::{CertifiedLandmark, Exact, Undecided};
 use crate::judge::{Comparison, Relation, compare_weights};
 use crate::number::{Angle, Ball, Enclosure, Field, Real, Rounded};
 use crate::problem::{Landmark, Mode, Quantity};
-use crate::symbolic::{Polynomial, Relations, Symbol};
+use crate::symbolic::{Letters, Polynomial, Relations, Symbol};
 use std::sync::OnceLock;
 
 pub(super) const CLAIMS: &[Claim] = &[

@@ -138,8 +138,8 @@ fn all_enclosed(landmarks: &[Landmark]) -> Result<Vec<Enclosed>, Undecided> {
         .iter()
         .flat_map(|&landmark| SelfWeight::ALL.map(|weight| (landmark, weight)))
         .collect();
-    // One after the other: claims that are decided in parallel wait for the same comparisons, and a thread
-    // that waits for parts of them could meanwhile take up one of those claims.
+    // Serial on purpose: under rayon a waiting thread could steal a claim that waits for this result, and
+    // neither would end.
     let points = all.into_iter();
     points.map(|(landmark, weight)| enclosed(CertifiedLandmark::new(landmark, weight)?)).collect()
 }

@@ -79,7 +79,7 @@ const MAX_DIGITS: usize = 10_000;
 /// Powers of ten; the thickness of the smallest half opening that is read is above.
 const MAX_SIZE: u64 = 5_000;
 
-/// How it is written that there is no solution, besides nothing at all.
+/// Words for "there is no solution".
 const NOTHING: [&str; 11] =
     ["nan", "-nan", "inf", "+inf", "-inf", "infinity", "none", "null", "falls", "-", "n/a"];
 
@@ -94,9 +94,9 @@ fn short(text: &str) -> String {
 impl Claim {
     /// Reads what a row says.
     ///
-    /// That there is no solution is said by `stands`, by the thickness or by the mode: by one of the
-    /// words for it, by an empty thickness where there is no column `stands`, or by the mode `[s,s]`
-    /// alone. Any other empty field says nothing.
+    /// `stands`, the thickness or the mode claim that there is no solution: by one of the words for it, by
+    /// an empty thickness where there is no column `stands`, or by the mode `[s,s]` alone. Any other empty
+    /// field claims nothing.
     pub fn read(said: &Said) -> Result<Self, ClaimError> {
         let numbers: Vec<Claimed> = said
             .numbers

@@ -69,8 +69,8 @@ pub enum CorrectDigits {
 const SHOWN: usize = 17;
 const BEYOND: usize = 3;
 
-/// Digits of the truth with which a claim is compared at first. A claim of an absurd size has a relative
-/// error so near to a round number that only digits as far from its own as that tell them apart.
+/// Digits of the truth with which a claim is compared at first. For absurdly large or small claims the
+/// relative error is so close to a round number that extra digits are needed.
 pub(super) fn compared_digits(claimed: &Claimed) -> usize {
     const ORDINARY: u64 = 100;
     let size = claimed.size();

@@ -120,7 +120,7 @@ impl<'de> Deserialize<'de> for Dyadic {
         let text = String::deserialize(deserializer)?;
         text.parse().map_err(|error: ParseDyadicError| {
             let shown: String = text.chars().take(24).collect();
-            D::Error::custom(format_args!("{shown:?} is no number of a certificate: {error}"))
+            D::Error::custom(format_args!("{shown:?} is not a valid certificate number: {error}"))
         })
     }
 }

@@ -2,23 +2,8 @@
 
 use super::{Task, newton};
 use crate::certify::root::{Equations, Operator, corrections, inflated, inverse_jacobian};
-use crate::number::{Ball, Dual, Enclosure, Engine, Magnitude};
+use crate::number::{Ball, Enclosure, Engine, Magnitude};
 use rug::Float;
-
-impl<E: Engine> Equations<E> for Task {
-    fn residuals(&self, bits: u32, x: &[E]) -> Vec<E> {
-        self.slopes(bits, x).into_iter().map(|r| r.value().clone()).collect()
-    }
-
-    fn slopes(&self, _bits: u32, x: &[E]) -> Vec<Dual<E>> {
-        Task::residuals(self, x)
-    }
-
-    /// A denominator that may vanish leaves residuals without bounds, with which no box is proved.
-    fn is_regular(&self, _bits: u32, _x: &[E]) -> bool {
-        true
-    }
-}
 
 /// A box that holds exactly one root next to the start, to about `bits` bits, in the arithmetic `E`;
 /// `None` if that is not proved.

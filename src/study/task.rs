@@ -1,7 +1,8 @@
 //! What is computed: square systems of equations with exact parameters, over any number.
 
 use crate::arch::{Configuration, SelfWeight, Unknown, cubic, thrust};
-use crate::number::{Angle, Dual, Field, Real, rational_like};
+use crate::certify::root::Equations;
+use crate::number::{Angle, Dual, Engine, Field, Real, rational_like};
 use crate::problem::{Landmark, Mode};
 use rug::Rational;
 
@@ -141,4 +142,19 @@ impl Task {
 
 fn names(unknowns: &[Unknown]) -> Vec<&'static str> {
     unknowns.iter().map(|unknown| unknown.name()).collect()
+}
+
+impl<E: Engine> Equations<E> for Task {
+    fn residuals(&self, bits: u32, x: &[E]) -> Vec<E> {
+        self.slopes(bits, x).into_iter().map(|r| r.value().clone()).collect()
+    }
+
+    fn slopes(&self, _bits: u32, x: &[E]) -> Vec<Dual<E>> {
+        Task::residuals(self, x)
+    }
+
+    /// A denominator that may vanish leaves residuals without bounds, with which no box is proved.
+    fn is_regular(&self, _bits: u32, _x: &[E]) -> bool {
+        true
+    }
 }

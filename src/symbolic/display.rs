@@ -62,7 +62,7 @@ impl Polynomial {
     /// factors taken out, as the paper prints its cubics.
     ///
     /// ```
-    /// use couplet::symbolic::{Notation, Symbol};
+    /// use couplet::symbolic::{Letters, Notation, Symbol};
     /// let [f, g, eta] = [Symbol::F, Symbol::G, Symbol::Thickness].map(Symbol::polynomial);
     /// let p = (&f + &g) * &eta.power(2) - &eta;
     /// assert_eq!(p.show_by(Symbol::Thickness, Notation::Text), "(f + g) eta^2 - eta");
@@ -171,6 +171,7 @@ mod tests {
     use super::*;
     use crate::arch::cubic;
     use crate::number::Field;
+    use crate::symbolic::Letters;
 
     #[test]
     fn the_cubic_reads_as_in_the_paper() {

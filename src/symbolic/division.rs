@@ -38,7 +38,7 @@ impl Polynomial {
     /// The greatest common divisor, with leading coefficient one; zero for two zeros.
     ///
     /// ```
-    /// use couplet::symbolic::Symbol;
+    /// use couplet::symbolic::{Letters, Symbol};
     /// let (f, g) = (Symbol::F.polynomial(), Symbol::G.polynomial());
     /// let (a, b) = (&(&f * &f) - &(&g * &g), &f * &f - &(&f * &g));
     /// assert_eq!(a.common_divisor(&b).to_string(), "f - g");
@@ -132,7 +132,7 @@ impl Polynomial {
             let unit = at(&nodes).as_constant().expect("a polynomial in one symbol");
             let settled = gap.is_zero();
             sum = sum + &(&gap.scaled(&unit.recip()) * &nodes);
-            nodes = nodes * &(symbol.polynomial() - &Self::constant(value));
+            nodes = nodes * &(Self::symbol(symbol) - &Self::constant(value));
             if settled {
                 let found = primitive(&sum, &sum.fibre_content(symbol)).monic();
                 let divides = |p: &Self| p.exact_quotient(&found).is_some();

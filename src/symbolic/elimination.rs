@@ -21,7 +21,7 @@ pub struct Elimination {
 /// Eliminates `symbol` from `p = 0` and `q = 0`. Both must contain it.
 ///
 /// ```
-/// use couplet::symbolic::{Polynomial, Symbol, eliminate};
+/// use couplet::symbolic::{Letters, Polynomial, Symbol, eliminate};
 /// // x = eta: eta² = g and eta = f leave f² - g.
 /// let (eta, f, g) = (Symbol::Thickness, Symbol::F.polynomial(), Symbol::G.polynomial());
 /// let (p, q) = (eta.polynomial().power(2) - &g, eta.polynomial() - &f);
@@ -111,6 +111,7 @@ mod tests {
     use super::super::polynomial::strategies::{nonzero, polynomial};
     use super::*;
     use crate::number::test_config::config;
+    use crate::symbolic::Letters;
     use proptest::prelude::*;
 
     const X: Symbol = Symbol::Thickness;

@@ -1,6 +1,6 @@
 //! Quotients of polynomials: the number over which the equations of the paper become formulas.
 
-use super::{Polynomial, Relations};
+use super::{Polynomial, Relations, Symbol};
 use crate::number::{ExactField, Field, owned_operators};
 use rug::Rational;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -13,7 +13,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 ///
 /// ```
 /// use couplet::arch::cubic;
-/// use couplet::symbolic::{Relations, Symbol};
+/// use couplet::symbolic::{Letters, Relations, Symbol};
 /// // Identity (8): zero because S² + C² = 1, and not without.
 /// let link = cubic::link(&Symbol::joint());
 /// assert!(link.vanishes(&Relations::trigonometric()));
@@ -68,9 +68,24 @@ impl Fraction {
         relations.normal_form(&self.numerator).is_zero()
     }
 
+    /// The fraction with numerator and denominator in normal form.
+    ///
+    /// # Panics
+    /// If the denominator vanishes under the relations.
+    pub fn reduced(&self, relations: &Relations) -> Self {
+        Self::new(relations.normal_form(&self.numerator), relations.normal_form(&self.denominator))
+    }
+
+    /// The derivation of [`Polynomial::derivative`], by the quotient rule.
+    pub fn derivative(&self, rules: &[(Symbol, Polynomial)]) -> Self {
+        let d = |p: &Polynomial| Self::from(p.derivative(rules));
+        let (n, m) = (Self::from(self.numerator.clone()), Self::from(self.denominator.clone()));
+        (d(&self.numerator) * &m - d(&self.denominator) * &n) / m.square()
+    }
+
     /// The fraction with another number in place of each symbol. Where the denominator vanishes there the
     /// answer is that of the number's own division by zero.
-    pub fn evaluate<T: Field>(&self, like: &T, value: impl Fn(super::Symbol) -> T) -> T {
+    pub fn evaluate<T: Field>(&self, like: &T, value: impl Fn(Symbol) -> T) -> T {
         self.numerator.evaluate(like, &value) / self.denominator.evaluate(like, &value)
     }
 }
@@ -154,7 +169,6 @@ mod tests {
     use super::super::polynomial::strategies::{nonzero, polynomial};
     use super::*;
     use crate::number::test_config::config;
-    use crate::symbolic::Symbol;
     use proptest::prelude::*;
 
     fn fraction() -> impl Strategy<Value = Fraction> {

@@ -44,7 +44,7 @@ impl Monomial {
 /// A polynomial with rational coefficients.
 ///
 /// ```
-/// use couplet::symbolic::{Polynomial, Symbol};
+/// use couplet::symbolic::{Letters, Polynomial, Symbol};
 /// let (f, g) = (Symbol::F.polynomial(), Symbol::G.polynomial());
 /// let square = (&f + &g) * &(&f + &g);
 /// assert_eq!(square.to_string(), "f^2 + 2 f g + g^2");
@@ -351,6 +351,7 @@ mod tests {
     use super::*;
     use crate::number::Ball;
     use crate::number::test_config::config;
+    use crate::symbolic::Letters;
     use proptest::prelude::*;
 
     fn point(symbol: Symbol) -> Rational {

@@ -1,7 +1,6 @@
 //! What the indeterminates know of each other: `S² + C² = 1`, `q² =` a radicand.
 
-use super::{Fraction, Polynomial, Symbol};
-use crate::number::{Angle, Field};
+use super::{Polynomial, Symbol};
 use std::fmt;
 
 /// Rules that replace a power of a symbol by a polynomial.
@@ -28,7 +27,7 @@ impl Relations {
 
     /// `C² = 1 - S²` for `beta` and for `alpha`.
     pub fn trigonometric() -> Self {
-        let square = |sine: Symbol| Polynomial::from(1) - &sine.polynomial().power(2);
+        let square = |sine: Symbol| Polynomial::from(1) - &Polynomial::symbol(sine).power(2);
         Self::none().with(Symbol::Cosine, 2, square(Symbol::Sine)).with(
             Symbol::CosineOfOpening,
             2,
@@ -66,17 +65,6 @@ impl Relations {
             reduced = sum;
         }
     }
-
-    /// The fraction with numerator and denominator in normal form.
-    ///
-    /// # Panics
-    /// If the denominator vanishes under the relations.
-    pub fn reduce(&self, fraction: &Fraction) -> Fraction {
-        Fraction::new(
-            self.normal_form(fraction.numerator()),
-            self.normal_form(fraction.denominator()),
-        )
-    }
 }
 
 impl fmt::Display for Relations {
@@ -91,32 +79,24 @@ impl fmt::Display for Relations {
 
 /// The rules of `d/d beta`: `beta' = 1`, `S' = C`, `C' = -S`.
 pub fn along_the_joint() -> [(Symbol, Polynomial); 3] {
-    along(Symbol::Joint, &Symbol::joint())
+    along(Symbol::Joint, Symbol::Sine, Symbol::Cosine)
 }
 
 /// The rules of `d/d alpha`.
 pub fn along_the_opening() -> [(Symbol, Polynomial); 3] {
-    along(Symbol::HalfOpening, &Symbol::half_opening())
+    along(Symbol::HalfOpening, Symbol::SineOfOpening, Symbol::CosineOfOpening)
 }
 
-fn along(rad: Symbol, angle: &Angle<Fraction>) -> [(Symbol, Polynomial); 3] {
-    let (sin, cos) = (angle.sin.numerator(), angle.cos.numerator());
-    let symbol = |p: &Polynomial| p.main_symbol().expect("an angle is made of symbols");
-    [(rad, Polynomial::from(1)), (symbol(sin), cos.clone()), (symbol(cos), -sin)]
-}
-
-impl Fraction {
-    /// The derivation of [`Polynomial::derivative`], by the quotient rule.
-    pub fn derivative(&self, rules: &[(Symbol, Polynomial)]) -> Self {
-        let d = |p: &Polynomial| Self::from(p.derivative(rules));
-        let (n, m) = (Self::from(self.numerator().clone()), Self::from(self.denominator().clone()));
-        (d(self.numerator()) * &m - d(self.denominator()) * &n) / m.square()
-    }
+fn along(rad: Symbol, sin: Symbol, cos: Symbol) -> [(Symbol, Polynomial); 3] {
+    let [slope_of_cos, slope_of_sin] = [-&Polynomial::symbol(sin), Polynomial::symbol(cos)];
+    [(rad, Polynomial::from(1)), (sin, slope_of_sin), (cos, slope_of_cos)]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::Field;
+    use crate::symbolic::Letters;
 
     #[test]
     fn the_circle_is_known_and_nothing_else() {

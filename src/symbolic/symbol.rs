@@ -1,8 +1,5 @@
 //! The letters of the paper, as indeterminates.
 
-use crate::number::Angle;
-use crate::symbolic::{Fraction, Polynomial};
-
 /// An indeterminate.
 ///
 /// The sine and cosine of an angle are indeterminates of their own, tied by a
@@ -96,30 +93,6 @@ impl Symbol {
             Self::SineOfOpening => ("Sa", r"\sin\alpha"),
             Self::CosineOfOpening => ("Ca", r"\cos\alpha"),
             Self::Flag => ("delta", r"\delta_M"),
-        }
-    }
-
-    /// The indeterminate as a polynomial.
-    pub fn polynomial(self) -> Polynomial {
-        Polynomial::symbol(self)
-    }
-
-    /// The indeterminate as a number.
-    pub fn number(self) -> Fraction {
-        Fraction::from(self.polynomial())
-    }
-
-    /// The rotational joint `beta`, with `S` and `C`.
-    pub fn joint() -> Angle<Fraction> {
-        Angle { rad: Self::Joint.number(), sin: Self::Sine.number(), cos: Self::Cosine.number() }
-    }
-
-    /// The half opening `alpha`, with its sine and cosine.
-    pub fn half_opening() -> Angle<Fraction> {
-        Angle {
-            rad: Self::HalfOpening.number(),
-            sin: Self::SineOfOpening.number(),
-            cos: Self::CosineOfOpening.number(),
         }
     }
 }

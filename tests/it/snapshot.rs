@@ -3,7 +3,7 @@
 //! `snapshots/<name>.txt` has each command after a `$`, what it prints, what it says on standard error
 //! after a `!`, and its exit code if that is not 0. When a change of an output is meant:
 //!
-//!     make snapshots                  UPDATE_SNAPSHOTS=1 cargo test --all-features --test it outputs::
+//!     make snapshots
 //!     git diff tests/it/snapshots
 //!
 //! What changes from run to run is left out in one place, [`steady`].

@@ -21,12 +21,14 @@ macro_rules! stored {
 
 /// A text in place of a number.
 fn no_number(text: &str) -> Cases {
-    let words = format!("{text:?} is no number of a certificate: it is not of the form -0x1f3p-12");
+    let words =
+        format!("{text:?} is not a valid certificate number: it is not of the form -0x1f3p-12");
     vec![(point().with("/root/centre/0", text), format(&words))]
 }
 
 fn too_large(text: &str) -> Cases {
-    let words = format!("{text:?} is no number of a certificate: its exponent is beyond ±10000000");
+    let words =
+        format!("{text:?} is not a valid certificate number: its exponent is beyond ±10000000");
     vec![(point().with("/inverse/0/0", text), format(&words))]
 }
 

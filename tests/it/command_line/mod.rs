@@ -3,7 +3,6 @@
 mod claims;
 mod constants;
 mod files;
-mod readme;
 mod states;
 mod study;
 mod wrong;

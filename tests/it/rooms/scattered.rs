@@ -6,25 +6,11 @@ use std::collections::BTreeSet;
 
 /// Methods that are still in another file than their type, to be moved. Nothing is added here.
 const KNOWN: &[(&str, &str)] = &[
-    ("certify/state/assess.rs", "Arch"),
-    ("certify/state/assess.rs", "Inquiry"),
-    ("certify/state/assess.rs", "Query"),
-    ("certify/state/choice.rs", "Arch"),
-    ("certify/state/choice.rs", "Query"),
-    ("certify/state/digits.rs", "Arch"),
-    ("certify/state/digits.rs", "Assessment"),
-    ("certify/state/digits.rs", "State"),
-    ("certify/state/root.rs", "Query"),
-    ("certify/state/rotation.rs", "Query"),
-    ("certify/state/small.rs", "Query"),
-    ("check/format.rs", "Exact"),
     ("number/engine.rs", "From for Dyadic"),
     ("number/gmp/astro.rs", "AstroInterval"),
-    ("problem/known.rs", "Claim"),
     ("symbolic/display.rs", "Fraction"),
     ("symbolic/display.rs", "Polynomial"),
     ("symbolic/division.rs", "Polynomial"),
-    ("symbolic/relations.rs", "Fraction"),
 ];
 
 /// Traits that may be implemented in a file that declares neither the trait nor the type: one file has

@@ -1,0 +1,41 @@
+//! The indeterminates as polynomials, numbers and angles.
+
+use super::{Fraction, Polynomial, Symbol};
+use crate::number::Angle;
+
+/// What a formula is written with.
+pub trait Letters: Sized {
+    /// The indeterminate as a polynomial.
+    fn polynomial(self) -> Polynomial;
+
+    /// The indeterminate as a number.
+    fn number(self) -> Fraction;
+
+    /// The rotational joint `beta`, with `S` and `C`.
+    fn joint() -> Angle<Fraction>;
+
+    /// The half opening `alpha`, with its sine and cosine.
+    fn half_opening() -> Angle<Fraction>;
+}
+
+impl Letters for Symbol {
+    fn polynomial(self) -> Polynomial {
+        Polynomial::symbol(self)
+    }
+
+    fn number(self) -> Fraction {
+        Fraction::from(self.polynomial())
+    }
+
+    fn joint() -> Angle<Fraction> {
+        Angle { rad: Self::Joint.number(), sin: Self::Sine.number(), cos: Self::Cosine.number() }
+    }
+
+    fn half_opening() -> Angle<Fraction> {
+        Angle {
+            rad: Self::HalfOpening.number(),
+            sin: Self::SineOfOpening.number(),
+            cos: Self::CosineOfOpening.number(),
+        }
+    }
+}
