@@ -1,7 +1,6 @@
 //! `couplet check`: also the whole of the small program.
 
-use super::failure::Failure;
-use super::print;
+use super::failure::{Failure, print};
 use crate::check::{Accepted, Refusal, given_text, verify};
 use crate::problem::{Friction, Problem};
 use clap::Args;
@@ -53,12 +52,12 @@ pub(super) enum Command {
 
 #[cfg(not(feature = "mpfr"))]
 impl Command {
-    /// Does what is asked.
-    pub(super) fn run(&self) -> Result<(), Failure> {
+    /// Does what is asked; `program` is the whole command line.
+    pub(super) fn run(&self, program: fn() -> clap::Command) -> Result<(), Failure> {
         match self {
             Self::Check(arguments) => run(arguments),
-            Self::Completions(arguments) => super::completions::run(arguments),
-            Self::Man(arguments) => super::man::run(arguments),
+            Self::Completions(arguments) => super::completions::run(arguments, program()),
+            Self::Man(arguments) => super::man::run(arguments, program()),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! `couplet completions`.
 
-use super::{Cli, Failure, print};
-use clap::{Args, CommandFactory};
+use super::failure::{Failure, print};
+use clap::{Args, Command};
 use clap_complete::Shell;
 
 /// Print the completions of a shell.
@@ -15,8 +15,8 @@ pub(super) struct Arguments {
     shell: Shell,
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments, mut program: Command) -> Result<(), Failure> {
     let mut script = Vec::new();
-    clap_complete::generate(arguments.shell, &mut Cli::command(), "couplet", &mut script);
+    clap_complete::generate(arguments.shell, &mut program, "couplet", &mut script);
     print(&script)
 }

@@ -1,7 +1,7 @@
 //! Why a command did not do what was asked.
 
 use std::fmt::Display;
-use std::io;
+use std::io::{self, Write};
 
 /// Why a command did not do what was asked.
 #[derive(Debug, thiserror::Error)]
@@ -39,5 +39,16 @@ fn reason(error: &io::Error) -> String {
         }
         io::ErrorKind::Other => error.to_string(),
         kind => kind.to_string(),
+    }
+}
+
+/// Writes to standard output; a reader that has closed the pipe has what it wanted.
+pub(super) fn print(bytes: &[u8]) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    match out.write_all(bytes).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(Failure::writing("to standard output", &error))
+        }
+        _ => Ok(()),
     }
 }

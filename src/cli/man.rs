@@ -1,7 +1,7 @@
 //! `couplet man`.
 
-use super::{Cli, Failure, print};
-use clap::{Args, CommandFactory};
+use super::failure::{Failure, print};
+use clap::{Args, Command};
 use clap_mangen::{Man, generate_to};
 use std::fs;
 use std::path::PathBuf;
@@ -17,8 +17,7 @@ pub(super) struct Arguments {
     folder: Option<PathBuf>,
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let mut command = Cli::command();
+pub(super) fn run(arguments: &Arguments, mut command: Command) -> Result<(), Failure> {
     let Some(folder) = &arguments.folder else {
         let mut page = Vec::new();
         Man::new(command).render(&mut page).map_err(|e| Failure::writing("the page", &e))?;

@@ -12,7 +12,6 @@ mod man;
 
 use clap::{CommandFactory, Parser};
 use failure::Failure;
-use std::io::{self, Write};
 use std::process::ExitCode;
 
 #[cfg(not(feature = "mpfr"))]
@@ -39,7 +38,7 @@ pub fn run() -> ExitCode {
         Ok(cli) => cli,
         Err(error) => return usage(&error),
     };
-    match cli.command.run() {
+    match cli.command.run(Cli::command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             eprintln!("couplet: {failure}");
@@ -92,15 +91,4 @@ fn commands_there_are() -> String {
         false => "this build has the commands",
     };
     format!("; {these} {} and {last}", others.join(", "))
-}
-
-/// Writes to standard output; a reader that has closed the pipe has what it wanted.
-fn print(bytes: &[u8]) -> Result<(), Failure> {
-    let mut out = io::stdout().lock();
-    match out.write_all(bytes).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(Failure::writing("to standard output", &error))
-        }
-        _ => Ok(()),
-    }
 }

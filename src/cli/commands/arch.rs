@@ -4,7 +4,7 @@ use super::parse;
 use crate::arch::SelfWeight;
 use crate::cli::failure::Failure;
 use crate::number::{ExactNumber, ParseExactError};
-use crate::problem::{Arch, Friction, is_thickness};
+use crate::problem::{Arch, is_thickness};
 use clap::Args;
 
 /// An arch, all of it exact: `0.1` is one tenth, `80deg` and `pi/2` are what they say.
@@ -40,34 +40,26 @@ pub(super) struct ArchArguments {
 impl ArchArguments {
     /// The arch described.
     pub(super) fn arch(&self) -> Result<Arch, Failure> {
-        let missing = |what: &str| Failure::Input(format!("{what} is missing"));
-        let half_opening = self.half_opening.as_deref().ok_or_else(|| missing("--half-opening"))?;
         let friction = match (&self.friction, &self.friction_angle) {
-            (Some(mu), _) => friction(mu),
-            (None, Some(phi)) => angle(phi).map(Friction::Angle),
-            (None, None) => return Err(missing("--friction or --friction-angle")),
+            (Some(mu), _) => Some(mu.clone()),
+            (None, phi) => phi.as_ref().map(|phi| format!("tan({phi})")),
         };
-        friction.and_then(|mu| arch(self.weight, half_opening, mu)).map_err(Failure::Input)
+        let friction = (friction.as_deref(), "--friction or --friction-angle");
+        arch(self.weight, self.half_opening.as_deref(), friction)
     }
 }
 
-/// An arch whose half opening is text.
+/// An arch from the options that describe it; the second text names those of the friction.
 pub(super) fn arch(
     weight: SelfWeight,
-    half_opening: &str,
-    friction: Friction,
-) -> Result<Arch, String> {
-    Arch::new(weight, angle(half_opening)?, friction).map_err(|error| error.to_string())
-}
-
-/// An angle in radians, or in degrees with `deg` behind.
-pub(super) fn angle(text: &str) -> Result<ExactNumber, String> {
-    text.parse().map_err(|error: ParseExactError| error.to_string())
-}
-
-/// A friction coefficient, or `inf`.
-pub(super) fn friction(text: &str) -> Result<Friction, String> {
-    text.parse().map_err(|error: ParseExactError| error.to_string())
+    half_opening: Option<&str>,
+    (friction, options): (Option<&str>, &str),
+) -> Result<Arch, Failure> {
+    let missing = |what: &str| Failure::Input(format!("{what} is missing"));
+    let half_opening = half_opening.ok_or_else(|| missing("--half-opening"))?;
+    let friction = friction.ok_or_else(|| missing(options))?;
+    Arch::parse(weight.name(), half_opening, friction)
+        .map_err(|error| Failure::Input(error.to_string()))
 }
 
 /// A thickness-to-radius ratio between 0 and the physical limit 2.

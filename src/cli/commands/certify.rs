@@ -1,13 +1,12 @@
 //! `couplet certify`.
 
-use super::arch::friction;
+use super::arch::arch;
 use super::output::Output;
 use super::parse;
 use crate::arch::SelfWeight;
 use crate::certify::{Undecided, certify_landmark, certify_state};
 use crate::check::Certificate;
 use crate::cli::failure::Failure;
-use crate::problem::Arch;
 use crate::problem::Landmark;
 use clap::Args;
 use rayon::prelude::*;
@@ -73,7 +72,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             write(output, &made.map_err(undecided)?)
         }
         Target::State => {
-            let arch = arch(arguments)?;
+            let (alpha, mu) = (arguments.half_opening.as_deref(), arguments.friction.as_deref());
+            let weight = arguments.weight.unwrap_or(SelfWeight::Milankovitch);
+            let arch = arch(weight, alpha, (mu, "--friction"))?;
             parse::state_digits(&arguments.digits.to_string()).map_err(Failure::Input)?;
             let output = Output::open(arguments.output.as_deref())?;
             write(output, &certify_state(&arch, arguments.digits).map_err(undecided)?)
@@ -83,16 +84,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 fn undecided(undecided: Undecided) -> Failure {
     Failure::Undecided(undecided.to_string())
-}
-
-fn arch(arguments: &Arguments) -> Result<Arch, Failure> {
-    let missing = |what: &str| Failure::Input(format!("{what} is missing"));
-    let half_opening =
-        arguments.half_opening.as_deref().ok_or_else(|| missing("--half-opening"))?;
-    let mu = arguments.friction.as_deref().ok_or_else(|| missing("--friction"))?;
-    let weight = arguments.weight.unwrap_or(SelfWeight::Milankovitch);
-    let arch = friction(mu).and_then(|mu| super::arch::arch(weight, half_opening, mu));
-    arch.map_err(Failure::Input)
 }
 
 /// All landmarks, each in a file of its own.

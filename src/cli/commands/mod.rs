@@ -40,8 +40,8 @@ pub(super) enum Command {
 }
 
 impl Command {
-    /// Does what is asked.
-    pub(super) fn run(&self) -> Result<(), Failure> {
+    /// Does what is asked; `program` is the whole command line.
+    pub(super) fn run(&self, program: fn() -> clap::Command) -> Result<(), Failure> {
         match self {
             Self::Constants(arguments) => constants::run(arguments),
             Self::State(arguments) => state::run(arguments),
@@ -55,8 +55,8 @@ impl Command {
             Self::Check(arguments) => check::run(arguments),
             #[cfg(feature = "study")]
             Self::Study(arguments) => study::run(arguments),
-            Self::Completions(arguments) => completions::run(arguments),
-            Self::Man(arguments) => man::run(arguments),
+            Self::Completions(arguments) => completions::run(arguments, program()),
+            Self::Man(arguments) => man::run(arguments, program()),
         }
     }
 }

@@ -1,11 +1,12 @@
 //! `couplet states`.
 
-use super::arch::{arch, friction, thickness};
+use super::arch::thickness;
 use super::output::fits_standard_output;
 use super::parse;
 use super::rows::{Line, Progress, Source, Syntax, csv_records, in_order, json_error, json_lines};
 use crate::certify::state::Certify;
 use crate::cli::failure::Failure;
+use crate::problem::Arch;
 use crate::report::{Answer, Answers, Content, Format, Status};
 use clap::Args;
 use serde::Deserialize;
@@ -121,8 +122,8 @@ fn unwritten(error: io::Error) -> Failure {
 
 /// The answer to a query, or what is wrong with it.
 fn answer(line: u64, query: &Query, digits: usize, assessed: bool) -> Result<Answer, String> {
-    let weight = parse::weight(&query.weight)?;
-    let arch = arch(weight, &query.half_opening, friction(&query.friction)?)?;
+    let arch = Arch::parse(&query.weight, &query.half_opening, &query.friction)
+        .map_err(|error| error.to_string())?;
     if !assessed {
         return Ok(Answer::state(line, &arch, &arch.certify(digits)));
     }
