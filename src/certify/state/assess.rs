@@ -42,20 +42,20 @@ pub enum Wanted {
 }
 
 /// Proves what holds for an arch with a given thickness, as far as it is wanted, with numbers of `bits`
-/// bits. `state` proves the state of the arch, `unlimited` that with unlimited friction.
+/// bits. `state` proves the state of the arch, with its own friction if told so, or with unlimited
+/// friction.
 pub(super) fn assessment(
     arch: &Arch,
     thickness: &ExactNumber,
     bits: u32,
     wanted: Wanted,
-    state: Outcome,
-    unlimited: impl FnOnce() -> Result<Outcome, Undecided>,
+    mut state: impl FnMut(bool) -> Result<Outcome, Undecided>,
 ) -> Result<Assessment, Undecided> {
     let eta: Ball = thickness.enclosure(bits);
     require(&eta, "whether the thickness is positive", &[])?;
     require(&(eta.int(2) - &eta), "whether the thickness is below the limit 2", &[])?;
     let enough = |least: &Ball, question| decide(&(eta.clone() - least), question, &[]);
-    let (least_thickness, stands) = match state {
+    let (least_thickness, stands) = match state(true)? {
         Outcome::Falls(fall) => (Err(fall), false),
         Outcome::Stands(state) => {
             let stands = enough(&state.thickness, "whether the thickness is enough")?;
@@ -65,7 +65,7 @@ pub(super) fn assessment(
     let mut query = Query::new(arch, bits);
     query.given = query.given.with(Unknown::Thickness, eta.clone());
     // With unlimited friction the arch stands if a line of thrust lies inside it at all.
-    let line_fits = || match unlimited()? {
+    let mut line_fits = || match state(false)? {
         Outcome::Falls(_) => Ok(false),
         Outcome::Stands(state) => enough(&state.thickness, "whether a line of thrust fits"),
     };

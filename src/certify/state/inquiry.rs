@@ -68,8 +68,10 @@ impl<'a> Inquiry<'a> {
         bits: u32,
         wanted: Wanted,
     ) -> Result<Assessment, Undecided> {
-        let state = self.outcome(bits)?;
-        assessment(self.arch, thickness, bits, wanted, state, || self.unlimited(bits))
+        assessment(self.arch, thickness, bits, wanted, |is_limited| match is_limited {
+            true => self.outcome(bits),
+            false => self.unlimited(bits),
+        })
     }
 
     /// The state of the arch with numbers of `bits` bits.

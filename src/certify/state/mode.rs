@@ -55,7 +55,7 @@ enum Found {
 
 /// The state, and why it is the one.
 ///
-/// A state that is admissible and the thinnest is a proof by itquery. Whether the friction is below
+/// A state that is admissible and the thinnest is a proof by itself. Whether the friction is below
 /// the purely sliding one, and where the half opening is beside those of `l` and `L`, is proved where
 /// it is the answer, or where a candidate suggests that there is no state.
 pub(super) fn outcome(query: &Query, asked: Asked) -> Result<Outcome, Undecided> {

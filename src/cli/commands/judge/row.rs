@@ -92,6 +92,11 @@ impl Judge {
         }
         match text.parse().map_err(error)? {
             Friction::Coefficient(mu) if self.doubles => nearest(&mu).map(Friction::Coefficient),
+            // An angle in the column of coefficients, as our own outputs have it.
+            Friction::Angle(_) => {
+                let inside = text.strip_prefix("tan(").and_then(|rest| rest.strip_suffix(')'));
+                self.angle((inside.unwrap_or(text), false)).map(Friction::Angle)
+            }
             friction => Ok(friction),
         }
     }
