@@ -1,7 +1,7 @@
 //! `couplet completions`.
 
-use super::{Cli, Failure, print};
-use clap::{Args, CommandFactory};
+use super::failure::{Failure, print};
+use clap::{Args, Command};
 use clap_complete::Shell;
 
 /// Print the completions of a shell.
@@ -9,14 +9,14 @@ use clap_complete::Shell;
 /// bash: `couplet completions bash > ~/.local/share/bash-completion/completions/couplet`. zsh: write
 /// `_couplet` into a folder of `fpath`. fish: write `~/.config/fish/completions/couplet.fish`.
 #[derive(Args)]
-pub struct Arguments {
+pub(super) struct Arguments {
     /// The shell.
     #[arg(value_name = "SHELL")]
     shell: Shell,
 }
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments, mut program: Command) -> Result<(), Failure> {
     let mut script = Vec::new();
-    clap_complete::generate(arguments.shell, &mut Cli::command(), "couplet", &mut script);
+    clap_complete::generate(arguments.shell, &mut program, "couplet", &mut script);
     print(&script)
 }

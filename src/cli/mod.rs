@@ -7,11 +7,11 @@ mod check;
 #[cfg(feature = "mpfr")]
 mod commands;
 mod completions;
+mod failure;
 mod man;
 
 use clap::{CommandFactory, Parser};
-use std::fmt::Display;
-use std::io::{self, Write};
+use failure::Failure;
 use std::process::ExitCode;
 
 #[cfg(not(feature = "mpfr"))]
@@ -32,52 +32,13 @@ const EXIT_CODES: &str = "\
 Exit codes: 0 everything asked was proved; 1 something was refuted, refused or undecided;
 2 bad usage or input; 3 a resource or I/O failure.";
 
-/// Why a command did not do what was asked.
-#[derive(Debug, thiserror::Error)]
-enum Failure {
-    /// The input makes no sense.
-    #[cfg(feature = "mpfr")]
-    #[error("{0}")]
-    Input(String),
-    /// Not everything could be proved; what could has been printed.
-    #[error("{0}")]
-    Undecided(String),
-    /// A file or a stream.
-    #[error("{0}")]
-    Io(String),
-}
-
-impl Failure {
-    /// What could not be read, and why.
-    fn reading(what: impl Display, error: &io::Error) -> Self {
-        Self::Io(format!("cannot read {what}: {}", reason(error)))
-    }
-
-    /// What could not be written, and why.
-    fn writing(what: impl Display, error: &io::Error) -> Self {
-        Self::Io(format!("cannot write {what}: {}", reason(error)))
-    }
-}
-
-/// The kind of an error in plain words: its own text may name a temporary file, which nobody has asked for.
-fn reason(error: &io::Error) -> String {
-    match error.kind() {
-        io::ErrorKind::NotFound => "there is no such file or folder".into(),
-        io::ErrorKind::AlreadyExists | io::ErrorKind::NotADirectory => {
-            "a file stands where a folder should be".into()
-        }
-        io::ErrorKind::Other => error.to_string(),
-        kind => kind.to_string(),
-    }
-}
-
 /// Parses the arguments, runs the command, and says how it went.
 pub fn run() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) => return usage(&error),
     };
-    match cli.command.run() {
+    match cli.command.run(Cli::command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             eprintln!("couplet: {failure}");
@@ -130,15 +91,4 @@ fn commands_there_are() -> String {
         false => "this build has the commands",
     };
     format!("; {these} {} and {last}", others.join(", "))
-}
-
-/// Writes to standard output; a reader that has closed the pipe has what it wanted.
-fn print(bytes: &[u8]) -> Result<(), Failure> {
-    let mut out = io::stdout().lock();
-    match out.write_all(bytes).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(Failure::writing("to standard output", &error))
-        }
-        _ => Ok(()),
-    }
 }

@@ -1,15 +1,15 @@
 //! What was found of a landmark or an arch: all that a format sees.
 //!
 //! **No format computes anything.** Doubles are correctly rounded and their bounds rounded outward before
-//! they come here ([`Binary`]). What is not proved has a reason and no values.
+//! they come here ([`Binary`](crate::number::Binary)). What is not proved has a reason and no values.
 
+use super::value::Value;
 use super::words::reason;
 use crate::arch::{SelfWeight, Unknown};
-use crate::certify::state::{Answer as Outcome, AssessmentDigits, Fall, Figure};
-use crate::certify::{self, CertifiedLandmark, Constant, Undecided};
-use crate::number::{Binary, ExactNumber, Rounded};
+use crate::certify::state::{Answer as Outcome, AssessmentDigits, Fall};
+use crate::certify::{CertifiedLandmark, Constant, Undecided};
+use crate::number::ExactNumber;
 use crate::problem::Arch;
-use crate::problem::published::PRINTED;
 use crate::problem::{Equation, Landmark, Mode, Quantity};
 
 /// A landmark or an arch, what became of it, and its proved values.
@@ -90,23 +90,6 @@ pub struct Fingerprint {
     pub command: String,
     /// SHA-256 of what it writes, in hexadecimal.
     pub sha256: String,
-}
-
-/// One proved value.
-#[derive(Clone, Debug)]
-pub struct Value {
-    /// The true value correctly rounded; `None` for infinity.
-    pub decimal: Option<Rounded>,
-    /// The nearest double of the true value.
-    pub double: f64,
-    /// What that double leaves open.
-    pub binary: Binary,
-    /// The exact value, where there is one.
-    pub exact: Option<String>,
-    /// What the paper prints for it, each text once. Not proved.
-    pub printed: Vec<&'static str>,
-    /// What limits a thrust.
-    pub limited_by: Option<&'static str>,
 }
 
 impl Status {
@@ -281,60 +264,5 @@ impl Proof {
             equations: system.equations.iter().copied().map(Equation::label).collect(),
             radii: unknowns.zip(isolated.relative_radii()).collect(),
         }
-    }
-}
-
-impl Value {
-    /// The value as text.
-    pub fn text(&self) -> String {
-        self.decimal.as_ref().map_or("inf".into(), |decimal| decimal.value.to_string())
-    }
-
-    /// The texts of the value, its lower and its upper bound; all `inf` for infinity.
-    pub fn texts(&self) -> [String; 3] {
-        match &self.decimal {
-            Some(decimal) => {
-                [&decimal.value, &decimal.lower, &decimal.upper].map(ToString::to_string)
-            }
-            None => [(); 3].map(|()| "inf".to_owned()),
-        }
-    }
-
-    /// The exact value where it says more than the digits.
-    pub fn closed_form(&self) -> Option<&str> {
-        self.exact.as_deref().filter(|exact| *exact != self.text())
-    }
-
-    /// The nearest quadruple with the 36 digits that tell every one from its neighbours; `None` where it
-    /// is not known.
-    pub fn quad(&self) -> Option<String> {
-        let digits = |quad: &rug::Float| quad.to_string_radix(10, Some(36));
-        self.binary.quad.as_ref().map(digits)
-    }
-
-    fn constant(constant: Constant) -> Self {
-        let Constant { landmark, weight, quantity, value, exact, double, binary, .. } = constant;
-        let mut printed: Vec<&str> = PRINTED
-            .iter()
-            .filter(|p| (p.landmark, p.weight, p.quantity) == (landmark, weight, quantity))
-            .map(|p| p.text)
-            .collect();
-        printed.sort_unstable();
-        printed.dedup();
-        let decimal = match value {
-            certify::Value::Finite(decimal) => Some(decimal),
-            certify::Value::Infinite => None,
-        };
-        Self { decimal, double, binary, exact, printed, limited_by: None }
-    }
-
-    /// A figure, or infinity where no number is enough.
-    fn figure(figure: Option<&Figure>) -> Self {
-        let decimal = figure.map(|figure| figure.decimal.clone());
-        let (double, binary, exact) = match figure {
-            Some(figure) => (figure.double, figure.binary.clone(), None),
-            None => (f64::INFINITY, Binary::infinite(), Some("inf".into())),
-        };
-        Self { decimal, double, binary, exact, printed: Vec::new(), limited_by: None }
     }
 }

@@ -3,8 +3,9 @@
 //!
 //! Where JSON has `null`, TOML has nothing; where a double is infinite, JSON has `null` and TOML `inf`.
 
-use super::answer::{Answer, Subject, Value};
+use super::answer::{Answer, Subject};
 use super::answers::{Answers, TOOL};
+use super::value::Value;
 use super::words::hexadecimal;
 use crate::problem::Quantity;
 use serde::Serialize;
@@ -12,7 +13,7 @@ use std::collections::BTreeMap;
 
 /// The document.
 #[derive(Serialize)]
-pub struct Document<'a> {
+pub(super) struct Document<'a> {
     schema: &'static str,
     tool: &'static str,
     digits: usize,
@@ -81,7 +82,7 @@ struct CertificateEntry<'a> {
 
 impl<'a> Document<'a> {
     /// Of landmarks or arches.
-    pub fn new(report: &'a Answers) -> Self {
+    pub(super) fn new(report: &'a Answers) -> Self {
         let values = |answer: &'a Answer| {
             answer.values.iter().map(|(of, value)| ValueEntry::new(&answer.subject, *of, value))
         };

@@ -1,12 +1,13 @@
 //! JSON: `couplet.constants/1` of landmarks, `couplet.state_at/1` of one with its modes, `couplet.state/1` or
 //! `couplet.assess/1` of an arch, `couplet.arches/1` of many. Fields may be added, none changes its meaning.
 
-use super::answer::{Answer, Status, Subject, Value};
+use super::answer::{Answer, Status, Subject};
 use super::answers::{Answers, Scope};
 use super::columns;
 use super::document::Document;
 use super::fields::Fields;
 use super::rows::{Rows, in_parallel};
+use super::value::Value;
 use super::words::hexadecimal;
 use crate::problem::Quantity;
 use serde::{Serialize, Serializer};
@@ -14,7 +15,7 @@ use std::collections::BTreeMap;
 use std::io;
 
 /// Landmarks or arches.
-pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     match report.scope {
         Scope::Constants => write(&Document::new(report), out),
         Scope::Point => {
@@ -30,18 +31,18 @@ pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
 }
 
 /// Arches as they come, each on one line.
-pub fn lines(report: Answers) -> io::Result<Box<dyn Rows>> {
+pub(super) fn lines(report: Answers) -> io::Result<Box<dyn Rows>> {
     Ok(Box::new(JsonLines(report)))
 }
 
 /// Writes a document for a program, which a person can read too.
-pub fn write(document: &impl Serialize, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn write(document: &impl Serialize, out: &mut dyn io::Write) -> io::Result<()> {
     serde_json::to_writer_pretty(&mut *out, document)?;
     writeln!(out)
 }
 
 /// Writes a document on one line.
-pub fn line(document: &impl Serialize) -> io::Result<Vec<u8>> {
+pub(super) fn line(document: &impl Serialize) -> io::Result<Vec<u8>> {
     let mut line = serde_json::to_vec(document)?;
     line.push(b'\n');
     Ok(line)

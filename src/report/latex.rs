@@ -1,9 +1,10 @@
 //! LaTeX: a table with `siunitx`, each value beside what the paper prints for it.
 
-use super::answer::{Subject, Value};
+use super::answer::Subject;
 use super::answers::Answers;
 use super::listing::comments;
 use super::names::{about, head, safe};
+use super::value::Value;
 use super::words::author;
 use crate::problem::Landmark;
 use std::io;
@@ -19,7 +20,7 @@ const HEAD: &str = r"%
 \endfoot";
 
 /// Landmarks or arches.
-pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     comments(head(report), "% ", out)?;
     writeln!(out, "{HEAD}")?;
     for (index, answer) in report.list.iter().enumerate() {

@@ -47,14 +47,16 @@ mod rust;
 pub(crate) mod study;
 mod table;
 mod toml;
+mod value;
 pub(crate) mod words;
 
-pub use answer::{Answer, Fingerprint, Proof, Status, Subject, Value};
+pub use answer::{Answer, Fingerprint, Proof, Status, Subject};
 pub use answers::{Answers, Scope};
 pub use audit::Audit;
 pub use claims::Claims;
 pub use format::{Content, Format};
 pub use rows::Rows;
+pub use value::Value;
 
 use std::io;
 

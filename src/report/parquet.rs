@@ -3,10 +3,11 @@
 //! A subject without values (an arch that does not stand, an answer that is undecided) has one row without
 //! a quantity. What made the file, and how its certificates are made again, is in the key-value metadata.
 
-use super::answer::{Answer, Subject, Value};
+use super::answer::{Answer, Subject};
 use super::answers::{Answers, Scope, TOOL};
 use super::names::head;
 use super::rows::Rows;
+use super::value::Value;
 use crate::problem::Quantity;
 use ::parquet::basic::Compression;
 use ::parquet::column::writer::ColumnWriter;
@@ -59,14 +60,14 @@ struct ParquetRows {
 }
 
 /// Landmarks or arches.
-pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     let mut rows = ParquetRows::new(report)?;
     out.write_all(&rows.group(&report.list)?)?;
     out.write_all(&Box::new(rows).end()?)
 }
 
 /// Arches as they come.
-pub fn rows(report: Answers) -> io::Result<Box<dyn Rows>> {
+pub(super) fn rows(report: Answers) -> io::Result<Box<dyn Rows>> {
     Ok(Box::new(ParquetRows::new(&report)?))
 }
 

@@ -13,24 +13,24 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// A shell in an empty folder, which knows `couplet`, and all that was seen in it.
-pub struct Terminal {
+pub(crate) struct Terminal {
     folder: tempfile::TempDir,
     seen: String,
 }
 
 impl Terminal {
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self { folder: tempfile::tempdir().unwrap(), seen: String::new() }
     }
 
     /// With a file in the folder, which is shown.
-    pub fn file(self, name: &str, content: &str) -> Self {
+    pub(crate) fn file(self, name: &str, content: &str) -> Self {
         std::fs::write(self.folder.path().join(name), content).unwrap();
         self.run(&format!("cat {name}"))
     }
 
     /// A line for the shell, and what comes of it.
-    pub fn run(mut self, line: &str) -> Self {
+    pub(crate) fn run(mut self, line: &str) -> Self {
         let program = Path::new(env!("CARGO_BIN_EXE_couplet")).parent().unwrap();
         let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap());
         let mut shell = Command::new("sh");
@@ -48,12 +48,12 @@ impl Terminal {
     }
 
     /// Several lines for the shell.
-    pub fn each(self, lines: &[&str]) -> Self {
+    pub(crate) fn each(self, lines: &[&str]) -> Self {
         lines.iter().fold(self, |terminal, line| terminal.run(line))
     }
 
     /// What was seen is what is stored under this name.
-    pub fn is(self, name: &str) {
+    pub(crate) fn is(self, name: &str) {
         compare(name, &steady(&self.seen));
     }
 }
@@ -67,7 +67,7 @@ fn is_update() -> bool {
 }
 
 /// The stored outputs that are none of these, and so are compared with nothing.
-pub fn left_behind(names: &[&str]) -> Vec<String> {
+pub(crate) fn left_behind(names: &[&str]) -> Vec<String> {
     let files = std::fs::read_dir(folder()).unwrap().map(|entry| entry.unwrap().path());
     let is_left = |path: &PathBuf| !names.iter().any(|name| *name == path.file_stem().unwrap());
     let left: Vec<PathBuf> = files.filter(is_left).collect();

@@ -1,14 +1,15 @@
 //! The arguments that describe an arch.
 
-use super::Failure;
+use super::parse;
 use crate::arch::SelfWeight;
+use crate::cli::failure::Failure;
 use crate::number::{ExactNumber, ParseExactError};
-use crate::problem::{Arch, Friction, is_thickness};
+use crate::problem::{Arch, is_thickness};
 use clap::Args;
 
 /// An arch, all of it exact: `0.1` is one tenth, `80deg` and `pi/2` are what they say.
 #[derive(Args)]
-pub struct ArchArguments {
+pub(super) struct ArchArguments {
     /// Half opening in radians (2.45, 1/3, pi/2) or degrees (80deg), between 0 and pi.
     #[arg(long, visible_alias = "alpha", value_name = "ANGLE", allow_hyphen_values = true)]
     pub half_opening: Option<String>,
@@ -28,45 +29,41 @@ pub struct ArchArguments {
     pub friction_angle: Option<String>,
 
     /// Self-weight model: heyman or milankovitch.
-    #[arg(long, default_value = "milankovitch", value_parser = super::weight)]
+    #[arg(long, default_value = "milankovitch", value_parser = parse::weight)]
     pub weight: SelfWeight,
 
     /// Significant digits, 1 to 10000; values are correctly rounded to them.
-    #[arg(long, default_value = "30", value_parser = super::state_digits, allow_negative_numbers = true)]
+    #[arg(long, default_value = "30", value_parser = parse::state_digits, allow_negative_numbers = true)]
     pub digits: usize,
 }
 
 impl ArchArguments {
     /// The arch described.
-    pub fn arch(&self) -> Result<Arch, Failure> {
-        let missing = |what: &str| Failure::Input(format!("{what} is missing"));
-        let half_opening = self.half_opening.as_deref().ok_or_else(|| missing("--half-opening"))?;
+    pub(super) fn arch(&self) -> Result<Arch, Failure> {
         let friction = match (&self.friction, &self.friction_angle) {
-            (Some(mu), _) => friction(mu),
-            (None, Some(phi)) => angle(phi).map(Friction::Angle),
-            (None, None) => return Err(missing("--friction or --friction-angle")),
+            (Some(mu), _) => Some(mu.clone()),
+            (None, phi) => phi.as_ref().map(|phi| format!("tan({phi})")),
         };
-        friction.and_then(|mu| arch(self.weight, half_opening, mu)).map_err(Failure::Input)
+        let friction = (friction.as_deref(), "--friction or --friction-angle");
+        arch(self.weight, self.half_opening.as_deref(), friction)
     }
 }
 
-/// An arch whose half opening is text.
-pub fn arch(weight: SelfWeight, half_opening: &str, friction: Friction) -> Result<Arch, String> {
-    Arch::new(weight, angle(half_opening)?, friction).map_err(|error| error.to_string())
-}
-
-/// An angle in radians, or in degrees with `deg` behind.
-pub fn angle(text: &str) -> Result<ExactNumber, String> {
-    text.parse().map_err(|error: ParseExactError| error.to_string())
-}
-
-/// A friction coefficient, or `inf`.
-pub fn friction(text: &str) -> Result<Friction, String> {
-    text.parse().map_err(|error: ParseExactError| error.to_string())
+/// An arch from the options that describe it; the second text names those of the friction.
+pub(super) fn arch(
+    weight: SelfWeight,
+    half_opening: Option<&str>,
+    (friction, options): (Option<&str>, &str),
+) -> Result<Arch, Failure> {
+    let missing = |what: &str| Failure::Input(format!("{what} is missing"));
+    let half_opening = half_opening.ok_or_else(|| missing("--half-opening"))?;
+    let friction = friction.ok_or_else(|| missing(options))?;
+    Arch::parse(weight.name(), half_opening, friction)
+        .map_err(|error| Failure::Input(error.to_string()))
 }
 
 /// A thickness-to-radius ratio between 0 and the physical limit 2.
-pub fn thickness(text: &str) -> Result<ExactNumber, String> {
+pub(super) fn thickness(text: &str) -> Result<ExactNumber, String> {
     let thickness: ExactNumber =
         text.parse().map_err(|error: ParseExactError| error.to_string())?;
     is_thickness(&thickness)

@@ -1,7 +1,8 @@
 //! `couplet audit`.
 
-use super::Failure;
 use super::output::OutputFile;
+use super::parse;
+use crate::cli::failure::Failure;
 use crate::judge::{audit, compare_weights};
 use crate::report::{Audit, Content, Format, Report};
 use clap::Args;
@@ -11,20 +12,15 @@ use clap::Args;
 /// The exit code says whether everything could be decided, not whether the paper is right. The
 /// format csv has the printed numbers only.
 #[derive(Args)]
-pub struct Arguments {
-    #[arg(
-        long,
-        default_value = "table",
-        value_parser = super::format(Content::Audit),
-        help = super::format_help(Content::Audit)
-    )]
+pub(crate) struct Arguments {
+    #[arg(long, default_value = "table", value_parser = parse::format(Content::Audit), help = parse::format_help(Content::Audit))]
     format: &'static Format,
 
     #[command(flatten)]
     file: OutputFile,
 }
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let output = arguments.file.open()?;
     let undecided =
         |undecided: crate::certify::Undecided| Failure::Undecided(undecided.to_string());

@@ -1,12 +1,12 @@
 //! `couplet certify`.
 
-use super::Failure;
-use super::arch::friction;
+use super::arch::arch;
 use super::output::Output;
+use super::parse;
 use crate::arch::SelfWeight;
 use crate::certify::{Undecided, certify_landmark, certify_state};
 use crate::check::Certificate;
-use crate::problem::Arch;
+use crate::cli::failure::Failure;
 use crate::problem::Landmark;
 use clap::Args;
 use rayon::prelude::*;
@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 
 /// Write certificates that `couplet check` accepts without trusting the solver.
 #[derive(Args)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     /// A landmark (T, S, J, B, l, L, sb), `state` for the state of an arch, or `all` for all landmarks.
     #[arg(value_name = "SUBJECT", value_parser = target)]
     target: Target,
@@ -29,11 +29,11 @@ pub struct Arguments {
     friction: Option<String>,
 
     /// Self-weight model, heyman or milankovitch; milankovitch if not given, both for `all`.
-    #[arg(long, value_parser = super::weight)]
+    #[arg(long, value_parser = parse::weight)]
     weight: Option<SelfWeight>,
 
     /// Significant digits, 1 to 1000000; at most 10000 for a state.
-    #[arg(long, default_value = "30", value_parser = super::digits, allow_negative_numbers = true)]
+    #[arg(long, default_value = "30", value_parser = parse::digits, allow_negative_numbers = true)]
     digits: usize,
 
     /// The file to write, or for `all` the folder; standard output if not given.
@@ -52,13 +52,13 @@ fn target(text: &str) -> Result<Target, String> {
     match text {
         "state" => Ok(Target::State),
         "all" => Ok(Target::All),
-        symbol => super::landmark(symbol)
+        symbol => parse::landmark(symbol)
             .map(Target::Landmark)
             .map_err(|error| format!("{error}, or state, or all")),
     }
 }
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let given = arguments.half_opening.is_some() || arguments.friction.is_some();
     if arguments.target != Target::State && given {
         return Err(Failure::Input("a half opening and a friction belong to `state`".into()));
@@ -72,8 +72,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             write(output, &made.map_err(undecided)?)
         }
         Target::State => {
-            let arch = arch(arguments)?;
-            super::state_digits(&arguments.digits.to_string()).map_err(Failure::Input)?;
+            let (alpha, mu) = (arguments.half_opening.as_deref(), arguments.friction.as_deref());
+            let weight = arguments.weight.unwrap_or(SelfWeight::Milankovitch);
+            let arch = arch(weight, alpha, (mu, "--friction"))?;
+            parse::state_digits(&arguments.digits.to_string()).map_err(Failure::Input)?;
             let output = Output::open(arguments.output.as_deref())?;
             write(output, &certify_state(&arch, arguments.digits).map_err(undecided)?)
         }
@@ -82,16 +84,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 fn undecided(undecided: Undecided) -> Failure {
     Failure::Undecided(undecided.to_string())
-}
-
-fn arch(arguments: &Arguments) -> Result<Arch, Failure> {
-    let missing = |what: &str| Failure::Input(format!("{what} is missing"));
-    let half_opening =
-        arguments.half_opening.as_deref().ok_or_else(|| missing("--half-opening"))?;
-    let mu = arguments.friction.as_deref().ok_or_else(|| missing("--friction"))?;
-    let weight = arguments.weight.unwrap_or(SelfWeight::Milankovitch);
-    let arch = friction(mu).and_then(|mu| super::arch::arch(weight, half_opening, mu));
-    arch.map_err(Failure::Input)
 }
 
 /// All landmarks, each in a file of its own.

@@ -1,9 +1,11 @@
 //! `couplet constants`.
 
 use super::output::AnswerOutput;
-use super::{Failure, progress};
+use super::parse;
+use super::progress;
 use crate::arch::SelfWeight;
 use crate::certify::{CertifiedLandmark, fingerprint};
+use crate::cli::failure::Failure;
 use crate::problem::Landmark;
 use crate::report::words::list;
 use crate::report::{Answer, Answers, Report};
@@ -20,27 +22,27 @@ use rayon::prelude::*;
 /// in COUPLET_T_HEYMAN_THICKNESS (c). Each of them, and json, names the certificate of each landmark by its
 /// SHA-256, up to 10000 digits; `couplet certify T --weight heyman --digits 30 | sha256sum` prints it again.
 #[derive(Args)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     /// Landmarks to print, of T, S, J, B, l, L, sb; all if none is named.
     ///
     /// T triple, S shift, J junction, B border point; l end of rotation, L end of overturning; sb
     /// widest rotational joint.
-    #[arg(value_name = "LANDMARK", value_parser = super::landmark)]
+    #[arg(value_name = "LANDMARK", value_parser = parse::landmark)]
     landmarks: Vec<Landmark>,
 
     /// Self-weight model, heyman or milankovitch; both if not given.
-    #[arg(long, value_parser = super::weight)]
+    #[arg(long, value_parser = parse::weight)]
     weight: Option<SelfWeight>,
 
     /// Significant digits, 1 to 1000000; values are correctly rounded to them.
-    #[arg(long, default_value = "30", value_parser = super::digits, allow_negative_numbers = true)]
+    #[arg(long, default_value = "30", value_parser = parse::digits, allow_negative_numbers = true)]
     digits: usize,
 
     #[command(flatten)]
     output: AnswerOutput,
 }
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (output, digits) = (arguments.output.open()?, arguments.digits);
     let hashed = arguments.output.format.has_certificates;
     let asked = |landmark: &Landmark| {

@@ -1,8 +1,9 @@
 //! `couplet prove`.
 
-use super::Failure;
 use super::output::{Output, OutputFile};
+use super::parse;
 use crate::claims::{Claim, claims, coq};
+use crate::cli::failure::Failure;
 use crate::report::{Claims, Content, Format, Report};
 use clap::Args;
 use rayon::prelude::*;
@@ -14,7 +15,7 @@ use std::path::{Path, PathBuf};
 /// Each claim has an id, such as eq-7-eta; eq-7 stands for all that begin with it. The exit code is 1
 /// only if a claim is undecided: a misprint that is refuted and corrected is a result.
 #[derive(Args)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     /// Claims to decide; all if none is named.
     #[arg(value_name = "CLAIM")]
     claims: Vec<String>,
@@ -23,12 +24,7 @@ pub struct Arguments {
     #[arg(long)]
     show: bool,
 
-    #[arg(
-        long,
-        default_value = "text",
-        value_parser = super::format(Content::Claims),
-        help = super::format_help(Content::Claims)
-    )]
+    #[arg(long, default_value = "text", value_parser = parse::format(Content::Claims), help = parse::format_help(Content::Claims))]
     format: &'static Format,
 
     #[command(flatten)]
@@ -39,7 +35,7 @@ pub struct Arguments {
     coq: Option<PathBuf>,
 }
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(folder) = &arguments.coq {
         return write_coq(folder);
     }

@@ -1,7 +1,8 @@
 //! `couplet run`.
 
 use super::output::{Output, is_same_file};
-use super::{Failure, progress};
+use super::progress;
+use crate::cli::failure::Failure;
 use crate::report::words::count;
 use crate::scene::{
     EXAMPLE, Fault, Hashing, Item, MANIFEST, MAX_BYTES, Manifest, Plan, Run, Scene, explain,
@@ -19,7 +20,7 @@ use std::path::{Path, PathBuf};
 /// then. What is asked for twice is computed once. Beside the outputs stands couplet-run.json, which
 /// tells --resume what is complete.
 #[derive(Args)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     /// The scene; `-` is standard input.
     #[arg(value_name = "SCENE", required_unless_present = "schema")]
     scene: Option<PathBuf>,
@@ -47,7 +48,7 @@ pub struct Arguments {
     schema: bool,
 }
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Some(path) = arguments.scene.as_deref().filter(|_| !arguments.schema) else {
         return Output::Standard.write(|out| out.write_all(EXAMPLE.as_bytes()));
     };

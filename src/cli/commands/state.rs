@@ -1,10 +1,11 @@
 //! `couplet state`.
 
-use super::Failure;
 use super::arch::ArchArguments;
 use super::output::AnswerOutput;
+use super::parse;
 use crate::certify::CertifiedLandmark;
 use crate::certify::state::Certify;
+use crate::cli::failure::Failure;
 use crate::problem::Landmark;
 use crate::report::{Answer, Answers, Report, Status};
 use clap::Args;
@@ -14,19 +15,19 @@ use clap::Args;
 /// The proof: the equations of the mode have one solution in a box; that state is admissible on the
 /// whole half arch; no thinner arch has an admissible state; every comparison is decided.
 #[derive(Args)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     #[command(flatten)]
     arch: ArchArguments,
 
     /// A landmark instead of an arch: T, S, J, B, l, L or sb, with all modes that meet there.
-    #[arg(long, value_name = "LANDMARK", value_parser = super::landmark, conflicts_with_all = ["half_opening", "friction", "friction_angle"])]
+    #[arg(long, value_name = "LANDMARK", value_parser = parse::landmark, conflicts_with_all = ["half_opening", "friction", "friction_angle"])]
     at: Option<Landmark>,
 
     #[command(flatten)]
     output: AnswerOutput,
 }
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(landmark) = arguments.at {
         return at_landmark(landmark, arguments);
     }
@@ -35,7 +36,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// Finds and prints what there is to say of one arch.
-pub fn print(
+pub(super) fn print(
     output: &AnswerOutput,
     digits: usize,
     answer: impl FnOnce() -> Answer,

@@ -1,10 +1,12 @@
 //! `couplet states`.
 
-use super::Failure;
-use super::arch::{arch, friction, thickness};
+use super::arch::thickness;
 use super::output::fits_standard_output;
+use super::parse;
 use super::rows::{Line, Progress, Source, Syntax, csv_records, in_order, json_error, json_lines};
 use crate::certify::state::Certify;
+use crate::cli::failure::Failure;
+use crate::problem::Arch;
 use crate::report::{Answer, Answers, Content, Format, Status};
 use clap::Args;
 use serde::Deserialize;
@@ -22,14 +24,17 @@ use std::io::{self, Read, Write};
 /// The format parquet, where couplet is built with that feature, has one row for each value: the query,
 /// mode, quantity, the value as text with its bounds, the nearest double with its bounds.
 #[derive(Args)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     /// Significant digits, 1 to 10000. With 17 each state also has the nearest double of its values,
     /// in decimal and in hexadecimal.
-    #[arg(long, default_value = "17", value_parser = super::state_digits, allow_negative_numbers = true)]
+    #[arg(long, default_value = "17", value_parser = parse::state_digits, allow_negative_numbers = true)]
     digits: usize,
 
-    /// Output format, csv, jsonl or parquet; that of the input if not given.
-    #[arg(long, value_parser = super::format(Content::Rows))]
+    #[arg(
+        long,
+        value_parser = parse::format(Content::Rows),
+        help = parse::format_help(Content::Rows) + "; that of the input if not given"
+    )]
     format: Option<&'static Format>,
 }
 
@@ -44,7 +49,7 @@ struct Query {
 
 type Queries = Box<dyn Iterator<Item = Line<Query>>>;
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(format) = arguments.format {
         fits_standard_output(format)?;
     }
@@ -117,8 +122,8 @@ fn unwritten(error: io::Error) -> Failure {
 
 /// The answer to a query, or what is wrong with it.
 fn answer(line: u64, query: &Query, digits: usize, assessed: bool) -> Result<Answer, String> {
-    let weight = super::weight(&query.weight)?;
-    let arch = arch(weight, &query.half_opening, friction(&query.friction)?)?;
+    let arch = Arch::parse(&query.weight, &query.half_opening, &query.friction)
+        .map_err(|error| error.to_string())?;
     if !assessed {
         return Ok(Answer::state(line, &arch, &arch.certify(digits)));
     }

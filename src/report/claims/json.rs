@@ -1,6 +1,6 @@
 //! Claims as JSON, `couplet.claims/1`. Fields may be added, none changes its meaning.
 
-use super::{Claims, as_printed};
+use super::decided::{Claims, as_printed};
 use crate::claims::{Finding, Step};
 use crate::report::json;
 use serde::Serialize;
@@ -52,7 +52,7 @@ impl<'a> From<&'a Step> for StepEntry<'a> {
 }
 
 /// All claims.
-pub fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
+pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
     let claims = report.decisions.iter().map(|decision| {
         let (counterexample, corrected) = match &decision.outcome {
             Ok(Finding::Misprint { counterexample, corrected }) => {

@@ -1,6 +1,6 @@
 //! Claims as a LaTeX document: words as text, each formula in a paragraph of its own.
 
-use super::{Claims, as_printed, summary};
+use super::decided::{Claims, as_printed, summary};
 use crate::claims::{Finding, Support};
 use std::io;
 
@@ -12,7 +12,7 @@ const HEAD: &str = r"\documentclass{article}
 \raggedright";
 
 /// All claims.
-pub fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
+pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(out, "{HEAD}")?;
     writeln!(out, "{}\n", plain(&summary(&report.decisions)))?;
     for decision in &report.decisions {

@@ -1,51 +1,11 @@
 //! What `couplet prove` found: text for a person, LaTeX for a document, JSON for a program.
 
+mod decided;
 mod json;
 mod latex;
 mod text;
 
-pub use json::claims as json;
-pub use latex::claims as latex;
-pub use text::claims as text;
-
-use super::words::count;
-use crate::claims::{Decision, Finding};
-
-/// Claims with what was found of them.
-#[derive(Debug)]
-pub struct Claims {
-    /// One per claim, in the order of the paper.
-    pub decisions: Vec<Decision>,
-    /// Whether to give the derivations too.
-    pub show: bool,
-    /// Whether to say how long each took, which is another time in every run.
-    pub timed: bool,
-}
-
-/// The word for what became of the statement as it is printed.
-fn as_printed(decision: &Decision) -> &'static str {
-    match decision.outcome {
-        Ok(Finding::AsPrinted) => "proved",
-        Ok(Finding::Implicit) => "not stated",
-        Ok(Finding::Misprint { .. }) => "refuted",
-        Err(_) => "undecided",
-    }
-}
-
-/// How many claims there are of each kind, in words.
-fn summary(decisions: &[Decision]) -> String {
-    let of = |word| decisions.iter().filter(|decision| as_printed(decision) == word).count();
-    let kinds = [
-        ("proved", "proved as printed"),
-        ("not stated", "proved, not stated in the paper"),
-        ("refuted", "refuted as printed and proved as corrected"),
-        ("undecided", "undecided"),
-    ];
-    let parts: Vec<String> = kinds
-        .into_iter()
-        .map(|(word, words)| (of(word), words))
-        .filter(|(of, _)| *of > 0)
-        .map(|(of, words)| format!("{of} {words}"))
-        .collect();
-    format!("{}: {}", count(decisions.len(), "claim", "claims"), parts.join(", "))
-}
+pub use decided::Claims;
+pub(super) use json::claims as json;
+pub(super) use latex::claims as latex;
+pub(super) use text::claims as text;

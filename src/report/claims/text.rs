@@ -1,11 +1,11 @@
 //! Claims for a person at a terminal.
 
-use super::{Claims, as_printed, summary};
+use super::decided::{Claims, as_printed, summary};
 use crate::claims::{Decision, Finding, Support};
 use std::io;
 
 /// All claims.
-pub fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
+pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
     for decision in &report.decisions {
         heading(decision, report.timed, out)?;
         if report.show {

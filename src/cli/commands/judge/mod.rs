@@ -3,15 +3,17 @@
 mod columns;
 mod row;
 
-use super::Failure;
 use super::output::OutputFile;
 use super::rows::{
     CHUNK, JsonObject, Line, Progress, Source, Syntax, csv_records, in_order, json_lines,
 };
 use crate::arch::SelfWeight;
+use crate::cli::commands::parse;
+use crate::cli::failure::Failure;
 use crate::judge::{Demand, Verdict};
 use crate::problem::Quantity;
 use crate::report::judged::{JudgeSummary, verdicts};
+use crate::report::words::list;
 use crate::report::{Content, Format};
 use clap::Args;
 use columns::{Columns, Role};
@@ -48,7 +50,7 @@ use std::path::PathBuf;
 /// Exit codes: 0 all rows are accepted; 1 some are not; 2 some cannot be read, or bad usage; 3 a
 /// resource or I/O failure.
 #[derive(Args)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     /// The results; `-` is standard input.
     #[arg(value_name = "FILE")]
     file: PathBuf,
@@ -60,7 +62,7 @@ pub struct Arguments {
     columns: Vec<String>,
 
     /// Self-weight model of all rows, heyman or milankovitch, if it is not in a column.
-    #[arg(long, value_parser = super::weight)]
+    #[arg(long, value_parser = parse::weight)]
     weight: Option<SelfWeight>,
 
     /// The half opening and the friction with which the results were computed: exact, the decimal as it
@@ -73,26 +75,34 @@ pub struct Arguments {
 
     /// Correct digits that every number of an accepted row has. Without this 3, or fewer where fewer
     /// are printed and correctly rounded.
-    #[arg(long, value_name = "DIGITS", value_parser = super::state_digits, allow_negative_numbers = true)]
+    #[arg(long, value_name = "DIGITS", value_parser = parse::state_digits, allow_negative_numbers = true)]
     accept: Option<usize>,
 
     /// How many of the worst rows are shown, up to 1000.
     #[arg(long, value_name = "N", default_value = "5", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(0..=1000))]
     worst: u16,
 
-    /// Output format: table or json, a summary with a histogram and the worst rows; csv or jsonl, every
-    /// row, with a short summary on standard error.
-    #[arg(long, default_value = "table", value_parser = super::format(Content::Judged))]
+    #[arg(long, default_value = "table", value_parser = parse::format(Content::Judged), help = format_help())]
     format: &'static Format,
 
     #[command(flatten)]
     output: OutputFile,
 }
 
+fn format_help() -> String {
+    let each = Format::all(Content::Judged).filter(|format| format.judged_lines.is_some());
+    format!(
+        "{}; {} have every row, with a short summary on standard error, the others a summary with a histogram \
+         and the worst rows",
+        parse::format_help(Content::Judged),
+        list(each.map(|format| format.name))
+    )
+}
+
 /// Correct digits that are demanded if none are asked for.
 const DEMANDED: usize = 3;
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let columns = Columns::new(&arguments.columns).map_err(Failure::Input)?;
     let source = Source::open(Some(&arguments.file))?;
     if arguments.output.is_same_file(&arguments.file) {

@@ -1,19 +1,19 @@
 //! A row of results: the arch it is about, and what it says of it.
 
-use super::super::arch::{angle, friction};
 use super::columns::{Columns, Role};
 use crate::arch::SelfWeight;
+use crate::cli::commands::parse;
 use crate::judge::{Claim, Demand, Said, judge};
-use crate::number::ExactNumber;
+use crate::number::{ExactNumber, ParseExactError};
 use crate::problem::{Arch, Friction};
 use crate::report::judged::JudgedRow;
 use rug::Rational;
 
 /// The text of a row, column by column; `None` where the row has no such column.
-pub type Cells = Vec<Option<String>>;
+pub(super) type Cells = Vec<Option<String>>;
 
 /// How rows are read and judged.
-pub struct Judge {
+pub(super) struct Judge {
     pub columns: Columns,
     /// The weight of all rows, if it is not in a column.
     pub weight: Option<SelfWeight>,
@@ -24,7 +24,7 @@ pub struct Judge {
 
 impl Judge {
     /// Judges a row.
-    pub fn row(&self, line: u64, cells: Result<Cells, String>) -> JudgedRow {
+    pub(super) fn row(&self, line: u64, cells: Result<Cells, String>) -> JudgedRow {
         let mut row = JudgedRow {
             line,
             weight: self.weight.map_or("", SelfWeight::name).to_owned(),
@@ -68,7 +68,7 @@ impl Judge {
     fn arch(&self, cells: &Cells) -> Result<Arch, String> {
         let weight = match (self.weight, self.said(cells, Role::Weight)) {
             (Some(weight), _) => weight,
-            (None, Some((text, _))) => super::super::weight(text)?,
+            (None, Some((text, _))) => parse::weight(text)?,
             (None, None) => return Err("the weight is missing".into()),
         };
         let given = |role: Role| match self.said(cells, role) {
@@ -90,7 +90,7 @@ impl Judge {
         if unlimited.iter().any(|word| text.eq_ignore_ascii_case(word)) {
             return Ok(Friction::Infinite);
         }
-        match friction(text)? {
+        match text.parse().map_err(error)? {
             Friction::Coefficient(mu) if self.doubles => nearest(&mu).map(Friction::Coefficient),
             friction => Ok(friction),
         }
@@ -99,12 +99,12 @@ impl Judge {
     /// An angle. In doubles, degrees are rounded as they are read and once more in radians.
     fn angle(&self, (text, degrees): (&str, bool)) -> Result<ExactNumber, String> {
         let text = if degrees { format!("{text}deg") } else { text.to_owned() };
-        let exact = angle(&text)?;
+        let exact: ExactNumber = text.parse().map_err(error)?;
         if !self.doubles {
             return Ok(exact);
         }
         match text.strip_suffix("deg") {
-            Some(degrees) => nearest(&nearest(&angle(degrees)?)?.degrees()),
+            Some(degrees) => nearest(&nearest(&degrees.parse().map_err(error)?)?.degrees()),
             None => nearest(&exact),
         }
     }
@@ -119,6 +119,10 @@ impl Judge {
             Said { stands: text(Role::Stands), mode: text(Role::Mode), numbers: numbers.collect() };
         Claim::read(&said).map_err(|error| error.to_string())
     }
+}
+
+fn error(error: ParseExactError) -> String {
+    error.to_string()
 }
 
 /// The nearest double, exactly.

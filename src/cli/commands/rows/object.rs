@@ -10,17 +10,17 @@ use std::fmt;
 const MAX_KEYS: usize = 1000;
 
 /// A JSON object with its values as they are written, so that a number keeps all its digits.
-pub struct JsonObject<'a>(Vec<(String, &'a RawValue)>);
+pub(crate) struct JsonObject<'a>(Vec<(String, &'a RawValue)>);
 
 impl<'a> JsonObject<'a> {
     /// Reads one; a key that is there twice is an error.
-    pub fn parse(bytes: &'a [u8]) -> Result<Self, String> {
+    pub(crate) fn parse(bytes: &'a [u8]) -> Result<Self, String> {
         serde_json::from_slice(bytes).map_err(|error| json_error(bytes, &error))
     }
 
     /// The text of a value: of a text what it says, of an object its entry `value`, of `null`
     /// nothing, of all else what is written. `None` if there is no such key.
-    pub fn text(&self, key: &str) -> Option<String> {
+    pub(crate) fn text(&self, key: &str) -> Option<String> {
         let (_, raw) = self.0.iter().find(|(name, _)| name == key)?;
         Some(text(raw))
     }
@@ -28,7 +28,7 @@ impl<'a> JsonObject<'a> {
 
 /// What is wrong with a line of JSON, and where the text is none, in which column. The number of the line
 /// is told by others.
-pub fn json_error(bytes: &[u8], error: &serde_json::Error) -> String {
+pub(crate) fn json_error(bytes: &[u8], error: &serde_json::Error) -> String {
     let text = error.to_string();
     let message = text.rsplit_once(" at line ").map_or(text.as_str(), |(message, _)| message);
     let column = error.column();

@@ -1,0 +1,54 @@
+//! Why a command did not do what was asked.
+
+use std::fmt::Display;
+use std::io::{self, Write};
+
+/// Why a command did not do what was asked.
+#[derive(Debug, thiserror::Error)]
+pub(super) enum Failure {
+    /// The input makes no sense.
+    #[cfg(feature = "mpfr")]
+    #[error("{0}")]
+    Input(String),
+    /// Not everything could be proved; what could has been printed.
+    #[error("{0}")]
+    Undecided(String),
+    /// A file or a stream.
+    #[error("{0}")]
+    Io(String),
+}
+
+impl Failure {
+    /// What could not be read, and why.
+    pub(super) fn reading(what: impl Display, error: &io::Error) -> Self {
+        Self::Io(format!("cannot read {what}: {}", reason(error)))
+    }
+
+    /// What could not be written, and why.
+    pub(super) fn writing(what: impl Display, error: &io::Error) -> Self {
+        Self::Io(format!("cannot write {what}: {}", reason(error)))
+    }
+}
+
+/// The kind of an error in plain words: its own text may name a temporary file, which nobody has asked for.
+fn reason(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => "there is no such file or folder".into(),
+        io::ErrorKind::AlreadyExists | io::ErrorKind::NotADirectory => {
+            "a file stands where a folder should be".into()
+        }
+        io::ErrorKind::Other => error.to_string(),
+        kind => kind.to_string(),
+    }
+}
+
+/// Writes to standard output; a reader that has closed the pipe has what it wanted.
+pub(super) fn print(bytes: &[u8]) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    match out.write_all(bytes).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(Failure::writing("to standard output", &error))
+        }
+        _ => Ok(()),
+    }
+}
