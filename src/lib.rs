@@ -88,6 +88,7 @@ pub mod certify;
 pub mod check;
 #[cfg(feature = "mpfr")]
 pub mod claims;
+#[doc(hidden)]
 #[cfg(feature = "cli")]
 pub mod cli;
 #[cfg(feature = "mpfr")]
@@ -96,12 +97,15 @@ pub mod number;
 pub mod problem;
 #[cfg(all(feature = "mpfr", feature = "cli"))]
 pub mod report;
+#[doc(hidden)]
 #[cfg(all(feature = "mpfr", feature = "cli"))]
 pub mod scene;
+#[doc(hidden)]
 #[cfg(feature = "mpfr")]
 pub mod solve;
 #[cfg(feature = "proptest")]
 pub mod strategies;
+#[doc(hidden)]
 #[cfg(feature = "study")]
 pub mod study;
 #[cfg(feature = "mpfr")]

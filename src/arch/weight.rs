@@ -32,6 +32,11 @@ impl SelfWeight {
     }
 }
 
+// A model that is added is listed in `ALL`: the compiler stops here.
+const _: () = match SelfWeight::Heyman {
+    SelfWeight::Heyman | SelfWeight::Milankovitch => assert!(SelfWeight::ALL.len() == 2),
+};
+
 /// A value for each self-weight model: a cache, for instance. A model that is added has to be given one.
 #[derive(Clone, Copy, Debug)]
 pub struct PerWeight<T> {

@@ -37,7 +37,7 @@ impl Exact {
 const RADICAND: u32 = 3;
 
 /// The exact value of a quantity at an isolated landmark, where it has one and that is proved.
-pub fn exact(landmark: Landmark, isolated: &Isolated, quantity: Quantity) -> Option<Exact> {
+pub(super) fn exact(landmark: Landmark, isolated: &Isolated, quantity: Quantity) -> Option<Exact> {
     let system = isolated.system();
     let integer = |n: i32| Exact::Surd(Surd::rational(n, RADICAND));
     let fixed = |unknown| system.fixed_value(unknown);

@@ -78,7 +78,12 @@ pub(crate) struct Operator<'a, S, E> {
 
 impl<'a, S: Equations<E>, E: Engine> Operator<'a, S, E> {
     /// The operator with an approximate inverse of the Jacobian at the centre.
-    pub fn new(equations: &'a S, bits: u32, centre: &[Float], inverse: &[Vec<Float>]) -> Self {
+    pub(crate) fn new(
+        equations: &'a S,
+        bits: u32,
+        centre: &[Float],
+        inverse: &[Vec<Float>],
+    ) -> Self {
         let exact = |x: &Float| E::exact(&Dyadic::from(x), bits as usize);
         let points: Vec<E> = centre.iter().map(exact).collect();
         Self {
@@ -92,7 +97,7 @@ impl<'a, S: Equations<E>, E: Engine> Operator<'a, S, E> {
     }
 
     /// The box of all points within the radii of the centre.
-    pub fn domain(&self, radii: &[Magnitude]) -> Vec<E> {
+    pub(crate) fn domain(&self, radii: &[Magnitude]) -> Vec<E> {
         let sides = self.points.iter().zip(radii);
         sides.map(|(x, r)| x.widened_by(&Dyadic::from(&r.to_float()))).collect()
     }
@@ -100,13 +105,13 @@ impl<'a, S: Equations<E>, E: Engine> Operator<'a, S, E> {
     /// The proof: the image of the box within `radii`, if it lies in the interior of the box and nothing
     /// that is divided by vanishes there. Then the box holds exactly one root, and the image holds it.
     /// `None` says nothing.
-    pub fn image(&self, radii: &[Magnitude]) -> Option<Vec<E>> {
+    pub(crate) fn image(&self, radii: &[Magnitude]) -> Option<Vec<E>> {
         let domain = self.domain(radii);
         self.image_of(&domain).filter(|image| krawczyk::is_contracted(image, &domain))
     }
 
     /// The same with room to spare: the image lies in the interior of a smaller box.
-    pub fn image_in(&self, radii: &[Magnitude], smaller: &[Magnitude]) -> Option<Vec<E>> {
+    pub(crate) fn image_in(&self, radii: &[Magnitude], smaller: &[Magnitude]) -> Option<Vec<E>> {
         let image = self.image_of(&self.domain(radii))?;
         krawczyk::is_contracted(&image, &self.domain(smaller)).then_some(image)
     }

@@ -12,6 +12,7 @@ mod refusal;
 pub use checker::{
     ASTRO_DIGITS, Accepted, MAX_DIGITS, WITNESS_BITS, check, check_certificate, verify,
 };
+#[cfg(feature = "cli")]
 pub(crate) use format::given_text;
 pub use format::{Certificate, ClaimFile, SCHEMA, StateFile, ValueFile, Witness};
 pub use refusal::Refusal;

@@ -8,7 +8,7 @@ use std::fmt;
 use std::marker::PhantomData;
 
 /// What is read from an object.
-pub struct Object<T>(pub T);
+pub(super) struct Object<T>(pub T);
 
 impl<'de, T: Deserialize<'de>> Deserialize<'de> for Object<T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -31,12 +31,14 @@ impl<'de, T: Deserialize<'de>> Visitor<'de> for Fields<T> {
 }
 
 /// An object, for a field.
-pub fn object<'de, T: Deserialize<'de>, D: Deserializer<'de>>(from: D) -> Result<T, D::Error> {
+pub(super) fn object<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
+    from: D,
+) -> Result<T, D::Error> {
     Object::deserialize(from).map(|Object(value)| value)
 }
 
 /// A list of objects.
-pub fn objects<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
+pub(super) fn objects<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
     from: D,
 ) -> Result<Vec<T>, D::Error> {
     let all = Vec::<Object<T>>::deserialize(from)?;
@@ -44,14 +46,14 @@ pub fn objects<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
 }
 
 /// An object, for a field that may be left out.
-pub fn given_object<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
+pub(super) fn given_object<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
     from: D,
 ) -> Result<Option<T>, D::Error> {
     object(from).map(Some)
 }
 
 /// A value, for a field that may be left out.
-pub fn given<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
+pub(super) fn given<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
     from: D,
 ) -> Result<Option<T>, D::Error> {
     T::deserialize(from).map(Some)

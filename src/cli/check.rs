@@ -13,7 +13,7 @@ use std::io::{self, Read};
 /// claim. Each file gets one line, `accepted` or `refused` with the reason; `-` is standard input. The
 /// exit code is 1 if a file was refused.
 #[derive(Args)]
-pub struct Arguments {
+pub(super) struct Arguments {
     /// Certificates to check.
     #[arg(value_name = "FILE", required = true)]
     files: Vec<String>,
@@ -44,7 +44,7 @@ fn engine(text: &str) -> Result<EngineChoice, String> {
 /// The commands of the small program.
 #[cfg(not(feature = "mpfr"))]
 #[derive(clap::Subcommand)]
-pub enum Command {
+pub(super) enum Command {
     Check(Arguments),
     Completions(super::completions::Arguments),
     Man(super::man::Arguments),
@@ -53,7 +53,7 @@ pub enum Command {
 #[cfg(not(feature = "mpfr"))]
 impl Command {
     /// Runs the command; `program` describes the whole command line.
-    pub fn run(&self, program: fn() -> clap::Command) -> Result<(), Failure> {
+    pub(super) fn run(&self, program: fn() -> clap::Command) -> Result<(), Failure> {
         match self {
             Self::Check(arguments) => run(arguments),
             Self::Completions(arguments) => super::completions::run(arguments, program()),
@@ -65,7 +65,7 @@ impl Command {
 /// A certificate of a million digits has about 25 MB.
 const MAX_BYTES: u64 = 64 << 20;
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut refused = 0;
     for name in &arguments.files {
         let bytes = read(name).map_err(|error| Failure::reading(name, &error))?;

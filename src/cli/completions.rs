@@ -9,13 +9,13 @@ use clap_complete::Shell;
 /// bash: `couplet completions bash > ~/.local/share/bash-completion/completions/couplet`. zsh: write
 /// `_couplet` into a folder of `fpath`. fish: write `~/.config/fish/completions/couplet.fish`.
 #[derive(Args)]
-pub struct Arguments {
+pub(super) struct Arguments {
     /// The shell.
     #[arg(value_name = "SHELL")]
     shell: Shell,
 }
 
-pub fn run(arguments: &Arguments, mut program: Command) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments, mut program: Command) -> Result<(), Failure> {
     let mut script = Vec::new();
     clap_complete::generate(arguments.shell, &mut program, "couplet", &mut script);
     print(&script)

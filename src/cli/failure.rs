@@ -5,7 +5,7 @@ use std::io::{self, Write};
 
 /// Why a command did not do what was asked.
 #[derive(Debug, thiserror::Error)]
-pub enum Failure {
+pub(super) enum Failure {
     /// The input makes no sense.
     #[cfg(feature = "mpfr")]
     #[error("{0}")]
@@ -20,12 +20,12 @@ pub enum Failure {
 
 impl Failure {
     /// What could not be read, and why.
-    pub fn reading(what: impl Display, error: &io::Error) -> Self {
+    pub(super) fn reading(what: impl Display, error: &io::Error) -> Self {
         Self::Io(format!("cannot read {what}: {}", reason(error)))
     }
 
     /// What could not be written, and why.
-    pub fn writing(what: impl Display, error: &io::Error) -> Self {
+    pub(super) fn writing(what: impl Display, error: &io::Error) -> Self {
         Self::Io(format!("cannot write {what}: {}", reason(error)))
     }
 }
@@ -43,7 +43,7 @@ fn reason(error: &io::Error) -> String {
 }
 
 /// Writes to standard output. A reader that closes the pipe early is no failure.
-pub fn print(bytes: &[u8]) -> Result<(), Failure> {
+pub(super) fn print(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     match out.write_all(bytes).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {

@@ -11,13 +11,13 @@ use std::path::PathBuf;
 /// `couplet man | man -l -` shows it; `couplet man ~/.local/share/man/man1` installs couplet.1,
 /// couplet-state.1 and the others.
 #[derive(Args)]
-pub struct Arguments {
+pub(super) struct Arguments {
     /// The folder for a page of each command; it is made if need be.
     #[arg(value_name = "FOLDER")]
     folder: Option<PathBuf>,
 }
 
-pub fn run(arguments: &Arguments, mut command: Command) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments, mut command: Command) -> Result<(), Failure> {
     let Some(folder) = &arguments.folder else {
         let mut page = Vec::new();
         Man::new(command).render(&mut page).map_err(|e| Failure::writing("the page", &e))?;

@@ -173,7 +173,7 @@ pub(crate) mod test_config {
     use proptest::test_runner::{Config, RngSeed};
 
     /// The same arguments in every run, and bounded shrinking.
-    pub fn config(cases: u32) -> Config {
+    pub(crate) fn config(cases: u32) -> Config {
         Config {
             cases,
             max_shrink_iters: 1000,

@@ -184,6 +184,17 @@ impl Landmark {
     }
 }
 
+// A landmark that is added is listed in `ALL`: the compiler stops here.
+const _: () = match Landmark::Triple {
+    Landmark::Triple
+    | Landmark::Shift
+    | Landmark::Junction
+    | Landmark::Border
+    | Landmark::RotationEnd
+    | Landmark::OverturningEnd
+    | Landmark::WidestJoint => assert!(Landmark::ALL.len() == 7),
+};
+
 #[cfg(test)]
 mod tests {
     use super::*;

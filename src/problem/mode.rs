@@ -108,6 +108,17 @@ impl Mode {
     }
 }
 
+// A mode that is added is listed in `ALL`: the compiler stops here.
+const _: () = match Mode::Rotational {
+    Mode::Rotational
+    | Mode::SlidingRotational
+    | Mode::RotationalSliding
+    | Mode::RotationalSlidingRotational
+    | Mode::OverturningSliding
+    | Mode::Overturning
+    | Mode::Sliding => assert!(Mode::ALL.len() == 7),
+};
+
 impl fmt::Display for Mode {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.label())

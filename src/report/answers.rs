@@ -5,7 +5,7 @@ use super::words::DOUBLE_DIGITS;
 use crate::problem::Quantity;
 
 /// The program and its version.
-pub const TOOL: &str = concat!("couplet ", env!("CARGO_PKG_VERSION"));
+pub(super) const TOOL: &str = concat!("couplet ", env!("CARGO_PKG_VERSION"));
 
 /// What answers are of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -64,7 +64,7 @@ fn compared(entry: &Comparison) -> Fields {
 }
 
 /// JSON.
-pub fn json(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn json(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
     let file = AuditFile {
         schema: "couplet.audit/1",
         printed: report.printed.iter().map(printed).collect(),
@@ -74,14 +74,14 @@ pub fn json(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
 }
 
 /// CSV of the printed numbers.
-pub fn csv(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn csv(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
     let header = PRINTED.map(str::to_owned).to_vec();
     let rows = report.printed.iter().map(|entry| printed(entry).texts().collect());
     csv::write(std::iter::once(header).chain(rows), out)
 }
 
 /// A table.
-pub fn table(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn table(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(
         out,
         "Printed numbers against certified values; errors in units of the last printed place\n"

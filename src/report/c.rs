@@ -11,7 +11,7 @@ const NOTES: &[&str] = &[
     "compilers before). COUPLET_..._TEXT has all digits, for a library of many digits.",
 ];
 
-pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     comment(preface(report).iter().map(String::as_str).chain(NOTES.iter().copied()), out)?;
     writeln!(out, "#ifndef COUPLET_CONSTANTS_H\n#define COUPLET_CONSTANTS_H")?;
     let is_infinite = |named: Named| named.doubles().iter().any(|(_, x)| x.is_infinite());

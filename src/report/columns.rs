@@ -5,7 +5,7 @@ use super::answers::Answers;
 use super::fields::Fields;
 
 /// The fields before the values: the arch, the verdict, the mode.
-pub fn front(report: &Answers, answer: &Answer) -> Fields {
+pub(super) fn front(report: &Answers, answer: &Answer) -> Fields {
     let mut fields = Fields::default();
     let (mut alpha, mut mu, mut eta) = (None, None, None);
     if let Subject::Arch { half_opening, friction, thickness, .. } = &answer.subject {
@@ -27,12 +27,12 @@ pub fn front(report: &Answers, answer: &Answer) -> Fields {
 }
 
 /// The names of the columns of arches.
-pub fn names(report: &Answers) -> Vec<&'static str> {
+pub(super) fn names(report: &Answers) -> Vec<&'static str> {
     row(report, &Answer::refused(0, String::new())).names().collect()
 }
 
 /// The cells of an arch, all empty for a query that could not be read.
-pub fn cells(report: &Answers, answer: &Answer) -> Vec<String> {
+pub(super) fn cells(report: &Answers, answer: &Answer) -> Vec<String> {
     match answer.subject {
         Subject::Query { .. } => vec![String::new(); names(report).len()],
         _ => row(report, answer).texts().collect(),

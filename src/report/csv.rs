@@ -8,7 +8,7 @@ use super::words::hexadecimal;
 use std::io;
 
 /// Landmarks or arches.
-pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     match report.scope {
         Scope::Constants | Scope::Point => write(constants(report), out),
         Scope::Arch | Scope::Arches => {
@@ -19,12 +19,12 @@ pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
 }
 
 /// Arches as they come, each with the line of its query.
-pub fn rows(report: Answers) -> io::Result<Box<dyn Rows>> {
+pub(super) fn rows(report: Answers) -> io::Result<Box<dyn Rows>> {
     Ok(Box::new(CsvRows(report)))
 }
 
 /// Writes records, the header among them.
-pub fn write(
+pub(super) fn write(
     records: impl IntoIterator<Item = Vec<String>>,
     out: &mut dyn io::Write,
 ) -> io::Result<()> {
@@ -109,7 +109,7 @@ impl Rows for CsvRows {
 }
 
 /// One line.
-pub fn line(record: Vec<String>) -> io::Result<Vec<u8>> {
+pub(super) fn line(record: Vec<String>) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     write([record], &mut bytes)?;
     Ok(bytes)

@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 
 /// The document.
 #[derive(Serialize)]
-pub struct Document<'a> {
+pub(super) struct Document<'a> {
     schema: &'static str,
     tool: &'static str,
     digits: usize,
@@ -82,7 +82,7 @@ struct CertificateEntry<'a> {
 
 impl<'a> Document<'a> {
     /// Of landmarks or arches.
-    pub fn new(report: &'a Answers) -> Self {
+    pub(super) fn new(report: &'a Answers) -> Self {
         let values = |answer: &'a Answer| {
             answer.values.iter().map(|(of, value)| ValueEntry::new(&answer.subject, *of, value))
         };

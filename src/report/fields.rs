@@ -5,7 +5,7 @@ use serde_json::Value as Json;
 
 /// Named fields in their order.
 #[derive(Debug, Default)]
-pub struct Fields(Vec<(&'static str, Field)>);
+pub(crate) struct Fields(Vec<(&'static str, Field)>);
 
 #[derive(Debug, Serialize)]
 #[serde(untagged)]
@@ -16,27 +16,27 @@ enum Field {
 
 impl Fields {
     /// Adds a field; nothing is `null`.
-    pub fn add(&mut self, name: &'static str, value: impl Into<Json>) {
+    pub(crate) fn add(&mut self, name: &'static str, value: impl Into<Json>) {
         self.0.push((name, Field::Value(value.into())));
     }
 
     /// Adds an object, or `null`.
-    pub fn add_fields(&mut self, name: &'static str, fields: Option<Fields>) {
+    pub(crate) fn add_fields(&mut self, name: &'static str, fields: Option<Fields>) {
         self.0.push((name, fields.map_or(Field::Value(Json::Null), Field::Fields)));
     }
 
     /// Adds the fields of another.
-    pub fn append(&mut self, mut other: Self) {
+    pub(crate) fn append(&mut self, mut other: Self) {
         self.0.append(&mut other.0);
     }
 
     /// The names of the fields.
-    pub fn names(&self) -> impl Iterator<Item = &'static str> {
+    pub(crate) fn names(&self) -> impl Iterator<Item = &'static str> {
         self.0.iter().map(|(name, _)| *name)
     }
 
     /// The fields as text; `null` and objects are empty.
-    pub fn texts(&self) -> impl Iterator<Item = String> {
+    pub(crate) fn texts(&self) -> impl Iterator<Item = String> {
         self.0.iter().map(|(_, field)| match field {
             Field::Value(Json::String(text)) => text.clone(),
             Field::Value(Json::Null) | Field::Fields(_) => String::new(),

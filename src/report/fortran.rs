@@ -17,7 +17,7 @@ module couplet_constants
 /// Digits of a comment's line.
 const WIDTH: usize = 100;
 
-pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     comments(preface(report), "! ", out)?;
     write!(out, "{NOTES}")?;
     listing(report, "  ! ", out, value)?;

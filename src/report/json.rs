@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 use std::io;
 
 /// Landmarks or arches.
-pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     match report.scope {
         Scope::Constants => write(&Document::new(report), out),
         Scope::Point => {
@@ -31,18 +31,18 @@ pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
 }
 
 /// Arches as they come, each on one line.
-pub fn lines(report: Answers) -> io::Result<Box<dyn Rows>> {
+pub(super) fn lines(report: Answers) -> io::Result<Box<dyn Rows>> {
     Ok(Box::new(JsonLines(report)))
 }
 
 /// Writes a document for a program, which a person can read too.
-pub fn write(document: &impl Serialize, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn write(document: &impl Serialize, out: &mut dyn io::Write) -> io::Result<()> {
     serde_json::to_writer_pretty(&mut *out, document)?;
     writeln!(out)
 }
 
 /// Writes a document on one line.
-pub fn line(document: &impl Serialize) -> io::Result<Vec<u8>> {
+pub(super) fn line(document: &impl Serialize) -> io::Result<Vec<u8>> {
     let mut line = serde_json::to_vec(document)?;
     line.push(b'\n');
     Ok(line)

@@ -10,7 +10,7 @@ use std::io;
 /// Bits of a `BigFloat` beyond those of its digits, so that they can be printed again.
 const GUARD: u32 = 8;
 
-pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(out, "\"\"\"")?;
     for line in preface(report) {
         writeln!(out, "{line}")?;

@@ -20,7 +20,7 @@ const HEAD: &str = r"%
 \endfoot";
 
 /// Landmarks or arches.
-pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     comments(head(report), "% ", out)?;
     writeln!(out, "{HEAD}")?;
     for (index, answer) in report.list.iter().enumerate() {

@@ -5,7 +5,7 @@ use super::names::{Named, about};
 use std::io;
 
 /// Lines as comments, without spaces at their ends.
-pub fn comments(
+pub(super) fn comments(
     lines: impl IntoIterator<Item = String>,
     mark: &str,
     out: &mut dyn io::Write,
@@ -14,7 +14,7 @@ pub fn comments(
 }
 
 /// Each answer after an empty line: its comments, and its values as `value` writes them.
-pub fn listing(
+pub(super) fn listing(
     report: &Answers,
     mark: &str,
     out: &mut dyn io::Write,

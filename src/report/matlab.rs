@@ -25,7 +25,7 @@ function x = digits_of(text, digits)
 end
 ";
 
-pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(out, "function c = couplet_constants()")?;
     comments(preface(report), "%   ", out)?;
     write!(out, "{NOTES}")?;

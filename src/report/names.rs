@@ -12,7 +12,7 @@ use super::words::model;
 use crate::problem::{Landmark, Quantity};
 
 /// A value with its names.
-pub struct Named<'a> {
+pub(super) struct Named<'a> {
     /// The point, the weight and the quantity; or the arch and the quantity.
     pub words: Vec<String>,
     /// The value.
@@ -22,7 +22,7 @@ pub struct Named<'a> {
 
 impl<'a> Named<'a> {
     /// The values of an answer.
-    pub fn all(answer: &'a Answer) -> impl Iterator<Item = Self> {
+    pub(super) fn all(answer: &'a Answer) -> impl Iterator<Item = Self> {
         answer.values.iter().map(|(quantity, value)| {
             let mut words = match &answer.subject {
                 Subject::Landmark { landmark, weight } => {
@@ -43,12 +43,12 @@ impl<'a> Named<'a> {
     }
 
     /// The name in capitals.
-    pub fn capitals(&self) -> String {
+    pub(super) fn capitals(&self) -> String {
         self.words.join("_").to_uppercase()
     }
 
     /// The comment on the value: its symbol, and its exact value if there is one.
-    pub fn remark(&self) -> String {
+    pub(super) fn remark(&self) -> String {
         let symbol = self.quantity.symbol();
         match &self.value.exact {
             Some(exact) => format!("{symbol}: {} exactly", safe(exact)),
@@ -57,7 +57,7 @@ impl<'a> Named<'a> {
     }
 
     /// The doubles of the value, each with the suffix of its name.
-    pub fn doubles(&self) -> [(&'static str, f64); 4] {
+    pub(super) fn doubles(&self) -> [(&'static str, f64); 4] {
         let Value { double, binary, .. } = self.value;
         [
             ("", *double),
@@ -69,7 +69,7 @@ impl<'a> Named<'a> {
 }
 
 /// The top of a file.
-pub fn head(report: &Answers) -> Vec<String> {
+pub(super) fn head(report: &Answers) -> Vec<String> {
     let digits = report.digits;
     let noun = if digits == 1 { "digit" } else { "digits" };
     vec![
@@ -93,12 +93,12 @@ const NUMBERS: [&str; 6] = [
 ];
 
 /// The top of a program.
-pub fn preface(report: &Answers) -> Vec<String> {
+pub(super) fn preface(report: &Answers) -> Vec<String> {
     head(report).into_iter().chain(NUMBERS.map(str::to_owned)).collect()
 }
 
 /// The comments on an answer, before its values.
-pub fn about(answer: &Answer) -> Vec<String> {
+pub(super) fn about(answer: &Answer) -> Vec<String> {
     let title = match &answer.subject {
         Subject::Landmark { landmark, weight } => {
             format!("{}, {}, {}", landmark.symbol(), landmark.name(), model(*weight))
@@ -134,13 +134,13 @@ pub fn about(answer: &Answer) -> Vec<String> {
 
 /// Text that ends no comment and no string of any language, and starts nothing in it: what is not a
 /// letter, a digit or harmless becomes `_`.
-pub fn safe(text: &str) -> String {
+pub(super) fn safe(text: &str) -> String {
     let harmless = |c: char| c.is_ascii_alphanumeric() || " .,:;()[]+-/=<>'√π−".contains(c);
     text.chars().map(|c| if harmless(c) { c } else { '_' }).collect()
 }
 
 /// The bits of a double in hexadecimal.
-pub fn bits(x: f64) -> String {
+pub(super) fn bits(x: f64) -> String {
     format!("{:016x}", x.to_bits())
 }
 

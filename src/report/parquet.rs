@@ -60,14 +60,14 @@ struct ParquetRows {
 }
 
 /// Landmarks or arches.
-pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     let mut rows = ParquetRows::new(report)?;
     out.write_all(&rows.group(&report.list)?)?;
     out.write_all(&Box::new(rows).end()?)
 }
 
 /// Arches as they come.
-pub fn rows(report: Answers) -> io::Result<Box<dyn Rows>> {
+pub(super) fn rows(report: Answers) -> io::Result<Box<dyn Rows>> {
     Ok(Box::new(ParquetRows::new(&report)?))
 }
 

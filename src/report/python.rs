@@ -13,7 +13,7 @@ NAME_DECIMAL is a decimal.Decimal with all digits; arithmetic on it rounds to de
 from decimal import Decimal
 ";
 
-pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     write!(out, "\"\"\"")?;
     for line in preface(report) {
         writeln!(out, "{line}")?;

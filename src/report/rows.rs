@@ -21,7 +21,7 @@ pub trait Rows: Send {
 }
 
 /// A row for each answer, made on all cores.
-pub fn in_parallel(
+pub(super) fn in_parallel(
     answers: &[Answer],
     row: impl Fn(&Answer) -> io::Result<Vec<u8>> + Send + Sync,
 ) -> io::Result<Vec<u8>> {

@@ -5,7 +5,7 @@ use super::listing::{comments, listing};
 use super::names::{Named, bits, preface};
 use std::io;
 
-pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     comments(preface(report), "//! ", out)?;
     writeln!(out, "//!\n//! `…_TEXT` has all digits.")?;
     writeln!(out, "#![allow(dead_code)]")?;

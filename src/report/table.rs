@@ -9,7 +9,7 @@ use crate::problem::Quantity;
 use std::io;
 
 /// Landmarks or arches.
-pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     match report.scope {
         Scope::Constants => {
             writeln!(out, "Landmark constants, {}", rounding(report))?;

@@ -5,7 +5,7 @@ use super::document::Document;
 use std::io;
 
 /// Landmarks or arches.
-pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     let text = ::toml::to_string(&Document::new(report)).map_err(io::Error::other)?;
     out.write_all(text.as_bytes())
 }

@@ -5,24 +5,24 @@ use crate::certify::state::Fall;
 use std::fmt::Display;
 
 /// With this many digits a decimal number tells the double, which is then given too.
-pub const DOUBLE_DIGITS: usize = 17;
+pub(crate) const DOUBLE_DIGITS: usize = 17;
 
 /// Characters of a text from outside that are shown.
 const SHOWN: usize = 40;
 
 /// `1 arch`, `2 arches`.
-pub fn count<N: Display + PartialEq + From<u8>>(n: N, one: &str, many: &str) -> String {
+pub(crate) fn count<N: Display + PartialEq + From<u8>>(n: N, one: &str, many: &str) -> String {
     let noun = if n == N::from(1) { one } else { many };
     format!("{n} {noun}")
 }
 
 /// Names in a sentence: `a, b, c`.
-pub fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
+pub(crate) fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     names.into_iter().collect::<Vec<_>>().join(", ")
 }
 
 /// A text on one line, cut if it is long.
-pub fn shortened(text: &str) -> String {
+pub(crate) fn shortened(text: &str) -> String {
     let mut shown = text.chars().map(|c| if c.is_control() { ' ' } else { c });
     let mut short: String = shown.by_ref().take(SHOWN).collect();
     if shown.next().is_some() {
@@ -33,7 +33,7 @@ pub fn shortened(text: &str) -> String {
 }
 
 /// Whose self-weight model it is.
-pub fn author(weight: SelfWeight) -> &'static str {
+pub(crate) fn author(weight: SelfWeight) -> &'static str {
     match weight {
         SelfWeight::Heyman => "Heyman",
         SelfWeight::Milankovitch => "Milankovitch",
@@ -41,12 +41,12 @@ pub fn author(weight: SelfWeight) -> &'static str {
 }
 
 /// The self-weight model in words.
-pub fn model(weight: SelfWeight) -> String {
+pub(crate) fn model(weight: SelfWeight) -> String {
     format!("{}-like self-weight", author(weight))
 }
 
 /// The word for why an arch does not stand.
-pub fn reason(fall: Fall) -> &'static str {
+pub(crate) fn reason(fall: Fall) -> &'static str {
     match fall {
         Fall::Sliding => "sliding",
         Fall::Thickness => "thickness",
@@ -54,7 +54,7 @@ pub fn reason(fall: Fall) -> &'static str {
 }
 
 /// A double as C and many others write it in hexadecimal: exact. Infinity is `inf`, as `printf` has it.
-pub fn hexadecimal(x: f64) -> String {
+pub(crate) fn hexadecimal(x: f64) -> String {
     if x.is_infinite() {
         return x.to_string();
     }

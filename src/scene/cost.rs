@@ -36,7 +36,10 @@ impl<'a> std::iter::Sum<&'a Cost> for Cost {
 }
 
 /// Does jobs on all cores; the results are in the order of the jobs, each with what it cost.
-pub fn measured<J: Sync, T: Send>(jobs: &[J], work: impl Fn(&J) -> T + Sync) -> Vec<(T, Cost)> {
+pub(super) fn measured<J: Sync, T: Send>(
+    jobs: &[J],
+    work: impl Fn(&J) -> T + Sync,
+) -> Vec<(T, Cost)> {
     let next = AtomicUsize::new(0);
     let worker = || {
         let mut done = Vec::new();

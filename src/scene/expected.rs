@@ -6,7 +6,7 @@ use crate::problem::{Arch, Equation, Mode};
 use crate::solve::start::{quick_state, seems_to_rotate};
 
 /// The mode that an arch seems to have; `[s,s]` if it seems that nothing stands.
-pub fn mode(arch: &Arch) -> Mode {
+pub(super) fn mode(arch: &Arch) -> Mode {
     let given = arch.given::<Ball>(64);
     let alpha = given.half_opening.rad.mid();
     let mu = if arch.is_limited() { given.friction.mid().to_f64() } else { f64::INFINITY };
@@ -17,7 +17,7 @@ pub fn mode(arch: &Arch) -> Mode {
 }
 
 /// The mode in words, with its equations.
-pub fn in_words(arch: &Arch) -> String {
+pub(super) fn in_words(arch: &Arch) -> String {
     let mode = mode(arch);
     let equations = mode.system(arch.weight()).equations;
     let equations: Vec<&str> = equations.iter().copied().map(Equation::label).collect();

@@ -22,7 +22,7 @@ pub struct Fault {
 }
 
 /// The text of a scene file.
-pub struct Source<'s> {
+pub(super) struct Source<'s> {
     text: &'s str,
     /// The place of every [`STRIDE`]-th byte, so that many faults do not mean many readings of the file.
     marks: Vec<Position>,
@@ -33,7 +33,7 @@ const STRIDE: usize = 1 << 10;
 
 impl<'s> Source<'s> {
     /// Of a text.
-    pub fn new(text: &'s str) -> Self {
+    pub(super) fn new(text: &'s str) -> Self {
         // Editors do not count a byte order mark.
         let column = if text.starts_with('\u{feff}') { 0 } else { 1 };
         let mut marks = vec![Position { line: 1, column }];
@@ -44,7 +44,7 @@ impl<'s> Source<'s> {
     }
 
     /// The place of a byte.
-    pub fn place(&self, offset: usize) -> Position {
+    pub(super) fn place(&self, offset: usize) -> Position {
         let offset = offset.min(self.text.len());
         let mark = offset / STRIDE;
         let place = self.marks[mark].after(&self.text.as_bytes()[mark * STRIDE..offset]);
@@ -52,7 +52,7 @@ impl<'s> Source<'s> {
     }
 
     /// A value as it is written, on one line and not too long.
-    pub fn shown(&self, span: Range<usize>) -> String {
+    pub(super) fn shown(&self, span: Range<usize>) -> String {
         shortened(self.text.get(span).unwrap_or_default())
     }
 }
@@ -84,7 +84,7 @@ const SYMBOLS: [(&str, &str); 5] = [
 const ALIKE: f64 = 0.75;
 
 /// ` (did you mean "…"?)`, if one of the names is close to what was written.
-pub fn did_you_mean(written: &str, names: &[&str]) -> String {
+pub(super) fn did_you_mean(written: &str, names: &[&str]) -> String {
     let symbol = SYMBOLS.iter().find(|(symbol, _)| *symbol == written).map(|(_, name)| *name);
     let alike = |name: &str| strsim::jaro_winkler(&written.to_lowercase(), &name.to_lowercase());
     let nearest = names

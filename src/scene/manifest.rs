@@ -12,12 +12,12 @@ use std::io::{self, BufReader, Read, Write};
 use std::path::Path;
 
 /// The name of the record in the folder of outputs.
-pub const NAME: &str = "couplet-run.json";
+pub(crate) const NAME: &str = "couplet-run.json";
 const SCHEMA: &str = "couplet.run/1";
 
 /// The outputs that were completed, by their paths in the folder.
 #[derive(Debug, Serialize, Deserialize)]
-pub struct Manifest {
+pub(crate) struct Manifest {
     schema: String,
     outputs: BTreeMap<String, Entry>,
 }
@@ -38,7 +38,7 @@ impl Default for Manifest {
 
 impl Manifest {
     /// The record in a folder; an empty one if there is none that can be read.
-    pub fn of(folder: &Path) -> Self {
+    pub(crate) fn of(folder: &Path) -> Self {
         let read = || {
             let file = BufReader::new(File::open(folder.join(NAME)).ok()?);
             serde_json::from_reader::<_, Self>(file).ok()
@@ -47,7 +47,7 @@ impl Manifest {
     }
 
     /// Whether the output of an item is there and is what would be written again.
-    pub fn is_complete(&self, folder: &Path, item: &Item) -> bool {
+    pub(crate) fn is_complete(&self, folder: &Path, item: &Item) -> bool {
         let Some(output) = &item.output else { return false };
         let entry = self.outputs.get(&key(output));
         entry.is_some_and(|entry| {
@@ -57,21 +57,21 @@ impl Manifest {
     }
 
     /// Notes that an output was written.
-    pub fn note(&mut self, item: &Item, content: String) {
+    pub(crate) fn note(&mut self, item: &Item, content: String) {
         if let Some(output) = &item.output {
             self.outputs.insert(key(output), Entry { asked: asked(item), content });
         }
     }
 
     /// Forgets an output that is about to be written anew.
-    pub fn forget(&mut self, item: &Item) {
+    pub(crate) fn forget(&mut self, item: &Item) {
         if let Some(output) = &item.output {
             self.outputs.remove(&key(output));
         }
     }
 
     /// Writes the record.
-    pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+    pub(crate) fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         serde_json::to_writer_pretty(&mut *out, self)?;
         writeln!(out)
     }
@@ -106,19 +106,19 @@ fn hash_of(path: &Path) -> io::Result<String> {
 }
 
 /// Writes through, and knows the hash of what was written.
-pub struct Hashing<W> {
+pub(crate) struct Hashing<W> {
     inner: W,
     hash: Sha256,
 }
 
 impl<W: Write> Hashing<W> {
     /// Nothing is written yet.
-    pub fn new(inner: W) -> Self {
+    pub(crate) fn new(inner: W) -> Self {
         Self { inner, hash: Sha256::new() }
     }
 
     /// SHA-256 of all that was written.
-    pub fn hash(self) -> String {
+    pub(crate) fn hash(self) -> String {
         hexadecimal(self.hash.finalize())
     }
 }

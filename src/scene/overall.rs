@@ -7,7 +7,7 @@ use crate::certify::MAX_DIGITS;
 use toml::de::DeTable;
 
 /// What holds for items that say nothing else.
-pub struct Overall {
+pub(super) struct Overall {
     /// Significant digits.
     pub digits: usize,
     weights: Option<Vec<SelfWeight>>,
@@ -15,14 +15,14 @@ pub struct Overall {
 
 impl Overall {
     /// What a scene says.
-    pub fn new(reader: &mut Reader, root: &DeTable) -> Self {
+    pub(super) fn new(reader: &mut Reader, root: &DeTable) -> Self {
         let digits =
             root.get("digits").and_then(|value| reader.whole("digits", value, 1..=MAX_DIGITS));
         Self { digits: digits.unwrap_or(DIGITS), weights: weights(reader, root).flatten() }
     }
 
     /// The weights of an item: its own, those of the scene, or the usual ones. `None` if any is wrong.
-    pub fn weights(
+    pub(super) fn weights(
         &self,
         reader: &mut Reader,
         item: &DeTable,

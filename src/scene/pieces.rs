@@ -9,7 +9,7 @@ use crate::problem::Quantity;
 use std::collections::BTreeMap;
 
 /// The pieces of a plan, in its order; nothing for what is not computed yet.
-pub struct Pieces {
+pub(super) struct Pieces {
     /// Landmarks.
     pub landmarks: Vec<Option<Result<LandmarkPiece, Undecided>>>,
     /// Arches.
@@ -19,7 +19,7 @@ pub struct Pieces {
 }
 
 /// A proved landmark.
-pub struct LandmarkPiece {
+pub(super) struct LandmarkPiece {
     /// The proof.
     pub point: CertifiedLandmark,
     /// In the order in which they are asked for.
@@ -31,7 +31,7 @@ pub struct LandmarkPiece {
 }
 
 /// What is certain of an arch.
-pub struct ArchPiece {
+pub(super) struct ArchPiece {
     /// By the number of digits.
     pub states: BTreeMap<usize, Result<Answer, Undecided>>,
     /// In the order in which they are asked for.
@@ -39,13 +39,13 @@ pub struct ArchPiece {
 }
 
 /// A result for each piece, none of them there yet.
-pub fn none<T, U>(pieces: &[T]) -> Vec<Option<U>> {
+pub(super) fn none<T, U>(pieces: &[T]) -> Vec<Option<U>> {
     pieces.iter().map(|_| None).collect()
 }
 
 impl Pieces {
     /// Nothing is computed yet.
-    pub fn new(plan: &Plan) -> Self {
+    pub(super) fn new(plan: &Plan) -> Self {
         Self {
             landmarks: none(&plan.landmarks),
             arches: none(&plan.arches),
@@ -56,7 +56,7 @@ impl Pieces {
 
 impl LandmarkPiece {
     /// Isolates the landmark and refines it once, to the most digits that are asked for.
-    pub fn new(node: &LandmarkNode, tick: &(dyn Fn() + Sync)) -> Result<Self, Undecided> {
+    pub(super) fn new(node: &LandmarkNode, tick: &(dyn Fn() + Sync)) -> Result<Self, Undecided> {
         let point = CertifiedLandmark::new(node.landmark, node.weight)?;
         let constants = match node.asked.as_slice() {
             [] => Vec::new(),
@@ -69,7 +69,7 @@ impl LandmarkPiece {
     }
 
     /// What one item asks for, in the order in which it is always shown, whoever asked first.
-    pub fn constants(
+    pub(super) fn constants(
         &self,
         node: &LandmarkNode,
         quantities: &[Quantity],
@@ -85,7 +85,7 @@ impl LandmarkPiece {
 
 impl ArchPiece {
     /// Proves the state once, and what is asked of each thickness.
-    pub fn new(node: &ArchNode) -> Self {
+    pub(super) fn new(node: &ArchNode) -> Self {
         let mut inquiry = Inquiry::new(node.arch, node.digits(), node.frictions());
         let states = node.states.iter();
         let states = states

@@ -114,7 +114,7 @@ fn arch_key(arch: &Arch) -> ArchKey {
 }
 
 /// The values of an arch of a given thickness that need more than its state.
-pub const RANGE_OF_THRUSTS: [Quantity; 4] = [
+pub(super) const RANGE_OF_THRUSTS: [Quantity; 4] = [
     Quantity::RequiredFriction,
     Quantity::FrictionSafety,
     Quantity::LeastThrust,

@@ -12,7 +12,7 @@ use std::ops::Range;
 use toml::de::DeTable;
 
 /// An item of arches; `used` counts the arches of all items.
-pub fn arches(
+pub(super) fn arches(
     reader: &mut Reader,
     span: &Range<usize>,
     table: &DeTable,

@@ -13,7 +13,7 @@ use toml::de::{DeTable, DeValue};
 
 /// What an exact number is.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Meaning {
+pub(super) enum Meaning {
     HalfOpening,
     Friction,
     FrictionAngle,
@@ -21,7 +21,7 @@ pub enum Meaning {
 }
 
 /// The numbers of a key. A range is written out only when it is known not to be too much.
-pub enum Numbers {
+pub(super) enum Numbers {
     /// As they were given.
     Listed(Vec<SceneNumber>),
     /// `steps` numbers, each `step` above the one before.
@@ -30,7 +30,7 @@ pub enum Numbers {
 
 impl Numbers {
     /// How many there are.
-    pub fn len(&self) -> usize {
+    pub(super) fn len(&self) -> usize {
         match self {
             Self::Listed(all) => all.len(),
             Self::Range { steps, .. } => *steps,
@@ -38,7 +38,7 @@ impl Numbers {
     }
 
     /// All of them, if they can be written as numbers that are read.
-    pub fn all(self) -> Result<Vec<SceneNumber>, ParseExactError> {
+    pub(super) fn all(self) -> Result<Vec<SceneNumber>, ParseExactError> {
         match self {
             Self::Listed(all) => Ok(all),
             Self::Range { meaning, first, step, unit, steps } => (0..steps)
@@ -53,14 +53,14 @@ impl Numbers {
 
 /// A number, or `inf`, as it was written.
 #[derive(Clone)]
-pub struct SceneNumber {
+pub(super) struct SceneNumber {
     /// `None` is infinite.
     pub number: Option<ExactNumber>,
     pub text: String,
 }
 
 impl Meaning {
-    pub fn key(self) -> &'static str {
+    pub(super) fn key(self) -> &'static str {
         match self {
             Self::HalfOpening => "half_opening",
             Self::Friction => "friction",
@@ -70,7 +70,7 @@ impl Meaning {
     }
 
     /// What may be given.
-    pub fn allowed(self) -> &'static str {
+    pub(super) fn allowed(self) -> &'static str {
         match self {
             Self::HalfOpening => "an angle (2.45, \"pi/2\", \"80deg\")",
             Self::Friction => "a coefficient (0.6, \"3/5\", \"inf\")",
@@ -115,14 +115,14 @@ impl Meaning {
 
 /// Unit in which a number is written; a range keeps that of its ends.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Unit {
+pub(super) enum Unit {
     One,
     Pi,
     Degrees,
 }
 
 /// The numbers of a key, each once. `None` if any is wrong.
-pub fn numbers(reader: &mut Reader, meaning: Meaning, value: &Value) -> Option<Numbers> {
+pub(super) fn numbers(reader: &mut Reader, meaning: Meaning, value: &Value) -> Option<Numbers> {
     if let DeValue::Table(table) = value.get_ref() {
         return range(reader, meaning, value, table);
     }

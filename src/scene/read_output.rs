@@ -12,10 +12,10 @@ use toml::de::DeTable;
 
 /// The files that the items so far write, and where the scene says so.
 #[derive(Default)]
-pub struct Files(HashMap<String, (PathBuf, Position)>);
+pub(super) struct Files(HashMap<String, (PathBuf, Position)>);
 
 /// The file and the format of an item; a file name tells its format unless one is given.
-pub fn output(
+pub(super) fn output(
     reader: &mut Reader,
     kind: Kind,
     table: &DeTable,

@@ -16,7 +16,7 @@ pub const SCHEMA: &str = "couplet.scene/1";
 pub const EXAMPLE: &str = include_str!("example.toml");
 
 /// Digits where a scene does not say how many.
-pub const DIGITS: usize = 30;
+pub(super) const DIGITS: usize = 30;
 /// States are proved in numbers of moderate length.
 pub const MAX_ARCH_DIGITS: usize = 10_000;
 /// The most arches of a scene, and the most steps of a range.
@@ -150,7 +150,7 @@ impl Kind {
 }
 
 /// The keys of a scene beside its items.
-pub const SCENE_KEYS: [&str; 3] = ["schema", "digits", "weight"];
+pub(super) const SCENE_KEYS: [&str; 3] = ["schema", "digits", "weight"];
 
 impl What {
     /// The kind of item.

@@ -7,38 +7,38 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// A value and where it is.
-pub type Value<'s> = Spanned<DeValue<'s>>;
+pub(super) type Value<'s> = Spanned<DeValue<'s>>;
 
 /// The text that is read, and what was wrong so far.
-pub struct Reader<'s> {
+pub(super) struct Reader<'s> {
     pub source: Source<'s>,
     pub faults: Vec<Fault>,
 }
 
 impl<'s> Reader<'s> {
-    pub fn new(text: &'s str) -> Self {
+    pub(super) fn new(text: &'s str) -> Self {
         Self { source: Source::new(text), faults: Vec::new() }
     }
 
     /// The faults in the order of the file, each once.
-    pub fn sorted(mut self) -> Vec<Fault> {
+    pub(super) fn sorted(mut self) -> Vec<Fault> {
         self.faults.sort();
         self.faults.dedup();
         self.faults
     }
 
-    pub fn fault(&mut self, span: Range<usize>, message: String) {
+    pub(super) fn fault(&mut self, span: Range<usize>, message: String) {
         self.faults.push(Fault { place: self.source.place(span.start), message });
     }
 
     /// `key "value" is not allowed`.
-    pub fn is_not(&mut self, key: &str, value: &Value, allowed: &str) {
+    pub(super) fn is_not(&mut self, key: &str, value: &Value, allowed: &str) {
         let shown = self.source.shown(value.span());
         self.fault(value.span(), format!("{key} {shown} is not {allowed}"));
     }
 
     /// Every key that is not one of those a table may have.
-    pub fn unknown_keys(&mut self, table: &DeTable, of: &str, known: &[&str]) {
+    pub(super) fn unknown_keys(&mut self, table: &DeTable, of: &str, known: &[&str]) {
         for key in table.keys().filter(|key| !known.contains(&key.get_ref().as_ref())) {
             let hint = did_you_mean(key.get_ref(), known);
             let (name, known) = (shortened(key.get_ref()), list(known.iter().copied()));
@@ -47,7 +47,7 @@ impl<'s> Reader<'s> {
         }
     }
 
-    pub fn text<'v>(&mut self, key: &str, value: &'v Value) -> Option<&'v str> {
+    pub(super) fn text<'v>(&mut self, key: &str, value: &'v Value) -> Option<&'v str> {
         let text = value.get_ref().as_str();
         if text.is_none() {
             self.is_not(key, value, "a text");
@@ -55,7 +55,7 @@ impl<'s> Reader<'s> {
         text
     }
 
-    pub fn truth(&mut self, key: &str, value: &Value) -> Option<bool> {
+    pub(super) fn truth(&mut self, key: &str, value: &Value) -> Option<bool> {
         let truth = value.get_ref().as_bool();
         if truth.is_none() {
             self.is_not(key, value, "true or false");
@@ -63,7 +63,7 @@ impl<'s> Reader<'s> {
         truth
     }
 
-    pub fn whole(
+    pub(super) fn whole(
         &mut self,
         key: &str,
         value: &Value,
@@ -81,7 +81,7 @@ impl<'s> Reader<'s> {
     }
 
     /// The elements of a list, or the value itself.
-    pub fn elements<'v, 't>(
+    pub(super) fn elements<'v, 't>(
         &mut self,
         key: &str,
         value: &'v Value<'t>,
@@ -99,7 +99,7 @@ impl<'s> Reader<'s> {
     }
 
     /// Names, each once: a list or one by itself. `None` if any is wrong.
-    pub fn names<T: Copy + PartialEq>(
+    pub(super) fn names<T: Copy + PartialEq>(
         &mut self,
         key: &str,
         value: &Value,

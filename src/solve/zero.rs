@@ -13,7 +13,7 @@ const SHORT: f64 = 1e-14;
 /// It is assumed that `f` is continuous and has different signs at the two places; then the answer lies
 /// between them, next to a change of sign, to about fourteen digits of what doubles know of `f`. If the signs
 /// are equal, the answer is the place where `f` is nearer to zero.
-pub fn zero(low: f64, high: f64, f: impl Fn(f64) -> f64) -> f64 {
+pub(super) fn zero(low: f64, high: f64, f: impl Fn(f64) -> f64) -> f64 {
     let (mut a, mut b) = ((low, f(low)), (high, f(high)));
     let nearest = |a: (f64, f64), b: (f64, f64)| if a.1.abs() < b.1.abs() { a.0 } else { b.0 };
     if a.1 * b.1 > 0.0 {
@@ -43,7 +43,7 @@ pub fn zero(low: f64, high: f64, f: impl Fn(f64) -> f64) -> f64 {
 
 /// The zero nearer to 0 of a function that is a polynomial of degree two at most, from its values at 0, 1
 /// and 2; where it has none, the place of its extremum.
-pub fn quadratic_zero(f: impl Fn(f64) -> f64) -> f64 {
+pub(super) fn quadratic_zero(f: impl Fn(f64) -> f64) -> f64 {
     let [constant, one, two] = [0.0, 1.0, 2.0].map(f);
     let square = 0.5 * (two + constant) - one;
     let linear = one - constant - square;
@@ -52,7 +52,7 @@ pub fn quadratic_zero(f: impl Fn(f64) -> f64) -> f64 {
 }
 
 /// The zero of a linear function, from its values at 0 and 1.
-pub fn linear_zero<T: Field>(like: &T, f: impl Fn(T) -> T) -> T {
+pub(super) fn linear_zero<T: Field>(like: &T, f: impl Fn(T) -> T) -> T {
     let constant = f(like.int(0));
     let slope = f(like.int(1)) - &constant;
     -constant / slope

@@ -16,18 +16,18 @@ use std::ops::{Add, Mul, Neg, Sub};
 pub(super) struct Monomial(pub [u16; Symbol::COUNT]);
 
 impl Monomial {
-    pub const ONE: Self = Self([0; Symbol::COUNT]);
+    pub(super) const ONE: Self = Self([0; Symbol::COUNT]);
 
-    pub fn exponent(&self, symbol: Symbol) -> u16 {
+    pub(super) fn exponent(&self, symbol: Symbol) -> u16 {
         self.0[symbol as usize]
     }
 
-    pub fn times(&self, other: &Self) -> Self {
+    pub(super) fn times(&self, other: &Self) -> Self {
         Self(std::array::from_fn(|i| self.0[i] + other.0[i]))
     }
 
     /// The quotient, if `other` divides this.
-    pub fn over(&self, other: &Self) -> Option<Self> {
+    pub(super) fn over(&self, other: &Self) -> Option<Self> {
         let mut quotient = Self::ONE;
         for (q, (a, b)) in quotient.0.iter_mut().zip(self.0.iter().zip(&other.0)) {
             *q = a.checked_sub(*b)?;
@@ -35,7 +35,7 @@ impl Monomial {
         Some(quotient)
     }
 
-    pub fn with(mut self, symbol: Symbol, exponent: u16) -> Self {
+    pub(super) fn with(mut self, symbol: Symbol, exponent: u16) -> Self {
         self.0[symbol as usize] = exponent;
         self
     }
@@ -327,7 +327,7 @@ pub(super) mod strategies {
 
     /// Small polynomials in `f`, `g`, `S`, with awkward cases on purpose: zero, constants, repeated
     /// monomials that cancel.
-    pub fn polynomial() -> impl Strategy<Value = Polynomial> {
+    pub(crate) fn polynomial() -> impl Strategy<Value = Polynomial> {
         let term = (0u16..3, 0u16..3, 0u16..3, -4i32..5, 1i32..4);
         prop::collection::vec(term, 0..5).prop_map(|terms| {
             let mut sum = Polynomial::zero();
@@ -340,7 +340,7 @@ pub(super) mod strategies {
         })
     }
 
-    pub fn nonzero() -> impl Strategy<Value = Polynomial> {
+    pub(crate) fn nonzero() -> impl Strategy<Value = Polynomial> {
         polynomial().prop_filter("zero", |p| !p.is_zero())
     }
 }

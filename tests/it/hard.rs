@@ -6,7 +6,7 @@ use proptest::test_runner::RngSeed;
 use rug::Rational;
 
 /// The same arguments in every run, and bounded shrinking: the arguments are hard, not many.
-pub fn config(cases: u32) -> ProptestConfig {
+pub(crate) fn config(cases: u32) -> ProptestConfig {
     ProptestConfig {
         cases,
         max_shrink_iters: 1000,
@@ -18,7 +18,7 @@ pub fn config(cases: u32) -> ProptestConfig {
 }
 
 /// Rationals that uniform ranges never hit: neighbours of simple fractions, and any size.
-pub fn hard_rational() -> impl Strategy<Value = Rational> {
+pub(crate) fn hard_rational() -> impl Strategy<Value = Rational> {
     let simple = (-20i64..20, 1i64..12).prop_map(Rational::from);
     let hair = (any::<bool>(), 1u32..90).prop_map(|(up, shift)| {
         let hair = Rational::from((1, 1)) >> shift;
@@ -29,7 +29,7 @@ pub fn hard_rational() -> impl Strategy<Value = Rational> {
 }
 
 /// A positive rational of ordinary size, next to a simple fraction or not.
-pub fn positive_rational() -> impl Strategy<Value = Rational> {
+pub(crate) fn positive_rational() -> impl Strategy<Value = Rational> {
     hard_rational().prop_filter_map("positive and of ordinary size", |x| {
         let x = x.abs();
         (x > Rational::from((1, 1_000_000)) && x < 1_000_000).then_some(x)
@@ -37,7 +37,7 @@ pub fn positive_rational() -> impl Strategy<Value = Rational> {
 }
 
 /// A point of the unit circle with rational coordinates, from half its tangent.
-pub fn circle_point() -> impl Strategy<Value = (Rational, Rational)> {
+pub(crate) fn circle_point() -> impl Strategy<Value = (Rational, Rational)> {
     positive_rational().prop_map(|t| {
         let square = Rational::from(t.square_ref());
         let norm = Rational::from(1) + &square;
@@ -46,10 +46,10 @@ pub fn circle_point() -> impl Strategy<Value = (Rational, Rational)> {
 }
 
 /// Millionths of one, from `low` to below `high` of them.
-pub fn millionths(low: i64, high: i64) -> impl Strategy<Value = Rational> {
+pub(crate) fn millionths(low: i64, high: i64) -> impl Strategy<Value = Rational> {
     (low..high).prop_map(|n| Rational::from((n, 1_000_000)))
 }
 
-pub fn weights() -> impl Strategy<Value = SelfWeight> {
+pub(crate) fn weights() -> impl Strategy<Value = SelfWeight> {
     prop_oneof![Just(SelfWeight::Heyman), Just(SelfWeight::Milankovitch)]
 }

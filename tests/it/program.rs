@@ -3,23 +3,23 @@
 use std::process::{Command, Output};
 
 /// The program with its arguments, to be started in a way of its own.
-pub fn command(arguments: &[&str]) -> Command {
+pub(crate) fn command(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_couplet"));
     command.args(arguments);
     command
 }
 
 /// Runs the program without input.
-pub fn couplet(arguments: &[&str]) -> Output {
+pub(crate) fn couplet(arguments: &[&str]) -> Output {
     command(arguments).output().unwrap()
 }
 
-pub fn text(bytes: &[u8]) -> String {
+pub(crate) fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
 }
 
 #[cfg(feature = "mpfr")]
-pub use whole::*;
+pub(crate) use whole::*;
 
 /// What only the tests of the whole program need.
 #[cfg(feature = "mpfr")]
@@ -30,7 +30,7 @@ mod whole {
     use std::process::{Child, Output, Stdio};
 
     /// Starts the program with all its streams in hand.
-    pub fn start(arguments: &[&str]) -> Child {
+    pub(crate) fn start(arguments: &[&str]) -> Child {
         command(arguments)
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
@@ -40,7 +40,7 @@ mod whole {
     }
 
     /// Runs the program with an input of any size.
-    pub fn fed(arguments: &[&str], input: impl AsRef<[u8]>) -> Output {
+    pub(crate) fn fed(arguments: &[&str], input: impl AsRef<[u8]>) -> Output {
         let mut child = start(arguments);
         let mut stdin = child.stdin.take().unwrap();
         let input = input.as_ref().to_vec();
@@ -54,12 +54,12 @@ mod whole {
     }
 
     /// Exit code, standard output and standard error.
-    pub fn said(output: &Output) -> (Option<i32>, String, String) {
+    pub(crate) fn said(output: &Output) -> (Option<i32>, String, String) {
         (output.status.code(), text(&output.stdout), text(&output.stderr))
     }
 
     /// What a command prints as JSON.
-    pub fn json(arguments: &[&str]) -> Value {
+    pub(crate) fn json(arguments: &[&str]) -> Value {
         let output = couplet(arguments);
         assert_eq!(output.status.code(), Some(0), "{arguments:?}");
         serde_json::from_slice(&output.stdout).unwrap()
@@ -67,7 +67,7 @@ mod whole {
 
     /// The program refuses its arguments or its input: exit code 2, nothing on standard output, and one
     /// line that holds the words.
-    pub fn refused(arguments: &[&str], input: &str, words: &str) {
+    pub(crate) fn refused(arguments: &[&str], input: &str, words: &str) {
         let (code, output, message) = said(&fed(arguments, input));
         assert_eq!(code, Some(2), "{arguments:?}: {message}");
         assert_eq!(message.lines().count(), 1, "{arguments:?}: {message}");
@@ -77,32 +77,32 @@ mod whole {
     }
 
     /// A folder of a test's own, empty at first and removed at the end.
-    pub struct Scratch(tempfile::TempDir);
+    pub(crate) struct Scratch(tempfile::TempDir);
 
     impl Scratch {
-        pub fn new() -> Self {
+        pub(crate) fn new() -> Self {
             Self(tempfile::Builder::new().prefix("couplet-test-").tempdir().unwrap())
         }
 
-        pub fn folder(&self) -> &std::path::Path {
+        pub(crate) fn folder(&self) -> &std::path::Path {
             self.0.path()
         }
 
         /// The path of a file in it.
-        pub fn path(&self, name: &str) -> String {
+        pub(crate) fn path(&self, name: &str) -> String {
             self.folder().join(name).to_str().unwrap().to_owned()
         }
 
-        pub fn read(&self, name: &str) -> String {
+        pub(crate) fn read(&self, name: &str) -> String {
             std::fs::read_to_string(self.path(name)).unwrap()
         }
 
-        pub fn write(&self, name: &str, content: impl AsRef<[u8]>) {
+        pub(crate) fn write(&self, name: &str, content: impl AsRef<[u8]>) {
             std::fs::write(self.path(name), content).unwrap();
         }
 
         /// The names of the files in a folder of it, in order; none if it is not there.
-        pub fn files(&self, folder: &str) -> Vec<String> {
+        pub(crate) fn files(&self, folder: &str) -> Vec<String> {
             let Ok(entries) = std::fs::read_dir(self.path(folder)) else { return Vec::new() };
             let name = |entry: std::io::Result<std::fs::DirEntry>| entry.unwrap().file_name();
             let mut names: Vec<String> =

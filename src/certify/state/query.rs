@@ -18,23 +18,27 @@ pub(super) struct Query {
 
 impl Query {
     /// The arch in numbers of `bits` bits.
-    pub fn new(arch: &Arch, bits: u32) -> Self {
+    pub(super) fn new(arch: &Arch, bits: u32) -> Self {
         let is_limited = arch.is_limited();
         Self { weight: arch.weight(), bits, given: arch.given(bits), is_limited }
     }
 
     /// The friction, where it is limited.
-    pub fn friction(&self) -> Option<&Ball> {
+    pub(super) fn friction(&self) -> Option<&Ball> {
         self.is_limited.then_some(&self.given.friction)
     }
 
     /// The half opening as a candidate.
-    pub fn alpha(&self) -> Float {
+    pub(super) fn alpha(&self) -> Float {
         Float::with_val(self.bits, self.given.half_opening.rad.mid())
     }
 
     /// The root of a system next to a start value, proved to exist and to be unique in a box.
-    pub fn root(&self, system: System, start: &[Float]) -> Result<Configuration<Ball>, Undecided> {
+    pub(super) fn root(
+        &self,
+        system: System,
+        start: &[Float],
+    ) -> Result<Configuration<Ball>, Undecided> {
         let root = root_near(&Given { system, query: self }, self.bits, start.to_vec())?;
         Ok(system.place(self.given.clone(), &root))
     }

@@ -36,7 +36,7 @@ pub(super) struct SmallRoot {
 
 impl Small {
     /// The arch in scaled variables, if its half opening is small.
-    pub fn of(query: &Query) -> Option<Self> {
+    pub(super) fn of(query: &Query) -> Option<Self> {
         let alpha = &query.given.half_opening.rad;
         let exponent = 2 * i64::from(alpha.mid().get_exp()?);
         if !is_small(exponent, query.bits) {
@@ -53,19 +53,19 @@ impl Small {
     }
 
     /// The purely rotational state, proved for unlimited friction.
-    pub fn rotation(&self) -> Result<SmallRoot, Undecided> {
+    pub(super) fn rotation(&self) -> Result<SmallRoot, Undecided> {
         let start = start::scaled_rotational(self.weight, &self.candidate().opening.square);
         self.state(Mode::Rotational, start, false)
     }
 
     /// The state in which the shoulder slides.
-    pub fn shoulder_sliding(&self) -> Result<SmallRoot, Undecided> {
+    pub(super) fn shoulder_sliding(&self) -> Result<SmallRoot, Undecided> {
         let start = start::scaled_shoulder_sliding(self.weight, &self.candidate());
         self.state(Mode::SlidingRotational, start, self.is_limited)
     }
 
     /// The purely sliding state.
-    pub fn pure_sliding(&self) -> Result<SmallRoot, Undecided> {
+    pub(super) fn pure_sliding(&self) -> Result<SmallRoot, Undecided> {
         let start = start::scaled_sliding(&self.candidate().opening.square);
         let slides = self.root(Mode::Sliding, start)?;
         require(&slides.at.friction, "a positive purely sliding friction", &[])?;
@@ -135,12 +135,12 @@ impl Form for ScaledEquations<'_> {
 
 impl SmallRoot {
     /// `mu`.
-    pub fn friction(&self) -> Ball {
+    pub(super) fn friction(&self) -> Ball {
         self.unscaled(&self.at.friction)
     }
 
     /// The frictions that the shoulder and an inner joint ask for.
-    pub fn frictions(&self) -> Result<[Ball; 2], Undecided> {
+    pub(super) fn frictions(&self) -> Result<[Ball; 2], Undecided> {
         let room = scaled_room_for_steepest(&self.at);
         require(&room, Condition::SteepestAboveShoulder.label(), &[])?;
         let frictions = [scaled_shoulder_friction(&self.at), scaled_inner_friction(&self.at)];
@@ -148,7 +148,7 @@ impl SmallRoot {
     }
 
     /// The state, without the frictions at which its mode changes.
-    pub fn into_state(self, mode: Mode) -> State {
+    pub(super) fn into_state(self, mode: Mode) -> State {
         let joint = self.at.rotation.square.sqrt() * &self.alpha;
         // As many bits as the difference from one has: they cost nothing, and show that it is not one.
         let rest = small::rest(&self.at);

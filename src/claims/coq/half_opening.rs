@@ -11,7 +11,7 @@ use crate::problem::{Landmark, Quantity};
 use rug::Rational;
 
 /// The file of the half openings at `l` and `L`.
-pub fn file(points: &[CertifiedLandmark]) -> Result<String, Undecided> {
+pub(super) fn file(points: &[CertifiedLandmark]) -> Result<String, Undecided> {
     let mut out = include_str!("templates/half_openings.v").to_owned();
     for landmark in [Landmark::RotationEnd, Landmark::OverturningEnd] {
         for weight in SelfWeight::ALL {

@@ -12,7 +12,7 @@ const BRACKET: [(&str, &str); 4] =
     [("first", "0.25"), ("rise", "0.9"), ("top", "1.6"), ("last", "2.4")];
 
 /// The file of the zeros of the radicand.
-pub fn file(points: &[CertifiedLandmark]) -> Result<String, Undecided> {
+pub(super) fn file(points: &[CertifiedLandmark]) -> Result<String, Undecided> {
     let mut out = fill(
         include_str!("templates/joints.v"),
         &BRACKET.map(|(name, value)| (name, value.to_owned())),

@@ -11,7 +11,7 @@ use crate::problem::{Equation, Landmark, System};
 use rug::Rational;
 
 /// The whole file.
-pub fn file(point: &CertifiedLandmark, audited: &[Audited]) -> Result<String, Undecided> {
+pub(super) fn file(point: &CertifiedLandmark, audited: &[Audited]) -> Result<String, Undecided> {
     let system = point.isolated().system();
     let cleared = Cleared::new(system);
     let table = Table::new(point, &cleared)?;
@@ -54,7 +54,7 @@ fn claim(point: &CertifiedLandmark, symbols: &Symbols, table: &Table) -> Values 
 }
 
 /// A landmark as a title.
-pub fn title(landmark: Landmark) -> String {
+pub(super) fn title(landmark: Landmark) -> String {
     format!("The point {}: {}", landmark.symbol(), landmark.name())
 }
 

@@ -10,12 +10,12 @@ const DIGITS: usize = 100;
 const MOST: u32 = 90;
 
 /// A rational number that ends after some decimals, as Coq reads it.
-pub fn text(value: &Rational) -> String {
+pub(super) fn text(value: &Rational) -> String {
     terminating(value, DIGITS).map_or_else(|| value.to_string(), |d| d.to_string())
 }
 
 /// A rational number as a fraction.
-pub fn fraction(value: &Rational) -> String {
+pub(super) fn fraction(value: &Rational) -> String {
     if value.is_integer() {
         value.to_string()
     } else {
@@ -24,43 +24,43 @@ pub fn fraction(value: &Rational) -> String {
 }
 
 /// The multiple of `10^-places` nearest to `value`.
-pub fn nearest(value: &Rational, places: u32) -> Rational {
+pub(super) fn nearest(value: &Rational, places: u32) -> Rational {
     scaled(value, places, |x| Rational::from(x.round_ref()).numer().clone())
 }
 
 /// The least multiple of `10^-places` not below `value`.
-pub fn up(value: &Rational, places: u32) -> Rational {
+pub(super) fn up(value: &Rational, places: u32) -> Rational {
     scaled(value, places, |x| x.numer().clone().div_ceil(x.denom()))
 }
 
 /// The greatest multiple of `10^-places` not above `value`.
-pub fn down(value: &Rational, places: u32) -> Rational {
+pub(super) fn down(value: &Rational, places: u32) -> Rational {
     scaled(value, places, |x| x.numer().clone().div_floor(x.denom()))
 }
 
 /// How many decimals show `digits` significant digits of a positive number below one.
-pub fn places(value: &Rational, digits: u32) -> u32 {
+pub(super) fn places(value: &Rational, digits: u32) -> u32 {
     let one = Rational::from(1);
     (0..MOST).find(|&n| value.clone() * power(n) >= one).unwrap_or(MOST) + digits - 1
 }
 
 /// `10^-places`.
-pub fn unit(places: u32) -> Rational {
+pub(super) fn unit(places: u32) -> Rational {
     Rational::from((1, power(places)))
 }
 
 /// The exact value of a finite float.
-pub fn exact(value: &Float) -> Rational {
+pub(super) fn exact(value: &Float) -> Rational {
     value.to_rational().unwrap_or_default()
 }
 
 /// The radius of a ball.
-pub fn radius(ball: &Ball) -> Rational {
+pub(super) fn radius(ball: &Ball) -> Rational {
     exact(&ball.rad().to_float())
 }
 
 /// The largest absolute value that `ball - centre` can have.
-pub fn distance(ball: &Ball, centre: &Rational) -> Rational {
+pub(super) fn distance(ball: &Ball, centre: &Rational) -> Rational {
     (exact(ball.mid()) - centre).abs() + radius(ball)
 }
 

@@ -11,7 +11,11 @@ use rug::Rational;
 
 /// One corollary for each printed value of the landmark that the theorem determines, where it is
 /// printed first: the tables come before the text.
-pub fn corollaries(point: &CertifiedLandmark, audited: &[Audited], symbols: &Symbols) -> String {
+pub(super) fn corollaries(
+    point: &CertifiedLandmark,
+    audited: &[Audited],
+    symbols: &Symbols,
+) -> String {
     let mut out = String::new();
     let mut seen = Vec::new();
     for value in audited {

@@ -13,7 +13,7 @@ use crate::solve::inverse;
 use rug::{Float, Rational};
 
 /// Decimals to which a centre is known.
-pub const DECIMALS: u32 = 30;
+pub(super) const DECIMALS: u32 = 30;
 /// Decimals of a centre as printed: the first Newton step has to stay far inside the small box.
 const CENTRE: u32 = DECIMALS + 6;
 /// Decimals of the preconditioner and of the slopes at the centre.
@@ -28,7 +28,7 @@ const ROOM: (u32, u32) = (21, 20);
 const TRIALS: u32 = 100;
 
 /// A system as terms, cleared of denominators, with its derivatives.
-pub struct Cleared {
+pub(super) struct Cleared {
     /// One term for each equation.
     pub residuals: Vec<Term>,
     /// Their derivatives to the unknowns.
@@ -37,7 +37,7 @@ pub struct Cleared {
 
 impl Cleared {
     /// The equations of the system, in its own order, in variables named by their symbols.
-    pub fn new(system: &System) -> Self {
+    pub(super) fn new(system: &System) -> Self {
         let symbols = Symbols::of(system);
         let variables: Vec<Term> = symbols.iter().map(Term::variable).collect();
         let given = Configuration::zero(&Term::constant(0));
@@ -61,13 +61,13 @@ fn gradient(term: &Term, symbols: &Symbols) -> Vec<Term> {
 }
 
 /// The derivative of a term in one variable.
-pub fn derivative(term: &Term, variable: &'static str) -> Term {
+pub(super) fn derivative(term: &Term, variable: &'static str) -> Term {
     let like = Dual::constant(Term::constant(0));
     term.evaluate(&like, &|_| Term::angle(variable).variable(0)).derivative(0)
 }
 
 /// The numbers of one landmark.
-pub struct Table {
+pub(super) struct Table {
     /// The centre `c`.
     pub centre: Vec<Rational>,
     /// The radii `r` of the wide box.
@@ -89,7 +89,7 @@ pub struct Table {
 impl Table {
     /// Chooses the numbers: the largest wide box of the shape that the isolation has found, on which
     /// the system contracts well.
-    pub fn new(point: &CertifiedLandmark, cleared: &Cleared) -> Result<Self, Undecided> {
+    pub(super) fn new(point: &CertifiedLandmark, cleared: &Cleared) -> Result<Self, Undecided> {
         let failed =
             |what| Undecided::new(format!("{} for Coq: {what}", point.landmark().symbol()));
         let system = point.isolated().system();

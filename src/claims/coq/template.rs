@@ -1,7 +1,7 @@
 //! Texts with holes.
 
 /// The template with each hole `<<name>>` filled.
-pub fn fill(template: &str, values: &[(&str, String)]) -> String {
+pub(super) fn fill(template: &str, values: &[(&str, String)]) -> String {
     values.iter().fold(template.to_owned(), |text, (name, value)| {
         text.replace(&format!("<<{name}>>"), value)
     })

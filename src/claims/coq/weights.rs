@@ -9,7 +9,7 @@ use crate::judge::{Comparison, Relation, compare_weights};
 use crate::problem::Landmark;
 
 /// The file of the comparisons, one theorem for each landmark.
-pub fn file() -> Result<String, Undecided> {
+pub(super) fn file() -> Result<String, Undecided> {
     let comparisons = compare_weights()?;
     let mut landmarks: Vec<Landmark> = comparisons.iter().map(|c| c.landmark).collect();
     landmarks.dedup();

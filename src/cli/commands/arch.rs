@@ -9,7 +9,7 @@ use clap::Args;
 
 /// An arch, all of it exact: `0.1` is one tenth, `80deg` and `pi/2` are what they say.
 #[derive(Args)]
-pub struct ArchArguments {
+pub(super) struct ArchArguments {
     /// Half opening in radians (2.45, 1/3, pi/2) or degrees (80deg), between 0 and pi.
     #[arg(long, visible_alias = "alpha", value_name = "ANGLE", allow_hyphen_values = true)]
     pub half_opening: Option<String>,
@@ -39,7 +39,7 @@ pub struct ArchArguments {
 
 impl ArchArguments {
     /// The arch described.
-    pub fn arch(&self) -> Result<Arch, Failure> {
+    pub(super) fn arch(&self) -> Result<Arch, Failure> {
         let friction = match (&self.friction, &self.friction_angle) {
             (Some(mu), _) => Some(mu.clone()),
             (None, phi) => phi.as_ref().map(|phi| format!("tan({phi})")),
@@ -50,7 +50,7 @@ impl ArchArguments {
 }
 
 /// An arch from the options that describe it; the second text names those of the friction.
-pub fn arch(
+pub(super) fn arch(
     weight: SelfWeight,
     half_opening: Option<&str>,
     (friction, options): (Option<&str>, &str),
@@ -63,7 +63,7 @@ pub fn arch(
 }
 
 /// A thickness-to-radius ratio between 0 and the physical limit 2.
-pub fn thickness(text: &str) -> Result<ExactNumber, String> {
+pub(super) fn thickness(text: &str) -> Result<ExactNumber, String> {
     let thickness: ExactNumber =
         text.parse().map_err(|error: ParseExactError| error.to_string())?;
     is_thickness(&thickness)

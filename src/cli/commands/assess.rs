@@ -10,7 +10,7 @@ use clap::Args;
 
 /// Print whether an arch of a given thickness stands, its safety factors, and the thrusts it can bear.
 #[derive(Args)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     #[command(flatten)]
     arch: ArchArguments,
 
@@ -22,7 +22,7 @@ pub struct Arguments {
     output: AnswerOutput,
 }
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let arch = arguments.arch.arch()?;
     let eta = thickness(&arguments.thickness).map_err(Failure::Input)?;
     let digits = arguments.arch.digits;

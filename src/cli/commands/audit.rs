@@ -12,7 +12,7 @@ use clap::Args;
 /// The exit code tells whether everything was decided, not whether the paper is right. CSV has the
 /// printed numbers only.
 #[derive(Args)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     #[arg(long, default_value = "table", value_parser = parse::format(Content::Audit), help = parse::format_help(Content::Audit))]
     format: &'static Format,
 
@@ -20,7 +20,7 @@ pub struct Arguments {
     file: OutputFile,
 }
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let output = arguments.file.open()?;
     let undecided =
         |undecided: crate::certify::Undecided| Failure::Undecided(undecided.to_string());

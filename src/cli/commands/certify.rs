@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 
 /// Write certificates that `couplet check` accepts without trusting the solver.
 #[derive(Args)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     /// A landmark (T, S, J, B, l, L, sb), `state` for the state of an arch, or `all` for all landmarks.
     #[arg(value_name = "SUBJECT", value_parser = target)]
     target: Target,
@@ -58,7 +58,7 @@ fn target(text: &str) -> Result<Target, String> {
     }
 }
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let given = arguments.half_opening.is_some() || arguments.friction.is_some();
     if arguments.target != Target::State && given {
         return Err(Failure::Input("a half opening and a friction belong to `state`".into()));

@@ -23,7 +23,7 @@ use rayon::prelude::*;
 /// All formats but table and csv identify the certificate of each landmark by its SHA-256, up to 10000
 /// digits; `couplet certify T --weight heyman --digits 30 | sha256sum` prints it again.
 #[derive(Args)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     /// Landmarks to print, of T, S, J, B, l, L, sb; all if none is named.
     ///
     /// T triple, S shift, J junction, B border point; l end of rotation, L end of overturning; sb
@@ -43,7 +43,7 @@ pub struct Arguments {
     output: AnswerOutput,
 }
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (output, digits) = (arguments.output.open()?, arguments.digits);
     let hashed = arguments.output.format.has_certificates;
     let asked = |landmark: &Landmark| {

@@ -22,7 +22,7 @@ use super::{check, completions, man};
 use clap::Subcommand;
 
 #[derive(Subcommand)]
-pub enum Command {
+pub(super) enum Command {
     Constants(constants::Arguments),
     State(state::Arguments),
     Assess(assess::Arguments),
@@ -41,7 +41,7 @@ pub enum Command {
 
 impl Command {
     /// Runs the command; `program` describes the whole command line.
-    pub fn run(&self, program: fn() -> clap::Command) -> Result<(), Failure> {
+    pub(super) fn run(&self, program: fn() -> clap::Command) -> Result<(), Failure> {
         match self {
             Self::Constants(arguments) => constants::run(arguments),
             Self::State(arguments) => state::run(arguments),

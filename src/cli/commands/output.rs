@@ -12,7 +12,7 @@ use tempfile::NamedTempFile;
 
 /// How and where answers are written.
 #[derive(Args)]
-pub struct AnswerOutput {
+pub(super) struct AnswerOutput {
     #[arg(long, default_value = "table", value_parser = parse::format(Content::Answers), help = parse::format_help(Content::Answers))]
     pub format: &'static Format,
 
@@ -22,7 +22,7 @@ pub struct AnswerOutput {
 
 /// Where a report is written.
 #[derive(Args)]
-pub struct OutputFile {
+pub(super) struct OutputFile {
     /// Write to a file instead of standard output; it appears whole or not at all.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -30,7 +30,7 @@ pub struct OutputFile {
 
 impl AnswerOutput {
     /// Opens the destination, before any work is done.
-    pub fn open(&self) -> Result<Output, Failure> {
+    pub(super) fn open(&self) -> Result<Output, Failure> {
         if self.file.output.is_none() {
             fits_standard_output(self.format)?;
         }
@@ -40,18 +40,18 @@ impl AnswerOutput {
 
 impl OutputFile {
     /// Opens the destination, before any work is done.
-    pub fn open(&self) -> Result<Output, Failure> {
+    pub(super) fn open(&self) -> Result<Output, Failure> {
         Output::open(self.output.as_deref())
     }
 
     /// Whether it is a file that is there.
-    pub fn is_same_file(&self, other: &Path) -> bool {
+    pub(super) fn is_same_file(&self, other: &Path) -> bool {
         self.output.as_ref().is_some_and(|output| is_same_file(output, other))
     }
 }
 
 /// Refuses to write a binary file to a terminal.
-pub fn fits_standard_output(format: &Format) -> Result<(), Failure> {
+pub(super) fn fits_standard_output(format: &Format) -> Result<(), Failure> {
     match format.is_binary && io::stdout().is_terminal() {
         true => Err(Failure::Input(format!(
             "refusing to write {} to a terminal; use --output or redirect",
@@ -62,7 +62,7 @@ pub fn fits_standard_output(format: &Format) -> Result<(), Failure> {
 }
 
 /// Whether two paths lead to one file that is there.
-pub fn is_same_file(one: &Path, other: &Path) -> bool {
+pub(super) fn is_same_file(one: &Path, other: &Path) -> bool {
     match (fs::canonicalize(one), fs::canonicalize(other)) {
         (Ok(one), Ok(other)) => one == other,
         _ => false,
@@ -70,7 +70,7 @@ pub fn is_same_file(one: &Path, other: &Path) -> bool {
 }
 
 /// An opened destination.
-pub enum Output {
+pub(super) enum Output {
     /// Standard output.
     Standard,
     /// A device or a pipe, which is written to directly: it cannot be renamed over.
@@ -95,7 +95,7 @@ static HANDLER: Once = Once::new();
 
 impl Output {
     /// Opens the destination now: a path that cannot be written fails before any work.
-    pub fn open(path: Option<&Path>) -> Result<Self, Failure> {
+    pub(super) fn open(path: Option<&Path>) -> Result<Self, Failure> {
         let Some(path) = path else { return Ok(Self::Standard) };
         let failed = |error: io::Error| cannot_write(path, &error);
         // Follow a link: replace the file behind it, not the link.
@@ -117,7 +117,7 @@ impl Output {
     }
 
     /// Writes everything and makes the file appear. A reader that closes the pipe early is no failure.
-    pub fn write(
+    pub(super) fn write(
         self,
         report: impl FnOnce(&mut dyn Write) -> io::Result<()>,
     ) -> Result<(), Failure> {

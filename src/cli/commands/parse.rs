@@ -8,21 +8,21 @@ use crate::report::{Content, Format};
 use crate::scene::MAX_ARCH_DIGITS;
 
 /// A landmark by its symbol.
-pub fn landmark(text: &str) -> Result<Landmark, String> {
+pub(super) fn landmark(text: &str) -> Result<Landmark, String> {
     Landmark::ALL.into_iter().find(|landmark| landmark.symbol() == text).ok_or_else(|| {
         format!("a landmark is one of {}", list(Landmark::ALL.map(Landmark::symbol)))
     })
 }
 
 /// A self-weight model by its name.
-pub fn weight(text: &str) -> Result<SelfWeight, String> {
+pub(super) fn weight(text: &str) -> Result<SelfWeight, String> {
     SelfWeight::ALL.into_iter().find(|weight| weight.name() == text).ok_or_else(|| {
         format!("a weight is one of {}", list(SelfWeight::ALL.map(SelfWeight::name)))
     })
 }
 
 /// What reads the name of a format.
-pub fn format(
+pub(super) fn format(
     content: Content,
 ) -> impl Fn(&str) -> Result<&'static Format, String> + Clone + Send + Sync + 'static {
     move |name| {
@@ -33,12 +33,12 @@ pub fn format(
 }
 
 /// What an option of formats is for.
-pub fn format_help(content: Content) -> String {
+pub(super) fn format_help(content: Content) -> String {
     format!("Output format: {}", Format::names(content))
 }
 
 /// A number of significant digits.
-pub fn digits(text: &str) -> Result<usize, String> {
+pub(super) fn digits(text: &str) -> Result<usize, String> {
     text.parse()
         .ok()
         .filter(|digits| (1..=MAX_DIGITS).contains(digits))
@@ -46,7 +46,7 @@ pub fn digits(text: &str) -> Result<usize, String> {
 }
 
 /// The same for a state.
-pub fn state_digits(text: &str) -> Result<usize, String> {
+pub(super) fn state_digits(text: &str) -> Result<usize, String> {
     digits(text)
         .ok()
         .filter(|digits| *digits <= MAX_ARCH_DIGITS)

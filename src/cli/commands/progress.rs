@@ -7,7 +7,7 @@ use std::time::Duration;
 const LONG: usize = 200_000;
 
 /// A bar in a style; without a length it only turns.
-pub fn styled(length: Option<u64>, style: &str) -> ProgressBar {
+pub(super) fn styled(length: Option<u64>, style: &str) -> ProgressBar {
     let bar = length.map_or_else(ProgressBar::new_spinner, ProgressBar::new);
     if let Ok(style) = ProgressStyle::with_template(style) {
         bar.set_style(style);
@@ -17,7 +17,7 @@ pub fn styled(length: Option<u64>, style: &str) -> ProgressBar {
 }
 
 /// A bar of `ticks` ticks for a number of digits in all; it shows nothing for short work.
-pub fn bar(ticks: u64, digits: usize) -> ProgressBar {
+pub(super) fn bar(ticks: u64, digits: usize) -> ProgressBar {
     if digits < LONG {
         return ProgressBar::hidden();
     }

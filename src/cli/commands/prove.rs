@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 /// Each claim has an id, such as eq-7-eta; eq-7 selects all that begin with it. The exit code is 1 only
 /// if a claim is undecided: a misprint that is refuted and corrected is a result.
 #[derive(Args)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     /// Claims to decide; all if none is named.
     #[arg(value_name = "CLAIM")]
     claims: Vec<String>,
@@ -35,7 +35,7 @@ pub struct Arguments {
     coq: Option<PathBuf>,
 }
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(folder) = &arguments.coq {
         return write_coq(folder);
     }

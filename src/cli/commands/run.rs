@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 /// computed. Results that several items need are computed once. The file couplet-run.json next to the
 /// outputs records for --resume which are complete.
 #[derive(Args)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     /// The scene; `-` is standard input.
     #[arg(value_name = "SCENE", required_unless_present = "schema")]
     scene: Option<PathBuf>,
@@ -47,7 +47,7 @@ pub struct Arguments {
     schema: bool,
 }
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Some(path) = arguments.scene.as_deref().filter(|_| !arguments.schema) else {
         return Output::Standard.write(|out| out.write_all(EXAMPLE.as_bytes()));
     };

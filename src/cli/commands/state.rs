@@ -15,7 +15,7 @@ use clap::Args;
 /// The proof: the equations of the mode have one solution in a box; that state is admissible on the
 /// whole half arch; no thinner arch has an admissible state; every comparison is decided.
 #[derive(Args)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     #[command(flatten)]
     arch: ArchArguments,
 
@@ -27,7 +27,7 @@ pub struct Arguments {
     output: AnswerOutput,
 }
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(landmark) = arguments.at {
         return at_landmark(landmark, arguments);
     }
@@ -36,7 +36,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// Computes and prints the answer for one arch.
-pub fn print(
+pub(super) fn print(
     output: &AnswerOutput,
     digits: usize,
     answer: impl FnOnce() -> Answer,

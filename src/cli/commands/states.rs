@@ -24,7 +24,7 @@ use std::io::{self, Read, Write};
 /// Parquet (needs the feature parquet) has one row for each value: the query, mode, quantity, the value as
 /// text with its bounds, the nearest double with its bounds.
 #[derive(Args)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     /// Significant digits, 1 to 10000. With 17 each state also has the nearest double of its values,
     /// in decimal and in hexadecimal.
     #[arg(long, default_value = "17", value_parser = parse::state_digits, allow_negative_numbers = true)]
@@ -49,7 +49,7 @@ struct Query {
 
 type Queries = Box<dyn Iterator<Item = Line<Query>>>;
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(format) = arguments.format {
         fits_standard_output(format)?;
     }

@@ -17,7 +17,7 @@ use std::time::Duration;
 /// Every error is the distance to a certified value of much higher precision. Nothing here is part of a
 /// proof.
 #[derive(Args)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     #[command(subcommand)]
     study: Study,
 }
@@ -46,7 +46,7 @@ struct Options {
     output: Option<PathBuf>,
 }
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     match &arguments.study {
         Study::Accuracy(options) => accuracy(options),
         Study::Stability(options) => stability(options),

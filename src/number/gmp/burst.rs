@@ -28,7 +28,7 @@ const GROWTH: u32 = 4;
 const GUARD: u32 = 16;
 
 /// Sine and cosine of `y` to `prec` bits. Below one in size, the fewer bits `y` has, the faster.
-pub fn sine_and_cosine(y: &Float, prec: u32) -> (Ball, Ball) {
+pub(super) fn sine_and_cosine(y: &Float, prec: u32) -> (Ball, Ball) {
     let exact = Ball::exact(y.clone(), prec);
     let is_fraction = y.get_exp().is_none_or(|exponent| exponent <= 0);
     if prec < THRESHOLD || y.prec() > prec / 2 || !is_fraction {
@@ -56,7 +56,12 @@ pub fn sine_and_cosine(y: &Float, prec: u32) -> (Ball, Ball) {
 /// Sine and cosine of `a + d` from those of `a` and from the sine and the versine of `d`, to `prec`
 /// bits: `sin a + (cos a sin d - sin a vers d)`, `cos a - (sin a sin d + cos a vers d)`. Products of
 /// a small factor are computed to the bits that reach the sum, and three of them do for four.
-pub fn turn((sin, cos): (&Ball, &Ball), sine: &Ball, versine: &Ball, prec: u32) -> (Ball, Ball) {
+pub(super) fn turn(
+    (sin, cos): (&Ball, &Ball),
+    sine: &Ball,
+    versine: &Ball,
+    prec: u32,
+) -> (Ball, Ball) {
     let width = |small: &Ball| {
         let size = Magnitude::upper(small.mid()).plus(small.rad()).exponent();
         let bits = i64::from(prec) + size.unwrap_or(0).min(0) + i64::from(GUARD);

@@ -15,7 +15,7 @@ pub struct Claims {
 }
 
 /// The word for what became of the statement as it is printed.
-pub fn as_printed(decision: &Decision) -> &'static str {
+pub(super) fn as_printed(decision: &Decision) -> &'static str {
     match decision.outcome {
         Ok(Finding::AsPrinted) => "proved",
         Ok(Finding::Implicit) => "not stated",
@@ -25,7 +25,7 @@ pub fn as_printed(decision: &Decision) -> &'static str {
 }
 
 /// How many claims there are of each kind, in words.
-pub fn summary(decisions: &[Decision]) -> String {
+pub(super) fn summary(decisions: &[Decision]) -> String {
     let of = |word| decisions.iter().filter(|decision| as_printed(decision) == word).count();
     let kinds = [
         ("proved", "proved as printed"),

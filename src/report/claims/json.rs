@@ -52,7 +52,7 @@ impl<'a> From<&'a Step> for StepEntry<'a> {
 }
 
 /// All claims.
-pub fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
+pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
     let claims = report.decisions.iter().map(|decision| {
         let (counterexample, corrected) = match &decision.outcome {
             Ok(Finding::Misprint { counterexample, corrected }) => {

@@ -12,7 +12,7 @@ const HEAD: &str = r"\documentclass{article}
 \raggedright";
 
 /// All claims.
-pub fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
+pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(out, "{HEAD}")?;
     writeln!(out, "{}\n", plain(&summary(&report.decisions)))?;
     for decision in &report.decisions {

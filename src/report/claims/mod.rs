@@ -6,6 +6,6 @@ mod latex;
 mod text;
 
 pub use decided::Claims;
-pub use json::claims as json;
-pub use latex::claims as latex;
-pub use text::claims as text;
+pub(super) use json::claims as json;
+pub(super) use latex::claims as latex;
+pub(super) use text::claims as text;

@@ -5,7 +5,7 @@ use crate::claims::{Decision, Finding, Support};
 use std::io;
 
 /// All claims.
-pub fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
+pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
     for decision in &report.decisions {
         heading(decision, report.timed, out)?;
         if report.show {

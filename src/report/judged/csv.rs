@@ -15,7 +15,7 @@ fn column(quantity: Quantity, field: &str) -> Option<String> {
 }
 
 /// The header, with the columns of some quantities.
-pub fn header(quantities: &[Quantity]) -> io::Result<Vec<u8>> {
+pub(super) fn header(quantities: &[Quantity]) -> io::Result<Vec<u8>> {
     let columns =
         |&quantity: &Quantity| NUMBER.into_iter().filter_map(move |field| column(quantity, field));
     let row = ROW.into_iter().map(str::to_owned);
@@ -23,7 +23,7 @@ pub fn header(quantities: &[Quantity]) -> io::Result<Vec<u8>> {
 }
 
 /// One row.
-pub fn row(row: &JudgedRow, quantities: &[Quantity]) -> io::Result<Vec<u8>> {
+pub(super) fn row(row: &JudgedRow, quantities: &[Quantity]) -> io::Result<Vec<u8>> {
     let mut record: Vec<String> = row.fields().texts().collect();
     for &quantity in quantities {
         let texts = row.number(quantity).map(|judged| number(judged).texts().collect());

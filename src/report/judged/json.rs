@@ -26,7 +26,7 @@ impl RowEntry {
 }
 
 /// One row on one line.
-pub fn row(row: &JudgedRow) -> io::Result<Vec<u8>> {
+pub(super) fn row(row: &JudgedRow) -> io::Result<Vec<u8>> {
     json::line(&RowEntry::new(row))
 }
 
@@ -65,7 +65,7 @@ struct BarEntry {
 }
 
 /// All of them.
-pub fn summary(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
+pub(crate) fn summary(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
     let numbers = summary.quantities.iter().map(|m| {
         let entry = QuantityEntry {
             judged: m.judged,

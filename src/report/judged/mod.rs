@@ -6,17 +6,17 @@ mod row;
 mod summary;
 mod table;
 
-pub use json::summary as json;
-pub use row::JudgedRow;
-pub use summary::JudgeSummary;
-pub use table::{verdicts, write as table};
+pub(crate) use json::summary as json;
+pub(crate) use row::JudgedRow;
+pub(crate) use summary::JudgeSummary;
+pub(crate) use table::{verdicts, write as table};
 
 use crate::problem::Quantity;
 use std::io;
 
 /// How rows are written as they come.
 #[derive(Clone, Copy, Debug)]
-pub struct JudgedLines {
+pub(crate) struct JudgedLines {
     /// The header, with the quantities that have columns.
     pub header: fn(&[Quantity]) -> io::Result<Vec<u8>>,
     /// One row.
@@ -24,7 +24,7 @@ pub struct JudgedLines {
 }
 
 /// CSV.
-pub const CSV: JudgedLines = JudgedLines { header: csv::header, row: csv::row };
+pub(crate) const CSV: JudgedLines = JudgedLines { header: csv::header, row: csv::row };
 /// JSON lines, `couplet.judged/1`.
-pub const JSON_LINES: JudgedLines =
+pub(crate) const JSON_LINES: JudgedLines =
     JudgedLines { header: |_| Ok(Vec::new()), row: |row, _| json::row(row) };

@@ -9,7 +9,7 @@ use serde_json::Value as Json;
 
 /// A row of results, judged or not.
 #[derive(Clone, Debug)]
-pub struct JudgedRow {
+pub(crate) struct JudgedRow {
     /// Its line in the file.
     pub line: u64,
     /// The self-weight model as given.
@@ -27,7 +27,7 @@ pub struct JudgedRow {
 }
 
 /// The fields of a row, before those of its numbers.
-pub const ROW: [&str; 13] = [
+pub(super) const ROW: [&str; 13] = [
     "line",
     "weight",
     "half_opening",
@@ -44,7 +44,7 @@ pub const ROW: [&str; 13] = [
 ];
 
 /// The fields of a number.
-pub const NUMBER: [&str; 11] = [
+pub(super) const NUMBER: [&str; 11] = [
     "claimed",
     "value",
     "lower",
@@ -60,22 +60,22 @@ pub const NUMBER: [&str; 11] = [
 
 impl JudgedRow {
     /// The verdict on the row as a whole.
-    pub fn verdict(&self) -> Verdict {
+    pub(crate) fn verdict(&self) -> Verdict {
         self.judgement().map_or(Verdict::BadRow, |judgement| judgement.verdict)
     }
 
     /// The judgement, if the row could be read.
-    pub fn judgement(&self) -> Option<&Judgement> {
+    pub(crate) fn judgement(&self) -> Option<&Judgement> {
         self.outcome.as_ref().ok()
     }
 
     /// The numbers that are judged.
-    pub fn numbers(&self) -> &[Judged] {
+    pub(crate) fn numbers(&self) -> &[Judged] {
         self.judgement().map_or(&[], |judgement| &judgement.numbers)
     }
 
     /// The digits to which every number is correct, if there is any.
-    pub fn correct_digits(&self) -> Option<CorrectDigits> {
+    pub(crate) fn correct_digits(&self) -> Option<CorrectDigits> {
         self.judgement()?.correct_digits()
     }
 
@@ -89,7 +89,7 @@ impl JudgedRow {
     }
 
     /// The certified mode, or all that meet where it is not decided.
-    pub fn modes(&self) -> Option<String> {
+    pub(crate) fn modes(&self) -> Option<String> {
         match &self.judgement()?.standing {
             Standing::Stands(mode) => Some(mode.label().to_owned()),
             Standing::Falls(_) => None,
@@ -101,7 +101,7 @@ impl JudgedRow {
     }
 
     /// Why it falls, is undecided or cannot be read.
-    pub fn reason(&self) -> Option<&str> {
+    pub(crate) fn reason(&self) -> Option<&str> {
         match &self.outcome {
             Err(error) => Some(error),
             Ok(judgement) => match &judgement.standing {
@@ -113,7 +113,7 @@ impl JudgedRow {
     }
 
     /// The fields [`ROW`].
-    pub fn fields(&self) -> Fields {
+    pub(crate) fn fields(&self) -> Fields {
         let verdict = self.verdict();
         let side = self.judgement().and_then(|judgement| judgement.side()).map(|side| match side {
             Side::Thinner => "thinner",
@@ -138,13 +138,13 @@ impl JudgedRow {
     }
 
     /// The number of a quantity, if it is judged.
-    pub fn number(&self, quantity: Quantity) -> Option<&Judged> {
+    pub(crate) fn number(&self, quantity: Quantity) -> Option<&Judged> {
         self.numbers().iter().find(|number| number.quantity == quantity)
     }
 }
 
 /// The fields [`NUMBER`]; bounds are rounded outward, errors correctly rounded.
-pub fn number(number: &Judged) -> Fields {
+pub(super) fn number(number: &Judged) -> Fields {
     let text = |x: Option<&Decimal>| -> Json { x.map(ToString::to_string).into() };
     let errors = number.errors.as_ref();
     let bounds = match &number.certified {
@@ -168,7 +168,7 @@ pub fn number(number: &Judged) -> Fields {
 }
 
 /// A number of digits, or `inf` for a number that is exactly the truth.
-pub fn digits(correct: CorrectDigits) -> String {
+pub(super) fn digits(correct: CorrectDigits) -> String {
     match correct {
         CorrectDigits::Digits(digits) => digits.to_string(),
         CorrectDigits::Exact => "inf".to_owned(),
@@ -176,7 +176,7 @@ pub fn digits(correct: CorrectDigits) -> String {
 }
 
 /// The text of a certified value.
-pub fn certified(value: &Certified) -> String {
+pub(super) fn certified(value: &Certified) -> String {
     match value {
         Certified::Finite(rounded) => rounded.value.to_string(),
         Certified::Infinite => "inf".to_owned(),

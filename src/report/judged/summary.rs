@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 
 /// A summary of all rows.
 #[derive(Debug)]
-pub struct JudgeSummary {
+pub(crate) struct JudgeSummary {
     pub(super) demand: Demand,
     /// Rows that are kept as the worst, and as the first that cannot be judged.
     kept: usize,
@@ -40,7 +40,7 @@ pub(super) struct QuantitySummary {
 
 impl JudgeSummary {
     /// Of no rows; `kept` is how many of the worst are to be kept.
-    pub fn new(demand: Demand, kept: usize) -> Self {
+    pub(crate) fn new(demand: Demand, kept: usize) -> Self {
         Self {
             demand,
             kept,
@@ -56,7 +56,7 @@ impl JudgeSummary {
     }
 
     /// Counts a row.
-    pub fn add(&mut self, row: JudgedRow) {
+    pub(crate) fn add(&mut self, row: JudgedRow) {
         self.rows += 1;
         let verdict = row.verdict();
         *self.verdicts.entry(verdict).or_default() += 1;
@@ -75,17 +75,17 @@ impl JudgeSummary {
     }
 
     /// How many rows there are.
-    pub fn rows(&self) -> u64 {
+    pub(crate) fn rows(&self) -> u64 {
         self.rows
     }
 
     /// How many rows pass.
-    pub fn accepted(&self) -> u64 {
+    pub(crate) fn accepted(&self) -> u64 {
         self.verdicts.iter().filter(|(v, _)| v.is_accepted()).map(|(_, count)| count).sum()
     }
 
     /// How many rows have a verdict.
-    pub fn count(&self, verdict: Verdict) -> u64 {
+    pub(crate) fn count(&self, verdict: Verdict) -> u64 {
         self.verdicts.get(&verdict).copied().unwrap_or(0)
     }
 

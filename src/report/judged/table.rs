@@ -7,7 +7,7 @@ use crate::report::words::{count, shortened};
 use std::io;
 
 /// The whole summary.
-pub fn write(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
+pub(crate) fn write(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
     verdicts(summary, out)?;
     numbers(summary, out)?;
     histogram(summary, out)?;
@@ -26,7 +26,7 @@ pub fn write(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> 
 }
 
 /// How many rows have which verdict, and how many pass.
-pub fn verdicts(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
+pub(crate) fn verdicts(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
     let (rows, accepted) = (summary.rows, summary.accepted());
     let or = if summary.demand.or_all_printed { ", or correctly rounded" } else { "" };
     let demanded = count(summary.demand.digits, "digit", "digits");

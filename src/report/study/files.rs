@@ -9,11 +9,11 @@ use serde::Serialize;
 use std::process::Command;
 
 /// Names and contents.
-pub struct StudyFiles(pub Vec<(String, Vec<u8>)>);
+pub(crate) struct StudyFiles(pub Vec<(String, Vec<u8>)>);
 
 impl StudyFiles {
     /// The files of `couplet study accuracy`.
-    pub fn accuracy(rows: &[Row], command: &str) -> Self {
+    pub(crate) fn accuracy(rows: &[Row], command: &str) -> Self {
         let files = vec![
             ("accuracy.csv".into(), table(rows)),
             ("README.md".into(), readme("Error against run time", command, ACCURACY)),
@@ -24,7 +24,7 @@ impl StudyFiles {
     }
 
     /// The files of `couplet study stability`.
-    pub fn stability(rungs: &[Rung], command: &str) -> Self {
+    pub(crate) fn stability(rungs: &[Rung], command: &str) -> Self {
         let files = vec![
             ("stability.csv".into(), table(rungs)),
             ("README.md".into(), readme("Digits lost towards the limits", command, STABILITY)),

@@ -3,5 +3,5 @@
 mod files;
 mod tables;
 
-pub use files::StudyFiles;
-pub use tables::{accuracy_table, stability_table};
+pub(crate) use files::StudyFiles;
+pub(crate) use tables::{accuracy_table, stability_table};

@@ -6,7 +6,7 @@ use crate::study::stability::Rung;
 use std::io;
 
 /// One line for each method at each precision: the worst over the cases of a quantity.
-pub fn accuracy_table(rows: &[Row], out: &mut dyn io::Write) -> io::Result<()> {
+pub(crate) fn accuracy_table(rows: &[Row], out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(
         out,
         "{:<13} {:<30} {:>6} {:>6} {:>11} {:>10} {:>8} {:>9}",
@@ -58,7 +58,7 @@ pub fn accuracy_table(rows: &[Row], out: &mut dyn io::Write) -> io::Result<()> {
 }
 
 /// Digits lost: a line for each method, a column for each distance.
-pub fn stability_table(rungs: &[Rung], out: &mut dyn io::Write) -> io::Result<()> {
+pub(crate) fn stability_table(rungs: &[Rung], out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(
         out,
         "Decimal digits lost at a distance 10^-k from each limit; - where there is no value."

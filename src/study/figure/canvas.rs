@@ -5,7 +5,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 /// The colour of text and frames.
-pub const INK: RGBColor = RGBColor(0x22, 0x22, 0x22);
+pub(super) const INK: RGBColor = RGBColor(0x22, 0x22, 0x22);
 
 /// The backend rounds to integers: it gets a canvas so many times as large.
 const FINE: f64 = 10.0;
@@ -15,19 +15,19 @@ const FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
 
 /// Which end of a text is at its place.
 #[derive(Clone, Copy)]
-pub enum Anchor {
+pub(super) enum Anchor {
     Start,
     Middle,
     End,
 }
 
 /// Draws in units of the finished figure.
-pub struct Canvas<'a> {
+pub(super) struct Canvas<'a> {
     area: DrawingArea<SVGBackend<'a>, Shift>,
 }
 
 /// What `content` draws on a white page.
-pub fn svg((width, height): (f64, f64), content: impl FnOnce(&Canvas)) -> String {
+pub(super) fn svg((width, height): (f64, f64), content: impl FnOnce(&Canvas)) -> String {
     let (width, height) = (width.ceil(), height.ceil());
     let (fine_width, fine_height) = ((width * FINE) as u32, (height * FINE) as u32);
     let mut text = String::new();
@@ -48,36 +48,43 @@ const STRING: &str = "a string takes everything";
 
 impl Canvas<'_> {
     /// A line through points.
-    pub fn stroke(&self, points: &[(f64, f64)], color: RGBColor, width: f64) {
+    pub(super) fn stroke(&self, points: &[(f64, f64)], color: RGBColor, width: f64) {
         let style = color.stroke_width((width * FINE).round() as u32);
         let points: Vec<_> = points.iter().map(fine).collect();
         self.area.draw(&PathElement::new(points, style)).expect(STRING);
     }
 
     /// An area within points.
-    pub fn fill(&self, points: &[(f64, f64)], color: RGBColor) {
+    pub(super) fn fill(&self, points: &[(f64, f64)], color: RGBColor) {
         let points: Vec<_> = points.iter().map(fine).collect();
         self.area.draw(&Polygon::new(points, color.filled())).expect(STRING);
     }
 
     /// A disc.
-    pub fn disc(&self, centre: (f64, f64), radius: f64, color: RGBColor) {
+    pub(super) fn disc(&self, centre: (f64, f64), radius: f64, color: RGBColor) {
         let radius = (radius * FINE).round() as i32;
         self.area.draw(&Circle::new(fine(&centre), radius, color.filled())).expect(STRING);
     }
 
     /// A text whose small letters are centred at the height of `at`.
-    pub fn text(&self, text: &str, at: (f64, f64), anchor: Anchor, size: f64, color: RGBColor) {
+    pub(super) fn text(
+        &self,
+        text: &str,
+        at: (f64, f64),
+        anchor: Anchor,
+        size: f64,
+        color: RGBColor,
+    ) {
         self.write(text, at, anchor, size, color, FontTransform::None);
     }
 
     /// A text that reads upwards, its middle at `at`.
-    pub fn upwards(&self, text: &str, at: (f64, f64), size: f64, color: RGBColor) {
+    pub(super) fn upwards(&self, text: &str, at: (f64, f64), size: f64, color: RGBColor) {
         self.write(text, at, Anchor::Middle, size, color, FontTransform::Rotate270);
     }
 
     /// Lines of text below each other, the first with its upper edge at `at`.
-    pub fn lines(
+    pub(super) fn lines(
         &self,
         lines: &[String],
         at: (f64, f64),

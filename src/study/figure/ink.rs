@@ -47,7 +47,7 @@ enum Marker {
 
 /// How a line looks.
 #[derive(Clone, Copy)]
-pub struct Ink {
+pub(super) struct Ink {
     color: RGBColor,
     dashes: &'static [f64],
     marker: Option<Marker>,
@@ -57,14 +57,14 @@ pub struct Ink {
 }
 
 /// The ink of every label of a figure.
-pub struct Inks<'a> {
+pub(super) struct Inks<'a> {
     references: Vec<&'a str>,
     others: Vec<&'a str>,
 }
 
 impl<'a> Inks<'a> {
     /// One for each label, in the order in which they come up.
-    pub fn new(lines: impl Iterator<Item = &'a Line>) -> Self {
+    pub(super) fn new(lines: impl Iterator<Item = &'a Line>) -> Self {
         let mut inks = Self { references: Vec::new(), others: Vec::new() };
         for line in lines {
             let labels = match line.kind {
@@ -79,7 +79,7 @@ impl<'a> Inks<'a> {
     }
 
     /// That of a line of the figure.
-    pub fn of(&self, line: &Line) -> Ink {
+    pub(super) fn of(&self, line: &Line) -> Ink {
         let turn = |labels: &[&str]| {
             labels.iter().position(|label| *label == line.label).expect("a line of the figure")
         };
@@ -101,14 +101,14 @@ impl<'a> Inks<'a> {
 
 impl Ink {
     /// A line through points.
-    pub fn stroke(&self, canvas: &Canvas, points: &[(f64, f64)]) {
+    pub(super) fn stroke(&self, canvas: &Canvas, points: &[(f64, f64)]) {
         for dash in dashed(points, self.dashes) {
             canvas.stroke(&dash, self.color, self.width);
         }
     }
 
     /// The marker at a point, if the line has one.
-    pub fn mark(&self, canvas: &Canvas, (x, y): (f64, f64)) {
+    pub(super) fn mark(&self, canvas: &Canvas, (x, y): (f64, f64)) {
         let Some(marker) = self.marker else { return };
         let at = |corners: &[(f64, f64)]| -> Vec<(f64, f64)> {
             corners.iter().map(|(dx, dy)| (x + dx, y + dy)).collect()

@@ -30,7 +30,7 @@ const GUIDE: RGBColor = RGBColor(0xAA, 0xAA, 0xAA);
 
 /// What a panel needs: around its frame, and for it.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Room {
+pub(super) struct Room {
     pub left: f64,
     pub right: f64,
     pub top: f64,
@@ -41,7 +41,7 @@ pub struct Room {
 
 impl Room {
     /// Enough for both.
-    pub fn join(self, other: Self) -> Self {
+    pub(super) fn join(self, other: Self) -> Self {
         Self {
             left: self.left.max(other.left),
             right: self.right.max(other.right),
@@ -52,18 +52,18 @@ impl Room {
     }
 
     /// From end to end.
-    pub fn width(&self) -> f64 {
+    pub(super) fn width(&self) -> f64 {
         self.left + FRAME.0 + self.right
     }
 
     /// From end to end.
-    pub fn height(&self) -> f64 {
+    pub(super) fn height(&self) -> f64 {
         self.top + self.frame + self.bottom
     }
 }
 
 /// A panel, ready to be drawn.
-pub struct Drawn<'a> {
+pub(super) struct Drawn<'a> {
     lines: Vec<Trace<'a>>,
     x: Ruler,
     y: Ruler,
@@ -83,7 +83,7 @@ struct Trace<'a> {
 
 impl<'a> Drawn<'a> {
     /// Chooses the axes and measures the texts.
-    pub fn new(panel: &'a Panel, inks: &Inks) -> Self {
+    pub(super) fn new(panel: &'a Panel, inks: &Inks) -> Self {
         let lines: Vec<Trace> = panel
             .lines
             .iter()
@@ -128,7 +128,7 @@ impl<'a> Drawn<'a> {
     }
 
     /// Draws the panel with the upper left corner of its frame at `corner`.
-    pub fn draw(&self, canvas: &Canvas, (left, top): (f64, f64), height: f64) {
+    pub(super) fn draw(&self, canvas: &Canvas, (left, top): (f64, f64), height: f64) {
         let (right, bottom) = (left + FRAME.0, top + height);
         let at = |&(x, y): &(f64, f64)| {
             (left + self.x.share(x) * FRAME.0, bottom - self.y.share(y) * height)

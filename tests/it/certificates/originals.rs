@@ -16,13 +16,13 @@ use std::collections::HashMap;
 use std::sync::Mutex;
 
 /// The answer of both arithmetics, which has to be the same.
-pub fn both(bytes: &[u8], max_digits: usize) -> Result<Accepted, Refusal> {
+pub(super) fn both(bytes: &[u8], max_digits: usize) -> Result<Accepted, Refusal> {
     let by_astro = check::<AstroInterval>(bytes, max_digits);
     assert_eq!(by_astro, check::<Ball>(bytes, max_digits));
     by_astro
 }
 
-pub fn to_value(certificate: &Certificate) -> Value {
+pub(super) fn to_value(certificate: &Certificate) -> Value {
     serde_json::to_value(certificate).unwrap()
 }
 
@@ -35,7 +35,7 @@ fn kept(name: String, make: impl FnOnce() -> Certificate) -> &'static Value {
 }
 
 /// The certificate of a landmark with 30 digits, for Heyman's weight.
-pub fn landmark(symbol: &str) -> &'static Value {
+pub(super) fn landmark(symbol: &str) -> &'static Value {
     kept(symbol.to_owned(), || {
         let landmark = Landmark::ALL.into_iter().find(|l| l.symbol() == symbol).unwrap();
         certify_landmark(landmark, SelfWeight::Heyman, 30).unwrap()
@@ -43,18 +43,18 @@ pub fn landmark(symbol: &str) -> &'static Value {
 }
 
 /// The certificate of a state with 20 digits, for Milankovitch's weight.
-pub fn state(half_opening: &str, friction: &str) -> &'static Value {
+pub(super) fn state(half_opening: &str, friction: &str) -> &'static Value {
     kept(format!("{half_opening} {friction}"), || {
         certify_state(&arch(M, half_opening, friction), 20).unwrap()
     })
 }
 
-pub fn landmark_problem(landmark: Landmark, weight: SelfWeight) -> Problem {
+pub(super) fn landmark_problem(landmark: Landmark, weight: SelfWeight) -> Problem {
     Problem::Landmark { landmark, weight }
 }
 
 /// The claim that an arch of this half opening and friction collapses in this mode.
-pub fn state_problem(
+pub(super) fn state_problem(
     weight: SelfWeight,
     mode: Mode,
     half_opening: &str,
@@ -64,7 +64,7 @@ pub fn state_problem(
 }
 
 /// The root of a certificate, roughly.
-pub fn root(certificate: &Value) -> Vec<f64> {
+pub(super) fn root(certificate: &Value) -> Vec<f64> {
     let number = |text: &Value| -> f64 {
         let number: Dyadic = text.as_str().unwrap().parse().unwrap();
         let mantissa = rug::Integer::from_digits(number.words(), rug::integer::Order::Lsf);
@@ -76,7 +76,7 @@ pub fn root(certificate: &Value) -> Vec<f64> {
 
 /// A certificate with right witnesses for the root of the equations next to `start`. Its only value is of
 /// no importance.
-pub fn at_root(problem: &Problem, start: &[f64]) -> Certificate {
+pub(super) fn at_root(problem: &Problem, start: &[f64]) -> Certificate {
     let mut certificate = find_root(problem, start).expect("a root");
     certificate.values =
         vec![ValueFile { quantity: "thickness".to_owned(), value: "1".to_owned() }];
@@ -84,7 +84,7 @@ pub fn at_root(problem: &Problem, start: &[f64]) -> Certificate {
 }
 
 /// The same without a value, where Newton's method finds its way.
-pub fn find_root(problem: &Problem, start: &[f64]) -> Option<Certificate> {
+pub(super) fn find_root(problem: &Problem, start: &[f64]) -> Option<Certificate> {
     const BITS: u32 = 256;
     let mut x: Vec<Float> = start.iter().map(|v| Float::with_val(BITS, v)).collect();
     let n = x.len();

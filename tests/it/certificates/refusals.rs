@@ -5,44 +5,44 @@ use couplet::check::Refusal;
 use serde_json::Value;
 
 /// The largest number of digits that is accepted.
-pub const MAX_DIGITS: usize = 60;
+pub(super) const MAX_DIGITS: usize = 60;
 
 /// A spoiled certificate, and what was done to it.
-pub struct Spoiled {
+pub(super) struct Spoiled {
     what: String,
     bytes: Vec<u8>,
 }
 
 impl Spoiled {
-    pub fn new(what: &str, bytes: impl Into<Vec<u8>>) -> Self {
+    pub(super) fn new(what: &str, bytes: impl Into<Vec<u8>>) -> Self {
         Self { what: what.to_owned(), bytes: bytes.into() }
     }
 }
 
 /// A certificate that is accepted, to be spoiled.
 #[derive(Clone, Copy)]
-pub struct Original(pub &'static Value);
+pub(super) struct Original(pub &'static Value);
 
 /// That of the triple point.
-pub fn point() -> Original {
+pub(super) fn point() -> Original {
     Original(landmark("T"))
 }
 
 /// That of an arch.
-pub fn arch() -> Original {
+pub(super) fn arch() -> Original {
     Original(state("2.45", "1.35"))
 }
 
 impl Original {
     /// With another value at some place.
-    pub fn with(self, place: &str, value: impl Into<Value>) -> Spoiled {
+    pub(super) fn with(self, place: &str, value: impl Into<Value>) -> Spoiled {
         let value = value.into();
         let what = format!("{place} = {value:.60}");
         self.changed(&what, |copy| *copy.pointer_mut(place).expect(place) = value)
     }
 
     /// Without one of the fields of an object.
-    pub fn without(self, place: &str, key: &str) -> Spoiled {
+    pub(super) fn without(self, place: &str, key: &str) -> Spoiled {
         let what = format!("{place} without {key}");
         self.changed(&what, |copy| {
             let object = copy.pointer_mut(place).unwrap().as_object_mut().unwrap();
@@ -51,13 +51,13 @@ impl Original {
     }
 
     /// With one text replaced by another.
-    pub fn replaced(self, from: &str, to: &str) -> Spoiled {
+    pub(super) fn replaced(self, from: &str, to: &str) -> Spoiled {
         let text = self.0.to_string();
         assert!(text.contains(from), "{from}");
         Spoiled::new(to, text.replacen(from, to, 1))
     }
 
-    pub fn changed(self, what: &str, change: impl FnOnce(&mut Value)) -> Spoiled {
+    pub(super) fn changed(self, what: &str, change: impl FnOnce(&mut Value)) -> Spoiled {
         let mut copy = self.0.clone();
         change(&mut copy);
         Spoiled::new(what, copy.to_string())
@@ -65,10 +65,10 @@ impl Original {
 }
 
 /// Spoiled copies of one kind with their reasons.
-pub type Cases = Vec<(Spoiled, Refusal)>;
+pub(super) type Cases = Vec<(Spoiled, Refusal)>;
 
 /// Both arithmetics refuse each copy for exactly its reason.
-pub fn refused(cases: Cases) {
+pub(super) fn refused(cases: Cases) {
     for (Spoiled { what, bytes }, expected) in cases {
         let found = both(&bytes, MAX_DIGITS).expect_err(&what);
         match (&found, &expected) {
@@ -96,7 +96,7 @@ macro_rules! refusals {
         )*
 
         /// The reasons in the table.
-        pub fn expected() -> Vec<couplet::check::Refusal> {
+        pub(super) fn expected() -> Vec<couplet::check::Refusal> {
             let tables: Vec<$crate::certificates::refusals::Cases> =
                 vec![$(refusals!(@cases $spoiled $(=> $refusal)?)),*];
             tables.into_iter().flatten().map(|(_, refusal)| refusal).collect()

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 /// A step of spoiling: what, where and how.
-pub type Step = (u8, u64, u64);
+pub(super) type Step = (u8, u64, u64);
 
 /// The places of all values in a value.
 fn places(value: &Value, at: &str, all: &mut Vec<String>) {
@@ -47,7 +47,7 @@ fn other_text(text: &str, kind: u64, how: u64) -> String {
 }
 
 /// Spoils a value at one place.
-pub fn spoil(value: &mut Value, &(what, at, how): &Step) {
+pub(super) fn spoil(value: &mut Value, &(what, at, how): &Step) {
     let mut all = Vec::new();
     places(value, "", &mut all);
     let place = &all[at as usize % all.len()];
@@ -82,7 +82,7 @@ pub fn spoil(value: &mut Value, &(what, at, how): &Step) {
 }
 
 /// Spoils the text itself.
-pub fn spoil_bytes(bytes: &mut Vec<u8>, &(what, at, how): &Step) {
+pub(super) fn spoil_bytes(bytes: &mut Vec<u8>, &(what, at, how): &Step) {
     let at = at as usize % bytes.len().max(1);
     let size = how as usize % 40;
     let end = (at + size).min(bytes.len());

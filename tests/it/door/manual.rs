@@ -1,6 +1,6 @@
 //! Completions and manual pages: each knows every command, and the programs that read them do not complain.
 
-use crate::program::{Scratch, couplet};
+use crate::program::couplet;
 use std::process::{Command, Stdio};
 
 /// The commands of this build, from its help.
@@ -21,7 +21,7 @@ fn complaint(program: &str, arguments: &[&str]) -> Option<String> {
 
 #[test]
 fn the_completions_name_every_command() {
-    let scratch = Scratch::new();
+    let folder = tempfile::tempdir().unwrap();
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
         let output = couplet(&["completions", shell]);
         assert_eq!(output.status.code(), Some(0), "{shell}");
@@ -29,7 +29,7 @@ fn the_completions_name_every_command() {
         for name in commands() {
             assert!(script.contains(&name), "{shell}: {name}");
         }
-        let file = scratch.path(shell);
+        let file = folder.path().join(shell).to_str().unwrap().to_owned();
         std::fs::write(&file, script).unwrap();
         // Those of the shells that can read a script without running it.
         if ["bash", "zsh", "fish"].contains(&shell) {
@@ -40,8 +40,8 @@ fn the_completions_name_every_command() {
 
 #[test]
 fn every_command_has_a_page() {
-    let scratch = Scratch::new();
-    let folder = scratch.path("made/man1");
+    let scratch = tempfile::tempdir().unwrap();
+    let folder = scratch.path().join("made/man1").to_str().unwrap().to_owned();
     assert_eq!(couplet(&["man", &folder]).status.code(), Some(0));
     let mut pages: Vec<String> = std::fs::read_dir(&folder)
         .unwrap()

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 /// A value: its nearest double, the doubles around it, and three of its digits.
-pub struct Expected {
+pub(super) struct Expected {
     pub point: &'static str,
     pub weight: String,
     pub quantity: String,
@@ -23,13 +23,13 @@ pub struct Expected {
 
 impl Expected {
     /// The name in capitals, without a suffix.
-    pub fn name(&self) -> String {
+    pub(super) fn name(&self) -> String {
         format!("{}_{}_{}", self.point, self.weight, self.quantity).to_uppercase()
     }
 
     /// Checks what a program read back: the bits of the nearest, the lower and the upper double, and of
     /// the bound of the error.
-    pub fn check(&self, read: [u64; 4]) {
+    pub(super) fn check(&self, read: [u64; 4]) {
         let name = self.name();
         let bits = self.doubles.map(f64::to_bits);
         assert_eq!(read[..3], bits, "{name}");
@@ -81,7 +81,7 @@ fn expected(few: &Value, many: &Value) -> Expected {
 }
 
 /// All constants by name.
-pub fn all() -> &'static BTreeMap<String, Expected> {
+pub(super) fn all() -> &'static BTreeMap<String, Expected> {
     static ALL: OnceLock<BTreeMap<String, Expected>> = OnceLock::new();
     ALL.get_or_init(find)
 }

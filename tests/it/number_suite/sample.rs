@@ -4,7 +4,7 @@ use couplet::number::{AstroInterval, Ball, Dual, Enclosure, Field};
 use rug::{Float, Rational};
 
 /// How a number type is made from an exact value, and when two of its values may be the same.
-pub trait Sample: Field {
+pub(super) trait Sample: Field {
     /// The value, as well as the type can hold it.
     fn sample(value: &Rational) -> Self;
     /// Whether two values can be the same number; for an exact type, whether they are.
@@ -16,7 +16,7 @@ pub trait Sample: Field {
 }
 
 /// Precision of the samples in bits.
-pub const BITS: u32 = 192;
+pub(super) const BITS: u32 = 192;
 
 impl Sample for f64 {
     fn sample(value: &Rational) -> Self {

@@ -9,13 +9,13 @@ mod source;
 
 use names::paths_in;
 use source::tokens;
-pub use source::{code, root, sources};
+pub(crate) use source::{code, root, sources};
 use std::collections::BTreeSet;
 use std::fmt::Debug;
 use std::fs;
 
 /// From the top: what a room may use stands before it.
-pub const ROOMS: [&str; 14] = [
+pub(crate) const ROOMS: [&str; 14] = [
     "number",
     "symbolic",
     "arch",
@@ -41,7 +41,7 @@ fn nothing_else<T: Ord + Debug>(found: BTreeSet<T>, known: BTreeSet<T>, what: &s
 }
 
 /// The rooms that a code names as `crate::room`.
-pub fn rooms_used(code: &str) -> Vec<String> {
+pub(crate) fn rooms_used(code: &str) -> Vec<String> {
     let paths = paths_in(code).into_iter().filter(|path| path[0] == "crate");
     let rooms = paths.filter_map(|path| path.into_iter().nth(1));
     rooms.filter(|name| ROOMS.contains(&name.as_str())).collect()

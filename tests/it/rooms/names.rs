@@ -5,14 +5,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
 /// `certify::state` as its parts; the front of a folder has the name of the folder.
-pub type Module = Vec<String>;
+pub(super) type Module = Vec<String>;
 
 /// A path by the names in it.
-pub type Names = Vec<String>;
+pub(super) type Names = Vec<String>;
 
 /// What stands in a file.
 #[derive(Debug, Default)]
-pub struct File {
+pub(super) struct File {
     /// Its place below `src`.
     pub place: String,
     /// The modules that it declares, each in a file of its own.
@@ -28,11 +28,11 @@ pub struct File {
 }
 
 /// All files of a crate.
-pub struct Tree(BTreeMap<Module, File>);
+pub(super) struct Tree(BTreeMap<Module, File>);
 
 impl Tree {
     /// The crate itself.
-    pub fn of_the_crate() -> Self {
+    pub(super) fn of_the_crate() -> Self {
         let text = |path| (fs::read_to_string(&path).unwrap(), path);
         let texts = sources(&root()).into_iter().map(text).map(|(text, path)| {
             (path.strip_prefix(root()).unwrap().to_str().unwrap().to_owned(), text)
@@ -41,7 +41,9 @@ impl Tree {
     }
 
     /// A crate of these files: the place below `src` and the text.
-    pub fn new<P: Into<String>, T: AsRef<str>>(texts: impl IntoIterator<Item = (P, T)>) -> Self {
+    pub(super) fn new<P: Into<String>, T: AsRef<str>>(
+        texts: impl IntoIterator<Item = (P, T)>,
+    ) -> Self {
         let file = |(place, text): (P, T)| {
             let place: String = place.into();
             let names = place.trim_end_matches(".rs").split('/').map(str::to_owned);
@@ -61,16 +63,16 @@ impl Tree {
         tree
     }
 
-    pub fn files(&self) -> impl Iterator<Item = (&Module, &File)> {
+    pub(super) fn files(&self) -> impl Iterator<Item = (&Module, &File)> {
         self.0.iter()
     }
 
-    pub fn place(&self, module: &[String]) -> &str {
+    pub(super) fn place(&self, module: &[String]) -> &str {
         &self.0[module].place
     }
 
     /// The files whose items a file names, itself among them. What it hands on is not named.
-    pub fn used_by(&self, module: &Module) -> BTreeSet<Module> {
+    pub(super) fn used_by(&self, module: &Module) -> BTreeSet<Module> {
         let file = &self.0[module];
         let imported = file.imports.iter().filter(|(_, name, public)| !public && name != "*");
         let paths = imported.map(|(path, ..)| path).chain(&file.paths);
@@ -78,7 +80,7 @@ impl Tree {
     }
 
     /// The file of the item that a path stands for, seen from a file.
-    pub fn owner(&self, from: &Module, path: &[String]) -> Option<Module> {
+    pub(super) fn owner(&self, from: &Module, path: &[String]) -> Option<Module> {
         match self.resolve(from.clone(), path, &mut BTreeSet::new())? {
             Meant::Item(module) => Some(module),
             Meant::Module(_) => None,
@@ -122,7 +124,7 @@ impl Tree {
 }
 
 /// All paths that a code names or imports.
-pub fn paths_in(code: &str) -> Vec<Names> {
+pub(super) fn paths_in(code: &str) -> Vec<Names> {
     let File { imports, mut paths, .. } = File::read(code);
     paths.extend(imports.into_iter().map(|(path, ..)| path));
     paths
@@ -213,12 +215,12 @@ impl File {
     }
 }
 
-pub fn is_name(token: &str) -> bool {
+pub(super) fn is_name(token: &str) -> bool {
     token.starts_with(|c: char| c.is_alphabetic() || c == '_')
 }
 
 /// The path that tokens begin with.
-pub fn path<T: AsRef<str>>(tokens: &[T]) -> Names {
+pub(super) fn path<T: AsRef<str>>(tokens: &[T]) -> Names {
     let mut names = vec![tokens[0].as_ref().to_owned()];
     for pair in tokens[1..].chunks_exact(2) {
         match [pair[0].as_ref(), pair[1].as_ref()] {

@@ -14,8 +14,9 @@ const KNOWN: &[(&str, &str)] = &[
 ];
 
 /// Traits that may be implemented in a file that declares neither the trait nor the type: one file has
-/// Stumpff's functions of several numbers, one the text of several algebraic types.
-const ANYWHERE: &[&str] = &["Display", "Stumpff"];
+/// the text of several algebraic types, one what the prover asks of a task, one Stumpff's functions of
+/// several numbers.
+const ANYWHERE: &[&str] = &["Display", "Equations", "Stumpff"];
 
 /// The first path in some tokens.
 fn head(tokens: &[String]) -> Names {

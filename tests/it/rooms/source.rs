@@ -3,12 +3,12 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-pub fn root() -> PathBuf {
+pub(crate) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
 }
 
 /// All files below a folder.
-pub fn sources(folder: &Path) -> Vec<PathBuf> {
+pub(crate) fn sources(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
@@ -22,12 +22,12 @@ pub fn sources(folder: &Path) -> Vec<PathBuf> {
 }
 
 /// The code of a file.
-pub fn code(path: &Path) -> String {
+pub(crate) fn code(path: &Path) -> String {
     bare(&fs::read_to_string(path).unwrap())
 }
 
 /// A text without comments, what is between quotes, and what is compiled for tests only.
-pub fn bare(text: &str) -> String {
+pub(super) fn bare(text: &str) -> String {
     without_tests(&without_words(text))
 }
 
@@ -116,7 +116,7 @@ fn without_tests(code: &str) -> String {
 }
 
 /// The names and signs of a code; a lifetime is one of them.
-pub fn tokens(code: &str) -> Vec<&str> {
+pub(super) fn tokens(code: &str) -> Vec<&str> {
     let (mut tokens, mut rest) = (Vec::new(), code.trim_start());
     while let Some(c) = rest.chars().next() {
         let name = |text: &str| {

@@ -6,7 +6,7 @@ use crate::report::words::shortened;
 
 /// What a column can be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Role {
+pub(super) enum Role {
     Weight,
     HalfOpening,
     Friction,
@@ -24,7 +24,7 @@ impl Role {
     }
 
     /// Our name for it.
-    pub fn name(self) -> &'static str {
+    pub(super) fn name(self) -> &'static str {
         match self {
             Self::Weight => "weight",
             Self::HalfOpening => "half_opening",
@@ -62,7 +62,7 @@ impl Role {
 
 /// A column and its role.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Column {
+pub(super) struct Column {
     /// Its name in the file.
     pub theirs: String,
     /// What it is.
@@ -73,7 +73,7 @@ pub struct Column {
 
 /// The columns of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Columns {
+pub(super) struct Columns {
     /// Those that may be there.
     pub all: Vec<Column>,
     /// Whether they were named, and so have to be there.
@@ -83,7 +83,7 @@ pub struct Columns {
 impl Columns {
     /// Columns as they are named on the command line, `theirs=ours` or `theirs=ours:deg`; our own names
     /// if none are named.
-    pub fn new(named: &[String]) -> Result<Self, String> {
+    pub(super) fn new(named: &[String]) -> Result<Self, String> {
         if named.is_empty() {
             let own = Role::all().flat_map(|role| {
                 let names = [Some(role.name()), role.alias()].into_iter().flatten();
@@ -107,7 +107,7 @@ impl Columns {
     }
 
     /// Keeps the columns that a CSV file has, with their places.
-    pub fn places(&mut self, header: &csv::StringRecord) -> Result<Vec<usize>, Failure> {
+    pub(super) fn places(&mut self, header: &csv::StringRecord) -> Result<Vec<usize>, Failure> {
         let place = |column: &Column| header.iter().position(|name| name == column.theirs);
         let seen: Vec<bool> = self.all.iter().map(|column| place(column).is_some()).collect();
         let shown =
@@ -124,7 +124,7 @@ impl Columns {
     }
 
     /// Refuses what cannot be judged, by the columns that are there.
-    pub fn check(&self, seen: &[bool], have: &str) -> Result<(), String> {
+    pub(super) fn check(&self, seen: &[bool], have: &str) -> Result<(), String> {
         let missing = self.all.iter().zip(seen).find(|(_, seen)| self.named && !**seen);
         if let Some((column, _)) = missing {
             return Err(format!("{have} no column '{}'", column.theirs));
@@ -157,7 +157,7 @@ impl Columns {
     }
 
     /// The weight is in a column or given for all rows, and not both.
-    pub fn check_weight(&self, seen: &[bool], is_given: bool) -> Result<(), Failure> {
+    pub(super) fn check_weight(&self, seen: &[bool], is_given: bool) -> Result<(), Failure> {
         let column = self.all.iter().zip(seen).any(|(c, seen)| *seen && c.role == Role::Weight);
         match (column, is_given) {
             (true, true) => Err("the file has a column for the weight, so --weight is not needed"),

@@ -50,7 +50,7 @@ use std::path::PathBuf;
 /// Exit codes: 0 all rows are accepted; 1 some are not; 2 some cannot be read, or bad usage; 3 a
 /// resource or I/O failure.
 #[derive(Args)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     /// The results; `-` is standard input.
     #[arg(value_name = "FILE")]
     file: PathBuf,
@@ -101,7 +101,7 @@ fn format_help() -> String {
 /// Correct digits that are demanded if none are asked for.
 const DEMANDED: usize = 3;
 
-pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let columns = Columns::new(&arguments.columns).map_err(Failure::Input)?;
     let source = Source::open(Some(&arguments.file))?;
     if arguments.output.is_same_file(&arguments.file) {

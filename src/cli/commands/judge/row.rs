@@ -10,10 +10,10 @@ use crate::report::judged::JudgedRow;
 use rug::Rational;
 
 /// The text of a row, column by column; `None` where the row has no such column.
-pub type Cells = Vec<Option<String>>;
+pub(super) type Cells = Vec<Option<String>>;
 
 /// How rows are read and judged.
-pub struct Judge {
+pub(super) struct Judge {
     pub columns: Columns,
     /// The weight of all rows, if it is not in a column.
     pub weight: Option<SelfWeight>,
@@ -24,7 +24,7 @@ pub struct Judge {
 
 impl Judge {
     /// Judges a row.
-    pub fn row(&self, line: u64, cells: Result<Cells, String>) -> JudgedRow {
+    pub(super) fn row(&self, line: u64, cells: Result<Cells, String>) -> JudgedRow {
         let mut row = JudgedRow {
             line,
             weight: self.weight.map_or("", SelfWeight::name).to_owned(),

@@ -4,6 +4,6 @@ mod object;
 mod read;
 mod stream;
 
-pub use object::{JsonObject, json_error};
-pub use read::{Line, Source, Syntax, csv_records, json_lines};
-pub use stream::{CHUNK, Progress, in_order};
+pub(super) use object::{JsonObject, json_error};
+pub(super) use read::{Line, Source, Syntax, csv_records, json_lines};
+pub(super) use stream::{CHUNK, Progress, in_order};

@@ -10,24 +10,24 @@ use std::fmt;
 const MAX_KEYS: usize = 1000;
 
 /// A JSON object with its values as they are written, so that a number keeps all its digits.
-pub struct JsonObject<'a>(Vec<(String, &'a RawValue)>);
+pub(crate) struct JsonObject<'a>(Vec<(String, &'a RawValue)>);
 
 impl<'a> JsonObject<'a> {
     /// Reads one; a key that is there twice is an error.
-    pub fn parse(bytes: &'a [u8]) -> Result<Self, String> {
+    pub(crate) fn parse(bytes: &'a [u8]) -> Result<Self, String> {
         serde_json::from_slice(bytes).map_err(|error| json_error(bytes, &error))
     }
 
     /// A value as text: a string without its quotes, the entry `value` of an object, nothing for `null`,
     /// anything else as written. `None` if the key is missing.
-    pub fn text(&self, key: &str) -> Option<String> {
+    pub(crate) fn text(&self, key: &str) -> Option<String> {
         let (_, raw) = self.0.iter().find(|(name, _)| name == key)?;
         Some(text(raw))
     }
 }
 
 /// The error of a line of JSON, with its column if the syntax is wrong. Callers add the line number.
-pub fn json_error(bytes: &[u8], error: &serde_json::Error) -> String {
+pub(crate) fn json_error(bytes: &[u8], error: &serde_json::Error) -> String {
     let text = error.to_string();
     let message = text.rsplit_once(" at line ").map_or(text.as_str(), |(message, _)| message);
     let column = error.column();

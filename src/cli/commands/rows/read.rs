@@ -6,11 +6,11 @@ use std::io::{self, BufRead, BufReader, Read};
 use std::path::Path;
 
 /// A row of the input: its line number, and its content or its error.
-pub type Line<T> = (u64, Result<T, String>);
+pub(crate) type Line<T> = (u64, Result<T, String>);
 
 /// What the rows are written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Syntax {
+pub(crate) enum Syntax {
     /// CSV with a header.
     Csv,
     /// A JSON object on each line.
@@ -19,7 +19,7 @@ pub enum Syntax {
 
 impl Syntax {
     /// The name of the format that has the same syntax.
-    pub fn format(self) -> &'static str {
+    pub(crate) fn format(self) -> &'static str {
         match self {
             Self::Csv => "csv",
             Self::JsonLines => "jsonl",
@@ -28,7 +28,7 @@ impl Syntax {
 }
 
 /// Rows from standard input or from a file.
-pub struct Source {
+pub(crate) struct Source {
     input: Box<dyn BufRead>,
     /// Bytes in all, where that is known.
     pub length: Option<u64>,
@@ -38,7 +38,7 @@ pub struct Source {
 
 impl Source {
     /// Standard input, or the file named; `-` is standard input too.
-    pub fn open(path: Option<&Path>) -> Result<Self, Failure> {
+    pub(crate) fn open(path: Option<&Path>) -> Result<Self, Failure> {
         let path = path.filter(|path| *path != Path::new("-"));
         let name = path.map_or("standard input".into(), |path| path.display().to_string());
         let reading = |error: io::Error| Failure::reading(&name, &error);
@@ -61,7 +61,7 @@ impl Source {
     }
 
     /// The rows as bytes.
-    pub fn into_reader(self) -> impl Read + 'static {
+    pub(crate) fn into_reader(self) -> impl Read + 'static {
         self.input
     }
 }
@@ -91,7 +91,7 @@ fn first_character(input: &mut impl BufRead) -> io::Result<Option<u8>> {
 const MAX_LINE: u64 = 1 << 17;
 
 /// The rows of JSON lines, each read by `parse`. An error of the stream itself ends them.
-pub fn json_lines<T>(
+pub(crate) fn json_lines<T>(
     input: impl Read,
     parse: impl Fn(&[u8]) -> Result<T, String>,
 ) -> impl Iterator<Item = Line<T>> {
@@ -179,7 +179,7 @@ fn csv_error(error: &csv::Error) -> String {
 }
 
 /// The header of a CSV file, and its rows.
-pub fn csv_records(
+pub(crate) fn csv_records(
     input: impl Read + 'static,
 ) -> Result<(csv::StringRecord, impl Iterator<Item = Line<csv::StringRecord>>), Failure> {
     // A carriage return before the end of a line is trimmed away like a space; as a terminator of its

@@ -7,11 +7,11 @@ use rayon::prelude::*;
 use std::io::Read;
 
 /// Rows that are read, answered, and handed on before the next are read.
-pub const CHUNK: usize = 2048;
+pub(crate) const CHUNK: usize = 2048;
 
 /// Answers the rows on all cores and hands each chunk on in the order of the rows, until there are no
 /// more or `take` says with `false` that it has enough. Answers how many rows were handed on.
-pub fn in_order<T: Send, A: Send, E>(
+pub(crate) fn in_order<T: Send, A: Send, E>(
     mut lines: impl Iterator<Item = Line<T>>,
     progress: &Progress,
     answer: impl Fn(Line<T>) -> A + Sync,
@@ -35,13 +35,13 @@ pub fn in_order<T: Send, A: Send, E>(
 }
 
 /// A bar with rate and time left, by the bytes read; hidden if standard error is not a terminal.
-pub struct Progress {
+pub(crate) struct Progress {
     bar: ProgressBar,
 }
 
 impl Progress {
     /// A bar for the rows of a source.
-    pub fn new(source: &Source) -> Self {
+    pub(crate) fn new(source: &Source) -> Self {
         let style = match source.length {
             Some(_) => {
                 "{spinner} {bar:40} {percent:>3}%  {msg}, {elapsed} elapsed, about {eta} left"
@@ -52,7 +52,7 @@ impl Progress {
     }
 
     /// Counts the bytes that are read.
-    pub fn counted(&self, input: impl Read + 'static) -> impl Read + 'static {
+    pub(crate) fn counted(&self, input: impl Read + 'static) -> impl Read + 'static {
         self.bar.wrap_read(input)
     }
 
