@@ -9,9 +9,9 @@ use std::io::{self, Read};
 
 /// Check certificates: that the equations have the root claimed, and that every digit is right.
 ///
-/// Nothing that a certificate says is believed: residuals, slopes and roundings are computed from the
+/// The checker trusts nothing that a certificate says: it computes residuals, slopes and roundings from the
 /// claim. Each file gets one line, `accepted` or `refused` with the reason; `-` is standard input. The
-/// exit code is 1 if one was refused.
+/// exit code is 1 if a file was refused.
 #[derive(Args)]
 pub(super) struct Arguments {
     /// Certificates to check.
@@ -52,7 +52,7 @@ pub(super) enum Command {
 
 #[cfg(not(feature = "mpfr"))]
 impl Command {
-    /// Does what is asked; `program` is the whole command line.
+    /// Runs the command; `program` describes the whole command line.
     pub(super) fn run(&self, program: fn() -> clap::Command) -> Result<(), Failure> {
         match self {
             Self::Check(arguments) => run(arguments),

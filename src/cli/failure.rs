@@ -30,19 +30,19 @@ impl Failure {
     }
 }
 
-/// The kind of an error in plain words: its own text may name a temporary file, which nobody has asked for.
+/// The kind of an error in plain words. Its own text may name a temporary file, which the user does not know.
 fn reason(error: &io::Error) -> String {
     match error.kind() {
-        io::ErrorKind::NotFound => "there is no such file or folder".into(),
+        io::ErrorKind::NotFound => "no such file or folder".into(),
         io::ErrorKind::AlreadyExists | io::ErrorKind::NotADirectory => {
-            "a file stands where a folder should be".into()
+            "expected a folder, found a file".into()
         }
         io::ErrorKind::Other => error.to_string(),
         kind => kind.to_string(),
     }
 }
 
-/// Writes to standard output; a reader that has closed the pipe has what it wanted.
+/// Writes to standard output. A reader that closes the pipe early is no failure.
 pub(super) fn print(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     match out.write_all(bytes).and_then(|()| out.flush()) {

@@ -81,7 +81,7 @@ fn usage(error: &clap::Error) -> ExitCode {
     ExitCode::from(2)
 }
 
-/// What to say to someone who names a command that is not there, or not built in.
+/// The commands of this build, for a message about an unknown one.
 fn commands_there_are() -> String {
     let cli = Cli::command();
     let names: Vec<&str> = cli.get_subcommands().map(clap::Command::get_name).collect();

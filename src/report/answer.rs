@@ -1,4 +1,4 @@
-//! What was found of a landmark or an arch: all that a format sees.
+//! An answer about a landmark or an arch: all that a format sees.
 //!
 //! **No format computes anything.** Doubles are correctly rounded and their bounds rounded outward before
 //! they come here ([`Binary`](crate::number::Binary)). What is not proved has a reason and no values.
@@ -114,7 +114,7 @@ impl Status {
 }
 
 impl Answer {
-    /// Nothing is known yet but that it is proved.
+    /// Without values.
     fn new(subject: Subject, status: Status) -> Self {
         Self {
             subject,

@@ -1,4 +1,4 @@
-//! Answers of one kind, and what is shown of them.
+//! Answers of one kind, with what a report shows of them.
 
 use super::answer::{Answer, Subject};
 use super::words::DOUBLE_DIGITS;
@@ -51,8 +51,7 @@ impl Answers {
         Self { scope: Scope::Arch, list: vec![answer], ..Self::arches(digits, assessed) }
     }
 
-    /// Of many arches, none of them there yet, with all that can be asked; `assessed` says whether they have
-    /// a thickness.
+    /// Of many arches, with every quantity and no answers yet; `assessed` if they have a thickness.
     pub fn arches(digits: usize, assessed: bool) -> Self {
         let quantities = match assessed {
             true => Quantity::ASSESSMENT.to_vec(),
@@ -71,7 +70,7 @@ impl Answers {
         self.digits == DOUBLE_DIGITS
     }
 
-    /// What the answers are about, in a few words.
+    /// The subject in a few words.
     pub(super) fn title(&self) -> &'static str {
         match self.scope {
             Scope::Constants | Scope::Point => {

@@ -1,10 +1,10 @@
-//! What is written of an arch around its values, in JSON and in columns.
+//! The fields of an arch that JSON and tables of columns share.
 
 use super::answer::{Answer, Subject};
 use super::answers::Answers;
 use super::fields::Fields;
 
-/// The arch and what became of it: what stands before its values.
+/// The fields before the values: the arch, the verdict, the mode.
 pub(super) fn front(report: &Answers, answer: &Answer) -> Fields {
     let mut fields = Fields::default();
     let (mut alpha, mut mu, mut eta) = (None, None, None);

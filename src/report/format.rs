@@ -115,7 +115,7 @@ const PARQUET: Format = Format {
     ..language("parquet", "parquet", super::parquet::answers)
 };
 
-/// A stand-in that says what is missing.
+/// A stand-in that names the missing feature.
 #[cfg(not(feature = "parquet"))]
 const PARQUET: Format = Format {
     is_binary: true,

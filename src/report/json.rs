@@ -56,7 +56,7 @@ impl Rows for JsonLines {
     }
 }
 
-/// `couplet.arches/1`: what is not among the quantities is null.
+/// `couplet.arches/1`: a quantity that was not asked for is null.
 #[derive(Serialize)]
 struct ArchesFile<'a> {
     schema: &'static str,

@@ -13,7 +13,7 @@ pub(super) fn comments(
     lines.into_iter().try_for_each(|line| writeln!(out, "{}", format!("{mark}{line}").trim_end()))
 }
 
-/// Each answer after an empty line: what is said of it, as comments, and its values as `value` writes them.
+/// Each answer after an empty line: its comments, and its values as `value` writes them.
 pub(super) fn listing(
     report: &Answers,
     mark: &str,

@@ -1,4 +1,4 @@
-//! What values are called in a program, and what is said of them in its comments.
+//! The names of values in programs, and the comments about them.
 //!
 //! A name is the point, the weight and the quantity: `T_HEYMAN_THICKNESS`. The points are `T`, `S`, `J`,
 //! `B`, `SB`, and `ROTATION_END` and `OVERTURNING_END` for `l` and `L`, which many languages do not tell
@@ -47,7 +47,7 @@ impl<'a> Named<'a> {
         self.words.join("_").to_uppercase()
     }
 
-    /// What is said of the value: its symbol, and that it is exact.
+    /// The comment on the value: its symbol, and its exact value if there is one.
     pub(super) fn remark(&self) -> String {
         let symbol = self.quantity.symbol();
         match &self.value.exact {
@@ -56,7 +56,7 @@ impl<'a> Named<'a> {
         }
     }
 
-    /// The doubles of the value, with what is added to its name.
+    /// The doubles of the value, each with the suffix of its name.
     pub(super) fn doubles(&self) -> [(&'static str, f64); 4] {
         let Value { double, binary, .. } = self.value;
         [
@@ -68,7 +68,7 @@ impl<'a> Named<'a> {
     }
 }
 
-/// What stands at the top of a file.
+/// The top of a file.
 pub(super) fn head(report: &Answers) -> Vec<String> {
     let digits = report.digits;
     let noun = if digits == 1 { "digit" } else { "digits" };
@@ -82,10 +82,10 @@ pub(super) fn head(report: &Answers) -> Vec<String> {
     ]
 }
 
-/// What is said in a program besides.
+/// What a program says in addition.
 const NUMBERS: [&str; 6] = [
-    "After each title stands the command that writes the certificate of the values, and the SHA-256 of",
-    "what it writes (| sha256sum).",
+    "Each title is followed by the command that writes the certificate of the values, and the SHA-256",
+    "of its output (| sha256sum).",
     "",
     "Numbers are doubles, bit for bit: the nearest to the true value (not to its text), one not above",
     "it (LOWER), one not below it (UPPER), and a bound of the error of the nearest (ERROR).",
@@ -97,7 +97,7 @@ pub(super) fn preface(report: &Answers) -> Vec<String> {
     head(report).into_iter().chain(NUMBERS.map(str::to_owned)).collect()
 }
 
-/// What is said of a subject before its values.
+/// The comments on an answer, before its values.
 pub(super) fn about(answer: &Answer) -> Vec<String> {
     let title = match &answer.subject {
         Subject::Landmark { landmark, weight } => {

@@ -140,7 +140,7 @@ impl Rows for ParquetRows {
             self.columns(&rows).map_err(io::Error::other)?;
         }
         self.writer.flush()?;
-        // The writer counts what it has written by itself.
+        // The writer keeps its own count of the bytes.
         Ok(std::mem::take(self.writer.inner_mut()))
     }
 
@@ -163,7 +163,7 @@ fn present<'a, T>(
     (values, there)
 }
 
-/// A value with what it belongs to.
+/// A value and its answer.
 struct Row<'a> {
     answer: &'a Answer,
     quantity: Option<Quantity>,

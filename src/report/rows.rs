@@ -1,12 +1,12 @@
-//! Answers that are written as they come, so that memory does not grow with their number.
+//! Answers written as they come: memory does not grow with their number.
 
 use super::answer::Answer;
 use rayon::prelude::*;
 use std::io;
 
-/// A file that is written group by group. What is returned are its next bytes.
+/// A file written group by group; every method returns its next bytes.
 pub trait Rows: Send {
-    /// What stands before all answers.
+    /// The header.
     fn begin(&mut self) -> io::Result<Vec<u8>> {
         Ok(Vec::new())
     }
@@ -14,7 +14,7 @@ pub trait Rows: Send {
     /// Some answers.
     fn group(&mut self, answers: &[Answer]) -> io::Result<Vec<u8>>;
 
-    /// What stands behind all answers.
+    /// The footer.
     fn end(self: Box<Self>) -> io::Result<Vec<u8>> {
         Ok(Vec::new())
     }

@@ -1,4 +1,4 @@
-//! What is wrong in a scene file, and where.
+//! The faults of a scene file and their places.
 
 use crate::report::words::shortened;
 use std::ops::Range;
@@ -12,7 +12,7 @@ pub struct Position {
     pub column: usize,
 }
 
-/// Something wrong, and what is allowed instead: one line of text.
+/// A fault and what is allowed instead: one line of text.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Fault {
     /// Where it begins.
@@ -24,8 +24,7 @@ pub struct Fault {
 /// The text of a scene file.
 pub(super) struct Source<'s> {
     text: &'s str,
-    /// The place of every so many-th byte: a file with a fault in each of its values is not read from its
-    /// beginning for each.
+    /// The place of every [`STRIDE`]-th byte, so that many faults do not mean many readings of the file.
     marks: Vec<Position>,
 }
 
@@ -35,7 +34,7 @@ const STRIDE: usize = 1 << 10;
 impl<'s> Source<'s> {
     /// Of a text.
     pub(super) fn new(text: &'s str) -> Self {
-        // A byte order mark is no character that an editor counts.
+        // Editors do not count a byte order mark.
         let column = if text.starts_with('\u{feff}') { 0 } else { 1 };
         let mut marks = vec![Position { line: 1, column }];
         for piece in text.as_bytes().chunks_exact(STRIDE) {
@@ -73,7 +72,7 @@ impl Position {
     }
 }
 
-/// Symbols of the field for which people reach first.
+/// Symbols that people may type instead of our keys.
 const SYMBOLS: [(&str, &str); 5] = [
     ("alpha", "half_opening"),
     ("mu", "friction"),
@@ -81,7 +80,7 @@ const SYMBOLS: [(&str, &str); 5] = [
     ("eta", "thickness"),
     ("h", "thrust"),
 ];
-/// Names less alike than this are not what was meant.
+/// Minimum similarity of a suggestion.
 const ALIKE: f64 = 0.75;
 
 /// ` (did you mean "…"?)`, if one of the names is close to what was written.

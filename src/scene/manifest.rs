@@ -1,7 +1,7 @@
 //! The record of a run, `couplet.run/1`: what was asked of each output, and what was written.
 //!
-//! An output is complete if the same was asked of the same version of the program and the file holds
-//! what was written then. Both are told by hashes: times and names prove nothing.
+//! An output is complete if request, program version and file content are unchanged. Hashes decide: times
+//! and names prove nothing.
 
 use super::schema::Item;
 use serde::{Deserialize, Serialize};

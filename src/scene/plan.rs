@@ -17,7 +17,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 pub struct Plan<'s> {
     /// What was asked for.
     pub scene: &'s Scene,
-    /// For each item, whether its output is complete already, so that nothing is computed for it.
+    /// For each item, whether its output is complete, so that nothing is computed for it.
     pub complete: Vec<bool>,
     /// The landmarks, each once.
     pub landmarks: Vec<LandmarkNode>,
@@ -91,7 +91,7 @@ pub struct Needs {
     pub claims: Vec<usize>,
 }
 
-/// An arch takes as long as a landmark of so many digits, roughly.
+/// An arch takes about as long as a landmark of this many digits.
 const ARCH: usize = 200;
 /// And a claim.
 const CLAIM: usize = 10_000;
@@ -226,7 +226,7 @@ impl<'s> Plan<'s> {
         place
     }
 
-    /// How much work it is, in digits of landmarks that would take as long.
+    /// The work, in digits of landmarks that take as long.
     pub fn size(&self) -> usize {
         let landmarks: usize = self.landmarks.iter().map(LandmarkNode::digits).sum();
         let arches: usize = self.arches.iter().map(|node| ARCH.max(node.digits())).sum();

@@ -33,7 +33,7 @@ pub fn read_bytes(bytes: &[u8]) -> Result<Scene, Vec<Fault>> {
         Ok(text) => read(text),
         Err(error) => {
             let before = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
-            fault(&before, "not TOML: this is no text in UTF-8".to_owned())
+            fault(&before, "not TOML: this is not valid UTF-8".to_owned())
         }
     }
 }

@@ -80,7 +80,7 @@ fn frictions(
     });
     match given {
         [Some(_), Some((_, angle, _))] => {
-            reader.fault(angle, "friction_angle besides friction; give one of them".to_owned());
+            reader.fault(angle, "both friction and friction_angle; give one of them".to_owned());
             None
         }
         [Some((meaning, _, numbers)), None] | [None, Some((meaning, _, numbers))] => {

@@ -24,7 +24,7 @@ pub(super) enum Meaning {
 pub(super) enum Numbers {
     /// As they were given.
     Listed(Vec<SceneNumber>),
-    /// `steps` numbers, so many times `step` above the first.
+    /// `steps` numbers, each `step` above the one before.
     Range { meaning: Meaning, first: Rational, step: Rational, unit: Unit, steps: usize },
 }
 
@@ -179,7 +179,7 @@ fn number(reader: &mut Reader, meaning: Meaning, value: &Value) -> Option<SceneN
     }
 }
 
-/// `{ from, to, steps }`: so many numbers at equal distances, both ends among them.
+/// `{ from, to, steps }`: `steps` numbers at equal distances, both ends included.
 fn range(reader: &mut Reader, meaning: Meaning, value: &Value, table: &DeTable) -> Option<Numbers> {
     let before = reader.faults.len();
     reader.unknown_keys(table, "a range", &["from", "to", "steps"]);

@@ -46,9 +46,8 @@ impl<'p> Run<'p> {
         &self.costs
     }
 
-    /// Computes what an item needs and no item before it has needed. The items are asked for in their
-    /// order; an arch that none of those to come needs is forgotten. `tick` is called [`Plan::ticks`]
-    /// times in all.
+    /// Computes what earlier items have not. Call in order: an arch is dropped after its last use. `tick` is
+    /// called [`Plan::ticks`] times in all.
     pub fn item(&mut self, index: usize, tick: &(dyn Fn() + Sync)) -> ItemReport {
         let (plan, needs) = (self.plan, &self.plan.needs[index]);
         let Self { pieces, costs, .. } = self;
@@ -75,7 +74,7 @@ impl<'p> Run<'p> {
     }
 }
 
-/// Computes what is not there yet of some places.
+/// Computes the places that are still empty.
 fn fill<T: Send>(
     places: &[usize],
     pieces: &mut [Option<T>],

@@ -1,4 +1,4 @@
-//! TOML values of the types that a scene has; what is of another type becomes a fault.
+//! TOML values of the types that a scene has; any other type is a fault.
 
 use super::fault::{Fault, Source, did_you_mean};
 use crate::report::words::{list, shortened};
@@ -42,7 +42,7 @@ impl<'s> Reader<'s> {
         for key in table.keys().filter(|key| !known.contains(&key.get_ref().as_ref())) {
             let hint = did_you_mean(key.get_ref(), known);
             let (name, known) = (shortened(key.get_ref()), list(known.iter().copied()));
-            let message = format!("there is no key \"{name}\" in {of}{hint}; the keys are {known}");
+            let message = format!("unknown key \"{name}\" in {of}{hint}; the keys are {known}");
             self.fault(key.span(), message);
         }
     }
@@ -80,7 +80,7 @@ impl<'s> Reader<'s> {
         number
     }
 
-    /// The elements of a list, or a value that stands for itself.
+    /// The elements of a list, or the value itself.
     pub(super) fn elements<'v, 't>(
         &mut self,
         key: &str,

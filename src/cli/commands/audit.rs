@@ -9,8 +9,8 @@ use clap::Args;
 
 /// Compare every number the paper prints, and its claims on the two weights, with certified values.
 ///
-/// The exit code says whether everything could be decided, not whether the paper is right. The
-/// format csv has the printed numbers only.
+/// The exit code tells whether everything was decided, not whether the paper is right. CSV has the
+/// printed numbers only.
 #[derive(Args)]
 pub(crate) struct Arguments {
     #[arg(long, default_value = "table", value_parser = parse::format(Content::Audit), help = parse::format_help(Content::Audit))]

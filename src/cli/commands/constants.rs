@@ -15,12 +15,13 @@ use rayon::prelude::*;
 /// Print the landmark constants, each with a proof that it exists, is unique, and has the digits
 /// shown.
 ///
-/// The formats toml, c, rust, python, julia, matlab and fortran are files for other programs: each value
-/// as the nearest double of the true value (whatever --digits is), with outward bounds and a bound of its
-/// error, and as text with all digits; latex is a table with siunitx beside what the paper prints; parquet
-/// is for data frames, where couplet is built with that feature. A name is landmark, weight, quantity, as
-/// in COUPLET_T_HEYMAN_THICKNESS (c). Each of them, and json, names the certificate of each landmark by its
-/// SHA-256, up to 10000 digits; `couplet certify T --weight heyman --digits 30 | sha256sum` prints it again.
+/// Files for other programs have each value as the nearest double of the true value (whatever --digits
+/// is), with outward bounds and a bound of its error, and as text with all digits. A name is landmark,
+/// weight, quantity, as in COUPLET_T_HEYMAN_THICKNESS (c). The format latex is a table with siunitx that
+/// also has what the paper prints; parquet, for data frames, needs the feature parquet.
+///
+/// All formats but table and csv identify the certificate of each landmark by its SHA-256, up to 10000
+/// digits; `couplet certify T --weight heyman --digits 30 | sha256sum` prints it again.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Landmarks to print, of T, S, J, B, l, L, sb; all if none is named.

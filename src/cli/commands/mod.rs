@@ -40,7 +40,7 @@ pub(super) enum Command {
 }
 
 impl Command {
-    /// Does what is asked; `program` is the whole command line.
+    /// Runs the command; `program` describes the whole command line.
     pub(super) fn run(&self, program: fn() -> clap::Command) -> Result<(), Failure> {
         match self {
             Self::Constants(arguments) => constants::run(arguments),

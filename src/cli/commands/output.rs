@@ -54,7 +54,7 @@ impl OutputFile {
 pub(super) fn fits_standard_output(format: &Format) -> Result<(), Failure> {
     match format.is_binary && io::stdout().is_terminal() {
         true => Err(Failure::Input(format!(
-            "a {} file is not for a terminal: redirect it to a file",
+            "refusing to write {} to a terminal; use --output or redirect",
             format.name
         ))),
         false => Ok(()),
@@ -94,11 +94,11 @@ static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
 static HANDLER: Once = Once::new();
 
 impl Output {
-    /// Opens the destination now, so that a path that cannot be written is known before any work.
+    /// Opens the destination now: a path that cannot be written fails before any work.
     pub(super) fn open(path: Option<&Path>) -> Result<Self, Failure> {
         let Some(path) = path else { return Ok(Self::Standard) };
         let failed = |error: io::Error| cannot_write(path, &error);
-        // A link is followed, so that the file behind it is replaced and not the link.
+        // Follow a link: replace the file behind it, not the link.
         let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         if path.is_dir() {
             return Err(failed(io::ErrorKind::IsADirectory.into()));
@@ -116,8 +116,7 @@ impl Output {
         Ok(Self::File { unfinished, path })
     }
 
-    /// Writes everything and makes the file appear. A reader that has closed the pipe has what it
-    /// wanted: that is no failure.
+    /// Writes everything and makes the file appear. A reader that closes the pipe early is no failure.
     pub(super) fn write(
         self,
         report: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -157,7 +156,7 @@ fn builder<'a>() -> tempfile::Builder<'a, 'a> {
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
-        // What any program would create; the process's mask takes away what it should not have.
+        // The usual permissions of a new file; the process's mask restricts them.
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
     builder
@@ -179,7 +178,7 @@ fn remove_on_interrupt(path: &Path) {
             }
             std::process::exit(130);
         };
-        // Without a handler an interrupt leaves a hidden file, which is no reason not to start.
+        // Without a handler an interrupt leaves a hidden file behind; start all the same.
         let _ = ctrlc::set_handler(handler);
     });
 }

@@ -1,4 +1,4 @@
-//! Progress bars on standard error, which show nothing where that is not a terminal.
+//! Progress bars on standard error, hidden if it is not a terminal.
 
 use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Duration;

@@ -12,8 +12,8 @@ use std::path::{Path, PathBuf};
 
 /// Prove or refute the claims of the paper, one by one.
 ///
-/// Each claim has an id, such as eq-7-eta; eq-7 stands for all that begin with it. The exit code is 1
-/// only if a claim is undecided: a misprint that is refuted and corrected is a result.
+/// Each claim has an id, such as eq-7-eta; eq-7 selects all that begin with it. The exit code is 1 only
+/// if a claim is undecided: a misprint that is refuted and corrected is a result.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Claims to decide; all if none is named.
@@ -74,7 +74,7 @@ fn choose(names: &[String]) -> Result<Vec<Claim>, Failure> {
     if let Some(unknown) = names.iter().find(|name| !all.iter().any(|claim| claim.is_named(name))) {
         let ids: Vec<&str> = all.iter().map(|claim| claim.id).collect();
         let ids = ids.join(", ");
-        return Err(Failure::Input(format!("there is no claim '{unknown}'; the claims are {ids}")));
+        return Err(Failure::Input(format!("unknown claim '{unknown}'; the claims are {ids}")));
     }
     let chosen = |claim: &Claim| names.is_empty() || names.iter().any(|name| claim.is_named(name));
     Ok(all.into_iter().filter(chosen).collect())

@@ -16,9 +16,9 @@ use std::path::{Path, PathBuf};
 /// Compute exactly what a scene asks for, and write it.
 ///
 /// A scene is a TOML file that lists landmarks, arches and claims, with digits, formats and files;
-/// --schema prints one with every key. Everything wrong in it is said at once, and nothing is computed
-/// then. What is asked for twice is computed once. Beside the outputs stands couplet-run.json, which
-/// tells --resume what is complete.
+/// --schema prints one with every key. If a scene has errors, all of them are reported and nothing is
+/// computed. Results that several items need are computed once. The file couplet-run.json next to the
+/// outputs records for --resume which are complete.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// The scene; `-` is standard input.
@@ -29,8 +29,7 @@ pub(crate) struct Arguments {
     #[arg(short, long, value_name = "FOLDER")]
     output: Option<PathBuf>,
 
-    /// Keep each output that is there already: asked for in the same words of the same version, and with
-    /// the content that was written then.
+    /// Keep an existing output if request, couplet version and file content are unchanged.
     #[arg(long)]
     resume: bool,
 
@@ -43,7 +42,7 @@ pub(crate) struct Arguments {
     #[arg(long, conflicts_with = "plan")]
     explain: bool,
 
-    /// Print a scene with every key and what it means.
+    /// Print a scene that explains every key.
     #[arg(long, conflicts_with_all = ["scene", "output", "resume", "plan", "explain"])]
     schema: bool,
 }
@@ -66,7 +65,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     carry_out(&plan, folder, &mut manifest, arguments.explain)
 }
 
-/// Says something on standard error, if anybody listens there.
+/// Writes to standard error; nobody may be reading it.
 fn say(text: &str) {
     let _ = io::stderr().write_all(text.as_bytes());
 }
@@ -100,14 +99,12 @@ fn prepare(plan: &Plan, folder: &Path, scene: &Path) -> Result<(), Failure> {
         .collect();
     if let Some(output) = outputs.iter().find(|output| is_same_file(output, scene)) {
         let output = output.display();
-        return Err(Failure::Input(format!(
-            "{output} is the scene itself and is not written over"
-        )));
+        return Err(Failure::Input(format!("refusing to overwrite the scene {output}")));
     }
     for output in &outputs {
         let parent = output.parent().unwrap_or(folder);
         fs::create_dir_all(parent).map_err(|error| Failure::writing(parent.display(), &error))?;
-        // A pipe is not opened before there is something for its reader.
+        // Open a pipe only when there is something to write.
         if !output.exists() || output.is_file() || output.is_dir() {
             Output::open(Some(output))?;
         }
@@ -164,7 +161,7 @@ fn carry_out(
             })
         })?;
         if path.is_some() {
-            // What is undecided is tried again.
+            // An undecided output is tried again.
             match report.undecided.is_empty() {
                 true => manifest.note(item, hash),
                 false => manifest.forget(item),

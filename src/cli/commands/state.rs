@@ -35,7 +35,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     print(&arguments.output, digits, || Answer::state(1, &arch, &arch.certify(digits)))
 }
 
-/// Finds and prints what there is to say of one arch.
+/// Computes and prints the answer for one arch.
 pub(super) fn print(
     output: &AnswerOutput,
     digits: usize,

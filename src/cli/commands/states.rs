@@ -17,12 +17,12 @@ use std::io::{self, Read, Write};
 ///
 /// The input is CSV with a header (columns weight, half_opening, friction and, to assess an arch of a
 /// given thickness, thickness) or JSON lines with the same keys. Values are exact text, as for `state`.
-/// A bad row becomes a row with its error and the number of its line; the rest goes on. What is
-/// written stays written if the run is interrupted, except in a parquet file, which ends with what makes
-/// it readable.
+/// A bad row becomes a row with its error and its line number; the other rows are answered. An
+/// interrupted run keeps the rows written so far, except Parquet, which is unreadable until its footer is
+/// written at the end.
 ///
-/// The format parquet, where couplet is built with that feature, has one row for each value: the query,
-/// mode, quantity, the value as text with its bounds, the nearest double with its bounds.
+/// Parquet (needs the feature parquet) has one row for each value: the query, mode, quantity, the value as
+/// text with its bounds, the nearest double with its bounds.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Significant digits, 1 to 10000. With 17 each state also has the nearest double of its values,
@@ -107,7 +107,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-/// Writes; `false` if the reader has closed the pipe: it has what it wanted.
+/// Writes; `false` if the reader has closed the pipe.
 fn put(out: &mut impl Write, bytes: io::Result<Vec<u8>>) -> Result<bool, Failure> {
     match bytes.and_then(|bytes| out.write_all(&bytes).and_then(|()| out.flush())) {
         Ok(()) => Ok(true),
@@ -120,7 +120,7 @@ fn unwritten(error: io::Error) -> Failure {
     Failure::writing("to standard output", &error)
 }
 
-/// The answer to a query, or what is wrong with it.
+/// The answer to a query, or its error.
 fn answer(line: u64, query: &Query, digits: usize, assessed: bool) -> Result<Answer, String> {
     let arch = Arch::parse(&query.weight, &query.half_opening, &query.friction)
         .map_err(|error| error.to_string())?;
@@ -181,7 +181,7 @@ fn csv_lines(input: impl Read + 'static) -> Result<(Queries, bool), Failure> {
             (Some(weight), Some(half_opening), Some(friction)) => {
                 Ok(Query { weight, half_opening, friction, thickness: thickness.and_then(field) })
             }
-            _ => Err(format!("{} columns are too few", record.len())),
+            _ => Err(format!("too few columns: {}", record.len())),
         }
     };
     let lines = records.map(move |(line, record)| (line, record.and_then(&query)));

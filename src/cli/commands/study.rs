@@ -12,7 +12,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// Measure error against run time, or what is lost where the problem is hard.
+/// Measure error against run time, or digits lost near the limits of the problem.
 ///
 /// Every error is the distance to a certified value of much higher precision. Nothing here is part of a
 /// proof.
@@ -60,7 +60,7 @@ fn known(only: &[String], names: &[&str]) -> Result<(), Failure> {
     match only.iter().find(|name| !names.contains(&name.as_str())) {
         Some(name) => {
             let all = names.join(", ");
-            Err(Failure::Input(format!("there is no '{name}' to study; there are {all}")))
+            Err(Failure::Input(format!("unknown study '{name}'; the studies are {all}")))
         }
         None => Ok(()),
     }

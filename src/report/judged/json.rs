@@ -57,7 +57,7 @@ struct QuantityEntry {
     largest_relative_error: Option<String>,
 }
 
-/// Rows whose worst number is correct to so many digits.
+/// How many rows have a worst number correct to this many digits.
 #[derive(Serialize)]
 struct BarEntry {
     digits: String,

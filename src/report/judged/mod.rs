@@ -1,4 +1,4 @@
-//! Other people's results, judged: every row, or what there is to say of all of them.
+//! Other people's results, judged: every row, or a summary of all.
 
 mod csv;
 mod json;
@@ -17,7 +17,7 @@ use std::io;
 /// How rows are written as they come.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct JudgedLines {
-    /// What stands before all rows, with the quantities that have columns.
+    /// The header, with the quantities that have columns.
     pub header: fn(&[Quantity]) -> io::Result<Vec<u8>>,
     /// One row.
     pub row: fn(&JudgedRow, &[Quantity]) -> io::Result<Vec<u8>>,

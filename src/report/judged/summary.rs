@@ -1,5 +1,4 @@
-//! What there is to say of all rows: counts, a histogram and the worst rows. It does not grow with the
-//! file.
+//! A summary of all rows: counts, a histogram and the worst rows. It does not grow with the file.
 
 use super::row::JudgedRow;
 use crate::judge::{CorrectDigits, Demand, Judged, PrintedVerdict, Side, Verdict};
@@ -8,7 +7,7 @@ use crate::problem::Quantity;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-/// What there is to say of all rows.
+/// A summary of all rows.
 #[derive(Debug)]
 pub(crate) struct JudgeSummary {
     pub(super) demand: Demand,
@@ -27,7 +26,7 @@ pub(crate) struct JudgeSummary {
     pub(super) unjudged: Vec<JudgedRow>,
 }
 
-/// What there is to say of one kind of number.
+/// A summary of one quantity.
 #[derive(Debug)]
 pub(super) struct QuantitySummary {
     pub(super) quantity: Quantity,
@@ -111,7 +110,7 @@ impl JudgeSummary {
         if verdict == Verdict::CorrectlyRounded || (verdict == Verdict::Correct && !has_numbers) {
             return;
         }
-        // Behind its equals, so that of these the first rows are kept.
+        // Behind its equals: of these, the first rows are kept.
         let place = self.worst.partition_point(|kept| by_gravity(kept, &row) != Ordering::Less);
         if place < self.kept {
             self.worst.insert(place, row);

@@ -6,7 +6,7 @@ use crate::judge::{CorrectDigits, Judged, Verdict};
 use crate::report::words::{count, shortened};
 use std::io;
 
-/// Everything there is to say.
+/// The whole summary.
 pub(crate) fn write(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
     verdicts(summary, out)?;
     numbers(summary, out)?;
@@ -78,7 +78,7 @@ fn numbers(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
         let (thinner, thicker) = (summary.thinner, summary.thicker);
         writeln!(
             out,
-            "thicknesses below the least: {thinner} (the unsafe side, were it only by a rounding); above: {thicker}"
+            "thicknesses below the least: {thinner} (the unsafe side, even if only by rounding); above: {thicker}"
         )?;
     }
     Ok(())
@@ -101,7 +101,7 @@ fn histogram(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> 
     Ok(())
 }
 
-/// What is wrong with a row, and then its worst number.
+/// The fault of a row, and its worst number.
 fn judged_row(row: &JudgedRow, out: &mut dyn io::Write) -> io::Result<()> {
     let what = match row.verdict() {
         Verdict::Correct => match row.correct_digits() {
@@ -138,7 +138,7 @@ fn judged_row(row: &JudgedRow, out: &mut dyn io::Write) -> io::Result<()> {
     }
 }
 
-/// Powers of ten of ulp beyond which a person is not told.
+/// Powers of ten beyond which ulp are not shown.
 const MANY_ULP: i64 = 6;
 
 fn number_text(number: &Judged) -> String {
@@ -157,7 +157,7 @@ fn number_text(number: &Judged) -> String {
         let noun = if units == "1" { "unit" } else { "units" };
         text += &format!(": error {}{relative}", errors.absolute);
         text += &format!(", {units} {noun} of the last place");
-        // Of a number with few digits they are many, and say nothing.
+        // A number with few digits is many ulp away, which tells nothing.
         if let Some(ulp) = errors.ulp.as_ref().filter(|ulp| ulp.magnitude() <= MANY_ULP) {
             text += &format!(", {ulp} ulp of a double");
         }

@@ -104,7 +104,7 @@ fn many_states_keep_their_order_and_bad_rows_their_line() {
         "{}",
         lines[3001]
     );
-    assert!(lines[3002].contains("3003,2 columns are too few"));
+    assert!(lines[3002].contains("3003,too few columns: 2"));
     // The nearest double, in decimal and in hexadecimal.
     assert!(lines[3003].contains(",0.12219158636254615,0x1.f47f2a34603cap-4,"), "{}", lines[3003]);
 }

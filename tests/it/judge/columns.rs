@@ -25,7 +25,7 @@ refusals! {
     a_column_that_is_there_twice:
         CSV, HEYMAN, "a=half_opening,b=friction,c=thickness" => "two columns 'c'";
     a_meaning_that_is_none:
-        CSV, HEYMAN, "a=half_opening,b=friction,d=thick" => "'thick' is no column of ours: weight";
+        CSV, HEYMAN, "a=half_opening,b=friction,d=thick" => "'thick' is not one of our columns: weight";
     a_meaning_of_two_columns:
         CSV, HEYMAN, "a=half_opening,b=friction,d=friction" => "both named friction";
     a_column_with_two_meanings:
@@ -76,7 +76,7 @@ fn what_is_judged_is_not_written_over() {
     let file = scratch.path("results.csv");
     let output = couplet(&["judge", &file, "--output", &file]);
     assert_eq!(output.status.code(), Some(2));
-    let message = format!("couplet: {file} is what is judged and is not written over\n");
+    let message = format!("couplet: refusing to overwrite the input {file}\n");
     assert_eq!(text(&output.stderr), message);
     assert_eq!(scratch.read("results.csv"), RESULTS);
 }

@@ -31,7 +31,7 @@ faults! {
         => "2:10: not TOML: unclosed array table, expected `]`";
     an_unknown_key:
         "colour = 1\n"
-        => "2:1: there is no key \"colour\" in a scene; the keys are schema, digits, weight, constants, arches, claims, audit";
+        => "2:1: unknown key \"colour\" in a scene; the keys are schema, digits, weight, constants, arches, claims, audit";
     digits_as_text:
         "digits = \"30\"\n"
         => "2:10: digits \"30\" is not a whole number from 1 to 1000000";
@@ -55,7 +55,7 @@ faults! {
         => "3:19: landmarks 3 is not one of T, S, J, B, l, L, sb";
     a_key_without_its_last_letter:
         "[constants]\nlandmark = \"T\"\n"
-        => "3:1: there is no key \"landmark\" in [[constants]] (did you mean \"landmarks\"?); the keys are landmarks, quantities, weight, digits, format, output";
+        => "3:1: unknown key \"landmark\" in [[constants]] (did you mean \"landmarks\"?); the keys are landmarks, quantities, weight, digits, format, output";
     a_quantity_that_none_of_the_landmarks_has:
         "[constants]\nlandmarks = \"sb\"\nquantities = \"friction\"\n"
         => "4:14: none of the landmarks has the quantity friction";
@@ -103,7 +103,7 @@ faults! {
         => "2:1: friction is missing; give a coefficient (0.6, \"3/5\", \"inf\"), or friction_angle, an angle (0.5, \"pi/6\", \"21deg\")";
     two_frictions:
         "[arches]\nhalf_opening = 1\nfriction = 1\nfriction_angle = 1\n"
-        => "5:18: friction_angle besides friction; give one of them";
+        => "5:18: both friction and friction_angle; give one of them";
     a_half_opening_beyond_a_turn:
         "[arches]\nfriction = 1\nhalf_opening = \"200deg\"\n"
         => "4:16: half_opening \"200deg\" is not between 0 and pi (180deg)";

@@ -71,7 +71,7 @@ fn a_missing_schema_is_said_and_no_more() {
 
 #[test]
 fn what_is_not_utf_8_has_its_place() {
-    assert_eq!(fault(b"a = 1\n# \xe4\n"), "2:3: not TOML: this is no text in UTF-8");
+    assert_eq!(fault(b"a = 1\n# \xe4\n"), "2:3: not TOML: this is not valid UTF-8");
 }
 
 #[test]

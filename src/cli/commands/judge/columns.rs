@@ -60,7 +60,7 @@ impl Role {
     }
 }
 
-/// A column, and what it is.
+/// A column and its role.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Column {
     /// Its name in the file.
@@ -146,7 +146,7 @@ impl Columns {
         match (has(Role::Friction), has(Role::FrictionAngle)) {
             (false, false) => return wanted("the friction", "theirs=friction"),
             (true, true) => {
-                return Err(format!("{have} both friction and friction_angle: name one of them"));
+                return Err(format!("{have} both friction and friction_angle: choose one"));
             }
             _ => {}
         }
@@ -191,17 +191,17 @@ fn column(text: &str) -> Result<Column, String> {
     let theirs = if text.contains('=') { theirs } else { ours };
     let Some(role) = Role::all().find(|role| role.name() == ours.trim()) else {
         let names: Vec<_> = Role::all().map(Role::name).collect();
-        return Err(format!("'{ours}' is no column of ours: {}", names.join(", ")));
+        return Err(format!("'{ours}' is not one of our columns: {}", names.join(", ")));
     };
     if theirs.trim().is_empty() {
-        return Err(format!("'{text}' names no column: theirs={}", role.name()));
+        return Err(format!("'{text}' does not name a column: theirs={}", role.name()));
     }
     let degrees = match unit {
         None => false,
         Some("rad") if role.is_angle() => false,
         Some("deg") if role.is_angle() => true,
         Some(unit) if role.is_angle() => {
-            return Err(format!("'{unit}' is no unit of an angle: rad or deg"));
+            return Err(format!("'{unit}' is not a unit of angles: rad or deg"));
         }
         Some(_) => return Err(format!("{} has no unit; only angles have", role.name())),
     };
@@ -237,10 +237,10 @@ mod tests {
     #[test]
     fn wrong_names_are_refused() {
         for (text, why) in [
-            ("a=opening", "is no column of ours"),
-            ("a", "is no column of ours"),
-            ("=thrust", "names no column"),
-            ("", "is no column of ours"),
+            ("a=opening", "is not one of our columns"),
+            ("a", "is not one of our columns"),
+            ("=thrust", "does not name a column"),
+            ("", "is not one of our columns"),
             ("a=thrust,b=thrust", "both named thrust"),
             ("a=thrust,a=mode", "named twice"),
             ("a=thrust:deg", "has no unit"),

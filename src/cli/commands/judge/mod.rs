@@ -26,26 +26,26 @@ use std::path::PathBuf;
 /// The file is CSV with a header, or JSON lines. Our names for columns are weight, half_opening,
 /// friction or friction_angle; and, to be judged, stands, mode, thickness, thrust, intrinsic_thrust,
 /// rotation_joint, sliding_joint, sliding_friction, rotational_friction; alpha, mu and eta are known
-/// too. Other columns are ignored; the number of the line joins the output with the input. The output of
-/// `couplet states` can be judged as it is.
+/// too. Other columns are ignored; the line number joins the output with the input. The output of
+/// `couplet states` can be judged directly.
 ///
-/// That there is no solution is said by `stands` (false, no, 0), by the words nan, inf, none, null, n/a
-/// or falls or a hyphen for the thickness or the mode, by the mode [s,s] without a thickness, or by an
-/// empty thickness where there is no column `stands`. Any other empty field says nothing. A mode is known
-/// by its letters: rrs is [r,r,s].
+/// A row says that the arch cannot stand in one of these ways: `stands` is false, no or 0; the thickness
+/// or the mode is nan, inf, none, null, n/a, falls or a hyphen; the mode is [s,s] and there is no
+/// thickness; or the thickness is empty and there is no column `stands`. Any other empty field claims
+/// nothing. Only the letters of a mode count: rrs is [r,r,s].
 ///
 /// A number is correct to k digits if its error is at most half a unit of the k-th significant digit of
-/// the true value (of the k-th decimal, where that is zero). How its last printed place is rounded is
-/// told besides: correctly rounded, faithful (less than a unit away) or wrong; and whether the number is
-/// the double nearest to the truth, which is the best that double precision can do. Errors are absolute,
-/// relative, in units of the last printed place, and in units of the last place of the nearest double;
-/// they come from proved enclosures and are correctly rounded.
+/// the true value (of the k-th decimal, if that is zero). The report also says how the last printed digit
+/// was rounded: correctly, faithfully (less than a unit away) or wrongly; and whether the number is the
+/// double nearest to the truth, the best that double precision can do. Errors are absolute, relative, in
+/// units of the last printed place, and in units of the last place of the nearest double; they come from
+/// proved enclosures and are correctly rounded.
 ///
 /// The verdict of a row is one of: correctly rounded; correct; inaccurate; thicker than the least
 /// thickness; wrong mode; claims that an arch falls which stands; thinner than the least thickness;
-/// claims an arch that cannot stand; no claim; undecided; bad row. The first two are accepted. With
-/// several faults the later one in this list is said. Thinner (the unsafe side), thicker and inaccurate
-/// are said of numbers that do not meet --accept.
+/// claims an arch that cannot stand; no claim; undecided; bad row. The first two are accepted. If several
+/// apply, the last one in this list is reported. Thinner (the unsafe side), thicker and inaccurate are
+/// reported only for numbers that miss --accept.
 ///
 /// Exit codes: 0 all rows are accepted; 1 some are not; 2 some cannot be read, or bad usage; 3 a
 /// resource or I/O failure.
@@ -55,9 +55,9 @@ pub(crate) struct Arguments {
     #[arg(value_name = "FILE")]
     file: PathBuf,
 
-    /// Which of their columns is what, theirs=ours, separated by commas; an angle in degrees is
-    /// theirs=ours:deg, and a name that is the same for both is enough alone. Only the columns named
-    /// are read. Without this our own names are expected, in radians.
+    /// The columns to read, as theirs=ours separated by commas; theirs=ours:deg for an angle in degrees;
+    /// just the name if both are the same. Other columns are ignored. The default is our own names, in
+    /// radians.
     #[arg(long, value_delimiter = ',', value_name = "THEIRS=OURS,…")]
     columns: Vec<String>,
 
@@ -65,15 +65,14 @@ pub(crate) struct Arguments {
     #[arg(long, value_parser = parse::weight)]
     weight: Option<SelfWeight>,
 
-    /// The half opening and the friction with which the results were computed: exact, the decimal as it
-    /// is written; or double, the nearest double to it, which is what a program in double precision has
-    /// computed with if the file has all digits of its input. An angle in degrees is then rounded in
-    /// degrees and again in radians. If the file has rounded its input further, nobody knows what was
-    /// computed, and the errors are those of the input too.
+    /// The half opening and the friction that the solver used: exact, the decimal as written; or double,
+    /// the nearest double to it, which is what a program in double precision uses if the file has all
+    /// digits of its input. An angle in degrees is then rounded in degrees and again in radians. If the
+    /// inputs in the file are themselves rounded, the reported errors include that rounding.
     #[arg(long, value_parser = ["exact", "double"], default_value = "exact")]
     inputs: String,
 
-    /// Correct digits that every number of an accepted row has. Without this 3, or fewer where fewer
+    /// Correct digits that every number of an accepted row must have. The default is 3, or fewer if fewer
     /// are printed and correctly rounded.
     #[arg(long, value_name = "DIGITS", value_parser = parse::state_digits, allow_negative_numbers = true)]
     accept: Option<usize>,
@@ -92,8 +91,8 @@ pub(crate) struct Arguments {
 fn format_help() -> String {
     let each = Format::all(Content::Judged).filter(|format| format.judged_lines.is_some());
     format!(
-        "{}; {} have every row, with a short summary on standard error, the others a summary with a histogram \
-         and the worst rows",
+        "{}; {} list every row and put a short summary on standard error, the others are a summary with a \
+         histogram and the worst rows",
         parse::format_help(Content::Judged),
         list(each.map(|format| format.name))
     )
@@ -107,7 +106,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let source = Source::open(Some(&arguments.file))?;
     if arguments.output.is_same_file(&arguments.file) {
         let file = arguments.file.display();
-        return Err(Failure::Input(format!("{file} is what is judged and is not written over")));
+        return Err(Failure::Input(format!("refusing to overwrite the input {file}")));
     }
     let progress = Progress::new(&source);
     let syntax = source.syntax;
@@ -154,12 +153,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         complete = true;
         Ok(())
     })?;
-    // A reader that has closed the pipe has what it wanted.
+    // The reader closed the pipe early.
     if !complete {
         return Ok(());
     }
     if each.is_some() {
-        // A summary that nobody can read is no failure.
+        // Standard error may be closed.
         let _ = verdicts(&summary, &mut io::stderr());
     }
     verdict(&summary)
@@ -215,7 +214,7 @@ fn json_cells(
     });
     let first: Vec<Line<Cells>> = rows.by_ref().take(CHUNK).collect();
     let read = || first.iter().filter_map(|(_, cells)| cells.as_ref().ok());
-    // Where no row can be read each says why.
+    // If no row can be read, each reports its error.
     if read().next().is_some() {
         let has = |place: usize| read().any(|cells| cells[place].is_some());
         let seen: Vec<bool> = (0..columns.all.len()).map(has).collect();

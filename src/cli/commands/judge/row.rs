@@ -1,4 +1,4 @@
-//! A row of results: the arch it is about, and what it says of it.
+//! A row of results: its arch, and what it claims.
 
 use super::columns::{Columns, Role};
 use crate::arch::SelfWeight;
@@ -53,7 +53,7 @@ impl Judge {
         })
     }
 
-    /// What the row is about, as far as it can be read.
+    /// The arch of the row as text, even if it cannot be read.
     fn describe(&self, cells: &Cells, row: &mut JudgedRow) {
         let text = |role| {
             let (text, degrees) = self.said(cells, role)?;
@@ -80,7 +80,7 @@ impl Judge {
             (Some((text, _)), None) => self.coefficient(text)?,
             (None, Some(phi)) => Friction::Angle(self.angle(phi)?),
             (None, None) => return Err("the friction is missing".into()),
-            (Some(_), Some(_)) => return Err("both friction and friction_angle are there".into()),
+            (Some(_), Some(_)) => return Err("both friction and friction_angle are given".into()),
         };
         Arch::new(weight, self.angle(half_opening)?, friction).map_err(|error| error.to_string())
     }

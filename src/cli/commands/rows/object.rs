@@ -18,16 +18,15 @@ impl<'a> JsonObject<'a> {
         serde_json::from_slice(bytes).map_err(|error| json_error(bytes, &error))
     }
 
-    /// The text of a value: of a text what it says, of an object its entry `value`, of `null`
-    /// nothing, of all else what is written. `None` if there is no such key.
+    /// A value as text: a string without its quotes, the entry `value` of an object, nothing for `null`,
+    /// anything else as written. `None` if the key is missing.
     pub(crate) fn text(&self, key: &str) -> Option<String> {
         let (_, raw) = self.0.iter().find(|(name, _)| name == key)?;
         Some(text(raw))
     }
 }
 
-/// What is wrong with a line of JSON, and where the text is none, in which column. The number of the line
-/// is told by others.
+/// The error of a line of JSON, with its column if the syntax is wrong. Callers add the line number.
 pub(crate) fn json_error(bytes: &[u8], error: &serde_json::Error) -> String {
     let text = error.to_string();
     let message = text.rsplit_once(" at line ").map_or(text.as_str(), |(message, _)| message);
@@ -72,7 +71,7 @@ impl<'de> Deserialize<'de> for JsonObject<'de> {
                 let mut entries: Vec<(String, &'de RawValue)> = Vec::new();
                 while let Some((key, value)) = map.next_entry::<String, &RawValue>()? {
                     if entries.iter().any(|(name, _)| *name == key) {
-                        let message = format!("the key '{}' is there twice", shortened(&key));
+                        let message = format!("duplicate key '{}'", shortened(&key));
                         return Err(serde::de::Error::custom(message));
                     }
                     if entries.len() == MAX_KEYS {

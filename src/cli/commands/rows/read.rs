@@ -5,7 +5,7 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};
 use std::path::Path;
 
-/// A row of the input: the number of its line, and what it says or what is wrong with it.
+/// A row of the input: its line number, and its content or its error.
 pub(crate) type Line<T> = (u64, Result<T, String>);
 
 /// What the rows are written in.
@@ -51,7 +51,8 @@ impl Source {
         let syntax = match first_character(&mut input).map_err(reading)? {
             Some(b'{') => Syntax::JsonLines,
             Some(b'[') => {
-                let message = "a JSON array is not read: give JSON lines, one object on each line";
+                let message =
+                    "JSON arrays are not supported: give JSON lines, one object on each line";
                 return Err(Failure::Input(message.into()));
             }
             _ => Syntax::Csv,
@@ -160,19 +161,18 @@ impl<R: Read> Read for Lines<R> {
             None => self.length + read,
         };
         if self.length > MAX_RECORD {
-            let message =
-                format!("a line of more than {MAX_RECORD} bytes; nothing is read from there on");
+            let message = format!("a line of more than {MAX_RECORD} bytes; reading stops there");
             return Err(io::Error::other(message));
         }
         Ok(read)
     }
 }
 
-/// What is wrong with a row of CSV.
+/// The error of a row of CSV.
 fn csv_error(error: &csv::Error) -> String {
     match error.kind() {
         csv::ErrorKind::Utf8 { err, .. } => {
-            format!("field {} is no text in UTF-8", err.field() + 1)
+            format!("field {} is not valid UTF-8", err.field() + 1)
         }
         _ => error.to_string(),
     }
@@ -221,7 +221,7 @@ mod tests {
         assert_eq!(found.len(), 2);
         assert!(found[0].1.is_ok());
         assert!(found[1].1.as_ref().unwrap_err().contains("more than 16777216 bytes"), "{found:?}");
-        // Many lines are no long line.
+        // Many short lines are fine.
         let many = Box::new(io::Cursor::new("a,b\n".repeat(MAX_RECORD / 3)));
         assert_eq!(rows(many).iter().filter(|(_, row)| row.is_ok()).count(), MAX_RECORD / 3 - 1);
         assert!(csv_records(io::repeat(b'a')).is_err(), "nor is a header without end");
@@ -230,9 +230,9 @@ mod tests {
     #[test]
     fn what_is_no_text_is_told_by_its_field() {
         let Err(Failure::Input(message)) = csv_records(&b"a,alpha [\xB0]\n"[..]) else { panic!() };
-        assert_eq!(message, "the header: field 2 is no text in UTF-8");
+        assert_eq!(message, "the header: field 2 is not valid UTF-8");
         let (_, mut rows) = csv_records(&b"a,b\n1,2\n\xFF,1\n"[..]).unwrap();
         assert!(rows.next().unwrap().1.is_ok());
-        assert_eq!(rows.next(), Some((3, Err("field 1 is no text in UTF-8".to_owned()))));
+        assert_eq!(rows.next(), Some((3, Err("field 1 is not valid UTF-8".to_owned()))));
     }
 }

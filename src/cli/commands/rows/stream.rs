@@ -34,7 +34,7 @@ pub(crate) fn in_order<T: Send, A: Send, E>(
     Ok(rows)
 }
 
-/// A bar with rate and time left, by the bytes read; hidden where standard error is no terminal.
+/// A bar with rate and time left, by the bytes read; hidden if standard error is not a terminal.
 pub(crate) struct Progress {
     bar: ProgressBar,
 }
