@@ -14,7 +14,7 @@ pub(super) struct ArchArguments {
     #[arg(long, visible_alias = "alpha", value_name = "ANGLE", allow_hyphen_values = true)]
     pub half_opening: Option<String>,
 
-    /// Friction coefficient mu (0.6, 3/5, inf).
+    /// Friction coefficient mu (0.6, 3/5, inf), or an angle in degrees (31deg).
     #[arg(
         long,
         visible_alias = "mu",

@@ -59,6 +59,21 @@ fn angles_may_be_in_degrees() {
     assert_eq!(rows[1]["verdict"], "inaccurate", "radians where degrees were named");
 }
 
+/// An angle is rounded like any other input, in whatever column it stands.
+#[test]
+fn an_angle_among_the_coefficients_is_the_same_arch() {
+    let thickness = "0.1102301023143341972901023";
+    let judged = |column: &str, text: &str| {
+        let input = format!("half_opening,{column},thickness\n1.5,{text},{thickness}\n");
+        let arguments = ["--weight", "heyman", "--inputs", "double", "--accept", "25"];
+        rows(&arguments, input).1[0]["verdict"].as_str().unwrap().to_owned()
+    };
+    let verdict = judged("friction_angle", "18.3deg");
+    assert_ne!(verdict, "correctly rounded", "24 digits of an angle that a double does not hold");
+    assert_eq!(judged("friction", "18.3deg"), verdict);
+    assert_eq!(judged("friction", "tan(18.3deg)"), verdict);
+}
+
 #[test]
 fn bad_rows_do_not_stop_the_others() {
     let long = format!("0.{}", "1".repeat(20_001));
