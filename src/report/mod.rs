@@ -44,6 +44,7 @@ mod parquet;
 mod python;
 mod rows;
 mod rust;
+#[cfg(feature = "study")]
 pub(crate) mod study;
 mod table;
 mod toml;

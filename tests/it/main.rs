@@ -10,7 +10,7 @@ mod hard;
 #[cfg(feature = "cli")]
 #[macro_use]
 mod program;
-#[cfg(all(unix, feature = "mpfr", feature = "cli"))]
+#[cfg(all(unix, feature = "study", feature = "cli"))]
 mod snapshot;
 
 #[cfg(feature = "mpfr")]
@@ -39,7 +39,7 @@ mod judge;
 mod landmarks;
 #[cfg(feature = "mpfr")]
 mod number_suite;
-#[cfg(all(unix, feature = "mpfr", feature = "cli"))]
+#[cfg(all(unix, feature = "study", feature = "cli"))]
 mod outputs;
 mod rooms;
 #[cfg(all(feature = "mpfr", feature = "cli"))]

@@ -4,6 +4,7 @@ mod claims;
 mod constants;
 mod files;
 mod states;
+#[cfg(feature = "study")]
 mod study;
 mod wrong;
 
