@@ -19,9 +19,9 @@ wrong_uses! {
     half_a_claim: ["prove", "eq-"] => "the claims are eq-2, eq-3";
     a_format_that_claims_do_not_have: ["prove", "--format", "csv"] => "one of text, json, latex";
     #[cfg(feature = "study")]
-    an_unknown_experiment: ["study", "accuracy", "--only", "T"] => "there are eta-cubic, A-cubic";
+    an_unknown_experiment: ["study", "accuracy", "--only", "T"] => "the studies are eta-cubic, A-cubic";
     #[cfg(feature = "study")]
-    an_unknown_limit: ["study", "stability", "--only", "state"] => "there are alpha-to-zero";
+    an_unknown_limit: ["study", "stability", "--only", "state"] => "the studies are alpha-to-zero";
 
     a_zero_half_opening: ["state", "--alpha", "0", "--mu", "1"] => "between 0 and pi";
     a_negative_half_opening: ["state", "--alpha", "-1", "--mu", "1"] => "between 0 and pi";

@@ -37,7 +37,7 @@ refusals! {
         CSV, HEYMAN, "a=half_opening:turns,b=friction,d=mode" => "rad or deg";
     a_unit_of_the_friction: CSV, HEYMAN, "a=half_opening,b=friction:deg,d=mode" => "has no unit";
     two_frictions:
-        CSV, HEYMAN, "a=half_opening,b=friction,d=friction_angle,c=mode" => "name one of them";
+        CSV, HEYMAN, "a=half_opening,b=friction,d=friction_angle,c=mode" => "choose one";
     no_weight: CSV, &[], "a=half_opening,b=friction,d=mode" => "the weight is missing";
     a_weight_too_many_and_a_column_twice:
         CSV, HEYMAN, "a=half_opening,b=friction,c=mode,d=weight" => "two columns 'c'";
@@ -55,7 +55,7 @@ refusals! {
     json_without_a_weight:
         JSON, &[], "a=half_opening,b=friction,c=thickness" => "the weight is missing";
     an_empty_file: "", HEYMAN => "the file is empty";
-    a_json_array: "[{}]", HEYMAN => "a JSON array is not read";
+    a_json_array: "[{}]", HEYMAN => "JSON arrays are not supported";
     both_weights: CSV, &["--weight", "both"] => "one of heyman, milankovitch";
     no_digits_accepted: CSV, &["--accept", "0"] => "from 1 to 10000";
     fewer_than_no_worst_rows: CSV, &["--worst", "-1"] => "--worst";
