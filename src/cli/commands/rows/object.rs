@@ -99,7 +99,7 @@ mod tests {
         assert_eq!(error(r#"{"a": Infinity}"#), format!("column 7: {not_json}"));
         assert_eq!(error(r#"{"a":-Infinity}"#), format!("column 7: {not_json}"));
         assert_eq!(error(r#"{"a":x}"#), "column 6: expected value");
-        assert_eq!(error(r#"{"a":1,"a":2}"#), "the key 'a' is there twice");
+        assert_eq!(error(r#"{"a":1,"a":2}"#), "duplicate key 'a'");
         assert_eq!(error("3"), "invalid type: integer `3`, expected a JSON object");
     }
 }
