@@ -8,6 +8,7 @@ mod format;
 pub mod krawczyk;
 mod object;
 mod refusal;
+mod visible;
 
 pub use checker::{
     ASTRO_DIGITS, Accepted, MAX_DIGITS, WITNESS_BITS, check, check_certificate, verify,
@@ -16,3 +17,5 @@ pub use checker::{
 pub(crate) use format::given_text;
 pub use format::{Certificate, ClaimFile, SCHEMA, StateFile, ValueFile, Witness};
 pub use refusal::Refusal;
+#[cfg(feature = "cli")]
+pub(crate) use visible::{visible, visible_name};

@@ -3,6 +3,7 @@
 //! Exit codes: 0 everything asked was proved; 1 something was refuted, refused or undecided; 2 bad
 //! usage or input; 3 a resource or I/O failure.
 
+mod accepted;
 mod check;
 #[cfg(feature = "mpfr")]
 mod commands;
@@ -10,6 +11,7 @@ mod completions;
 mod failure;
 mod man;
 
+use crate::check::visible;
 use clap::{CommandFactory, Parser};
 use failure::Failure;
 use std::process::ExitCode;
@@ -41,7 +43,8 @@ pub fn run() -> ExitCode {
     match cli.command.run(Cli::command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("couplet: {failure}");
+            // It may quote what others wrote.
+            eprintln!("couplet: {}", visible(&failure.to_string()));
             ExitCode::from(match failure {
                 Failure::Undecided(_) => 1,
                 #[cfg(feature = "mpfr")]
@@ -77,7 +80,8 @@ fn usage(error: &clap::Error) -> ExitCode {
         clap::error::ErrorKind::UnknownArgument => "; --help lists the options".into(),
         _ => String::new(),
     };
-    eprintln!("couplet: {}{possible}", line.strip_prefix("error: ").unwrap_or(&line));
+    let line = visible(line.strip_prefix("error: ").unwrap_or(&line));
+    eprintln!("couplet: {line}{possible}");
     ExitCode::from(2)
 }
 
