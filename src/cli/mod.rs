@@ -10,6 +10,8 @@ mod commands;
 mod completions;
 mod failure;
 mod man;
+#[cfg(feature = "mpfr")]
+mod threads;
 
 use crate::check::visible;
 use clap::{CommandFactory, Parser};

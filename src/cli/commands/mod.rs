@@ -5,6 +5,7 @@ mod assess;
 mod audit;
 mod certify;
 mod constants;
+mod folder;
 mod judge;
 mod output;
 mod parse;
@@ -18,7 +19,7 @@ mod states;
 mod study;
 
 use super::failure::Failure;
-use super::{check, completions, man};
+use super::{check, completions, man, threads};
 use clap::Subcommand;
 
 #[derive(Subcommand)]
@@ -42,6 +43,9 @@ pub(super) enum Command {
 impl Command {
     /// Runs the command; `program` describes the whole command line.
     pub(super) fn run(&self, program: fn() -> clap::Command) -> Result<(), Failure> {
+        if !matches!(self, Self::Check(_) | Self::Completions(_) | Self::Man(_)) {
+            threads::start()?;
+        }
         match self {
             Self::Constants(arguments) => constants::run(arguments),
             Self::State(arguments) => state::run(arguments),

@@ -1,0 +1,16 @@
+//! The threads that work is shared among.
+
+use super::failure::Failure;
+use rayon::ThreadPoolBuilder;
+use std::thread;
+
+/// Starts them all, and sees whether one more could be, as for a progress bar: later a thread that cannot start would
+/// be a panic.
+pub(super) fn start() -> Result<(), Failure> {
+    let failed = |error: &dyn std::fmt::Display| {
+        Failure::Io(format!("cannot start threads ({error}); RAYON_NUM_THREADS=1 asks for fewer"))
+    };
+    ThreadPoolBuilder::new().build_global().map_err(|error| failed(&error))?;
+    let spare = thread::Builder::new().spawn(|| ()).map_err(|error| failed(&error))?;
+    spare.join().map_err(|_| failed(&"it ended"))
+}
