@@ -27,7 +27,7 @@ from flint import arb, ctx, fmpz
 
 MAX_BYTES, MAX_DIGITS, MAX_GIVEN, MAX_ENTRIES = 64 << 20, 1_000_000, 100_000, 32
 MAX_POWER, MAX_EXPONENT = 3_000_000, 10_000_000  # of ten and of two
-SHORT, LONG, GUARD = 256, 20_000, 128  # bits: radii and inverse, the centre of `unique`, of precision besides
+SHORT, LONG, GUARD = 256, 20_000, 128  # bits: radii, the centre of `unique` and inverse, of precision besides
 
 
 class Refused(Exception):
@@ -323,7 +323,7 @@ def check(data):
     large = Box(file["unique"], n, LONG, "unique")
     small = Box(file["root"], n, LONG + 10 * digits // 3, "root")
     need(len(Y) == n and all(type(row) is list and len(row) == n for row in Y), "inverse: not n by n")
-    Y = [[number(x, SHORT, "inverse") for x in row] for row in Y]
+    Y = [[number(x, LONG, "inverse") for x in row] for row in Y]
 
     # Points 2, 3: exactly one root in the large box.
     ctx.prec = LONG + GUARD

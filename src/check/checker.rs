@@ -30,11 +30,11 @@ pub struct Accepted {
     pub values: Vec<(Quantity, String)>,
 }
 
-/// Bits of a radius and of an entry of the inverse.
+/// Bits of a radius; enough for an entry of the inverse where little cancels.
 pub const WITNESS_BITS: usize = 256;
-/// Bits that the centre of a large box may have, and that of a small one beyond its digits: an arch with
-/// a tiny opening loses many.
-const EXTRA_BITS: usize = 20_000;
+/// Bits that the centre of a large box and an entry of the inverse may have, and the centre of a small box beyond its
+/// digits: an arch with a tiny opening loses many.
+pub const EXTRA_BITS: usize = 20_000;
 /// Bits beyond the longest number, to work in.
 const GUARD: usize = 64;
 /// The largest number of digits of any certificate.
@@ -172,7 +172,7 @@ fn sizes(system: &System, certificate: &Certificate) -> Result<(), Refusal> {
     size("inverse", certificate.inverse.len())?;
     for row in &certificate.inverse {
         size("inverse", row.len())?;
-        bounded("inverse", WITNESS_BITS, row)?;
+        bounded("inverse", EXTRA_BITS, row)?;
     }
     let boxes = [("unique", &certificate.unique, EXTRA_BITS), ("root", &certificate.root, allowed)];
     for (place, witness, bits) in boxes {

@@ -11,7 +11,7 @@ mod refusal;
 mod visible;
 
 pub use checker::{
-    ASTRO_DIGITS, Accepted, MAX_DIGITS, WITNESS_BITS, check, check_certificate, verify,
+    ASTRO_DIGITS, Accepted, EXTRA_BITS, MAX_DIGITS, WITNESS_BITS, check, check_certificate, verify,
 };
 #[cfg(feature = "cli")]
 pub(crate) use format::given_text;

@@ -53,6 +53,7 @@ impl Manifest {
             Ok(there) if !there.is_file() => {
                 return Err(io::Error::other("it is a link, a folder, a pipe or a device"));
             }
+            Ok(there) if there.len() > MAX_BYTES => return Err(io::ErrorKind::InvalidData.into()),
             Ok(_) => {}
         }
         let file = BufReader::new(File::open(path)?.take(MAX_BYTES));

@@ -32,7 +32,8 @@ impl Folder {
             Err(_) if overwrites => Manifest::default(),
             Err(_) => {
                 let record = record.display();
-                let message = format!("{record} is not the record of a run; --overwrite replaces it");
+                let message =
+                    format!("{record} is not the record of a run; --overwrite replaces it");
                 return Err(Failure::Input(message));
             }
         };

@@ -123,7 +123,8 @@ impl Output {
             }
             Err(_) => None,
         };
-        let path = if there.is_some() { fs::canonicalize(path).map_err(failed)? } else { path.into() };
+        let path =
+            if there.is_some() { fs::canonicalize(path).map_err(failed)? } else { path.into() };
         let folder = match path.parent() {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
             _ => Path::new("."),

@@ -3,6 +3,8 @@
 mod claims;
 mod constants;
 mod files;
+#[cfg(unix)]
+mod owners;
 mod states;
 #[cfg(feature = "study")]
 mod study;
