@@ -104,6 +104,10 @@ impl<'a, E: Enclosure> Examined<'a, E> {
             Condition::NoneThinnerAtLargestThrust => {
                 self.at_largest_thrust(|weight| self.growth(&weight))
             }
+            // These are about what a state does not have: they are not shown.
+            Condition::Beyond(_) | Condition::InsideIntrados | Condition::NearestAtShoulder => {
+                alpha.int(0)
+            }
         }
     }
 }
