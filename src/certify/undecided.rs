@@ -46,29 +46,34 @@ pub(crate) fn decide(
         Ternary::False => Ok(false),
         Ternary::Undecided => {
             let gap = Magnitude::upper(margin.mid()).plus(margin.rad()).to_float();
-            let gap = Some(gap.to_f64_round(Round::Up));
+            // A margin without bound is no difference that is nearly zero.
+            let gap = Some(gap.to_f64_round(Round::Up)).filter(|gap| gap.is_finite());
+            let between = if gap.is_some() { between } else { &[] };
             Err(Undecided { gap, ..Undecided::new(question).between(between) })
         }
     }
 }
 
 /// Requires a margin to be positive for a proof to go on; where it is not, nothing is known.
-pub(crate) fn require(
-    margin: &Ball,
-    question: &'static str,
-    modes: &[Mode],
-) -> Result<(), Undecided> {
-    match decide(margin, question, modes)? {
+pub(crate) fn require(margin: &Ball, question: &'static str) -> Result<(), Undecided> {
+    match decide(margin, question, &[])? {
         true => Ok(()),
-        false => Err(Undecided::new(question).between(modes)),
+        false => Err(Undecided::new(question)),
     }
 }
 
-/// Requires a condition of a mode.
+/// Requires a condition of a mode. A candidate that is proved to fail it is not the state of the arch: then it
+/// is beside the point, not on a boundary.
 pub(crate) fn require_condition(
     condition: Condition,
     margin: &Ball,
     mode: Mode,
 ) -> Result<(), Undecided> {
-    require(margin, condition.label(), &[mode])
+    match decide(margin, condition.label(), &[mode])? {
+        true => Ok(()),
+        false => Err(Undecided::new(format!(
+            "the root found for {mode} is not the state of the arch: it lacks {}",
+            condition.label()
+        ))),
+    }
 }

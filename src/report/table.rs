@@ -81,8 +81,11 @@ fn arch(report: &Answers, answer: &Answer, out: &mut dyn io::Write) -> io::Resul
             let between: Vec<_> = undecided.between.iter().map(|mode| mode.label()).collect();
             match undecided.gap.filter(|_| !between.is_empty()) {
                 Some(gap) => {
-                    let between = between.join(" and ");
-                    writeln!(out, "   between {between}; the difference is below {gap:.1e}")
+                    let place = match &between[..] {
+                        [mode] => format!("at the edge of {mode}"),
+                        modes => format!("between {}", modes.join(" and ")),
+                    };
+                    writeln!(out, "   {place}; the difference is below {gap:.1e}")
                 }
                 None => Ok(()),
             }

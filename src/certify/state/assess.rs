@@ -52,8 +52,8 @@ pub(super) fn assessment(
     mut state: impl FnMut(bool) -> Result<Outcome, Undecided>,
 ) -> Result<Assessment, Undecided> {
     let eta: Ball = thickness.enclosure(bits);
-    require(&eta, "whether the thickness is positive", &[])?;
-    require(&(eta.int(2) - &eta), "whether the thickness is below the limit 2", &[])?;
+    require(&eta, "whether the thickness is positive")?;
+    require(&(eta.int(2) - &eta), "whether the thickness is below the limit 2")?;
     let enough = |least: &Ball, question| decide(&(eta.clone() - least), question, &[]);
     let (least_thickness, stands) = match state(true)? {
         Outcome::Falls(fall) => (Err(fall), false),

@@ -18,6 +18,7 @@
 //! | `certify` | the questions, as methods of an arch |
 //! | `query` | an arch at one precision; part 1 for the printed equations |
 //! | `rotation` | part 1 for pure rotation |
+//! | `inner` | part 1 where an inner joint slides, and which mode that is |
 //! | `small` | parts 1 to 3 for small half openings |
 //! | `mode` | parts 2 to 4: which mode, and its start values |
 //! | `state` | the outcome |
@@ -30,6 +31,7 @@ mod assess;
 mod certify;
 mod digits;
 mod figure;
+mod inner;
 mod inquiry;
 mod mode;
 mod query;

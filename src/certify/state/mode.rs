@@ -1,5 +1,6 @@
 //! Which mode an arch collapses in: every comparison decided, or the reason why not.
 
+use super::inner::inner_state;
 use super::query::Query;
 use super::rotation::rotational_root;
 use super::small::Small;
@@ -101,9 +102,9 @@ pub(super) fn pure_sliding(query: &Query) -> Result<Ball, Undecided> {
         return Ok(small.pure_sliding()?.friction());
     }
     let slides = query.root(Mode::Sliding.system(query.weight), &start::sliding(&query.alpha()))?;
-    require(&slides.friction, "a positive purely sliding friction", &[])?;
+    require(&slides.friction, "a positive purely sliding friction")?;
     let inside = slides.half_opening.rad.clone() - &slides.sliding_joint.rad;
-    require(&inside, "the steepest joint above the shoulder", &[])?;
+    require(&inside, "the steepest joint above the shoulder")?;
     Ok(slides.friction)
 }
 
@@ -190,7 +191,7 @@ fn rotation(query: &Query, asked: Asked) -> Result<Rotation, Undecided> {
     prove(query, Mode::Rotational, &at, false)?;
     let mut frictions = None;
     if friction_matters {
-        require(&room_for_steepest(&at), "the steepest joint above the shoulder", &[])?;
+        require(&room_for_steepest(&at), "the steepest joint above the shoulder")?;
         frictions = Some([shoulder_friction(&at), inner_friction(&at)]);
     }
     Ok(Rotation { state: State::new(Mode::Rotational, at), frictions })
@@ -240,38 +241,7 @@ fn inner_sliding(query: &Query, rotational: Option<Ball>) -> Result<Found, Undec
     )? {
         return Ok(Found::Falls);
     }
-    let (h, joint) = (slid.thrust.mid(), slid.sliding_joint.rad.mid());
-    let start = start::rotational_sliding(query.weight, query.alpha().to_f64(), h.to_f64());
-    let float = |x: f64| Float::with_val(query.bits, x);
-    let at_crown = || {
-        let start = [float(start.thickness), h.clone(), joint.clone()];
-        let at = query.root(Mode::OverturningSliding.system(query.weight), &start)?;
-        let slope = contact::crown_slope(query.weight, &at);
-        let between = [Mode::OverturningSliding, Mode::RotationalSlidingRotational];
-        let nearest = decide(&slope, "whether the intrados is touched at the crown", &between)?;
-        Ok((at, nearest))
-    };
-    if start.joint.is_none() {
-        let (at, nearest) = at_crown()?;
-        if nearest {
-            return proved(query, Mode::OverturningSliding, at, rotational);
-        }
-    }
-    let beta = float(start.joint.unwrap_or(1e-6));
-    let start = [beta, float(start.thickness), h.clone(), joint.clone()];
-    let (at, mode) = match query.root(Mode::RotationalSliding.system(query.weight), &start) {
-        Ok(at) => {
-            let above = at.rotation_joint.rad.clone() - &at.sliding_joint.rad;
-            let between = [Mode::RotationalSliding, Mode::RotationalSlidingRotational];
-            let above = decide(&above, "which of the two inner joints is higher", &between)?;
-            (at, between[usize::from(!above)])
-        }
-        // Beside the line beta_r = 0 the joint may be at the crown after all.
-        Err(undecided) => match at_crown()? {
-            (at, true) => (at, Mode::OverturningSliding),
-            (_, false) => return Err(undecided),
-        },
-    };
+    let (mode, at) = inner_state(query, slid)?;
     proved(query, mode, at, rotational)
 }
 

@@ -68,9 +68,9 @@ impl Small {
     pub(super) fn pure_sliding(&self) -> Result<SmallRoot, Undecided> {
         let start = start::scaled_sliding(&self.candidate().opening.square);
         let slides = self.root(Mode::Sliding, start)?;
-        require(&slides.at.friction, "a positive purely sliding friction", &[])?;
+        require(&slides.at.friction, "a positive purely sliding friction")?;
         let room = scaled_room_for_steepest(&slides.at);
-        require(&room, Condition::SteepestAboveShoulder.label(), &[])?;
+        require(&room, Condition::SteepestAboveShoulder.label())?;
         Ok(slides)
     }
 
@@ -142,7 +142,7 @@ impl SmallRoot {
     /// The frictions that the shoulder and an inner joint ask for.
     pub(super) fn frictions(&self) -> Result<[Ball; 2], Undecided> {
         let room = scaled_room_for_steepest(&self.at);
-        require(&room, Condition::SteepestAboveShoulder.label(), &[])?;
+        require(&room, Condition::SteepestAboveShoulder.label())?;
         let frictions = [scaled_shoulder_friction(&self.at), scaled_inner_friction(&self.at)];
         Ok(frictions.map(|m| self.unscaled(&m)))
     }

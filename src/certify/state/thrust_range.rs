@@ -91,8 +91,8 @@ pub(super) fn least_thrust(query: &Query) -> Result<Limit, Undecided> {
     let eta = Float::with_val(query.bits, given.thickness.mid());
     let at = query.root(system, &start::rotational_with_thickness(query.weight, &eta))?;
     let beta = &at.rotation_joint.rad;
-    require(beta, "a touching joint below the crown", &[])?;
-    require(&(beta.pi() - beta), "a touching joint within half a turn", &[])?;
+    require(beta, "a touching joint below the crown")?;
+    require(&(beta.pi() - beta), "a touching joint within half a turn")?;
     let shoulder = thrust::lower(&given.half_opening, &ring).value();
     let above = given.half_opening.rad.clone() - beta;
     match above.is_positive() {
@@ -108,7 +108,7 @@ pub(super) fn least_thrust(query: &Query) -> Result<Limit, Undecided> {
     }
     let margin =
         contact::extrados_margin_at_shoulder(query.weight, &at, &contact::crown_moment(&at));
-    require(&margin, "the line of least thrust inside the extrados at the shoulder", &[])?;
+    require(&margin, "the line of least thrust inside the extrados at the shoulder")?;
     Ok(Limit { thrust: Some(at.thrust), touch: Touch::Haunch(at.rotation_joint.rad) })
 }
 
@@ -143,13 +143,13 @@ pub(super) fn largest_thrust(query: &Query) -> Result<Limit, Undecided> {
     };
     let at = query.root(system, &start)?;
     let beta = &at.rotation_joint.rad;
-    require(beta, "a touching joint below the crown", &[])?;
-    require(&(given.half_opening.rad.clone() - beta), "a touching joint above the shoulder", &[])?;
-    require(&at.thrust, "a positive largest thrust", &[])?;
+    require(beta, "a touching joint below the crown")?;
+    require(&(given.half_opening.rad.clone() - beta), "a touching joint above the shoulder")?;
+    require(&at.thrust, "a positive largest thrust")?;
     let arm = thrust::upper(&given.half_opening, &at.rotation_joint, &ring).denominator;
-    require(&arm, "a touching joint that bounds the thrust from above", &[])?;
+    require(&arm, "a touching joint that bounds the thrust from above")?;
     let margin = contact::crown_moment(&at) - contact::shoulder_moment(query.weight, &at);
-    require(&margin, "the line of largest thrust inside the extrados at the crown", &[])?;
+    require(&margin, "the line of largest thrust inside the extrados at the crown")?;
     Ok(Limit { thrust: Some(at.thrust), touch: Touch::Haunch(at.rotation_joint.rad) })
 }
 
@@ -191,7 +191,7 @@ pub(super) fn required_friction(
         let at = query.given.clone().with(Unknown::Thrust, largest.clone());
         let steepest = (largest.clone() * (largest.int(1) - largest)).sqrt();
         let margin = at.half_opening.rad.clone() - steepest;
-        require(&margin, Condition::SteepestAboveShoulder.label(), &[])?;
+        require(&margin, Condition::SteepestAboveShoulder.label())?;
         return Ok(inner_friction(&at));
     }
     Ok(slides.friction)
@@ -235,7 +235,7 @@ pub(super) fn cut_by_friction(
         largest = Limit { thrust: Some(shoulder.value()), touch };
     }
     if let (Some(low), Some(high)) = (&least.thrust, &largest.thrust) {
-        require(&(high.clone() - low), "a range of thrusts that is not empty", &[])?;
+        require(&(high.clone() - low), "a range of thrusts that is not empty")?;
     }
     Ok([least, largest])
 }

@@ -50,7 +50,7 @@ pub fn quick_state(weight: SelfWeight, alpha: f64, mu: f64) -> QuickState {
         return found(Mode::SlidingRotational, [beta, eta, h]);
     }
     let [h, steepest] = inner_sliding_in_doubles(mu);
-    let InnerStart { thickness, joint } = rotational_sliding(weight, alpha, h);
+    let InnerStart { thickness, joint, .. } = rotational_sliding(weight, alpha, h);
     match joint {
         None => found(Mode::OverturningSliding, [0.0, thickness, h]),
         Some(beta) if beta > steepest => found(Mode::RotationalSliding, [beta, thickness, h]),

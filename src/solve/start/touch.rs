@@ -35,7 +35,12 @@ pub struct InnerStart {
     pub thickness: f64,
     /// `beta_r`, rad, or `None` if the intrados is touched at the crown.
     pub joint: Option<f64>,
+    /// Whether doubles may be wrong about that: the joint is at the crown or next to it.
+    pub is_near_crown: bool,
 }
+
+/// The thicknesses of a touched crown and of a touched joint next to it differ by this part at most.
+const NEAR_CROWN: f64 = 1e-6;
 
 /// A candidate: the thickness at a half opening (rad) and a thrust that the sliding of an inner joint fixes.
 ///
@@ -47,12 +52,14 @@ pub fn rotational_sliding(weight: SelfWeight, alpha: f64, h: f64) -> InnerStart 
         |joint: &Angle<f64>, ring: &Ring<f64>| thrust::upper(&opening, joint, ring).residual(&h);
     let crown = Angle::zero(&alpha);
     let at_crown = quadratic_zero(|eta| gap(&crown, &Ring::new(weight, &eta)));
-    if at_crown >= touched_ring(weight, 1.0, h).thickness {
-        return InnerStart { thickness: at_crown, joint: None };
+    let touched = touched_ring(weight, 1.0, h).thickness;
+    let is_near_crown = at_crown > touched * (1.0 - NEAR_CROWN);
+    if at_crown >= touched {
+        return InnerStart { thickness: at_crown, joint: None, is_near_crown };
     }
     let ring = |joint: &Angle<f64>| touched_ring(weight, joint.times_cotangent(), h);
     let joint = joint_where(touching_square(h), |joint| gap(joint, &ring(joint)));
-    InnerStart { thickness: ring(&joint).thickness, joint: Some(joint.rad) }
+    InnerStart { thickness: ring(&joint).thickness, joint: Some(joint.rad), is_near_crown }
 }
 
 /// A candidate: `beta_r` (rad), `h` of the largest thrust that a thickness bears with the line of thrust

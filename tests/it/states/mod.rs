@@ -4,6 +4,7 @@
 mod assessed;
 mod borders;
 mod cost;
+mod crown;
 mod known;
 mod random;
 mod small;

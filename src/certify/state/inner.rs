@@ -1,0 +1,92 @@
+//! The state in which an inner joint slides: that fixes the thrust, and (3) and (5) the rest.
+//!
+//! Next to the line `beta_r = 0` two roots of (3) and (5) meet at the crown, and a start value no longer tells
+//! which mode it belongs to. There the crown is asked first: at the thickness of `[r,s]` the line of thrust
+//! leaves the intrados at the crown, or crosses it and the joint is below. For that joint its square is the
+//! unknown, in which the equations are smooth and the root is simple.
+
+use super::query::Query;
+use crate::arch::{Configuration, Ring, Unknown, contact, thrust};
+use crate::certify::Undecided;
+use crate::certify::root::{Form, root_near};
+use crate::certify::undecided::decide;
+use crate::number::{Angle, Ball, Enclosure, Real, Stumpff};
+use crate::problem::{Equation, Mode, tally};
+use crate::solve::start;
+use rug::Float;
+
+/// The state at the thrust and the sliding joint of `slid`, and its mode: parts 2 and 3 of the proof are left.
+pub(super) fn inner_state(
+    query: &Query,
+    slid: Configuration<Ball>,
+) -> Result<(Mode, Configuration<Ball>), Undecided> {
+    let (h, joint) = (slid.thrust.mid().clone(), slid.sliding_joint.rad.mid().clone());
+    let start = start::rotational_sliding(query.weight, query.alpha().to_f64(), h.to_f64());
+    let thickness = Float::with_val(query.bits, start.thickness);
+    let at = match start.joint.filter(|_| !start.is_near_crown) {
+        Some(beta) => {
+            let start = [Float::with_val(query.bits, beta), thickness, h, joint];
+            query.root(Mode::RotationalSliding.system(query.weight), &start)?
+        }
+        None => {
+            let system = Mode::OverturningSliding.system(query.weight);
+            let at = query.root(system, &[thickness, h, joint])?;
+            let slope = contact::crown_slope(query.weight, &at);
+            let between = [Mode::OverturningSliding, Mode::RotationalSlidingRotational];
+            if decide(&slope, "whether the intrados is touched at the crown", &between)? {
+                return Ok((Mode::OverturningSliding, at));
+            }
+            below_crown(query, slid, at.thickness.mid())?
+        }
+    };
+    let above = at.rotation_joint.rad.clone() - &at.sliding_joint.rad;
+    let between = [Mode::RotationalSliding, Mode::RotationalSlidingRotational];
+    let above = decide(&above, "which of the two inner joints is higher", &between)?;
+    Ok((between[usize::from(!above)], at))
+}
+
+/// The root of (3) and (5) next to the crown, from the thickness there.
+fn below_crown(
+    query: &Query,
+    slid: Configuration<Ball>,
+    thickness: &Float,
+) -> Result<Configuration<Ball>, Undecided> {
+    let touching = Touching { query, slid: &slid };
+    // From as good as zero one step of Newton's method leads next to the root.
+    let square = Float::with_val(query.bits, 1) >> query.bits;
+    let root = root_near(&touching, query.bits, vec![square, thickness.clone()])?;
+    let at = slid.with(Unknown::RotationJoint, root[0].sqrt());
+    Ok(at.with(Unknown::Thickness, root[1].clone()))
+}
+
+/// (3) and (5) for the square of the joint and the thickness, at a given thrust.
+struct Touching<'a> {
+    query: &'a Query,
+    slid: &'a Configuration<Ball>,
+}
+
+/// A joint by its square, as (3) sees it: `rad sin` is `beta sin(beta)`; and `beta cot(beta)`.
+fn by_square<T: Stumpff>(u: &T) -> (Angle<T>, T) {
+    let c = u.stumpff(2);
+    let joint = Angle { rad: u.int(1), sin: u.clone() * &c[1], cos: c[0].clone() };
+    (joint, c[0].clone() / &c[1])
+}
+
+impl Form for Touching<'_> {
+    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
+        [Equation::UpperThrust, Equation::Tangency].into_iter().for_each(tally::equation);
+        let given = self.slid.map_ref(number);
+        let ring = Ring::new(self.query.weight, &x[1]);
+        let (joint, times_cotangent) = by_square(&x[0]);
+        let upper = thrust::upper(&given.half_opening, &joint, &ring);
+        let tangency = thrust::tangency(&times_cotangent, &ring);
+        [upper, tangency].map(|thrust| thrust.residual(&given.thrust)).into()
+    }
+
+    fn is_regular(&self, x: &[Ball]) -> bool {
+        let ring = Ring::new(self.query.weight, &x[1]);
+        let (joint, times_cotangent) = by_square(&x[0]);
+        let arm = thrust::upper(&self.slid.half_opening, &joint, &ring).denominator;
+        times_cotangent.is_bounded() && [arm, ring.intrados()].iter().all(Enclosure::excludes_zero)
+    }
+}
