@@ -3,6 +3,7 @@
 mod claims;
 mod constants;
 mod files;
+mod language;
 mod states;
 #[cfg(feature = "study")]
 mod study;
