@@ -23,6 +23,11 @@ impl SelfWeight {
         }
     }
 
+    /// The model of a name, whatever its case.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|weight| weight.name().eq_ignore_ascii_case(name))
+    }
+
     /// `delta_M`: 0 or 1.
     pub fn flag(self) -> i32 {
         match self {

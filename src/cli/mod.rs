@@ -11,11 +11,13 @@ mod completions;
 mod failure;
 mod man;
 #[cfg(feature = "mpfr")]
-mod threads;
+mod pool;
+mod version;
 
 use crate::check::visible;
-use clap::{CommandFactory, Parser};
+use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser};
 use failure::Failure;
+use std::io;
 use std::process::ExitCode;
 
 #[cfg(not(feature = "mpfr"))]
@@ -26,23 +28,50 @@ use commands::Command;
 /// Certified constants of the finite-friction Couplet–Heyman problem: how thin a circular masonry
 /// arch can be and still stand, and how it falls.
 #[derive(Parser)]
-#[command(name = "couplet", version, after_help = EXIT_CODES)]
+#[command(name = "couplet", version, long_version = version::LONG.as_str(), after_help = EXIT_CODES)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
+
+    /// When to colour the help: auto, always or never.
+    #[arg(
+        long,
+        global = true,
+        default_value = "auto",
+        value_name = "WHEN",
+        hide_possible_values = true
+    )]
+    color: ColorChoice,
+
+    /// Threads to compute with; one for each core if not given.
+    #[cfg(feature = "mpfr")]
+    #[arg(long, global = true, help_heading = "Options of every command", value_name = "N", value_parser = threads)]
+    threads: Option<usize>,
 }
 
 const EXIT_CODES: &str = "\
 Exit codes: 0 everything asked was proved; 1 something was refuted, refused or undecided;
-2 bad usage or input; 3 a resource or I/O failure.";
+2 bad usage or input; 3 a resource or I/O failure; 130 interrupted.";
+
+/// The most threads that are started.
+#[cfg(feature = "mpfr")]
+const MAX_THREADS: usize = 1024;
+
+#[cfg(feature = "mpfr")]
+fn threads(text: &str) -> Result<usize, String> {
+    let number = text.parse().ok().filter(|number| (1..=MAX_THREADS).contains(number));
+    number.ok_or_else(|| format!("threads are a whole number from 1 to {MAX_THREADS}"))
+}
 
 /// Parses the arguments, runs the command, and says how it went.
 pub fn run() -> ExitCode {
-    let cli = match Cli::try_parse() {
+    let program = Cli::command().color(color());
+    let parsed = program.try_get_matches().and_then(|found| Cli::from_arg_matches(&found));
+    let cli = match parsed {
         Ok(cli) => cli,
         Err(error) => return usage(&error),
     };
-    match cli.command.run(Cli::command) {
+    match cli.run() {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             // It may quote what others wrote.
@@ -57,12 +86,44 @@ pub fn run() -> ExitCode {
     }
 }
 
+impl Cli {
+    fn run(&self) -> Result<(), Failure> {
+        #[cfg(feature = "mpfr")]
+        if self.threads.is_some() || self.command.computes() {
+            pool::start(self.threads)?;
+        }
+        self.command.run(Self::command)
+    }
+}
+
+/// When to colour, which has to be known before the arguments are read: help is a part of reading them.
+fn color() -> ColorChoice {
+    let mut arguments = std::env::args_os().skip(1);
+    while let Some(argument) = arguments.next() {
+        let value = match argument.to_str() {
+            Some("--") => break,
+            Some("--color") => arguments.next(),
+            Some(text) => text.strip_prefix("--color=").map(Into::into),
+            None => None,
+        };
+        if let Some(choice) = value.and_then(|value| value.to_str()?.parse().ok()) {
+            return choice;
+        }
+    }
+    ColorChoice::Auto
+}
+
 /// Help goes to standard output; an error becomes one line.
 fn usage(error: &clap::Error) -> ExitCode {
     if !error.use_stderr() {
-        // Nothing is left to do if even this cannot be written.
-        let _ = error.print();
-        return ExitCode::SUCCESS;
+        return match error.print() {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+            Err(error) => {
+                eprintln!("couplet: {}", Failure::writing("to standard output", &error));
+                ExitCode::from(3)
+            }
+        };
     }
     if error.kind() == clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
         let _ = error.print();

@@ -29,14 +29,26 @@ const MAX_BITS: u64 = 3_330;
 pub enum ParseExactError {
     /// None of the forms that are read.
     #[error(
-        "'{0}' is not a number: give a decimal (0.1), a fraction (1/3) or a multiple of pi (2pi/3)"
+        "'{0}' is not a number: give a decimal (0.1), a fraction (1/3), a multiple of pi (2pi/3), or \
+         for an angle degrees (80deg)"
     )]
     Syntax(String),
+    /// None of the forms in which a friction is read.
+    #[error("'{0}' is not a friction: give a coefficient (0.6, 3/5, inf) or an angle (31deg)")]
+    Friction(String),
+    /// A comma instead of the point.
+    #[error("'{0}' has a comma; give the decimals behind a point (1.5)")]
+    Comma(String),
+    /// A fraction with nothing below.
+    #[error("'{0}' divides by zero")]
+    DivisionByZero(String),
     /// Too long to be meant.
     #[error("a number of {0} characters is too long: at most {MAX_LENGTH} are read")]
     Length(usize),
     /// Too large or too small to be meant.
-    #[error("'{0}' is out of range: numbers from 1e-{MAX_EXPONENT} to 1e{MAX_EXPONENT} are read")]
+    #[error(
+        "'{0}' is out of range: sizes from 1e-{MAX_EXPONENT} to below 1e{MAX_EXPONENT} are read"
+    )]
     Range(String),
     /// Degrees of a multiple of pi.
     #[error("'{0}' has two units")]
@@ -67,6 +79,11 @@ impl ExactNumber {
     pub fn degrees(&self) -> Self {
         let factor = &self.factor / BigInt::from(180);
         Self { factor, times_pi: true, text: format!("{}deg", self.text) }
+    }
+
+    /// Whether it was given in degrees.
+    pub fn is_in_degrees(&self) -> bool {
+        self.text.ends_with("deg")
     }
 
     /// Whether this is a rational number, not a multiple of pi.
@@ -145,7 +162,8 @@ impl fmt::Display for ExactNumber {
 impl FromStr for ExactNumber {
     type Err = ParseExactError;
 
-    /// Reads `0.1`, `1e-30`, `1/3`, `pi`, `pi/2`, `2pi/3`, `0.8*pi`, and degrees: `80deg`.
+    /// Reads `0.1`, `1e-30`, `1/3`, `pi`, `pi/2`, `2pi/3`, `0.8*pi`, radians by name, `1.5rad`, and degrees:
+    /// `80deg`, `80°`, `80 degrees`, all of which are shown as `80deg`.
     ///
     /// ```
     /// use couplet::number::ExactNumber;
@@ -158,19 +176,62 @@ impl FromStr for ExactNumber {
         if text.len() > MAX_LENGTH {
             return Err(ParseExactError::Length(text.len()));
         }
-        let Some(degrees) = text.strip_suffix("deg") else { return Self::without_unit(text) };
-        let degrees = Self::without_unit(degrees)?;
-        match degrees.is_rational() {
-            true => Ok(degrees.degrees()),
-            false => Err(ParseExactError::Units(text.chars().take(40).collect())),
+        let (number, unit) = unit(text);
+        let number = Self::without_unit(number, text)?;
+        match (unit, number.is_rational()) {
+            (Unit::None, _) | (Unit::Radians, true) => Ok(number),
+            (Unit::Degrees, true) => Ok(number.degrees()),
+            _ => Err(ParseExactError::Units(shown(text))),
         }
     }
 }
 
+/// The unit that is written behind a number.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Unit {
+    None,
+    Radians,
+    Degrees,
+}
+
+/// How units are written, in any case, with or without a space before them.
+const UNITS: [(&str, Unit); 6] = [
+    ("°", Unit::Degrees),
+    ("degrees", Unit::Degrees),
+    ("degree", Unit::Degrees),
+    ("deg", Unit::Degrees),
+    ("radians", Unit::Radians),
+    ("rad", Unit::Radians),
+];
+
+/// A text without its unit.
+fn unit(text: &str) -> (&str, Unit) {
+    let text = text.trim();
+    let behind = |(written, unit): &(&str, Unit)| {
+        let (number, end) = text.split_at_checked(text.len().checked_sub(written.len())?)?;
+        end.eq_ignore_ascii_case(written).then(|| (number.trim_end(), *unit))
+    };
+    UNITS.iter().find_map(behind).unwrap_or((text, Unit::None))
+}
+
+/// Whether a number is written with the unit of an angle.
+pub(crate) fn is_angle(text: &str) -> bool {
+    unit(text).1 != Unit::None
+}
+
+/// The beginning of a text, to be shown.
+fn shown(text: &str) -> String {
+    text.chars().take(40).collect()
+}
+
 impl ExactNumber {
-    fn without_unit(text: &str) -> Result<Self, ParseExactError> {
-        let shown = || text.chars().take(40).collect::<String>();
-        let syntax = || ParseExactError::Syntax(shown());
+    /// A number without its unit; `given` is the whole text.
+    fn without_unit(text: &str, given: &str) -> Result<Self, ParseExactError> {
+        let shown = || shown(given);
+        let syntax = || match text.contains(',') {
+            true => ParseExactError::Comma(shown()),
+            false => ParseExactError::Syntax(shown()),
+        };
         let (numerator, denominator) = match text.split_once('/') {
             Some((numerator, denominator)) => (numerator, Some(denominator)),
             None => (text, None),
@@ -185,7 +246,8 @@ impl ExactNumber {
                 ParseDecimalError::Exponent(_) => ParseExactError::Range(shown()),
                 ParseDecimalError::Syntax(_) => syntax(),
             })?;
-            let in_range = decimal.magnitude().unsigned_abs() <= u64::from(MAX_EXPONENT)
+            let sizes = 1 - i64::from(MAX_EXPONENT)..=i64::from(MAX_EXPONENT);
+            let in_range = sizes.contains(&decimal.magnitude())
                 && decimal.exponent().unsigned_abs() <= (MAX_EXPONENT as usize + MAX_LENGTH) as u64;
             match in_range || decimal.digits().is_empty() {
                 true => Ok(rational(&decimal)),
@@ -198,8 +260,11 @@ impl ExactNumber {
             number => decimal(number)?,
         };
         if let Some(denominator) = denominator {
-            let denominator = integer(denominator).filter(|n| n.sign() == Sign::Plus);
-            factor /= denominator.ok_or_else(syntax)?;
+            let denominator = integer(denominator).ok_or_else(syntax)?;
+            if denominator.sign() == Sign::NoSign {
+                return Err(ParseExactError::DivisionByZero(shown()));
+            }
+            factor /= denominator;
         }
         // A division can leave the range too: 1e-1000/1000….
         let (above, below) = (factor.numer().bits(), factor.denom().bits());
@@ -252,6 +317,49 @@ mod tests {
         let hundred = format!("0.{}1", "0".repeat(99));
         assert_eq!(factor(&hundred), factor("1e-100"));
         assert_eq!(factor("45deg"), quotient(1, 4));
+    }
+
+    #[test]
+    fn units_are_read_in_their_usual_spellings() {
+        for text in
+            ["80deg", "80°", "80 deg", " 80 ° ", "80degrees", "80 Degrees", "80DEG", "80 degree"]
+        {
+            let number: ExactNumber = text.parse().unwrap();
+            assert_eq!(
+                (number.to_string().as_str(), number.is_in_degrees()),
+                ("80deg", true),
+                "{text}"
+            );
+            assert_eq!(*number.factor(), quotient(4, 9));
+            assert!(is_angle(text));
+        }
+        for text in ["1.5rad", "1.5 rad", "1.5 radians", "1.5"] {
+            let number: ExactNumber = text.parse().unwrap();
+            assert_eq!(
+                (number.to_string().as_str(), number.is_in_degrees()),
+                ("1.5", false),
+                "{text}"
+            );
+        }
+        assert!(!is_angle("pi/6") && is_angle("0.5rad"));
+    }
+
+    #[test]
+    fn an_error_says_what_is_wrong() {
+        let error = |text: &str| text.parse::<ExactNumber>().unwrap_err().to_string();
+        assert_eq!(error("1,5"), "'1,5' has a comma; give the decimals behind a point (1.5)");
+        assert_eq!(error("1/0"), "'1/0' divides by zero");
+        assert_eq!(error("1/00deg"), "'1/00deg' divides by zero");
+        assert_eq!(error("2pi rad"), "'2pi rad' has two units");
+        assert!(error("x").contains("80deg"));
+        assert_eq!(
+            error("1e1000"),
+            "'1e1000' is out of range: sizes from 1e-1000 to below 1e1000 are read"
+        );
+        assert!(error("1e-1001").contains("out of range"));
+        for text in ["1e-1000", "9.99e999", "0e1000"] {
+            assert!(text.parse::<ExactNumber>().is_ok(), "{text}");
+        }
     }
 
     #[test]

@@ -68,6 +68,8 @@ pub use dyadic::{Dyadic, MAX_EXPONENT, ParseDyadicError};
 #[cfg(feature = "check")]
 pub use engine::Engine;
 #[cfg(feature = "check")]
+pub(crate) use exact::is_angle;
+#[cfg(feature = "check")]
 pub use exact::{ExactNumber, ParseExactError};
 #[cfg(feature = "mpfr")]
 pub use gmp::{

@@ -2,7 +2,7 @@
 
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::number::{
-    AstroInterval, Enclosure, Engine, ExactNumber, Field, ParseExactError, Real, Ternary,
+    AstroInterval, Enclosure, Engine, ExactNumber, Field, ParseExactError, Real, Ternary, is_angle,
 };
 use num_rational::BigRational;
 use std::fmt;
@@ -41,6 +41,9 @@ pub enum ArchError {
     /// The half opening is not between 0 and pi.
     #[error("the half opening {0} is not between 0 and pi (180deg)")]
     HalfOpening(String),
+    /// The same, and it would be if it were in degrees.
+    #[error("the half opening {0} is not between 0 and pi (180deg); did you mean {0}deg?")]
+    Degrees(String),
     /// The friction is negative.
     #[error("the friction {0} is negative")]
     Friction(String),
@@ -55,19 +58,28 @@ pub enum ArchError {
     Number(#[from] ParseExactError),
 }
 
+/// How people write that nothing slides, in small letters.
+const INFINITE: [&str; 3] = ["inf", "infinity", "∞"];
+
 impl FromStr for Friction {
     type Err = ParseExactError;
 
-    /// Reads a coefficient (`0.6`), an angle in degrees (`31deg`) or as the argument of a tangent
-    /// (`tan(0.54)`, `tan(31deg)`), or `inf`.
+    /// Reads a coefficient (`0.6`), an angle with its unit (`31deg`, `0.54rad`) or as the argument of a
+    /// tangent (`tan(0.54)`, `tan(31deg)`), or `inf`, also as `infinity` and `∞`.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let text = text.trim();
+        let is_infinite = INFINITE.contains(&text.trim_start_matches('+').to_lowercase().as_str());
         let tangent = text.strip_prefix("tan(").and_then(|rest| rest.strip_suffix(')'));
-        match (text, tangent) {
-            ("inf", _) => Ok(Self::Infinite),
-            (_, Some(angle)) => angle.parse().map(Self::Angle),
-            _ if text.ends_with("deg") => text.parse().map(Self::Angle),
-            _ => text.parse().map(Self::Coefficient),
-        }
+        let friction = match tangent {
+            Some(angle) => angle.parse().map(Self::Angle),
+            None if is_infinite => Ok(Self::Infinite),
+            None if is_angle(text) => text.parse().map(Self::Angle),
+            None => text.parse().map(Self::Coefficient),
+        };
+        friction.map_err(|error| match error {
+            ParseExactError::Syntax(shown) => ParseExactError::Friction(shown),
+            error => error,
+        })
     }
 }
 
@@ -97,7 +109,14 @@ impl Arch {
         friction: Friction,
     ) -> Result<Self, ArchError> {
         if !is_between(&half_opening, false, 1) {
-            return Err(ArchError::HalfOpening(half_opening.to_string()));
+            // Hardly anybody means four times a radian.
+            let in_degrees = half_opening.is_rational()
+                && *half_opening.factor() >= ratio(4, 1)
+                && is_between(&half_opening.degrees(), false, 1);
+            return Err(match in_degrees {
+                true => ArchError::Degrees(half_opening.to_string()),
+                false => ArchError::HalfOpening(half_opening.to_string()),
+            });
         }
         let friction = match friction {
             Friction::Coefficient(mu) if *mu.factor() < ratio(0, 1) => {
@@ -118,8 +137,8 @@ impl Arch {
     /// in radians or degrees, a [`Friction`].
     pub fn parse(weight: &str, half_opening: &str, friction: &str) -> Result<Self, ArchError> {
         let unknown = || ArchError::SelfWeight(weight.chars().take(40).collect());
-        let known = SelfWeight::ALL.into_iter().find(|model| model.name() == weight);
-        Self::new(known.ok_or_else(unknown)?, half_opening.parse()?, friction.parse()?)
+        let weight = SelfWeight::named(weight).ok_or_else(unknown)?;
+        Self::new(weight, half_opening.parse()?, friction.parse()?)
     }
 
     /// The same arch with unlimited friction.
@@ -202,6 +221,12 @@ mod tests {
             assert_eq!(friction.to_string().parse(), Ok(friction));
         }
         assert_eq!("35deg".parse::<Friction>(), "tan(35deg)".parse());
+        assert_eq!("35 °".parse::<Friction>(), "tan(35deg)".parse());
+        for text in ["Inf", "INF", "infinity", "+Infinity", "∞", " inf "] {
+            assert_eq!(text.parse::<Friction>(), Ok(Friction::Infinite), "{text}");
+        }
+        let error = "unlimited".parse::<Friction>().unwrap_err().to_string();
+        assert!(error.contains("inf") && error.contains("31deg"), "{error}");
         assert!("tan(35deg".parse::<Friction>().is_err());
     }
 
@@ -217,7 +242,13 @@ mod tests {
         assert!(Arch::parse("heyman", "3.1415926535897932384", "1").is_ok());
         assert!(matches!(refused("heyman", "1", "-1"), ArchError::Friction(_)));
         assert!(matches!(refused("heyman", "1", "tan(91deg)"), ArchError::FrictionAngle(_)));
-        assert!(matches!(refused("Heyman", "1", "1"), ArchError::SelfWeight(_)));
+        assert!(matches!(refused("heymann", "1", "1"), ArchError::SelfWeight(_)));
+        assert!(Arch::parse("Heyman", "1", "1").is_ok(), "whatever the case");
+        assert_eq!(
+            refused("heyman", "90", "1").to_string(),
+            "the half opening 90 is not between 0 and pi (180deg); did you mean 90deg?"
+        );
+        assert!(matches!(refused("heyman", "200", "1"), ArchError::HalfOpening(_)));
         assert!(matches!(refused("heyman", "x", "1"), ArchError::Number(_)));
         let right = Arch::parse("heyman", "1", "90deg").unwrap();
         assert_eq!(*right.friction(), Friction::Infinite);

@@ -87,6 +87,28 @@ impl Landmark {
         }
     }
 
+    /// A name to type: the symbols `l` and `L` are easily confused.
+    pub fn long_name(self) -> &'static str {
+        match self {
+            Self::Triple => "triple",
+            Self::Shift => "shift",
+            Self::Junction => "junction",
+            Self::Border => "border",
+            Self::RotationEnd => "rotation-end",
+            Self::OverturningEnd => "overturning-end",
+            Self::WidestJoint => "widest-joint",
+        }
+    }
+
+    /// The landmark of a symbol or of a long name, whose case does not matter.
+    pub fn named(name: &str) -> Option<Self> {
+        let is_named = |landmark: &Self| {
+            landmark.symbol() == name
+                || landmark.long_name().eq_ignore_ascii_case(&name.replace(['_', ' '], "-"))
+        };
+        Self::ALL.into_iter().find(is_named)
+    }
+
     /// The collapse modes that meet at the landmark: those whose equations follow from its own. At `T`
     /// (3) follows from (2) and (4); at the others each mode has a part of the landmark's equations.
     pub fn modes(self) -> &'static [Mode] {
@@ -200,6 +222,16 @@ mod tests {
     use super::*;
     use crate::arch::Configuration;
     use crate::number::Angle;
+
+    #[test]
+    fn a_landmark_has_two_names() {
+        for landmark in Landmark::ALL {
+            assert_eq!(Landmark::named(landmark.symbol()), Some(landmark));
+            assert_eq!(Landmark::named(landmark.long_name()), Some(landmark));
+        }
+        assert_eq!(Landmark::named("Rotation_End"), Some(Landmark::RotationEnd));
+        assert_eq!(Landmark::named("t"), None, "in symbols the case counts");
+    }
 
     #[test]
     fn every_system_is_square_and_reads_only_what_it_knows() {

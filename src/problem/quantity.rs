@@ -157,6 +157,22 @@ impl Quantity {
         self.row().name
     }
 
+    /// The quantity of a name, or of one of the paper's letters as people type them.
+    pub fn named(name: &str) -> Option<Self> {
+        let letter = match name {
+            "eta" => Some(Self::Thickness),
+            "mu" => Some(Self::Friction),
+            "phi" => Some(Self::FrictionAngle),
+            "alpha" => Some(Self::HalfOpening),
+            "h" => Some(Self::Thrust),
+            "beta_r" => Some(Self::RotationJoint),
+            "beta_s" => Some(Self::SlidingJoint),
+            _ => None,
+        };
+        let all = Self::LANDMARK.into_iter().chain(Self::STATE).chain(Self::ASSESSMENT);
+        letter.or(all.into_iter().find(|quantity| quantity.name() == name))
+    }
+
     /// The symbol of the paper and the unit.
     pub const fn symbol(self) -> &'static str {
         self.row().symbol

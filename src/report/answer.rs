@@ -213,6 +213,17 @@ impl Answer {
         self.values.iter().find(|(of, _)| *of == quantity).map(|(_, value)| value)
     }
 
+    /// The same with only some of its values; with a thrust stays the joint that limits it.
+    pub fn only(mut self, quantities: &[Quantity]) -> Self {
+        let asked: Vec<Quantity> = quantities
+            .iter()
+            .flat_map(|&quantity| [Some(quantity), quantity.joint()])
+            .flatten()
+            .collect();
+        self.values.retain(|(quantity, _)| asked.contains(quantity));
+        self
+    }
+
     /// Whether nothing could be told.
     pub fn is_undecided(&self) -> bool {
         matches!(self.status, Status::Undecided(_))

@@ -6,7 +6,7 @@ use super::claims::{self, Claims};
 use super::judged::{self, JudgeSummary, JudgedLines};
 use super::rows::Rows;
 use super::words::list;
-use super::{c, csv, fortran, json, julia, latex, matlab, python, rust, table, toml};
+use super::{c, csv, fortran, json, julia, latex, matlab, plain, python, rust, table, toml};
 use std::io;
 
 /// What can be written.
@@ -71,7 +71,7 @@ const fn language(name: &'static str, extension: &'static str, answers: Writer<A
     Format { has_certificates: true, answers: Some(answers), ..text(name, extension) }
 }
 
-static FORMATS: [Format; 14] = [
+static FORMATS: [Format; 15] = [
     Format {
         answers: Some(table::answers),
         audit: Some(audit::table),
@@ -79,6 +79,7 @@ static FORMATS: [Format; 14] = [
         ..text("table", "txt")
     },
     Format { claims: Some(claims::text), ..text("text", "txt") },
+    Format { answers: Some(plain::answers), ..text("plain", "txt") },
     Format {
         audit: Some(audit::json),
         claims: Some(claims::json),
@@ -141,9 +142,10 @@ impl Format {
         list(Self::all(content).map(|format| format.name))
     }
 
-    /// The format of a name.
+    /// The format of a name, or of what the name of a file ends with, whatever the case.
     pub fn named(content: Content, name: &str) -> Option<&'static Self> {
-        Self::all(content).find(|format| format.name == name)
+        let named = Self::all(content).find(|format| format.name.eq_ignore_ascii_case(name));
+        named.or_else(|| Self::of_extension(content, name))
     }
 
     /// The format that the end of a file's name tells.

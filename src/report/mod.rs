@@ -41,6 +41,7 @@ mod matlab;
 mod names;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod plain;
 mod python;
 mod rows;
 mod rust;

@@ -16,7 +16,7 @@ pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<(
             report.list.iter().try_for_each(|answer| constants(answer, out))
         }
         Scope::Point => report.list.iter().try_for_each(|answer| point(answer, out)),
-        Scope::Arch => report.list.iter().try_for_each(|answer| arch(answer, out)),
+        Scope::Arch => report.list.iter().try_for_each(|answer| arch(report, answer, out)),
         Scope::Arches => arches(report, out),
     }
 }
@@ -68,7 +68,7 @@ fn point(answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
     Ok(())
 }
 
-fn arch(answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
+fn arch(report: &Answers, answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
     let Subject::Arch { weight, half_opening, friction, thickness, .. } = &answer.subject else {
         return Ok(());
     };
@@ -90,9 +90,9 @@ fn arch(answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
                 None => Ok(()),
             }
         }
-        _ if thickness.is_some() => assessment(answer, out),
+        _ if thickness.is_some() => assessment(&report.quantities, answer, out),
         Status::Falls(fall) => falls(*fall, out),
-        _ => state(answer, out),
+        _ => state(&report.quantities, answer, out),
     }
 }
 
@@ -104,13 +104,13 @@ fn falls(fall: Fall, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(out, "does not stand at any thickness ({}): {why}", super::words::reason(fall))
 }
 
-fn state(answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
+fn state(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
     let modes: Vec<&str> = answer.modes.iter().map(|mode| mode.label()).collect();
     let mode = modes.join(" ");
     writeln!(out, "stands from the thickness below on; collapses there as {mode}")?;
     writeln!(out, "proved: one solution, admissible on the whole half arch, none thinner\n")?;
     let (frictions, others): (Vec<Quantity>, Vec<Quantity>) =
-        Quantity::STATE.into_iter().partition(|quantity| quantity.is_friction());
+        asked.iter().partition(|quantity| quantity.is_friction());
     for quantity in others {
         let value = answer.value(quantity).map_or("none inside".into(), |value| value.text());
         let (name, symbol) = (quantity.name(), quantity.symbol());
@@ -130,10 +130,10 @@ fn state(answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
     Ok(())
 }
 
-fn assessment(answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
+fn assessment(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
     let stands = if answer.stands == Some(true) { "stands" } else { "collapses" };
     writeln!(out, "{stands}, proved\n")?;
-    for quantity in Quantity::ASSESSMENT {
+    for &quantity in asked {
         let value = answer.value(quantity);
         let finite = value.filter(|value| value.decimal.is_some()).map(|value| value.text());
         let none = |words: &str| finite.clone().unwrap_or_else(|| words.to_owned());
@@ -145,7 +145,7 @@ fn assessment(answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
             Quantity::GeometricSafety => ("geometric safety factor", none("none")),
             Quantity::RequiredFriction => ("required friction", none("none is enough")),
             Quantity::FrictionSafety => ("friction safety factor", none("unbounded or none")),
-            Quantity::LeastThrust => ("least   thrust", none("unbounded")),
+            Quantity::LeastThrust => ("least thrust", none("unbounded")),
             _ => ("largest thrust", none("unbounded")),
         };
         if quantity.joint().is_some() && value.is_none() {

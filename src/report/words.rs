@@ -32,6 +32,33 @@ pub(crate) fn shortened(text: &str) -> String {
     short
 }
 
+/// Symbols that people may type instead of our keys.
+const SYMBOLS: [(&str, &str); 5] = [
+    ("alpha", "half_opening"),
+    ("mu", "friction"),
+    ("phi", "friction_angle"),
+    ("eta", "thickness"),
+    ("h", "thrust"),
+];
+/// Minimum similarity of a suggestion.
+const ALIKE: f64 = 0.75;
+
+/// ` (did you mean "…"?)`, if one of the names is close to what was written.
+pub(crate) fn did_you_mean(written: &str, names: &[&str]) -> String {
+    let symbol = SYMBOLS.iter().find(|(symbol, _)| *symbol == written).map(|(_, name)| *name);
+    let alike = |name: &str| strsim::jaro_winkler(&written.to_lowercase(), &name.to_lowercase());
+    let nearest = names
+        .iter()
+        .map(|name| (alike(name), *name))
+        .filter(|(alike, _)| *alike >= ALIKE)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, name)| name);
+    symbol
+        .filter(|name| names.contains(name))
+        .or(nearest)
+        .map_or(String::new(), |name| format!(" (did you mean \"{name}\"?)"))
+}
+
 /// Whose self-weight model it is.
 pub(crate) fn author(weight: SelfWeight) -> &'static str {
     match weight {
@@ -99,5 +126,14 @@ mod tests {
         assert_eq!(shortened("a\nb"), "a b");
         assert_eq!(shortened(&"1".repeat(SHOWN)), "1".repeat(SHOWN));
         assert_eq!(shortened(&"β".repeat(SHOWN + 1)), "β".repeat(SHOWN - 1) + "…");
+    }
+
+    #[test]
+    fn the_nearest_name_is_offered_if_one_is_near() {
+        let names = ["half_opening", "friction", "friction_angle"];
+        assert_eq!(did_you_mean("half_openning", &names), " (did you mean \"half_opening\"?)");
+        assert_eq!(did_you_mean("mu", &names), " (did you mean \"friction\"?)");
+        assert_eq!(did_you_mean("colour", &names), "");
+        assert_eq!(did_you_mean("eta", &names), "", "not a key here");
     }
 }

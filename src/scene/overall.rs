@@ -37,6 +37,9 @@ impl Overall {
 fn weights(reader: &mut Reader, table: &DeTable) -> Option<Option<Vec<SelfWeight>>> {
     let names = SelfWeight::ALL.map(|weight| (weight.name(), weight));
     match table.get("weight") {
+        Some(value) if value.get_ref().as_str() == Some("both") => {
+            Some(Some(SelfWeight::ALL.to_vec()))
+        }
         Some(value) => reader.names("weight", value, &names).map(Some),
         None => Some(None),
     }

@@ -1,6 +1,6 @@
 //! From TOML to a valid scene, or to everything that is wrong with it.
 
-use super::fault::{Fault, Source, did_you_mean};
+use super::fault::{Fault, Source};
 use super::overall::Overall;
 use super::read_arches::arches;
 use super::read_output::{Files, output};
@@ -10,7 +10,7 @@ use crate::arch::SelfWeight;
 use crate::certify::{MAX_DIGITS, quantities};
 use crate::claims::{Claim, claims};
 use crate::problem::{Landmark, Quantity};
-use crate::report::words::list;
+use crate::report::words::{did_you_mean, list};
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
@@ -58,7 +58,7 @@ fn scene(reader: &mut Reader, root: &DeTable) -> Vec<Item> {
         return Vec::new();
     }
     let keys: Vec<&str> = SCENE_KEYS.into_iter().chain(Kind::ALL.map(Kind::name)).collect();
-    reader.unknown_keys(root, "a scene", &keys);
+    reader.unknown_keys(root, "a scene", &keys, &[]);
     let overall = Overall::new(reader, root);
     let mut tables = tables(reader, root);
     if tables.len() > MAX_ITEMS {
@@ -123,7 +123,8 @@ fn item(
     totals: &mut Totals,
 ) -> Option<Item> {
     let before = reader.faults.len();
-    reader.unknown_keys(table, &format!("[[{}]]", kind.name()), kind.keys());
+    let name = format!("[[{}]]", kind.name());
+    reader.unknown_keys(table, &name, kind.keys(), kind.letters());
     let what = match kind {
         Kind::Constants => constants(reader, span, table, overall),
         Kind::Arches => arches(reader, span, table, overall, &mut totals.arches),
@@ -175,8 +176,9 @@ fn points(
     overall: &Overall,
 ) -> Option<Vec<(Landmark, SelfWeight)>> {
     let symbols = Landmark::ALL.map(|landmark| (landmark.symbol(), landmark));
+    let long_names = Landmark::ALL.map(|landmark| (landmark.long_name(), landmark));
     let asked = match table.get("landmarks") {
-        Some(value) => reader.names("landmarks", value, &symbols),
+        Some(value) => reader.names("landmarks", value, &[symbols, long_names].concat()),
         None => Some(Landmark::ALL.to_vec()),
     };
     let weights = overall.weights(reader, table, &SelfWeight::ALL);

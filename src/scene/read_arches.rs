@@ -3,7 +3,7 @@
 use super::overall::Overall;
 use super::read_numbers::{Meaning, Numbers, SceneNumber, numbers};
 use super::schema::{MAX_ARCH_DIGITS, MAX_ARCHES, SceneArch, What};
-use super::value::Reader;
+use super::value::{Reader, Value};
 use crate::arch::SelfWeight;
 use crate::number::{ExactNumber, ParseExactError};
 use crate::problem::Quantity;
@@ -19,9 +19,10 @@ pub(super) fn arches(
     overall: &Overall,
     used: &mut usize,
 ) -> Option<What> {
-    let with_thickness = table.contains_key("thickness");
+    let thickness = Meaning::Thickness.given(reader, table);
+    let with_thickness = thickness.is_some();
     let weights = overall.weights(reader, table, &[SelfWeight::Milankovitch]);
-    let half_openings = match table.get("half_opening") {
+    let half_openings = match Meaning::HalfOpening.given(reader, table) {
         Some(value) => numbers(reader, Meaning::HalfOpening, value),
         None => {
             let allowed = Meaning::HalfOpening.allowed();
@@ -30,13 +31,14 @@ pub(super) fn arches(
         }
     };
     let frictions = frictions(reader, span, table);
-    let thicknesses = match table.get("thickness") {
+    let thicknesses = match thickness {
         Some(value) => numbers(reader, Meaning::Thickness, value).map(Some),
         None => Some(None),
     };
     let all: &[Quantity] = if with_thickness { &Quantity::ASSESSMENT } else { &Quantity::STATE };
     let known: Vec<_> = all.iter().map(|quantity| (quantity.name(), *quantity)).collect();
     let asked = match table.get("quantities") {
+        Some(value) if !with_thickness && needs_thickness(reader, value) => None,
         Some(value) => reader.names("quantities", value, &known),
         None => Some(all.to_vec()),
     };
@@ -49,8 +51,10 @@ pub(super) fn arches(
         .fold(1usize, usize::saturating_mul);
     if count > MAX_ARCHES - *used {
         let before = if *used > 0 { format!(" after {used} before") } else { String::new() };
-        let message =
-            format!("{count} arches{before} are too many; a scene has at most {MAX_ARCHES}");
+        let message = format!(
+            "{count} arches{before} are too many; a scene has at most {MAX_ARCHES}, `couplet states` \
+                 reads any number"
+        );
         reader.fault(span.clone(), message);
         return None;
     }
@@ -69,13 +73,27 @@ pub(super) fn arches(
     Some(What::Arches { arches, quantities, with_thickness, digits })
 }
 
+/// Whether quantities of arches of given thickness are asked for: then that is what is missing.
+fn needs_thickness(reader: &mut Reader, value: &Value) -> bool {
+    let before = reader.faults.len();
+    for element in reader.elements("quantities", value, "names of quantities") {
+        let name = element.get_ref().as_str().unwrap_or_default();
+        if Quantity::ASSESSMENT.iter().any(|quantity| quantity.name() == name) {
+            let allowed = Meaning::Thickness.allowed();
+            let message = format!("quantities \"{name}\" needs a thickness; give {allowed}");
+            reader.fault(element.span(), message);
+        }
+    }
+    reader.faults.len() > before
+}
+
 fn frictions(
     reader: &mut Reader,
     span: &Range<usize>,
     table: &DeTable,
 ) -> Option<(Meaning, Numbers)> {
     let given = [Meaning::Friction, Meaning::FrictionAngle].map(|meaning| {
-        let value = table.get(meaning.key())?;
+        let value = meaning.given(reader, table)?;
         Some((meaning, value.span(), numbers(reader, meaning, value)))
     });
     match given {

@@ -69,6 +69,30 @@ impl Meaning {
         }
     }
 
+    /// The paper's letter, which is a key too.
+    fn letter(self) -> &'static str {
+        match self {
+            Self::HalfOpening => "alpha",
+            Self::Friction => "mu",
+            Self::FrictionAngle => "phi",
+            Self::Thickness => "eta",
+        }
+    }
+
+    /// What a table says of it, under its name or its letter.
+    pub(super) fn given<'v, 's>(
+        self,
+        reader: &mut Reader,
+        table: &'v DeTable<'s>,
+    ) -> Option<&'v Value<'s>> {
+        let (key, letter) = (self.key(), self.letter());
+        let (named, by_letter) = (table.get(key), table.get(letter));
+        if let (Some(_), Some(value)) = (named, by_letter) {
+            reader.fault(value.span(), format!("both {key} and {letter}; give one of them"));
+        }
+        named.or(by_letter)
+    }
+
     /// What may be given.
     pub(super) fn allowed(self) -> &'static str {
         match self {
@@ -105,7 +129,7 @@ impl Meaning {
             }
         };
         made.err().map(|error| match error {
-            ArchError::HalfOpening(_) => "between 0 and pi (180deg)",
+            ArchError::HalfOpening(_) | ArchError::Degrees(_) => "between 0 and pi (180deg)",
             ArchError::Friction(_) => "0 or more",
             ArchError::FrictionAngle(_) => "between 0 and pi/2 (90deg)",
             _ => self.allowed(),
@@ -168,7 +192,7 @@ fn number(reader: &mut Reader, meaning: Meaning, value: &Value) -> Option<SceneN
             }
             Some(SceneNumber { number, text: text.to_owned() })
         }
-        Err(ParseExactError::Syntax(_)) => {
+        Err(ParseExactError::Syntax(_) | ParseExactError::Friction(_)) => {
             reader.is_not(meaning.key(), value, meaning.allowed());
             None
         }
@@ -182,7 +206,7 @@ fn number(reader: &mut Reader, meaning: Meaning, value: &Value) -> Option<SceneN
 /// `{ from, to, steps }`: `steps` numbers at equal distances, both ends included.
 fn range(reader: &mut Reader, meaning: Meaning, value: &Value, table: &DeTable) -> Option<Numbers> {
     let before = reader.faults.len();
-    reader.unknown_keys(table, "a range", &["from", "to", "steps"]);
+    reader.unknown_keys(table, "a range", &["from", "to", "steps"], &[]);
     for key in ["from", "to", "steps"].iter().filter(|key| !table.contains_key(**key)) {
         let message =
             format!("{} has no {key}; a range is {{ from = …, to = …, steps = … }}", meaning.key());
@@ -220,7 +244,7 @@ fn range(reader: &mut Reader, meaning: Meaning, value: &Value, table: &DeTable) 
 fn scaled(given: &SceneNumber) -> Option<(Rational, Unit)> {
     let number = given.number.as_ref()?;
     let factor = number.to_rational();
-    Some(match (number.is_rational(), given.text.ends_with("deg")) {
+    Some(match (number.is_rational(), number.is_in_degrees()) {
         (_, true) => (factor * 180, Unit::Degrees),
         (true, false) => (factor, Unit::One),
         (false, false) => (factor, Unit::Pi),

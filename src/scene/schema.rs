@@ -128,6 +128,14 @@ impl Kind {
         }
     }
 
+    /// The paper's letters, which are keys too.
+    pub(super) fn letters(self) -> &'static [&'static str] {
+        match self {
+            Self::Arches => &["alpha", "mu", "phi", "eta"],
+            _ => &[],
+        }
+    }
+
     /// The keys that an item of this kind may have.
     pub fn keys(self) -> &'static [&'static str] {
         match self {

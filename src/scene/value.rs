@@ -1,7 +1,7 @@
 //! TOML values of the types that a scene has; any other type is a fault.
 
-use super::fault::{Fault, Source, did_you_mean};
-use crate::report::words::{list, shortened};
+use super::fault::{Fault, Source};
+use crate::report::words::{did_you_mean, list, shortened};
 use std::ops::{Range, RangeInclusive};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -37,9 +37,16 @@ impl<'s> Reader<'s> {
         self.fault(value.span(), format!("{key} {shown} is not {allowed}"));
     }
 
-    /// Every key that is not one of those a table may have.
-    pub(super) fn unknown_keys(&mut self, table: &DeTable, of: &str, known: &[&str]) {
-        for key in table.keys().filter(|key| !known.contains(&key.get_ref().as_ref())) {
+    /// Every key that is not one of those a table may have, nor a letter for one.
+    pub(super) fn unknown_keys(
+        &mut self,
+        table: &DeTable,
+        of: &str,
+        known: &[&str],
+        letters: &[&str],
+    ) {
+        let is_known = |key: &str| known.contains(&key) || letters.contains(&key);
+        for key in table.keys().filter(|key| !is_known(key.get_ref())) {
             let hint = did_you_mean(key.get_ref(), known);
             let (name, known) = (shortened(key.get_ref()), list(known.iter().copied()));
             let message = format!("unknown key \"{name}\" in {of}{hint}; the keys are {known}");

@@ -154,7 +154,7 @@ outputs! {
         "couplet constants --digits",
         "couplet constants --digits ten",
         "couplet constants --format yaml",
-        "couplet constants --weight both",
+        "couplet constants --weight heymann",
         "couplet prove eq-99",
         "couplet prove --format csv",
         "couplet study accuracy --only T",

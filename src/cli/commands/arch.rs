@@ -1,20 +1,36 @@
 //! The arguments that describe an arch.
 
-use super::parse;
+use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
 use crate::cli::failure::Failure;
 use crate::number::{ExactNumber, ParseExactError};
 use crate::problem::{Arch, is_thickness};
+use crate::report::words::list;
 use clap::Args;
 
 /// An arch, all of it exact: `0.1` is one tenth, `80deg` and `pi/2` are what they say.
 #[derive(Args)]
 pub(super) struct ArchArguments {
-    /// Half opening in radians (2.45, 1/3, pi/2) or degrees (80deg), between 0 and pi.
-    #[arg(long, visible_alias = "alpha", value_name = "ANGLE", allow_hyphen_values = true)]
-    pub half_opening: Option<String>,
+    #[command(flatten)]
+    shape: ShapeArguments,
 
-    /// Friction coefficient mu (0.6, 3/5, inf), or an angle in degrees (31deg).
+    /// Self-weight model: heyman, milankovitch or both.
+    #[arg(long, default_value = "milankovitch", value_parser = parse::weights)]
+    pub weight: Weights,
+
+    /// Significant digits, 1 to 10000; values are correctly rounded to them.
+    #[arg(long, default_value = "30", value_parser = parse::state_digits, allow_negative_numbers = true)]
+    pub digits: usize,
+}
+
+/// An arch without its self-weight.
+#[derive(Args)]
+pub(super) struct ShapeArguments {
+    /// Half opening in radians (2.45, 1/3, pi/2) or degrees (80deg, 80°), between 0 and pi.
+    #[arg(long, visible_alias = "alpha", value_name = "ANGLE", allow_hyphen_values = true)]
+    half_opening: Option<String>,
+
+    /// Friction coefficient mu (0.6, 3/5, inf), or an angle with its unit (31deg).
     #[arg(
         long,
         visible_alias = "mu",
@@ -22,44 +38,54 @@ pub(super) struct ArchArguments {
         allow_hyphen_values = true,
         conflicts_with = "friction_angle"
     )]
-    pub friction: Option<String>,
+    friction: Option<String>,
 
     /// Friction angle phi instead of the coefficient (21deg, pi/6).
-    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
-    pub friction_angle: Option<String>,
-
-    /// Self-weight model: heyman or milankovitch.
-    #[arg(long, default_value = "milankovitch", value_parser = parse::weight)]
-    pub weight: SelfWeight,
-
-    /// Significant digits, 1 to 10000; values are correctly rounded to them.
-    #[arg(long, default_value = "30", value_parser = parse::state_digits, allow_negative_numbers = true)]
-    pub digits: usize,
+    #[arg(long, visible_alias = "phi", value_name = "ANGLE", allow_hyphen_values = true)]
+    friction_angle: Option<String>,
 }
 
 impl ArchArguments {
-    /// The arch described.
-    pub(super) fn arch(&self) -> Result<Arch, Failure> {
+    /// The arch described, with each self-weight asked for.
+    pub(super) fn arches(&self, needs: &Needs) -> Result<Vec<Arch>, Failure> {
+        self.weight.all().into_iter().map(|weight| self.shape.arch(weight, needs)).collect()
+    }
+}
+
+/// What a command needs beside the arch, and a command line that has everything.
+pub(super) struct Needs {
+    /// Options that are missing.
+    pub missing: Vec<&'static str>,
+    /// Shown if anything is missing.
+    pub example: &'static str,
+}
+
+impl ShapeArguments {
+    /// Whether anything of it is given.
+    pub(super) fn is_given(&self) -> bool {
+        self.half_opening.is_some() || self.friction.is_some() || self.friction_angle.is_some()
+    }
+
+    /// The arch described. All that is missing is told at once.
+    pub(super) fn arch(&self, weight: SelfWeight, needs: &Needs) -> Result<Arch, Failure> {
         let friction = match (&self.friction, &self.friction_angle) {
             (Some(mu), _) => Some(mu.clone()),
             (None, phi) => phi.as_ref().map(|phi| format!("tan({phi})")),
         };
-        let friction = (friction.as_deref(), "--friction or --friction-angle");
-        arch(self.weight, self.half_opening.as_deref(), friction)
+        let (Some(alpha), Some(mu), true) =
+            (&self.half_opening, &friction, needs.missing.is_empty())
+        else {
+            let alpha = self.half_opening.is_none().then_some("--half-opening");
+            let mu = friction.is_none().then_some("--friction (or --friction-angle)");
+            let missing: Vec<&str> =
+                alpha.into_iter().chain(mu).chain(needs.missing.iter().copied()).collect();
+            let verb = if missing.len() == 1 { "is" } else { "are" };
+            let message =
+                format!("{} {verb} missing; for example: {}", list(missing), needs.example);
+            return Err(Failure::Input(message));
+        };
+        Arch::parse(weight.name(), alpha, mu).map_err(|error| Failure::Input(error.to_string()))
     }
-}
-
-/// An arch from the options that describe it; the second text names those of the friction.
-pub(super) fn arch(
-    weight: SelfWeight,
-    half_opening: Option<&str>,
-    (friction, options): (Option<&str>, &str),
-) -> Result<Arch, Failure> {
-    let missing = |what: &str| Failure::Input(format!("{what} is missing"));
-    let half_opening = half_opening.ok_or_else(|| missing("--half-opening"))?;
-    let friction = friction.ok_or_else(|| missing(options))?;
-    Arch::parse(weight.name(), half_opening, friction)
-        .map_err(|error| Failure::Input(error.to_string()))
 }
 
 /// A thickness-to-radius ratio between 0 and the physical limit 2.

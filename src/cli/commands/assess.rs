@@ -1,32 +1,45 @@
 //! `couplet assess`.
 
-use super::arch::{ArchArguments, thickness};
+use super::arch::{ArchArguments, Needs, thickness};
 use super::output::AnswerOutput;
 use super::state::print;
 use crate::certify::state::Certify;
 use crate::cli::failure::Failure;
+use crate::problem::{Arch, Quantity};
 use crate::report::Answer;
 use clap::Args;
 
 /// Print whether an arch of a given thickness stands, its safety factors, and the thrusts it can bear.
 #[derive(Args)]
+#[command(
+    override_usage = "couplet assess --half-opening <ANGLE> --friction <MU> --thickness <ETA> [OPTIONS]"
+)]
 pub(crate) struct Arguments {
     #[command(flatten)]
     arch: ArchArguments,
 
     /// Thickness-to-radius ratio, between 0 and 2 (0.12, 3/25).
     #[arg(long, visible_alias = "eta", value_name = "ETA", allow_hyphen_values = true)]
-    thickness: String,
+    thickness: Option<String>,
 
     #[command(flatten)]
     output: AnswerOutput,
 }
 
+/// A command line that has everything.
+const EXAMPLE: &str = "couplet assess --half-opening 80deg --friction 0.6 --thickness 0.12";
+
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let arch = arguments.arch.arch()?;
-    let eta = thickness(&arguments.thickness).map_err(Failure::Input)?;
+    let missing = arguments.thickness.is_none().then_some("--thickness").into_iter().collect();
+    let arches = arguments.arch.arches(&Needs { missing, example: EXAMPLE })?;
+    let eta = thickness(arguments.thickness.as_deref().unwrap_or_default());
+    let eta = eta.map_err(Failure::Input)?;
+    let quantities = arguments.output.quantities(&Quantity::ASSESSMENT)?;
     let digits = arguments.arch.digits;
-    print(&arguments.output, digits, || {
-        Answer::assessment(1, (&arch, &eta), &arch.certify_thickness(&eta, digits))
+    print(&arguments.output, digits, quantities, || {
+        let answer = |(line, arch): (u64, Arch)| {
+            Answer::assessment(line, (&arch, &eta), &arch.certify_thickness(&eta, digits))
+        };
+        (1..).zip(arches).map(answer).collect()
     })
 }

@@ -1,9 +1,11 @@
 //! `couplet audit`.
 
 use super::output::OutputFile;
-use super::parse;
+use super::parse::{self, Weights};
+use crate::certify::{CertifiedLandmark, Undecided};
 use crate::cli::failure::Failure;
-use crate::judge::{audit, compare_weights};
+use crate::judge::{Enclosed, audit_of, compare_weights_of, enclosed};
+use crate::problem::Landmark;
 use crate::report::{Audit, Content, Format, Report};
 use clap::Args;
 
@@ -13,6 +15,14 @@ use clap::Args;
 /// printed numbers only.
 #[derive(Args)]
 pub(crate) struct Arguments {
+    /// Only the numbers of these landmarks (T, triple), with commas between several.
+    #[arg(long, value_name = "LANDMARK", value_delimiter = ',', value_parser = parse::landmark)]
+    only: Vec<Landmark>,
+
+    /// Only those of a self-weight model: heyman, milankovitch or both.
+    #[arg(long, default_value = "both", value_parser = parse::weights)]
+    weight: Weights,
+
     #[arg(long, default_value = "table", value_parser = parse::format(Content::Audit), help = parse::format_help(Content::Audit))]
     format: &'static Format,
 
@@ -22,11 +32,19 @@ pub(crate) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let output = arguments.file.open()?;
-    let undecided =
-        |undecided: crate::certify::Undecided| Failure::Undecided(undecided.to_string());
+    let undecided = |undecided: Undecided| Failure::Undecided(undecided.to_string());
+    let is_asked =
+        |landmark: &Landmark| arguments.only.is_empty() || arguments.only.contains(landmark);
+    let landmarks = Landmark::ALL.into_iter().filter(is_asked);
+    let weights = arguments.weight.all();
+    let points: Result<Vec<Enclosed>, Undecided> = landmarks
+        .flat_map(|landmark| weights.iter().map(move |&weight| (landmark, weight)))
+        .map(|(landmark, weight)| enclosed(CertifiedLandmark::new(landmark, weight)?))
+        .collect();
+    let points = points.map_err(undecided)?;
     let report = Report::Audit(Audit {
-        printed: audit().map_err(undecided)?,
-        comparisons: compare_weights().map_err(undecided)?,
+        printed: audit_of(&points).map_err(undecided)?,
+        comparisons: compare_weights_of(&points).map_err(undecided)?,
     });
     output.write(|out| report.write(arguments.format, out))
 }

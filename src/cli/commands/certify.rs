@@ -1,13 +1,13 @@
 //! `couplet certify`.
 
-use super::arch::arch;
+use super::arch::{Needs, ShapeArguments};
 use super::output::{Output, is_standard};
 use super::parse;
 use crate::arch::SelfWeight;
 use crate::certify::{Undecided, certify_landmark, certify_state};
 use crate::check::Certificate;
 use crate::cli::failure::Failure;
-use crate::problem::Landmark;
+use crate::problem::{Friction, Landmark};
 use clap::Args;
 use rayon::prelude::*;
 use std::fs;
@@ -20,13 +20,8 @@ pub(crate) struct Arguments {
     #[arg(value_name = "SUBJECT", value_parser = target)]
     target: Target,
 
-    /// Half opening of the arch, for `state` (2.45, pi/2, 80deg).
-    #[arg(long, visible_alias = "alpha", value_name = "ANGLE", allow_hyphen_values = true)]
-    half_opening: Option<String>,
-
-    /// Friction coefficient mu, for `state` (0.6, 3/5, inf).
-    #[arg(long, visible_alias = "mu", value_name = "MU", allow_hyphen_values = true)]
-    friction: Option<String>,
+    #[command(flatten)]
+    shape: ShapeArguments,
 
     /// Self-weight model, heyman or milankovitch; milankovitch if not given, both for `all`.
     #[arg(long, value_parser = parse::weight)]
@@ -58,9 +53,11 @@ fn target(text: &str) -> Result<Target, String> {
     }
 }
 
+/// A command line that has everything.
+const EXAMPLE: &str = "couplet certify state --half-opening 80deg --friction 0.6";
+
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let given = arguments.half_opening.is_some() || arguments.friction.is_some();
-    if arguments.target != Target::State && given {
+    if arguments.target != Target::State && arguments.shape.is_given() {
         return Err(Failure::Input("a half opening and a friction belong to `state`".into()));
     }
     match arguments.target {
@@ -72,9 +69,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             write(output, &made.map_err(undecided)?)
         }
         Target::State => {
-            let (alpha, mu) = (arguments.half_opening.as_deref(), arguments.friction.as_deref());
             let weight = arguments.weight.unwrap_or(SelfWeight::Milankovitch);
-            let arch = arch(weight, alpha, (mu, "--friction"))?;
+            let needs = Needs { missing: Vec::new(), example: EXAMPLE };
+            let arch = arguments.shape.arch(weight, &needs)?;
+            if let Friction::Angle(_) = arch.friction() {
+                let message = "a certificate takes the friction as a coefficient (0.6, 3/5, inf)";
+                return Err(Failure::Input(message.into()));
+            }
             parse::state_digits(&arguments.digits.to_string()).map_err(Failure::Input)?;
             let output = Output::open(arguments.output.as_deref())?;
             write(output, &certify_state(&arch, arguments.digits).map_err(undecided)?)

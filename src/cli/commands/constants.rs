@@ -1,12 +1,12 @@
 //! `couplet constants`.
 
 use super::output::AnswerOutput;
-use super::parse;
+use super::parse::{self, Weights};
 use super::progress;
 use crate::arch::SelfWeight;
-use crate::certify::{CertifiedLandmark, fingerprint};
+use crate::certify::{CertifiedLandmark, fingerprint, quantities};
 use crate::cli::failure::Failure;
-use crate::problem::Landmark;
+use crate::problem::{Landmark, Quantity};
 use crate::report::words::list;
 use crate::report::{Answer, Answers, Report};
 use clap::Args;
@@ -24,16 +24,15 @@ use rayon::prelude::*;
 /// digits; `couplet certify T --weight heyman --digits 30 | sha256sum` prints it again.
 #[derive(Args)]
 pub(crate) struct Arguments {
-    /// Landmarks to print, of T, S, J, B, l, L, sb; all if none is named.
+    /// Landmarks to print, by symbol or name; all if none is named.
     ///
-    /// T triple, S shift, J junction, B border point; l end of rotation, L end of overturning; sb
-    /// widest rotational joint.
+    /// T triple, S shift, J junction, B border point; l rotation-end, L overturning-end; sb widest-joint.
     #[arg(value_name = "LANDMARK", value_parser = parse::landmark)]
     landmarks: Vec<Landmark>,
 
-    /// Self-weight model, heyman or milankovitch; both if not given.
-    #[arg(long, value_parser = parse::weight)]
-    weight: Option<SelfWeight>,
+    /// Self-weight model: heyman, milankovitch or both.
+    #[arg(long, default_value = "both", value_parser = parse::weights)]
+    weight: Weights,
 
     /// Significant digits, 1 to 1000000; values are correctly rounded to them.
     #[arg(long, default_value = "30", value_parser = parse::digits, allow_negative_numbers = true)]
@@ -44,23 +43,34 @@ pub(crate) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let (output, digits) = (arguments.output.open()?, arguments.digits);
-    let hashed = arguments.output.format.has_certificates;
-    let asked = |landmark: &Landmark| {
+    let (format, digits) = (arguments.output.format(), arguments.digits);
+    let wanted = arguments.output.quantities(&Quantity::LANDMARK)?;
+    let hashed = format.has_certificates;
+    let is_named = |landmark: &Landmark| {
         arguments.landmarks.is_empty() || arguments.landmarks.contains(landmark)
     };
-    let weights = arguments.weight.map_or(SelfWeight::ALL.to_vec(), |weight| vec![weight]);
+    let weights = arguments.weight.all();
     let points: Vec<(Landmark, SelfWeight)> = weights
-        .iter()
-        .flat_map(|&weight| {
-            Landmark::ALL.into_iter().filter(asked).map(move |landmark| (landmark, weight))
+        .into_iter()
+        .flat_map(|weight| {
+            Landmark::ALL.into_iter().filter(is_named).map(move |landmark| (landmark, weight))
         })
         .collect();
-    let ticks = points.iter().map(|&(landmark, _)| CertifiedLandmark::ticks(landmark)).sum();
+    // In the order in which they were asked for.
+    let asked = |landmark| -> Vec<(Quantity, usize)> {
+        let has = |wanted: &&Quantity| quantities(landmark).any(|quantity| quantity == **wanted);
+        wanted.iter().filter(has).map(|&quantity| (quantity, digits)).collect()
+    };
+    if points.iter().all(|&(landmark, _)| asked(landmark).is_empty()) {
+        return Err(Failure::Input("none of these landmarks has what was asked for".into()));
+    }
+    let output = arguments.output.open()?;
+    let ticks_of = |landmark| CertifiedLandmark::ticks_of(landmark, asked(landmark).len());
+    let ticks = points.iter().map(|&(landmark, _)| ticks_of(landmark)).sum();
     let bar = progress::bar(ticks, points.len() * digits);
     let answer = |point: (Landmark, SelfWeight)| {
         let proved = CertifiedLandmark::new(point.0, point.1).and_then(|landmark| {
-            let constants = landmark.constants_with(digits, &|| bar.inc(1))?;
+            let constants = landmark.constants_of_with(&asked(point.0), &|| bar.inc(1))?;
             let hash = hashed.then(|| fingerprint(&landmark, digits));
             let answer = Answer::landmark(point, Ok((&landmark, constants)));
             Ok(match hash {
@@ -75,7 +85,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let open = answers.iter().filter(|answer| answer.is_undecided());
     let undecided = list(open.filter_map(|answer| Some(answer.subject.landmark()?.symbol())));
     let report = Report::Answers(Answers::constants(digits, answers));
-    output.write(|out| report.write(arguments.output.format, out))?;
+    output.write(|out| report.write(format, out))?;
     match undecided.is_empty() {
         true => Ok(()),
         false => Err(Failure::Undecided(format!("not everything was proved: {undecided}"))),

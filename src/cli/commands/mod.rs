@@ -19,7 +19,7 @@ mod states;
 mod study;
 
 use super::failure::Failure;
-use super::{check, completions, man, threads};
+use super::{check, completions, man};
 use clap::Subcommand;
 
 #[derive(Subcommand)]
@@ -41,11 +41,13 @@ pub(super) enum Command {
 }
 
 impl Command {
+    /// Whether the command computes on many threads.
+    pub(super) fn computes(&self) -> bool {
+        !matches!(self, Self::Check(_) | Self::Completions(_) | Self::Man(_))
+    }
+
     /// Runs the command; `program` describes the whole command line.
     pub(super) fn run(&self, program: fn() -> clap::Command) -> Result<(), Failure> {
-        if !matches!(self, Self::Check(_) | Self::Completions(_) | Self::Man(_)) {
-            threads::start()?;
-        }
         match self {
             Self::Constants(arguments) => constants::run(arguments),
             Self::State(arguments) => state::run(arguments),

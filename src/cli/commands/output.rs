@@ -2,6 +2,8 @@
 
 use super::parse;
 use crate::cli::failure::Failure;
+use crate::problem::Quantity;
+use crate::report::words::list;
 use crate::report::{Content, Format};
 use clap::Args;
 use std::fs::{self, File};
@@ -14,10 +16,18 @@ use tempfile::NamedTempFile;
 #[derive(Args)]
 pub(super) struct AnswerOutput {
     #[arg(long, default_value = "table", value_parser = parse::format(Content::Answers), help = parse::format_help(Content::Answers))]
-    pub format: &'static Format,
+    format: &'static Format,
+
+    /// Only the values, one a line: short for --format plain.
+    #[arg(long, conflicts_with = "format")]
+    plain: bool,
+
+    /// Only these quantities (thickness, thrust, …; eta, mu, h too), with commas between several.
+    #[arg(long = "quantity", value_name = "NAME", value_delimiter = ',', value_parser = parse::quantity)]
+    quantities: Vec<Quantity>,
 
     #[command(flatten)]
-    pub file: OutputFile,
+    file: OutputFile,
 }
 
 /// Where a report is written.
@@ -29,10 +39,29 @@ pub(super) struct OutputFile {
 }
 
 impl AnswerOutput {
+    /// The format asked for.
+    pub(super) fn format(&self) -> &'static Format {
+        let plain = Format::named(Content::Answers, "plain").filter(|_| self.plain);
+        plain.unwrap_or(self.format)
+    }
+
+    /// The quantities asked for, of those that there are; all if none is named.
+    pub(super) fn quantities(&self, all: &[Quantity]) -> Result<Vec<Quantity>, Failure> {
+        if let Some(other) = self.quantities.iter().find(|quantity| !all.contains(quantity)) {
+            let names = list(all.iter().map(|quantity| quantity.name()));
+            let message = format!("there is no {} here; the quantities are {names}", other.name());
+            return Err(Failure::Input(message));
+        }
+        Ok(match self.quantities.is_empty() {
+            true => all.to_vec(),
+            false => self.quantities.clone(),
+        })
+    }
+
     /// Opens the destination, before any work is done.
     pub(super) fn open(&self) -> Result<Output, Failure> {
         if self.file.output.as_deref().is_none_or(is_standard) {
-            fits_standard_output(self.format)?;
+            fits_standard_output(self.format())?;
         }
         self.file.open()
     }

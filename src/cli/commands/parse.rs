@@ -1,24 +1,73 @@
-//! What reads the values of options.
+//! What reads the values of options: one language for every command.
 
 use crate::arch::SelfWeight;
 use crate::certify::MAX_DIGITS;
-use crate::problem::Landmark;
-use crate::report::words::list;
+use crate::problem::{Landmark, Quantity};
+use crate::report::words::{did_you_mean, list};
 use crate::report::{Content, Format};
 use crate::scene::MAX_ARCH_DIGITS;
 
-/// A landmark by its symbol.
+/// A name that is not known: what the names are, and the one that was perhaps meant.
+pub(super) fn unknown(kind: &str, written: &str, names: &[&str]) -> String {
+    let hint = did_you_mean(written, names);
+    format!("{kind} is one of {}{hint}", list(names.iter().copied()))
+}
+
+/// A landmark by its symbol or its long name.
 pub(super) fn landmark(text: &str) -> Result<Landmark, String> {
-    Landmark::ALL.into_iter().find(|landmark| landmark.symbol() == text).ok_or_else(|| {
-        format!("a landmark is one of {}", list(Landmark::ALL.map(Landmark::symbol)))
+    Landmark::named(text).ok_or_else(|| {
+        let symbols = list(Landmark::ALL.map(Landmark::symbol));
+        let long = Landmark::ALL.map(Landmark::long_name);
+        let names: Vec<&str> =
+            Landmark::ALL.into_iter().map(Landmark::symbol).chain(long).collect();
+        let hint = did_you_mean(text, &names);
+        format!("a landmark is one of {symbols}, or {}{hint}", list(long))
     })
 }
 
 /// A self-weight model by its name.
 pub(super) fn weight(text: &str) -> Result<SelfWeight, String> {
-    SelfWeight::ALL.into_iter().find(|weight| weight.name() == text).ok_or_else(|| {
-        format!("a weight is one of {}", list(SelfWeight::ALL.map(SelfWeight::name)))
-    })
+    let names = SelfWeight::ALL.map(SelfWeight::name);
+    SelfWeight::named(text).ok_or_else(|| unknown("a weight", text, &names))
+}
+
+/// One self-weight model, or both.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Weights {
+    One(SelfWeight),
+    Both,
+}
+
+impl Weights {
+    /// The models asked for.
+    pub(super) fn all(self) -> Vec<SelfWeight> {
+        match self {
+            Self::One(weight) => vec![weight],
+            Self::Both => SelfWeight::ALL.to_vec(),
+        }
+    }
+}
+
+/// A self-weight model, or `both`.
+pub(super) fn weights(text: &str) -> Result<Weights, String> {
+    if text.eq_ignore_ascii_case("both") {
+        return Ok(Weights::Both);
+    }
+    let [heyman, milankovitch] = SelfWeight::ALL.map(SelfWeight::name);
+    let names = [heyman, milankovitch, "both"];
+    SelfWeight::named(text).map(Weights::One).ok_or_else(|| unknown("a weight", text, &names))
+}
+
+/// A quantity by its name.
+pub(super) fn quantity(text: &str) -> Result<Quantity, String> {
+    let mut names: Vec<&str> = Vec::new();
+    let all = [&Quantity::LANDMARK[..], &Quantity::STATE, &Quantity::ASSESSMENT].concat();
+    for name in all.into_iter().map(Quantity::name) {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    Quantity::named(text).ok_or_else(|| unknown("a quantity", text, &names))
 }
 
 /// What reads the name of a format.
@@ -26,8 +75,9 @@ pub(super) fn format(
     content: Content,
 ) -> impl Fn(&str) -> Result<&'static Format, String> + Clone + Send + Sync + 'static {
     move |name| {
-        let format = Format::named(content, name)
-            .ok_or_else(|| format!("a format is one of {}", Format::names(content)))?;
+        let names: Vec<&str> = Format::all(content).map(|format| format.name).collect();
+        let format =
+            Format::named(content, name).ok_or_else(|| unknown("a format", name, &names))?;
         format.missing().map_or(Ok(format), Err)
     }
 }

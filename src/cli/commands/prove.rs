@@ -4,10 +4,12 @@ use super::output::{Output, OutputFile};
 use super::parse;
 use crate::claims::{Claim, claims, coq};
 use crate::cli::failure::Failure;
+use crate::report::words::{did_you_mean, shortened};
 use crate::report::{Claims, Content, Format, Report};
 use clap::Args;
 use rayon::prelude::*;
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Prove or refute the claims of the paper, one by one.
@@ -19,6 +21,10 @@ pub(crate) struct Arguments {
     /// Claims to decide; all if none is named.
     #[arg(value_name = "CLAIM")]
     claims: Vec<String>,
+
+    /// List the claims, without deciding them.
+    #[arg(long, conflicts_with_all = ["show", "format", "coq"])]
+    list: bool,
 
     /// Show the derivations: hypotheses, intermediate polynomials, cofactors.
     #[arg(long)]
@@ -41,6 +47,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let chosen = choose(&arguments.claims)?;
     let output = arguments.file.open()?;
+    if arguments.list {
+        return output.write(|out| list(&chosen, out));
+    }
     let decisions: Vec<_> = chosen.par_iter().map(Claim::decide).collect();
     let undecided: Vec<&str> = decisions
         .iter()
@@ -55,6 +64,16 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         true => Ok(()),
         false => Err(Failure::Undecided(format!("not everything was decided: {undecided}"))),
     }
+}
+
+/// The claims: id, place in the paper, statement.
+fn list(claims: &[Claim], out: &mut dyn io::Write) -> io::Result<()> {
+    let width = |text: fn(&Claim) -> &str| claims.iter().map(|c| text(c).chars().count()).max();
+    let id = width(|claim| claim.id).unwrap_or(0);
+    let place = width(|claim| claim.place).unwrap_or(0);
+    claims.iter().try_for_each(|claim| {
+        writeln!(out, "{:<id$}  {:<place$}  {}", claim.id, claim.place, claim.statement)
+    })
 }
 
 /// Writes the Coq files into a folder, which is made if need be.
@@ -73,8 +92,10 @@ fn choose(names: &[String]) -> Result<Vec<Claim>, Failure> {
     let all = claims();
     if let Some(unknown) = names.iter().find(|name| !all.iter().any(|claim| claim.is_named(name))) {
         let ids: Vec<&str> = all.iter().map(|claim| claim.id).collect();
-        let ids = ids.join(", ");
-        return Err(Failure::Input(format!("unknown claim '{unknown}'; the claims are {ids}")));
+        let hint = did_you_mean(unknown, &ids);
+        let message =
+            format!("unknown claim '{}'{hint}; --list shows the claims", shortened(unknown));
+        return Err(Failure::Input(message));
     }
     let chosen = |claim: &Claim| names.is_empty() || names.iter().any(|name| claim.is_named(name));
     Ok(all.into_iter().filter(chosen).collect())

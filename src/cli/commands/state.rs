@@ -1,13 +1,13 @@
 //! `couplet state`.
 
-use super::arch::ArchArguments;
+use super::arch::{ArchArguments, Needs};
 use super::output::AnswerOutput;
 use super::parse;
-use crate::certify::CertifiedLandmark;
 use crate::certify::state::Certify;
+use crate::certify::{CertifiedLandmark, Undecided, quantities as quantities_of};
 use crate::cli::failure::Failure;
-use crate::problem::Landmark;
-use crate::report::{Answer, Answers, Report, Status};
+use crate::problem::{Arch, Landmark, Quantity};
+use crate::report::{Answer, Answers, Report, Scope, Status};
 use clap::Args;
 
 /// Print whether an arch can stand, how thin it can be, and how it collapses there, with a proof.
@@ -15,11 +15,15 @@ use clap::Args;
 /// The proof: the equations of the mode have one solution in a box; that state is admissible on the
 /// whole half arch; no thinner arch has an admissible state; every comparison is decided.
 #[derive(Args)]
+#[command(
+    override_usage = "couplet state --half-opening <ANGLE> --friction <MU> [OPTIONS]\n       \
+                            couplet state --at <LANDMARK> [OPTIONS]"
+)]
 pub(crate) struct Arguments {
     #[command(flatten)]
     arch: ArchArguments,
 
-    /// A landmark instead of an arch: T, S, J, B, l, L or sb, with all modes that meet there.
+    /// A landmark instead of an arch, by symbol or name (T, triple), with all modes that meet there.
     #[arg(long, value_name = "LANDMARK", value_parser = parse::landmark, conflicts_with_all = ["half_opening", "friction", "friction_angle"])]
     at: Option<Landmark>,
 
@@ -27,39 +31,63 @@ pub(crate) struct Arguments {
     output: AnswerOutput,
 }
 
+/// A command line that has everything.
+const EXAMPLE: &str = "couplet state --half-opening 80deg --friction 0.6";
+
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(landmark) = arguments.at {
         return at_landmark(landmark, arguments);
     }
-    let (arch, digits) = (arguments.arch.arch()?, arguments.arch.digits);
-    print(&arguments.output, digits, || Answer::state(1, &arch, &arch.certify(digits)))
+    let arches = arguments.arch.arches(&Needs { missing: Vec::new(), example: EXAMPLE })?;
+    let quantities = arguments.output.quantities(&Quantity::STATE)?;
+    let digits = arguments.arch.digits;
+    let frictions = quantities.iter().any(|quantity| quantity.is_friction());
+    print(&arguments.output, digits, quantities, || {
+        let answer = |(line, arch): (u64, Arch)| {
+            let found = if frictions { arch.certify(digits) } else { arch.certify_alone(digits) };
+            Answer::state(line, &arch, &found)
+        };
+        (1..).zip(arches).map(answer).collect()
+    })
 }
 
-/// Computes and prints the answer for one arch.
+/// Computes and prints the answers for one arch, or for several.
 pub(super) fn print(
     output: &AnswerOutput,
     digits: usize,
-    answer: impl FnOnce() -> Answer,
+    quantities: Vec<Quantity>,
+    answers: impl FnOnce() -> Vec<Answer>,
 ) -> Result<(), Failure> {
-    let file = output.open()?;
-    let answer = answer();
-    let undecided = match &answer.status {
-        Status::Undecided(undecided) => Err(Failure::Undecided(undecided.to_string())),
-        _ => Ok(()),
-    };
-    let report = Report::Answers(Answers::arch(digits, answer));
-    file.write(|out| report.write(output.format, out))?;
-    undecided
+    let (file, format) = (output.open()?, output.format());
+    let answers: Vec<Answer> =
+        answers().into_iter().map(|answer| answer.only(&quantities)).collect();
+    let undecided = answers.iter().find_map(|answer| match &answer.status {
+        Status::Undecided(undecided) => Some(Failure::Undecided(undecided.to_string())),
+        _ => None,
+    });
+    let scope = if answers.len() == 1 { Scope::Arch } else { Scope::Arches };
+    let report = Report::Answers(Answers { scope, digits, quantities, list: answers });
+    file.write(|out| report.write(format, out))?;
+    undecided.map_or(Ok(()), Err)
 }
 
 fn at_landmark(landmark: Landmark, arguments: &Arguments) -> Result<(), Failure> {
-    let output = arguments.output.open()?;
-    let (weight, digits) = (arguments.arch.weight, arguments.arch.digits);
-    let undecided = |error: crate::certify::Undecided| Failure::Undecided(error.to_string());
-    let point = CertifiedLandmark::new(landmark, weight).map_err(undecided)?;
-    let constants = point.constants(digits).map_err(undecided)?;
-    let answer = Answer::landmark((landmark, weight), Ok((&point, constants)));
-    let answer = Answer { modes: landmark.modes().to_vec(), ..answer };
-    let report = Report::Answers(Answers::point(digits, answer));
-    output.write(|out| report.write(arguments.output.format, out))
+    let quantities = arguments.output.quantities(&Quantity::LANDMARK)?;
+    let (output, format) = (arguments.output.open()?, arguments.output.format());
+    let digits = arguments.arch.digits;
+    let asked: Vec<(Quantity, usize)> = quantities_of(landmark)
+        .filter(|quantity| quantities.contains(quantity))
+        .map(|quantity| (quantity, digits))
+        .collect();
+    let answer = |weight| {
+        let point = CertifiedLandmark::new(landmark, weight)?;
+        let constants = point.constants_of(&asked)?;
+        let answer = Answer::landmark((landmark, weight), Ok((&point, constants)));
+        Ok(Answer { modes: landmark.modes().to_vec(), ..answer })
+    };
+    let answers: Result<Vec<Answer>, Undecided> =
+        arguments.arch.weight.all().into_iter().map(answer).collect();
+    let list = answers.map_err(|error| Failure::Undecided(error.to_string()))?;
+    let report = Report::Answers(Answers { scope: Scope::Point, digits, quantities, list });
+    output.write(|out| report.write(format, out))
 }

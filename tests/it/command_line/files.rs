@@ -49,7 +49,6 @@ fn a_dash_is_standard_output() {
         &["state", "--alpha", "1", "--mu", "1", "--digits", "5"],
         &["certify", "L", "--digits", "5"],
         &["certify", "state", "--alpha", "1", "--mu", "1", "--digits", "5"],
-        &["prove", "eq-7"],
     ] {
         let plain = couplet(arguments);
         assert_eq!(plain.status.code(), Some(0), "{arguments:?}");

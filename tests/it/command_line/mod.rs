@@ -3,6 +3,7 @@
 mod claims;
 mod constants;
 mod files;
+mod language;
 #[cfg(unix)]
 mod owners;
 mod states;

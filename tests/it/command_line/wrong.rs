@@ -2,10 +2,22 @@
 
 wrong_uses! {
     an_unknown_landmark: ["constants", "X"] => "one of T, S, J, B, l, L, sb";
-    a_landmark_in_small_letters: ["constants", "t"] => "one of T, S, J, B, l, L, sb";
-    both_weights: ["constants", "--weight", "both"] => "one of heyman, milankovitch";
-    an_unknown_format: ["constants", "--format", "yaml"] => "one of table, json, csv";
+    a_landmark_in_small_letters: ["constants", "t"] => "(did you mean \"T\"?)";
+    half_a_landmark: ["state", "--at", "tripel"] => "(did you mean \"triple\"?)";
+    a_misspelt_weight: ["constants", "--weight", "heymann"] => "(did you mean \"heyman\"?)";
+    both_weights_of_a_certificate:
+        ["certify", "T", "--weight", "both"] => "one of heyman, milankovitch";
+    an_unknown_format: ["constants", "--format", "yaml"] => "one of table, plain, json, csv";
+    a_misspelt_format: ["constants", "--format", "jsn"] => "(did you mean \"json\"?)";
     no_format: ["audit", "--format", ""] => "one of table, json, csv";
+    an_unknown_quantity: ["constants", "--quantity", "thicknes"] => "(did you mean \"thickness\"?)";
+    a_quantity_of_something_else: ["constants", "--quantity", "sliding_friction"]
+        => "there is no sliding_friction here; the quantities are thickness";
+    a_quantity_that_no_landmark_asked_for_has:
+        ["constants", "sb", "--quantity", "mu"] => "none of these landmarks";
+    two_formats: ["constants", "--plain", "--format", "json"] => "cannot be used with";
+    no_threads: ["constants", "--threads", "0"] => "from 1 to 1024";
+    a_colour: ["constants", "--color", "red"] => "auto, always, never";
     no_digits: ["constants", "--digits", "0"] => "from 1 to 1000000";
     negative_digits: ["constants", "--digits", "-5"] => "from 1 to 1000000";
     digits_in_words: ["constants", "--digits", "ten"] => "from 1 to 1000000";
@@ -15,8 +27,8 @@ wrong_uses! {
     an_option_without_its_value: ["constants", "--digits"] => "a value is required";
     an_option_that_is_none: ["constants", "--digit", "3"] => "--digits";
     a_command_that_is_none: ["constant"] => "constants";
-    an_unknown_claim: ["prove", "eq-99"] => "the claims are eq-2, eq-3";
-    half_a_claim: ["prove", "eq-"] => "the claims are eq-2, eq-3";
+    an_unknown_claim: ["prove", "eq-7-eat"] => "(did you mean \"eq-7-eta\"?); --list shows the claims";
+    half_a_claim: ["prove", "eq-"] => "unknown claim 'eq-'";
     a_format_that_claims_do_not_have: ["prove", "--format", "csv"] => "one of text, json, latex";
     #[cfg(feature = "study")]
     an_unknown_experiment: ["study", "accuracy", "--only", "T"] => "the studies are eta-cubic, A-cubic";
@@ -36,6 +48,17 @@ wrong_uses! {
     a_negative_friction_angle:
         ["state", "--alpha", "1", "--friction-angle", "-1deg"] => "between 0 and pi/2";
     no_friction: ["state", "--alpha", "1"] => "--friction";
+    nothing_of_an_arch: ["state"] => "--half-opening, --friction (or --friction-angle) are missing; for \
+        example: couplet state --half-opening";
+    nothing_of_an_arch_of_given_thickness: ["assess"] => "--half-opening, --friction (or \
+        --friction-angle), --thickness are missing; for example: couplet assess";
+    degrees_without_their_unit: ["state", "--alpha", "90", "--mu", "1"] => "did you mean 90deg?";
+    a_certificate_of_a_friction_angle:
+        ["certify", "state", "--alpha", "1", "--phi", "31deg"] => "takes the friction as a coefficient";
+    a_decimal_comma: ["state", "--alpha", "1,5", "--mu", "1"] => "has a comma";
+    a_division_by_zero: ["state", "--alpha", "1", "--mu", "1/0"] => "divides by zero";
+    a_friction_in_words: ["state", "--alpha", "1", "--mu", "none"] => "inf";
+    a_size_just_out_of_range: ["state", "--alpha", "1", "--mu", "1e1000"] => "below 1e1000";
     a_state_without_digits: ["state", "--alpha", "1", "--mu", "1", "--digits", "0"] => "from 1 to 10000";
     a_thickness_beyond_the_limit:
         ["assess", "--alpha", "1", "--mu", "1", "--thickness", "2.5"] => "between 0 and 2";

@@ -49,10 +49,10 @@ faults! {
         => "2:13: constants 3 is not a table [[constants]]";
     an_unknown_landmark:
         "[constants]\nlandmarks = \"X\"\n"
-        => "3:13: landmarks \"X\" is not one of T, S, J, B, l, L, sb";
+        => "3:13: landmarks \"X\" is not one of T, S, J, B, l, L, sb, triple, shift, junction, border, rotation-end, overturning-end, widest-joint";
     a_landmark_that_is_a_number:
         "[constants]\nlandmarks = [\"T\", 3]\n"
-        => "3:19: landmarks 3 is not one of T, S, J, B, l, L, sb";
+        => "3:19: landmarks 3 is not one of T, S, J, B, l, L, sb, triple, shift, junction, border, rotation-end, overturning-end, widest-joint";
     a_key_without_its_last_letter:
         "[constants]\nlandmark = \"T\"\n"
         => "3:1: unknown key \"landmark\" in [[constants]] (did you mean \"landmarks\"?); the keys are landmarks, quantities, weight, digits, format, output";
@@ -94,7 +94,10 @@ faults! {
         => "5:10: output \"a.csv/b.csv\" and the output in line 3 cannot be a file and its folder";
     a_quantity_of_arches_of_a_thickness:
         "[arches]\nhalf_opening = 1\nfriction = 1\nquantities = \"least_thickness\"\n"
-        => "5:14: quantities \"least_thickness\" is not one of thickness, thrust, intrinsic_thrust, rotation_joint, sliding_joint, sliding_friction, rotational_friction";
+        => "5:14: quantities \"least_thickness\" needs a thickness; give a ratio of thickness to radius (0.12, \"3/25\")";
+    a_letter_beside_its_name:
+        "[arches]\nhalf_opening = 1\nalpha = 1\nmu = 1\n"
+        => "4:9: both half_opening and alpha; give one of them";
     no_half_opening:
         "[arches]\nfriction = 1\n"
         => "2:1: half_opening is missing; give an angle (2.45, \"pi/2\", \"80deg\")";
@@ -112,7 +115,7 @@ faults! {
         => "4:16: half_opening: '2pideg' has two units";
     a_friction_out_of_range:
         "[arches]\nhalf_opening = 1\nfriction = 1e99999999999999999999\n"
-        => "4:12: friction: '1e99999999999999999999' is out of range: numbers from 1e-1000 to 1e1000 are read";
+        => "4:12: friction: '1e99999999999999999999' is out of range: sizes from 1e-1000 to below 1e1000 are read";
     a_half_opening_that_is_true:
         "[arches]\nfriction = 1\nhalf_opening = [1, true]\n"
         => "4:20: half_opening true is not an angle (2.45, \"pi/2\", \"80deg\")";
@@ -151,7 +154,7 @@ faults! {
         => "4:16: half_opening from 10deg to pi/2 is in two units; give both in radians, as multiples of pi, or in degrees";
     too_many_arches:
         "[arches]\nhalf_opening = { from = 1, to = 2, steps = 1000 }\nfriction = { from = 1, to = 2, steps = 101 }\n"
-        => "2:1: 101000 arches are too many; a scene has at most 100000";
+        => "2:1: 101000 arches are too many; a scene has at most 100000, `couplet states` reads any number";
     too_many_digits_for_arches:
         "digits = 20000\n[arches]\nhalf_opening = 1\nfriction = 1\n"
         => "3:1: the scene's 20000 digits are too many for arches; give this item digits of its own, 1 to 10000";
