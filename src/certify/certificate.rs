@@ -5,7 +5,6 @@
 //! does not accept.
 
 use super::root::{Equations, Ladder, Operator, inverse_jacobian, largest_boxes};
-use super::state::{Certify, Figure, Outcome, bits_lost};
 use super::{CertifiedLandmark, Undecided, Value};
 use crate::arch::{SelfWeight, Unknown};
 use crate::check::{
@@ -13,7 +12,7 @@ use crate::check::{
     check_certificate,
 };
 use crate::number::{AstroInterval, Ball, Dyadic, Magnitude, Rounded, bits_of};
-use crate::problem::{Arch, Friction, Landmark, Problem, Quantity};
+use crate::problem::{Landmark, Problem, Quantity};
 use rug::Float;
 
 /// Bits beyond the digits asked for, at the first attempt.
@@ -27,8 +26,6 @@ const SECOND_CHECK: usize = 1000;
 const BITS: u32 = 64;
 /// The scales on which a large box is tried.
 const LADDER: Ladder = Ladder { step: 0.8, trials: 800 };
-/// The most bits that an arch loses; the format leaves room for a little more.
-const MOST_LOST: u32 = EXTRA_BITS as u32 - 64;
 /// The part of a large box into which it is mapped, so that a checker has room to spare.
 const ROOM: f64 = 0.9;
 
@@ -62,43 +59,8 @@ pub(super) fn landmark_certificate(
     })
 }
 
-/// A certificate of the state of an arch at its least thickness, with `digits` significant digits of
-/// each value, at least one. Undecided if the arch does not stand, if a comparison stays open, or if the
-/// friction is given as an angle: the format has the coefficient only.
-pub fn certify_state(arch: &Arch, digits: usize) -> Result<Certificate, Undecided> {
-    if matches!(arch.friction(), Friction::Angle(_)) {
-        return Err(Undecided::new("a certificate takes the friction as a coefficient"));
-    }
-    // A tiny half opening and a large friction at once need no more than each.
-    attempt(digits, bits_lost(arch).min(MOST_LOST), |bits| {
-        let Outcome::Stands(state) = arch.state(bits)? else {
-            return Err(Undecided::new("the arch does not stand: there is no state to certify"));
-        };
-        let problem = Problem::State { mode: state.mode, arch: arch.clone() };
-        let value = |&unknown| state.value(unknown).map(|x| x.mid().clone());
-        let centre: Option<Vec<Float>> = problem.system().unknowns.iter().map(value).collect();
-        let centre = centre.ok_or_else(|| Undecided::new("an unknown has no value"))?;
-        let intrinsic = state.thickness.clone() * &state.thrust;
-        let stated = [
-            (Quantity::Thickness, Some(&state.thickness)),
-            (Quantity::Thrust, Some(&state.thrust)),
-            (Quantity::IntrinsicThrust, Some(&intrinsic)),
-            (Quantity::RotationJoint, Some(&state.rotation_joint)),
-            (Quantity::SlidingJoint, state.sliding_joint.as_ref()),
-        ];
-        let mut values = Vec::new();
-        for (quantity, ball) in stated {
-            if let Some(ball) = ball {
-                let rounding = || Undecided::new(format!("the rounding of {}", quantity.name()));
-                let figure = Figure::new(ball, digits).ok_or_else(rounding)?;
-                values.push(value_file(quantity, &Value::Finite(figure.decimal)));
-            }
-        }
-        Ok(Root { problem, centre, values })
-    })
-}
-
-fn value_file(quantity: Quantity, value: &Value) -> ValueFile {
+/// A value as the file has it.
+pub(super) fn value_file(quantity: Quantity, value: &Value) -> ValueFile {
     let text = match value {
         Value::Finite(Rounded { value, .. }) => value.to_string(),
         Value::Infinite => "inf".to_owned(),
@@ -107,14 +69,14 @@ fn value_file(quantity: Quantity, value: &Value) -> ValueFile {
 }
 
 /// What the solver knows of a root.
-struct Root {
-    problem: Problem,
-    centre: Vec<Float>,
-    values: Vec<ValueFile>,
+pub(super) struct Root {
+    pub problem: Problem,
+    pub centre: Vec<Float>,
+    pub values: Vec<ValueFile>,
 }
 
 /// Makes a certificate from what `find` finds with ever more bits, until the checker accepts it.
-fn attempt(
+pub(super) fn attempt(
     digits: usize,
     lost: u32,
     find: impl Fn(u32) -> Result<Root, Undecided>,
@@ -124,8 +86,11 @@ fn attempt(
         let bits = bits_of(digits) + lost + (GUARD << attempt);
         // Next to a limit the box is examined with more bits too.
         let wide = ((BITS << attempt.min(6)) + lost).min(EXTRA_BITS as u32);
-        let small = bits_of(digits) + GUARD / 2;
-        let made = find(bits).and_then(|root| root.certificate(digits, small, wide, lost));
+        let made = find(bits).and_then(|root| {
+            // What is left between a line of thrust and the intrados may be as small as its witnesses are long.
+            let small = bits_of(digits) + GUARD / 2 + root.problem.witness_bits() as u32;
+            root.certificate(digits, small, wide, lost)
+        });
         let checked = made.and_then(|certificate| {
             let refused = |refusal: Refusal| Undecided::new(refusal.to_string());
             check_certificate::<Ball>(&certificate, digits).map_err(refused)?;
@@ -155,8 +120,6 @@ impl Root {
     ) -> Result<Certificate, Undecided> {
         let large = LargeBox::new(&self.problem, &self.centre, wide, lost)
             .ok_or_else(|| Undecided::new("no box around the root is mapped into itself"))?;
-        let claim = ClaimFile::new(&self.problem)
-            .ok_or_else(|| Undecided::new("a certificate has no words for the problem"))?;
         let dyadic = |x: &Float| Dyadic::from(x);
         let magnitude = |x: &Magnitude| Dyadic::from(&x.to_float());
         let small = large.radius.iter().map(|radius| magnitude(&radius.shifted(-i64::from(bits))));
@@ -170,7 +133,7 @@ impl Root {
         Ok(Certificate {
             schema: SCHEMA.to_owned(),
             tool: concat!("couplet ", env!("CARGO_PKG_VERSION")).to_owned(),
-            claim,
+            claim: ClaimFile::new(&self.problem),
             digits,
             root: Witness { centre: centre.collect(), radius: small.collect() },
             unique: Witness {
@@ -195,6 +158,9 @@ impl LargeBox {
     /// encloses less tightly.
     fn new(problem: &Problem, root: &[Float], bits: u32, lost: u32) -> Option<Self> {
         let centre: Vec<Float> = root.iter().map(|x| Float::with_val(bits, x)).collect();
+        if centre.is_empty() {
+            return Some(Self { centre, radius: Vec::new(), inverse: Vec::new() });
+        }
         let points: Vec<Ball> = centre.iter().map(|x| Ball::exact(x.clone(), bits)).collect();
         // The inverse only has to be near; the worse the condition, the nearer.
         let near = bits.min(WITNESS_BITS as u32 + lost);
@@ -241,34 +207,6 @@ mod tests {
             for weight in SelfWeight::ALL {
                 accepted(&certify_landmark(landmark, weight, 30).unwrap(), 30);
             }
-        }
-    }
-
-    #[test]
-    fn a_state_of_each_mode_has_a_certificate() {
-        let cases = [
-            ("pi/2", "1/2"),
-            ("pi/2", "0.38"),
-            ("2.45", "1.35"),
-            ("2.56", "1.8"),
-            ("2.6", "2"),
-            ("2.5", "inf"),
-            ("2.62", "inf"),
-            ("1/1000000", "1"),
-            ("1e-12", "1"),
-            ("1e-30", "inf"),
-            ("1e-30", "1.2e-91"),
-            ("1e-300", "1e300"),
-            ("2.6", "1e100"),
-            // Next to the end of rotation.
-            ("2.59084318392461", "inf"),
-            ("2.590843443", "inf"),
-        ];
-        for (alpha, mu) in cases {
-            let arch = Arch::parse("milankovitch", alpha, mu).unwrap();
-            let certificate =
-                certify_state(&arch, 25).unwrap_or_else(|e| panic!("{alpha} {mu}: {e}"));
-            accepted(&certificate, 25);
         }
     }
 }

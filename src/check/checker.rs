@@ -152,8 +152,7 @@ pub fn check_certificate<E: Engine>(
         values.push((quantity, text));
     }
     // What stands needs no value.
-    let stands =
-        matches!(&problem, Problem::Verdict { verdict: Verdict::Stands(_), .. });
+    let stands = matches!(&problem, Problem::Verdict { verdict: Verdict::Stands(_), .. });
     if values.is_empty() && !stands {
         return Err(Refusal::NoValues);
     }

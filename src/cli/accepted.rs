@@ -60,7 +60,8 @@ fn shortened_fraction(text: &str) -> String {
     let mut rest = text;
     while let Some(start) = rest.find(is_digit) {
         let (before, number) = rest.split_at(start);
-        let (digits, behind) = number.split_at(number.find(|c| !is_digit(c)).unwrap_or(number.len()));
+        let (digits, behind) =
+            number.split_at(number.find(|c| !is_digit(c)).unwrap_or(number.len()));
         shown += before;
         shown += &match digits.get(..SHOWN) {
             Some(first) if digits.len() > SHOWN => format!("{first}…({} digits)", digits.len()),
