@@ -122,7 +122,11 @@ fn an_interrupted_run_leaves_whole_files_and_goes_on_where_it_was() {
     let mut child =
         command(&["run", &scene, "--output", &out]).stderr(Stdio::piped()).spawn().unwrap();
     let start = Instant::now();
-    while scratch.files("out").len() < 2 && start.elapsed() < Duration::from_secs(100) {
+    let is_noted = || {
+        let record = fs::read_to_string(scratch.path("out/couplet-run.json"));
+        record.is_ok_and(|record| record.contains("\"asked\": \""))
+    };
+    while !is_noted() && start.elapsed() < Duration::from_secs(100) {
         std::thread::sleep(Duration::from_millis(20));
     }
     let killed = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
