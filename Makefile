@@ -25,8 +25,13 @@ run: build
 build: m4
 	cargo build --release --locked
 
+# The last lines name what was skipped because a program is missing.
 test: m4
-	cargo test --locked $(ALL)
+	@mkdir -p target && : > $(SKIPPED)
+	COUPLET_SKIPPED=$(SKIPPED) cargo test --locked $(ALL)
+	@sort -u $(SKIPPED)
+
+SKIPPED := $(CURDIR)/target/skipped
 
 # The whole outputs in tests/it/snapshots and the picture of the rooms, written anew; `git diff` shows what
 # has changed.

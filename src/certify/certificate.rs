@@ -26,6 +26,8 @@ const SECOND_CHECK: usize = 1000;
 const BITS: u32 = 64;
 /// The scales on which a large box is tried.
 const LADDER: Ladder = Ladder { step: 0.8, trials: 800 };
+/// Bits by which a large box may be larger than is expected of one for a tiny half opening.
+const SPARE: u32 = 24;
 /// The part of a large box into which it is mapped, so that a checker has room to spare.
 const ROOM: f64 = 0.9;
 
@@ -109,8 +111,8 @@ pub(super) fn attempt(
 
 impl Root {
     /// The certificate, with a small box of about `2^-bits` of the large one, which is examined with
-    /// `wide` bits. Where the equations lose `lost` bits, the centre has as many more, so that a checker, who takes
-    /// its precision from there, does not miss them.
+    /// `wide` bits. Where the equations lose `lost` bits, the centre has more, so that a checker, who takes its
+    /// precision from there, does not miss them.
     fn certificate(
         self,
         digits: usize,
@@ -126,7 +128,7 @@ impl Root {
         // The centre need not be known better than a fraction of the radius.
         let centre = self.centre.iter().zip(&large.radius).map(|(x, radius)| {
             let size = i64::from(x.get_exp().unwrap_or(0));
-            let last = radius.exponent().unwrap_or(0) - i64::from(bits) - 12 - i64::from(lost);
+            let last = radius.exponent().unwrap_or(0) - i64::from(bits) - 12 - i64::from(lost / 3);
             let useful = u32::try_from(size - last).unwrap_or(2).clamp(2, x.prec());
             dyadic(&Float::with_val(useful, x))
         });
@@ -176,8 +178,11 @@ impl LargeBox {
             Unknown::Thrust if *x > 0.5f64 => Magnitude::lower(&Float::with_val(bits, 1 - x)),
             _ => Magnitude::lower(x),
         };
-        let values: Vec<Magnitude> =
-            problem.system().unknowns.iter().zip(&centre).map(room).collect();
+        // The slopes of a tiny half opening are differences of what is as much larger as its inverse square: only
+        // on a box that is as much smaller do their enclosures tell anything. That is a third of the bits lost.
+        let smaller = -i64::from((lost / 3).saturating_sub(SPARE));
+        let unknowns = problem.system().unknowns.iter().zip(&centre);
+        let values: Vec<Magnitude> = unknowns.map(|pair| room(pair).shifted(smaller)).collect();
         let boxes = largest_boxes(&values, LADDER, |radii| {
             let target: Vec<Magnitude> = radii.iter().map(|r| r.times(part)).collect();
             let image = by_mpfr.image_in(radii, &target)?;

@@ -129,7 +129,7 @@ outputs! {
 
     study: run("couplet study stability --quick --only eta-to-two");
 
-    help: each(&["couplet --help", "couplet --version"]);
+    help: each(&["couplet --help", "couplet -V"]);
     help_constants: run("couplet constants --help");
     help_state: run("couplet state --help");
     help_assess: run("couplet assess --help");

@@ -9,7 +9,7 @@ mod refused;
 mod states;
 
 use crate::program::{Scratch, couplet};
-use std::io::Write;
+use crate::tool::has;
 use std::path::Path;
 use std::process::Command;
 
@@ -35,15 +35,4 @@ impl Scratch {
         assert!(output.status.success() && stderr.is_empty(), "{program:?} {stdout} {stderr}");
         stdout.into_owned()
     }
-}
-
-/// Whether a program is there. A test that needs one that is not says so, past the capture of the test
-/// harness, and passes.
-fn has(program: &str, question: &str) -> bool {
-    let asked = Command::new(program).arg(question).output();
-    let found = asked.is_ok_and(|output| output.status.success());
-    if !found {
-        let _ = writeln!(std::io::stderr(), "skipped: there is no {program}");
-    }
-    found
 }

@@ -1,7 +1,7 @@
 //! Formats that are not there are named in one line.
 
 const EVERY_FORMAT: &str =
-    "one of table, json, csv, toml, latex, c, rust, python, julia, matlab, fortran, parquet";
+    "one of table, plain, json, csv, toml, latex, c, rust, python, julia, matlab, fortran, parquet";
 
 wrong_uses! {
     constants_for_cpp: ["constants", "--format", "cpp"] => EVERY_FORMAT;

@@ -1,0 +1,37 @@
+//! Programs that a test needs and a machine may lack.
+
+use std::fs::OpenOptions;
+use std::io::Write;
+use std::process::Command;
+
+/// The Debian package of a program; the tests ask for no other programs.
+fn package(program: &str) -> &'static str {
+    match program {
+        "gcc" => "gcc",
+        "g++" => "g++",
+        "gfortran" => "gfortran",
+        "julia" => "julia (from julialang.org)",
+        "kpsewhich" => "texlive-science",
+        "octave-cli" => "octave",
+        "pdflatex" => "texlive-latex-recommended",
+        "python3" => "python3",
+        "Rscript" => "r-base-core",
+        other => panic!("{other} has no package here"),
+    }
+}
+
+/// Whether a program is there. A test that needs one that is not says so, past the capture of the test
+/// harness, and passes; `make test` repeats it in its last lines.
+pub(crate) fn has(program: &str, question: &str) -> bool {
+    let asked = Command::new(program).arg(question).output();
+    let found = asked.is_ok_and(|output| output.status.success());
+    if !found {
+        let line = format!("skipped: what needs {program}; install {}\n", package(program));
+        let _ = std::io::stderr().write_all(line.as_bytes());
+        if let Some(list) = std::env::var_os("COUPLET_SKIPPED") {
+            let list = OpenOptions::new().create(true).append(true).open(list);
+            list.and_then(|mut list| list.write_all(line.as_bytes())).unwrap();
+        }
+    }
+    found
+}
