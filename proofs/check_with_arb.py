@@ -27,7 +27,7 @@ from flint import arb, ctx, fmpz
 
 MAX_BYTES, MAX_DIGITS, MAX_GIVEN, MAX_ENTRIES = 64 << 20, 1_000_000, 100_000, 32
 MAX_POWER, MAX_EXPONENT = 3_000_000, 10_000_000  # of ten and of two
-SHORT, LONG, GUARD = 256, 20_000, 128  # bits: radii, the centre of `unique` and inverse, of precision besides
+SHORT, LONG, GUARD = 256, 24_000, 128  # bits: radii, the centre of `unique` and inverse, of precision besides
 
 
 class Refused(Exception):

@@ -34,7 +34,7 @@ pub struct Accepted {
 pub const WITNESS_BITS: usize = 256;
 /// Bits that the centre of a large box and an entry of the inverse may have, and the centre of a small box beyond its
 /// digits: an arch with a tiny opening loses many.
-pub const EXTRA_BITS: usize = 20_000;
+pub const EXTRA_BITS: usize = 24_000;
 /// Bits beyond the longest number, of a box or of the claim, to work in.
 const GUARD: usize = 64;
 /// The largest number of digits of any certificate.
