@@ -25,8 +25,9 @@ import sys
 
 from flint import arb, ctx, fmpz
 
-MAX_BYTES = 64 << 20
-SHORT, LONG, GUARD = 256, 20_000, 128  # bits: radii and inverse, the centre of `unique`, of precision besides
+MAX_BYTES, MAX_DIGITS, MAX_GIVEN, MAX_ENTRIES = 64 << 20, 1_000_000, 100_000, 32
+MAX_POWER, MAX_EXPONENT = 3_000_000, 10_000_000  # of ten and of two
+SHORT, LONG, GUARD = 256, 20_000, 128  # bits: radii, the centre of `unique` and inverse, of precision besides
 
 
 class Refused(Exception):
@@ -125,6 +126,13 @@ MODES = {
 }
 
 
+def short_integer(text, limit, where):
+    """An integer of at most eight digits, whatever its leading zeros, and at most `limit` in size."""
+    parts = re.fullmatch(r"(-?)0*([0-9]{1,8})", text)
+    need(parts and int(parts[2]) <= limit, f"{where}: too large an exponent")
+    return int(parts[1] + parts[2])
+
+
 def fields(thing, where, **types):
     need(type(thing) is dict and set(thing) == set(types), f"{where}: not an object with {', '.join(types)}")
     for name, kind in types.items():
@@ -133,7 +141,8 @@ def fields(thing, where, **types):
 
 def exact_ratio(text):
     parts = re.fullmatch(r"([0-9]+)/([0-9]+)( pi)?", text)
-    need(parts and fmpz(parts[2]) != 0, f"{text[:40]!a} is no exact number")
+    need(parts and max(len(parts[1]), len(parts[2])) <= MAX_GIVEN and fmpz(parts[2]) != 0,
+         f"{text[:40]!a} is no exact number")
     return lambda v: arb(fmpz(parts[1])) / fmpz(parts[2]) * (arb.pi() if parts[3] else 1)
 
 
@@ -172,11 +181,16 @@ class Claim:
 
 
 def number(text, bits, where):
-    parts = type(text) is str and re.fullmatch(r"(-?)0x([0-9a-f]+)p(-?[0-9]{1,8})", text)
+    parts = type(text) is str and re.fullmatch(r"(-?)0x([0-9a-f]+)p(-?[0-9]+)", text)
     need(parts, f"{where}: no number")
-    mantissa, exponent = int(parts[2], 16), int(parts[3])
-    need(mantissa.bit_length() <= bits and abs(exponent) <= 10_000_000, f"{where}: too large a number")
+    mantissa, exponent = int(parts[2], 16), short_integer(parts[3], MAX_EXPONENT, where)
+    need(mantissa.bit_length() <= bits, f"{where}: too large a number")
     return arb((-mantissa if parts[1] else mantissa, exponent))  # exact, whatever the precision
+
+
+def bits_of(text):
+    """How many bits a number of the file has."""
+    return int(re.fullmatch(r"-?0x([0-9a-f]+)p.*", text)[1], 16).bit_length()
 
 
 class Box:
@@ -267,10 +281,10 @@ def is_rounding(text, x, digits):
     """Is the text the correct rounding of every point of the ball x to so many significant digits?"""
     if text in ("0", "inf"):
         return x == (arb.pos_inf() if text == "inf" else 0)
-    parts = re.fullmatch(r"(-?)(0|[1-9][0-9]*)(?:\.([0-9]+))?(?:e(-?[0-9]{1,7}))?", text)
+    parts = re.fullmatch(r"(-?)(0|[1-9][0-9]*)(?:\.([0-9]+))?(?:e(-?[0-9]+))?", text)
     need(parts, f"{text[:40]!a} is no decimal number")
-    behind = parts[3] or ""
-    mantissa, exponent = (parts[2] + behind).lstrip("0"), int(parts[4] or 0) - len(behind)
+    behind, power = parts[3] or "", short_integer(parts[4] or "0", MAX_POWER, "values")
+    mantissa, exponent = (parts[2] + behind).lstrip("0"), power - len(behind)
     if parts[3] is None:  # the zeros at the end of a whole number only show its size
         exponent += len(mantissa) - len(mantissa.rstrip("0"))
         mantissa = mantissa.rstrip("0")
@@ -286,10 +300,13 @@ def is_rounding(text, x, digits):
 def parse(data):
     def once(pairs):
         need(len(dict(pairs)) == len(pairs), "a field stands twice")
+        need(all(type(x) is not list or len(x) <= MAX_ENTRIES for _, x in pairs), "too long a list")
         return dict(pairs)
 
     try:  # NaN, Infinity and 1.0 become floats, and no field admits a float
-        return json.loads(data.decode("utf-8"), object_pairs_hook=once)
+        file = json.loads(data.decode("utf-8-sig"), object_pairs_hook=once)
+        json.dumps(file, ensure_ascii=False).encode("utf-8")  # half of a surrogate pair cannot be written
+        return file
     except (ValueError, RecursionError) as error:
         raise Refused(f"no JSON: {error}") from None
 
@@ -301,12 +318,12 @@ def check(data):
            root=dict, values=list)
     need(file["schema"] == "couplet.certificate/1", "another schema")
     claim, digits, Y = Claim(file["claim"]), file["digits"], file["inverse"]
-    need(digits >= 1, "no digits")
+    need(1 <= digits <= MAX_DIGITS, "not a possible number of digits")
     n = len(claim.unknowns)
     large = Box(file["unique"], n, LONG, "unique")
     small = Box(file["root"], n, LONG + 10 * digits // 3, "root")
     need(len(Y) == n and all(type(row) is list and len(row) == n for row in Y), "inverse: not n by n")
-    Y = [[number(x, SHORT, "inverse") for x in row] for row in Y]
+    Y = [[number(x, LONG, "inverse") for x in row] for row in Y]
 
     # Points 2, 3: exactly one root in the large box.
     ctx.prec = LONG + GUARD
@@ -317,8 +334,8 @@ def check(data):
     M = claim.jacobian(X)
     need(large.contracts(claim.residuals(large.centre), Y, M), "no contraction of the large box")
 
-    # Point 4: it lies in the small box. No file makes use of many more digits than it has characters.
-    ctx.prec = LONG + 10 * min(digits, len(data)) // 3 + GUARD
+    # Point 4: it lies in the small box. What its numbers do not have in bits no digit can be shown with.
+    ctx.prec = max(LONG, *map(bits_of, file["root"]["centre"])) + GUARD
     need(all(abs(m1 - m) + r1 < r for m, r, m1, r1
              in zip(large.centre, large.radius, small.centre, small.radius)), "the small box is not in the large one")
     need(small.contracts(claim.residuals(small.centre), Y, M), "no contraction of the small box")

@@ -7,9 +7,10 @@
 use super::root::{Equations, Ladder, Operator, inverse_jacobian, largest_boxes};
 use super::state::{Certify, Figure, Outcome, bits_lost};
 use super::{CertifiedLandmark, Undecided, Value};
-use crate::arch::SelfWeight;
+use crate::arch::{SelfWeight, Unknown};
 use crate::check::{
-    Certificate, ClaimFile, Refusal, SCHEMA, ValueFile, WITNESS_BITS, Witness, check_certificate,
+    Certificate, ClaimFile, EXTRA_BITS, Refusal, SCHEMA, ValueFile, WITNESS_BITS, Witness,
+    check_certificate,
 };
 use crate::number::{AstroInterval, Ball, Dyadic, Magnitude, Rounded, bits_of};
 use crate::problem::{Arch, Friction, Landmark, Problem, Quantity};
@@ -26,6 +27,8 @@ const SECOND_CHECK: usize = 1000;
 const BITS: u32 = 64;
 /// The scales on which a large box is tried.
 const LADDER: Ladder = Ladder { step: 0.8, trials: 800 };
+/// The most bits that an arch loses; the format leaves room for a little more.
+const MOST_LOST: u32 = EXTRA_BITS as u32 - 64;
 /// The part of a large box into which it is mapped, so that a checker has room to spare.
 const ROOM: f64 = 0.9;
 
@@ -66,7 +69,8 @@ pub fn certify_state(arch: &Arch, digits: usize) -> Result<Certificate, Undecide
     if matches!(arch.friction(), Friction::Angle(_)) {
         return Err(Undecided::new("a certificate takes the friction as a coefficient"));
     }
-    attempt(digits, bits_lost(arch), |bits| {
+    // A tiny half opening and a large friction at once need no more than each.
+    attempt(digits, bits_lost(arch).min(MOST_LOST), |bits| {
         let Outcome::Stands(state) = arch.state(bits)? else {
             return Err(Undecided::new("the arch does not stand: there is no state to certify"));
         };
@@ -119,9 +123,9 @@ fn attempt(
     for attempt in 0..ATTEMPTS {
         let bits = bits_of(digits) + lost + (GUARD << attempt);
         // Next to a limit the box is examined with more bits too.
-        let wide = (BITS << attempt.min(6)) + lost;
-        let made =
-            find(bits).and_then(|root| root.certificate(digits, bits_of(digits) + GUARD / 2, wide));
+        let wide = ((BITS << attempt.min(6)) + lost).min(EXTRA_BITS as u32);
+        let small = bits_of(digits) + GUARD / 2;
+        let made = find(bits).and_then(|root| root.certificate(digits, small, wide, lost));
         let checked = made.and_then(|certificate| {
             let refused = |refusal: Refusal| Undecided::new(refusal.to_string());
             check_certificate::<Ball>(&certificate, digits).map_err(refused)?;
@@ -140,9 +144,16 @@ fn attempt(
 
 impl Root {
     /// The certificate, with a small box of about `2^-bits` of the large one, which is examined with
-    /// `wide` bits.
-    fn certificate(self, digits: usize, bits: u32, wide: u32) -> Result<Certificate, Undecided> {
-        let large = LargeBox::new(&self.problem, &self.centre, wide)
+    /// `wide` bits. Where the equations lose `lost` bits, the centre has as many more, so that a checker, who takes
+    /// its precision from there, does not miss them.
+    fn certificate(
+        self,
+        digits: usize,
+        bits: u32,
+        wide: u32,
+        lost: u32,
+    ) -> Result<Certificate, Undecided> {
+        let large = LargeBox::new(&self.problem, &self.centre, wide, lost)
             .ok_or_else(|| Undecided::new("no box around the root is mapped into itself"))?;
         let claim = ClaimFile::new(&self.problem)
             .ok_or_else(|| Undecided::new("a certificate has no words for the problem"))?;
@@ -152,7 +163,7 @@ impl Root {
         // The centre need not be known better than a fraction of the radius.
         let centre = self.centre.iter().zip(&large.radius).map(|(x, radius)| {
             let size = i64::from(x.get_exp().unwrap_or(0));
-            let last = radius.exponent().unwrap_or(0) - i64::from(bits) - 12;
+            let last = radius.exponent().unwrap_or(0) - i64::from(bits) - 12 - i64::from(lost);
             let useful = u32::try_from(size - last).unwrap_or(2).clamp(2, x.prec());
             dyadic(&Float::with_val(useful, x))
         });
@@ -182,21 +193,27 @@ struct LargeBox {
 impl LargeBox {
     /// Looks for a box that is mapped into itself with room to spare, in both arithmetics: the other
     /// encloses less tightly.
-    fn new(problem: &Problem, root: &[Float], bits: u32) -> Option<Self> {
+    fn new(problem: &Problem, root: &[Float], bits: u32, lost: u32) -> Option<Self> {
         let centre: Vec<Float> = root.iter().map(|x| Float::with_val(bits, x)).collect();
         let points: Vec<Ball> = centre.iter().map(|x| Ball::exact(x.clone(), bits)).collect();
         // The inverse only has to be near; the worse the condition, the nearer.
-        let near = bits.min(WITNESS_BITS as u32);
+        let near = bits.min(WITNESS_BITS as u32 + lost);
         let inverse: Vec<Vec<Float>> = inverse_jacobian(&problem.slopes(bits, &points), bits)?
             .into_iter()
             .map(|row| row.into_iter().map(|y| Float::with_val(near, y)).collect())
             .collect();
         let by_mpfr = Operator::<_, Ball>::new(problem, bits, &centre, &inverse);
         let by_astro = Operator::<_, AstroInterval>::new(problem, bits, &centre, &inverse);
-        let room = Magnitude::upper(&Float::with_val(53, ROOM));
-        let values: Vec<Magnitude> = centre.iter().map(Magnitude::lower).collect();
+        let part = Magnitude::upper(&Float::with_val(53, ROOM));
+        // A thrust near one varies as much as it lacks to one.
+        let room = |(unknown, x): (&Unknown, &Float)| match unknown {
+            Unknown::Thrust if *x > 0.5f64 => Magnitude::lower(&Float::with_val(bits, 1 - x)),
+            _ => Magnitude::lower(x),
+        };
+        let values: Vec<Magnitude> =
+            problem.system().unknowns.iter().zip(&centre).map(room).collect();
         let boxes = largest_boxes(&values, LADDER, |radii| {
-            let target: Vec<Magnitude> = radii.iter().map(|r| r.times(room)).collect();
+            let target: Vec<Magnitude> = radii.iter().map(|r| r.times(part)).collect();
             let image = by_mpfr.image_in(radii, &target)?;
             by_astro.image_in(radii, &target).map(|_| image)
         });
@@ -238,6 +255,10 @@ mod tests {
             ("2.5", "inf"),
             ("2.62", "inf"),
             ("1/1000000", "1"),
+            ("1e-12", "1"),
+            ("1e-30", "inf"),
+            ("1e-30", "1.2e-91"),
+            ("2.6", "1e100"),
             // Next to the end of rotation.
             ("2.59084318392461", "inf"),
             ("2.590843443", "inf"),

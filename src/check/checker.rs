@@ -11,9 +11,10 @@
 //!    no thinner arch stands, and that it is the mode stated.
 //! 4. **The decimals** are the correct rounding of everything in the small box.
 
-use super::format::{Certificate, Witness, shortened};
+use super::format::{Certificate, Witness};
 use super::krawczyk;
 use super::refusal::Refusal;
+use super::visible::shortened;
 use crate::arch::{Configuration, Unknown};
 use crate::number::{AstroInterval, Dual, Dyadic, Enclosure, Engine, Written};
 use crate::problem::{Problem, Quantity, System};
@@ -25,15 +26,15 @@ pub struct Accepted {
     pub problem: Problem,
     /// How many digits the values have.
     pub digits: usize,
-    /// The values, each proved to be the correct rounding.
+    /// The values, each proved to be the correct rounding, in one spelling whatever that of the file is.
     pub values: Vec<(Quantity, String)>,
 }
 
-/// Bits of a radius and of an entry of the inverse.
+/// Bits of a radius; enough for an entry of the inverse where little cancels.
 pub const WITNESS_BITS: usize = 256;
-/// Bits that the centre of a large box may have, and that of a small one beyond its digits: an arch with
-/// a tiny opening loses many.
-const EXTRA_BITS: usize = 20_000;
+/// Bits that the centre of a large box and an entry of the inverse may have, and the centre of a small box beyond its
+/// digits: an arch with a tiny opening loses many.
+pub const EXTRA_BITS: usize = 20_000;
 /// Bits beyond the longest number, to work in.
 const GUARD: usize = 64;
 /// The largest number of digits of any certificate.
@@ -76,8 +77,11 @@ pub fn check_certificate<E: Engine>(
     let problem = certificate.claim.resolve()?;
     let system = problem.system();
     let digits = certificate.digits;
-    if !(1..=max_digits.min(MAX_DIGITS)).contains(&digits) {
-        return Err(Refusal::Digits(digits, max_digits.min(MAX_DIGITS)));
+    if !(1..=MAX_DIGITS).contains(&digits) {
+        return Err(Refusal::Digits(digits, MAX_DIGITS));
+    }
+    if digits > max_digits {
+        return Err(Refusal::Limit(digits, max_digits));
     }
     sizes(&system, certificate)?;
     let (wide, bits) = (longest(&certificate.unique), longest(&certificate.root));
@@ -122,10 +126,11 @@ pub fn check_certificate<E: Engine>(
             .ok_or_else(unknown)?;
         let known = problem.known(quantity, &at).ok_or_else(unknown)?;
         let refused = Refusal::Rounding(quantity.name());
-        if value.value == "inf" {
+        let text = if value.value == "inf" {
             if !known.is_infinite() {
                 return Err(refused);
             }
+            value.value.clone()
         } else {
             let decimal = || Refusal::Decimal(quantity.name());
             let written = Written::parse(&value.value).ok_or_else(decimal)?;
@@ -138,8 +143,9 @@ pub fn check_certificate<E: Engine>(
             if !proved {
                 return Err(refused);
             }
-        }
-        values.push((quantity, value.value.clone()));
+            written.to_string()
+        };
+        values.push((quantity, text));
     }
     if values.is_empty() {
         return Err(Refusal::NoValues);
@@ -166,7 +172,7 @@ fn sizes(system: &System, certificate: &Certificate) -> Result<(), Refusal> {
     size("inverse", certificate.inverse.len())?;
     for row in &certificate.inverse {
         size("inverse", row.len())?;
-        bounded("inverse", WITNESS_BITS, row)?;
+        bounded("inverse", EXTRA_BITS, row)?;
     }
     let boxes = [("unique", &certificate.unique, EXTRA_BITS), ("root", &certificate.root, allowed)];
     for (place, witness, bits) in boxes {

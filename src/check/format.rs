@@ -1,7 +1,8 @@
 //! The certificate as a file: JSON, `couplet.certificate/1`, described in `docs/certificate.md`.
 
-use super::object::{Object, given, given_object, object, objects};
+use super::object::{Object, given, given_object, list, lists, object, objects};
 use super::refusal::Refusal;
+use super::visible::{beginning, shortened};
 use crate::arch::{SelfWeight, Unknown};
 use crate::number::{Dyadic, ExactNumber};
 use crate::problem::{Arch, Equation, Friction, Landmark, Mode, Problem, System};
@@ -28,6 +29,7 @@ pub struct Certificate {
     #[serde(deserialize_with = "object")]
     pub unique: Witness,
     /// An approximate inverse of the Jacobian at the centre of that box, row by row.
+    #[serde(deserialize_with = "lists")]
     pub inverse: Vec<Vec<Dyadic>>,
     /// A small box that holds the root.
     #[serde(deserialize_with = "object")]
@@ -50,8 +52,10 @@ impl Certificate {
 #[serde(deny_unknown_fields)]
 pub struct Witness {
     /// The centre.
+    #[serde(deserialize_with = "list")]
     pub centre: Vec<Dyadic>,
     /// The radii.
+    #[serde(deserialize_with = "list")]
     pub radius: Vec<Dyadic>,
 }
 
@@ -78,8 +82,10 @@ pub struct ClaimFile {
     #[serde(default, deserialize_with = "given_object", skip_serializing_if = "Option::is_none")]
     pub state: Option<StateFile>,
     /// The names of what is solved for, in the order of every vector.
+    #[serde(deserialize_with = "list")]
     pub unknowns: Vec<String>,
     /// The labels of what holds.
+    #[serde(deserialize_with = "list")]
     pub equations: Vec<String>,
 }
 
@@ -99,9 +105,11 @@ pub struct StateFile {
 const MAX_GIVEN: usize = 100_000;
 
 impl Certificate {
-    /// Reads a file. A file that is not such a certificate is refused with the place and the cause.
+    /// Reads a file, with or without a byte order mark. A file that is not such a certificate is refused with
+    /// the place and the cause.
     pub fn read(bytes: &[u8]) -> Result<Self, Refusal> {
         let text = str::from_utf8(bytes).map_err(|error| Refusal::Encoding(error.valid_up_to()))?;
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let Object(certificate): Object<Self> =
             serde_json::from_str(text).map_err(|error| Refusal::Format(reason(&error)))?;
         if certificate.schema != SCHEMA {
@@ -109,25 +117,6 @@ impl Certificate {
         }
         Ok(certificate)
     }
-}
-
-/// The beginning of a text, to be shown.
-pub(super) fn shortened(text: &str) -> String {
-    beginning(text, 40)
-}
-
-/// At most `length` characters of a text, in one line.
-fn beginning(text: &str, length: usize) -> String {
-    let visible = |c: char| {
-        let quote = matches!(c, '"' | '\'' | '\\');
-        let escaped = (!quote).then(|| c.escape_debug());
-        quote.then_some(c).into_iter().chain(escaped.into_iter().flatten())
-    };
-    let mut shown: String = text.chars().take(length).flat_map(visible).collect();
-    if text.chars().nth(length).is_some() {
-        shown.push('…');
-    }
-    shown
 }
 
 /// Why a text is not a certificate. The reason may quote the text, which may be long and hold anything.

@@ -8,11 +8,14 @@ mod format;
 pub mod krawczyk;
 mod object;
 mod refusal;
+mod visible;
 
 pub use checker::{
-    ASTRO_DIGITS, Accepted, MAX_DIGITS, WITNESS_BITS, check, check_certificate, verify,
+    ASTRO_DIGITS, Accepted, EXTRA_BITS, MAX_DIGITS, WITNESS_BITS, check, check_certificate, verify,
 };
 #[cfg(feature = "cli")]
 pub(crate) use format::given_text;
 pub use format::{Certificate, ClaimFile, SCHEMA, StateFile, ValueFile, Witness};
 pub use refusal::Refusal;
+#[cfg(feature = "cli")]
+pub(crate) use visible::{visible, visible_name};

@@ -43,6 +43,9 @@ pub enum Refusal {
     /// The number of digits.
     #[error("digits: {0} is not from 1 to {1}")]
     Digits(usize, usize),
+    /// More digits than this check was to read: nothing was looked at.
+    #[error("{0} digits are more than the {1} of this check")]
+    Limit(usize, usize),
     /// A vector or matrix of the wrong size.
     #[error("{place}: it has {found} entries and not {expected}")]
     Size {

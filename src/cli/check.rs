@@ -1,22 +1,24 @@
 //! `couplet check`: also the whole of the small program.
 
-use super::failure::{Failure, print};
-use crate::check::{Accepted, Refusal, given_text, verify};
-use crate::problem::{Friction, Problem};
+use super::accepted::summary;
+use super::failure::{Failure, print, reason};
+use crate::check::{Accepted, MAX_DIGITS, Refusal, verify, visible_name};
 use clap::Args;
+use std::ffi::{OsStr, OsString};
 use std::fs::File;
 use std::io::{self, Read};
 
 /// Check certificates: that the equations have the root claimed, and that every digit is right.
 ///
 /// The checker trusts nothing that a certificate says: it computes residuals, slopes and roundings from the
-/// claim. Each file gets one line, `accepted` or `refused` with the reason; `-` is standard input. The
-/// exit code is 1 if a file was refused.
+/// claim. Each file gets one line: `accepted`, `refused` with the reason, `not checked` if it has more digits than
+/// the arithmetic is meant for, `not read` if it cannot be. `-` is standard input. The exit code is 1 if a file was
+/// refused, else 3 if one was not checked or not read.
 #[derive(Args)]
 pub(super) struct Arguments {
     /// Certificates to check.
     #[arg(value_name = "FILE", required = true)]
-    files: Vec<String>,
+    files: Vec<OsString>,
 
     /// Arithmetic: astro (pure Rust, up to 50000 digits) or mpfr (where it is built in).
     #[arg(long, default_value = "astro", value_parser = engine)]
@@ -65,27 +67,63 @@ impl Command {
 /// A certificate of a million digits has about 25 MB.
 const MAX_BYTES: u64 = 64 << 20;
 
+/// What became of a file.
+enum Verdict {
+    Accepted(Accepted),
+    Refused(String),
+    NotChecked(String),
+    NotRead(io::Error),
+}
+
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let mut refused = 0;
+    let (mut refused, mut open) = (0, 0);
     for name in &arguments.files {
-        let bytes = read(name).map_err(|error| Failure::reading(name, &error))?;
-        let verdict = if bytes.len() as u64 > MAX_BYTES {
-            Err(format!("the file has more than {MAX_BYTES} bytes"))
-        } else {
-            checked(&bytes, arguments.engine).map_err(|refusal| refusal.to_string())
-        };
-        let line = match verdict {
-            Ok(accepted) => format!("{name}: accepted  {}", summary(&accepted)),
-            Err(reason) => {
+        let said = match verdict(name, arguments.engine) {
+            Verdict::Accepted(accepted) => format!("accepted  {}", summary(&accepted)),
+            Verdict::Refused(reason) => {
                 refused += 1;
-                format!("{name}: refused: {reason}")
+                format!("refused: {reason}")
+            }
+            Verdict::NotChecked(reason) => {
+                open += 1;
+                format!("not checked: {reason}")
+            }
+            Verdict::NotRead(error) => {
+                open += 1;
+                format!("not read: {}", reason(&error))
             }
         };
-        print(format!("{line}\n").as_bytes())?;
+        print(format!("{}: {said}\n", visible_name(name)).as_bytes())?;
     }
-    match refused {
-        0 => Ok(()),
-        n => Err(Failure::Undecided(format!("{n} of {} refused", arguments.files.len()))),
+    let all = arguments.files.len();
+    match (refused, open) {
+        (0, 0) => Ok(()),
+        (0, open) => Err(Failure::Io(format!("{open} of {all} not checked"))),
+        (refused, 0) => Err(Failure::Undecided(format!("{refused} of {all} refused"))),
+        (refused, open) => {
+            Err(Failure::Undecided(format!("{refused} of {all} refused, {open} not checked")))
+        }
+    }
+}
+
+fn verdict(name: &OsStr, engine: EngineChoice) -> Verdict {
+    let bytes = match read(name) {
+        Ok(bytes) => bytes,
+        Err(error) => return Verdict::NotRead(error),
+    };
+    if bytes.len() as u64 > MAX_BYTES {
+        return Verdict::Refused(format!("the file has more than {MAX_BYTES} bytes"));
+    }
+    match checked(&bytes, engine) {
+        Ok(accepted) => Verdict::Accepted(accepted),
+        Err(limit @ Refusal::Limit(..)) => {
+            let other = match cfg!(feature = "mpfr") {
+                true => "--engine mpfr",
+                false => "--engine mpfr, in a build that has it,",
+            };
+            Verdict::NotChecked(format!("{limit}; {other} checks up to {MAX_DIGITS}"))
+        }
+        Err(refusal) => Verdict::Refused(refusal.to_string()),
     }
 }
 
@@ -93,44 +131,21 @@ fn checked(bytes: &[u8], engine: EngineChoice) -> Result<Accepted, Refusal> {
     match engine {
         EngineChoice::Astro => verify(bytes),
         #[cfg(feature = "mpfr")]
-        EngineChoice::Mpfr => {
-            crate::check::check::<crate::number::Ball>(bytes, crate::check::MAX_DIGITS)
-        }
+        EngineChoice::Mpfr => crate::check::check::<crate::number::Ball>(bytes, MAX_DIGITS),
     }
 }
 
 /// The bytes of a file, a little more than the most that is allowed at the most.
-fn read(name: &str) -> io::Result<Vec<u8>> {
+fn read(name: &OsStr) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    match name {
-        "-" => io::stdin().lock().take(MAX_BYTES + 1).read_to_end(&mut bytes)?,
-        name => File::open(name)?.take(MAX_BYTES + 1).read_to_end(&mut bytes)?,
-    };
+    if name == "-" {
+        io::stdin().lock().take(MAX_BYTES + 1).read_to_end(&mut bytes)?;
+    } else {
+        let file = File::open(name)?;
+        // A file of this size is read into memory of this size.
+        let size = file.metadata().map_or(0, |file| file.len()).min(MAX_BYTES);
+        bytes.reserve_exact(usize::try_from(size).unwrap_or(0) + 1);
+        file.take(MAX_BYTES + 1).read_to_end(&mut bytes)?;
+    }
     Ok(bytes)
-}
-
-/// What was accepted, in a few words.
-fn summary(accepted: &Accepted) -> String {
-    let subject = match &accepted.problem {
-        Problem::Landmark { landmark, .. } => landmark.symbol().to_owned(),
-        Problem::State { mode, arch } => {
-            let (half_opening, friction) = (given_text(arch.half_opening()), arch.friction());
-            let friction = match friction {
-                Friction::Coefficient(mu) => given_text(mu),
-                friction => friction.to_string(),
-            };
-            format!("{mode} half_opening {half_opening} friction {friction}")
-        }
-    };
-    let first = accepted.values.first().map_or(String::new(), |(quantity, value)| {
-        let shown: String = value.chars().take(22).collect();
-        let more = if shown.len() < value.len() { "…" } else { "" };
-        format!("{} {shown}{more} ", quantity.name())
-    });
-    let plural = if accepted.digits == 1 { "" } else { "s" };
-    format!(
-        "{subject} {}  {first}to {} digit{plural}",
-        accepted.problem.weight().name(),
-        accepted.digits
-    )
 }

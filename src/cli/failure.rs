@@ -20,6 +20,7 @@ pub(super) enum Failure {
 
 impl Failure {
     /// What could not be read, and why.
+    #[cfg(feature = "mpfr")]
     pub(super) fn reading(what: impl Display, error: &io::Error) -> Self {
         Self::Io(format!("cannot read {what}: {}", reason(error)))
     }
@@ -31,7 +32,7 @@ impl Failure {
 }
 
 /// The kind of an error in plain words. Its own text may name a temporary file, which the user does not know.
-fn reason(error: &io::Error) -> String {
+pub(super) fn reason(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::NotFound => "no such file or folder".into(),
         io::ErrorKind::AlreadyExists | io::ErrorKind::NotADirectory => {

@@ -3,14 +3,18 @@
 //! Exit codes: 0 everything asked was proved; 1 something was refuted, refused or undecided; 2 bad
 //! usage or input; 3 a resource or I/O failure.
 
+mod accepted;
 mod check;
 #[cfg(feature = "mpfr")]
 mod commands;
 mod completions;
 mod failure;
 mod man;
+#[cfg(feature = "mpfr")]
+mod pool;
 mod version;
 
+use crate::check::visible;
 use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser};
 use failure::Failure;
 use std::io;
@@ -70,7 +74,8 @@ pub fn run() -> ExitCode {
     match cli.run() {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("couplet: {failure}");
+            // It may quote what others wrote.
+            eprintln!("couplet: {}", visible(&failure.to_string()));
             ExitCode::from(match failure {
                 Failure::Undecided(_) => 1,
                 #[cfg(feature = "mpfr")]
@@ -84,12 +89,8 @@ pub fn run() -> ExitCode {
 impl Cli {
     fn run(&self) -> Result<(), Failure> {
         #[cfg(feature = "mpfr")]
-        if let Some(threads) = self.threads {
-            // Without the option the threads start when something needs them.
-            rayon::ThreadPoolBuilder::new()
-                .num_threads(threads)
-                .build_global()
-                .map_err(|error| Failure::Io(format!("cannot start {threads} threads: {error}")))?;
+        if self.threads.is_some() || self.command.computes() {
+            pool::start(self.threads)?;
         }
         self.command.run(Self::command)
     }
@@ -142,7 +143,8 @@ fn usage(error: &clap::Error) -> ExitCode {
         clap::error::ErrorKind::UnknownArgument => "; --help lists the options".into(),
         _ => String::new(),
     };
-    eprintln!("couplet: {}{possible}", line.strip_prefix("error: ").unwrap_or(&line));
+    let line = visible(line.strip_prefix("error: ").unwrap_or(&line));
+    eprintln!("couplet: {line}{possible}");
     ExitCode::from(2)
 }
 

@@ -1,7 +1,8 @@
 //! The decimals of a certificate, and what they say of the true value.
 
-use super::Engine;
+use super::{Decimal, Engine};
 use crate::number::Enclosure;
+use std::fmt;
 
 /// A decimal number as it is written: `[-]d[.d…][e±n]`. The zeros at the end of a whole number without a
 /// point only show its size.
@@ -79,6 +80,14 @@ impl Written {
     }
 }
 
+impl fmt::Display for Written {
+    /// The same digits in the one spelling of [`Decimal`]: plain for ordinary sizes, else with a power of ten.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let digits = self.digits.iter().map(|digit| char::from(b'0' + digit)).collect();
+        Decimal::new(self.negative, digits, self.exponent).fmt(f)
+    }
+}
+
 /// Digits that fit an `i32`.
 const CHUNK: usize = 9;
 
@@ -151,6 +160,20 @@ mod tests {
             assert_eq!(Written::parse(text), None, "{text}");
         }
         assert!(Written::parse("10").is_some() && Written::parse("1.5e-8").is_some());
+    }
+
+    #[test]
+    fn every_spelling_is_displayed_in_one() {
+        let shown = |text: &str| Written::parse(text).unwrap().to_string();
+        for text in ["0.06180", "6.180e-2", "6180e-5", "0.0000618e3", "0.006180e1"] {
+            let digits = Written::parse(text).unwrap().significant_digits();
+            assert_eq!(shown(text), if digits == 3 { "0.0618" } else { "0.06180" }, "{text}");
+        }
+        assert_eq!(shown("0.0000208e-9"), "2.08e-14");
+        assert_eq!(shown("1400"), "1400");
+        assert_eq!(shown("14e2"), "1400");
+        assert_eq!(shown("0"), "0");
+        assert_eq!(shown("1e3000000"), "1e3000000");
     }
 
     #[test]

@@ -53,9 +53,13 @@ pub(super) fn measured<J: Sync, T: Send>(
     };
     let mut done: Vec<(usize, (T, Cost))> = thread::scope(|scope| {
         let threads = rayon::current_num_threads().min(jobs.len());
-        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(worker)).collect();
+        let start = |_| thread::Builder::new().spawn_scoped(scope, worker).ok();
+        let workers: Vec<_> = (0..threads).map_while(start).collect();
+        // Where no thread can be started, this one works.
+        let here = if workers.is_empty() { worker() } else { Vec::new() };
         let joined = workers.into_iter().map(|worker| worker.join());
-        joined.flat_map(|done| done.unwrap_or_else(|panic| resume_unwind(panic))).collect()
+        let done = joined.flat_map(|done| done.unwrap_or_else(|panic| resume_unwind(panic)));
+        here.into_iter().chain(done).collect()
     });
     done.sort_by_key(|(index, _)| *index);
     done.into_iter().map(|(_, result)| result).collect()

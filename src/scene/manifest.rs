@@ -1,13 +1,15 @@
 //! The record of a run, `couplet.run/1`: what was asked of each output, and what was written.
 //!
 //! An output is complete if request, program version and file content are unchanged. Hashes decide: times
-//! and names prove nothing.
+//! and names prove nothing. They protect against accidents, not against somebody who edits the record too.
+//!
+//! A run replaces only files that the record names; so each is named before it is written.
 
 use super::schema::Item;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, BufReader, Read, Write};
 use std::path::Path;
 
@@ -24,11 +26,14 @@ pub(crate) struct Manifest {
 
 #[derive(Debug, Serialize, Deserialize)]
 struct Entry {
-    /// SHA-256 of the version of the program and the description of the item.
-    asked: String,
-    /// SHA-256 of the file.
+    /// SHA-256 of the version of the program and the description of the item; none if it is not complete.
+    asked: Option<String>,
+    /// SHA-256 of the file; empty if it is not known.
     content: String,
 }
+
+/// A record of the most items that a scene can have is far smaller.
+const MAX_BYTES: u64 = 16 << 20;
 
 impl Default for Manifest {
     fn default() -> Self {
@@ -37,13 +42,30 @@ impl Default for Manifest {
 }
 
 impl Manifest {
-    /// The record in a folder; an empty one if there is none that can be read.
-    pub(crate) fn of(folder: &Path) -> Self {
-        let read = || {
-            let file = BufReader::new(File::open(folder.join(NAME)).ok()?);
-            serde_json::from_reader::<_, Self>(file).ok()
-        };
-        read().filter(|manifest| manifest.schema == SCHEMA).unwrap_or_default()
+    /// The record in a folder; an empty one if there is none. An error of the kind `InvalidData` where a file of
+    /// that name is no record of this version, or larger than one can be.
+    pub(crate) fn of(folder: &Path) -> io::Result<Self> {
+        let path = folder.join(NAME);
+        // What a link leads to is not this folder's, and a pipe would be waited for.
+        match fs::symlink_metadata(&path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Self::default()),
+            Err(error) => return Err(error),
+            Ok(there) if !there.is_file() => {
+                return Err(io::Error::other("it is a link, a folder, a pipe or a device"));
+            }
+            Ok(there) if there.len() > MAX_BYTES => return Err(io::ErrorKind::InvalidData.into()),
+            Ok(_) => {}
+        }
+        let file = BufReader::new(File::open(path)?.take(MAX_BYTES));
+        let record: Option<Self> = serde_json::from_reader(file).ok();
+        record
+            .filter(|manifest| manifest.schema == SCHEMA)
+            .ok_or_else(|| io::ErrorKind::InvalidData.into())
+    }
+
+    /// Whether an output is one that a run wrote, or was about to write.
+    pub(crate) fn names(&self, output: &Path) -> bool {
+        self.outputs.contains_key(&key(output))
     }
 
     /// Whether the output of an item is there and is what would be written again.
@@ -51,22 +73,20 @@ impl Manifest {
         let Some(output) = &item.output else { return false };
         let entry = self.outputs.get(&key(output));
         entry.is_some_and(|entry| {
-            entry.asked == asked(item)
+            entry.asked.as_ref() == Some(&asked(item))
                 && hash_of(&folder.join(output)).is_ok_and(|content| content == entry.content)
         })
     }
 
-    /// Notes that an output was written.
-    pub(crate) fn note(&mut self, item: &Item, content: String) {
-        if let Some(output) = &item.output {
-            self.outputs.insert(key(output), Entry { asked: asked(item), content });
-        }
+    /// Notes that an output is about to be written, or was written and is not complete.
+    pub(crate) fn begin(&mut self, output: &Path) {
+        self.outputs.insert(key(output), Entry { asked: None, content: String::new() });
     }
 
-    /// Forgets an output that is about to be written anew.
-    pub(crate) fn forget(&mut self, item: &Item) {
+    /// Notes that an output was written, with all that was asked.
+    pub(crate) fn note(&mut self, item: &Item, content: String) {
         if let Some(output) = &item.output {
-            self.outputs.remove(&key(output));
+            self.outputs.insert(key(output), Entry { asked: Some(asked(item)), content });
         }
     }
 

@@ -1,7 +1,7 @@
 //! `couplet certify`.
 
 use super::arch::{Needs, ShapeArguments};
-use super::output::Output;
+use super::output::{Output, is_standard};
 use super::parse;
 use crate::arch::SelfWeight;
 use crate::certify::{Undecided, certify_landmark, certify_state};
@@ -89,10 +89,9 @@ fn undecided(undecided: Undecided) -> Failure {
 
 /// All landmarks, each in a file of its own.
 fn all(arguments: &Arguments) -> Result<(), Failure> {
-    let folder = arguments
-        .output
-        .as_deref()
-        .ok_or_else(|| Failure::Input("`all` needs a folder, --output PATH".into()))?;
+    let folder = arguments.output.as_deref().filter(|folder| !is_standard(folder));
+    let folder =
+        folder.ok_or_else(|| Failure::Input("`all` needs a folder, --output PATH".into()))?;
     let failed = |error: std::io::Error| Failure::writing(folder.display(), &error);
     fs::create_dir_all(folder).map_err(failed)?;
     let weights = arguments.weight.map_or(SelfWeight::ALL.to_vec(), |weight| vec![weight]);

@@ -5,6 +5,7 @@ mod assess;
 mod audit;
 mod certify;
 mod constants;
+mod folder;
 mod judge;
 mod output;
 mod parse;
@@ -40,6 +41,11 @@ pub(super) enum Command {
 }
 
 impl Command {
+    /// Whether the command computes on many threads.
+    pub(super) fn computes(&self) -> bool {
+        !matches!(self, Self::Check(_) | Self::Completions(_) | Self::Man(_))
+    }
+
     /// Runs the command; `program` describes the whole command line.
     pub(super) fn run(&self, program: fn() -> clap::Command) -> Result<(), Failure> {
         match self {

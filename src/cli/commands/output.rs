@@ -6,7 +6,7 @@ use crate::problem::Quantity;
 use crate::report::words::list;
 use crate::report::{Content, Format};
 use clap::Args;
-use std::fs;
+use std::fs::{self, File};
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, Once};
@@ -33,7 +33,7 @@ pub(super) struct AnswerOutput {
 /// Where a report is written.
 #[derive(Args)]
 pub(super) struct OutputFile {
-    /// Write to a file instead of standard output; it appears whole or not at all.
+    /// Write to a file instead of standard output, which `-` is too; it appears whole or not at all.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
@@ -60,7 +60,7 @@ impl AnswerOutput {
 
     /// Opens the destination, before any work is done.
     pub(super) fn open(&self) -> Result<Output, Failure> {
-        if self.file.output.is_none() {
+        if self.file.output.as_deref().is_none_or(is_standard) {
             fits_standard_output(self.format())?;
         }
         self.file.open()
@@ -90,6 +90,11 @@ pub(super) fn fits_standard_output(format: &Format) -> Result<(), Failure> {
     }
 }
 
+/// Whether a path stands for standard output.
+pub(super) fn is_standard(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
 /// Whether two paths lead to one file that is there.
 pub(super) fn is_same_file(one: &Path, other: &Path) -> bool {
     match (fs::canonicalize(one), fs::canonicalize(other)) {
@@ -105,7 +110,7 @@ pub(super) enum Output {
     /// A device or a pipe, which is written to directly: it cannot be renamed over.
     Stream {
         /// What is written to.
-        stream: fs::File,
+        stream: File,
         /// The name asked for.
         path: PathBuf,
     },
@@ -113,8 +118,10 @@ pub(super) enum Output {
     File {
         /// The unfinished file.
         unfinished: NamedTempFile,
-        /// The file asked for.
+        /// The file asked for; where the name asked for is a link, what it leads to.
         path: PathBuf,
+        /// Whether the file asked for belongs to somebody else, and so is written into.
+        is_foreign: bool,
     },
 }
 
@@ -123,26 +130,42 @@ static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
 static HANDLER: Once = Once::new();
 
 impl Output {
-    /// Opens the destination now: a path that cannot be written fails before any work.
+    /// Opens the destination now: a path that cannot be written fails before any work. A link is followed: what it
+    /// leads to is written, and it has to lead somewhere.
     pub(super) fn open(path: Option<&Path>) -> Result<Self, Failure> {
-        let Some(path) = path else { return Ok(Self::Standard) };
+        let Some(path) = path.filter(|path| !is_standard(path)) else { return Ok(Self::Standard) };
         let failed = |error: io::Error| cannot_write(path, &error);
-        // Follow a link: replace the file behind it, not the link.
-        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-        if path.is_dir() {
-            return Err(failed(io::ErrorKind::IsADirectory.into()));
-        }
-        if path.exists() && !path.is_file() {
-            let stream = fs::OpenOptions::new().write(true).open(&path).map_err(failed)?;
-            return Ok(Self::Stream { stream, path });
-        }
+        let there = match fs::metadata(path) {
+            Ok(there) if there.is_dir() => return Err(failed(io::ErrorKind::IsADirectory.into())),
+            Ok(there) if !there.is_file() => {
+                let stream = File::options().write(true).open(path).map_err(failed)?;
+                return Ok(Self::Stream { stream, path: path.to_owned() });
+            }
+            Ok(there) => {
+                // To rename over a file the folder is asked, not the file: ask the file too.
+                File::options().write(true).open(path).map_err(failed)?;
+                Some(there)
+            }
+            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(failed(error)),
+            Err(_) if path.is_symlink() => {
+                return Err(failed(io::Error::other("it is a link that leads nowhere")));
+            }
+            Err(_) => None,
+        };
+        let path =
+            if there.is_some() { fs::canonicalize(path).map_err(failed)? } else { path.into() };
         let folder = match path.parent() {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
             _ => Path::new("."),
         };
+        let failed = |error: io::Error| cannot_write(&path, &error);
         let unfinished = builder().tempfile_in(folder).map_err(failed)?;
         remove_on_interrupt(unfinished.path());
-        Ok(Self::File { unfinished, path })
+        let is_foreign = match &there {
+            Some(there) => !take_over(there, unfinished.as_file()).map_err(failed)?,
+            None => false,
+        };
+        Ok(Self::File { unfinished, path, is_foreign })
     }
 
     /// Writes everything and makes the file appear. A reader that closes the pipe early is no failure.
@@ -164,10 +187,16 @@ impl Output {
             Self::Stream { mut stream, path } => {
                 write(&mut stream).map_err(|error| cannot_write(&path, &error))
             }
-            Self::File { mut unfinished, path } => {
+            Self::File { mut unfinished, path, is_foreign } => {
                 let failed = |error: io::Error| cannot_write(&path, &error);
                 write(unfinished.as_file_mut()).map_err(failed)?;
-                unfinished.persist(&path).map_err(|error| failed(error.error))?;
+                // The name must not be there before the content is.
+                unfinished.as_file().sync_all().map_err(failed)?;
+                if is_foreign {
+                    copy_into(&unfinished, &path).map_err(failed)?;
+                } else {
+                    unfinished.persist(&path).map_err(|error| failed(error.error))?;
+                }
                 set_unfinished(None);
                 Ok(())
             }
@@ -189,6 +218,29 @@ fn builder<'a>() -> tempfile::Builder<'a, 'a> {
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
     builder
+}
+
+/// Gives a new file the owner and the permissions of the one that it will replace; `false` if the owner cannot be
+/// given away.
+fn take_over(there: &fs::Metadata, new: &File) -> io::Result<bool> {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::{MetadataExt, fchown};
+        let own = new.metadata()?;
+        let same = (there.uid(), there.gid()) == (own.uid(), own.gid());
+        if !same && fchown(new, Some(there.uid()), Some(there.gid())).is_err() {
+            return Ok(false);
+        }
+    }
+    new.set_permissions(there.permissions())?;
+    Ok(true)
+}
+
+/// Writes the content of a finished file into another, whose owner it keeps.
+fn copy_into(finished: &NamedTempFile, path: &Path) -> io::Result<()> {
+    let mut file = File::options().write(true).truncate(true).open(path)?;
+    io::copy(&mut finished.reopen()?, &mut file)?;
+    file.sync_all()
 }
 
 fn set_unfinished(path: Option<PathBuf>) {

@@ -1,15 +1,16 @@
 //! `couplet run`.
 
-use super::output::{Output, is_same_file};
+use super::folder::Folder;
+use super::output::Output;
 use super::progress;
+use crate::check::visible;
 use crate::cli::failure::Failure;
 use crate::report::words::count;
 use crate::scene::{
-    EXAMPLE, Fault, Hashing, Item, MANIFEST, MAX_BYTES, Manifest, Plan, Run, Scene, explain,
-    read_bytes,
+    EXAMPLE, Fault, Hashing, Item, MAX_BYTES, Plan, Run, Scene, explain, read_bytes,
 };
 use clap::Args;
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
@@ -18,7 +19,8 @@ use std::path::{Path, PathBuf};
 /// A scene is a TOML file that lists landmarks, arches and claims, with digits, formats and files;
 /// --schema prints one with every key. If a scene has errors, all of them are reported and nothing is
 /// computed. Results that several items need are computed once. The file couplet-run.json next to the
-/// outputs records for --resume which are complete.
+/// outputs records which a run wrote, and for --resume which are complete; a file that it does not name is not
+/// replaced. Nothing is written outside the folder, whatever links it has.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// The scene; `-` is standard input.
@@ -32,6 +34,10 @@ pub(crate) struct Arguments {
     /// Keep an existing output if request, couplet version and file content are unchanged.
     #[arg(long)]
     resume: bool,
+
+    /// Replace files that are there and that no run wrote.
+    #[arg(long)]
+    overwrite: bool,
 
     /// Print what would be computed, as a tree, and compute nothing.
     #[arg(long)]
@@ -52,22 +58,22 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Output::Standard.write(|out| out.write_all(EXAMPLE.as_bytes()));
     };
     let scene = scene(path)?;
-    // Nothing before a file's name is the current folder.
-    let folder = arguments.output.as_deref().unwrap_or(Path::new(""));
-    let mut manifest = Manifest::of(folder);
-    let is_complete = |item: &Item| arguments.resume && manifest.is_complete(folder, item);
+    let mut folder = Folder::open(arguments.output.as_deref(), arguments.overwrite)?;
+    let is_complete = |item: &Item| arguments.resume && folder.is_complete(item);
     let complete: Vec<bool> = scene.items.iter().map(is_complete).collect();
     let plan = Plan::new(&scene, complete);
     if arguments.plan {
         return Output::Standard.write(|out| explain(&plan, None, out));
     }
-    prepare(&plan, folder, path)?;
-    carry_out(&plan, folder, &mut manifest, arguments.explain)
+    let items = scene.items.iter().zip(&plan.complete).filter(|(_, complete)| !**complete);
+    let outputs: Vec<&Path> = items.filter_map(|(item, _)| item.output.as_deref()).collect();
+    folder.prepare(&outputs, path)?;
+    carry_out(&plan, &mut folder, arguments.explain)
 }
 
 /// Writes to standard error; nobody may be reading it.
 fn say(text: &str) {
-    let _ = io::stderr().write_all(text.as_bytes());
+    let _ = writeln!(io::stderr(), "{}", visible(text));
 }
 
 /// Reads a scene; its faults go to standard error, a line each.
@@ -83,55 +89,25 @@ fn scene(path: &Path) -> Result<Scene, Failure> {
     file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(failed)?;
     read_bytes(&bytes).map_err(|faults| {
         for Fault { place, message } in &faults {
-            say(&format!("{name}:{}:{}: {message}\n", place.line, place.column));
+            say(&format!("{name}:{}:{}: {message}", place.line, place.column));
         }
         let errors = count(faults.len(), "error", "errors");
         Failure::Input(format!("{name} has {errors}; nothing was computed"))
     })
 }
 
-/// Makes the folders, and sees whether every output can be written, before any work.
-fn prepare(plan: &Plan, folder: &Path, scene: &Path) -> Result<(), Failure> {
-    let items = plan.scene.items.iter().zip(&plan.complete);
-    let outputs: Vec<PathBuf> = items
-        .filter(|(_, complete)| !**complete)
-        .filter_map(|(item, _)| Some(folder.join(item.output.as_ref()?)))
-        .collect();
-    if let Some(output) = outputs.iter().find(|output| is_same_file(output, scene)) {
-        let output = output.display();
-        return Err(Failure::Input(format!("refusing to overwrite the scene {output}")));
-    }
-    for output in &outputs {
-        let parent = output.parent().unwrap_or(folder);
-        fs::create_dir_all(parent).map_err(|error| Failure::writing(parent.display(), &error))?;
-        // Open a pipe only when there is something to write.
-        if !output.exists() || output.is_file() || output.is_dir() {
-            Output::open(Some(output))?;
-        }
-    }
-    match outputs.is_empty() {
-        true => Ok(()),
-        false => Output::open(Some(&folder.join(MANIFEST))).map(drop),
-    }
-}
-
 /// Computes and writes one item after the other; each output is noted as soon as it is there.
-fn carry_out(
-    plan: &Plan,
-    folder: &Path,
-    manifest: &mut Manifest,
-    explained: bool,
-) -> Result<(), Failure> {
+fn carry_out(plan: &Plan, folder: &mut Folder, explained: bool) -> Result<(), Failure> {
     let bar = progress::bar(plan.ticks(), plan.size());
     let tick = || bar.inc(1);
     let mut run = Run::new(plan);
     let mut undecided = Vec::new();
     let mut printed = false;
     for (index, item) in plan.scene.items.iter().enumerate() {
-        let path = item.output.as_ref().map(|output| folder.join(output));
+        let path = item.output.as_ref().map(|output| folder.shown(output));
         let tell = |what: &str| {
             if let Some(path) = &path {
-                bar.suspend(|| say(&format!("{what} {}\n", path.display())));
+                bar.suspend(|| say(&format!("{what} {}", path.display())));
             }
         };
         if plan.complete[index] {
@@ -147,7 +123,10 @@ fn carry_out(
         if !report.is_known() {
             continue;
         }
-        let output = Output::open(path.as_deref())?;
+        let output = match &item.output {
+            Some(output) => folder.begin(output)?,
+            None => Output::Standard,
+        };
         let mut hash = String::new();
         bar.suspend(|| {
             output.write(|out| {
@@ -162,11 +141,9 @@ fn carry_out(
         })?;
         if path.is_some() {
             // An undecided output is tried again.
-            match report.undecided.is_empty() {
-                true => manifest.note(item, hash),
-                false => manifest.forget(item),
+            if report.undecided.is_empty() {
+                folder.note(item, hash)?;
             }
-            Output::open(Some(&folder.join(MANIFEST)))?.write(|out| manifest.write(out))?;
             tell("written");
         }
     }
@@ -175,7 +152,8 @@ fn carry_out(
         let mut tree = Vec::new();
         let written = explain(plan, Some(run.costs()), &mut tree);
         written.map_err(|error| Failure::Io(error.to_string()))?;
-        say(&String::from_utf8_lossy(&tree));
+        // A reader of it may be gone.
+        let _ = io::stderr().write_all(&tree);
     }
     match undecided.is_empty() {
         true => Ok(()),

@@ -65,8 +65,12 @@ fn not_given_as(text: &str) -> Cases {
     ["half_opening", "friction"].map(|place| given_as(place, text)).into()
 }
 
-fn too_many_digits(digits: usize) -> Cases {
-    vec![(point().with("/digits", digits), Refusal::Digits(digits, MAX_DIGITS))]
+fn no_number_of_digits(digits: usize) -> Cases {
+    vec![(point().with("/digits", digits), Refusal::Digits(digits, 1_000_000))]
+}
+
+fn more_than_asked_for(digits: usize) -> Cases {
+    vec![(point().with("/digits", digits), Refusal::Limit(digits, MAX_DIGITS))]
 }
 
 /// A number of more digits than are read.
@@ -139,10 +143,11 @@ refusals! {
     no_friction_for_a_mode_that_slides: vec![given_as("friction", "inf")];
     a_friction_for_overturning: overturning_with_a_friction() => given("friction", "5/1");
 
-    no_digits: too_many_digits(0);
-    a_digit_too_many: too_many_digits(MAX_DIGITS + 1);
-    a_million_digits: too_many_digits(1_000_001);
-    as_many_digits_as_can_be: too_many_digits(usize::MAX);
+    no_digits: no_number_of_digits(0);
+    a_digit_too_many: more_than_asked_for(MAX_DIGITS + 1);
+    a_million_digits: more_than_asked_for(1_000_000);
+    more_than_a_million_digits: no_number_of_digits(1_000_001);
+    as_many_digits_as_can_be: no_number_of_digits(usize::MAX);
 }
 
 /// Another landmark with the unknowns of this one.

@@ -56,14 +56,38 @@ fn a_refused_one_does_not_keep_the_others_from_being_checked() {
     assert_eq!(lines[2..], [format!("{empty}: {reason}")]);
 }
 
-/// A file that cannot be read, in a folder of its own.
+/// A file that cannot be read, in a folder of its own: the others are checked all the same, and a refusal is not
+/// masked.
 fn cannot_be_read(name: &str) {
-    let scratch = Scratch::new();
+    let (scratch, good) = certified();
     let path = if name.is_empty() { String::new() } else { scratch.path(name) };
-    let (code, output, message) = said(&couplet(&["check", &path]));
-    assert_eq!((code, output.as_str()), (Some(3), ""), "{path}");
-    assert!(message.starts_with(&format!("couplet: cannot read {path}: ")), "{message}");
-    assert_eq!(message.lines().count(), 1, "{message}");
+    let (code, output, message) = said(&couplet(&["check", &path, &good]));
+    assert_eq!((code, message.as_str()), (Some(3), "couplet: 1 of 2 not checked\n"), "{path}");
+    let lines: Vec<&str> = output.lines().collect();
+    assert!(lines[0].starts_with(&format!("{path}: not read: ")), "{output}");
+    assert_eq!(lines[1..], [format!("{good}: {}", ACCEPTED.trim_end())]);
+    scratch.write("bad.json", "{}");
+    let bad = scratch.path("bad.json");
+    let (code, output, message) = said(&couplet(&["check", &bad, &path, &good]));
+    let expected = "couplet: 1 of 3 refused, 1 not checked\n";
+    assert_eq!((code, message.as_str(), output.lines().count()), (Some(1), expected, 3));
+}
+
+/// More digits than the arithmetic is meant for say nothing against a certificate.
+#[test]
+fn a_certificate_beyond_the_limit_is_not_checked_and_not_refused() {
+    let (scratch, good) = certified();
+    let beyond = scratch.path("beyond.json");
+    let text = scratch.read("good.json").replace("\"digits\": 60,", "\"digits\": 60000,");
+    scratch.write("beyond.json", text);
+    let (code, output, message) = said(&couplet(&["check", &beyond, &good]));
+    assert_eq!((code, message.as_str()), (Some(3), "couplet: 1 of 2 not checked\n"));
+    let line = "not checked: 60000 digits are more than the 50000 of this check; --engine mpfr checks up to 1000000";
+    assert!(output.starts_with(&format!("{beyond}: {line}\n")), "{output}");
+    // It is spoiled, which is seen where it is looked at.
+    let (code, output, _) = said(&couplet(&["check", "--engine", "mpfr", &beyond]));
+    assert_eq!(code, Some(1));
+    assert!(output.contains(": refused: values: "), "{output}");
 }
 
 #[test]

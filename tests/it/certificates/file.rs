@@ -1,6 +1,7 @@
 //! What is no certificate is told with its place.
 
-use super::refusals::{Cases, Original, Spoiled, arch, point};
+use super::originals::both;
+use super::refusals::{Cases, MAX_DIGITS, Original, Spoiled, arch, point};
 use couplet::check::Refusal;
 use serde_json::{Value, json};
 
@@ -41,12 +42,14 @@ refusals! {
     a_list: stored!("list") => format("invalid type: sequence, expected an object");
     latin_1: stored!("latin-1") => Refusal::Encoding(49);
     utf_16: stored!("utf-16") => Refusal::Encoding(0);
-    a_byte_order_mark: stored!("byte-order-mark") => format("expected value at line 1 column 1");
+    two_byte_order_marks:
+        stored!("two-byte-order-marks") => format("expected value at line 1 column 1");
     half_a_surrogate: stored!("surrogate") => format("unexpected end of hex escape");
     a_comment: stored!("comment") => format("expected value at line 1 column 1");
     plain_text: stored!("text") => format("expected value at line 1 column 1");
     control_characters: stored!("control") => format("unknown field `a\\n\\u{1b}[2J`");
     an_empty_object: Spoiled::new("{}", "{}") => missing("schema");
+    lists_that_are_too_long: long_lists();
 
     // Fields that are unknown, or there twice.
     a_field_too_many: point().replaced("{", "{\"extra\":1,") => format("unknown field `extra`");
@@ -168,6 +171,32 @@ refusals! {
     an_exponent_too_small: too_large("0x1p-10000001");
     a_zero_with_a_large_exponent: too_large("0x0p10000001");
     an_exponent_beyond_64_bits: too_large("0x1p999999999999999999");
+}
+
+/// Lists of one entry more than is read, each in its place.
+fn long_lists() -> Cases {
+    let longest = |place: &str, entry: Value| {
+        let list = vec![entry; 33];
+        (point().with(place, list), format("a list of more than 32 entries"))
+    };
+    let value = json!({"quantity": "thrust", "value": "1"});
+    vec![
+        longest("/inverse", json!([])),
+        longest("/inverse/0", json!("0x1p0")),
+        longest("/unique/centre", json!("0x1p0")),
+        longest("/root/radius", json!("0x1p0")),
+        longest("/claim/unknowns", json!("a")),
+        longest("/claim/equations", json!("ab")),
+        longest("/values", value),
+    ]
+}
+
+#[test]
+fn one_byte_order_mark_is_no_part_of_the_file() {
+    let plain = point().0.to_string();
+    let marked = format!("\u{feff}{plain}");
+    assert_eq!(both(marked.as_bytes(), MAX_DIGITS), both(plain.as_bytes(), MAX_DIGITS));
+    assert!(both(plain.as_bytes(), MAX_DIGITS).is_ok());
 }
 
 /// The table above leaves out each field of each object, but for the landmark, without which a claim may

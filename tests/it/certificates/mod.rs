@@ -10,6 +10,8 @@ mod conditions;
 mod file;
 mod monsters;
 mod originals;
+#[cfg(feature = "cli")]
+mod printed;
 mod roots;
 mod sizes;
 mod spoiled;
@@ -36,6 +38,7 @@ fn variant(refusal: &Refusal) -> &'static str {
         Refusal::Mismatch { .. } => "Mismatch",
         Refusal::Given { .. } => "Given",
         Refusal::Digits(..) => "Digits",
+        Refusal::Limit(..) => "Limit",
         Refusal::Size { .. } => "Size",
         Refusal::Large { .. } => "Large",
         Refusal::Radius { .. } => "Radius",
@@ -50,14 +53,14 @@ fn variant(refusal: &Refusal) -> &'static str {
     }
 }
 
-const VARIANTS: usize = 19;
+const VARIANTS: usize = 20;
 
 /// Each table of refusals has cases of these variants and of no other.
 #[test]
 fn every_variant_has_a_case() {
     let tables: [(Vec<Refusal>, &[&str]); 6] = [
         (file::expected(), &["Encoding", "Format"]),
-        (claim::expected(), &["Digits", "Given", "Mismatch", "Name", "Schema", "Subject"]),
+        (claim::expected(), &["Digits", "Given", "Limit", "Mismatch", "Name", "Schema", "Subject"]),
         (sizes::expected(), &["Large", "Radius", "Size"]),
         (witnesses::expected(), &["Contraction", "Denominator", "Outside"]),
         (conditions::expected(), &["Condition"]),

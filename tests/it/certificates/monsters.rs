@@ -77,6 +77,11 @@ monsters! {
             "\"values\":[",
             format!("\"values\":[{}", "{\"quantity\":\"\",\"value\":\"\"},".repeat(300_000)),
         );
+    // Thirty megabytes of entries, each of which costs many times its text in memory.
+    many_rows: text("\"inverse\":[", format!("\"inverse\":[{}", "[\"0x1p0\"],".repeat(3_000_000)));
+    many_names: text("\"unknowns\":[", format!("\"unknowns\":[{}", "\"a\",".repeat(8_000_000)));
+    many_labels:
+        text("\"equations\":[", format!("\"equations\":[{}", "\"ab\",".repeat(6_000_000)));
     a_long_schema: with("/schema", long());
     a_long_weight: with("/claim/weight", long());
     a_long_landmark: with("/claim/landmark", long());

@@ -31,7 +31,7 @@ fn longer(whole: &str, bits: u32) -> Value {
 }
 
 const LARGEST: [(&str, &str, u32); 5] = [
-    ("/inverse/2/3", "inverse", 256),
+    ("/inverse/2/3", "inverse", 20_000),
     ("/unique/radius/1", "unique", 256),
     ("/unique/centre/1", "unique", 20_000),
     ("/root/radius/4", "root", 256),

@@ -40,6 +40,49 @@ fn a_file_appears_whole_and_alone() {
     assert!(scratch.read("constants.json").contains("couplet.constants/1"), "kept");
 }
 
+/// In every command that has `--output`.
+#[test]
+fn a_dash_is_standard_output() {
+    let scratch = Scratch::new();
+    for arguments in [
+        &["constants", "L", "--digits", "5"][..],
+        &["state", "--alpha", "1", "--mu", "1", "--digits", "5"],
+        &["certify", "L", "--digits", "5"],
+        &["certify", "state", "--alpha", "1", "--mu", "1", "--digits", "5"],
+    ] {
+        let plain = couplet(arguments);
+        assert_eq!(plain.status.code(), Some(0), "{arguments:?}");
+        for option in ["-o", "--output"] {
+            let mut asked = command(&[arguments, &[option, "-"]].concat());
+            let output = asked.current_dir(scratch.folder()).output().unwrap();
+            assert_eq!(said(&output), said(&plain), "{arguments:?}");
+        }
+    }
+    assert!(scratch.files(".").is_empty());
+    // Many files have no standard output.
+    let (code, _, message) = said(&couplet(&["certify", "all", "-o", "-"]));
+    assert_eq!((code, message.lines().count()), (Some(2), 1), "{message}");
+}
+
+/// Without a thread to spare: one line, no panic.
+#[cfg(target_os = "linux")]
+#[test]
+fn threads_that_cannot_start_are_a_resource_failure() {
+    // No address space has a stack of this size.
+    let no_thread = |arguments: &[&str]| {
+        let mut command = command(arguments);
+        command.env("RUST_MIN_STACK", (1u64 << 60).to_string()).output().unwrap()
+    };
+    for arguments in [&["constants", "L"][..], &["states"], &["prove", "eq-7"]] {
+        let (code, output, message) = said(&no_thread(arguments));
+        assert_eq!((code, output.as_str()), (Some(3), ""), "{message}");
+        assert_eq!(message.lines().count(), 1, "{message}");
+        assert!(message.starts_with("couplet: cannot start threads ("), "{message}");
+    }
+    // What needs none goes on.
+    assert_eq!(no_thread(&["completions", "bash"]).status.code(), Some(0));
+}
+
 #[cfg(unix)]
 #[test]
 fn an_interrupted_run_leaves_nothing() {

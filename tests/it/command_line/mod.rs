@@ -4,6 +4,8 @@ mod claims;
 mod constants;
 mod files;
 mod language;
+#[cfg(unix)]
+mod owners;
 mod states;
 #[cfg(feature = "study")]
 mod study;

@@ -4,6 +4,7 @@
 mod cost;
 mod examples;
 mod faults;
+mod folder;
 mod outputs;
 mod plan;
 mod reading;

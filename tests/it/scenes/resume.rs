@@ -1,7 +1,7 @@
 //! A run goes on where it was.
 
 use super::{THREE, scene_in};
-use crate::program::{Scratch, command, couplet, text};
+use crate::program::{Scratch, command, couplet, said as said_whole, text};
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
@@ -96,10 +96,18 @@ fn resuming_keeps_what_is_complete_by_its_content() {
     scene_in(&scratch, &format!("# In other words.\n{}", THREE.replace("\"T\"", "[ 'T' ]")));
     assert_eq!(kept(&resume()), all);
 
-    // A record that is damaged or of another time proves nothing.
+    // A record that is damaged or of another time proves nothing, and is not replaced without a word.
     for record in ["", "{}", "{\"schema\": \"couplet.run/9\", \"outputs\": {}}"] {
         fs::write(scratch.path("out/couplet-run.json"), record).unwrap();
-        assert!(kept(&resume()).is_empty(), "{record}");
+        let (code, _, message) = said_whole(&resume());
+        assert_eq!((code, message.lines().count()), (Some(2), 1), "{message}");
+        assert!(
+            message.contains("is not the record of a run; --overwrite replaces it"),
+            "{message}"
+        );
+        assert_eq!(scratch.read("out/couplet-run.json"), record);
+        let over = couplet(&["run", &scene, "--output", &out, "--resume", "--overwrite"]);
+        assert!(kept(&over).is_empty(), "{record}");
     }
 }
 
@@ -114,7 +122,11 @@ fn an_interrupted_run_leaves_whole_files_and_goes_on_where_it_was() {
     let mut child =
         command(&["run", &scene, "--output", &out]).stderr(Stdio::piped()).spawn().unwrap();
     let start = Instant::now();
-    while scratch.files("out").len() < 2 && start.elapsed() < Duration::from_secs(100) {
+    let is_noted = || {
+        let record = fs::read_to_string(scratch.path("out/couplet-run.json"));
+        record.is_ok_and(|record| record.contains("\"asked\": \""))
+    };
+    while !is_noted() && start.elapsed() < Duration::from_secs(100) {
         std::thread::sleep(Duration::from_millis(20));
     }
     let killed = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();

@@ -1,0 +1,129 @@
+//! The folder that a run writes into: nothing outside it, and nothing in it that is not the run's.
+
+use super::output::{Output, is_same_file, is_standard};
+use crate::cli::failure::Failure;
+use crate::scene::{Item, MANIFEST, Manifest};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// The folder of the outputs, with the record of what runs wrote there.
+pub(super) struct Folder {
+    /// As it was given; nothing before a file's name is the current folder.
+    given: PathBuf,
+    overwrites: bool,
+    manifest: Manifest,
+}
+
+impl Folder {
+    /// The folder, with its record. `overwrites` allows to replace files that the record does not name.
+    pub(super) fn open(given: Option<&Path>, overwrites: bool) -> Result<Self, Failure> {
+        if given.is_some_and(is_standard) {
+            let message = "a run writes into a folder, not to standard output; ./- is a folder";
+            return Err(Failure::Input(message.into()));
+        }
+        let given = given.unwrap_or(Path::new("")).to_owned();
+        let record = given.join(MANIFEST);
+        let manifest = match Manifest::of(&given) {
+            Ok(manifest) => manifest,
+            Err(error) if error.kind() != io::ErrorKind::InvalidData => {
+                return Err(Failure::reading(record.display(), &error));
+            }
+            Err(_) if overwrites => Manifest::default(),
+            Err(_) => {
+                let record = record.display();
+                let message =
+                    format!("{record} is not the record of a run; --overwrite replaces it");
+                return Err(Failure::Input(message));
+            }
+        };
+        Ok(Self { given, overwrites, manifest })
+    }
+
+    /// The path of an output, to be shown.
+    pub(super) fn shown(&self, output: &Path) -> PathBuf {
+        self.given.join(output)
+    }
+
+    /// Whether the output of an item is there and is what would be written again.
+    pub(super) fn is_complete(&self, item: &Item) -> bool {
+        self.manifest.is_complete(&self.given, item)
+    }
+
+    /// Makes the folders of some outputs, and sees whether each can be written, before any work. `scene` is not to
+    /// be replaced.
+    pub(super) fn prepare(&self, outputs: &[&Path], scene: &Path) -> Result<(), Failure> {
+        let shown = outputs.iter().map(|output| self.shown(output));
+        if let Some(output) = shown.into_iter().find(|output| is_same_file(output, scene)) {
+            let output = output.display();
+            return Err(Failure::Input(format!("refusing to overwrite the scene {output}")));
+        }
+        for output in outputs {
+            let path = self.destination(output)?;
+            // Open a pipe only when there is something to write.
+            if !path.exists() || path.is_file() || path.is_dir() {
+                Output::open(Some(&path))?;
+            }
+        }
+        match outputs.is_empty() {
+            true => Ok(()),
+            false => Output::open(Some(&self.record()?)).map(drop),
+        }
+    }
+
+    /// Opens an output, which the record names from now on.
+    pub(super) fn begin(&mut self, output: &Path) -> Result<Output, Failure> {
+        let path = self.destination(output)?;
+        self.manifest.begin(output);
+        self.write_record()?;
+        Output::open(Some(&path))
+    }
+
+    /// Notes that all that was asked of an item was written.
+    pub(super) fn note(&mut self, item: &Item, hash: String) -> Result<(), Failure> {
+        self.manifest.note(item, hash);
+        self.write_record()
+    }
+
+    fn write_record(&self) -> Result<(), Failure> {
+        Output::open(Some(&self.record()?))?.write(|out| self.manifest.write(out))
+    }
+
+    fn record(&self) -> Result<PathBuf, Failure> {
+        Ok(self.resolved()?.join(MANIFEST))
+    }
+
+    /// The folder without links.
+    fn resolved(&self) -> Result<PathBuf, Failure> {
+        let given = if self.given.as_os_str().is_empty() { Path::new(".") } else { &self.given };
+        let resolved = fs::create_dir_all(given).and_then(|()| fs::canonicalize(given));
+        resolved.map_err(|error| Failure::writing(given.display(), &error))
+    }
+
+    /// Where an output is written: inside the folder whatever links there are, in a folder that is made, and not in
+    /// place of a file that no run wrote.
+    fn destination(&self, output: &Path) -> Result<PathBuf, Failure> {
+        let shown = self.shown(output);
+        let failed = |error: io::Error| Failure::writing(shown.display(), &error);
+        let outside = || failed(io::Error::other("it leads outside the folder of outputs"));
+        let root = self.resolved()?;
+        let inside = |path: &Path| if path.starts_with(&root) { Ok(()) } else { Err(outside()) };
+        let path = root.join(output);
+        let parent = path.parent().unwrap_or(&root);
+        // What is there decides where folders would be made.
+        if let Some(there) = parent.ancestors().find_map(|part| fs::canonicalize(part).ok()) {
+            inside(&there)?;
+        }
+        fs::create_dir_all(parent).map_err(failed)?;
+        inside(&fs::canonicalize(parent).map_err(failed)?)?;
+        if path.is_symlink() && path.exists() {
+            inside(&fs::canonicalize(&path).map_err(failed)?)?;
+        }
+        if path.is_file() && !self.overwrites && !self.manifest.names(output) {
+            let shown = shown.display();
+            let message = format!("{shown} is there, and no run wrote it; --overwrite replaces it");
+            return Err(Failure::Input(message));
+        }
+        Ok(path)
+    }
+}
