@@ -299,8 +299,8 @@ fn what_is_certified_is_said() {
          milankovitch  as it is below thickness 0.068650 to 5 digits\n"
     );
     assert_eq!(
-        line(&[&arch[..], &["--eta", "2"]].concat()),
-        "-: accepted  stands half_opening 4/9 pi friction tan 31/180 pi thickness 2/1 milankovitch\n"
+        line(&[&arch[..], &["--eta", "1.9"]].concat()),
+        "-: accepted  stands half_opening 4/9 pi friction tan 31/180 pi thickness 19/10 milankovitch\n"
     );
     let refused = |arguments: &[&str], words: &str| {
         let (code, _, message) = said(&couplet(&[&["certify"], arguments].concat()));
