@@ -103,7 +103,7 @@ pub mod scene;
 #[doc(hidden)]
 #[cfg(feature = "mpfr")]
 pub mod solve;
-#[cfg(feature = "proptest")]
+#[cfg(feature = "mpfr")]
 pub mod strategies;
 #[doc(hidden)]
 #[cfg(feature = "study")]

@@ -1,6 +1,6 @@
 //! The printed values against the certified ones, and the two weights against each other.
 
-use super::printed::{Known, PrintedNumber, PrintedVerdict};
+use super::printed::{Known, PrintedNumber, PrintedVerdict, correct_digits};
 use crate::arch::SelfWeight;
 use crate::certify::{CertifiedLandmark, Exact, Refined, Undecided};
 use crate::number::{Ball, Decimal, Enclosure, Rounded, Ternary};
@@ -20,8 +20,8 @@ pub struct Audited {
     /// `|printed - true|` in units of the last printed place, correctly rounded to three digits;
     /// `0` if the printed number is exactly the true one.
     pub error_units: Decimal,
-    /// All printed digits if they are the correct rounding; otherwise how many leading significant
-    /// digits are those of the true value.
+    /// The most digits `k` for which the error is at most half a unit of the `k`-th significant digit of
+    /// the true value; all that are printed if they are exactly that.
     pub correct_digits: usize,
     /// How good the last place is.
     pub verdict: PrintedVerdict,
@@ -175,18 +175,18 @@ fn audit_one(printed: &'static Printed, points: &Points<'_>) -> Result<Audited, 
     let undecided = || Undecided::new(format!("{} {}", printed.place, printed.text));
     let PrintedNumber { value, unit, digits } = figures(printed.text).ok_or_else(undecided)?;
     let truth = points.value(printed.landmark, printed.weight, printed.quantity)?;
-    let error = truth.error_of(&value, &unit);
-    let shared = match &truth {
-        Known::Exact(truth) => Rounded::from_rational(truth, digits.len())
-            .map_or(0, |shown| shared_digits(&digits, &value, &shown.value)),
-        Known::Enclosed(truth) => {
-            let shown = Rounded::from_ball(truth, digits.len()).ok_or_else(undecided)?;
-            shared_digits(&digits, &value, &shown.lower)
-        }
-    };
+    let [error, absolute] = [&unit, &Rational::from(1)].map(|unit| truth.error_of(&value, unit));
     let verdict = error.verdict().ok_or_else(undecided)?;
-    let correct_digits =
-        if verdict == PrintedVerdict::CorrectlyRounded { digits.len() } else { shared };
+    let size = absolute.shown().ok_or_else(undecided)?;
+    let rounded = match &truth {
+        Known::Exact(truth) => Rounded::from_rational(truth, digits.len()),
+        Known::Enclosed(truth) => Rounded::from_ball(truth, digits.len()),
+    };
+    let rounded = rounded.ok_or_else(undecided)?;
+    let correct_digits = match size.digits().is_empty() {
+        true => digits.len(),
+        false => correct_digits(&absolute, &size, &rounded).ok_or_else(undecided)?,
+    };
     let error_units = error.shown().ok_or_else(undecided)?;
     Ok(Audited { printed, error_units, correct_digits, verdict })
 }
@@ -202,15 +202,6 @@ fn figures(text: &str) -> Option<PrintedNumber> {
         return Some(PrintedNumber { value, unit: Rational::from(1), digits });
     }
     PrintedNumber::from_decimal(&text.parse().ok()?)
-}
-
-/// How many leading digits of a printed number are those of the true value cut off.
-fn shared_digits(printed: &str, value: &Rational, truth: &Decimal) -> usize {
-    let magnitude = Rounded::from_rational(value, printed.len()).map(|r| r.value.magnitude());
-    if magnitude != Some(truth.magnitude()) {
-        return 0;
-    }
-    printed.bytes().zip(truth.digits().bytes()).take_while(|(a, b)| a == b).count()
 }
 
 fn relation(a: &Known, b: &Known) -> Option<Relation> {

@@ -1,13 +1,17 @@
 //! What a row of results says.
 
 use super::printed::PrintedNumber;
-use crate::number::Decimal;
+use crate::number::{Decimal, ExactNumber, shown as short};
 use crate::problem::{Mode, Quantity};
 
 /// What a row says of an arch.
 #[derive(Clone, Debug)]
 pub struct Claim {
-    /// Whether the arch stands at some thickness; `None` if the row does not say.
+    /// Whether the arch can stand at some thickness; `None` if the row does not say.
+    pub can_stand: Option<bool>,
+    /// The thickness that the arch has, if it has one, in `(0, 2]`.
+    pub thickness: Option<ExactNumber>,
+    /// Whether it stands at that thickness; `None` if the row does not say.
     pub stands: Option<bool>,
     /// How it collapses.
     pub mode: Option<Mode>,
@@ -39,7 +43,11 @@ pub(super) enum Value {
 /// The text of a row, by column; a column that the file does not have is `None`.
 #[derive(Clone, Debug, Default)]
 pub struct Said<'a> {
-    /// Whether the arch stands.
+    /// Whether the arch can stand at some thickness.
+    pub can_stand: Option<&'a str>,
+    /// The thickness that it has.
+    pub thickness: Option<ExactNumber>,
+    /// Whether it stands at that thickness; without one, the same as `can_stand`.
     pub stands: Option<&'a str>,
     /// The mode.
     pub mode: Option<&'a str>,
@@ -87,16 +95,12 @@ fn is_word(text: &str, words: &[&str]) -> bool {
     words.iter().any(|word| text.eq_ignore_ascii_case(word))
 }
 
-fn short(text: &str) -> String {
-    text.chars().take(40).collect()
-}
-
 impl Claim {
     /// Reads what a row says.
     ///
-    /// `stands`, the thickness or the mode claim that there is no solution: by one of the words for it, by
-    /// an empty thickness where there is no column `stands`, or by the mode `[s,s]` alone. Any other empty
-    /// field claims nothing.
+    /// `can_stand`, the least thickness or the mode claim that there is no solution: by one of the words for
+    /// it, by an empty least thickness where no column says whether the arch stands, or by the mode `[s,s]`
+    /// alone. Any other empty field claims nothing.
     pub fn read(said: &Said) -> Result<Self, ClaimError> {
         let numbers: Vec<Claimed> = said
             .numbers
@@ -109,23 +113,22 @@ impl Claim {
             Some(text) => Some(mode(text).ok_or_else(|| ClaimError::Mode(short(text)))?),
             None => None,
         };
+        let stands = said.stands.map(yes_or_no).transpose()?.flatten();
+        let can_stand = said.can_stand.map(yes_or_no).transpose()?.flatten();
         let mut votes: Vec<(&'static str, bool)> = Vec::new();
-        match said.stands.filter(|text| !text.is_empty()) {
-            Some(text) if is_word(text, &["true", "yes", "1", "stands"]) => {
-                votes.push(("column stands", true));
-            }
-            Some(text) if is_word(text, &["false", "no", "0", "falls"]) => {
-                votes.push(("column stands", false));
-            }
-            Some(text) => return Err(ClaimError::Stands(short(text))),
-            None => {}
-        }
-        let has_thickness = said.numbers.iter().any(|(m, ..)| *m == Quantity::Thickness);
-        match numbers.iter().find(|number| number.quantity == Quantity::Thickness) {
+        votes.extend(can_stand.map(|vote| ("column can_stand", vote)));
+        // An arch that falls at the thickness that it has may stand at another.
+        let here = stands.filter(|stands| *stands || said.thickness.is_none());
+        votes.extend(here.map(|vote| ("column stands", vote)));
+        let least = |quantity| matches!(quantity, Quantity::Thickness | Quantity::LeastThickness);
+        let has_least = said.numbers.iter().any(|(quantity, ..)| least(*quantity));
+        match numbers.iter().find(|number| least(number.quantity)) {
             Some(number) => {
                 votes.push(("thickness", matches!(number.value, Value::Number(_))));
             }
-            None if has_thickness && said.stands.is_none() => votes.push(("thickness", false)),
+            None if has_least && said.stands.is_none() && said.can_stand.is_none() => {
+                votes.push(("thickness", false));
+            }
             None => {}
         }
         match (mode, said.mode) {
@@ -136,15 +139,34 @@ impl Claim {
         }
         let who = |stands| votes.iter().find(|(_, vote)| *vote == stands).map(|(name, _)| *name);
         let any_number = || numbers.iter().any(|number| matches!(number.value, Value::Number(_)));
-        let stands = match (who(true), who(false)) {
+        let can_stand = match (who(true), who(false)) {
             (Some(yes), Some(no)) => return Err(ClaimError::Contradiction(yes, no)),
             (Some(_), None) => Some(true),
             (None, Some(_)) => Some(false),
             // Where the joints slide whatever the thickness, nothing stands.
             (None, None) if mode.is_some() => Some(false),
+            (None, None) if said.thickness.is_some() => None,
             (None, None) => any_number().then_some(true),
         };
-        Ok(Self { stands, mode, numbers })
+        let thickness = said.thickness.clone();
+        let stands = stands.filter(|_| thickness.is_some());
+        Ok(Self { can_stand, thickness, stands, mode, numbers })
+    }
+
+    /// Whether the row says nothing.
+    pub(super) fn is_empty(&self) -> bool {
+        let Self { can_stand, thickness, stands, numbers, .. } = self;
+        can_stand.is_none() && stands.is_none() && (thickness.is_none() || numbers.is_empty())
+    }
+}
+
+/// Whether a text says yes or no; an empty one says nothing.
+fn yes_or_no(text: &str) -> Result<Option<bool>, ClaimError> {
+    match text {
+        "" => Ok(None),
+        yes if is_word(yes, &["true", "yes", "1", "stands"]) => Ok(Some(true)),
+        no if is_word(no, &["false", "no", "0", "falls"]) => Ok(Some(false)),
+        other => Err(ClaimError::Stands(short(other))),
     }
 }
 
@@ -152,8 +174,11 @@ impl Claimed {
     fn read(quantity: Quantity, text: &str, degrees: bool) -> Result<Self, ClaimError> {
         let infinite = ["inf", "+inf", "infinity"];
         let mut size = 0;
-        let value = if quantity == Quantity::RotationalFriction && is_word(text, &infinite) {
+        let may_be_infinite = [Quantity::RotationalFriction, Quantity::LargestThrust];
+        let value = if may_be_infinite.contains(&quantity) && is_word(text, &infinite) {
             Value::Infinite
+        } else if let Some(number) = PrintedNumber::from_hexadecimal(text) {
+            Value::Number(number)
         } else if is_word(text, &NOTHING) {
             Value::Nothing
         } else {
@@ -208,7 +233,7 @@ mod tests {
     fn read(stands: Option<&str>, mode: Option<&str>, thickness: Option<&str>) -> Option<bool> {
         let numbers =
             thickness.map(|text| (Quantity::Thickness, text, false)).into_iter().collect();
-        Claim::read(&Said { stands, mode, numbers }).unwrap().stands
+        Claim::read(&Said { stands, mode, numbers, ..Said::default() }).unwrap().can_stand
     }
 
     #[test]
@@ -240,7 +265,7 @@ mod tests {
     fn what_makes_no_sense_is_told() {
         let error = |stands, mode, thickness: &str| {
             let numbers = vec![(Quantity::Thickness, thickness, false)];
-            Claim::read(&Said { stands, mode, numbers }).unwrap_err()
+            Claim::read(&Said { stands, mode, numbers, ..Said::default() }).unwrap_err()
         };
         assert!(matches!(error(Some("false"), None, "0.1"), ClaimError::Contradiction(..)));
         assert!(matches!(error(None, Some("rrr"), "nan"), ClaimError::Contradiction(..)));

@@ -6,9 +6,8 @@
 //! no double decides anything.
 //!
 //! A number is **correct to `k` digits** if its error is at most half a unit of the `k`-th significant
-//! digit of the true value; where that is exactly zero, of the `k`-th decimal place. (The audit of the
-//! paper counts equal leading digits instead, which is what a reader of a table sees.) The
-//! verdict also says how the last printed place was rounded.
+//! digit of the true value; where that is exactly zero, of the `k`-th decimal place. The audit of the paper
+//! counts in the same way. The verdict also says how the last printed place was rounded.
 //!
 //! ```
 //! use couplet::judge::{Claim, CorrectDigits, Demand, Said, Verdict, judge};
@@ -16,7 +15,7 @@
 //!
 //! let arch = Arch::parse("heyman", "90deg", "0.38")?;
 //! let said = Said { numbers: vec![(Quantity::Thickness, "0.12220", false)], ..Said::default() };
-//! let judgement = judge(&arch, &Claim::read(&said)?, Demand { digits: 4, or_all_printed: false });
+//! let judgement = judge(&arch, &Claim::read(&said)?, Demand::USUAL);
 //! assert_eq!(judgement.verdict, Verdict::Correct);
 //! assert_eq!(judgement.numbers[0].correct_digits, CorrectDigits::Digits(4));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -27,11 +26,13 @@
 //! | `audit` | every printed number of the paper, and the two weights beside each other |
 //! | `printed` | a printed number: its error, and how good its last place is |
 //! | `claim` | what a row says |
-//! | `truth` | what a proved state says of a quantity |
+//! | `truth` | what is proved of a quantity |
 //! | `number` | one number against its enclosure |
 //! | `verdict` | the row as a whole |
+//! | `boundary` | how near another mode is |
 
 mod audit;
+mod boundary;
 mod claim;
 mod number;
 mod printed;
@@ -42,6 +43,7 @@ pub use audit::{
     Audited, Comparison, Enclosed, Relation, audit, audit_of, compare_weights, compare_weights_of,
     enclosed,
 };
+pub use boundary::Boundary;
 pub use claim::{Claim, ClaimError, Claimed, Said};
 pub use number::{Certified, CorrectDigits, Errors, Judged};
 pub use printed::PrintedVerdict;

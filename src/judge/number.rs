@@ -1,12 +1,11 @@
 //! One claimed number against its enclosure.
 
 use super::claim::{Claimed, Value};
-use super::printed::{Error, Known, PrintedNumber, PrintedVerdict};
+use super::printed::{Error, Known, PrintedNumber, PrintedVerdict, correct_digits, spacing};
 use super::truth::Truth;
 use crate::number::{Ball, Decimal, ExactNumber, Field, Real, Rounded};
 use crate::problem::Quantity;
-use rug::ops::Pow;
-use rug::{Integer, Rational};
+use rug::Rational;
 use std::cmp::Ordering;
 
 /// A claimed number beside the certified one.
@@ -135,37 +134,53 @@ impl Judged {
                 Error::Exact(_) => None,
             },
         };
-        let ulp = match spacing_of_doubles(truth)? {
+        let nearest = match truth {
+            Known::Exact(x) => ExactNumber::from(x).nearest_double(),
+            Known::Enclosed(x) => Some(x.nearest_double()?),
+        };
+        let is_exactly_zero = matches!(truth, Known::Exact(x) if *x == 0);
+        let ulp = match nearest.and_then(spacing).filter(|_| !is_exactly_zero) {
             Some(spacing) => Some(truth.error_of(&number.value, &spacing).shown()?),
             None => None,
         };
         let Certified::Finite(rounded) = &self.certified else { return None };
         self.correct_digits = match order {
             Ordering::Equal => CorrectDigits::Exact,
-            _ => {
-                let within = correct_digits(&absolute, &size, rounded)?;
-                let rounded = rounding == PrintedVerdict::CorrectlyRounded && number.value != 0;
-                let printed = if rounded { number.digits.len() } else { 0 };
-                CorrectDigits::Digits(within.max(printed))
-            }
+            _ => CorrectDigits::Digits(correct_digits(&absolute, &size, rounded)?),
         };
         self.errors = Some(Errors { absolute: size, relative, units: units.shown()?, ulp });
-        let nearest = match truth {
-            Known::Exact(x) => ExactNumber::from(x).nearest_double(),
-            Known::Enclosed(x) => Some(x.nearest_double()?),
-        };
         let double = ExactNumber::from(&number.value).nearest_double();
         self.is_nearest_double = Some(double.is_some() && double == nearest);
         (self.rounding, self.order) = (Some(rounding), Some(order));
         Some(())
     }
 
-    /// Whether the number is right as far as it goes: exact, or the correct rounding of the truth. A zero
-    /// that stands for a number below half a unit has no digit that could be right.
+    /// Whether the number is right as far as it goes: exact, or the correct rounding of the truth with at
+    /// least one correct digit. A zero that stands for a number below half a unit has none.
     pub fn is_correctly_rounded(&self) -> bool {
-        self.correct_digits == CorrectDigits::Exact
-            || (self.rounding == Some(PrintedVerdict::CorrectlyRounded)
-                && self.correct_digits > CorrectDigits::Digits(0))
+        self.is_rounded(&[PrintedVerdict::CorrectlyRounded])
+    }
+
+    /// Whether the number is right to the digits with which it is printed: exact, or less than one unit of
+    /// its last place away, with at least one correct digit.
+    pub fn is_right_as_printed(&self) -> bool {
+        self.is_rounded(&[PrintedVerdict::CorrectlyRounded, PrintedVerdict::Faithful])
+    }
+
+    fn is_rounded(&self, how: &[PrintedVerdict]) -> bool {
+        let has_digits = self.correct_digits > CorrectDigits::Digits(0);
+        let rounded = self.rounding.is_some_and(|rounding| how.contains(&rounding));
+        (rounded && has_digits) || self.correct_digits == CorrectDigits::Exact
+    }
+
+    /// Whether it is a least thickness that is too small: the unsafe side.
+    pub fn is_too_thin(&self) -> bool {
+        self.is_least_thickness() && self.order == Some(Ordering::Less)
+    }
+
+    /// Whether it is the least thickness of an arch.
+    pub fn is_least_thickness(&self) -> bool {
+        matches!(self.quantity, Quantity::Thickness | Quantity::LeastThickness)
     }
 }
 
@@ -185,53 +200,6 @@ fn in_degrees(known: Known) -> Known {
         Known::Exact(x) => in_degrees(Known::Enclosed(Ball::enclosing(&x, 128))),
         Known::Enclosed(x) => Known::Enclosed(x.int(180) * &x / x.pi()),
     }
-}
-
-/// The most digits `k` for which the error is at most half a unit of the `k`-th digit of the truth.
-fn correct_digits(error: &Error, size: &Decimal, truth: &Rounded) -> Option<usize> {
-    // For zero, decimal places are counted.
-    let zero = truth.value.digits().is_empty();
-    let magnitude = if zero { 0 } else { truth.lower.magnitude() };
-    // The size may have been rounded up to a power of ten or down from above a half of one.
-    let mut digits = magnitude - size.magnitude() + 1;
-    while digits > 0 {
-        if error.is_within(&(power_of_ten(magnitude - digits) / 2u32))? {
-            return usize::try_from(digits).ok();
-        }
-        digits -= 1;
-    }
-    Some(0)
-}
-
-fn power_of_ten(exponent: i64) -> Rational {
-    // Exponents of claims and of states are moderate.
-    let power = Integer::from(10).pow(exponent.unsigned_abs() as u32);
-    if exponent < 0 { Rational::from((1, power)) } else { power.into() }
-}
-
-/// Bits of a double, and the exponents of its smallest and of its largest numbers.
-const DOUBLE_BITS: i32 = 53;
-const LEAST_SPACING: i32 = -1074;
-const LARGEST: i32 = 1024;
-
-/// The distance of the doubles next to the truth, if there are any: `Some(None)` if there are none,
-/// `None` if the enclosure does not tell.
-fn spacing_of_doubles(truth: &Known) -> Option<Option<Rational>> {
-    let exponent = match truth {
-        Known::Exact(x) if *x == 0 => return Some(None),
-        Known::Exact(x) => {
-            rug::Float::with_val_round(64, x, rug::float::Round::Zero).0.get_exp()?
-        }
-        Known::Enclosed(x) => {
-            let (low, high) = (x.lower().get_exp()?, x.upper().get_exp()?);
-            if low != high {
-                return None;
-            }
-            low
-        }
-    };
-    let spacing = (exponent - DOUBLE_BITS).max(LEAST_SPACING);
-    Some((exponent <= LARGEST).then(|| Rational::from(1) << spacing))
 }
 
 #[cfg(test)]
@@ -291,6 +259,11 @@ mod tests {
         assert_eq!(errors.ulp.unwrap().to_string(), "0.333");
         let tiny = Truth::Finite(Known::Exact(Rational::from(3) >> 1075u32));
         assert!(judged("0", &tiny).errors.unwrap().ulp.unwrap().to_string() == "1.5");
+        // The doubles below two are half as far apart as those above; the nearest is two.
+        let two = Rational::from(2) - (Rational::from(1) >> 60u32);
+        let below = Truth::Finite(Known::Exact(two));
+        let ulp = judged("2", &below).errors.unwrap().ulp.unwrap();
+        assert_eq!(ulp.to_string(), "0.00195", "2^-60 in units of 2^-51");
         let huge = Truth::Finite(Known::Exact(Rational::from(1) << 1024u32));
         assert!(judged("1", &huge).errors.unwrap().ulp.is_none());
     }
@@ -320,6 +293,17 @@ mod tests {
     fn a_zero_is_not_a_short_number() {
         assert!(judged("0.3", &third()).is_correctly_rounded());
         assert!(!judged("0", &third()).is_correctly_rounded());
+        assert!(!judged("0", &third()).is_right_as_printed());
+    }
+
+    #[test]
+    fn a_number_is_right_as_printed_within_a_unit_of_its_last_place() {
+        let right = |text: &str| judged(text, &third()).is_right_as_printed();
+        assert!(right("0.333") && right("0.334") && right("0.3"));
+        assert!(!right("0.335") && !right("0.30") && !right("0.33400"));
+        assert!(!right("0.4") && !right("1") && !right("1e9"), "no digit is right");
+        assert!(right("0x1.5555555555555p-2") && right("0x1.5555555555556p-2"));
+        assert!(!right("0x1.5555555555557p-2"));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! A printed number against the true value: the error, and how good the last place is.
 
-use crate::number::{Ball, Decimal, Enclosure, Rounded, Ternary};
+use crate::number::{Ball, Decimal, Enclosure, ExactNumber, Rounded, Ternary, hexadecimal};
 use rug::{Integer, Rational, ops::Pow};
 
 /// Significant digits of an error.
@@ -44,6 +44,50 @@ impl PrintedNumber {
         let digits = if decimal.digits().is_empty() { "0" } else { decimal.digits() };
         Some(Self { value: decimal.to_rational(), unit, digits: digits.to_owned() })
     }
+
+    /// A double in hexadecimal, whose last place is that of the double.
+    pub(super) fn from_hexadecimal(text: &str) -> Option<Self> {
+        let value = hexadecimal(text)?;
+        let unit = spacing(ExactNumber::from(&value).nearest_double()?)?;
+        let digits = Rounded::from_rational(&value, DOUBLE_DIGITS)?.value.digits().to_owned();
+        Some(Self { value, unit, digits: if digits.is_empty() { "0".into() } else { digits } })
+    }
+}
+
+/// Bits of a double, the exponent of its smallest numbers, and the digits that tell it.
+const DOUBLE_BITS: i32 = 53;
+const LEAST_SPACING: i32 = -1074;
+const DOUBLE_DIGITS: usize = 17;
+
+/// The unit in the last place of a double; none for what is infinite.
+pub(super) fn spacing(x: f64) -> Option<Rational> {
+    if !x.is_finite() {
+        return None;
+    }
+    let exponent = rug::Float::with_val(64, x).get_exp().unwrap_or(LEAST_SPACING);
+    Some(Rational::from(1) << (exponent - DOUBLE_BITS).max(LEAST_SPACING))
+}
+
+/// The most digits `k` for which an error is at most half a unit of the `k`-th significant digit of the
+/// truth; where that is zero, of the `k`-th decimal place. `size` is that of the error.
+pub(super) fn correct_digits(error: &Error, size: &Decimal, truth: &Rounded) -> Option<usize> {
+    let zero = truth.value.digits().is_empty();
+    let magnitude = if zero { 0 } else { truth.lower.magnitude() };
+    // The size may have been rounded up to a power of ten or down from above a half of one.
+    let mut digits = magnitude - size.magnitude() + 1;
+    while digits > 0 {
+        if error.is_within(&(power_of_ten(magnitude - digits) / 2u32))? {
+            return usize::try_from(digits).ok();
+        }
+        digits -= 1;
+    }
+    Some(0)
+}
+
+fn power_of_ten(exponent: i64) -> Rational {
+    // Exponents of claims and of states are moderate.
+    let power = Integer::from(10).pow(exponent.unsigned_abs() as u32);
+    if exponent < 0 { Rational::from((1, power)) } else { power.into() }
 }
 
 /// A certified value: exact, or in an enclosure.
@@ -148,6 +192,19 @@ mod tests {
         assert_eq!(verdict(1, 1), PrintedVerdict::Wrong);
         let wide = Ball::enclosing(&Rational::from((1, 2)), 256) + Ball::whole(256);
         assert_eq!(Error::Enclosed(wide).verdict(), None);
+    }
+
+    #[test]
+    fn the_last_place_of_a_double_is_its_own() {
+        let unit = |x: f64| spacing(x).unwrap().to_f64();
+        assert_eq!(
+            (unit(1.0), unit(2.0), unit(2.0f64.next_down())),
+            (2f64.powi(-52), 2f64.powi(-51), 2f64.powi(-52))
+        );
+        assert_eq!((unit(0.0), unit(1e-320)), (5e-324, 5e-324));
+        assert_eq!(spacing(f64::INFINITY), None);
+        let read = PrintedNumber::from_hexadecimal("0x1.8p+1").unwrap();
+        assert_eq!((read.value, read.unit.to_f64()), (Rational::from(3), 2f64.powi(-51)));
     }
 
     #[test]

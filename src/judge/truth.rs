@@ -1,41 +1,78 @@
-//! What a proved state says of a quantity that somebody claims.
+//! What is proved of a quantity that somebody claims.
 
 use super::printed::Known;
-use crate::certify::state::State;
+use crate::certify::state::{Assessment, Outcome};
 use crate::number::Ball;
 use crate::problem::Quantity;
 use rug::Rational;
 
-/// What is certain of a quantity of a state.
+/// What is certain of a quantity of an arch.
 #[derive(Clone, Debug)]
 pub(super) enum Truth {
     Finite(Known),
     Infinite,
-    /// The state has no such number.
+    /// The arch has no such number.
     Missing,
 }
 
-impl Truth {
-    /// What a proved state says of one of [`Quantity::STATE`].
-    pub(super) fn new(quantity: Quantity, state: &State) -> Self {
-        let known = |x: &Ball| {
-            let zero = x.mid().is_zero() && x.rad().is_zero();
-            Self::Finite(match zero {
-                true => Known::Exact(Rational::new()),
-                false => Known::Enclosed(x.clone()),
-            })
+/// What is proved of an arch.
+pub(super) struct Proved {
+    /// At its least thickness.
+    pub outcome: Outcome,
+    /// At the thickness that it has, if it has one.
+    pub assessment: Option<Assessment>,
+    /// The friction below which nothing stands, of an arch that falls.
+    pub sliding_friction: Option<Ball>,
+}
+
+impl Proved {
+    /// What is certain of one of [`Quantity::STATE`] or [`Quantity::ASSESSMENT`].
+    pub(super) fn truth(&self, quantity: Quantity) -> Truth {
+        let state = match &self.outcome {
+            Outcome::Stands(state) => Some(state),
+            Outcome::Falls(_) => None,
         };
-        let frictions = state.frictions.as_ref();
-        match quantity {
-            Quantity::Thickness => known(&state.thickness),
-            Quantity::Thrust => known(&state.thrust),
-            Quantity::IntrinsicThrust => known(&(state.thickness.clone() * &state.thrust)),
-            Quantity::RotationJoint => known(&state.rotation_joint),
-            Quantity::SlidingJoint => state.sliding_joint.as_ref().map_or(Self::Missing, known),
-            Quantity::SlidingFriction => frictions.map_or(Self::Missing, |all| known(&all.sliding)),
-            Quantity::RotationalFriction => frictions
-                .map_or(Self::Missing, |all| all.rotational.as_ref().map_or(Self::Infinite, known)),
-            _ => Self::Missing,
-        }
+        let frictions = state.and_then(|state| state.frictions.as_ref());
+        let assessed = self.assessment.as_ref();
+        let thrust = |end: usize| match assessed.and_then(|found| found.thrust.as_ref()) {
+            Some(range) => range[end].thrust.as_ref().map_or(Truth::Infinite, Truth::known),
+            None => Truth::Missing,
+        };
+        let value = match quantity {
+            Quantity::Thickness | Quantity::LeastThickness => state.map(|state| &state.thickness),
+            Quantity::Thrust => state.map(|state| &state.thrust),
+            Quantity::IntrinsicThrust => {
+                let product = state.map(|state| state.thickness.clone() * &state.thrust);
+                return product.as_ref().map_or(Truth::Missing, Truth::known);
+            }
+            Quantity::RotationJoint => state.map(|state| &state.rotation_joint),
+            Quantity::SlidingJoint => state.and_then(|state| state.sliding_joint.as_ref()),
+            Quantity::SlidingFriction => {
+                frictions.map(|both| &both.sliding).or(self.sliding_friction.as_ref())
+            }
+            Quantity::RotationalFriction => match frictions {
+                Some(both) if both.rotational.is_none() => return Truth::Infinite,
+                both => both.and_then(|both| both.rotational.as_ref()),
+            },
+            Quantity::GeometricSafety => assessed.and_then(|found| found.geometric_safety.as_ref()),
+            Quantity::RequiredFriction => {
+                assessed.and_then(|found| found.required_friction.as_ref())
+            }
+            Quantity::FrictionSafety => assessed.and_then(|found| found.friction_safety.as_ref()),
+            Quantity::LeastThrust => return thrust(0),
+            Quantity::LargestThrust => return thrust(1),
+            _ => None,
+        };
+        value.map_or(Truth::Missing, Truth::known)
+    }
+}
+
+impl Truth {
+    fn known(x: &Ball) -> Self {
+        let zero = x.mid().is_zero() && x.rad().is_zero();
+        Self::Finite(match zero {
+            true => Known::Exact(Rational::new()),
+            false => Known::Enclosed(x.clone()),
+        })
     }
 }

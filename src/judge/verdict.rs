@@ -1,12 +1,12 @@
 //! A row as a whole.
 
+use super::boundary::Boundary;
 use super::claim::Claim;
 use super::number::{CorrectDigits, Judged, compared_digits};
-use super::truth::Truth;
+use super::truth::Proved;
 use crate::certify::Undecided;
-use crate::certify::state::{Certify, Fall, Outcome, State, raised};
-use crate::problem::Arch;
-use crate::problem::{Mode, Quantity};
+use crate::certify::state::{Certify, Fall, Outcome, raised};
+use crate::problem::{Arch, Mode};
 use std::cmp::Ordering;
 
 /// The verdict on a row, from best to worst, then the rows that cannot be judged.
@@ -16,7 +16,7 @@ pub enum Verdict {
     CorrectlyRounded,
     /// Everything is right, to the digits demanded.
     Correct,
-    /// A number other than the thickness has fewer correct digits.
+    /// A number other than the thickness has fewer correct digits, or is one where there is none.
     Inaccurate,
     /// The thickness has fewer correct digits, and is too large: the safe side.
     Thicker,
@@ -85,14 +85,23 @@ impl Verdict {
 pub struct Demand {
     /// Correct digits.
     pub digits: usize,
-    /// Whether fewer are enough where no more are printed, correctly rounded.
-    pub or_all_printed: bool,
+    /// Whether fewer are enough for a number that is right to the digits with which it is printed.
+    pub or_as_printed: bool,
 }
 
+/// Correct digits without which a least thickness that is too small is not accepted, however few are
+/// printed: what is rounded to the unsafe side is not right because it is coarse.
+const LEAST_IF_TOO_THIN: CorrectDigits = CorrectDigits::Digits(3);
+
 impl Demand {
+    /// Numbers that are right to the digits with which they are printed, of which no program in doubles is
+    /// asked for more than 12.
+    pub const USUAL: Self = Self { digits: 12, or_as_printed: true };
+
     fn is_met(self, number: &Judged) -> bool {
+        let is_fine = !number.is_too_thin() || number.correct_digits >= LEAST_IF_TOO_THIN;
         number.correct_digits >= CorrectDigits::Digits(self.digits)
-            || (self.or_all_printed && number.is_correctly_rounded())
+            || (self.or_as_printed && number.is_right_as_printed() && is_fine)
     }
 }
 
@@ -121,13 +130,21 @@ pub enum Side {
 pub struct Judgement {
     /// What is certain of the arch.
     pub standing: Standing,
+    /// Whether it stands at the thickness that it has, if it has one and that is certain.
+    pub stands: Option<bool>,
     /// The row as a whole.
     pub verdict: Verdict,
-    /// Its numbers, if the arch stands and is claimed to.
+    /// Where the mode is wrong: a boundary to the one claimed, within the rounding of what is given.
+    pub boundary: Option<Boundary>,
+    /// Its numbers, unless the row is wrong about whether the arch stands.
     pub numbers: Vec<Judged>,
 }
 
 impl Judgement {
+    fn bare(standing: Standing, stands: Option<bool>, verdict: Verdict) -> Self {
+        Self { standing, stands, verdict, boundary: None, numbers: Vec::new() }
+    }
+
     /// The digits to which every number is correct; `None` where there is no number.
     pub fn correct_digits(&self) -> Option<CorrectDigits> {
         self.numbers.iter().map(|number| number.correct_digits).min()
@@ -135,7 +152,7 @@ impl Judgement {
 
     /// On which side the claimed thickness is, if on any.
     pub fn side(&self) -> Option<Side> {
-        let thickness = self.numbers.iter().find(|n| n.quantity == Quantity::Thickness)?;
+        let thickness = self.numbers.iter().find(|number| number.is_least_thickness())?;
         match thickness.order? {
             Ordering::Less => Some(Side::Thinner),
             Ordering::Equal => None,
@@ -144,54 +161,77 @@ impl Judgement {
     }
 }
 
-/// Judges what is claimed of an arch by its certified state, raising the precision until every
-/// comparison is decided.
+/// Judges what is claimed of an arch by what is proved of it, raising the precision until every comparison
+/// is decided.
 pub fn judge(arch: &Arch, claim: &Claim, demand: Demand) -> Judgement {
-    let bare = |standing, verdict| Judgement { standing, verdict, numbers: Vec::new() };
     let digits = claim.numbers.iter().map(compared_digits).max().unwrap_or(1);
-    let frictions = claim.numbers.iter().any(|number| number.quantity.is_friction());
-    let compared = raised(arch, digits, |bits| {
-        let outcome = if frictions { arch.state(bits)? } else { arch.state_alone(bits)? };
-        Ok(match (outcome, claim.stands) {
-            (Outcome::Falls(fall), stands) => {
-                let verdict = match stands {
-                    None => Verdict::NoClaim,
-                    Some(true) => Verdict::Falls,
-                    Some(false) => Verdict::Correct,
-                };
-                Some(bare(Standing::Falls(fall), verdict))
-            }
-            (Outcome::Stands(state), Some(true)) => compare(claim, &state, demand),
-            (Outcome::Stands(state), stands) => {
-                let verdict = if stands.is_none() { Verdict::NoClaim } else { Verdict::Stands };
-                Some(bare(Standing::Stands(state.mode), verdict))
-            }
-        })
-    });
+    let compared =
+        raised(arch, digits, |bits| Ok(compare(claim, &proved(arch, claim, bits)?, demand)));
     // What cannot be told is not accepted either: nearer to a line than can be told is not on it.
-    compared.unwrap_or_else(|doubt| bare(Standing::Undecided(doubt), Verdict::Undecided))
+    let mut judgement = compared.unwrap_or_else(|doubt| {
+        Judgement::bare(Standing::Undecided(doubt), None, Verdict::Undecided)
+    });
+    if judgement.verdict == Verdict::WrongMode {
+        judgement.boundary = claim.mode.and_then(|mode| Boundary::near(arch, mode));
+    }
+    judgement
 }
 
-/// A claim beside a proved state; `None` asks for a narrower enclosure.
-fn compare(claim: &Claim, state: &State, demand: Demand) -> Option<Judgement> {
+/// What the row speaks of, in numbers of `bits` bits.
+fn proved(arch: &Arch, claim: &Claim, bits: u32) -> Result<Proved, Undecided> {
+    let frictions = claim.numbers.iter().any(|number| number.quantity.is_friction());
+    let outcome = if frictions { arch.state(bits)? } else { arch.state_alone(bits)? };
+    let falls = matches!(outcome, Outcome::Falls(_));
+    Ok(Proved {
+        sliding_friction: match frictions && falls {
+            true => Some(arch.sliding_friction(bits)?),
+            false => None,
+        },
+        assessment: match &claim.thickness {
+            Some(eta) => Some(arch.assess(eta, bits)?),
+            None => None,
+        },
+        outcome,
+    })
+}
+
+/// A claim beside what is proved; `None` asks for a narrower enclosure.
+fn compare(claim: &Claim, proved: &Proved, demand: Demand) -> Option<Judgement> {
+    let (standing, mode) = match &proved.outcome {
+        Outcome::Stands(state) => (Standing::Stands(state.mode), Some(state.mode)),
+        Outcome::Falls(fall) => (Standing::Falls(*fall), None),
+    };
+    let stands = proved.assessment.as_ref().map(|found| found.stands);
+    let bare = |verdict| Some(Judgement::bare(standing.clone(), stands, verdict));
+    if claim.is_empty() {
+        return bare(Verdict::NoClaim);
+    }
+    let questions = [(claim.can_stand, Some(mode.is_some())), (claim.stands, stands)];
+    for (claimed, found) in questions {
+        match (claimed, found) {
+            (Some(true), Some(false)) => return bare(Verdict::Falls),
+            (Some(false), Some(true)) => return bare(Verdict::Stands),
+            _ => {}
+        }
+    }
     let numbers: Vec<Judged> = claim
         .numbers
         .iter()
-        .map(|claimed| Judged::new(claimed, Truth::new(claimed.quantity, state)))
+        .map(|claimed| Judged::new(claimed, proved.truth(claimed.quantity)))
         .collect::<Option<_>>()?;
     let mut verdict = match numbers.iter().all(Judged::is_correctly_rounded) {
-        true if !numbers.is_empty() => Verdict::CorrectlyRounded,
+        true if mode.is_some() && !numbers.is_empty() => Verdict::CorrectlyRounded,
         _ => Verdict::Correct,
     };
-    if claim.mode.is_some_and(|mode| mode != state.mode) {
+    if mode.is_some() && claim.mode.is_some() && claim.mode != mode {
         verdict = Verdict::WrongMode;
     }
     for number in numbers.iter().filter(|number| !demand.is_met(number)) {
-        verdict = verdict.max(match (number.quantity, number.order) {
-            (Quantity::Thickness, Some(Ordering::Less)) => Verdict::Thinner,
-            (Quantity::Thickness, Some(Ordering::Greater)) => Verdict::Thicker,
+        verdict = verdict.max(match (number.is_least_thickness(), number.order) {
+            (true, Some(Ordering::Less)) => Verdict::Thinner,
+            (true, Some(Ordering::Greater)) => Verdict::Thicker,
             _ => Verdict::Inaccurate,
         });
     }
-    Some(Judgement { standing: Standing::Stands(state.mode), verdict, numbers })
+    Some(Judgement { numbers, ..Judgement::bare(standing, stands, verdict) })
 }

@@ -130,7 +130,7 @@ impl FromStr for Decimal {
 
     /// Reads `-12.5`, `1e-30`, `.5`, exactly. Trailing zeros count as digits.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let shown = || text.chars().take(40).collect::<String>();
+        let shown = || super::shown(text);
         let syntax = || ParseDecimalError::Syntax(shown());
         let (negative, rest) = match text.strip_prefix('-') {
             Some(rest) => (true, rest),

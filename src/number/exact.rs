@@ -1,6 +1,6 @@
 //! Exact input: decimals, fractions and multiples of pi, read as text and never rounded.
 
-use super::{Decimal, Dyadic, Engine, ParseDecimalError};
+use super::{Decimal, Dyadic, Engine, ParseDecimalError, shown};
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
 use std::fmt;
@@ -217,11 +217,6 @@ fn unit(text: &str) -> (&str, Unit) {
 /// Whether a number is written with the unit of an angle.
 pub(crate) fn is_angle(text: &str) -> bool {
     unit(text).1 != Unit::None
-}
-
-/// The beginning of a text, to be shown.
-fn shown(text: &str) -> String {
-    text.chars().take(40).collect()
 }
 
 impl ExactNumber {

@@ -53,6 +53,7 @@ mod engine;
 mod exact;
 #[cfg(feature = "mpfr")]
 mod gmp;
+mod shown;
 mod stumpff;
 mod ternary;
 #[cfg(feature = "check")]
@@ -73,8 +74,10 @@ pub(crate) use exact::is_angle;
 pub use exact::{ExactNumber, ParseExactError};
 #[cfg(feature = "mpfr")]
 pub use gmp::{
-    Anchor, Ball, Binary, Magnitude, Rounded, Surd, arctangent, bits_of, rational_like, terminating,
+    Anchor, Ball, Binary, Magnitude, Rounded, Surd, arctangent, bits_of, hexadecimal,
+    rational_like, terminating,
 };
+pub use shown::shown;
 pub use stumpff::Stumpff;
 #[cfg(feature = "mpfr")]
 pub(crate) use stumpff::terms as stumpff_terms;

@@ -3,6 +3,7 @@
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::number::{
     AstroInterval, Enclosure, Engine, ExactNumber, Field, ParseExactError, Real, Ternary, is_angle,
+    shown,
 };
 use num_rational::BigRational;
 use std::fmt;
@@ -136,7 +137,7 @@ impl Arch {
     /// An arch from the texts that the command line reads: `heyman` or `milankovitch`, a half opening
     /// in radians or degrees, a [`Friction`].
     pub fn parse(weight: &str, half_opening: &str, friction: &str) -> Result<Self, ArchError> {
-        let unknown = || ArchError::SelfWeight(weight.chars().take(40).collect());
+        let unknown = || ArchError::SelfWeight(shown(weight));
         let weight = SelfWeight::named(weight).ok_or_else(unknown)?;
         Self::new(weight, half_opening.parse()?, friction.parse()?)
     }

@@ -3,6 +3,7 @@
 //! **No format computes anything.** Doubles are correctly rounded and their bounds rounded outward before
 //! they come here ([`Binary`](crate::number::Binary)). What is not proved has a reason and no values.
 
+use super::given::GivenDoubles;
 use super::value::Value;
 use super::words::reason;
 use crate::arch::{SelfWeight, Unknown};
@@ -19,7 +20,9 @@ pub struct Answer {
     pub subject: Subject,
     /// What became of it.
     pub status: Status,
-    /// Whether an arch stands, where that is decided.
+    /// Whether an arch can stand at some thickness, where that is asked and decided.
+    pub can_stand: Option<bool>,
+    /// Whether an arch stands at the thickness that it has, where that is decided.
     pub stands: Option<bool>,
     /// How an arch collapses at its least thickness; at a landmark the modes that meet there, if asked for.
     pub modes: Vec<Mode>,
@@ -29,6 +32,26 @@ pub struct Answer {
     pub proof: Option<Proof>,
     /// The certificate that holds these values, or why there is none.
     pub certificate: Result<Fingerprint, String>,
+    /// What the query has beside the arch, by name, and is handed on.
+    pub kept: Vec<(String, Kept)>,
+}
+
+/// What is handed on from a query to its answer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Kept {
+    /// A text.
+    Text(String),
+    /// JSON, as it was written.
+    Json(String),
+}
+
+impl Kept {
+    /// The text, or the JSON as it was written.
+    pub fn text(&self) -> &str {
+        match self {
+            Self::Text(text) | Self::Json(text) => text,
+        }
+    }
 }
 
 /// What an answer is about.
@@ -53,6 +76,8 @@ pub enum Subject {
         friction: String,
         /// The thickness as given, where the arch has one.
         thickness: Option<String>,
+        /// The same as numbers.
+        doubles: GivenDoubles,
     },
     /// A query that could not be read.
     Query {
@@ -119,11 +144,13 @@ impl Answer {
         Self {
             subject,
             status,
+            can_stand: None,
             stands: None,
             modes: Vec::new(),
             values: Vec::new(),
             proof: None,
             certificate: Err("certificates are hashed for landmarks only".into()),
+            kept: Vec::new(),
         }
     }
 
@@ -166,12 +193,12 @@ impl Answer {
         let mut answer = Self::new(Subject::arch(line, arch, None), Status::Proved);
         match found {
             Ok(Outcome::Stands(digits)) => {
-                answer.stands = Some(true);
+                answer.can_stand = Some(true);
                 answer.modes = vec![digits.mode];
                 answer.values = digits.figures().map(|(of, x)| (of, Value::figure(x))).collect();
             }
             Ok(Outcome::Falls(fall)) => {
-                answer.stands = Some(false);
+                answer.can_stand = Some(false);
                 answer.status = Status::Falls(*fall);
             }
             Err(undecided) => answer.status = Status::Undecided(undecided.clone()),
@@ -210,6 +237,9 @@ impl Answer {
 
     /// The value of a quantity, if there is one.
     pub fn value(&self, quantity: Quantity) -> Option<&Value> {
+        let is_least = quantity == Quantity::LeastThickness && !self.subject.is_assessed();
+        // The thickness of a state is the least.
+        let quantity = if is_least { Quantity::Thickness } else { quantity };
         self.values.iter().find(|(of, _)| *of == quantity).map(|(_, value)| value)
     }
 
@@ -238,7 +268,13 @@ impl Subject {
             half_opening: arch.half_opening().to_string(),
             friction: arch.friction().to_string(),
             thickness: thickness.map(ToString::to_string),
+            doubles: GivenDoubles::new(arch, thickness),
         }
+    }
+
+    /// Whether it is an arch of a given thickness.
+    pub fn is_assessed(&self) -> bool {
+        matches!(self, Self::Arch { thickness: Some(_), .. })
     }
 
     /// The landmark, if it is one.

@@ -1,6 +1,6 @@
 //! Answers of one kind, with what a report shows of them.
 
-use super::answer::{Answer, Subject};
+use super::answer::Answer;
 use super::words::DOUBLE_DIGITS;
 use crate::problem::Quantity;
 
@@ -32,22 +32,24 @@ pub struct Answers {
     pub quantities: Vec<Quantity>,
     /// The answers in the order in which they are shown.
     pub list: Vec<Answer>,
+    /// The names of what is handed on from queries, where the rows are those of one table.
+    pub kept: Vec<String>,
 }
 
 impl Answers {
     /// Of landmarks.
     pub fn constants(digits: usize, list: Vec<Answer>) -> Self {
-        Self { scope: Scope::Constants, digits, quantities: Vec::new(), list }
+        Self { scope: Scope::Constants, list, ..Self::without_arches(digits) }
     }
 
     /// Of one landmark, with the modes that meet there.
     pub fn point(digits: usize, answer: Answer) -> Self {
-        Self { scope: Scope::Point, digits, quantities: Vec::new(), list: vec![answer] }
+        Self { scope: Scope::Point, list: vec![answer], ..Self::without_arches(digits) }
     }
 
     /// Of one arch, with all that was found.
     pub fn arch(digits: usize, answer: Answer) -> Self {
-        let assessed = matches!(&answer.subject, Subject::Arch { thickness: Some(_), .. });
+        let assessed = answer.subject.is_assessed();
         Self { scope: Scope::Arch, list: vec![answer], ..Self::arches(digits, assessed) }
     }
 
@@ -57,12 +59,36 @@ impl Answers {
             true => Quantity::ASSESSMENT.to_vec(),
             false => Quantity::STATE.to_vec(),
         };
-        Self { scope: Scope::Arches, digits, quantities, list: Vec::new() }
+        Self { scope: Scope::Arches, quantities, ..Self::without_arches(digits) }
     }
 
-    /// Whether the arches have a thickness.
-    pub fn are_assessed(&self) -> bool {
+    /// Of many arches, some of which have a thickness: in a table the least thickness is in one column,
+    /// whatever was asked.
+    pub fn mixed(digits: usize) -> Self {
+        let state = Quantity::STATE.into_iter().filter(|of| *of != Quantity::Thickness);
+        let quantities = Quantity::ASSESSMENT.into_iter().chain(state).collect();
+        Self { scope: Scope::Arches, quantities, ..Self::without_arches(digits) }
+    }
+
+    fn without_arches(digits: usize) -> Self {
+        let (quantities, list, kept) = (Vec::new(), Vec::new(), Vec::new());
+        Self { scope: Scope::Arches, digits, quantities, list, kept }
+    }
+
+    /// Whether any of the arches may have a thickness.
+    pub fn have_assessments(&self) -> bool {
         self.quantities.iter().any(|quantity| Quantity::ASSESSMENT.contains(quantity))
+    }
+
+    /// Whether any of the arches may have none.
+    pub fn have_states(&self) -> bool {
+        self.quantities.iter().any(|quantity| Quantity::STATE.contains(quantity))
+    }
+
+    /// Whether a quantity of an arch is shown; in a mixed table the thickness of a state is the least.
+    pub(super) fn shows(&self, quantity: Quantity) -> bool {
+        let is_least = quantity == Quantity::Thickness && self.have_assessments();
+        self.quantities.contains(if is_least { &Quantity::LeastThickness } else { &quantity })
     }
 
     /// Whether the nearest double of each value is shown too.
@@ -84,7 +110,7 @@ impl Answers {
     pub(super) fn schema(&self) -> &'static str {
         match self.scope {
             Scope::Constants | Scope::Point => "couplet.constants/1",
-            Scope::Arch | Scope::Arches => "couplet.states/1",
+            Scope::Arch | Scope::Arches => "couplet.states/2",
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What `couplet audit` found: a table for a person, CSV, and JSON, `couplet.audit/1`, in which fields may be
+//! What `couplet audit` found: a table for a person, CSV, and JSON, `couplet.audit/2`, in which fields may be
 //! added and none changes its meaning.
 
 use super::csv;
@@ -66,7 +66,7 @@ fn compared(entry: &Comparison) -> Fields {
 /// JSON.
 pub(super) fn json(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
     let file = AuditFile {
-        schema: "couplet.audit/1",
+        schema: "couplet.audit/2",
         printed: report.printed.iter().map(printed).collect(),
         comparisons: report.comparisons.iter().map(compared).collect(),
     };

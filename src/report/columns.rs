@@ -1,11 +1,34 @@
 //! The fields of an arch that JSON and tables of columns share.
 
-use super::answer::{Answer, Subject};
+use super::answer::{Answer, Kept, Subject};
 use super::answers::Answers;
 use super::fields::Fields;
+use super::given::GivenDoubles;
 
-/// The fields before the values: the arch, the verdict, the mode.
-pub(super) fn front(report: &Answers, answer: &Answer) -> Fields {
+/// What was asked of an arch, and so which fields it has.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Asked {
+    /// Whether it can stand at all.
+    pub state: bool,
+    /// Whether it stands at a given thickness.
+    pub assessment: bool,
+}
+
+impl Asked {
+    /// Of one arch.
+    pub(super) fn of(answer: &Answer) -> Self {
+        let assessment = answer.subject.is_assessed();
+        Self { state: !assessment, assessment }
+    }
+
+    /// Of the arches of a table.
+    fn in_table(report: &Answers) -> Self {
+        Self { state: report.have_states(), assessment: report.have_assessments() }
+    }
+}
+
+/// The arch as it was given.
+pub(super) fn given(answer: &Answer, asked: Asked) -> Fields {
     let mut fields = Fields::default();
     let (mut alpha, mut mu, mut eta) = (None, None, None);
     if let Subject::Arch { half_opening, friction, thickness, .. } = &answer.subject {
@@ -15,20 +38,49 @@ pub(super) fn front(report: &Answers, answer: &Answer) -> Fields {
     fields.add("weight", answer.subject.weight().map(|weight| weight.name()));
     fields.add("half_opening", alpha);
     fields.add("friction", mu);
-    if report.are_assessed() {
+    if asked.assessment {
         fields.add("thickness", eta);
     }
+    fields
+}
+
+/// The same as numbers; what no double holds is nothing.
+pub(super) fn doubles(answer: &Answer, asked: Asked) -> Vec<(&'static str, Option<f64>)> {
+    let found = match &answer.subject {
+        Subject::Arch { doubles, .. } => *doubles,
+        Subject::Landmark { .. } | Subject::Query { .. } => GivenDoubles::default(),
+    };
+    let mut doubles = vec![
+        ("half_opening_rad", found.half_opening_rad),
+        ("half_opening_deg", found.half_opening_deg),
+        ("friction_double", found.friction),
+    ];
+    if asked.assessment {
+        doubles.push(("thickness_double", found.thickness));
+    }
+    doubles
+}
+
+/// The verdict and the mode.
+pub(super) fn verdict(answer: &Answer, asked: Asked) -> Fields {
+    let mut fields = Fields::default();
     fields.add("verdict", answer.status.name());
-    fields.add("stands", answer.stands);
-    if !report.are_assessed() {
+    if asked.state {
+        fields.add("can_stand", answer.can_stand);
+    }
+    if asked.assessment {
+        fields.add("stands", answer.stands);
+    }
+    if asked.state {
         fields.add("mode", answer.modes.first().map(|mode| mode.label()));
     }
     fields
 }
 
 /// The names of the columns of arches.
-pub(super) fn names(report: &Answers) -> Vec<&'static str> {
-    row(report, &Answer::refused(0, String::new())).names().collect()
+pub(super) fn names(report: &Answers) -> Vec<String> {
+    let empty = Answer::refused(0, String::new());
+    row(report, &empty).names().map(str::to_owned).collect()
 }
 
 /// The cells of an arch, all empty for a query that could not be read.
@@ -39,8 +91,42 @@ pub(super) fn cells(report: &Answers, answer: &Answer) -> Vec<String> {
     }
 }
 
+/// The names of the columns with the numbers that are given.
+pub(super) fn double_names(report: &Answers) -> impl Iterator<Item = String> {
+    let empty = Answer::refused(0, String::new());
+    doubles(&empty, Asked::in_table(report)).into_iter().map(|(name, _)| name.to_owned())
+}
+
+/// Their cells.
+pub(super) fn double_cells(report: &Answers, answer: &Answer) -> impl Iterator<Item = String> {
+    let doubles = doubles(answer, Asked::in_table(report)).into_iter();
+    doubles.map(|(_, x)| x.map_or(String::new(), |x| format!("{x:?}")))
+}
+
+/// The names of the columns that are handed on: one that the table has of its own is another there.
+pub(super) fn kept_names(report: &Answers, own: &[String]) -> Vec<String> {
+    let name = |name: &String| match own.contains(name) {
+        true => format!("input_{name}"),
+        false => name.clone(),
+    };
+    report.kept.iter().map(name).collect()
+}
+
+/// Their cells.
+pub(super) fn kept_cells(report: &Answers, answer: &Answer) -> impl Iterator<Item = String> {
+    report.kept.iter().map(|name| {
+        let kept = answer.kept.iter().find(|(of, _)| of == name);
+        kept.map_or(String::new(), |(_, kept)| match kept {
+            Kept::Json(null) if null == "null" => String::new(),
+            kept => kept.text().to_owned(),
+        })
+    })
+}
+
 fn row(report: &Answers, answer: &Answer) -> Fields {
-    let mut fields = front(report, answer);
+    let asked = Asked::in_table(report);
+    let mut fields = given(answer, asked);
+    fields.append(verdict(answer, asked));
     for &quantity in &report.quantities {
         fields.add(quantity.name(), answer.value(quantity).map(|value| value.text()));
     }

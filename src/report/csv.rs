@@ -61,22 +61,25 @@ fn constants(report: &Answers) -> Vec<Vec<String>> {
 
 /// Whether the doubles of the values have columns.
 fn has_doubles(report: &Answers) -> bool {
-    report.scope == Scope::Arches && report.have_doubles() && !report.are_assessed()
+    report.scope == Scope::Arches && report.have_doubles()
 }
 
 fn header(report: &Answers, with_lines: bool) -> Vec<String> {
-    let lines = ["line", "error"].into_iter().filter(|_| with_lines);
-    let mut header: Vec<String> =
-        columns::names(report).into_iter().chain(lines).map(str::to_owned).collect();
+    let mut header = columns::names(report);
+    header.extend(["line", "error"].into_iter().filter(|_| with_lines).map(str::to_owned));
+    header.extend(columns::double_names(report));
     if has_doubles(report) {
         let names = report.quantities.iter().map(|quantity| quantity.name());
         header.extend(names.flat_map(|name| [format!("{name}_double"), format!("{name}_hex")]));
     }
-    header
+    let mut all = columns::kept_names(report, &header);
+    all.append(&mut header);
+    all
 }
 
 fn record(report: &Answers, answer: &Answer, with_lines: bool) -> Vec<String> {
-    let mut record = columns::cells(report, answer);
+    let mut record: Vec<String> = columns::kept_cells(report, answer).collect();
+    record.extend(columns::cells(report, answer));
     if with_lines {
         let error = match &answer.status {
             Status::Refused(error) => error.as_str(),
@@ -85,6 +88,7 @@ fn record(report: &Answers, answer: &Answer, with_lines: bool) -> Vec<String> {
         let line = answer.subject.line().map_or(String::new(), |line| line.to_string());
         record.extend([line, error.to_owned()]);
     }
+    record.extend(columns::double_cells(report, answer));
     if has_doubles(report) {
         record.extend(report.quantities.iter().flat_map(|&quantity| {
             match answer.value(quantity).filter(|value| value.decimal.is_some()) {

@@ -68,6 +68,11 @@ struct ArchEntry<'a> {
     half_opening: &'a str,
     friction: &'a str,
     thickness: Option<&'a str>,
+    half_opening_rad: Option<f64>,
+    half_opening_deg: Option<f64>,
+    friction_double: Option<f64>,
+    thickness_double: Option<f64>,
+    can_stand: Option<bool>,
     stands: Option<bool>,
     mode: Option<&'static str>,
 }
@@ -128,10 +133,15 @@ impl<'a> ValueEntry<'a> {
 impl<'a> AnswerEntry<'a> {
     fn new(answer: &'a Answer) -> Self {
         let arch = match &answer.subject {
-            Subject::Arch { half_opening, friction, thickness, .. } => Some(ArchEntry {
+            Subject::Arch { half_opening, friction, thickness, doubles, .. } => Some(ArchEntry {
                 half_opening,
                 friction,
                 thickness: thickness.as_deref(),
+                half_opening_rad: doubles.half_opening_rad,
+                half_opening_deg: doubles.half_opening_deg,
+                friction_double: doubles.friction,
+                thickness_double: doubles.thickness,
+                can_stand: answer.can_stand,
                 stands: answer.stands,
                 mode: answer.modes.first().map(|mode| mode.label()),
             }),

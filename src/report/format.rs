@@ -5,6 +5,7 @@ use super::audit::{self, Audit};
 use super::claims::{self, Claims};
 use super::judged::{self, JudgeSummary, JudgedLines};
 use super::rows::Rows;
+use super::sampled::{self, SampledLines};
 use super::words::list;
 use super::{c, csv, fortran, json, julia, latex, matlab, plain, python, rust, table, toml};
 use std::io;
@@ -22,6 +23,8 @@ pub enum Content {
     Claims,
     /// Other people's results: all of them in summary, or each as it comes.
     Judged,
+    /// Arches that were drawn.
+    Samples,
 }
 
 /// Writes all at once.
@@ -48,6 +51,7 @@ pub struct Format {
     pub(super) claims: Option<Writer<Claims>>,
     pub(crate) judged: Option<Writer<JudgeSummary>>,
     pub(crate) judged_lines: Option<JudgedLines>,
+    pub(crate) samples: Option<SampledLines>,
 }
 
 const fn text(name: &'static str, extension: &'static str) -> Format {
@@ -63,6 +67,7 @@ const fn text(name: &'static str, extension: &'static str) -> Format {
         claims: None,
         judged: None,
         judged_lines: None,
+        samples: None,
     }
 }
 
@@ -91,11 +96,13 @@ static FORMATS: [Format; 15] = [
         rows: Some(csv::rows),
         audit: Some(audit::csv),
         judged_lines: Some(judged::CSV),
+        samples: Some(sampled::CSV),
         ..text("csv", "csv")
     },
     Format {
         rows: Some(json::lines),
         judged_lines: Some(judged::JSON_LINES),
+        samples: Some(sampled::JSON_LINES),
         ..text("jsonl", "jsonl")
     },
     language("toml", "toml", toml::answers),
@@ -134,6 +141,7 @@ impl Format {
             Content::Audit => format.audit.is_some(),
             Content::Claims => format.claims.is_some(),
             Content::Judged => format.judged.is_some() || format.judged_lines.is_some(),
+            Content::Samples => format.samples.is_some(),
         })
     }
 

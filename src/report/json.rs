@@ -1,9 +1,10 @@
-//! JSON: `couplet.constants/1` of landmarks, `couplet.state_at/1` of one with its modes, `couplet.state/1` or
-//! `couplet.assess/1` of an arch, `couplet.arches/1` of many. Fields may be added, none changes its meaning.
+//! JSON: `couplet.constants/1` of landmarks, `couplet.state_at/1` of one with its modes, `couplet.state/2` or
+//! `couplet.assess/2` of an arch, `couplet.arches/2` of many, `couplet.refused/1` of a query that could not be
+//! read. Fields may be added, none changes its meaning.
 
 use super::answer::{Answer, Status, Subject};
 use super::answers::{Answers, Scope};
-use super::columns;
+use super::columns::{self, Asked};
 use super::document::Document;
 use super::fields::Fields;
 use super::rows::{Rows, in_parallel};
@@ -21,10 +22,12 @@ pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<(
         Scope::Point => {
             report.list.iter().try_for_each(|answer| write(&PointEntry::new(answer), out))
         }
-        Scope::Arch => report.list.iter().try_for_each(|answer| write(&entry(report, answer), out)),
+        Scope::Arch => {
+            report.list.iter().try_for_each(|answer| write(&entry(report, answer, false), out))
+        }
         Scope::Arches => {
             let quantities = report.quantities.iter().map(|quantity| quantity.name()).collect();
-            let (schema, digits) = ("couplet.arches/1", report.digits);
+            let (schema, digits) = ("couplet.arches/2", report.digits);
             write(&ArchesFile { schema, digits, quantities, arches: Entries(report) }, out)
         }
     }
@@ -52,11 +55,11 @@ struct JsonLines(Answers);
 
 impl Rows for JsonLines {
     fn group(&mut self, answers: &[Answer]) -> io::Result<Vec<u8>> {
-        in_parallel(answers, |answer| line(&entry(&self.0, answer)))
+        in_parallel(answers, |answer| line(&entry(&self.0, answer, true)))
     }
 }
 
-/// `couplet.arches/1`: a quantity that was not asked for is null.
+/// `couplet.arches/2`: a quantity that was not asked for is null.
 #[derive(Serialize)]
 struct ArchesFile<'a> {
     schema: &'static str,
@@ -70,26 +73,42 @@ struct Entries<'a>(&'a Answers);
 
 impl Serialize for Entries<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.0.list.iter().map(|answer| entry(self.0, answer)))
+        serializer.collect_seq(self.0.list.iter().map(|answer| entry(self.0, answer, false)))
     }
 }
 
-/// An arch: a missing value is null, an unbounded one the text `inf`.
-fn entry(report: &Answers, answer: &Answer) -> Fields {
+/// An arch: a missing value is null, an unbounded one the text `inf`. Each has the fields of what was asked
+/// of it, whatever the others were asked.
+fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Fields {
     let mut fields = Fields::default();
-    if let (Subject::Query { line }, Status::Refused(error)) = (&answer.subject, &answer.status) {
-        fields.add("line", *line);
+    let asked = Asked::of(answer);
+    fields.add(
+        "schema",
+        match (&answer.subject, asked.assessment) {
+            (Subject::Query { .. }, _) => "couplet.refused/1",
+            (_, true) => "couplet.assess/2",
+            (_, false) => "couplet.state/2",
+        },
+    );
+    if with_line {
+        fields.add("line", answer.subject.line());
+    }
+    if !answer.kept.is_empty() {
+        let mut kept = Fields::default();
+        answer.kept.iter().for_each(|(name, value)| kept.keep(name, value));
+        fields.add_fields("kept", Some(kept));
+    }
+    if let (Subject::Query { .. }, Status::Refused(error)) = (&answer.subject, &answer.status) {
         fields.add("error", error.as_str());
         return fields;
     }
-    let (schema, quantities) = match report.are_assessed() {
-        true => ("couplet.assess/1", &Quantity::ASSESSMENT[..]),
-        false => ("couplet.state/1", &Quantity::STATE[..]),
-    };
-    fields.add("schema", schema);
-    fields.append(columns::front(report, answer));
+    fields.append(columns::given(answer, asked));
+    columns::doubles(answer, asked).into_iter().for_each(|(name, x)| fields.add(name, x));
+    fields.append(columns::verdict(answer, asked));
+    let quantities =
+        if asked.assessment { &Quantity::ASSESSMENT[..] } else { &Quantity::STATE[..] };
     for &quantity in quantities {
-        let value = answer.value(quantity).filter(|_| report.quantities.contains(&quantity));
+        let value = answer.value(quantity).filter(|_| report.shows(quantity));
         fields.add_fields(
             quantity.name(),
             value.map(|value| match quantity.joint() {
@@ -99,7 +118,7 @@ fn entry(report: &Answers, answer: &Answer) -> Fields {
         );
     }
     fields.add("reason", answer.status.reason());
-    if !report.are_assessed() {
+    if asked.state {
         let (between, gap) = match &answer.status {
             Status::Undecided(undecided) => (&undecided.between[..], undecided.gap),
             _ => (&[][..], None),

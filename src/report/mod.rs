@@ -32,6 +32,7 @@ mod document;
 mod fields;
 mod format;
 mod fortran;
+mod given;
 mod json;
 pub(crate) mod judged;
 mod julia;
@@ -45,6 +46,7 @@ mod plain;
 mod python;
 mod rows;
 mod rust;
+mod sampled;
 #[cfg(feature = "study")]
 pub(crate) mod study;
 mod table;
@@ -52,11 +54,12 @@ mod toml;
 mod value;
 pub(crate) mod words;
 
-pub use answer::{Answer, Fingerprint, Proof, Status, Subject};
+pub use answer::{Answer, Fingerprint, Kept, Proof, Status, Subject};
 pub use answers::{Answers, Scope};
 pub use audit::Audit;
 pub use claims::Claims;
 pub use format::{Content, Format};
+pub use given::GivenDoubles;
 pub use rows::Rows;
 pub use value::Value;
 

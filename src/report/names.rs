@@ -103,7 +103,7 @@ pub(super) fn about(answer: &Answer) -> Vec<String> {
         Subject::Landmark { landmark, weight } => {
             format!("{}, {}, {}", landmark.symbol(), landmark.name(), model(*weight))
         }
-        Subject::Arch { line, weight, half_opening, friction, thickness } => {
+        Subject::Arch { line, weight, half_opening, friction, thickness, .. } => {
             let thickness = thickness.as_ref().map(|eta| format!(", thickness {}", safe(eta)));
             let mode = answer.modes.first();
             let mode = mode.map(|mode| format!(", collapses as {}", mode.label()));

@@ -5,11 +5,12 @@
 
 use super::answer::{Answer, Subject};
 use super::answers::{Answers, Scope, TOOL};
+use super::given::GivenDoubles;
 use super::names::head;
 use super::rows::Rows;
 use super::value::Value;
 use crate::problem::Quantity;
-use ::parquet::basic::Compression;
+use ::parquet::basic::{Compression, LogicalType, Repetition, Type as PhysicalType};
 use ::parquet::column::writer::ColumnWriter;
 use ::parquet::data_type::ByteArray;
 use ::parquet::errors::Result;
@@ -17,6 +18,7 @@ use ::parquet::file::metadata::KeyValue;
 use ::parquet::file::properties::WriterProperties;
 use ::parquet::file::writer::SerializedFileWriter;
 use ::parquet::schema::parser::parse_message_type;
+use ::parquet::schema::types::Type;
 use Column::*;
 use std::io;
 use std::sync::Arc;
@@ -30,15 +32,21 @@ enum Column {
 }
 
 /// The columns. `double` is the nearest to the true value, the doubles after it bound that value and its
-/// error; `half_opening`, `friction` and `thickness` are the texts of the query in `line`.
-const COLUMNS: [(&str, Column); 20] = [
+/// error; `half_opening`, `friction` and `thickness` are the texts of the query in `line`, with the doubles
+/// nearest to them.
+const COLUMNS: [(&str, Column); 25] = [
     ("line", Integer(|row| row.answer.subject.line())),
     ("weight", Text(|row| row.answer.subject.weight().map(|weight| weight.name()))),
     ("landmark", Text(|row| row.answer.subject.landmark().map(|landmark| landmark.symbol()))),
     ("half_opening", Text(|row| Some(row.query()?.half_opening))),
+    ("half_opening_rad", Double(|row| row.query()?.doubles.half_opening_rad)),
+    ("half_opening_deg", Double(|row| row.query()?.doubles.half_opening_deg)),
     ("friction", Text(|row| Some(row.query()?.friction))),
+    ("friction_double", Double(|row| row.query()?.doubles.friction)),
     ("thickness", Text(|row| row.query()?.thickness)),
+    ("thickness_double", Double(|row| row.query()?.doubles.thickness)),
     ("mode", Text(|row| row.query().and(row.answer.modes.first()).map(|mode| mode.label()))),
+    ("can_stand", Truth(|row| row.answer.can_stand)),
     ("stands", Truth(|row| row.answer.stands)),
     ("status", Text(|row| Some(row.answer.status.name()))),
     ("reason", Text(|row| row.answer.status.reason())),
@@ -57,6 +65,8 @@ const COLUMNS: [(&str, Column); 20] = [
 /// A Parquet file that is written group by group.
 struct ParquetRows {
     writer: SerializedFileWriter<Vec<u8>>,
+    /// What is handed on from queries has a column each, behind the others.
+    kept: Vec<String>,
 }
 
 /// Landmarks or arches.
@@ -97,9 +107,9 @@ impl ParquetRows {
             Truth(_) => format!("optional boolean {name};"),
         });
         let schema = format!("message couplet {{ {} }}", columns.collect::<String>());
-        let schema = parse_message_type(&schema).map_err(io::Error::other)?;
+        let schema = with_kept(&schema, &report.kept).map_err(io::Error::other)?;
         let writer = SerializedFileWriter::new(Vec::new(), Arc::new(schema), Arc::new(properties));
-        Ok(Self { writer: writer.map_err(io::Error::other)? })
+        Ok(Self { writer: writer.map_err(io::Error::other)?, kept: report.kept.clone() })
     }
 
     fn columns(&mut self, rows: &[Row]) -> Result<()> {
@@ -128,9 +138,32 @@ impl ParquetRows {
             };
             written.close()?;
         }
+        for name in &self.kept {
+            let Some(mut written) = group.next_column()? else { break };
+            if let ColumnWriter::ByteArrayColumnWriter(writer) = written.untyped() {
+                let (values, there) = present(rows, |row| row.kept(name).map(ByteArray::from));
+                writer.write_batch(&values, Some(&there), None)?;
+            }
+            written.close()?;
+        }
         group.close()?;
         Ok(())
     }
+}
+
+/// The schema with a text for each name from outside, which may be any text.
+fn with_kept(schema: &str, kept: &[String]) -> Result<Type> {
+    let own = parse_message_type(schema)?;
+    let mut fields = own.get_fields().to_vec();
+    for name in kept {
+        let is_own = COLUMNS.iter().any(|(own, _)| own == name);
+        let name = if is_own { format!("input_{name}") } else { name.clone() };
+        let text = Type::primitive_type_builder(&name, PhysicalType::BYTE_ARRAY)
+            .with_repetition(Repetition::OPTIONAL)
+            .with_logical_type(Some(LogicalType::String));
+        fields.push(Arc::new(text.build()?));
+    }
+    Type::group_type_builder(own.name()).with_fields(fields).build()
 }
 
 impl Rows for ParquetRows {
@@ -176,6 +209,7 @@ struct Query<'a> {
     half_opening: &'a str,
     friction: &'a str,
     thickness: Option<&'a str>,
+    doubles: GivenDoubles,
 }
 
 impl<'a> Row<'a> {
@@ -192,11 +226,15 @@ impl<'a> Row<'a> {
         answer.values.iter().map(row).collect()
     }
 
+    fn kept(&self, name: &str) -> Option<&'a str> {
+        self.answer.kept.iter().find(|(of, _)| of == name).map(|(_, kept)| kept.text())
+    }
+
     fn query(&self) -> Option<Query<'_>> {
         match &self.answer.subject {
-            Subject::Arch { half_opening, friction, thickness, .. } => {
-                let thickness = thickness.as_deref();
-                Some(Query { half_opening, friction, thickness })
+            Subject::Arch { half_opening, friction, thickness, doubles, .. } => {
+                let (thickness, doubles) = (thickness.as_deref(), *doubles);
+                Some(Query { half_opening, friction, thickness, doubles })
             }
             Subject::Landmark { .. } | Subject::Query { .. } => None,
         }

@@ -162,12 +162,12 @@ fn assessment(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> i
 }
 
 fn arches(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
-    let what = match report.are_assessed() {
+    let what = match report.have_assessments() {
         true => "Arches of given thickness",
         false => "Arches at their least thickness",
     };
     writeln!(out, "{what}, {}\n", rounding(report))?;
-    let header = columns::names(report).into_iter().map(str::to_owned).collect();
+    let header = columns::names(report);
     let rows = report.list.iter().map(|answer| columns::cells(report, answer));
     let rows: Vec<Vec<String>> = std::iter::once(header).chain(rows).collect();
     // A column without a value in any row says nothing.

@@ -4,11 +4,10 @@ use crate::arch::SelfWeight;
 use crate::certify::state::Fall;
 use std::fmt::Display;
 
+pub(crate) use crate::number::shown as shortened;
+
 /// With this many digits a decimal number tells the double, which is then given too.
 pub(crate) const DOUBLE_DIGITS: usize = 17;
-
-/// Characters of a text from outside that are shown.
-const SHOWN: usize = 40;
 
 /// `1 arch`, `2 arches`.
 pub(crate) fn count<N: Display + PartialEq + From<u8>>(n: N, one: &str, many: &str) -> String {
@@ -19,17 +18,6 @@ pub(crate) fn count<N: Display + PartialEq + From<u8>>(n: N, one: &str, many: &s
 /// Names in a sentence: `a, b, c`.
 pub(crate) fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     names.into_iter().collect::<Vec<_>>().join(", ")
-}
-
-/// A text on one line, cut if it is long.
-pub(crate) fn shortened(text: &str) -> String {
-    let mut shown = text.chars().map(|c| if c.is_control() { ' ' } else { c });
-    let mut short: String = shown.by_ref().take(SHOWN).collect();
-    if shown.next().is_some() {
-        short.pop();
-        short.push('…');
-    }
-    short
 }
 
 /// Symbols that people may type instead of our keys.
@@ -120,14 +108,6 @@ mod tests {
             assert_eq!(hexadecimal(x), text);
         }
     }
-
-    #[test]
-    fn a_long_text_is_cut() {
-        assert_eq!(shortened("a\nb"), "a b");
-        assert_eq!(shortened(&"1".repeat(SHOWN)), "1".repeat(SHOWN));
-        assert_eq!(shortened(&"β".repeat(SHOWN + 1)), "β".repeat(SHOWN - 1) + "…");
-    }
-
     #[test]
     fn the_nearest_name_is_offered_if_one_is_near() {
         let names = ["half_opening", "friction", "friction_angle"];

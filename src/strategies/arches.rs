@@ -18,6 +18,21 @@ pub fn arch() -> impl Strategy<Value = Arch> {
 
 /// Arches that stand, with their state at the least thickness, correctly rounded to `digits`
 /// significant digits. What falls, and what is undecided, is left out.
+///
+/// ```
+/// use couplet::strategies::standing;
+/// use proptest::test_runner::TestRunner;
+///
+/// let mut runner = TestRunner::deterministic();
+/// let verdict = runner.run(&standing(9), |(query, state)| {
+///     // A solver of one's own would be asked about `query` here, and compared with `state`. As doubles
+///     // some thicknesses are 0 (at an opening of 1e-100) or 2 (next to `L`), which they are not.
+///     let thickness = state.thickness.double;
+///     assert!((0.0..=2.0).contains(&thickness), "{query}: {thickness}");
+///     Ok(())
+/// });
+/// assert!(verdict.is_ok());
+/// ```
 pub fn standing(digits: usize) -> impl Strategy<Value = (Query, Box<Digits>)> {
     query().prop_filter_map("stands", move |query| Some((query.clone(), stands(&query, digits)?)))
 }

@@ -3,7 +3,9 @@
 use crate::arch::{SelfWeight, Unknown};
 use crate::certify::CertifiedLandmark;
 use crate::number::{Ball, Rounded, bits_of};
-use crate::problem::{Landmark, Mode};
+use crate::problem::Landmark;
+#[cfg(feature = "proptest")]
+use crate::problem::Mode;
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
@@ -43,6 +45,7 @@ pub(super) fn beside(
 }
 
 /// The half openings between which a mode is met.
+#[cfg(feature = "proptest")]
 pub(super) fn half_openings(mode: Mode, weight: SelfWeight) -> Option<[f64; 2]> {
     use Landmark::*;
     let at = |landmark| Some(value(landmark, weight, Unknown::HalfOpening)?.mid().to_f64());

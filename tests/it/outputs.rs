@@ -44,6 +44,9 @@ fn formats(command: &str, arch: &str) -> Terminal {
 const QUERIES: &str = "weight,alpha,mu\nmilankovitch,2.45,27/20\nheyman,pi/2,0.38\nheyman,90deg,inf\n\
     heyman,2.6,0.3\nheyman,2.8,9\nheyman,banana,1\nheyman,1\n";
 
+const THICKNESSES: &str =
+    "id;Alpha;phi;eta\na;80deg;31deg;0,12\nb;1,5D0;0x1p-1;\nc;80deg;31deg;0,05\n";
+
 const RESULTS: &str = "alpha,mu,t_over_r,mode\n90,0.5,0.107426,rrr\n90,0.39,0.112750,srr\n90,0.38,0.2,\n\
     90,0.30,0.1,\n90,0.34,,srr\n90,x,1,\n";
 
@@ -94,6 +97,16 @@ outputs! {
         .run("couplet states --digits 8 < queries.csv")
         .run("couplet states --digits 3 --format jsonl < queries.csv");
 
+    states_of_a_given_thickness: Terminal::new()
+        .file("queries.csv", THICKNESSES)
+        .run("couplet states queries.csv --digits 6 --keep id")
+        .run("couplet states queries.csv --digits 3 --keep all --format jsonl");
+    sample: each(&[
+        "couplet sample --count 3",
+        "couplet sample --hard --count 12 --seed 7",
+        "couplet sample --hard --count 2 --format jsonl",
+    ]);
+
     judge: judged("table");
     judge_csv: judged("csv");
     judge_jsonl: judged("jsonl");
@@ -134,6 +147,7 @@ outputs! {
     help_state: run("couplet state --help");
     help_assess: run("couplet assess --help");
     help_states: run("couplet states --help");
+    help_sample: run("couplet sample --help");
     help_judge: run("couplet judge --help");
     help_audit: run("couplet audit --help");
     help_prove: run("couplet prove --help");

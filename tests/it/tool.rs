@@ -23,10 +23,19 @@ fn package(program: &str) -> &'static str {
 /// Whether a program is there. A test that needs one that is not says so, past the capture of the test
 /// harness, and passes; `make test` repeats it in its last lines.
 pub(crate) fn has(program: &str, question: &str) -> bool {
-    let asked = Command::new(program).arg(question).output();
+    there(&[program, question], program, package(program))
+}
+
+/// The same of a module of Python.
+pub(crate) fn has_module(module: &str) -> bool {
+    there(&["python3", "-c", &format!("import {module}")], module, &format!("python3-{module}"))
+}
+
+fn there(question: &[&str], what: &str, package: &str) -> bool {
+    let asked = Command::new(question[0]).args(&question[1..]).output();
     let found = asked.is_ok_and(|output| output.status.success());
     if !found {
-        let line = format!("skipped: what needs {program}; install {}\n", package(program));
+        let line = format!("skipped: what needs {what}; install {package}\n");
         let _ = std::io::stderr().write_all(line.as_bytes());
         if let Some(list) = std::env::var_os("COUPLET_SKIPPED") {
             let list = OpenOptions::new().create(true).append(true).open(list);

@@ -13,6 +13,7 @@ mod progress;
 mod prove;
 mod rows;
 mod run;
+mod sample;
 mod state;
 mod states;
 #[cfg(feature = "study")]
@@ -28,6 +29,7 @@ pub(super) enum Command {
     State(state::Arguments),
     Assess(assess::Arguments),
     States(states::Arguments),
+    Sample(sample::Arguments),
     Judge(judge::Arguments),
     Audit(audit::Arguments),
     Prove(prove::Arguments),
@@ -53,6 +55,7 @@ impl Command {
             Self::State(arguments) => state::run(arguments),
             Self::Assess(arguments) => assess::run(arguments),
             Self::States(arguments) => states::run(arguments),
+            Self::Sample(arguments) => sample::run(arguments),
             Self::Judge(arguments) => judge::run(arguments),
             Self::Audit(arguments) => audit::run(arguments),
             Self::Prove(arguments) => prove::run(arguments),

@@ -60,10 +60,7 @@ impl AnswerOutput {
 
     /// Opens the destination, before any work is done.
     pub(super) fn open(&self) -> Result<Output, Failure> {
-        if self.file.output.as_deref().is_none_or(is_standard) {
-            fits_standard_output(self.format())?;
-        }
-        self.file.open()
+        self.file.open_for(self.format())
     }
 }
 
@@ -71,6 +68,14 @@ impl OutputFile {
     /// Opens the destination, before any work is done.
     pub(super) fn open(&self) -> Result<Output, Failure> {
         Output::open(self.output.as_deref())
+    }
+
+    /// The same for a format, which may be binary.
+    pub(super) fn open_for(&self, format: &Format) -> Result<Output, Failure> {
+        if self.output.as_deref().is_none_or(is_standard) {
+            fits_standard_output(format)?;
+        }
+        self.open()
     }
 
     /// Whether it is a file that is there.

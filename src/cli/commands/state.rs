@@ -66,7 +66,8 @@ pub(super) fn print(
         _ => None,
     });
     let scope = if answers.len() == 1 { Scope::Arch } else { Scope::Arches };
-    let report = Report::Answers(Answers { scope, digits, quantities, list: answers });
+    let report =
+        Report::Answers(Answers { scope, digits, quantities, list: answers, kept: Vec::new() });
     file.write(|out| report.write(format, out))?;
     undecided.map_or(Ok(()), Err)
 }
@@ -88,6 +89,12 @@ fn at_landmark(landmark: Landmark, arguments: &Arguments) -> Result<(), Failure>
     let answers: Result<Vec<Answer>, Undecided> =
         arguments.arch.weight.all().into_iter().map(answer).collect();
     let list = answers.map_err(|error| Failure::Undecided(error.to_string()))?;
-    let report = Report::Answers(Answers { scope: Scope::Point, digits, quantities, list });
+    let report = Report::Answers(Answers {
+        scope: Scope::Point,
+        digits,
+        quantities,
+        list,
+        kept: Vec::new(),
+    });
     output.write(|out| report.write(format, out))
 }

@@ -1,34 +1,56 @@
 //! `couplet states`.
 
 use super::arch::thickness;
-use super::output::fits_standard_output;
+use super::output::OutputFile;
 use super::parse;
-use super::rows::{Line, Progress, Source, Syntax, csv_records, in_order, json_error, json_lines};
+use super::rows::{
+    Cells, Columns, Input, Keep, Line, Progress, Purpose, Reader, Role, Source, Spelling, Syntax,
+    Table, Together, in_order, objects,
+};
+use crate::arch::SelfWeight;
 use crate::certify::state::Certify;
 use crate::cli::failure::Failure;
-use crate::problem::Arch;
-use crate::report::{Answer, Answers, Content, Format, Status};
+use crate::report::{Answer, Answers, Content, Format, Kept, Status};
 use clap::Args;
-use serde::Deserialize;
-use serde_json::value::RawValue;
-use std::io::{self, Read, Write};
+use std::io;
+use std::path::{Path, PathBuf};
 
-/// Read queries from standard input, one a row, and write their states in the same order.
+/// Read queries, one a row, and write what is proved of each, in the same order.
 ///
-/// The input is CSV with a header (columns weight, half_opening, friction and, to assess an arch of a
-/// given thickness, thickness) or JSON lines with the same keys. Values are exact text, as for `state`.
-/// A bad row becomes a row with its error and its line number; the other rows are answered. An
-/// interrupted run keeps the rows written so far, except Parquet, which is unreadable until its footer is
-/// written at the end.
+/// The input is a table with a header, or JSON objects, one on each line or in an array. Its columns or keys
+/// are weight, half_opening (or alpha), friction (or mu) or friction_angle (or phi), and thickness (or eta).
+/// A row without a thickness is answered as by `couplet state`, one with a thickness as by `couplet assess`:
+/// a table with a column for the thickness has the columns of both, and the least thickness is
+/// least_thickness there. Commas, semicolons, tabs or blanks separate; where semicolons do, a number may have
+/// a decimal comma. `#` may begin the header (NumPy). Values are exact text, as for `state`; also
+/// 0.107D+00 (Fortran), and 0x1.8p+1, which is exactly that double.
+///
+/// Other columns are not read, and `--keep` hands them on. A bad row becomes a row with its error and its
+/// line number; the other rows are answered. Rows are answered as they come: who waits for an answer before
+/// the next question gets it. An interrupted run keeps the rows written so far, except Parquet, which is
+/// unreadable until its footer is written at the end.
 ///
 /// Parquet (needs the feature parquet) has one row for each value: the query, mode, quantity, the value as
 /// text with its bounds, the nearest double with its bounds.
 #[derive(Args)]
 pub(crate) struct Arguments {
+    /// The queries; `-` is standard input, which is read if no file is given.
+    #[arg(value_name = "FILE")]
+    file: Option<PathBuf>,
+
+    /// Self-weight model of the rows that have none: heyman or milankovitch.
+    #[arg(long, default_value = "milankovitch", value_parser = parse::weight)]
+    weight: SelfWeight,
+
     /// Significant digits, 1 to 10000. With 17 each state also has the nearest double of its values,
     /// in decimal and in hexadecimal.
     #[arg(long, default_value = "17", value_parser = parse::state_digits, allow_negative_numbers = true)]
     digits: usize,
+
+    /// Columns or keys of the input that are handed on to the output, or `all` that are not read. One
+    /// whose name the output has for itself is called input_NAME there; JSON has them in `kept`.
+    #[arg(long, value_delimiter = ',', value_name = "NAME,…")]
+    keep: Vec<String>,
 
     #[arg(
         long,
@@ -36,154 +58,140 @@ pub(crate) struct Arguments {
         help = parse::format_help(Content::Rows) + "; that of the input if not given"
     )]
     format: Option<&'static Format>,
+
+    #[command(flatten)]
+    output: OutputFile,
 }
 
 /// A query as it was read.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct Query {
-    weight: String,
-    half_opening: String,
-    friction: String,
-    thickness: Option<String>,
+    cells: Cells,
+    kept: Vec<(String, Kept)>,
 }
 
-type Queries = Box<dyn Iterator<Item = Line<Query>>>;
+/// The queries of a file.
+struct Queries {
+    columns: Columns,
+    spelling: Spelling,
+    /// The names of what is handed on, where the rows are those of a table.
+    kept: Vec<String>,
+    rows: Box<dyn Iterator<Item = Line<Query>> + Send>,
+}
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    if let Some(format) = arguments.format {
-        fits_standard_output(format)?;
+    let source = Source::open(arguments.file.as_deref())?;
+    let file = arguments.file.as_deref().unwrap_or(Path::new("-"));
+    if arguments.output.is_same_file(file) {
+        return Err(Failure::Input(format!("refusing to overwrite the input {}", file.display())));
     }
-    let source = Source::open(None)?;
     let progress = Progress::new(&source);
     let (syntax, digits) = (source.syntax, arguments.digits);
-    let input = progress.counted(source.into_reader());
-    let (lines, assessed): (Queries, bool) = match syntax {
-        Syntax::JsonLines => {
-            let mut lines = json_lines(input, json_query).peekable();
-            // One shape of output for all: that of the first query.
-            let first = lines.peek().and_then(|(_, query)| query.as_ref().ok());
-            let assessed = first.is_some_and(|query| query.thickness.is_some());
-            (Box::new(lines), assessed)
-        }
-        Syntax::Csv => csv_lines(input)?,
-    };
     let format = arguments.format.or_else(|| Format::named(Content::Rows, syntax.format()));
-    let Some(open) = format.and_then(|format| format.rows) else { return Ok(()) };
-    let mut file = open(Answers::arches(digits, assessed)).map_err(unwritten)?;
-    let mut out = io::stdout().lock();
-    let (mut bad, mut undecided) = (0, 0);
-    if !put(&mut out, file.begin())? {
+    let Some((format, open)) = format.and_then(|format| Some((format, format.rows?))) else {
         return Ok(());
-    }
-    let mut listens = true;
-    // Computes chunk after chunk on all cores, and writes each before the next is read.
-    let rows = in_order(
-        lines,
-        &progress,
-        |(line, query)| {
-            let answer = query.and_then(|query| answer(line, &query, digits, assessed));
-            answer.unwrap_or_else(|error| Answer::refused(line, error))
-        },
-        |answers: Vec<Answer>| {
+    };
+    let output = arguments.output.open_for(format)?;
+    let input = progress.counted(source.into_input());
+    let keep = Keep::new(&arguments.keep);
+    let queries = match syntax {
+        Syntax::Csv => table(input, &keep)?,
+        Syntax::Json => json(input, keep, format)?,
+    };
+    let Queries { columns, spelling, kept, rows } = queries;
+    // A table without a column for the thickness asks for states alone.
+    let answers = match columns.all.iter().any(|column| column.role == Role::GivenThickness) {
+        true => Answers::mixed(digits),
+        false => Answers::arches(digits, false),
+    };
+    let reader = Reader { columns, weight: arguments.weight, doubles: false, spelling };
+    let mut file = open(Answers { kept, ..answers }).map_err(unwritten)?;
+    let (mut bad, mut undecided, mut answered) = (0, 0, None);
+    let together = if format.is_binary { Together::Chunk } else { Together::WhatIsThere };
+    output.write(|out| {
+        out.write_all(&file.begin()?)?;
+        let answer = |line| answer(&reader, line, digits);
+        let rows = in_order(rows, (&progress, together), answer, |answers: Vec<Answer>| {
             let count =
                 |is: fn(&Answer) -> bool| answers.iter().filter(|answer| is(answer)).count();
             bad += count(|answer| matches!(answer.status, Status::Refused(_)));
             undecided += count(Answer::is_undecided);
-            listens = put(&mut out, file.group(&answers))?;
-            Ok::<_, Failure>(listens)
-        },
-    )?;
-    if !listens || !put(&mut out, file.end())? {
-        return Ok(());
-    }
-    match (bad, undecided) {
-        (0, 0) => Ok(()),
-        (0, undecided) => {
+            out.write_all(&file.group(&answers)?)?;
+            out.flush()?;
+            Ok::<_, io::Error>(true)
+        })?;
+        out.write_all(&file.end()?)?;
+        answered = Some(rows);
+        Ok(())
+    })?;
+    match (answered, bad, undecided) {
+        // The reader closed the pipe early.
+        (None, ..) | (_, 0, 0) => Ok(()),
+        (Some(rows), 0, undecided) => {
             Err(Failure::Undecided(format!("{undecided} of {rows} rows are undecided")))
         }
-        (bad, _) => {
+        (Some(rows), bad, _) => {
             Err(Failure::Input(format!("{bad} of {rows} rows could not be read; see their errors")))
         }
     }
 }
 
-/// Writes; `false` if the reader has closed the pipe.
-fn put(out: &mut impl Write, bytes: io::Result<Vec<u8>>) -> Result<bool, Failure> {
-    match bytes.and_then(|bytes| out.write_all(&bytes).and_then(|()| out.flush())) {
-        Ok(()) => Ok(true),
-        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(false),
-        Err(error) => Err(unwritten(error)),
-    }
-}
-
 fn unwritten(error: io::Error) -> Failure {
-    Failure::writing("to standard output", &error)
+    Failure::writing("the rows", &error)
 }
 
 /// The answer to a query, or its error.
-fn answer(line: u64, query: &Query, digits: usize, assessed: bool) -> Result<Answer, String> {
-    let arch = Arch::parse(&query.weight, &query.half_opening, &query.friction)
-        .map_err(|error| error.to_string())?;
-    if !assessed {
+fn answer(reader: &Reader, (line, query): Line<Query>, digits: usize) -> Answer {
+    let (answer, kept) = match query {
+        Ok(query) => (asked(reader, line, &query.cells, digits), query.kept),
+        Err(error) => (Err(error), Vec::new()),
+    };
+    let answer = answer.unwrap_or_else(|error| Answer::refused(line, error));
+    Answer { kept, ..answer }
+}
+
+/// A row is asked what it asks: about its thickness if it has one.
+fn asked(reader: &Reader, line: u64, cells: &Cells, digits: usize) -> Result<Answer, String> {
+    let arch = reader.arch(cells)?;
+    let Some((text, _)) = reader.given(cells, Role::GivenThickness) else {
         return Ok(Answer::state(line, &arch, &arch.certify(digits)));
-    }
-    let eta = thickness(query.thickness.as_deref().ok_or("the thickness is missing")?)?;
+    };
+    let eta = thickness(&reader.spelling.exact(text))?;
     Ok(Answer::assessment(line, (&arch, &eta), &arch.certify_thickness(&eta, digits)))
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct JsonQuery<'a> {
-    weight: String,
-    #[serde(borrow, alias = "alpha")]
-    half_opening: &'a RawValue,
-    #[serde(borrow, alias = "mu")]
-    friction: &'a RawValue,
-    #[serde(borrow, alias = "eta")]
-    thickness: Option<&'a RawValue>,
+/// Of a table.
+fn table(input: Input, keep: &Keep) -> Result<Queries, Failure> {
+    let table = Table::open(input)?;
+    let mut columns = Columns::own(Purpose::Ask);
+    let kept = keep.places(&table.header, &columns).map_err(Failure::Input)?;
+    let places = columns.places(&table.header).map_err(Failure::Input)?;
+    let spelling = Spelling { decimal_comma: table.has_decimal_commas() };
+    let names = kept.iter().map(|(name, _)| name.clone()).collect();
+    let query = move |row: Vec<String>| Query {
+        cells: places.iter().map(|&place| row.get(place).cloned()).collect(),
+        kept: kept
+            .iter()
+            .filter_map(|(name, place)| Some((name.clone(), Kept::Text(row.get(*place)?.clone()))))
+            .collect(),
+    };
+    let rows = Box::new(table.map(move |(line, row)| (line, row.map(&query))));
+    Ok(Queries { columns, spelling, kept: names, rows })
 }
 
-fn json_query(bytes: &[u8]) -> Result<Query, String> {
-    let read: JsonQuery =
-        serde_json::from_slice(bytes).map_err(|error| json_error(bytes, &error))?;
-    let text = |raw: &RawValue| {
-        serde_json::from_str::<String>(raw.get()).unwrap_or_else(|_| raw.get().to_owned())
-    };
-    Ok(Query {
-        weight: read.weight,
-        half_opening: text(read.half_opening),
-        friction: text(read.friction),
-        thickness: read.thickness.map(text),
-    })
-}
-
-/// The queries of a CSV file, and whether it has a column for the thickness.
-fn csv_lines(input: impl Read + 'static) -> Result<(Queries, bool), Failure> {
-    let (header, records) = csv_records(input)?;
-    let column = |names: &[&str]| header.iter().position(|name| names.contains(&name));
-    let required = |names: &[&str]| {
-        column(names).ok_or_else(|| {
-            Failure::Input(format!(
-                "the input has no column '{}'; it needs weight, half_opening, friction",
-                names[0]
-            ))
-        })
-    };
-    let (weight, half_opening, friction) = (
-        required(&["weight"])?,
-        required(&["half_opening", "alpha"])?,
-        required(&["friction", "mu"])?,
-    );
-    let thickness = column(&["thickness", "eta"]);
-    let query = move |record: csv::StringRecord| {
-        let field = |place: usize| record.get(place).map(str::to_owned);
-        match (field(weight), field(half_opening), field(friction)) {
-            (Some(weight), Some(half_opening), Some(friction)) => {
-                Ok(Query { weight, half_opening, friction, thickness: thickness.and_then(field) })
-            }
-            _ => Err(format!("too few columns: {}", record.len())),
+/// Of JSON, where each row has keys of its own.
+fn json(input: Input, keep: Keep, format: &Format) -> Result<Queries, Failure> {
+    let columns = Columns::own(Purpose::Ask);
+    let kept = match &keep {
+        Keep::Named(names) => names.clone(),
+        Keep::All if format.name == "jsonl" => Vec::new(),
+        Keep::All => {
+            let message = "JSON rows have no common columns: name those to keep, --keep id,name";
+            return Err(Failure::Input(message.into()));
         }
     };
-    let lines = records.map(move |(line, record)| (line, record.and_then(&query)));
-    Ok((Box::new(lines), thickness.is_some()))
+    let read = columns.clone();
+    let rows = objects(input, move |object| {
+        Ok(Query { cells: read.cells(object)?, kept: keep.entries(object, &read) })
+    });
+    Ok(Queries { columns, spelling: Spelling::default(), kept, rows })
 }

@@ -7,6 +7,7 @@ mod binary;
 mod burst;
 #[cfg(feature = "study")]
 mod complex;
+mod hexadecimal;
 mod magnitude;
 mod mpfr;
 mod rational;
@@ -17,6 +18,7 @@ mod surd;
 pub use anchor::{Anchor, arctangent};
 pub use ball::Ball;
 pub use binary::Binary;
+pub use hexadecimal::hexadecimal;
 pub use magnitude::Magnitude;
 pub use rational::rational_like;
 pub use rounded::{Rounded, bits_of, terminating};

@@ -1,7 +1,8 @@
-//! `couplet.judged/1`, one row; `couplet.judge/1`, all of them.
+//! `couplet.judged/2`, one row; `couplet.judge/2`, all of them.
 
 use super::row::{JudgedRow, digits, number};
 use super::summary::JudgeSummary;
+use crate::arch::SelfWeight;
 use crate::judge::Verdict;
 use crate::report::fields::Fields;
 use crate::report::json;
@@ -21,7 +22,7 @@ struct RowEntry {
 impl RowEntry {
     fn new(row: &JudgedRow) -> Self {
         let numbers = row.numbers().iter().map(|judged| (judged.quantity.name(), number(judged)));
-        Self { schema: "couplet.judged/1", fields: row.fields(), numbers: numbers.collect() }
+        Self { schema: "couplet.judged/2", fields: row.fields(), numbers: numbers.collect() }
     }
 }
 
@@ -36,7 +37,8 @@ struct SummaryFile {
     rows: u64,
     accepted: u64,
     demanded_digits: usize,
-    or_correctly_rounded: bool,
+    or_as_printed: bool,
+    assumed_weight: Option<&'static str>,
     verdicts: BTreeMap<&'static str, u64>,
     thinner: u64,
     thicker: u64,
@@ -80,11 +82,12 @@ pub(crate) fn summary(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Re
     });
     let bar = |(correct, rows): (_, &u64)| BarEntry { digits: digits(correct), rows: *rows };
     let file = SummaryFile {
-        schema: "couplet.judge/1",
+        schema: "couplet.judge/2",
         rows: summary.rows,
         accepted: summary.accepted(),
         demanded_digits: summary.demand.digits,
-        or_correctly_rounded: summary.demand.or_all_printed,
+        or_as_printed: summary.demand.or_as_printed,
+        assumed_weight: summary.assumed.map(SelfWeight::name),
         verdicts: Verdict::ALL.map(|v| (v.name(), summary.count(v))).into_iter().collect(),
         thinner: summary.thinner,
         thicker: summary.thicker,

@@ -25,6 +25,6 @@ pub(crate) struct JudgedLines {
 
 /// CSV.
 pub(crate) const CSV: JudgedLines = JudgedLines { header: csv::header, row: csv::row };
-/// JSON lines, `couplet.judged/1`.
+/// JSON lines, `couplet.judged/2`.
 pub(crate) const JSON_LINES: JudgedLines =
     JudgedLines { header: |_| Ok(Vec::new()), row: |row, _| json::row(row) };

@@ -18,7 +18,11 @@ pub(crate) struct JudgedRow {
     pub half_opening: String,
     /// The friction as given.
     pub friction: String,
-    /// Whether it is claimed that the arch stands.
+    /// The thickness as given, where the arch has one.
+    pub thickness: Option<String>,
+    /// Whether it is claimed that the arch can stand at some thickness.
+    pub claimed_can_stand: Option<bool>,
+    /// Whether it is claimed that it stands at the thickness that it has.
     pub claimed_stands: Option<bool>,
     /// The mode that is claimed.
     pub claimed_mode: Option<&'static str>,
@@ -27,18 +31,23 @@ pub(crate) struct JudgedRow {
 }
 
 /// The fields of a row, before those of its numbers.
-pub(super) const ROW: [&str; 13] = [
+pub(super) const ROW: [&str; 18] = [
     "line",
     "weight",
     "half_opening",
     "friction",
+    "thickness",
     "verdict",
     "accepted",
     "correct_digits",
+    "claimed_can_stand",
+    "can_stand",
     "claimed_stands",
     "stands",
     "claimed_mode",
     "mode",
+    "boundary",
+    "boundary_within",
     "side",
     "reason",
 ];
@@ -57,6 +66,23 @@ pub(super) const NUMBER: [&str; 11] = [
     "rounding",
     "nearest_double",
 ];
+
+impl Default for JudgedRow {
+    /// Of which nothing is read yet.
+    fn default() -> Self {
+        Self {
+            line: 0,
+            weight: String::new(),
+            half_opening: String::new(),
+            friction: String::new(),
+            thickness: None,
+            claimed_can_stand: None,
+            claimed_stands: None,
+            claimed_mode: None,
+            outcome: Err(String::new()),
+        }
+    }
+}
 
 impl JudgedRow {
     /// The verdict on the row as a whole.
@@ -79,8 +105,8 @@ impl JudgedRow {
         self.judgement()?.correct_digits()
     }
 
-    /// Whether the arch stands, if that is certain.
-    fn stands(&self) -> Option<bool> {
+    /// Whether the arch can stand, if that is certain.
+    fn can_stand(&self) -> Option<bool> {
         match self.judgement()?.standing {
             Standing::Stands(_) => Some(true),
             Standing::Falls(_) => Some(false),
@@ -119,18 +145,24 @@ impl JudgedRow {
             Side::Thinner => "thinner",
             Side::Thicker => "thicker",
         });
-        let values: [Json; 13] = [
+        let boundary = self.judgement().and_then(|judgement| judgement.boundary.as_ref());
+        let values: [Json; 18] = [
             self.line.into(),
             self.weight.as_str().into(),
             self.half_opening.as_str().into(),
             self.friction.as_str().into(),
+            self.thickness.as_deref().into(),
             verdict.name().into(),
             verdict.is_accepted().into(),
             self.correct_digits().map(digits).into(),
+            self.claimed_can_stand.into(),
+            self.can_stand().into(),
             self.claimed_stands.into(),
-            self.stands().into(),
+            self.judgement().and_then(|judgement| judgement.stands).into(),
             self.claimed_mode.into(),
             self.modes().into(),
+            boundary.map(|boundary| boundary.quantity.name()).into(),
+            boundary.map(|boundary| boundary.within.to_string()).into(),
             side.into(),
             self.reason().into(),
         ];

@@ -1,6 +1,7 @@
 //! A summary of all rows: counts, a histogram and the worst rows. It does not grow with the file.
 
 use super::row::JudgedRow;
+use crate::arch::SelfWeight;
 use crate::judge::{CorrectDigits, Demand, Judged, PrintedVerdict, Side, Verdict};
 use crate::number::Decimal;
 use crate::problem::Quantity;
@@ -11,6 +12,8 @@ use std::collections::BTreeMap;
 #[derive(Debug)]
 pub(crate) struct JudgeSummary {
     pub(super) demand: Demand,
+    /// The weight that was assumed, as neither the rows nor the user said any.
+    pub(super) assumed: Option<SelfWeight>,
     /// Rows that are kept as the worst, and as the first that cannot be judged.
     kept: usize,
     pub(super) rows: u64,
@@ -40,9 +43,10 @@ pub(super) struct QuantitySummary {
 
 impl JudgeSummary {
     /// Of no rows; `kept` is how many of the worst are to be kept.
-    pub(crate) fn new(demand: Demand, kept: usize) -> Self {
+    pub(crate) fn new(demand: Demand, assumed: Option<SelfWeight>, kept: usize) -> Self {
         Self {
             demand,
+            assumed,
             kept,
             rows: 0,
             verdicts: BTreeMap::new(),

@@ -28,10 +28,17 @@ pub(crate) fn write(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Resu
 /// How many rows have which verdict, and how many pass.
 pub(crate) fn verdicts(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
     let (rows, accepted) = (summary.rows, summary.accepted());
-    let or = if summary.demand.or_all_printed { ", or correctly rounded" } else { "" };
     let demanded = count(summary.demand.digits, "digit", "digits");
+    let demanded = match summary.demand.or_as_printed {
+        true => format!("every number right as printed, or correct to {demanded}"),
+        false => format!("every number correct to {demanded}"),
+    };
     let rows = count(rows, "row", "rows");
-    writeln!(out, "{rows}: {accepted} accepted (every number correct to {demanded}{or})\n")?;
+    writeln!(out, "{rows}: {accepted} accepted ({demanded})")?;
+    if let Some(weight) = summary.assumed {
+        writeln!(out, "weight: {}, as neither the rows nor --weight say any", weight.name())?;
+    }
+    writeln!(out)?;
     for verdict in Verdict::ALL {
         let rows = summary.count(verdict);
         if rows > 0 {
@@ -112,21 +119,34 @@ fn judged_row(row: &JudgedRow, out: &mut dyn io::Write) -> io::Result<()> {
         },
         verdict => verdict.name().to_owned(),
     };
+    let thickness = row.thickness.as_deref().map(|eta| format!(", thickness {}", shortened(eta)));
     writeln!(
         out,
-        "   line {}: {what}; {}, half opening {}, friction {}",
+        "   line {}: {what}; {}, half opening {}, friction {}{}",
         row.line,
-        row.weight,
+        shortened(&row.weight),
         shortened(&row.half_opening),
-        shortened(&row.friction)
+        shortened(&row.friction),
+        thickness.unwrap_or_default()
     )?;
     let modes = row.modes().unwrap_or_default();
     match row.verdict() {
         Verdict::WrongMode => {
             let claimed = row.claimed_mode.unwrap_or_default();
             writeln!(out, "      mode {claimed}, certified {modes}")?;
+            if let Some(boundary) = row.judgement().and_then(|found| found.boundary.as_ref()) {
+                let (quantity, within) = (boundary.quantity.name(), &boundary.within);
+                writeln!(
+                    out,
+                    "      it is {claimed} at a {quantity} less than {within} away, within its rounding"
+                )?;
+            }
         }
-        Verdict::Falls => writeln!(out, "      it falls by {}", row.reason().unwrap_or_default())?,
+        Verdict::Falls => match row.reason() {
+            Some(reason) => writeln!(out, "      it falls by {reason}")?,
+            None => writeln!(out, "      it falls at this thickness")?,
+        },
+        Verdict::Stands if row.thickness.is_some() => writeln!(out, "      it stands")?,
         Verdict::Stands => writeln!(out, "      it stands, and collapses as {modes}")?,
         _ => {}
     }

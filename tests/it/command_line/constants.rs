@@ -100,14 +100,14 @@ fn csv_has_a_row_for_each_constant() {
 #[test]
 fn the_audit_finds_what_the_tables_got_wrong() {
     let file = json(&["audit", "--format", "json"]);
-    assert_eq!(file["schema"], "couplet.audit/1");
+    assert_eq!(file["schema"], "couplet.audit/2");
     let number = |place, landmark, quantity| {
         entry(&file, "printed", &[("place", place), ("landmark", landmark), ("quantity", quantity)])
     };
     let thickness = number("Table 1", "T", "thickness");
     assert_eq!(thickness["printed"], "0.6796047320988860");
     assert_eq!(thickness["error_units"], "4.85");
-    assert_eq!(thickness["correct_digits"], 14);
+    assert_eq!(thickness["correct_digits"], 15);
     assert_eq!(thickness["verdict"], "wrong");
     assert_eq!(number("Table 2", "J", "sliding_joint")["verdict"], "correctly rounded");
     assert_eq!(number("Table 1", "T", "friction")["verdict"], "faithful");

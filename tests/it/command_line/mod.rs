@@ -6,6 +6,7 @@ mod files;
 mod language;
 #[cfg(unix)]
 mod owners;
+mod rows;
 mod states;
 #[cfg(feature = "study")]
 mod study;

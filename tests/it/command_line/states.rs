@@ -9,10 +9,10 @@ use std::process::Output;
 fn a_state_has_its_proof_and_its_schema() {
     let query = ["--half-opening", "2.45", "--friction", "1.35", "--weight", "milankovitch"];
     let state = json(&[&["state"], &query[..], &["--digits", "40", "--format", "json"]].concat());
-    assert_eq!(state["schema"], "couplet.state/1");
+    assert_eq!(state["schema"], "couplet.state/2");
     assert_eq!((&state["half_opening"], &state["friction"]), (&"2.45".into(), &"1.35".into()));
     assert_eq!(
-        (&state["verdict"], &state["stands"], &state["mode"]),
+        (&state["verdict"], &state["can_stand"], &state["mode"]),
         (&"proved".into(), &true.into(), &"[r,r,s]".into())
     );
     assert_eq!(state["thickness"]["value"], "0.6502437808013831727900411061821618712236");
@@ -31,7 +31,7 @@ fn a_state_has_its_proof_and_its_schema() {
     assert_eq!(degrees["thickness"], radians["thickness"]);
     let falls = json(&["state", "--alpha", "2.6", "--mu", "0.3", "--format", "json"]);
     assert_eq!(
-        (&falls["stands"], &falls["mode"], &falls["reason"]),
+        (&falls["can_stand"], &falls["mode"], &falls["reason"]),
         (&false.into(), &Value::Null, &"sliding".into())
     );
     let thick = json(&["state", "--alpha", "2.65", "--mu", "9", "--format", "json"]);
@@ -58,7 +58,7 @@ fn an_arch_as_it_stands() {
         "--format",
         "json",
     ]);
-    assert_eq!((&found["schema"], &found["stands"]), (&"couplet.assess/1".into(), &true.into()));
+    assert_eq!((&found["schema"], &found["stands"]), (&"couplet.assess/2".into(), &true.into()));
     assert!(exact(&found["geometric_safety"]["value"]) > 1);
     assert!(
         exact(&found["least_thrust"]["thrust"]["value"])
@@ -104,7 +104,7 @@ fn many_states_keep_their_order_and_bad_rows_their_line() {
         "{}",
         lines[3001]
     );
-    assert!(lines[3002].contains("3003,too few columns: 2"));
+    assert!(lines[3002].contains("3003,2 fields where the header has 3"), "{}", lines[3002]);
     // The nearest double, in decimal and in hexadecimal.
     assert!(lines[3003].contains(",0.12219158636254615,0x1.f47f2a34603cap-4,"), "{}", lines[3003]);
 }
@@ -126,16 +126,16 @@ fn json_lines_in_and_out() {
     ] {
         let assessed = states(&["--format", "jsonl", "--digits", "6"], query);
         let line: Value = serde_json::from_str(stdout(&assessed).trim()).unwrap();
-        assert_eq!((&line["schema"], &line["stands"]), (&"couplet.assess/1".into(), &true.into()));
+        assert_eq!((&line["schema"], &line["stands"]), (&"couplet.assess/2".into(), &true.into()));
     }
 }
 
 #[test]
 fn a_number_longer_than_a_command_line_is_refused() {
-    let digits = format!("0.{}", "1".repeat(1_000_000));
+    let digits = format!("0.{}", "1".repeat(100_000));
     let output = states(&[], &format!("weight,alpha,mu\nheyman,{digits},1\n"));
     assert_eq!(output.status.code(), Some(2));
-    assert!(stdout(&output).contains("a number of 1000002 characters is too long"));
+    assert!(stdout(&output).contains("a number of 100002 characters is too long"));
 }
 
 #[test]

@@ -5,7 +5,9 @@ mod expected;
 mod languages;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod readers;
 mod refused;
+mod schemas;
 mod states;
 
 use crate::program::{Scratch, couplet};

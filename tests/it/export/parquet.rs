@@ -64,7 +64,7 @@ fn states_have_a_row_for_each_value_and_for_each_that_has_none() {
     let output = fed(&["states", "--format", "parquet", "--digits", "5"], &input);
     assert_eq!(output.status.code(), Some(2), "one row is bad");
     let (rows, notes) = read(output.stdout);
-    assert_eq!(notes["couplet.schema"], "couplet.states/1");
+    assert_eq!(notes["couplet.schema"], "couplet.states/2");
     let lines: BTreeSet<i64> = rows
         .iter()
         .map(|row| if let Field::Long(line) = row["line"] { line } else { panic!("{row:?}") })
@@ -75,10 +75,15 @@ fn states_have_a_row_for_each_value_and_for_each_that_has_none() {
     assert_eq!((text(&rows[0]["mode"]), text(&rows[0]["half_opening"])), ("[s,r,r]", "pi/2"));
     let of = |line| rows.iter().find(|row| row["line"] == Field::Long(line)).unwrap();
     let fallen = of(3);
-    assert_eq!((text(&fallen["reason"]), &fallen["stands"]), ("sliding", &Field::Bool(false)));
+    assert_eq!((text(&fallen["reason"]), &fallen["can_stand"]), ("sliding", &Field::Bool(false)));
     assert_eq!(fallen["quantity"], Field::Null);
     assert_eq!(text(&of(4)["status"]), "refused");
     assert!(text(&of(4)["reason"]).contains("banana"));
+    let kept =
+        fed(&["states", "--format", "parquet", "--keep", "all"], "alpha,mu,id,mode\n1,1,7,x\n");
+    let (kept, _) = read(kept.stdout);
+    assert_eq!((text(&kept[0]["id"]), text(&kept[0]["input_mode"])), ("7", "x"));
+    assert_eq!(double(&kept[0]["half_opening_deg"]), 57.29577951308232f64.to_bits());
     let assessed = fed(
         &["states", "--format", "parquet"],
         "weight,alpha,mu,thickness\nheyman,pi/2,0.38,0.2\n",

@@ -38,24 +38,21 @@ refusals! {
     a_unit_of_the_friction: CSV, HEYMAN, "a=half_opening,b=friction:deg,d=mode" => "has no unit";
     two_frictions:
         CSV, HEYMAN, "a=half_opening,b=friction,d=friction_angle,c=mode" => "choose one";
-    no_weight: CSV, &[], "a=half_opening,b=friction,d=mode" => "the weight is missing";
     a_weight_too_many_and_a_column_twice:
         CSV, HEYMAN, "a=half_opening,b=friction,c=mode,d=weight" => "two columns 'c'";
-    a_weight_too_many:
-        "a,b,c,d\n", HEYMAN, "a=half_opening,b=friction,c=mode,d=weight" => "--weight is not needed";
     other_names_than_ours: CSV, HEYMAN => "no column for the half opening";
-    semicolons:
-        "half_opening;friction;eta\n", HEYMAN
-        => "--columns theirs=half_opening; its columns are 'half_opening;friction;eta'";
+    other_names_between_semicolons:
+        "opening;friction;eta\n", HEYMAN
+        => "--columns theirs=half_opening; its columns are 'opening', 'friction', 'eta'";
+    two_thicknesses_that_are_given:
+        "alpha,mu,a,b\n", HEYMAN, "alpha,mu,a=given_thickness,b=given_thickness" => "both named given_thickness";
     two_names_of_one_column:
         "alpha,half_opening,mu,eta\n", HEYMAN => "'half_opening' and 'alpha', which are the same";
     an_unknown_column_of_json:
         JSON, HEYMAN, "a=half_opening,b=friction,x=thickness" => "the first rows have no column 'x'";
     json_with_other_names_than_ours: JSON, HEYMAN => "no column for the half opening";
-    json_without_a_weight:
-        JSON, &[], "a=half_opening,b=friction,c=thickness" => "the weight is missing";
     an_empty_file: "", HEYMAN => "the file is empty";
-    a_json_array: "[{}]", HEYMAN => "JSON arrays are not supported";
+    an_array_without_columns: "[{}]", HEYMAN => "no column for the half opening";
     both_weights: CSV, &["--weight", "both"] => "one of heyman, milankovitch";
     no_digits_accepted: CSV, &["--accept", "0"] => "from 1 to 10000";
     fewer_than_no_worst_rows: CSV, &["--worst", "-1"] => "--worst";

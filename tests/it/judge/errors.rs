@@ -11,7 +11,7 @@ use couplet::problem::Quantity;
 use proptest::prelude::*;
 use rug::{Integer, Rational};
 
-const USUAL: Demand = Demand { digits: 3, or_all_printed: true };
+const USUAL: Demand = Demand::USUAL;
 
 #[test]
 fn what_cannot_be_told_is_accepted_of_nobody() {
@@ -23,7 +23,7 @@ fn what_cannot_be_told_is_accepted_of_nobody() {
     let line = arch(H, "pi/2", &critical.mid().to_string_radix(10, Some(3_300)));
     let verdict = |mode: &str, thickness: &str| {
         let numbers = vec![(Quantity::Thickness, thickness, false)];
-        let said = Said { stands: Some("yes"), mode: Some(mode), numbers };
+        let said = Said { can_stand: Some("yes"), mode: Some(mode), numbers, ..Said::default() };
         judge(&line, &Claim::read(&said).unwrap(), USUAL).verdict
     };
     // Even of the two modes that meet at the line: nearer than can be told is not on it.

@@ -93,7 +93,7 @@ fn bad_rows_do_not_stop_the_others() {
         b"1e-999999999,1,1",
         b"1,1e1000000,1",
         b"1,1,\"0,1\"",
-        b"1,1,0x1p-3",
+        b"1,1,0x1p",
         b"0,1,1",
         long.as_bytes(),
     ];
@@ -119,7 +119,7 @@ fn bad_rows_do_not_stop_the_others() {
 
 #[test]
 fn json_lines_are_read_as_they_are_written() {
-    let input = "\u{FEFF}{\"a\":1,\"b\":0.5,\"t\":null}\n\n{\"a\":1,\"b\":0.50,\"t\":1.9e-2,\"u\":[]}\n\
+    let input = "\u{FEFF}{\"a\":1,\"b\":0.5,\"t\":null}\n\n{\"a\":1,\"b\":0.50,\"t\":1.91e-2,\"u\":[]}\n\
         {\"a\":1,\"b\":0.5}\n{\"a\":1,\"a\":2}\n[1]\n{\"a\":{},\"b\":1,\"t\":1}\n{\"a\":1,\"b\":1,\"t\":\"\\ud800\"}\nx\n";
     let columns = "a=half_opening,b=friction,t=thickness";
     let (code, rows) = rows(&["--weight", "heyman", "--columns", columns], input);
@@ -129,5 +129,5 @@ fn json_lines_are_read_as_they_are_written() {
     assert_eq!(verdicts(&rows), [falls, "correctly rounded", "no claim", bad, bad, bad, bad, bad]);
     let lines: Vec<_> = rows.iter().map(|row| row["line"].as_u64().unwrap()).collect();
     assert_eq!(lines, [1, 3, 4, 5, 6, 7, 8, 9]);
-    assert_eq!(rows[1]["numbers"]["thickness"]["claimed"], "1.9e-2");
+    assert_eq!(rows[1]["numbers"]["thickness"]["claimed"], "1.91e-2");
 }

@@ -4,6 +4,7 @@ mod columns;
 mod errors;
 mod input;
 mod results;
+mod round_trip;
 mod summary;
 mod verdicts;
 

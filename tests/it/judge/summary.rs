@@ -36,12 +36,13 @@ fn a_summary_keeps_the_worst_and_counts_all() {
     let scratch = Scratch::new();
     scratch.write("in.csv", &input);
     let (file, found) = (scratch.path("in.csv"), scratch.path("out.json"));
-    let demand = ["--weight", "heyman", "--format", "json", "--worst", "4", "-o", &found];
+    let demand =
+        ["--weight", "heyman", "--accept", "3", "--format", "json", "--worst", "4", "-o", &found];
     let output = couplet(&[&["judge", &file][..], &demand].concat());
     assert_eq!(output.status.code(), Some(1));
     assert_eq!(text(&output.stderr), "couplet: 4 of 3004 rows are not accepted\n");
     let found: Value = serde_json::from_str(&scratch.read("out.json")).unwrap();
-    assert_eq!((&found["schema"], &found["rows"]), (&"couplet.judge/1".into(), &3004.into()));
+    assert_eq!((&found["schema"], &found["rows"]), (&"couplet.judge/2".into(), &3004.into()));
     assert_eq!(found["accepted"], 3000);
     let lines: Vec<_> =
         found["worst"].as_array().unwrap().iter().map(|r| r["line"].as_u64().unwrap()).collect();
@@ -64,7 +65,7 @@ fn accept_asks_for_digits() {
         let accepted: Vec<bool> = rows.iter().map(|r| r["accepted"].as_bool().unwrap()).collect();
         (code, accepted)
     };
-    assert_eq!(asked(&[]), (Some(0), vec![true, true]), "two digits, correctly rounded");
+    assert_eq!(asked(&[]), (Some(1), vec![false, true]), "two digits, rounded to the unsafe side");
     assert_eq!(asked(&["--accept", "2"]), (Some(0), vec![true, true]));
     assert_eq!(asked(&["--accept", "3"]), (Some(1), vec![false, true]));
     assert_eq!(asked(&["--accept", "7"]), (Some(1), vec![false, true]));

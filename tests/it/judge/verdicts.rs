@@ -38,7 +38,12 @@ macro_rules! verdicts {
 // The arch of the first rows stands from 0.122191586362546 on, as [s,r,r], with thrust 0.5969.
 verdicts! {
     both_numbers_rounded: "heyman,pi/2,0.38,,\"[s,r,r]\",0.122192,0.596903" => "correctly rounded";
-    a_last_digit_off: "heyman,pi/2,0.38,yes,srr,0.122193,0.5969" => "correct";
+    a_last_digit_cut_off: "heyman,pi/2,0.38,yes,srr,0.122191,0.5969" => "correct";
+    a_last_digit_off: "heyman,pi/2,0.38,yes,srr,0.122193,0.5969" => THICKER;
+    zeros_that_are_not_there: "heyman,pi/2,0.38,,srr,0.1220000000," => THINNER;
+    twelve_digits_of_fifteen: "heyman,pi/2,0.38,,srr,0.122191586362600," => "correct";
+    coarse_and_too_thin: "heyman,pi/2,0.38,,srr,0.12," => THINNER;
+    coarse_and_too_thick: "heyman,pi/2,0.38,,,0.123," => "correct";
     a_thrust_off: "heyman,pi/2,0.38,,,0.12219158636254615,0.590" => "inaccurate";
     no_thrust: "heyman,pi/2,0.38,,srr,0.12219158636254615,none" => "inaccurate";
     too_thick_with_a_thrust_off: "heyman,pi/2,0.38,,srr,0.124,0.590" => THICKER;
@@ -55,6 +60,7 @@ verdicts! {
     said_to_stand_near_the_limit: "milankovitch,2.65,inf,,[r],1.99," => FALLS;
     a_fall_in_words: "heyman,pi/2,0.30,,none,nan,nan" => "correct";
     a_fall_as_zero: "milankovitch,2.65,inf,0,,," => "correct";
+    a_thrust_where_nothing_stands: "heyman,pi/2,0.30,no,,,0.5" => "inaccurate";
     nothing_said: "heyman,pi/2,0.38,,,," => "no claim";
     a_contradiction: "heyman,pi/2,0.38,no,,0.1," => "bad row";
     a_mode_that_is_none: "heyman,pi/2,0.38,,rrrr,0.1," => "bad row";

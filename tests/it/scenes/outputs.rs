@@ -41,7 +41,7 @@ fn a_file_of_arches_has_what_is_asked_and_null_for_the_rest() {
         ("b.json", "largest_thrust", &Quantity::ASSESSMENT[..]),
     ] {
         let file: Value = serde_json::from_str(&scratch.read(&format!("out/{name}"))).unwrap();
-        assert_eq!(file["schema"], "couplet.arches/1");
+        assert_eq!(file["schema"], "couplet.arches/2");
         assert_eq!(file["quantities"], serde_json::json!([asked]));
         let arch = &file["arches"][0];
         for value in others.iter().map(|quantity| quantity.name()) {

@@ -1,11 +1,11 @@
 //! `couplet judge`.
 
-mod columns;
 mod row;
 
 use super::output::OutputFile;
 use super::rows::{
-    CHUNK, JsonObject, Line, Progress, Source, Syntax, csv_records, in_order, json_lines,
+    CHUNK, Cells, Columns, Input, Line, Progress, Reader, Role, Source, Spelling, Syntax, Table,
+    Together, in_order, objects,
 };
 use crate::arch::SelfWeight;
 use crate::cli::commands::parse;
@@ -16,23 +16,28 @@ use crate::report::judged::{JudgeSummary, verdicts};
 use crate::report::words::list;
 use crate::report::{Content, Format};
 use clap::Args;
-use columns::{Columns, Role};
-use row::{Cells, Judge};
+use row::Judge;
 use std::io;
 use std::path::PathBuf;
 
 /// Judge somebody else's results: each row against the certified state of its arch.
 ///
-/// The file is CSV with a header, or JSON lines. Our names for columns are weight, half_opening,
-/// friction or friction_angle; and, to be judged, stands, mode, thickness, thrust, intrinsic_thrust,
-/// rotation_joint, sliding_joint, sliding_friction, rotational_friction; alpha, mu and eta are known
-/// too. Other columns are ignored; the line number joins the output with the input. The output of
-/// `couplet states` can be judged directly.
+/// The file is a table with a header, or JSON objects, one on each line or in an array: what `couplet
+/// states`, `state`, `assess` and `run` write, and what other programs write (`couplet states --help` says how
+/// numbers may be spelt). Our names for columns are weight, half_opening (or alpha), friction (or mu) or
+/// friction_angle (or phi); and, to be judged, can_stand, mode, thickness (or eta), thrust, intrinsic_thrust,
+/// rotation_joint, sliding_joint, sliding_friction, rotational_friction. They may have capitals. Other columns
+/// are not read; the line number joins the output with the input.
 ///
-/// A row says that the arch cannot stand in one of these ways: `stands` is false, no or 0; the thickness
-/// or the mode is nan, inf, none, null, n/a, falls or a hyphen; the mode is [s,s] and there is no
-/// thickness; or the thickness is empty and there is no column `stands`. Any other empty field claims
-/// nothing. Only the letters of a mode count: rrs is [r,r,s].
+/// The thickness is the least thickness that is claimed, unless the row also says something of an arch that
+/// has a thickness: least_thickness, geometric_safety, required_friction, friction_safety, least_thrust or
+/// largest_thrust. Then it is the thickness that the arch has, `stands` says whether it stands there, and all
+/// these are judged. Without that `stands` means can_stand. `--columns t=given_thickness` says so too.
+///
+/// A row says that the arch cannot stand in one of these ways: can_stand is false, no or 0; the least
+/// thickness or the mode is nan, inf, none, null, n/a, falls or a hyphen; the mode is [s,s] and there is no
+/// thickness; or the least thickness is empty and no column says whether the arch stands. Any other empty
+/// field claims nothing. Only the letters of a mode count: rrs is [r,r,s].
 ///
 /// A number is correct to k digits if its error is at most half a unit of the k-th significant digit of
 /// the true value (of the k-th decimal, if that is zero). The report also says how the last printed digit
@@ -43,9 +48,12 @@ use std::path::PathBuf;
 ///
 /// The verdict of a row is one of: correctly rounded; correct; inaccurate; thicker than the least
 /// thickness; wrong mode; claims that an arch falls which stands; thinner than the least thickness;
-/// claims an arch that cannot stand; no claim; undecided; bad row. The first two are accepted. If several
+/// claims an arch that cannot stand; no claim; undecided; bad row. The first two are accepted: every number
+/// is less than a unit of its last printed place from the truth, or correct to 12 digits; but a least
+/// thickness that is too small has 3 correct digits at least, however few are printed. If several verdicts
 /// apply, the last one in this list is reported. Thinner (the unsafe side), thicker and inaccurate are
-/// reported only for numbers that miss --accept.
+/// reported only for numbers that are not accepted. Where the mode is wrong and the other is met half a unit
+/// of the last place of the friction or of the half opening away, the report says how near.
 ///
 /// Exit codes: 0 all rows are accepted; 1 some are not; 2 some cannot be read, or bad usage; 3 a
 /// resource or I/O failure.
@@ -61,7 +69,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_delimiter = ',', value_name = "THEIRS=OURS,…")]
     columns: Vec<String>,
 
-    /// Self-weight model of all rows, heyman or milankovitch, if it is not in a column.
+    /// Self-weight model of the rows that have none, heyman or milankovitch; milankovitch if not given.
     #[arg(long, value_parser = parse::weight)]
     weight: Option<SelfWeight>,
 
@@ -72,8 +80,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_parser = ["exact", "double"], default_value = "exact")]
     inputs: String,
 
-    /// Correct digits that every number of an accepted row must have. The default is 3, or fewer if fewer
-    /// are printed and correctly rounded.
+    /// Correct digits that every number of an accepted row must have, however many are printed.
     #[arg(long, value_name = "DIGITS", value_parser = parse::state_digits, allow_negative_numbers = true)]
     accept: Option<usize>,
 
@@ -98,11 +105,8 @@ fn format_help() -> String {
     )
 }
 
-/// Correct digits that are demanded if none are asked for.
-const DEMANDED: usize = 3;
-
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let columns = Columns::new(&arguments.columns).map_err(Failure::Input)?;
+    let columns = Columns::named(&arguments.columns).map_err(Failure::Input)?;
     let source = Source::open(Some(&arguments.file))?;
     if arguments.output.is_same_file(&arguments.file) {
         let file = arguments.file.display();
@@ -110,24 +114,22 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let progress = Progress::new(&source);
     let syntax = source.syntax;
-    let input = progress.counted(source.into_reader());
-    let is_given = arguments.weight.is_some();
-    let (columns, lines) = match syntax {
-        Syntax::Csv => csv_cells(columns, input, is_given)?,
-        Syntax::JsonLines => json_cells(columns, input, is_given)?,
+    let input = progress.counted(source.into_input());
+    let results = match syntax {
+        Syntax::Csv => table(columns, input)?,
+        Syntax::Json => json(columns, input)?,
     };
-    let quantities: Vec<Quantity> = Quantity::STATE
-        .into_iter()
-        .filter(|&quantity| columns.all.iter().any(|c| c.role == Role::Number(quantity)))
-        .collect();
+    let Results { columns, spelling, rows, has_weight, quantities } = results;
     let each = arguments.format.judged_lines;
-    let demand = Demand {
-        digits: arguments.accept.unwrap_or(DEMANDED),
-        or_all_printed: arguments.accept.is_none(),
+    let demand = match arguments.accept {
+        Some(digits) => Demand { digits, or_as_printed: false },
+        None => Demand::USUAL,
     };
     let doubles = arguments.inputs == "double";
-    let judge = Judge { columns, weight: arguments.weight, doubles, demand };
-    let mut summary = JudgeSummary::new(demand, usize::from(arguments.worst));
+    let weight = arguments.weight.unwrap_or(SelfWeight::Milankovitch);
+    let assumed = (arguments.weight.is_none() && !has_weight).then_some(weight);
+    let judge = Judge { reader: Reader { columns, weight, doubles, spelling }, demand };
+    let mut summary = JudgeSummary::new(demand, assumed, usize::from(arguments.worst));
     let output = arguments.output.open()?;
     let mut complete = false;
     output.write(|out| {
@@ -139,7 +141,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             let text = each.map_or(Ok(Vec::new()), |each| (each.row)(&row, &quantities));
             (row, text)
         };
-        in_order(lines, &progress, answer, |answers| {
+        in_order(rows, (&progress, Together::WhatIsThere), answer, |answers| {
             for (row, text) in answers {
                 summary.add(row);
                 out.write_all(&text?)?;
@@ -174,52 +176,63 @@ fn verdict(summary: &JudgeSummary) -> Result<(), Failure> {
     }
 }
 
-type Rows = Box<dyn Iterator<Item = Line<Cells>>>;
-
-/// The columns that a CSV file has, and its rows.
-fn csv_cells(
-    mut columns: Columns,
-    input: impl io::Read + 'static,
-    is_given: bool,
-) -> Result<(Columns, Rows), Failure> {
-    let (header, records) = csv_records(input)?;
-    if header.iter().all(str::is_empty) {
-        return Err(Failure::Input("the file is empty".into()));
-    }
-    let places = columns.places(&header)?;
-    columns.check_weight(&vec![true; places.len()], is_given)?;
-    let width = header.len();
-    let cells = move |record: csv::StringRecord| match record.len() {
-        found if found == width => {
-            Ok(places.iter().map(|&place| record.get(place).map(str::to_owned)).collect())
-        }
-        found => Err(format!(
-            "{found} fields where the header has {width}; a field with commas has to be quoted"
-        )),
-    };
-    let rows = records.map(move |(line, record)| (line, record.and_then(&cells)));
-    Ok((columns, Box::new(rows)))
+/// The rows of a file.
+struct Results {
+    columns: Columns,
+    spelling: Spelling,
+    rows: Box<dyn Iterator<Item = Line<Cells>> + Send>,
+    /// Whether the rows have a weight of their own.
+    has_weight: bool,
+    /// What is claimed.
+    quantities: Vec<Quantity>,
 }
 
-/// The columns that the first rows of JSON lines have, and all rows.
-fn json_cells(
-    columns: Columns,
-    input: impl io::Read + 'static,
-    is_given: bool,
-) -> Result<(Columns, Rows), Failure> {
-    let keys: Vec<String> = columns.all.iter().map(|column| column.theirs.clone()).collect();
-    let mut rows = json_lines(input, move |bytes| {
-        let object = JsonObject::parse(bytes)?;
-        Ok(keys.iter().map(|key| object.text(key)).collect::<Cells>())
-    });
+impl Results {
+    /// Of rows in which some of the columns were seen.
+    fn new(
+        (columns, seen): (Columns, &[bool]),
+        spelling: Spelling,
+        rows: impl Iterator<Item = Line<Cells>> + Send + 'static,
+    ) -> Self {
+        let there = || columns.all.iter().zip(seen).filter(|(_, seen)| **seen).map(|(c, _)| c.role);
+        let has_weight = there().any(|role| role == Role::Weight);
+        let is_given = there().any(Role::is_of_thickness);
+        let all = Quantity::STATE.into_iter().chain(Quantity::ASSESSMENT);
+        let quantities = all
+            .filter(|&quantity| !(is_given && quantity == Quantity::Thickness))
+            .filter(|&quantity| there().any(|role| role == Role::Number(quantity)))
+            .collect();
+        Self { columns, spelling, rows: Box::new(rows), has_weight, quantities }
+    }
+}
+
+/// Of a table: the columns that it has.
+fn table(mut columns: Columns, input: Input) -> Result<Results, Failure> {
+    let table = Table::open(input)?;
+    if table.header.iter().all(String::is_empty) {
+        return Err(Failure::Input("the file is empty".into()));
+    }
+    let places = columns.places(&table.header).map_err(Failure::Input)?;
+    let seen = vec![true; places.len()];
+    let spelling = Spelling { decimal_comma: table.has_decimal_commas() };
+    let cells =
+        move |row: Vec<String>| places.iter().map(|&place| row.get(place).cloned()).collect();
+    let rows = table.map(move |(line, row)| (line, row.map(&cells)));
+    Ok(Results::new((columns, &seen), spelling, rows))
+}
+
+/// Of JSON: the columns that the first rows have.
+fn json(columns: Columns, input: Input) -> Result<Results, Failure> {
+    let read = columns.clone();
+    let mut rows = objects(input, move |object| read.cells(object));
     let first: Vec<Line<Cells>> = rows.by_ref().take(CHUNK).collect();
     let read = || first.iter().filter_map(|(_, cells)| cells.as_ref().ok());
+    let has = |place: usize| read().any(|cells| cells[place].is_some());
+    let seen: Vec<bool> = (0..columns.all.len()).map(has).collect();
     // If no row can be read, each reports its error.
     if read().next().is_some() {
-        let has = |place: usize| read().any(|cells| cells[place].is_some());
-        let seen: Vec<bool> = (0..columns.all.len()).map(has).collect();
         columns.check(&seen, "the first rows have").map_err(Failure::Input)?;
-        columns.check_weight(&seen, is_given)?;
     }
-    Ok((columns, Box::new(first.into_iter().chain(rows))))
+    let rows = first.into_iter().chain(rows);
+    Ok(Results::new((columns, &seen), Spelling::default(), rows))
 }

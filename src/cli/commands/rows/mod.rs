@@ -1,9 +1,25 @@
 //! Files of many rows: read as they come, answered on all cores, in the order in which they stand.
 
+mod arch;
+mod columns;
+mod csv;
+mod dialect;
+mod json;
+mod keep;
+mod lines;
 mod object;
-mod read;
+mod source;
+mod spelling;
 mod stream;
 
-pub(super) use object::{JsonObject, json_error};
-pub(super) use read::{Line, Source, Syntax, csv_records, json_lines};
-pub(super) use stream::{CHUNK, Progress, in_order};
+pub(super) use arch::Reader;
+pub(super) use columns::{Cells, Columns, Purpose, Role};
+pub(super) use csv::Table;
+pub(super) use json::objects;
+pub(super) use keep::Keep;
+pub(super) use source::{Input, Line, Source, Syntax};
+pub(super) use spelling::Spelling;
+pub(super) use stream::{CHUNK, Progress, Together, in_order};
+
+/// The most bytes of a row: one without end would fill the memory.
+const MAX_RECORD: usize = 1 << 19;

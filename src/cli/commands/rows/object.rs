@@ -18,16 +18,26 @@ impl<'a> JsonObject<'a> {
         serde_json::from_slice(bytes).map_err(|error| json_error(bytes, &error))
     }
 
-    /// A value as text: a string without its quotes, the entry `value` of an object, nothing for `null`,
-    /// anything else as written. `None` if the key is missing.
+    /// A value as text: a string without its quotes, the value of an object, nothing for `null`, anything
+    /// else as written. `None` if the key is missing.
     pub(crate) fn text(&self, key: &str) -> Option<String> {
         let (_, raw) = self.0.iter().find(|(name, _)| name == key)?;
         Some(text(raw))
     }
+
+    /// A value as it is written.
+    pub(crate) fn raw(&self, key: &str) -> Option<&'a str> {
+        self.0.iter().find(|(name, _)| name == key).map(|(_, raw)| raw.get())
+    }
+
+    /// The keys.
+    pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
+        self.0.iter().map(|(name, _)| name.as_str())
+    }
 }
 
 /// The error of a line of JSON, with its column if the syntax is wrong. Callers add the line number.
-pub(crate) fn json_error(bytes: &[u8], error: &serde_json::Error) -> String {
+fn json_error(bytes: &[u8], error: &serde_json::Error) -> String {
     let text = error.to_string();
     let message = text.rsplit_once(" at line ").map_or(text.as_str(), |(message, _)| message);
     let column = error.column();
@@ -44,16 +54,26 @@ pub(crate) fn json_error(bytes: &[u8], error: &serde_json::Error) -> String {
     }
 }
 
+impl JsonObject<'_> {
+    /// A value as `couplet states` writes it: with its bounds, or a thrust with what limits it, which
+    /// without a bound is infinite.
+    fn value(&self) -> Option<String> {
+        let entry = |key: &str| self.0.iter().find(|(name, _)| name == key).map(|(_, raw)| *raw);
+        match (entry("value"), entry("thrust")) {
+            (Some(value), _) => (!value.get().starts_with('{')).then(|| text(value)),
+            (None, Some(thrust)) if thrust.get() == "null" => Some("inf".to_owned()),
+            (None, Some(thrust)) => JsonObject::parse(thrust.get().as_bytes()).ok()?.value(),
+            (None, None) => None,
+        }
+    }
+}
+
 fn text(raw: &RawValue) -> String {
     let written = raw.get();
     let meant = match written.as_bytes().first() {
         Some(b'n') => Some(String::new()),
         Some(b'"') => serde_json::from_str(written).ok(),
-        // As `couplet states` writes a value with its bounds.
-        Some(b'{') => JsonObject::parse(written.as_bytes()).ok().and_then(|inner| {
-            let (_, value) = inner.0.into_iter().find(|(name, _)| name == "value")?;
-            (!value.get().starts_with('{')).then(|| text(value))
-        }),
+        Some(b'{') => JsonObject::parse(written.as_bytes()).ok().and_then(|inner| inner.value()),
         _ => None,
     };
     meant.unwrap_or_else(|| written.to_owned())

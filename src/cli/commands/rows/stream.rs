@@ -1,36 +1,64 @@
 //! Rows answered on all cores a chunk at a time, so that memory does not grow with the file.
 
 use super::super::progress::styled;
-use super::read::{Line, Source};
+use super::source::{Input, Line, Source};
 use indicatif::ProgressBar;
 use rayon::prelude::*;
-use std::io::Read;
+use std::io::{self, BufReader};
+use std::sync::mpsc;
+use std::thread;
 
 /// Rows that are read, answered, and handed on before the next are read.
-pub(crate) const CHUNK: usize = 2048;
+pub(crate) const CHUNK: usize = 512;
+
+/// How many rows are answered together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Together {
+    /// What has been read, however few: who waits for an answer before he asks again gets it.
+    WhatIsThere,
+    /// A whole chunk.
+    Chunk,
+}
 
 /// Answers the rows on all cores and hands each chunk on in the order of the rows, until there are no
 /// more or `take` says with `false` that it has enough. Answers how many rows were handed on.
-pub(crate) fn in_order<T: Send, A: Send, E>(
-    mut lines: impl Iterator<Item = Line<T>>,
-    progress: &Progress,
+pub(crate) fn in_order<T: Send + 'static, A: Send, E: From<io::Error>>(
+    lines: impl Iterator<Item = Line<T>> + Send + 'static,
+    (progress, together): (&Progress, Together),
     answer: impl Fn(Line<T>) -> A + Sync,
     mut take: impl FnMut(Vec<A>) -> Result<bool, E>,
 ) -> Result<u64, E> {
+    let (sender, receiver) = mpsc::sync_channel(CHUNK / 2);
+    // If enough is enough, nobody waits for this thread: it may itself wait for a row that never comes.
+    let reader = thread::Builder::new().spawn(move || {
+        for line in lines {
+            // The receiver goes away when it has enough.
+            if sender.send(line).is_err() {
+                break;
+            }
+        }
+    })?;
     let mut rows = 0;
-    loop {
-        let chunk: Vec<Line<T>> = lines.by_ref().take(CHUNK).collect();
-        if chunk.is_empty() {
-            break;
+    while let Ok(first) = receiver.recv() {
+        let mut chunk = vec![first];
+        while chunk.len() < CHUNK {
+            let next = match together {
+                Together::WhatIsThere => receiver.try_recv().ok(),
+                Together::Chunk => receiver.recv().ok(),
+            };
+            let Some(line) = next else { break };
+            chunk.push(line);
         }
         let count = chunk.len() as u64;
         if !take(chunk.into_par_iter().map(&answer).collect())? {
-            break;
+            return Ok(rows);
         }
         rows += count;
         progress.show(rows);
     }
     progress.bar.finish_and_clear();
+    // There are no more rows because there are none, not because the thread is gone.
+    reader.join().map_err(|_| io::Error::other("the rows could not be read to their end"))?;
     Ok(rows)
 }
 
@@ -40,20 +68,25 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// A bar for the rows of a source.
+    /// A bar for the rows of a source; none for rows that are typed, between which it would stand.
     pub(crate) fn new(source: &Source) -> Self {
+        if source.is_typed {
+            return Self { bar: ProgressBar::hidden() };
+        }
         let style = match source.length {
             Some(_) => {
                 "{spinner} {bar:40} {percent:>3}%  {msg}, {elapsed} elapsed, about {eta} left"
             }
             None => "{spinner} {msg}, {elapsed} elapsed",
         };
-        Self { bar: styled(source.length, style) }
+        let bar = styled(source.length, style);
+        bar.set_message("waits for rows");
+        Self { bar }
     }
 
     /// Counts the bytes that are read.
-    pub(crate) fn counted(&self, input: impl Read + 'static) -> impl Read + 'static {
-        self.bar.wrap_read(input)
+    pub(crate) fn counted(&self, input: Input) -> Input {
+        Box::new(BufReader::new(self.bar.wrap_read(input)))
     }
 
     fn show(&self, rows: u64) {

@@ -1,0 +1,122 @@
+//! How the fields of a table are separated, which its header tells.
+
+/// What separates the fields of a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Dialect {
+    /// A comma, a semicolon or a tab; a field may be quoted.
+    Separated(u8),
+    /// Blanks, any number of them, as NumPy writes.
+    Blanks,
+}
+
+impl Dialect {
+    /// What separates the names of a header: that of comma, semicolon and tab which makes the most fields,
+    /// or else blanks.
+    pub(super) fn of(header: &[u8]) -> Self {
+        let fields = |separator: u8| {
+            let mut state = State::Start;
+            header.iter().filter(|&&c| state.pass(c, &[separator]) == State::Start).count()
+        };
+        let most = |best: u8, next: u8| if fields(next) > fields(best) { next } else { best };
+        match [b';', b'\t'].into_iter().fold(b',', most) {
+            separator if fields(separator) > 0 => Self::Separated(separator),
+            _ if header.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()).count()
+                > 1 =>
+            {
+                Self::Blanks
+            }
+            _ => Self::Separated(b','),
+        }
+    }
+
+    /// The characters behind which a field begins.
+    pub(super) fn separators(&self) -> &[u8] {
+        match self {
+            Self::Separated(separator) => std::slice::from_ref(separator),
+            Self::Blanks => &[],
+        }
+    }
+
+    /// The fields of a row, without blanks around them.
+    pub(super) fn fields(self, record: &[u8]) -> Result<Vec<String>, String> {
+        let text = |(place, field): (usize, &[u8])| match std::str::from_utf8(field) {
+            Ok(text) => Ok(text.trim().to_owned()),
+            Err(_) => Err(format!("field {} is not valid UTF-8", place + 1)),
+        };
+        let separator = match self {
+            Self::Separated(separator) => separator,
+            Self::Blanks => {
+                let words = record.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
+                return words.enumerate().map(text).collect();
+            }
+        };
+        let mut reader = ::csv::ReaderBuilder::new()
+            .delimiter(separator)
+            .has_headers(false)
+            .flexible(true)
+            .terminator(::csv::Terminator::Any(b'\n'))
+            .buffer_capacity(record.len().max(1))
+            .from_reader(record);
+        let mut fields = ::csv::ByteRecord::new();
+        reader.read_byte_record(&mut fields).map_err(|error| error.to_string())?;
+        fields.iter().enumerate().map(text).collect()
+    }
+}
+
+/// Where in a row a character stands. A quote is one only where a field begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum State {
+    /// At the beginning of a field.
+    Start,
+    /// In a field without quotes.
+    Field,
+    /// Between quotes.
+    Quoted,
+    /// Behind a quote, which ends the field unless another follows.
+    Closing,
+}
+
+impl State {
+    /// The state behind a character.
+    pub(super) fn pass(&mut self, c: u8, separators: &[u8]) -> Self {
+        *self = match (*self, c) {
+            (Self::Start | Self::Closing, b'"') => Self::Quoted,
+            (Self::Quoted, b'"') => Self::Closing,
+            (Self::Quoted, _) => Self::Quoted,
+            (_, c) if separators.contains(&c) => Self::Start,
+            _ => Self::Field,
+        };
+        *self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_header_tells_what_separates_its_names() {
+        for (header, dialect) in [
+            ("weight,alpha,mu\n", Dialect::Separated(b',')),
+            ("weight;alpha;mu", Dialect::Separated(b';')),
+            ("alpha\tmu\teta", Dialect::Separated(b'\t')),
+            ("\"a;b;c\",d", Dialect::Separated(b',')),
+            ("alpha  mu eta\n", Dialect::Blanks),
+            ("alpha\n", Dialect::Separated(b',')),
+            ("", Dialect::Separated(b',')),
+        ] {
+            assert_eq!(Dialect::of(header.as_bytes()), dialect, "{header}");
+        }
+    }
+
+    #[test]
+    fn fields_are_those_of_the_dialect() {
+        let fields = |dialect: Dialect, row: &str| dialect.fields(row.as_bytes()).unwrap();
+        let comma = Dialect::Separated(b',');
+        assert_eq!(fields(comma, " a , \"b,c\",\"d\"\"e\"\r\n"), ["a", "\"b", "c\"", "d\"e"]);
+        assert_eq!(fields(comma, "\"b,c\",\r\n"), ["b,c", ""]);
+        assert_eq!(fields(Dialect::Separated(b';'), "1,5;inf\n"), ["1,5", "inf"]);
+        assert_eq!(fields(Dialect::Blanks, "  1.0e+00   2\n"), ["1.0e+00", "2"]);
+        assert_eq!(comma.fields(b"1,\xFF\n"), Err("field 2 is not valid UTF-8".to_owned()));
+    }
+}

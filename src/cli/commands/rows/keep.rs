@@ -1,0 +1,59 @@
+//! What is handed on from the rows of the input to those of the output.
+
+use super::columns::Columns;
+use super::object::JsonObject;
+use crate::report::Kept;
+use crate::report::words::shortened;
+
+/// Which columns or keys are handed on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Keep {
+    /// Those that are not read.
+    All,
+    /// Those named.
+    Named(Vec<String>),
+}
+
+impl Keep {
+    /// As it is asked for: names, or `all`.
+    pub(crate) fn new(names: &[String]) -> Self {
+        match names {
+            [all] if all == "all" => Self::All,
+            names => Self::Named(names.to_vec()),
+        }
+    }
+
+    /// The names of the columns of a table that are handed on, with their places.
+    pub(crate) fn places(
+        &self,
+        header: &[String],
+        columns: &Columns,
+    ) -> Result<Vec<(String, usize)>, String> {
+        let names: Vec<&String> = match self {
+            Self::All => header.iter().filter(|name| !columns.have(name)).collect(),
+            Self::Named(names) => names.iter().collect(),
+        };
+        let place = |name: &String| {
+            let mut places = (0..header.len()).filter(|&place| header[place] == *name);
+            match (places.next(), places.next()) {
+                (Some(place), None) => Ok((name.clone(), place)),
+                (None, _) => Err(format!("the file has no column '{}' to keep", shortened(name))),
+                (Some(_), Some(_)) => {
+                    Err(format!("the file has two columns '{}' to keep", shortened(name)))
+                }
+            }
+        };
+        names.into_iter().map(place).collect()
+    }
+
+    /// The entries of an object that are handed on.
+    pub(crate) fn entries(&self, object: &JsonObject, columns: &Columns) -> Vec<(String, Kept)> {
+        let is_kept = |name: &str| match self {
+            Self::All => !columns.have(name),
+            Self::Named(names) => names.iter().any(|kept| kept == name),
+        };
+        let names = object.names().filter(|name| is_kept(name));
+        let entry = |name: &str| Some((name.to_owned(), Kept::Json(object.raw(name)?.to_owned())));
+        names.filter_map(entry).collect()
+    }
+}

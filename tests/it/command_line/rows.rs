@@ -1,0 +1,217 @@
+//! `couplet states`: what its rows ask, how they may be written, and when they are answered.
+
+use super::stdout;
+use crate::program::{Scratch, couplet, fed, refused, said, start, text};
+use serde_json::Value;
+use std::io::{BufRead, BufReader, Write};
+
+/// The rows that `couplet states` makes of an input, as JSON.
+fn rows(arguments: &[&str], input: impl AsRef<[u8]>) -> Vec<Value> {
+    let output = fed(&[&["states", "--format", "jsonl"], arguments].concat(), input);
+    stdout(&output).lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+}
+
+/// The same as a table, by the names of its columns.
+fn table(arguments: &[&str], input: &str) -> Vec<std::collections::BTreeMap<String, String>> {
+    let output = fed(&[&["states", "--format", "csv"], arguments].concat(), input);
+    csv::Reader::from_reader(&output.stdout[..]).deserialize().map(Result::unwrap).collect()
+}
+
+const ARCH: &str = "\"weight\":\"heyman\",\"half_opening\":1.5,\"friction\":\"inf\"";
+
+#[test]
+fn each_object_is_answered_by_what_it_asks() {
+    let (state, thin) = (format!("{{{ARCH}}}"), format!("{{{ARCH},\"thickness\":0.05}}"));
+    for (input, first) in [(format!("{state}\n{thin}\n"), 0), (format!("{thin}\n{state}\n"), 1)] {
+        let found = rows(&["--digits", "5"], input);
+        let (state, thin) = (&found[first], &found[1 - first]);
+        assert_eq!(
+            (&state["schema"], &state["can_stand"]),
+            (&"couplet.state/2".into(), &true.into())
+        );
+        assert_eq!(state["thickness"]["value"], "0.090141");
+        assert_eq!(state["stands"], Value::Null);
+        assert_eq!((&thin["schema"], &thin["stands"]), (&"couplet.assess/2".into(), &false.into()));
+        assert_eq!((&thin["thickness"], &thin["thickness_double"]), (&"0.05".into(), &0.05.into()));
+        assert_eq!(thin["least_thickness"]["value"], "0.090141");
+    }
+    let both = table(&["--digits", "5"], &format!("{state}\n{thin}\n"));
+    assert_eq!(both[1]["stands"], "false", "a table has a column for what some row asks");
+}
+
+#[test]
+fn a_row_of_a_table_asks_with_what_it_has() {
+    let input = "weight,alpha,mu,eta\nheyman,1.5,inf,\nheyman,1.5,inf,0.05\n";
+    let [state, thin] = &table(&["--digits", "5"], input)[..] else { panic!() };
+    for (column, of_state, of_thin) in [
+        ("thickness", "", "0.05"),
+        ("can_stand", "true", ""),
+        ("stands", "", "false"),
+        ("mode", "[r,r,r]", ""),
+        ("least_thickness", "0.090141", "0.090141"),
+        ("thrust", "0.65327", ""),
+        ("geometric_safety", "", "0.55469"),
+        ("half_opening_deg", "85.94366926962348", "85.94366926962348"),
+        ("friction_double", "inf", "inf"),
+        ("thickness_double", "", "0.05"),
+    ] {
+        assert_eq!((&*state[column], &*thin[column]), (of_state, of_thin), "{column}");
+    }
+}
+
+#[test]
+fn a_weight_that_is_missing_is_milankovitchs_unless_said() {
+    let input = "weight,alpha,mu\n,1.5,inf\nHEYMAN,1.5,inf\n";
+    let weights = |arguments: &[&str]| -> Vec<Value> {
+        rows(arguments, input).into_iter().map(|row| row["weight"].clone()).collect()
+    };
+    assert_eq!(weights(&[]), ["milankovitch", "heyman"]);
+    assert_eq!(weights(&["--weight", "heyman"]), ["heyman", "heyman"]);
+    assert_eq!(rows(&[], "{\"alpha\":1,\"mu\":1}")[0]["weight"], "milankovitch");
+}
+
+/// One arch in every way in which it may be written.
+#[test]
+fn a_file_may_be_written_by_any_program() {
+    let expected = &rows(&["--digits", "6"], "half_opening,friction\n1.5,0.5\n")[0]["thickness"];
+    assert!(expected.is_object());
+    for input in [
+        "Alpha;MU\n1,5;0,5\n",
+        "alpha\tmu\r\n1.5\t0.5\r\n",
+        "# half_opening friction\n1.500000000000000000e+00 5.000000000000000000e-01\n",
+        "# written by hand\n#alpha,mu\n1.5,.5\n",
+        "\u{feff}Half Opening,Friction\n0.15D+01,5d-1\n",
+        "alpha,mu\n0x1.8p+0,0X1P-1\n",
+        "[{\"alpha\": 1.5, \"mu\": 0.5}]",
+        "{\n  \"alpha\": 1.5,\n  \"mu\": 0.5\n}\n",
+        "{\"arches\": [\n {\"alpha\":\"3/2\",\"friction\":{\"value\":\"0.5\"}}\n]}",
+    ] {
+        let found = rows(&["--digits", "6"], input);
+        assert_eq!(found.len(), 1, "{input:?}: {found:?}");
+        assert_eq!(found[0]["thickness"], *expected, "{input:?}");
+    }
+    let angle = "phi,alpha\n35deg,1.5\n";
+    assert_eq!(rows(&[], angle)[0]["friction_double"], 0.700_207_538_209_709_8);
+}
+
+#[test]
+fn a_hexadecimal_double_is_exact() {
+    let row = &rows(&[], "alpha,mu\n0x1.999999999999ap-4,1\n")[0];
+    assert_eq!(row["half_opening"], "3602879701896397/36028797018963968");
+    assert_eq!(row["half_opening_rad"], 0.1);
+}
+
+#[test]
+fn a_comma_is_no_decimal_point_where_commas_separate() {
+    let row = &rows(&[], "alpha,mu\n\"1,5\",1\n")[0];
+    assert!(row["error"].as_str().unwrap().contains("'1,5'"), "{row}");
+}
+
+#[test]
+fn what_is_kept_is_handed_on() {
+    let input = "id,alpha,mu,mode,note\n7,1.5,inf,fast,\"a,b\"\n8,x,inf,slow,\n";
+    let found = table(&["--keep", "id,mode"], input);
+    assert_eq!(
+        (&*found[0]["id"], &*found[0]["input_mode"], &*found[0]["mode"]),
+        ("7", "fast", "[r,r,r]")
+    );
+    assert_eq!((&*found[1]["id"], &*found[1]["input_mode"]), ("8", "slow"), "of a bad row too");
+    assert!(!found[0].contains_key("note"));
+    let all = rows(&["--keep", "all"], input);
+    assert_eq!(all[0]["kept"], serde_json::json!({"id": "7", "mode": "fast", "note": "a,b"}));
+    let json = rows(
+        &["--keep", "all"],
+        "{\"alpha\":1,\"mu\":1,\"id\":10000000000000000000001.50,\"x\":[1]}",
+    );
+    assert_eq!(json[0]["kept"]["x"], serde_json::json!([1]));
+    let output = fed(
+        &["states", "--keep", "id"],
+        "{\"alpha\":1,\"mu\":1,\"id\":10000000000000000000001.50}",
+    );
+    assert!(
+        stdout(&output).contains("\"kept\":{\"id\":10000000000000000000001.50}"),
+        "every digit"
+    );
+    assert_eq!(json[0]["line"], 1);
+    refused(&["states", "--keep", "x"], input, "no column 'x' to keep");
+    refused(&["states", "--keep", "all", "--format", "csv"], "{}", "--keep id,name");
+}
+
+#[test]
+fn what_would_be_dropped_in_error_is_refused() {
+    refused(&["states"], "alpha,half_opening,mu\n1,1,1\n", "which are the same");
+    refused(&["states"], "alpha,mu,mu\n1,1,1\n", "two columns 'mu'");
+    refused(&["states"], "alpha,mu,thicknes\n1,1,1\n", "did you mean 'thickness'?");
+    let found = rows(&[], format!("{{{ARCH},\"thicknes\":1}}\n{{{ARCH},\"mu\":1}}\n"));
+    assert!(found[0]["error"].as_str().unwrap().contains("did you mean 'thickness'?"));
+    assert!(found[1]["error"].as_str().unwrap().contains("'friction' and 'mu' are the same"));
+}
+
+#[test]
+fn an_answer_does_not_wait_for_the_next_question() {
+    for (header, row) in [("alpha,mu\n", "1,1\n"), ("", "{\"alpha\":1,\"mu\":1}\n")] {
+        let mut child = start(&["states", "--digits", "3"]);
+        let mut stdin = child.stdin.take().unwrap();
+        let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
+        stdin.write_all(header.as_bytes()).unwrap();
+        for _ in 0..3 {
+            stdin.write_all(row.as_bytes()).unwrap();
+            stdin.flush().unwrap();
+            let answer = lines.by_ref().map(Result::unwrap).find(|line| line.contains("0.0191"));
+            assert!(answer.is_some());
+        }
+        drop(stdin);
+        assert!(child.wait().unwrap().success());
+    }
+}
+
+#[test]
+fn a_quote_too_many_costs_one_row() {
+    let mut input = String::from("alpha,mu\n\"1,1\n");
+    // Blanks around a number make a long file of few rows.
+    let blanks = " ".repeat(1000);
+    input += &format!("1,1{blanks}\n").repeat(1000);
+    let (code, output, _) = said(&fed(&["states", "--digits", "1"], &input));
+    assert_eq!(code, Some(2));
+    let mut lines = output.lines();
+    let bad = lines.nth(1).unwrap();
+    assert!(
+        bad.contains(",2,the quote that opens in line 2 is not closed within 524288 bytes"),
+        "{bad}"
+    );
+    assert_eq!(lines.filter(|line| line.contains("[r,r,r]")).count(), 1000);
+}
+
+#[test]
+fn a_long_line_costs_one_row() {
+    let input = format!("alpha,mu\n1,1\n{},1\n1,2\n", "1".repeat(1 << 21));
+    let found = rows(&["--digits", "1"], input);
+    assert_eq!(found[1]["error"], "a line of more than 524288 bytes");
+    assert_eq!((&found[2]["line"], &found[2]["friction"]), (&4.into(), &"2".into()));
+}
+
+#[test]
+fn a_file_becomes_a_file() {
+    let scratch = Scratch::new();
+    scratch.write("in.csv", "alpha,mu\n1,1\n");
+    let (file, out) = (scratch.path("in.csv"), scratch.path("out.csv"));
+    let output = couplet(&["states", &file, "-o", &out]);
+    assert_eq!((output.status.code(), text(&output.stdout)), (Some(0), String::new()));
+    assert_eq!(scratch.read("out.csv").lines().count(), 2);
+    refused(&["states", &file, "-o", &file], "", "refusing to overwrite the input");
+    let missing = couplet(&["states", "missing.csv"]);
+    assert_eq!(missing.status.code(), Some(3));
+}
+
+#[test]
+fn text_from_outside_is_not_obeyed() {
+    let hostile = "1.5,0.6,\u{1b}]0;pwn\u{7}\u{9b}2K\n1.5,\u{1b}[2J,1\n\u{1b}[2J,1,1\n";
+    let input = format!("alpha,mu,eta\n{hostile}");
+    for command in [&["states"][..], &["judge", "-"], &["judge", "-", "--format", "json"]] {
+        let output = fed(command, &input);
+        let said = [stdout(&output), text(&output.stderr)].concat();
+        assert!(!said.contains(['\u{1b}', '\u{7}', '\u{9b}']), "{command:?} {said:?}");
+        assert!(said.contains(r"\u{1b}"), "{said}");
+    }
+    refused(&["judge", "-"], "\u{1b}[2J,b\n", r"\u{1b}[2J");
+}
