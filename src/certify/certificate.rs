@@ -89,8 +89,7 @@ pub(super) fn attempt(
         // Next to a limit the box is examined with more bits too.
         let wide = ((BITS << attempt.min(6)) + lost).min(EXTRA_BITS as u32);
         let made = find(bits).and_then(|root| {
-            // What is left between a line of thrust and the intrados may be as small as its witnesses are long.
-            let small = bits_of(digits) + GUARD / 2 + root.problem.witness_bits() as u32;
+            let small = bits_of(digits) + GUARD / 2 + further(&root.problem, attempt);
             root.certificate(digits, small, wide, lost)
         });
         let checked = made.and_then(|certificate| {
@@ -107,6 +106,15 @@ pub(super) fn attempt(
         }
     }
     Err(reason)
+}
+
+/// Bits of a small box beyond its digits. What a verdict compares may be nearer than any digits tell: what is given to
+/// its limit, or a line of thrust to the intrados, which is as near as its witnesses are long.
+fn further(problem: &Problem, attempt: u32) -> u32 {
+    match problem {
+        Problem::Verdict { .. } => problem.witness_bits() as u32 + ((GUARD << attempt) - GUARD) / 2,
+        _ => 0,
+    }
 }
 
 impl Root {
