@@ -10,6 +10,8 @@ mod object;
 mod refusal;
 mod visible;
 
+#[cfg(feature = "cli")]
+pub(crate) use crate::number::visible;
 pub use checker::{
     ASTRO_DIGITS, Accepted, EXTRA_BITS, MAX_DIGITS, WITNESS_BITS, check, check_certificate, verify,
 };
@@ -17,5 +19,4 @@ pub use checker::{
 pub(crate) use format::given_text;
 pub use format::{Certificate, ClaimFile, SCHEMA, StateFile, ValueFile, Witness};
 pub use refusal::Refusal;
-#[cfg(feature = "cli")]
-pub(crate) use visible::{visible, visible_name};
+pub(crate) use visible::visible_name;
