@@ -12,6 +12,8 @@ mod object;
 mod refusal;
 mod visible;
 
+#[cfg(feature = "cli")]
+pub(crate) use crate::number::visible;
 pub use checker::{
     ASTRO_DIGITS, Accepted, EXTRA_BITS, MAX_DIGITS, WITNESS_BITS, check, check_certificate, verify,
 };
@@ -20,5 +22,4 @@ pub use format::{Certificate, SCHEMA, ValueFile, Witness};
 #[cfg(feature = "cli")]
 pub(crate) use given::{friction_text, given_text};
 pub use refusal::Refusal;
-#[cfg(feature = "cli")]
-pub(crate) use visible::{visible, visible_name};
+pub(crate) use visible::visible_name;

@@ -1,11 +1,7 @@
 //! Text of other people, to be shown: in one line, without control characters, and not too long.
 
+use crate::number::visible;
 use std::ffi::OsStr;
-
-/// A text with what is not a visible character escaped: no line break, no sequence for a terminal.
-pub(crate) fn visible(text: &str) -> String {
-    escaped(text.chars())
-}
 
 /// The name of a file, whatever bytes it has; those that are not UTF-8 as `\xff`.
 #[cfg_attr(not(feature = "cli"), expect(dead_code, reason = "only the command shows names"))]
@@ -25,20 +21,11 @@ pub(super) fn shortened(text: &str) -> String {
 
 /// At most `length` characters of a text.
 pub(super) fn beginning(text: &str, length: usize) -> String {
-    let mut shown = escaped(text.chars().take(length));
+    let mut shown = visible(&text.chars().take(length).collect::<String>());
     if text.chars().nth(length).is_some() {
         shown.push('…');
     }
     shown
-}
-
-fn escaped(text: impl Iterator<Item = char>) -> String {
-    let visible = |c: char| {
-        let quote = matches!(c, '"' | '\'' | '\\');
-        let escaped = (!quote).then(|| c.escape_debug());
-        quote.then_some(c).into_iter().chain(escaped.into_iter().flatten())
-    };
-    text.flat_map(visible).collect()
 }
 
 #[cfg(test)]

@@ -171,8 +171,10 @@ pub fn judge(arch: &Arch, claim: &Claim, demand: Demand) -> Judgement {
     let mut judgement = compared.unwrap_or_else(|doubt| {
         Judgement::bare(Standing::Undecided(doubt), None, Verdict::Undecided)
     });
-    if judgement.verdict == Verdict::WrongMode {
-        judgement.boundary = claim.mode.and_then(|mode| Boundary::near(arch, mode));
+    if let (Some(claimed), Standing::Stands(mode)) = (claim.mode, &judgement.standing)
+        && claimed != *mode
+    {
+        judgement.boundary = Boundary::near(arch, claimed);
     }
     judgement
 }

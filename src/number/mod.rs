@@ -77,7 +77,7 @@ pub use gmp::{
     Anchor, Ball, Binary, Magnitude, Rounded, Surd, arctangent, bits_of, hexadecimal,
     rational_like, terminating,
 };
-pub use shown::shown;
+pub use shown::{shown, visible};
 pub use stumpff::Stumpff;
 #[cfg(feature = "mpfr")]
 pub(crate) use stumpff::terms as stumpff_terms;

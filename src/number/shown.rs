@@ -1,28 +1,32 @@
-//! Text from outside in a message.
+//! Text from outside in a message: on one line, and nothing in it that a terminal would obey.
 
-/// Characters that are shown.
+/// Characters of a text that are shown.
 const SHOWN: usize = 40;
 
-/// A text from outside in a message: not all of a long one, and escapes for what a terminal would obey.
+/// A text with escapes for what is not to be seen.
 ///
 /// ```
-/// assert_eq!(couplet::number::shown("1\u{1b}[2K'"), r"1\u{1b}[2K'");
+/// assert_eq!(couplet::number::visible("1\u{1b}[2K'"), r"1\u{1b}[2K'");
+/// ```
+pub fn visible(text: &str) -> String {
+    let visible = |c: char| {
+        let is_quote = matches!(c, '"' | '\'' | '\\');
+        let escaped = (!is_quote).then(|| c.escape_debug());
+        is_quote.then_some(c).into_iter().chain(escaped.into_iter().flatten())
+    };
+    text.chars().flat_map(visible).collect()
+}
+
+/// The same, and not all of a long text: 40 characters at the most.
+///
+/// ```
 /// assert_eq!(couplet::number::shown(&"1".repeat(50)).chars().count(), 40);
 /// ```
 pub fn shown(text: &str) -> String {
-    let mut shown: String = text.chars().take(SHOWN).flat_map(harmless).collect();
-    if text.chars().nth(SHOWN).is_some() {
-        shown.pop();
-        shown.push('…');
+    match text.char_indices().nth(SHOWN) {
+        None => visible(text),
+        Some(_) => visible(&text.chars().take(SHOWN - 1).collect::<String>()) + "…",
     }
-    shown
-}
-
-/// A character, or its escape where it is not to be seen.
-fn harmless(c: char) -> impl Iterator<Item = char> {
-    let is_plain = matches!(c, '\'' | '"' | '\\');
-    let plain = is_plain.then_some(c);
-    plain.into_iter().chain(c.escape_debug().filter(move |_| !is_plain))
 }
 
 #[cfg(test)]
@@ -33,6 +37,7 @@ mod tests {
     fn nothing_shown_is_obeyed() {
         assert_eq!(shown("a\tb\nc\u{9b}d\u{202e}e\u{7f}"), r"a\tb\nc\u{9b}d\u{202e}e\u{7f}");
         assert_eq!(shown("π/2 'β' \\"), "π/2 'β' \\");
+        assert_eq!(shown(&"β".repeat(40)), "β".repeat(40));
         assert_eq!(shown(&"β".repeat(41)), "β".repeat(39) + "…");
     }
 }

@@ -9,6 +9,7 @@ use super::rows::{
 };
 use crate::arch::SelfWeight;
 use crate::certify::state::Certify;
+use crate::check::visible_name;
 use crate::cli::failure::Failure;
 use crate::report::{Answer, Answers, Content, Format, Kept, Status};
 use clap::Args;
@@ -82,7 +83,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let source = Source::open(arguments.file.as_deref())?;
     let file = arguments.file.as_deref().unwrap_or(Path::new("-"));
     if arguments.output.is_same_file(file) {
-        return Err(Failure::Input(format!("refusing to overwrite the input {}", file.display())));
+        return Err(Failure::Input(format!(
+            "refusing to overwrite the input {}",
+            visible_name(file.as_os_str())
+        )));
     }
     let progress = Progress::new(&source);
     let (syntax, digits) = (source.syntax, arguments.digits);
@@ -117,7 +121,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             undecided += count(Answer::is_undecided);
             out.write_all(&file.group(&answers)?)?;
             out.flush()?;
-            Ok::<_, io::Error>(true)
+            Ok::<_, io::Error>(())
         })?;
         out.write_all(&file.end()?)?;
         answered = Some(rows);

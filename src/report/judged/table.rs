@@ -134,13 +134,6 @@ fn judged_row(row: &JudgedRow, out: &mut dyn io::Write) -> io::Result<()> {
         Verdict::WrongMode => {
             let claimed = row.claimed_mode.unwrap_or_default();
             writeln!(out, "      mode {claimed}, certified {modes}")?;
-            if let Some(boundary) = row.judgement().and_then(|found| found.boundary.as_ref()) {
-                let (quantity, within) = (boundary.quantity.name(), &boundary.within);
-                writeln!(
-                    out,
-                    "      it is {claimed} at a {quantity} less than {within} away, within its rounding"
-                )?;
-            }
         }
         Verdict::Falls => match row.reason() {
             Some(reason) => writeln!(out, "      it falls by {reason}")?,
@@ -149,6 +142,14 @@ fn judged_row(row: &JudgedRow, out: &mut dyn io::Write) -> io::Result<()> {
         Verdict::Stands if row.thickness.is_some() => writeln!(out, "      it stands")?,
         Verdict::Stands => writeln!(out, "      it stands, and collapses as {modes}")?,
         _ => {}
+    }
+    if let Some(boundary) = row.judgement().and_then(|found| found.boundary.as_ref()) {
+        let (claimed, quantity) = (row.claimed_mode.unwrap_or_default(), boundary.quantity.name());
+        let within = &boundary.within;
+        writeln!(
+            out,
+            "      it is {claimed} at a {quantity} less than {within} away, within its rounding"
+        )?;
     }
     match row.numbers().iter().min_by_key(|number| number.correct_digits) {
         Some(number) if number.correct_digits != CorrectDigits::Exact => {

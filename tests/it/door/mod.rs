@@ -2,6 +2,8 @@
 
 #[cfg(feature = "study")]
 mod architecture;
+#[cfg(feature = "mpfr")]
+mod columns;
 mod manual;
 #[cfg(feature = "study")]
 mod pages;

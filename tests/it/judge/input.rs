@@ -131,3 +131,38 @@ fn json_lines_are_read_as_they_are_written() {
     assert_eq!(lines, [1, 3, 4, 5, 6, 7, 8, 9]);
     assert_eq!(rows[1]["numbers"]["thickness"]["claimed"], "1.91e-2");
 }
+
+/// The same results in every way in which they may be written.
+#[test]
+fn results_may_be_written_by_any_program() {
+    for (input, rounding) in [
+        ("Alpha;MU;Eta;mode\n1,5;0,6;0,0901407;[r,r,r]\n", "correctly rounded"),
+        ("# alpha mu eta\n1.5 6.0e-01 9.01407e-02\n", "correctly rounded"),
+        ("alpha\tphi\teta\n0.15D+01\ttan(0.5)\t.0901407D0\n", "bad row"),
+        ("alpha,mu,eta\n0x1.8p0,0.6,0x1.71375da33c6p-4\n", "wrong"),
+        ("[{\"alpha\": 1.5, \"mu\": 0.6, \"eta\": 0.0901407}]", "correctly rounded"),
+    ] {
+        let (_, rows) = rows(&["--weight", "heyman"], input);
+        let found = match rows[0]["verdict"].as_str() {
+            Some("bad row") => "bad row",
+            _ => rows[0]["numbers"]["thickness"]["rounding"].as_str().unwrap(),
+        };
+        assert_eq!((rows.len(), found), (1, rounding), "{input}: {rows:?}");
+    }
+}
+
+/// The double nearest to the truth, in hexadecimal as `couplet states` writes it, is right to its last bit.
+#[test]
+fn a_double_in_hexadecimal_is_judged_by_its_own_last_place() {
+    let hex = |text: &str| {
+        let input = format!("alpha,mu,eta\npi/2,0.38,{text}\n");
+        rows(&["--weight", "heyman"], input).1[0]["numbers"]["thickness"].clone()
+    };
+    let nearest = hex("0x1.f47f2a34603cap-4");
+    assert_eq!(
+        (&nearest["rounding"], &nearest["nearest_double"]),
+        (&"correctly rounded".into(), &true.into())
+    );
+    assert_eq!(nearest["error_units"], nearest["error_ulp"]);
+    assert_eq!(hex("0x1.f47f2a34603ccp-4")["rounding"], "wrong");
+}

@@ -121,3 +121,26 @@ fn a_wrong_last_digit_is_seen_everywhere() {
     assert!(seen > 1500, "{seen}");
     assert!(verdicts(&rows).iter().all(|verdict| *verdict == "correct"));
 }
+
+/// A wrong mode is wrong; but it is said if the other is met within the rounding of what is given.
+#[test]
+fn a_mode_next_to_a_boundary_is_told_with_its_distance() {
+    let judged = |friction: &str| {
+        let input = format!("alpha,mu,eta,mode\npi/2,{friction},0.10742645,rrr\n");
+        rows(&["--weight", "heyman"], input).1.remove(0)
+    };
+    let near = judged("0.3958320381380695");
+    assert_eq!((&near["verdict"], &near["mode"]), (&"wrong mode".into(), &"[s,r,r]".into()));
+    assert_eq!(
+        (&near["boundary"], &near["boundary_within"]),
+        (&"friction".into(), &"5e-17".into())
+    );
+    assert_eq!(judged("0.3958")["boundary_within"], "0.00005");
+    assert_eq!(judged("0.3950")["boundary"], serde_json::Value::Null, "it is not that near");
+    let table = fed(&["judge", "-"], "alpha,mu,mode\npi/2,0.39500,rrr\n");
+    let table = text(&table.stdout);
+    assert!(
+        table.contains("weight: milankovitch, as neither the rows nor --weight say any"),
+        "{table}"
+    );
+}

@@ -8,6 +8,7 @@ use super::rows::{
     Together, in_order, objects,
 };
 use crate::arch::SelfWeight;
+use crate::check::visible_name;
 use crate::cli::commands::parse;
 use crate::cli::failure::Failure;
 use crate::judge::{Demand, Verdict};
@@ -109,7 +110,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let columns = Columns::named(&arguments.columns).map_err(Failure::Input)?;
     let source = Source::open(Some(&arguments.file))?;
     if arguments.output.is_same_file(&arguments.file) {
-        let file = arguments.file.display();
+        let file = visible_name(arguments.file.as_os_str());
         return Err(Failure::Input(format!("refusing to overwrite the input {file}")));
     }
     let progress = Progress::new(&source);
@@ -147,7 +148,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
                 out.write_all(&text?)?;
             }
             out.flush()?;
-            Ok::<_, io::Error>(true)
+            Ok::<_, io::Error>(())
         })?;
         if let Some(write) = arguments.format.judged {
             write(&summary, out)?;

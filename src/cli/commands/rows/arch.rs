@@ -1,6 +1,7 @@
 //! The arch of a row.
 
-use super::columns::{Cells, Columns, Role};
+use super::columns::{Cells, Columns};
+use super::roles::Role;
 use super::spelling::Spelling;
 use crate::arch::SelfWeight;
 use crate::cli::commands::parse;

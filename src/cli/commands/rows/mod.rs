@@ -8,15 +8,17 @@ mod json;
 mod keep;
 mod lines;
 mod object;
+mod roles;
 mod source;
 mod spelling;
 mod stream;
 
 pub(super) use arch::Reader;
-pub(super) use columns::{Cells, Columns, Purpose, Role};
+pub(super) use columns::{Cells, Columns};
 pub(super) use csv::Table;
 pub(super) use json::objects;
 pub(super) use keep::Keep;
+pub(super) use roles::{Purpose, Role};
 pub(super) use source::{Input, Line, Source, Syntax};
 pub(super) use spelling::Spelling;
 pub(super) use stream::{CHUNK, Progress, Together, in_order};

@@ -1,5 +1,6 @@
 //! Where rows come from: standard input or a file, as CSV or as JSON.
 
+use crate::check::visible_name;
 use crate::cli::failure::Failure;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, IsTerminal};
@@ -45,7 +46,7 @@ impl Source {
     /// Standard input, or the file named; `-` is standard input too.
     pub(crate) fn open(path: Option<&Path>) -> Result<Self, Failure> {
         let path = path.filter(|path| *path != Path::new("-"));
-        let name = path.map_or("standard input".into(), |path| path.display().to_string());
+        let name = path.map_or("standard input".into(), |path| visible_name(path.as_os_str()));
         let reading = |error: io::Error| Failure::reading(&name, &error);
         let is_typed = path.is_none() && io::stdin().is_terminal();
         let mut input: Input = match path {

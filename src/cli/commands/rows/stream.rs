@@ -2,6 +2,7 @@
 
 use super::super::progress::styled;
 use super::source::{Input, Line, Source};
+use crate::report::words::count;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use std::io::{self, BufReader};
@@ -20,19 +21,19 @@ pub(crate) enum Together {
     Chunk,
 }
 
-/// Answers the rows on all cores and hands each chunk on in the order of the rows, until there are no
-/// more or `take` says with `false` that it has enough. Answers how many rows were handed on.
+/// Answers the rows on all cores and hands each chunk on in the order of the rows. Answers how many rows
+/// there were.
 pub(crate) fn in_order<T: Send + 'static, A: Send, E: From<io::Error>>(
     lines: impl Iterator<Item = Line<T>> + Send + 'static,
     (progress, together): (&Progress, Together),
     answer: impl Fn(Line<T>) -> A + Sync,
-    mut take: impl FnMut(Vec<A>) -> Result<bool, E>,
+    mut take: impl FnMut(Vec<A>) -> Result<(), E>,
 ) -> Result<u64, E> {
     let (sender, receiver) = mpsc::sync_channel(CHUNK / 2);
-    // If enough is enough, nobody waits for this thread: it may itself wait for a row that never comes.
+    // After a failure nobody waits for this thread: it may itself wait for a row that never comes.
     let reader = thread::Builder::new().spawn(move || {
         for line in lines {
-            // The receiver goes away when it has enough.
+            // The receiver goes away when the rows cannot be written.
             if sender.send(line).is_err() {
                 break;
             }
@@ -50,9 +51,9 @@ pub(crate) fn in_order<T: Send + 'static, A: Send, E: From<io::Error>>(
             chunk.push(line);
         }
         let count = chunk.len() as u64;
-        if !take(chunk.into_par_iter().map(&answer).collect())? {
-            return Ok(rows);
-        }
+        let answers = chunk.into_par_iter().map(&answer).collect();
+        // Where rows go to the terminal too, they do not stand behind the bar.
+        progress.bar.suspend(|| take(answers))?;
         rows += count;
         progress.show(rows);
     }
@@ -91,6 +92,6 @@ impl Progress {
 
     fn show(&self, rows: u64) {
         let rate = rows as f64 / self.bar.elapsed().as_secs_f64().max(1e-3);
-        self.bar.set_message(format!("{rows} rows, {rate:.0} rows/s"));
+        self.bar.set_message(format!("{}, {rate:.0} rows/s", count(rows, "row", "rows")));
     }
 }

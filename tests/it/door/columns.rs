@@ -1,0 +1,43 @@
+//! The page of columns has every one that is written.
+
+use crate::program::{fed, text};
+use std::collections::BTreeSet;
+
+const PAGE: &str = include_str!("../../../docs/columns.md");
+
+/// The names of a page, between backticks.
+fn named() -> BTreeSet<&'static str> {
+    PAGE.split('`').skip(1).step_by(2).collect()
+}
+
+/// The header of what a command makes of a table.
+fn header(arguments: &[&str], table: &str) -> Vec<String> {
+    let written = text(&fed(arguments, table).stdout);
+    written.lines().next().unwrap().split(',').map(str::to_owned).collect()
+}
+
+#[test]
+fn every_column_is_on_the_page() {
+    let named = named();
+    let is_named = |name: &str| {
+        let of_number = |start: &str| {
+            let rest = name.strip_prefix(start).filter(|rest| !rest.is_empty());
+            rest.is_some_and(|rest| named.contains(format!("NAME{rest}").as_str()))
+        };
+        let numbers = named.iter().filter(|number| name.starts_with(**number));
+        named.contains(name) || numbers.into_iter().any(|number| of_number(number))
+    };
+    assert!(is_named("thrust_double") && !is_named("thrust_shade") && !is_named("colour"));
+    let states = "alpha,mu,eta\n1,1,1\n";
+    let results = "alpha,mu,given_thickness,least_thickness,thrust,mode\n1,1,1,1,1,rrr\n";
+    for name in [
+        header(&["states"], "alpha,mu\n1,1\n"),
+        header(&["states"], states),
+        header(&["judge", "-", "--format", "csv"], results),
+        header(&["sample", "--count", "0"], ""),
+    ]
+    .concat()
+    {
+        assert!(is_named(&name), "{name} is not on the page");
+    }
+}
