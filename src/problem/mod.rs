@@ -32,6 +32,8 @@ pub mod published;
 mod quantity;
 mod system;
 pub mod tally;
+#[cfg(feature = "check")]
+mod verdict;
 
 #[cfg(feature = "check")]
 pub use arch::{Arch, ArchError, Friction, is_thickness};
@@ -48,3 +50,5 @@ pub use mode::Mode;
 pub use problem::Problem;
 pub use quantity::Quantity;
 pub use system::{Fixed, System};
+#[cfg(feature = "check")]
+pub use verdict::{Nearest, Standing, Verdict};
