@@ -38,6 +38,8 @@ mod system;
 pub mod tally;
 #[cfg(feature = "check")]
 mod ties;
+#[cfg(feature = "check")]
+mod verdict;
 
 #[cfg(feature = "check")]
 pub use arch::{Arch, ArchError, Friction, is_thickness};
@@ -58,3 +60,5 @@ pub use quantity::Quantity;
 pub use system::{Fixed, System};
 #[cfg(feature = "check")]
 pub use ties::{friction_angle_is_half_opening, has_no_arm_at_crown};
+#[cfg(feature = "check")]
+pub use verdict::{Nearest, Standing, Verdict};

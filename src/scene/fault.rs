@@ -51,7 +51,7 @@ impl<'s> Source<'s> {
         Position { column: place.column.max(1), ..place }
     }
 
-    /// A value as it is written, on one line and not too long.
+    /// A value as it is written, on one line, with escapes, and not too long.
     pub(super) fn shown(&self, span: Range<usize>) -> String {
         shortened(self.text.get(span).unwrap_or_default())
     }
@@ -103,7 +103,7 @@ mod tests {
 
     #[test]
     fn a_value_is_shown_on_one_short_line() {
-        assert_eq!(Source::new("a\nb").shown(0..3), "a b");
+        assert_eq!(Source::new("a\nb").shown(0..3), r"a\nb");
         let long = "1".repeat(100);
         assert_eq!(Source::new(&long).shown(0..100).chars().count(), 40);
     }
