@@ -27,7 +27,7 @@ from flint import arb, ctx, fmpz
 
 MAX_BYTES, MAX_DIGITS, MAX_GIVEN, MAX_ENTRIES = 64 << 20, 1_000_000, 100_000, 32
 MAX_POWER, MAX_EXPONENT = 3_000_000, 10_000_000  # of ten and of two
-SHORT, LONG, GUARD = 256, 20_000, 128  # bits: radii, the centre of `unique` and inverse, of precision besides
+SHORT, LONG, GUARD = 256, 24_000, 128  # bits: radii, the centre of `unique` and inverse, of precision besides
 
 
 class Refused(Exception):
@@ -124,6 +124,9 @@ MODES = {
     "[r,s]": ("thickness, thrust, sliding_joint", "(3), (18), beta_s^2 = h (1 - h)", {"β": ZERO}),
     "[r]": ("thickness", "(4)", {"h": ZERO, "β": ZERO}),
 }
+SLIDES = ("friction, thrust, sliding_joint", "(17), (18), beta_s^2 = h (1 - h)", {})
+TOO_WIDE = ("half_opening, thrust, sliding_joint", "(3), (18), beta_s^2 = h (1 - h)", {"β": ZERO, "η": TWO})
+STANDS = {"crown": ("", "", {"β": ZERO}), "haunch": ("rotation_joint", "(5)", {}), "shoulder": ("", "", {})}
 
 
 def short_integer(text, limit, where):
@@ -146,31 +149,75 @@ def exact_ratio(text):
     return lambda v: arb(fmpz(parts[1])) / fmpz(parts[2]) * (arb.pi() if parts[3] else 1)
 
 
+def exact_friction(text):
+    if text == "inf":
+        return INFINITE
+    if not text.startswith("tan "):
+        return exact_ratio(text)
+    angle = exact_ratio(text[4:])
+    need(angle({}) < arb.pi() / 2, "claim: no acute friction angle")
+    return lambda v: sin(angle(v)) / cos(angle(v))
+
+
+KINDS = {"landmark": {}, "slides": {}, "too_wide": {}, "state": {"mode": str}, "too_thin": {"mode": str, "thickness": str},
+         "stands": {"thickness": str, "thrust": str, "crown_moment": str, "nearest": str}}
+
+
 class Claim:
     def __init__(self, claim):
-        self.kind, kind = ("landmark", str) if "landmark" in claim else ("state", dict)
-        fields(claim, "claim", weight=str, unknowns=list, equations=list, **{self.kind: kind})
-        self.name, given = claim[self.kind], {}
-        if self.kind == "state":
-            state = claim["state"]
-            fields(state, "state", mode=str, half_opening=str, friction=str)
-            self.name, unlimited = state["mode"], state["friction"] == "inf"
-            need(self.name == "[r,r,r]" or unlimited == (self.name == "[r]"), "claim: not the friction of the mode")
-            given = {"α": exact_ratio(state["half_opening"]),
-                     "μ": INFINITE if unlimited else exact_ratio(state["friction"])}
-        subject = (LANDMARKS if self.kind == "landmark" else MODES).get(self.name)
+        kinds = [kind for kind in KINDS if kind in claim]
+        need(len(kinds) == 1, "claim: not exactly one subject")
+        self.kind, self.bits = kinds[0], 0
+        fields(claim, "claim", weight=str, unknowns=list, equations=list,
+               **{self.kind: str if self.kind == "landmark" else dict})
+        thing, self.given = claim[self.kind], {}
+        if self.kind == "landmark":
+            self.name, subject = thing, LANDMARKS.get(thing)
+        else:
+            fields(thing, self.kind, half_opening=str, friction=str, **KINDS[self.kind])
+            unlimited = thing["friction"] == "inf"
+            self.given = {"α": exact_ratio(thing["half_opening"]), "μ": exact_friction(thing["friction"])}
+            α = self.given["α"]({})
+            need(0 < α and α < arb.pi(), "claim: half opening not between 0 and pi")
+            self.name = thing.get("mode", self.kind)
+            subject = self.subject(thing, unlimited)
         need(subject, "claim: no such subject")
         unknowns, equations, fixed = subject
-        self.unknowns, self.equations = unknowns.split(", "), equations.split(", ")
+        self.unknowns, self.equations = unknowns.split(", ") * bool(unknowns), equations.split(", ") * bool(equations)
         need(claim["unknowns"] == self.unknowns, "claim: not the unknowns of the subject")
         need(claim["equations"] == self.equations, "claim: not the equations of the subject")
         need(claim["weight"] in ("heyman", "milankovitch"), "claim: no such weight")
-        self.weight, self.fixed = claim["weight"], fixed | given
+        self.weight, self.fixed = claim["weight"], fixed | self.given
+        for name in self.unknowns:  # a limit is solved for, and compared with what is given
+            self.fixed.pop(SYMBOL[name], None)
+
+    def subject(self, thing, unlimited):
+        if "mode" in thing:
+            need(self.name == "[r,r,r]" or unlimited == (self.name == "[r]"), "claim: not the friction of the mode")
+        if "thickness" in thing:
+            η = self.given["η"] = exact_ratio(thing["thickness"])
+            need("pi" not in thing["thickness"] and 0 < η({}) and η({}) <= 2, "claim: no thickness")
+        if self.kind == "slides":
+            need(not unlimited, "claim: unlimited friction that slides")
+            return SLIDES
+        if self.kind == "too_wide":
+            return LANDMARKS["L"] if unlimited else TOO_WIDE
+        if self.kind == "stands":
+            h, self.p = (number(thing[name], LONG, "claim") for name in ("thrust", "crown_moment"))
+            self.bits, self.nearest = max(bits_of(thing["thrust"]), bits_of(thing["crown_moment"])), thing["nearest"]
+            self.given["h"] = lambda v: h
+            return STANDS.get(self.nearest)
+        return MODES.get(self.name)
 
     def variables(self, x):
         v = {SYMBOL[name]: entry for name, entry in zip(self.unknowns, x, strict=True)}
         v["δ"] = 0 if self.weight == "heyman" else 1
         return v | {name: value(v) for name, value in self.fixed.items()}
+
+    def beyond(self, symbol, v):
+        """How far what is given is beyond the limit that the root is."""
+        distance = self.given[symbol]({}) - v[symbol]
+        return distance if symbol == "α" else -distance
 
     def residuals(self, x):
         return [residual(label, self.variables(x)) for label in self.equations]
@@ -264,13 +311,58 @@ def state_signs(mode, v):
         yield "W/2 + ...", W / 2 + δ * (η / 6) * (b * (1 - cos(β)) - s * (1 - cos(α)))
 
 
-def quantities(kind, v):
+def standing_signs(claim, v):
+    """What has to be positive for a line of thrust to be inside the arch, and for no joint to slide."""
+    α, β, η, h, μ, δ, p = *(v.get(name) for name in ("α", "β", "η", "h", "μ", "δ")), claim.p
+    N = lambda x: h * cos(x) + x * sin(x)
+    L = lambda x: p + fac(η, δ) * (1 - cos(x)) - (2 - η) * N(x) / 2
+    yield from [("h", h), ("1 - h", 1 - h), ("N(alpha)", N(α)), ("U(0)", (2 + η) * h / 2 - p),
+                ("U(alpha)", (2 + η) * N(α) / 2 - p - fac(η, δ) * (1 - cos(α)))]
+    if claim.nearest == "crown":
+        yield from [("L(0)", L(arb(0))), ("fac - (2 - eta) (2 - h)/2", fac(η, δ) - (2 - η) * (2 - h) / 2)]
+    elif claim.nearest == "haunch":
+        yield from [("beta", β), ("alpha - beta", α - β), ("L(beta)", L(β))]
+    else:
+        yield from [("L(alpha)", L(α)),
+                    ("-L'(alpha)", (2 - η) * ((1 - h) * sin(α) + α * cos(α)) / 2 - fac(η, δ) * sin(α))]
+    if μ.is_finite():
+        n, d = quotient("(17)", {"α": α, "h": h})
+        yield "mu - (17)", μ - n / d
+        βs = (h * (1 - h)).sqrt()
+        inside, deepest = quotient("(18)", {"βs": βs, "h": h})
+        yield "mu - the most inside", μ + n / d if βs > α else μ - inside / deepest
+
+
+def verdict_signs(claim, v):
+    """What has to be positive for the verdict to hold."""
+    if claim.kind == "stands":
+        yield from standing_signs(claim, v)
+    elif claim.kind == "too_thin":
+        yield from state_signs(claim.name, v)
+        yield "least thickness - thickness", claim.beyond("η", v)
+    else:
+        if "βs" in map(SYMBOL.get, claim.unknowns):
+            yield from [("beta_s", v["βs"]), ("alpha - beta_s", v["α"] - v["βs"])]
+        if claim.kind == "slides":
+            yield "N(alpha)", v["h"] * cos(v["α"]) + v["α"] * sin(v["α"])
+            yield "purely sliding friction - friction", claim.beyond("μ", v)
+        else:
+            yield "half opening - widest half opening", claim.beyond("α", v)
+
+
+def quantities(claim, v):
+    kind = claim.kind
     q = {name: v[symbol] for name, symbol in SYMBOL.items() if symbol in v}
     if "friction" in q:
         q["friction_angle"] = q["friction"].atan() if q["friction"].is_finite() else arb.pi() / 2
     for name in q.keys() & {"half_opening", "friction_angle", "rotation_joint", "sliding_joint"}:
         q[name + "_degrees"] = 180 * q[name] / arb.pi()
-    q["intrinsic_thrust"] = v["η"] * v["h"]
+    if "η" in v and "h" in v:
+        q["intrinsic_thrust"] = v["η"] * v["h"]
+    if kind not in ("landmark", "state"):  # only what is solved for
+        solved = lambda name: any(name.startswith(unknown) for unknown in claim.unknowns)
+        both = {"thickness", "thrust"} <= set(claim.unknowns)
+        return {name: x for name, x in q.items() if (both if name == "intrinsic_thrust" else solved(name))}
     if kind != "landmark":  # what is given is not a result
         return {name: x for name, x in q.items() if name.split("_")[0] not in ("half", "friction")}
     q["A"] = v["α"] * sin(v["α"]) / (1 - cos(v["α"]))
@@ -312,6 +404,7 @@ def parse(data):
 
 
 def check(data):
+    ctx.prec = LONG + GUARD
     need(len(data) <= MAX_BYTES, "too large a file")
     file = parse(data)
     fields(file, "certificate", schema=str, tool=str, claim=dict, digits=int, unique=dict, inverse=list,
@@ -320,6 +413,7 @@ def check(data):
     claim, digits, Y = Claim(file["claim"]), file["digits"], file["inverse"]
     need(1 <= digits <= MAX_DIGITS, "not a possible number of digits")
     n = len(claim.unknowns)
+    need(file["values"] or claim.kind == "stands", "no values")
     large = Box(file["unique"], n, LONG, "unique")
     small = Box(file["root"], n, LONG + 10 * digits // 3, "root")
     need(len(Y) == n and all(type(row) is list and len(row) == n for row in Y), "inverse: not n by n")
@@ -335,7 +429,7 @@ def check(data):
     need(large.contracts(claim.residuals(large.centre), Y, M), "no contraction of the large box")
 
     # Point 4: it lies in the small box. What its numbers do not have in bits no digit can be shown with.
-    ctx.prec = max(LONG, *map(bits_of, file["root"]["centre"])) + GUARD
+    ctx.prec = max(LONG, claim.bits, *map(bits_of, file["root"]["centre"])) + GUARD
     need(all(abs(m1 - m) + r1 < r for m, r, m1, r1
              in zip(large.centre, large.radius, small.centre, small.radius)), "the small box is not in the large one")
     need(small.contracts(claim.residuals(small.centre), Y, M), "no contraction of the small box")
@@ -343,13 +437,13 @@ def check(data):
     # Point 5: signs.
     v = claim.variables(small.ball())
     need(v["α"] > 0 and v["α"] < arb.pi(), "half opening not between 0 and pi")
-    signs = landmark_signs(claim.unknowns, v) if claim.kind == "landmark" else state_signs(claim.name, v)
+    signs = (landmark_signs(claim.unknowns, v) if claim.kind == "landmark" else
+             state_signs(claim.name, v) if claim.kind == "state" else verdict_signs(claim, v))
     for name, value in signs:
         need(value > 0, f"not shown to be positive: {name}")
 
     # Point 6: decimals.
-    known, seen = quantities(claim.kind, v), set()
-    need(file["values"], "no values")
+    known, seen = quantities(claim, v), set()
     for entry in file["values"]:
         fields(entry, "values", quantity=str, value=str)
         name = entry["quantity"]

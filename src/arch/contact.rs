@@ -62,7 +62,7 @@
 //! sliding joint the rate times the sine of its angle.
 
 use super::{Configuration, Ring, SelfWeight, statics};
-use crate::number::Field;
+use crate::number::{Angle, Field};
 
 /// `U` at the shoulder for the crown moment `p`.
 pub fn extrados_margin_at_shoulder<T: Field>(
@@ -71,6 +71,28 @@ pub fn extrados_margin_at_shoulder<T: Field>(
     crown_moment: &T,
 ) -> T {
     shoulder_moment(weight, at) - crown_moment
+}
+
+/// `L` at a joint for the crown moment `p`: `p + fac (1 - cos beta) - (1 - eta/2) N(beta)`.
+pub fn intrados_margin<T: Field>(
+    weight: SelfWeight,
+    joint: &Angle<T>,
+    at: &Configuration<T>,
+    crown_moment: &T,
+) -> T {
+    let ring = Ring::new(weight, &at.thickness);
+    let normal = statics::normal_force(joint, &at.thrust);
+    joint.versine() * &ring.centroid_factor + crown_moment
+        - ring.intrados() * normal / at.thrust.int(2)
+}
+
+/// `L'` at a joint below the crown, `fac sin beta - (1 - eta/2) ((1 - h) sin beta + beta cos beta)`: negative where the
+/// line of thrust still comes nearer to the intrados.
+pub fn approach<T: Field>(weight: SelfWeight, joint: &Angle<T>, at: &Configuration<T>) -> T {
+    let ring = Ring::new(weight, &at.thickness);
+    let rest = at.thrust.int(1) - &at.thrust;
+    let rise = rest * &joint.sin + joint.rad.clone() * &joint.cos;
+    ring.centroid_factor.clone() * &joint.sin - ring.intrados() * rise / at.thrust.int(2)
 }
 
 /// The crown moment `p` that puts the pressure point on the extrados of the shoulder:
@@ -181,7 +203,7 @@ pub fn growth<T: Field>(
 #[cfg(all(test, feature = "mpfr"))]
 mod tests {
     use super::*;
-    use crate::number::{Angle, Dual};
+    use crate::number::Dual;
     use rug::Rational;
 
     type Exact = Rational;
@@ -265,6 +287,13 @@ mod tests {
         let upper = half * &normal - &lowered;
         let expected = ring.extrados() / Exact::from(2) * rise - &ring.centroid_factor;
         assert_eq!(upper.derivative(0), expected * sin);
+        let lower = intrados_margin(
+            weight,
+            &joint,
+            &at.clone().map(Dual::constant),
+            &Dual::constant(Exact::from((2, 7))),
+        );
+        assert_eq!(lower.derivative(0), approach(weight, &at.rotation_joint, &at));
         let (k, squared) =
             (joint.times_cotangent().derivative(0), Field::square(&at.rotation_joint.sin));
         let joint = &at.rotation_joint;

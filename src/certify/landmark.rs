@@ -99,9 +99,10 @@ impl CertifiedLandmark {
         let candidate = newton(&system, start::landmark(landmark, weight), 64)
             .ok_or_else(|| Undecided::new("Newton's method finds no candidate"))?;
         let certified = Self { landmark, weight, isolated: isolate(landmark, weight, &candidate)? };
-        let narrow = certified.enclosure(64)?;
+        const BITS: u32 = 64;
+        let narrow = certified.enclosure(BITS)?;
         let problem = Problem::Landmark { landmark, weight };
-        match problem.first_failure(narrow.configuration()) {
+        match problem.first_failure(narrow.configuration(), BITS) {
             None => Ok(certified),
             Some(condition) => Err(Undecided::new(condition.label())),
         }

@@ -13,8 +13,9 @@ mod refine;
 pub(crate) mod root;
 pub mod state;
 mod undecided;
+mod verdict;
 
-pub use certificate::{certify_landmark, certify_state};
+pub use certificate::certify_landmark;
 pub use closed_value::Exact;
 pub use cover::{between, cover};
 pub use fingerprint::{MAX_FINGERPRINT_DIGITS, fingerprint};
@@ -22,3 +23,4 @@ pub use isolate::{Isolated, isolate};
 pub use landmark::{CertifiedLandmark, Constant, MAX_DIGITS, Value, quantities};
 pub use refine::{Refined, refine, refine_watched, stages};
 pub use undecided::Undecided;
+pub use verdict::{certify_arch, certify_state};

@@ -8,7 +8,7 @@
 //! 2. **The root in the small box**, which lies inside the large one. The same slopes hold on it, so
 //!    that only the residuals at its centre are evaluated to full precision.
 //! 3. **The claim**: the physical range; for a state, that it is admissible on the whole half arch, that
-//!    no thinner arch stands, and that it is the mode stated.
+//!    no thinner arch stands, and that it is the mode stated; for another verdict, what decides it.
 //! 4. **The decimals** are the correct rounding of everything in the small box.
 
 use super::format::{Certificate, Witness};
@@ -17,7 +17,7 @@ use super::refusal::Refusal;
 use super::visible::shortened;
 use crate::arch::{Configuration, Unknown};
 use crate::number::{AstroInterval, Dual, Dyadic, Enclosure, Engine, Written};
-use crate::problem::{Problem, Quantity, System};
+use crate::problem::{Problem, Quantity, System, Verdict};
 
 /// The verdict of a successful check.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -34,8 +34,8 @@ pub struct Accepted {
 pub const WITNESS_BITS: usize = 256;
 /// Bits that the centre of a large box and an entry of the inverse may have, and the centre of a small box beyond its
 /// digits: an arch with a tiny opening loses many.
-pub const EXTRA_BITS: usize = 20_000;
-/// Bits beyond the longest number, to work in.
+pub const EXTRA_BITS: usize = 24_000;
+/// Bits beyond the longest number, of a box or of the claim, to work in.
 const GUARD: usize = 64;
 /// The largest number of digits of any certificate.
 pub const MAX_DIGITS: usize = 1_000_000;
@@ -84,6 +84,10 @@ pub fn check_certificate<E: Engine>(
         return Err(Refusal::Limit(digits, max_digits));
     }
     sizes(&system, certificate)?;
+    if problem.witness_bits() > EXTRA_BITS {
+        return Err(Refusal::Large { place: "claim", bits: EXTRA_BITS });
+    }
+    let longest = |witness| longest(witness).max(problem.witness_bits()) + GUARD;
     let (wide, bits) = (longest(&certificate.unique), longest(&certificate.root));
     let domain = boxed::<E>(&certificate.unique, wide);
     let inverse: Vec<Vec<E>> = certificate.inverse.iter().map(|row| exact(row, wide)).collect();
@@ -112,7 +116,7 @@ pub fn check_certificate<E: Engine>(
     contracts("root", &given, &exact(&certificate.root.centre, bits), &small)?;
 
     let at = system.place(given, &small);
-    if let Some(condition) = problem.first_failure(&at) {
+    if let Some(condition) = problem.first_failure(&at, bits as u32) {
         return Err(Refusal::Condition(condition.label()));
     }
     let mut values: Vec<(Quantity, String)> = Vec::new();
@@ -147,15 +151,17 @@ pub fn check_certificate<E: Engine>(
         };
         values.push((quantity, text));
     }
-    if values.is_empty() {
+    // What stands needs no value.
+    let stands = matches!(&problem, Problem::Verdict { verdict: Verdict::Stands(_), .. });
+    if values.is_empty() && !stands {
         return Err(Refusal::NoValues);
     }
     Ok(Accepted { problem, digits, values })
 }
 
-/// The bits in which to work with a box: a few more than its longest number has.
+/// The bits of the longest number of a box.
 fn longest(witness: &Witness) -> usize {
-    witness.centre.iter().map(Dyadic::bits).max().unwrap_or(0) + GUARD
+    witness.centre.iter().map(Dyadic::bits).max().unwrap_or(0)
 }
 
 /// Checks the sizes of everything before anything is computed.

@@ -4,7 +4,9 @@
 //! compiler (`--no-default-features --features check`; with `check,cli` the command is there too).
 
 mod checker;
+mod claim;
 mod format;
+mod given;
 pub mod krawczyk;
 mod object;
 mod refusal;
@@ -15,8 +17,9 @@ pub(crate) use crate::number::visible;
 pub use checker::{
     ASTRO_DIGITS, Accepted, EXTRA_BITS, MAX_DIGITS, WITNESS_BITS, check, check_certificate, verify,
 };
+pub use claim::{ArchFile, ClaimFile, StandsFile, StateFile, TooThinFile};
+pub use format::{Certificate, SCHEMA, ValueFile, Witness};
 #[cfg(feature = "cli")]
-pub(crate) use format::given_text;
-pub use format::{Certificate, ClaimFile, SCHEMA, StateFile, ValueFile, Witness};
+pub(crate) use given::{friction_text, given_text};
 pub use refusal::Refusal;
 pub(crate) use visible::visible_name;

@@ -13,8 +13,10 @@ pub enum Refusal {
     /// Another schema.
     #[error("schema: '{0}' is not couplet.certificate/1")]
     Schema(String),
-    /// Neither a landmark nor a state, or both.
-    #[error("claim: needs exactly one of 'landmark' and 'state'")]
+    /// No subject, or more than one.
+    #[error(
+        "claim: needs exactly one of 'landmark', 'state', 'slides', 'too_wide', 'too_thin', 'stands'"
+    )]
     Subject,
     /// A name that does not exist.
     #[error("claim: there is no {place} '{text}'")]
@@ -35,7 +37,7 @@ pub enum Refusal {
     /// A given number that is not exact and in its range.
     #[error("claim: {place} '{text}' is not possible")]
     Given {
-        /// `half_opening` or `friction`.
+        /// `half_opening`, `friction` or `thickness`.
         place: &'static str,
         /// What stands there.
         text: String,

@@ -1,30 +1,44 @@
 //! What was accepted, in a few words: shortened, and true.
 
-use crate::check::{Accepted, given_text};
-use crate::problem::{Friction, Problem};
+use crate::check::{Accepted, friction_text, given_text};
+use crate::problem::{Arch, Problem, Verdict};
 
 /// What was accepted, in a few words.
 pub(super) fn summary(accepted: &Accepted) -> String {
-    let subject = match &accepted.problem {
-        Problem::Landmark { landmark, .. } => landmark.symbol().to_owned(),
-        Problem::State { mode, arch } => {
-            let friction = match arch.friction() {
-                Friction::Coefficient(mu) => shortened_fraction(&given_text(mu)),
-                friction => friction.to_string(),
-            };
-            let half_opening = shortened_fraction(&given_text(arch.half_opening()));
-            format!("{mode} half_opening {half_opening} friction {friction}")
+    let thick = |thickness| format!(" thickness {}", shortened_fraction(&given_text(thickness)));
+    let (subject, relation) = match &accepted.problem {
+        Problem::Landmark { landmark, .. } => (landmark.symbol().to_owned(), ""),
+        Problem::State { mode, arch } => (format!("{mode} {}", described(arch)), ""),
+        Problem::Verdict { verdict, arch } => {
+            let arch = described(arch);
+            match verdict {
+                Verdict::Slides => (format!("stands at no thickness {arch}"), "as it is below "),
+                Verdict::TooWide => (format!("stands at no thickness {arch}"), "as it is beyond "),
+                Verdict::TooThin { mode, thickness } => {
+                    let thick = thick(thickness);
+                    (format!("does not stand {arch}{thick} collapses as {mode}"), "as it is below ")
+                }
+                Verdict::Stands(standing) => {
+                    (format!("stands {arch}{}", thick(&standing.thickness)), "")
+                }
+            }
         }
     };
-    let first = accepted.values.first().map_or(String::new(), |(quantity, value)| {
-        format!("{} {} ", quantity.name(), shortened_value(value))
-    });
+    let weight = accepted.problem.weight().name();
+    let Some((quantity, value)) = accepted.values.first() else {
+        return format!("{subject} {weight}");
+    };
+    let (name, value) = (quantity.name(), shortened_value(value));
     let plural = if accepted.digits == 1 { "" } else { "s" };
-    format!(
-        "{subject} {}  {first}to {} digit{plural}",
-        accepted.problem.weight().name(),
-        accepted.digits
-    )
+    let digits = accepted.digits;
+    format!("{subject} {weight}  {relation}{name} {value} to {digits} digit{plural}")
+}
+
+/// What is given of an arch.
+fn described(arch: &Arch) -> String {
+    let half_opening = shortened_fraction(&given_text(arch.half_opening()));
+    let friction = shortened_fraction(&friction_text(arch.friction()));
+    format!("half_opening {half_opening} friction {friction}")
 }
 
 /// Characters of a number that are shown.
@@ -39,16 +53,23 @@ fn shortened_value(value: &str) -> String {
     }
 }
 
-/// A fraction with the first digits of its integers, and how many they have.
+/// A text with the first digits of its integers, and how many they have.
 fn shortened_fraction(text: &str) -> String {
-    let (numerator, rest) = text.split_once('/').unwrap_or((text, ""));
-    let (denominator, pi) = rest.split_once(' ').unwrap_or((rest, ""));
-    let integer = |digits: &str| match digits.get(..SHOWN) {
-        Some(first) if digits.len() > SHOWN => format!("{first}…({} digits)", digits.len()),
-        _ => digits.to_owned(),
-    };
-    let pi = if pi.is_empty() { String::new() } else { format!(" {pi}") };
-    format!("{}/{}{pi}", integer(numerator), integer(denominator))
+    let is_digit = |c: char| c.is_ascii_digit();
+    let mut shown = String::new();
+    let mut rest = text;
+    while let Some(start) = rest.find(is_digit) {
+        let (before, number) = rest.split_at(start);
+        let (digits, behind) =
+            number.split_at(number.find(|c| !is_digit(c)).unwrap_or(number.len()));
+        shown += before;
+        shown += &match digits.get(..SHOWN) {
+            Some(first) if digits.len() > SHOWN => format!("{first}…({} digits)", digits.len()),
+            _ => digits.to_owned(),
+        };
+        rest = behind;
+    }
+    shown + rest
 }
 
 #[cfg(test)]
@@ -69,7 +90,8 @@ mod tests {
     #[test]
     fn what_is_cut_from_a_fraction_is_counted() {
         assert_eq!(shortened_fraction("49/20"), "49/20");
-        assert_eq!(shortened_fraction("1/2 pi"), "1/2 pi");
+        assert_eq!(shortened_fraction("tan 1/2 pi"), "tan 1/2 pi");
+        assert_eq!(shortened_fraction("inf"), "inf");
         let long = format!("{}/{} pi", "7".repeat(30), "9".repeat(22));
         let shown = format!("{}…(30 digits)/{} pi", "7".repeat(22), "9".repeat(22));
         assert_eq!(shortened_fraction(&long), shown);

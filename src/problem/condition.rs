@@ -51,6 +51,12 @@ pub enum Condition {
     WeightAtLargestThrust,
     /// No thinner arch has an admissible state at the largest thrust that the shoulder bears.
     NoneThinnerAtLargestThrust,
+    /// What is given of a variable is beyond the limit at which the arch could just stand.
+    Beyond(Unknown),
+    /// The line of thrust is inside the intrados where it comes nearest.
+    InsideIntrados,
+    /// It comes nearer to the intrados as far as the shoulder.
+    NearestAtShoulder,
 }
 
 impl Condition {
@@ -146,6 +152,11 @@ impl Condition {
             Self::NoneThinner | Self::NoneThinnerAtLargestThrust => {
                 "no admissible state in a thinner arch"
             }
+            Self::Beyond(Unknown::Friction) => "a friction below that of the purely sliding state",
+            Self::Beyond(Unknown::HalfOpening) => "a half opening beyond the widest that stands",
+            Self::Beyond(_) => "a thickness below the least",
+            Self::InsideIntrados => "the line of thrust inside the intrados",
+            Self::NearestAtShoulder => "the line of thrust nearest to the intrados at the shoulder",
         }
     }
 

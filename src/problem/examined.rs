@@ -3,7 +3,7 @@
 use super::{Condition, Equation, Mode, tally};
 use crate::arch::contact::{self, Rates};
 use crate::arch::{Configuration, SelfWeight, Unknown, sliding, statics};
-use crate::number::{Angle, Enclosure, Ternary};
+use crate::number::{Angle, Enclosure, Field, Real, Ternary};
 use std::cell::OnceCell;
 
 /// A state to be examined: what a margin is computed from.
@@ -104,24 +104,28 @@ impl<'a, E: Enclosure> Examined<'a, E> {
             Condition::NoneThinnerAtLargestThrust => {
                 self.at_largest_thrust(|weight| self.growth(&weight))
             }
+            // These are about what a state does not have: they are not shown.
+            Condition::Beyond(_) | Condition::InsideIntrados | Condition::NearestAtShoulder => {
+                alpha.int(0)
+            }
         }
     }
 }
 
 /// The friction that the shoulder asks for at the thrust of a state.
-pub fn shoulder_friction<E: Enclosure>(at: &Configuration<E>) -> E {
+pub fn shoulder_friction<T: Field>(at: &Configuration<T>) -> T {
     tally::equation(Equation::ShoulderSliding);
     sliding::shoulder(&at.half_opening, &at.thrust).value()
 }
 
 /// What is left between the shoulder and the joint that is steepest at the thrust of a state, rad.
-pub fn room_for_steepest<E: Enclosure>(at: &Configuration<E>) -> E {
+pub fn room_for_steepest<T: Real>(at: &Configuration<T>) -> T {
     let square = at.thrust.clone() * (at.thrust.int(1) - &at.thrust);
     at.half_opening.rad.clone() - square.sqrt()
 }
 
 /// The friction that the steepest joint asks for at the thrust of a state.
-pub fn inner_friction<E: Enclosure>(at: &Configuration<E>) -> E {
+pub fn inner_friction<T: Real>(at: &Configuration<T>) -> T {
     tally::equation(Equation::InnerSliding);
     let square = at.thrust.clone() * (at.thrust.int(1) - &at.thrust);
     sliding::inner(&Angle::new(square.sqrt()), &at.thrust).value()

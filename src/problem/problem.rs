@@ -1,11 +1,12 @@
 //! A problem: its equations, what is given, and the conditions on its root.
 
-use super::{Arch, Condition, Examined, Fixed, Known, Landmark, Mode, Quantity, System};
+use super::verdict::{beyond, standing_margin};
+use super::{Arch, Condition, Examined, Fixed, Known, Landmark, Mode, Quantity, System, Verdict};
 use crate::arch::{Configuration, SelfWeight, Unknown, thrust};
 use crate::number::{Enclosure, Engine};
 
-/// A landmark, or an arch with the mode in which it collapses at its least thickness: what a proof is
-/// about, and what a certificate claims.
+/// A landmark, an arch with the mode in which it collapses at its least thickness, or another verdict on an arch: what
+/// a proof is about, and what a certificate claims.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[expect(clippy::large_enum_variant, reason = "there is one problem at a time")]
 pub enum Problem {
@@ -23,6 +24,13 @@ pub enum Problem {
         /// The arch.
         arch: Arch,
     },
+    /// Another verdict on an arch.
+    Verdict {
+        /// The verdict.
+        verdict: Verdict,
+        /// The arch.
+        arch: Arch,
+    },
 }
 
 impl Problem {
@@ -30,7 +38,7 @@ impl Problem {
     pub fn weight(&self) -> SelfWeight {
         match self {
             Self::Landmark { weight, .. } => *weight,
-            Self::State { arch, .. } => arch.weight(),
+            Self::State { arch, .. } | Self::Verdict { arch, .. } => arch.weight(),
         }
     }
 
@@ -39,6 +47,7 @@ impl Problem {
         match self {
             Self::Landmark { landmark, weight } => landmark.system(*weight),
             Self::State { mode, arch } => mode.system(arch.weight()),
+            Self::Verdict { verdict, arch } => verdict.system(arch),
         }
     }
 
@@ -47,6 +56,7 @@ impl Problem {
         match self {
             Self::Landmark { .. } => Configuration::zero(&E::zero(bits as usize)),
             Self::State { arch, .. } => arch.given(bits),
+            Self::Verdict { verdict, arch } => verdict.given(arch, bits),
         }
     }
 
@@ -60,19 +70,42 @@ impl Problem {
                 let range = [Condition::Above(opening), Condition::Below(opening)];
                 range.into_iter().chain(Condition::of(*mode, arch.is_limited())).collect()
             }
+            Self::Verdict { verdict, arch } => verdict.conditions(arch),
         }
     }
 
-    /// The first condition that is not shown to hold.
-    pub fn first_failure<E: Enclosure>(&self, at: &Configuration<E>) -> Option<Condition> {
-        // A landmark's conditions are those of every mode that meets there.
+    /// The first condition that is not shown to hold where the variables lie in the configuration given; what is
+    /// given is compared in numbers of `bits` bits.
+    pub fn first_failure<E: Engine>(&self, at: &Configuration<E>, bits: u32) -> Option<Condition> {
+        // A landmark's conditions are those of every mode that meets there; a verdict that has no mode asks for no
+        // mechanism.
         let mode = match self {
             Self::Landmark { landmark, .. } => landmark.modes()[0],
             Self::State { mode, .. } => *mode,
+            Self::Verdict { verdict: Verdict::TooThin { mode, .. }, .. } => *mode,
+            Self::Verdict { .. } => Mode::Sliding,
         };
         let state = Examined::new(self.weight(), mode, at);
-        let fails = |condition: &Condition| !state.margin(*condition).is_positive().is_proved();
+        let margin = |condition: Condition| match (self, condition) {
+            (_, Condition::Beyond(unknown)) => beyond(unknown, &self.given(bits), at),
+            (Self::Verdict { verdict: Verdict::Stands(standing), .. }, condition) => {
+                standing_margin(condition, self.weight(), standing, at, bits)
+                    .unwrap_or_else(|| state.margin(condition))
+            }
+            _ => state.margin(condition),
+        };
+        let fails = |condition: &Condition| !margin(*condition).is_positive().is_proved();
         self.conditions().into_iter().find(fails)
+    }
+
+    /// Bits of the longest number that is given as a witness.
+    pub fn witness_bits(&self) -> usize {
+        match self {
+            Self::Verdict { verdict: Verdict::Stands(standing), .. } => {
+                standing.thrust.bits().max(standing.crown_moment.bits())
+            }
+            _ => 0,
+        }
     }
 
     /// Whether the problem has a quantity that can be stated: an unknown of its subject or something
@@ -80,11 +113,12 @@ impl Problem {
     pub fn has(&self, quantity: Quantity) -> bool {
         let system = self.system();
         match (self, quantity) {
-            (Self::State { .. }, Quantity::OpeningVariable) => false,
+            (Self::State { .. } | Self::Verdict { .. }, Quantity::OpeningVariable) => false,
             // The joint of a mode whose inner joint does not slide does not belong to the state.
             (Self::State { mode, .. }, _) if quantity.variable() == Some(Unknown::SlidingJoint) => {
                 mode.slides_inside()
             }
+            (Self::Verdict { verdict, arch }, _) => verdict.has(arch, quantity),
             (_, Quantity::IntrinsicThrust) => {
                 system.knows(Unknown::Thickness) && system.knows(Unknown::Thrust)
             }

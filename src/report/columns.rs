@@ -48,7 +48,7 @@ pub(super) fn given(answer: &Answer, asked: Asked) -> Fields {
 pub(super) fn doubles(answer: &Answer, asked: Asked) -> Vec<(&'static str, Option<f64>)> {
     let found = match &answer.subject {
         Subject::Arch { doubles, .. } => *doubles,
-        Subject::Landmark { .. } | Subject::Query { .. } => GivenDoubles::default(),
+        _ => GivenDoubles::default(),
     };
     let mut doubles = vec![
         ("half_opening_rad", found.half_opening_rad),
@@ -135,12 +135,13 @@ fn row(report: &Answers, answer: &Answer) -> Fields {
     let mut fields = given(answer, asked);
     fields.append(verdict(answer, asked));
     for &quantity in &report.quantities {
-        fields.add(quantity.name(), answer.value(quantity).map(|value| value.text()));
+        let open = answer.why_open(quantity).map(|_| "undecided".to_owned());
+        fields.add(quantity.name(), open.or(answer.value(quantity).map(|value| value.text())));
     }
     if report.quantities.iter().any(|quantity| quantity.joint().is_some()) {
         let limits: Vec<&str> = answer.values.iter().filter_map(|(_, x)| x.limited_by).collect();
         fields.add("limited_by", limits.join("; "));
     }
-    fields.add("reason", answer.status.reason());
+    fields.add("reason", answer.reason());
     fields
 }

@@ -3,11 +3,13 @@
 pub mod expansion;
 mod linear;
 mod newton;
+mod standing;
 pub mod start;
 mod zero;
 
 pub use linear::{Approximate, inverse, newton_step};
 pub use newton::{newton, settle};
+pub use standing::{StandingCandidate, standing, widest};
 
 use rug::Float;
 

@@ -1,33 +1,48 @@
 //! `couplet certify`.
 
-use super::arch::{Needs, ShapeArguments};
+use super::arch::{Needs, ShapeArguments, thickness};
 use super::output::{Output, is_standard};
 use super::parse;
 use crate::arch::SelfWeight;
-use crate::certify::{Undecided, certify_landmark, certify_state};
+use crate::certify::{Undecided, certify_arch, certify_landmark};
 use crate::check::Certificate;
 use crate::cli::failure::Failure;
-use crate::problem::{Friction, Landmark};
+use crate::number::ExactNumber;
+use crate::problem::Landmark;
 use clap::Args;
 use rayon::prelude::*;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Write certificates that `couplet check` accepts without trusting the solver.
+///
+/// Of a landmark; of the state of an arch at its least thickness, or why it stands at no thickness; with --thickness,
+/// that an arch stands with it or does not.
 #[derive(Args)]
 pub(crate) struct Arguments {
-    /// A landmark (T, S, J, B, l, L, sb), `state` for the state of an arch, or `all` for all landmarks.
+    /// A landmark (T, S, J, B, l, L, sb), `state` for the state of an arch, `arch` for an arch of a thickness, or `all`
+    /// for all landmarks.
     #[arg(value_name = "SUBJECT", value_parser = target)]
     target: Target,
 
     #[command(flatten)]
     shape: ShapeArguments,
 
+    /// Thickness-to-radius ratio, for `arch`, above 0 and up to 2 (0.12, 3/25).
+    #[arg(
+        long,
+        visible_alias = "eta",
+        value_name = "ETA",
+        value_parser = thickness,
+        allow_hyphen_values = true
+    )]
+    thickness: Option<ExactNumber>,
+
     /// Self-weight model, heyman or milankovitch; milankovitch if not given, both for `all`.
     #[arg(long, value_parser = parse::weight)]
     weight: Option<SelfWeight>,
 
-    /// Significant digits, 1 to 1000000; at most 10000 for a state.
+    /// Significant digits, 1 to 1000000; at most 10000 for an arch.
     #[arg(long, default_value = "30", value_parser = parse::digits, allow_negative_numbers = true)]
     digits: usize,
 
@@ -40,45 +55,55 @@ pub(crate) struct Arguments {
 enum Target {
     Landmark(Landmark),
     State,
+    Arch,
     All,
 }
 
 fn target(text: &str) -> Result<Target, String> {
     match text {
         "state" => Ok(Target::State),
+        "arch" => Ok(Target::Arch),
         "all" => Ok(Target::All),
         symbol => parse::landmark(symbol)
             .map(Target::Landmark)
-            .map_err(|error| format!("{error}, or state, or all")),
+            .map_err(|error| format!("{error}, or state, arch or all")),
     }
 }
 
-/// A command line that has everything.
-const EXAMPLE: &str = "couplet certify state --half-opening 80deg --friction 0.6";
+/// Command lines that have everything.
+const STATE: &str = "couplet certify state --half-opening 80deg --friction 0.6";
+const ARCH: &str = "couplet certify arch --half-opening 80deg --friction 0.6 --thickness 0.1";
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    if arguments.target != Target::State && arguments.shape.is_given() {
-        return Err(Failure::Input("a half opening and a friction belong to `state`".into()));
+    let is_arch = matches!(arguments.target, Target::State | Target::Arch);
+    if !is_arch && arguments.shape.is_given() {
+        let message = "a half opening and a friction belong to `state` and `arch`";
+        return Err(Failure::Input(message.into()));
     }
+    if arguments.target != Target::Arch && arguments.thickness.is_some() {
+        return Err(Failure::Input("a thickness belongs to `arch`".into()));
+    }
+    let weight = arguments.weight.unwrap_or(SelfWeight::Milankovitch);
+    let output = || Output::open(arguments.output.as_deref());
     match arguments.target {
         Target::All => all(arguments),
         Target::Landmark(landmark) => {
-            let output = Output::open(arguments.output.as_deref())?;
-            let weight = arguments.weight.unwrap_or(SelfWeight::Milankovitch);
+            let output = output()?;
             let made = certify_landmark(landmark, weight, arguments.digits);
             write(output, &made.map_err(undecided)?)
         }
-        Target::State => {
-            let weight = arguments.weight.unwrap_or(SelfWeight::Milankovitch);
-            let needs = Needs { missing: Vec::new(), example: EXAMPLE };
+        Target::State | Target::Arch => {
+            let thickness = arguments.thickness.as_ref();
+            let needs = match (arguments.target, thickness) {
+                (Target::Arch, None) => Needs { missing: vec!["--thickness"], example: ARCH },
+                (Target::Arch, _) => Needs { missing: Vec::new(), example: ARCH },
+                _ => Needs { missing: Vec::new(), example: STATE },
+            };
             let arch = arguments.shape.arch(weight, &needs)?;
-            if let Friction::Angle(_) = arch.friction() {
-                let message = "a certificate takes the friction as a coefficient (0.6, 3/5, inf)";
-                return Err(Failure::Input(message.into()));
-            }
             parse::state_digits(&arguments.digits.to_string()).map_err(Failure::Input)?;
-            let output = Output::open(arguments.output.as_deref())?;
-            write(output, &certify_state(&arch, arguments.digits).map_err(undecided)?)
+            let output = output()?;
+            let made = certify_arch(&arch, thickness, arguments.digits);
+            write(output, &made.map_err(undecided)?)
         }
     }
 }

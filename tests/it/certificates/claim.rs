@@ -140,6 +140,11 @@ refusals! {
     a_long_numerator: not_given_as(&format!("{}/2", long()));
     a_long_denominator: not_given_as(&format!("2/{}", long()));
     an_infinite_half_opening: vec![given_as("half_opening", "inf")];
+    a_tangent_without_a_number: vec![given_as("friction", "tan ")];
+    a_tangent_of_a_right_angle: vec![given_as("friction", "tan 1/2 pi")];
+    a_tangent_of_an_obtuse_angle: vec![given_as("friction", "tan 2/3 pi")];
+    a_tangent_in_brackets: vec![given_as("friction", "tan(1/2)")];
+    a_tangent_as_a_half_opening: vec![given_as("half_opening", "tan 1/2")];
     no_friction_for_a_mode_that_slides: vec![given_as("friction", "inf")];
     a_friction_for_overturning: overturning_with_a_friction() => given("friction", "5/1");
 

@@ -118,13 +118,6 @@ wrong_uses! {
 }
 
 #[test]
-fn what_falls_has_no_certificate() {
-    let falls = ["certify", "state", "--alpha", "1.5", "--mu", "0.1"];
-    let (code, output, message) = said(&couplet(&falls));
-    assert_eq!((code, output.as_str(), message.lines().count()), (Some(1), "", 1), "{message}");
-}
-
-#[test]
 fn a_folder_of_certificates_is_accepted_whole() {
     let scratch = Scratch::new();
     let made = couplet(&["certify", "all", "--digits", "8", "--output", &scratch.path("all")]);

@@ -17,6 +17,7 @@ mod sizes;
 mod spoiled;
 mod spoiler;
 mod values;
+mod verdicts;
 mod witnesses;
 
 use couplet::arch::SelfWeight;
@@ -58,13 +59,29 @@ const VARIANTS: usize = 20;
 /// Each table of refusals has cases of these variants and of no other.
 #[test]
 fn every_variant_has_a_case() {
-    let tables: [(Vec<Refusal>, &[&str]); 6] = [
+    let tables: [(Vec<Refusal>, &[&str]); 7] = [
         (file::expected(), &["Encoding", "Format"]),
         (claim::expected(), &["Digits", "Given", "Limit", "Mismatch", "Name", "Schema", "Subject"]),
         (sizes::expected(), &["Large", "Radius", "Size"]),
         (witnesses::expected(), &["Contraction", "Denominator", "Outside"]),
         (conditions::expected(), &["Condition"]),
         (values::expected(), &["Decimal", "NoValues", "Quantity", "Rounding"]),
+        (
+            verdicts::expected(),
+            &[
+                "Condition",
+                "Contraction",
+                "Format",
+                "Given",
+                "Large",
+                "Mismatch",
+                "Name",
+                "NoValues",
+                "Quantity",
+                "Rounding",
+                "Subject",
+            ],
+        ),
     ];
     let mut all: BTreeSet<&str> = BTreeSet::new();
     for (refusals, variants) in tables {

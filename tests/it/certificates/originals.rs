@@ -1,9 +1,9 @@
 //! Valid certificates to spoil, and certificates of any root of the equations, whether it is the one
 //! claimed or not.
 
-use crate::arches::{M, arch};
+use crate::arches::{M, arch, number};
 use couplet::arch::SelfWeight;
-use couplet::certify::{certify_landmark, certify_state};
+use couplet::certify::{certify_arch, certify_landmark, certify_state};
 use couplet::check::{
     Accepted, Certificate, ClaimFile, Refusal, SCHEMA, ValueFile, Witness, check,
 };
@@ -46,6 +46,14 @@ pub(super) fn landmark(symbol: &str) -> &'static Value {
 pub(super) fn state(half_opening: &str, friction: &str) -> &'static Value {
     kept(format!("{half_opening} {friction}"), || {
         certify_state(&arch(M, half_opening, friction), 20).unwrap()
+    })
+}
+
+/// The certificate of an arch with a thickness, or of why it stands at none, with 20 digits, for Milankovitch's weight.
+pub(super) fn verdict(half_opening: &str, friction: &str, thickness: &str) -> &'static Value {
+    kept(format!("{half_opening} {friction} {thickness}"), || {
+        let thickness = number(thickness);
+        certify_arch(&arch(M, half_opening, friction), Some(&thickness), 20).unwrap()
     })
 }
 
@@ -112,7 +120,7 @@ pub(super) fn find_root(problem: &Problem, start: &[f64]) -> Option<Certificate>
     Some(Certificate {
         schema: SCHEMA.to_owned(),
         tool: "a test".to_owned(),
-        claim: ClaimFile::new(problem)?,
+        claim: ClaimFile::new(problem),
         digits: 5,
         unique: Witness { centre: x.iter().map(|x| dyadic(64, x)).collect(), radius: radius(-30) },
         inverse: y.iter().map(|row| row.iter().map(|y| dyadic(64, y)).collect()).collect(),

@@ -31,11 +31,11 @@ fn longer(whole: &str, bits: u32) -> Value {
 }
 
 const LARGEST: [(&str, &str, u32); 5] = [
-    ("/inverse/2/3", "inverse", 20_000),
+    ("/inverse/2/3", "inverse", 24_000),
     ("/unique/radius/1", "unique", 256),
-    ("/unique/centre/1", "unique", 20_000),
+    ("/unique/centre/1", "unique", 24_000),
     ("/root/radius/4", "root", 256),
-    ("/root/centre/4", "root", 20_100),
+    ("/root/centre/4", "root", 24_100),
 ];
 
 #[test]

@@ -1,14 +1,14 @@
 //! Whatever is done to a certificate: what is still accepted is still true.
 
-use super::originals::{both, landmark, state};
+use super::originals::{both, landmark, state, verdict};
 use super::spoiler::{Step, spoil, spoil_bytes};
 use crate::hard::config;
 use couplet::arch::SelfWeight;
-use couplet::certify::state::{Answer, Certify};
+use couplet::certify::state::{Answer, Certify, Fall};
 use couplet::certify::{CertifiedLandmark, Value as Constant};
 use couplet::check::{Accepted, check};
-use couplet::number::{AstroInterval, Ball, Rounded};
-use couplet::problem::{Landmark, Problem, Quantity};
+use couplet::number::{AstroInterval, Ball, ExactNumber, Rounded};
+use couplet::problem::{Landmark, Problem, Quantity, Verdict};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use rug::ops::Pow;
@@ -56,6 +56,36 @@ fn truth(accepted: &Accepted, quantity: Quantity) -> Option<Rational> {
             };
             rational(figure.decimal)
         }
+        Problem::Verdict { verdict, arch } => match (verdict, quantity) {
+            (Verdict::Slides, Quantity::Friction) => {
+                let friction = arch.sliding_friction(400).unwrap();
+                rational(Rounded::from_ball(&friction, digits).unwrap())
+            }
+            (Verdict::TooThin { mode, .. }, _) => {
+                let problem = Problem::State { mode: *mode, arch: arch.clone() };
+                truth(&Accepted { problem, ..accepted.clone() }, quantity)
+            }
+            _ => panic!("{quantity:?}"),
+        },
+    }
+}
+
+/// Whether the solver says so too.
+fn is_so(problem: &Problem) -> bool {
+    let Problem::Verdict { verdict, arch } = problem else { return true };
+    let least = match arch.certify_alone(5).unwrap() {
+        Answer::Falls { fall, .. } => Err(fall),
+        Answer::Stands(state) => Ok(state),
+    };
+    let stands =
+        |thickness: &ExactNumber| arch.certify_thickness(thickness, 2).unwrap().stands.unwrap();
+    match (verdict, &least) {
+        (Verdict::Slides, Err(Fall::Sliding)) | (Verdict::TooWide, Err(Fall::Thickness)) => true,
+        (Verdict::TooThin { mode, thickness }, Ok(state)) => {
+            state.mode == *mode && !stands(thickness)
+        }
+        (Verdict::Stands(standing), Ok(_)) => stands(&standing.thickness),
+        _ => false,
     }
 }
 
@@ -64,6 +94,7 @@ fn truth(accepted: &Accepted, quantity: Quantity) -> Option<Rational> {
 fn accepted_and_true(bytes: &[u8]) -> bool {
     let verdicts = [check::<AstroInterval>(bytes, MAX_DIGITS), check::<Ball>(bytes, MAX_DIGITS)];
     let Some(accepted) = verdicts.into_iter().find_map(Result::ok) else { return false };
+    assert!(is_so(&accepted.problem), "{:?}", accepted.problem);
     for (quantity, text) in &accepted.values {
         let right = truth(&accepted, *quantity);
         let found = (text != "inf").then(|| decimal(text));
@@ -80,10 +111,15 @@ fn originals() -> Vec<Value> {
         landmark("sb").clone(),
         state("2.45", "1.35").clone(),
         state("2.5", "inf").clone(),
+        verdict("1.5", "0.1", "1").clone(),
+        verdict("pi/2", "0.38", "0.12").clone(),
+        verdict("2.45", "1.35", "0.8").clone(),
+        verdict("2.6", "2", "1.5").clone(),
     ];
     for value in &mut all {
         // A value is looked for among the constants each time: a few are enough.
-        value["values"].as_array_mut().unwrap().truncate(3);
+        let few = if value["claim"].get("slides").is_some() { 1 } else { 3 };
+        value["values"].as_array_mut().unwrap().truncate(few);
     }
     all
 }

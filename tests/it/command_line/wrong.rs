@@ -53,8 +53,6 @@ wrong_uses! {
     nothing_of_an_arch_of_given_thickness: ["assess"] => "--half-opening, --friction (or \
         --friction-angle), --thickness are missing; for example: couplet assess";
     degrees_without_their_unit: ["state", "--alpha", "90", "--mu", "1"] => "did you mean 90deg?";
-    a_certificate_of_a_friction_angle:
-        ["certify", "state", "--alpha", "1", "--phi", "31deg"] => "takes the friction as a coefficient";
     a_decimal_comma: ["state", "--alpha", "1,5", "--mu", "1"] => "has a comma";
     a_division_by_zero: ["state", "--alpha", "1", "--mu", "1/0"] => "divides by zero";
     a_friction_in_words: ["state", "--alpha", "1", "--mu", "none"] => "inf";

@@ -1,0 +1,259 @@
+//! The claim of a certificate, in the words of the file.
+
+use super::given::{friction_text, given_text, read_friction, read_given};
+use super::object::{given, given_object, list};
+use super::refusal::Refusal;
+use super::visible::shortened;
+use crate::arch::{SelfWeight, Unknown};
+use crate::number::{Dyadic, ExactNumber};
+use crate::problem::{Arch, Equation, Landmark, Mode, Nearest, Problem, Standing, System, Verdict};
+use num_rational::BigRational;
+use serde::{Deserialize, Serialize};
+
+/// What is claimed, in names and text: of its six subjects exactly one.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ClaimFile {
+    /// `heyman` or `milankovitch`.
+    pub weight: String,
+    /// The symbol of a landmark.
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    pub landmark: Option<String>,
+    /// The state of an arch at its least thickness.
+    #[serde(default, deserialize_with = "given_object", skip_serializing_if = "Option::is_none")]
+    pub state: Option<StateFile>,
+    /// An arch that stands at no thickness for want of friction.
+    #[serde(default, deserialize_with = "given_object", skip_serializing_if = "Option::is_none")]
+    pub slides: Option<ArchFile>,
+    /// An arch that stands at no thickness as it is too wide.
+    #[serde(default, deserialize_with = "given_object", skip_serializing_if = "Option::is_none")]
+    pub too_wide: Option<ArchFile>,
+    /// An arch that is thinner than its least thickness.
+    #[serde(default, deserialize_with = "given_object", skip_serializing_if = "Option::is_none")]
+    pub too_thin: Option<TooThinFile>,
+    /// An arch that stands.
+    #[serde(default, deserialize_with = "given_object", skip_serializing_if = "Option::is_none")]
+    pub stands: Option<StandsFile>,
+    /// The names of what is solved for, in the order of every vector.
+    #[serde(deserialize_with = "list")]
+    pub unknowns: Vec<String>,
+    /// The labels of what holds.
+    #[serde(deserialize_with = "list")]
+    pub equations: Vec<String>,
+}
+
+/// An arch of any thickness.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ArchFile {
+    /// The half opening, rad: a fraction of integers, with ` pi` behind it if pi is a factor.
+    pub half_opening: String,
+    /// The friction coefficient in the same form, `tan` and an angle in that form, or `inf`.
+    pub friction: String,
+}
+
+/// The state of an arch.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StateFile {
+    /// The label of the mode.
+    pub mode: String,
+    /// As in [`ArchFile`].
+    pub half_opening: String,
+    /// As in [`ArchFile`].
+    pub friction: String,
+}
+
+/// An arch and how it collapses at its least thickness, which is above its own.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TooThinFile {
+    /// The label of the mode.
+    pub mode: String,
+    /// As in [`ArchFile`].
+    pub half_opening: String,
+    /// As in [`ArchFile`].
+    pub friction: String,
+    /// The thickness, a fraction of integers.
+    pub thickness: String,
+}
+
+/// An arch and an admissible state of it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StandsFile {
+    /// As in [`ArchFile`].
+    pub half_opening: String,
+    /// As in [`ArchFile`].
+    pub friction: String,
+    /// The thickness, a fraction of integers.
+    pub thickness: String,
+    /// The thrust `h`.
+    pub thrust: Dyadic,
+    /// The crown moment `p = h (1 + e0)`.
+    pub crown_moment: Dyadic,
+    /// `crown`, `haunch` or `shoulder`: where the line of thrust comes nearest to the intrados.
+    pub nearest: String,
+}
+
+impl ClaimFile {
+    /// The problem in the words of the file.
+    pub fn new(problem: &Problem) -> Self {
+        let system = problem.system();
+        let claim = Self {
+            weight: system.weight.name().to_owned(),
+            unknowns: system.unknowns.iter().map(|unknown| unknown.name().to_owned()).collect(),
+            equations: system.equations.iter().map(|e| e.label().to_owned()).collect(),
+            ..Self::default()
+        };
+        match problem {
+            Problem::Landmark { landmark, .. } => {
+                Self { landmark: Some(landmark.symbol().to_owned()), ..claim }
+            }
+            Problem::State { mode, arch } => {
+                let ArchFile { half_opening, friction } = ArchFile::new(arch);
+                let mode = mode.label().to_owned();
+                Self { state: Some(StateFile { mode, half_opening, friction }), ..claim }
+            }
+            Problem::Verdict { verdict, arch } => {
+                let given = ArchFile::new(arch);
+                let ArchFile { half_opening, friction } = given.clone();
+                match verdict {
+                    Verdict::Slides => Self { slides: Some(given), ..claim },
+                    Verdict::TooWide => Self { too_wide: Some(given), ..claim },
+                    Verdict::TooThin { mode, thickness } => {
+                        let (mode, thickness) = (mode.label().to_owned(), given_text(thickness));
+                        let file = TooThinFile { mode, half_opening, friction, thickness };
+                        Self { too_thin: Some(file), ..claim }
+                    }
+                    Verdict::Stands(standing) => {
+                        let file = StandsFile {
+                            half_opening,
+                            friction,
+                            thickness: given_text(&standing.thickness),
+                            thrust: standing.thrust.clone(),
+                            crown_moment: standing.crown_moment.clone(),
+                            nearest: standing.nearest.name().to_owned(),
+                        };
+                        Self { stands: Some(file), ..claim }
+                    }
+                }
+            }
+        }
+    }
+
+    /// The problem, if every name is known and the unknowns and equations are those of the subject.
+    pub fn resolve(&self) -> Result<Problem, Refusal> {
+        let weight = named("weight", &self.weight, SelfWeight::ALL, SelfWeight::name)?;
+        let Self { landmark, state, slides, too_wide, too_thin, stands, .. } = self;
+        let subjects = [
+            landmark.as_ref().map(|symbol| {
+                let landmark = named("landmark", symbol, Landmark::ALL, Landmark::symbol)?;
+                Ok(Problem::Landmark { landmark, weight })
+            }),
+            state.as_ref().map(|state| {
+                let arch = arch(weight, &state.half_opening, &state.friction)?;
+                Ok(Problem::State { mode: mode(&state.mode, &arch, &state.friction)?, arch })
+            }),
+            slides.as_ref().map(|slides| {
+                let arch = arch(weight, &slides.half_opening, &slides.friction)?;
+                if !arch.is_limited() {
+                    return Err(refused("friction", &slides.friction));
+                }
+                Ok(Problem::Verdict { verdict: Verdict::Slides, arch })
+            }),
+            too_wide.as_ref().map(|wide| {
+                let arch = arch(weight, &wide.half_opening, &wide.friction)?;
+                Ok(Problem::Verdict { verdict: Verdict::TooWide, arch })
+            }),
+            too_thin.as_ref().map(|thin| {
+                let arch = arch(weight, &thin.half_opening, &thin.friction)?;
+                let mode = mode(&thin.mode, &arch, &thin.friction)?;
+                let thickness = thickness(&thin.thickness)?;
+                Ok(Problem::Verdict { verdict: Verdict::TooThin { mode, thickness }, arch })
+            }),
+            stands.as_ref().map(|stands| {
+                let arch = arch(weight, &stands.half_opening, &stands.friction)?;
+                let standing = Standing {
+                    thickness: thickness(&stands.thickness)?,
+                    thrust: stands.thrust.clone(),
+                    crown_moment: stands.crown_moment.clone(),
+                    nearest: named("place", &stands.nearest, Nearest::ALL, Nearest::name)?,
+                };
+                Ok(Problem::Verdict { verdict: Verdict::Stands(standing), arch })
+            }),
+        ];
+        let mut subjects = subjects.into_iter().flatten();
+        let (Some(problem), None) = (subjects.next(), subjects.next()) else {
+            return Err(Refusal::Subject);
+        };
+        let problem = problem?;
+        let System { unknowns, equations, .. } = problem.system();
+        let unknowns: Vec<&str> = unknowns.iter().copied().map(Unknown::name).collect();
+        let equations: Vec<&str> = equations.iter().copied().map(Equation::label).collect();
+        for (place, given, expected) in
+            [("unknowns", &self.unknowns, unknowns), ("equations", &self.equations, equations)]
+        {
+            if *given != expected {
+                return Err(Refusal::Mismatch { place, expected: expected.join(", ") });
+            }
+        }
+        Ok(problem)
+    }
+}
+
+impl ArchFile {
+    fn new(arch: &Arch) -> Self {
+        let half_opening = given_text(arch.half_opening());
+        Self { half_opening, friction: friction_text(arch.friction()) }
+    }
+}
+
+fn named<T: Copy, const N: usize>(
+    place: &'static str,
+    text: &str,
+    all: [T; N],
+    name: fn(T) -> &'static str,
+) -> Result<T, Refusal> {
+    all.into_iter()
+        .find(|x| name(*x) == text)
+        .ok_or_else(|| Refusal::Name { place, text: shortened(text) })
+}
+
+fn refused(place: &'static str, text: &str) -> Refusal {
+    Refusal::Given { place, text: shortened(text) }
+}
+
+/// The arch of a claim.
+fn arch(weight: SelfWeight, half_opening: &str, friction: &str) -> Result<Arch, Refusal> {
+    let mu = read_friction(friction).ok_or_else(|| refused("friction", friction))?;
+    let alpha = read_given(half_opening).ok_or_else(|| refused("half_opening", half_opening))?;
+    let is_limited = friction != "inf";
+    let arch = Arch::new(weight, alpha, mu).map_err(|error| match error {
+        crate::problem::ArchError::HalfOpening(_) => refused("half_opening", half_opening),
+        _ => refused("friction", friction),
+    })?;
+    // A right angle is written as `inf`.
+    if arch.is_limited() == is_limited { Ok(arch) } else { Err(refused("friction", friction)) }
+}
+
+/// The mode of a claim: one that has a thickness, and exists with the friction.
+fn mode(label: &str, arch: &Arch, friction: &str) -> Result<Mode, Refusal> {
+    let mode = named("mode", label, Mode::ALL, Mode::label)?;
+    if mode == Mode::Sliding {
+        return Err(Refusal::Name { place: "mode", text: label.to_owned() });
+    }
+    match mode.exists_with(arch.is_limited()) {
+        true => Ok(mode),
+        false => Err(refused("friction", friction)),
+    }
+}
+
+/// A thickness above 0 and up to the physical limit 2.
+fn thickness(text: &str) -> Result<ExactNumber, Refusal> {
+    let limit = BigRational::from_integer(2.into());
+    let is_possible = |x: &ExactNumber| {
+        x.is_rational() && *x.factor() > BigRational::ZERO && *x.factor() <= limit
+    };
+    read_given(text).filter(is_possible).ok_or_else(|| refused("thickness", text))
+}

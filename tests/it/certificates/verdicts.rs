@@ -1,0 +1,312 @@
+//! Certificates of the other verdicts, and their spoiled copies.
+
+use super::originals::{both, verdict};
+use super::refusals::{Cases, MAX_DIGITS, Original, Spoiled};
+use crate::arches::{H, M, arch, number};
+use crate::program::text;
+use couplet::certify::certify_arch;
+use couplet::check::Refusal;
+use couplet::problem::{Problem, Verdict};
+use serde_json::{Value, json};
+use std::sync::OnceLock;
+
+/// It slides: the friction would have to be 0.27…
+fn slides() -> Original {
+    Original(verdict("1.5", "0.1", "1"))
+}
+
+/// It is too wide with limited friction, and with unlimited.
+fn too_wide() -> Original {
+    Original(verdict("2.8", "4", "1"))
+}
+
+fn too_wide_for_any_friction() -> Original {
+    Original(verdict("2.85", "inf", "1"))
+}
+
+/// The shoulder slides from 0.1223… on.
+fn too_thin() -> Original {
+    Original(verdict("pi/2", "0.38", "0.12"))
+}
+
+/// It stands, with the line of thrust nearest to the intrados at the haunch, at the crown, and at the shoulder.
+fn stands() -> Original {
+    Original(verdict("2.45", "1.35", "0.8"))
+}
+
+fn stands_at_the_crown() -> Original {
+    Original(verdict("2.6", "2", "1.5"))
+}
+
+/// A shallow arch with less thrust than the solver would choose: 0.9, with the moment 0.9.
+fn stands_at_the_shoulder() -> Original {
+    static MADE: OnceLock<Value> = OnceLock::new();
+    Original(MADE.get_or_init(|| {
+        let mut made = verdict("1/10", "inf", "1/20").clone();
+        made["claim"]["stands"]["thrust"] = json!("0x7333p-15");
+        made["claim"]["stands"]["crown_moment"] = json!("0x7333p-15");
+        made["claim"]["stands"]["nearest"] = json!("shoulder");
+        for (place, none) in [
+            ("/claim/unknowns", json!([])),
+            ("/claim/equations", json!([])),
+            ("/unique", json!({"centre": [], "radius": []})),
+            ("/root", json!({"centre": [], "radius": []})),
+            ("/inverse", json!([])),
+        ] {
+            *made.pointer_mut(place).unwrap() = none;
+        }
+        made
+    }))
+}
+
+fn all() -> [Original; 7] {
+    [
+        slides(),
+        too_wide(),
+        too_wide_for_any_friction(),
+        too_thin(),
+        stands(),
+        stands_at_the_crown(),
+        stands_at_the_shoulder(),
+    ]
+}
+
+/// The subject of a claim.
+fn subject(original: Original) -> &'static str {
+    let claim = original.0["claim"].as_object().unwrap();
+    ["slides", "too_wide", "too_thin", "stands"]
+        .into_iter()
+        .find(|key| claim.contains_key(*key))
+        .unwrap()
+}
+
+/// A copy with something else in the subject of its claim.
+fn with(original: Original, field: &str, value: &str) -> Spoiled {
+    original.with(&format!("/claim/{}/{field}", subject(original)), value)
+}
+
+fn condition(words: &'static str) -> Refusal {
+    Refusal::Condition(words)
+}
+
+fn given(place: &'static str, text: &str) -> Refusal {
+    Refusal::Given { place, text: text.to_owned() }
+}
+
+/// The claim under another name; the witnesses stay.
+fn renamed(original: Original, name: &str) -> Spoiled {
+    original.changed(name, |copy| {
+        let claim = copy["claim"].as_object_mut().unwrap();
+        let subject = claim.remove(subject(original)).unwrap();
+        claim.insert(name.to_owned(), subject);
+    })
+}
+
+/// Every field of the subject left out.
+fn left_out() -> Cases {
+    let mut cases = Vec::new();
+    for original in [slides(), too_wide(), too_thin(), stands()] {
+        let place = format!("/claim/{}", subject(original));
+        for key in original.0.pointer(&place).unwrap().as_object().unwrap().keys() {
+            let reason = Refusal::Format(format!("missing field `{key}`"));
+            cases.push((original.without(&place, key), reason));
+        }
+    }
+    cases
+}
+
+/// No thickness is given like this.
+fn no_thickness(text: &str) -> Cases {
+    [too_thin(), stands()]
+        .map(|original| (with(original, "thickness", text), given("thickness", text)))
+        .into()
+}
+
+/// The witness of one that stands with more bits than are read.
+fn long_witness(field: &str) -> Cases {
+    let long = format!("0x{}p-24000", "1".repeat(6001));
+    vec![(with(stands(), field, &long), Refusal::Large { place: "claim", bits: 24_000 })]
+}
+
+const BELOW: &str = "a friction below that of the purely sliding state";
+const BEYOND: &str = "a half opening beyond the widest that stands";
+const THIN: &str = "a thickness below the least";
+
+refusals! {
+    // What is given is not beyond the limit.
+    friction_enough: with(slides(), "friction", "1/2") => condition(BELOW);
+    // The purely sliding friction of the half opening 1.5 is 0.2703…
+    friction_just_enough: with(slides(), "friction", "28/100") => condition(BELOW);
+    unlimited_friction_that_slides: with(slides(), "friction", "inf") => given("friction", "inf");
+    a_tangent_that_is_enough: with(slides(), "friction", "tan 1/4 pi") => condition(BELOW);
+    another_half_opening_that_slides:
+        with(slides(), "half_opening", "1/1")
+        => Refusal::Contraction { place: "unique", unknown: "friction" };
+    a_half_opening_that_stands: with(too_wide(), "half_opening", "5/2") => condition(BEYOND);
+    a_half_opening_that_stands_with_any_friction:
+        with(too_wide_for_any_friction(), "half_opening", "13/5") => condition(BEYOND);
+    another_friction_that_is_too_wide:
+        with(too_wide(), "friction", "3/1")
+        => Refusal::Contraction { place: "unique", unknown: "thrust" };
+    thick_enough: with(too_thin(), "thickness", "1/8") => condition(THIN);
+    as_thick_as_possible: with(too_thin(), "thickness", "2/1") => condition(THIN);
+    another_mode: with(too_thin(), "mode", "[r,r,r]")
+        => Refusal::Mismatch { place: "equations", expected: "(2), (4), (5)".into() };
+    the_purely_sliding_mode_of_one_too_thin:
+        with(too_thin(), "mode", "[s,s]")
+        => Refusal::Name { place: "mode", text: "[s,s]".into() };
+
+    // A line of thrust that is none.
+    too_thin_to_stand: with(stands(), "thickness", "3/5")
+        => Refusal::Contraction { place: "unique", unknown: "rotation_joint" };
+    too_thin_to_stand_at_the_crown:
+        with(stands_at_the_crown(), "thickness", "1/2")
+        => condition("the line of thrust inside the extrados at the shoulder");
+    too_little_friction_to_stand_at_the_shoulder:
+        with(stands(), "friction", "1/2") => condition("friction enough at the shoulder");
+    too_little_friction_to_stand_inside:
+        with(stands_at_the_crown(), "friction", "9/5") => condition("friction enough inside");
+    no_thrust: with(stands_at_the_crown(), "thrust", "0x0p0") => condition("a positive thrust");
+    a_thrust_of_one:
+        with(stands_at_the_crown(), "thrust", "0x1p0") => condition("a thrust below one");
+    a_moment_above_the_crown:
+        with(stands_at_the_crown(), "crown_moment", "0x1p0")
+        => condition("the line of thrust inside the extrados at the crown");
+    a_moment_below_the_intrados:
+        with(stands_at_the_crown(), "crown_moment", "0x0p0")
+        => condition("the line of thrust inside the intrados");
+    a_moment_below_the_intrados_at_the_haunch:
+        with(stands(), "crown_moment", "0x0p0") => condition("the line of thrust inside the intrados");
+    a_moment_below_the_intrados_at_the_shoulder:
+        with(stands_at_the_shoulder(), "crown_moment", "0x1p-1")
+        => condition("the line of thrust inside the intrados");
+    nearest_at_the_shoulder_and_not_at_the_crown:
+        with(stands_at_the_crown(), "nearest", "shoulder")
+        => condition("the line of thrust nearest to the intrados at the shoulder");
+    nearest_at_the_crown_and_not_at_the_shoulder:
+        with(stands_at_the_shoulder(), "nearest", "crown")
+        => condition("the line of thrust leaves the intrados at the crown");
+    nearest_at_the_haunch_without_a_joint:
+        with(stands_at_the_crown(), "nearest", "haunch")
+        => Refusal::Mismatch { place: "unknowns", expected: "rotation_joint".into() };
+    nearest_nowhere:
+        with(stands(), "nearest", "springing")
+        => Refusal::Name { place: "place", text: "springing".into() };
+    a_long_thrust: long_witness("thrust");
+    a_long_moment: long_witness("crown_moment");
+
+    // Names and numbers.
+    every_field_of_a_subject: left_out();
+    a_thickness_of_nothing: no_thickness("0/1");
+    a_thickness_beyond_the_limit: no_thickness("200000000001/100000000000");
+    a_thickness_in_decimals: no_thickness("0.1");
+    a_thickness_with_pi: no_thickness("1/4 pi");
+    a_thickness_without_end: no_thickness("inf");
+    what_slides_as_too_wide: renamed(slides(), "too_wide")
+        => Refusal::Mismatch {
+            place: "unknowns",
+            expected: "half_opening, thrust, sliding_joint".into(),
+        };
+    what_slides_as_a_state: renamed(slides(), "state") => Refusal::Format("missing field `mode`".into());
+    what_is_too_thin_as_standing: renamed(too_thin(), "stands") => Refusal::Format("unknown field `mode`".into());
+    two_subjects: slides().changed("two", |copy| {
+        copy["claim"]["too_wide"] = copy["claim"]["slides"].clone();
+    }) => Refusal::Subject;
+    a_null_subject: slides().changed("null", |copy| copy["claim"]["stands"] = Value::Null)
+        => Refusal::Format("invalid type: null, expected an object".into());
+    no_values_of_what_slides: slides().with("/values", json!([])) => Refusal::NoValues;
+    a_value_that_is_given: too_wide().with("/values/0/quantity", "thickness")
+        => Refusal::Quantity("thickness".into());
+    another_friction: slides().with("/values/0/value", "0.3") => Refusal::Rounding("friction");
+}
+
+#[test]
+fn the_originals_are_accepted() {
+    for original in all() {
+        both(original.0.to_string().as_bytes(), MAX_DIGITS).unwrap();
+    }
+    for (original, nearest) in [
+        (stands(), "haunch"),
+        (stands_at_the_crown(), "crown"),
+        (stands_at_the_shoulder(), "shoulder"),
+    ] {
+        assert_eq!(original.0["claim"]["stands"]["nearest"], nearest);
+    }
+}
+
+/// Whatever is done to a given thickness, half opening or friction: what is accepted is so.
+#[test]
+fn around_its_limit_a_claim_is_accepted_on_one_side_only() {
+    // The least thickness of the semicircle at this friction is 0.12219…
+    for weight in [H, M] {
+        let semicircle = arch(weight, "pi/2", "0.38");
+        for thickness in ["0.1", "0.1221", "0.1223", "0.2"] {
+            let made = certify_arch(&semicircle, Some(&number(thickness)), 5).unwrap();
+            let accepted = both(&serde_json::to_vec(&made).unwrap(), MAX_DIGITS).unwrap();
+            let Problem::Verdict { verdict, .. } = accepted.problem else { panic!("{thickness}") };
+            let stands = matches!(verdict, Verdict::Stands(_));
+            assert_eq!(stands, made.claim.stands.is_some(), "{thickness}");
+            assert_eq!(stands, semicircle_stands(&format!("{weight:?}"), thickness));
+        }
+    }
+}
+
+/// What `couplet assess` says.
+fn semicircle_stands(weight: &str, thickness: &str) -> bool {
+    let weight = weight.to_lowercase();
+    let output = crate::program::couplet(&[
+        "assess",
+        "--half-opening",
+        "pi/2",
+        "--friction",
+        "0.38",
+        "--thickness",
+        thickness,
+        "--weight",
+        &weight,
+        "--digits",
+        "5",
+    ]);
+    text(&output.stdout).contains("\nstands, proved")
+}
+
+/// The command writes what the verdict is, and the checker says it.
+#[cfg(feature = "cli")]
+#[test]
+fn what_is_certified_is_said() {
+    use crate::program::{couplet, fed, said};
+    let line = |arguments: &[&str]| {
+        let made = couplet(&[&["certify"], arguments, &["--digits", "5"]].concat());
+        assert_eq!(made.status.code(), Some(0), "{}", text(&made.stderr));
+        let (code, output, _) = said(&fed(&["check", "-"], &made.stdout));
+        assert_eq!(code, Some(0), "{output}");
+        output
+    };
+    assert_eq!(
+        line(&["state", "--alpha", "1.5", "--mu", "0.1"]),
+        "-: accepted  stands at no thickness half_opening 3/2 friction 1/10 milankovitch  as it is below friction \
+         0.27032 to 5 digits\n"
+    );
+    assert_eq!(
+        line(&["state", "--alpha", "2.85", "--mu", "inf", "--weight", "heyman"]),
+        "-: accepted  stands at no thickness half_opening 57/20 friction inf heyman  as it is beyond half_opening \
+         2.7865 to 5 digits\n"
+    );
+    let arch = ["arch", "--alpha", "80deg", "--mu", "31deg"];
+    assert_eq!(
+        line(&[&arch[..], &["--eta", "0.05"]].concat()),
+        "-: accepted  does not stand half_opening 4/9 pi friction tan 31/180 pi thickness 1/20 collapses as [r,r,r] \
+         milankovitch  as it is below thickness 0.068650 to 5 digits\n"
+    );
+    assert_eq!(
+        line(&[&arch[..], &["--eta", "1.9"]].concat()),
+        "-: accepted  stands half_opening 4/9 pi friction tan 31/180 pi thickness 19/10 milankovitch\n"
+    );
+    let refused = |arguments: &[&str], words: &str| {
+        let (code, _, message) = said(&couplet(&[&["certify"], arguments].concat()));
+        assert!(code == Some(2) && message.contains(words), "{message}");
+    };
+    refused(&["arch", "--alpha", "1", "--mu", "1"], "--thickness is missing");
+    refused(&["state", "--alpha", "1", "--mu", "1", "--eta", "1"], "a thickness belongs to `arch`");
+    refused(&["T", "--eta", "1"], "a thickness belongs to `arch`");
+}
