@@ -104,23 +104,30 @@ pub(super) fn double_cells(report: &Answers, answer: &Answer) -> impl Iterator<I
 }
 
 /// The names of the columns that are handed on: one that the table has of its own is another there.
-pub(super) fn kept_names(report: &Answers, own: &[String]) -> Vec<String> {
+pub(super) fn kept_names(kept: &[String], own: &[String]) -> Vec<String> {
     let name = |name: &String| match own.contains(name) {
         true => format!("input_{name}"),
         false => name.clone(),
     };
-    report.kept.iter().map(name).collect()
+    kept.iter().map(name).collect()
 }
 
 /// Their cells.
-pub(super) fn kept_cells(report: &Answers, answer: &Answer) -> impl Iterator<Item = String> {
-    report.kept.iter().map(|name| {
-        let kept = answer.kept.iter().find(|(of, _)| of == name);
+pub(super) fn kept_cells(names: &[String], row: &[(String, Kept)]) -> impl Iterator<Item = String> {
+    names.iter().map(|name| {
+        let kept = row.iter().find(|(of, _)| of == name);
         kept.map_or(String::new(), |(_, kept)| match kept {
             Kept::Json(null) if null == "null" => String::new(),
             kept => kept.text().to_owned(),
         })
     })
+}
+
+/// The same as one object.
+pub(super) fn kept_fields(row: &[(String, Kept)]) -> Fields {
+    let mut kept = Fields::default();
+    row.iter().for_each(|(name, value)| kept.keep(name, value));
+    kept
 }
 
 fn row(report: &Answers, answer: &Answer) -> Fields {

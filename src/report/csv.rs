@@ -79,13 +79,13 @@ fn header(report: &Answers, with_lines: bool) -> Vec<String> {
         let names = report.quantities.iter().map(|quantity| quantity.name());
         header.extend(names.flat_map(|name| [format!("{name}_double"), format!("{name}_hex")]));
     }
-    let mut all = columns::kept_names(report, &header);
+    let mut all = columns::kept_names(&report.kept, &header);
     all.append(&mut header);
     all
 }
 
 fn record(report: &Answers, answer: &Answer, with_lines: bool) -> Vec<String> {
-    let mut record: Vec<String> = columns::kept_cells(report, answer).collect();
+    let mut record: Vec<String> = columns::kept_cells(&report.kept, &answer.kept).collect();
     record.extend(columns::cells(report, answer));
     if with_lines {
         let error = match &answer.status {

@@ -101,9 +101,7 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Fields {
         fields.add("line", answer.subject.line());
     }
     if !answer.kept.is_empty() {
-        let mut kept = Fields::default();
-        answer.kept.iter().for_each(|(name, value)| kept.keep(name, value));
-        fields.add_fields("kept", Some(kept));
+        fields.add_fields("kept", Some(columns::kept_fields(&answer.kept)));
     }
     if let (Subject::Query { .. }, Status::Refused(error)) = (&answer.subject, &answer.status) {
         fields.add("error", error.as_str());
