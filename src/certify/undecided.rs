@@ -72,7 +72,7 @@ pub(crate) fn require_condition(
     match decide(margin, condition.label(), &[mode])? {
         true => Ok(()),
         false => Err(Undecided::new(format!(
-            "the root found for {mode} is not the state of the arch: it lacks {}",
+            "the root found for {mode} is not the state of the arch, as this fails: {}",
             condition.label()
         ))),
     }

@@ -283,6 +283,18 @@ fn rounded_values(d: &mut Derivation) -> Result<Finding, Undecided> {
             rounds_to(d, &words, &value, text)?;
         }
     }
+    let friction = |landmark| -> Result<Ball, Undecided> {
+        let point = CertifiedLandmark::new(landmark, SelfWeight::Milankovitch)?;
+        Ok(point.enclosure(128)?.configuration().friction.clone())
+    };
+    let printed = |n: i32| Ball::enclosing(&Rational::from((n, 1000)), 128);
+    let (words, shoulder) = ("mu_T is above 1.277, milankovitch", friction(Landmark::Triple)?);
+    d.certain(Support::Balls, words, printed(1277).is_less_than(&shoulder))?;
+    let (words, border) = ("mu_B is below 1.854, milankovitch", friction(Landmark::Border)?);
+    d.certain(Support::Balls, words, border.is_less_than(&printed(1854)))?;
+    d.conclude(
+        "As frictions that suffice, 1.277 itself is a little too small, and 1.854 is enough.",
+    );
     Ok(Finding::AsPrinted)
 }
 

@@ -263,7 +263,7 @@ fn same_opening_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
         corrected: "at the same half opening and friction the thickness is smaller for Milankovitch's \
                     weight if the shoulder slides with both weights, [s,r,r]; it is larger, so that \
                     Heyman's weight is not on the safe side, if the collapse is purely rotational with \
-                    both, purely overturning with both, or has an inner sliding joint with both",
+                    both, or has an inner sliding joint with both",
     })
 }
 

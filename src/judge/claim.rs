@@ -105,7 +105,8 @@ impl Claim {
         let numbers: Vec<Claimed> = said
             .numbers
             .iter()
-            .filter(|(_, text, _)| !text.is_empty())
+            // What our own rows leave open claims nothing.
+            .filter(|(_, text, _)| !text.is_empty() && !text.eq_ignore_ascii_case("undecided"))
             .map(|&(quantity, text, degrees)| Claimed::read(quantity, text, degrees))
             .collect::<Result<_, _>>()?;
         let no_mode = |text: &&str| is_word(text, &NOTHING);
@@ -245,6 +246,7 @@ mod tests {
         assert_eq!(read(Some("FALSE"), None, Some("")), Some(false));
         assert_eq!(read(Some("true"), None, Some("")), Some(true));
         assert_eq!(read(Some(""), None, Some("")), None, "nothing is said");
+        assert_eq!(read(Some("true"), None, Some("undecided")), Some(true), "nor here");
         assert_eq!(read(None, Some("s,s"), None), Some(false));
         assert_eq!(read(None, Some("s,s"), Some("0.1")), Some(true));
         assert_eq!(read(None, Some("none"), None), Some(false));

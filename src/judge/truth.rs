@@ -1,6 +1,7 @@
 //! What is proved of a quantity that somebody claims.
 
 use super::printed::Known;
+use crate::certify::Undecided;
 use crate::certify::state::{Assessment, Outcome};
 use crate::number::Ball;
 use crate::problem::Quantity;
@@ -34,9 +35,12 @@ impl Proved {
         };
         let frictions = state.and_then(|state| state.frictions.as_ref());
         let assessed = self.assessment.as_ref();
-        let thrust = |end: usize| match assessed.and_then(|found| found.thrust.as_ref()) {
-            Some(range) => range[end].thrust.as_ref().map_or(Truth::Infinite, Truth::known),
-            None => Truth::Missing,
+        let thrust = |end: usize| match assessed.map(|found| &found.thrust[end]) {
+            Some(Ok(Some(limit))) => limit.thrust.as_ref().map_or(Truth::Infinite, Truth::known),
+            _ => Truth::Missing,
+        };
+        let number = |of: fn(&Assessment) -> &Result<Option<Ball>, Undecided>| {
+            assessed.and_then(|found| of(found).as_ref().ok()?.as_ref())
         };
         let value = match quantity {
             Quantity::Thickness | Quantity::LeastThickness => state.map(|state| &state.thickness),
@@ -54,11 +58,9 @@ impl Proved {
                 Some(both) if both.rotational.is_none() => return Truth::Infinite,
                 both => both.and_then(|both| both.rotational.as_ref()),
             },
-            Quantity::GeometricSafety => assessed.and_then(|found| found.geometric_safety.as_ref()),
-            Quantity::RequiredFriction => {
-                assessed.and_then(|found| found.required_friction.as_ref())
-            }
-            Quantity::FrictionSafety => assessed.and_then(|found| found.friction_safety.as_ref()),
+            Quantity::GeometricSafety => number(|found| &found.geometric_safety),
+            Quantity::RequiredFriction => number(|found| &found.required_friction),
+            Quantity::FrictionSafety => number(|found| &found.friction_safety),
             Quantity::LeastThrust => return thrust(0),
             Quantity::LargestThrust => return thrust(1),
             _ => None,

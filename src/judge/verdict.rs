@@ -5,7 +5,8 @@ use super::claim::Claim;
 use super::number::{CorrectDigits, Judged, compared_digits};
 use super::truth::Proved;
 use crate::certify::Undecided;
-use crate::certify::state::{Certify, Fall, Outcome, raised};
+use crate::certify::state::{Assessment, Certify, Fall, Outcome, raised};
+use crate::number::ExactNumber;
 use crate::problem::{Arch, Mode};
 use std::cmp::Ordering;
 
@@ -190,11 +191,28 @@ fn proved(arch: &Arch, claim: &Claim, bits: u32) -> Result<Proved, Undecided> {
             false => None,
         },
         assessment: match &claim.thickness {
-            Some(eta) => Some(arch.assess(eta, bits)?),
+            Some(eta) => Some(assessed(arch, eta, claim, bits)?),
             None => None,
         },
         outcome,
     })
+}
+
+/// The arch at a thickness, with all that is claimed of it decided.
+fn assessed(
+    arch: &Arch,
+    thickness: &ExactNumber,
+    claim: &Claim,
+    bits: u32,
+) -> Result<Assessment, Undecided> {
+    let found = arch.assess(thickness, bits)?;
+    if claim.stands.is_some() {
+        found.stands.clone()?;
+    }
+    match claim.numbers.iter().find_map(|number| found.why_open(number.quantity)) {
+        Some(open) => Err(open.clone()),
+        None => Ok(found),
+    }
 }
 
 /// A claim beside what is proved; `None` asks for a narrower enclosure.
@@ -203,7 +221,7 @@ fn compare(claim: &Claim, proved: &Proved, demand: Demand) -> Option<Judgement> 
         Outcome::Stands(state) => (Standing::Stands(state.mode), Some(state.mode)),
         Outcome::Falls(fall) => (Standing::Falls(*fall), None),
     };
-    let stands = proved.assessment.as_ref().map(|found| found.stands);
+    let stands = proved.assessment.as_ref().and_then(|found| found.stands.clone().ok());
     let bare = |verdict| Some(Judgement::bare(standing.clone(), stands, verdict));
     if claim.is_empty() {
         return bare(Verdict::NoClaim);

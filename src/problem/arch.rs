@@ -95,10 +95,10 @@ impl fmt::Display for Friction {
     }
 }
 
-/// Whether a thickness is between 0 and the physical limit 2.
+/// Whether a thickness is above 0 and at most the physical limit 2.
 pub fn is_thickness(thickness: &ExactNumber) -> bool {
     let (zero, limit) = (ratio(0, 1), ratio(2, 1));
-    thickness.is_rational() && *thickness.factor() > zero && *thickness.factor() < limit
+    thickness.is_rational() && *thickness.factor() > zero && *thickness.factor() <= limit
 }
 
 impl Arch {
@@ -256,9 +256,9 @@ mod tests {
     }
 
     #[test]
-    fn a_thickness_is_a_number_between_zero_and_two() {
+    fn a_thickness_is_a_number_above_zero_and_at_most_two() {
         let is = |text: &str| is_thickness(&text.parse().unwrap());
-        assert!(is("1e-30") && is("1.999"));
-        assert!(!is("0") && !is("2") && !is("-1") && !is("pi/4"));
+        assert!(is("1e-30") && is("1.999") && is("2"));
+        assert!(!is("0") && !is("2.0001") && !is("-1") && !is("pi/4"));
     }
 }

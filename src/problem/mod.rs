@@ -6,7 +6,9 @@
 //! | `system` | as many equations as unknowns |
 //! | `landmark` | the seven landmark points |
 //! | `mode` | the seven collapse modes |
+//! | `line` | the lines of the map on which two of them meet |
 //! | `arch` | an arch: weight, half opening, friction |
+//! | `ties` | what is exactly zero in an arch |
 //! | `problem` | a landmark or the state of an arch: system, what is given, conditions |
 //! | `condition` | what makes a state admissible, and the thinnest |
 //! | `examined`, `examined_small` | how much a state has to spare of each |
@@ -24,6 +26,8 @@ mod examined;
 mod examined_small;
 mod known;
 mod landmark;
+#[cfg(feature = "check")]
+mod line;
 mod mode;
 #[cfg(feature = "check")]
 #[allow(clippy::module_inception, reason = "the room is named after its statement")]
@@ -32,6 +36,8 @@ pub mod published;
 mod quantity;
 mod system;
 pub mod tally;
+#[cfg(feature = "check")]
+mod ties;
 #[cfg(feature = "check")]
 mod verdict;
 
@@ -45,10 +51,14 @@ pub use examined_small::{
 };
 pub use known::Known;
 pub use landmark::Landmark;
+#[cfg(feature = "check")]
+pub use line::{Line, NoLine, Sought};
 pub use mode::Mode;
 #[cfg(feature = "check")]
 pub use problem::Problem;
 pub use quantity::Quantity;
 pub use system::{Fixed, System};
+#[cfg(feature = "check")]
+pub use ties::{friction_angle_is_half_opening, has_no_arm_at_crown};
 #[cfg(feature = "check")]
 pub use verdict::{Nearest, Standing, Verdict};

@@ -106,6 +106,25 @@ impl Mode {
         };
         System { weight, unknowns, equations, fixed }
     }
+
+    /// The same at a given thickness and friction: the half opening is solved for in place of the thickness,
+    /// and for pure sliding in place of the friction.
+    pub fn system_for_half_opening(self, weight: SelfWeight) -> System {
+        use Unknown as U;
+        let unknowns: &[U] = match self {
+            Self::Rotational | Self::SlidingRotational => {
+                &[U::RotationJoint, U::HalfOpening, U::Thrust]
+            }
+            Self::RotationalSliding | Self::RotationalSlidingRotational => {
+                &[U::RotationJoint, U::HalfOpening, U::Thrust, U::SlidingJoint]
+            }
+            Self::OverturningSliding | Self::Sliding => {
+                &[U::HalfOpening, U::Thrust, U::SlidingJoint]
+            }
+            Self::Overturning => &[U::HalfOpening],
+        };
+        System { unknowns, ..self.system(weight) }
+    }
 }
 
 // A mode that is added is listed in `ALL`: the compiler stops here.

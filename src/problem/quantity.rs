@@ -94,6 +94,17 @@ impl Quantity {
         Self::RotationalFriction,
     ];
 
+    /// What is shown of a state that is found from its thickness, its friction or its mode.
+    pub const FOUND: [Self; 7] = [
+        Self::HalfOpening,
+        Self::HalfOpeningDegrees,
+        Self::Friction,
+        Self::Thickness,
+        Self::Thrust,
+        Self::RotationJoint,
+        Self::SlidingJoint,
+    ];
+
     /// What can be asked of an arch of a given thickness, in the order in which it is shown. With a thrust
     /// comes the [joint](Self::joint) that limits it.
     pub const ASSESSMENT: [Self; 6] = [

@@ -50,6 +50,16 @@ impl System {
         Self { weight, unknowns: &[U::RotationJoint, U::Thrust], equations, fixed: &[] }
     }
 
+    /// The joint at which the line of thrust is tangent to the intrados at a given thickness and thrust.
+    pub fn tangent(weight: SelfWeight) -> Self {
+        Self {
+            weight,
+            unknowns: &[Unknown::RotationJoint],
+            equations: &[Equation::Tangency],
+            fixed: &[],
+        }
+    }
+
     /// What the system knows of a variable that is not one of its unknowns.
     pub fn fixed_value(&self, unknown: Unknown) -> Option<Fixed> {
         self.fixed.iter().find(|(name, _)| *name == unknown).map(|(_, fixed)| *fixed)

@@ -7,11 +7,13 @@ use super::given::GivenDoubles;
 use super::value::Value;
 use super::words::reason;
 use crate::arch::{SelfWeight, Unknown};
-use crate::certify::state::{Answer as Outcome, AssessmentDigits, Fall};
+use crate::certify::state::find::{Finding, Given, Question};
+use crate::certify::state::{Answer as Outcome, AssessmentDigits, Enough, Fall, Figure};
 use crate::certify::{CertifiedLandmark, Constant, Undecided};
 use crate::number::ExactNumber;
 use crate::problem::Arch;
-use crate::problem::{Equation, Landmark, Mode, Quantity};
+use crate::problem::{Equation, Landmark, Line, Mode, Quantity, Sought};
+use std::borrow::Cow;
 
 /// A landmark or an arch, what became of it, and its proved values.
 #[derive(Clone, Debug)]
@@ -28,6 +30,13 @@ pub struct Answer {
     pub modes: Vec<Mode>,
     /// The values, all proved.
     pub values: Vec<(Quantity, Value)>,
+    /// The quantities of an arch of a given thickness that could not be decided, and why.
+    pub open: Vec<(Quantity, Undecided)>,
+    /// What would be enough for an arch that stands at no thickness: the least friction at its half opening,
+    /// and the widest half opening (rad) with its friction.
+    pub enough: [Option<Value>; 2],
+    /// What is proved of a finding besides its digits.
+    pub proved: Option<String>,
     /// How a landmark is proved.
     pub proof: Option<Proof>,
     /// The certificate that holds these values, or why there is none.
@@ -78,6 +87,23 @@ pub enum Subject {
         thickness: Option<String>,
         /// The same as numbers.
         doubles: GivenDoubles,
+    },
+    /// A question the other way round. What was given is text from outside.
+    Sought {
+        /// Tells questions apart.
+        line: u64,
+        /// The self-weight model.
+        weight: SelfWeight,
+        /// What is asked for.
+        sought: Sought,
+        /// The line of the map on which it is asked for.
+        boundary: Option<Line>,
+        /// The half opening as given.
+        half_opening: Option<String>,
+        /// The friction as given.
+        friction: Option<String>,
+        /// The thickness as given.
+        thickness: Option<String>,
     },
     /// A query that could not be read.
     Query {
@@ -148,6 +174,9 @@ impl Answer {
             stands: None,
             modes: Vec::new(),
             values: Vec::new(),
+            open: Vec::new(),
+            enough: [None, None],
+            proved: None,
             proof: None,
             certificate: Err("certificates are hashed for landmarks only".into()),
             kept: Vec::new(),
@@ -197,9 +226,18 @@ impl Answer {
                 answer.modes = vec![digits.mode];
                 answer.values = digits.figures().map(|(of, x)| (of, Value::figure(x))).collect();
             }
-            Ok(Outcome::Falls(fall)) => {
+            Ok(Outcome::Falls { fall, enough }) => {
                 answer.can_stand = Some(false);
                 answer.status = Status::Falls(*fall);
+                if let Some(Enough { sliding_friction, friction, half_opening, .. }) =
+                    enough.as_deref()
+                {
+                    let value = |x: &Figure| Value::figure(Some(x));
+                    let sliding = sliding_friction.as_ref().map(value);
+                    answer.values =
+                        sliding.map(|x| (Quantity::SlidingFriction, x)).into_iter().collect();
+                    answer.enough = [friction, half_opening].map(|x| x.as_ref().map(value));
+                }
             }
             Err(undecided) => answer.status = Status::Undecided(undecided.clone()),
         }
@@ -215,15 +253,43 @@ impl Answer {
         let mut answer = Self::new(Subject::arch(line, arch, Some(thickness)), Status::Proved);
         match found {
             Ok(digits) => {
-                answer.stands = Some(digits.stands);
-                if let Err(fall) = digits.least_thickness {
-                    answer.status = Status::Falls(fall);
+                match (&digits.stands, digits.fall) {
+                    (Ok(stands), fall) => {
+                        answer.stands = Some(*stands);
+                        answer.status = fall.map_or(Status::Proved, Status::Falls);
+                    }
+                    (Err(open), _) => answer.status = Status::Undecided(open.clone()),
                 }
+                let open = digits.open().map(|(of, why)| (of, why.clone()));
+                answer.open = open.collect();
                 answer.values = digits.figures().map(|(of, x)| (of, Value::figure(x))).collect();
                 let thrusts = answer.values.iter_mut().filter(|(of, _)| of.joint().is_some());
-                for ((_, value), limit) in thrusts.zip(digits.thrust.iter().flatten()) {
+                for ((_, value), limit) in thrusts.zip(digits.limits().into_iter().flatten()) {
                     value.limited_by = Some(limit.limited_by);
                 }
+            }
+            Err(undecided) => answer.status = Status::Undecided(undecided.clone()),
+        }
+        answer
+    }
+
+    /// What was found the other way round.
+    pub fn finding(
+        line: u64,
+        (weight, question): (SelfWeight, &Question),
+        found: &Result<Finding, Undecided>,
+    ) -> Self {
+        let mut answer = Self::new(Subject::sought(line, weight, question), Status::Proved);
+        match found {
+            Ok(Finding::Found(found)) => {
+                answer.modes = found.modes.clone();
+                let values = found.figures.iter();
+                answer.values = values.map(|(of, x)| (*of, Value::figure(Some(x)))).collect();
+                answer.proved = Some(found.proved.clone());
+            }
+            Ok(Finding::Nothing(fall)) => {
+                answer.stands = Some(false);
+                answer.status = Status::Falls(*fall);
             }
             Err(undecided) => answer.status = Status::Undecided(undecided.clone()),
         }
@@ -251,12 +317,36 @@ impl Answer {
             .flatten()
             .collect();
         self.values.retain(|(quantity, _)| asked.contains(quantity));
+        self.open.retain(|(quantity, _)| asked.contains(quantity));
         self
     }
 
-    /// Whether nothing could be told.
+    /// Whether not everything could be told.
     pub fn is_undecided(&self) -> bool {
-        matches!(self.status, Status::Undecided(_))
+        self.first_open().is_some()
+    }
+
+    /// What could not be told, and why: all of it, or the first quantity that stays open.
+    pub fn first_open(&self) -> Option<Undecided> {
+        match &self.status {
+            Status::Undecided(undecided) => Some(undecided.clone()),
+            _ => self.open.first().map(|(of, why)| why.clone().about(of.name())),
+        }
+    }
+
+    /// Why there are no values, why an arch falls, or which quantities stay open and why.
+    pub fn reason(&self) -> Option<Cow<'_, str>> {
+        if self.open.is_empty() || matches!(self.status, Status::Undecided(_)) {
+            return self.status.reason().map(Cow::Borrowed);
+        }
+        let open = self.open.iter().map(|(of, why)| format!("{}: {}", of.name(), why.reason));
+        let known = self.status.reason().map(str::to_owned).into_iter();
+        Some(known.chain(open).collect::<Vec<_>>().join("; ").into())
+    }
+
+    /// Why a quantity stays open, if it does.
+    pub fn why_open(&self, quantity: Quantity) -> Option<&Undecided> {
+        self.open.iter().find(|(of, _)| *of == quantity).map(|(_, why)| why)
     }
 }
 
@@ -272,6 +362,28 @@ impl Subject {
         }
     }
 
+    fn sought(line: u64, weight: SelfWeight, question: &Question) -> Self {
+        let (boundary, half_opening, friction) = match question {
+            Question::HalfOpening { friction, .. } => (None, None, Some(friction)),
+            Question::Friction { half_opening, .. } => (None, Some(half_opening), None),
+            Question::Boundary { line, given: Given::HalfOpening(alpha) } => {
+                (Some(*line), Some(alpha), None)
+            }
+            Question::Boundary { line, given: Given::Friction(mu) } => {
+                (Some(*line), None, Some(mu))
+            }
+        };
+        Self::Sought {
+            line,
+            weight,
+            sought: question.sought(),
+            boundary,
+            half_opening: half_opening.map(ToString::to_string),
+            friction: friction.map(ToString::to_string),
+            thickness: question.thickness().map(ToString::to_string),
+        }
+    }
+
     /// Whether it is an arch of a given thickness.
     pub fn is_assessed(&self) -> bool {
         matches!(self, Self::Arch { thickness: Some(_), .. })
@@ -281,7 +393,7 @@ impl Subject {
     pub fn landmark(&self) -> Option<Landmark> {
         match self {
             Self::Landmark { landmark, .. } => Some(*landmark),
-            Self::Arch { .. } | Self::Query { .. } => None,
+            Self::Arch { .. } | Self::Sought { .. } | Self::Query { .. } => None,
         }
     }
 
@@ -289,14 +401,18 @@ impl Subject {
     pub fn line(&self) -> Option<u64> {
         match self {
             Self::Landmark { .. } => None,
-            Self::Arch { line, .. } | Self::Query { line } => Some(*line),
+            Self::Arch { line, .. } | Self::Sought { line, .. } | Self::Query { line } => {
+                Some(*line)
+            }
         }
     }
 
     /// The self-weight model, where it could be read.
     pub fn weight(&self) -> Option<SelfWeight> {
         match self {
-            Self::Landmark { weight, .. } | Self::Arch { weight, .. } => Some(*weight),
+            Self::Landmark { weight, .. }
+            | Self::Arch { weight, .. }
+            | Self::Sought { weight, .. } => Some(*weight),
             Self::Query { .. } => None,
         }
     }

@@ -18,6 +18,8 @@ pub enum Scope {
     Arch,
     /// Many arches.
     Arches,
+    /// What was found the other way round.
+    Found,
 }
 
 /// Answers of one kind.
@@ -102,7 +104,9 @@ impl Answers {
             Scope::Constants | Scope::Point => {
                 "Landmark constants of the finite-friction Couplet-Heyman problem"
             }
-            Scope::Arch | Scope::Arches => "States of circular masonry arches of finite friction",
+            Scope::Arch | Scope::Arches | Scope::Found => {
+                "States of circular masonry arches of finite friction"
+            }
         }
     }
 
@@ -110,7 +114,7 @@ impl Answers {
     pub(super) fn schema(&self) -> &'static str {
         match self.scope {
             Scope::Constants | Scope::Point => "couplet.constants/1",
-            Scope::Arch | Scope::Arches => "couplet.states/2",
+            Scope::Arch | Scope::Arches | Scope::Found => "couplet.states/2",
         }
     }
 }

@@ -48,7 +48,7 @@ pub(super) fn given(answer: &Answer, asked: Asked) -> Fields {
 pub(super) fn doubles(answer: &Answer, asked: Asked) -> Vec<(&'static str, Option<f64>)> {
     let found = match &answer.subject {
         Subject::Arch { doubles, .. } => *doubles,
-        Subject::Landmark { .. } | Subject::Query { .. } => GivenDoubles::default(),
+        _ => GivenDoubles::default(),
     };
     let mut doubles = vec![
         ("half_opening_rad", found.half_opening_rad),
@@ -104,18 +104,18 @@ pub(super) fn double_cells(report: &Answers, answer: &Answer) -> impl Iterator<I
 }
 
 /// The names of the columns that are handed on: one that the table has of its own is another there.
-pub(super) fn kept_names(report: &Answers, own: &[String]) -> Vec<String> {
+pub(super) fn kept_names(kept: &[String], own: &[String]) -> Vec<String> {
     let name = |name: &String| match own.contains(name) {
         true => format!("input_{name}"),
         false => name.clone(),
     };
-    report.kept.iter().map(name).collect()
+    kept.iter().map(name).collect()
 }
 
 /// Their cells.
-pub(super) fn kept_cells(report: &Answers, answer: &Answer) -> impl Iterator<Item = String> {
-    report.kept.iter().map(|name| {
-        let kept = answer.kept.iter().find(|(of, _)| of == name);
+pub(super) fn kept_cells(names: &[String], row: &[(String, Kept)]) -> impl Iterator<Item = String> {
+    names.iter().map(|name| {
+        let kept = row.iter().find(|(of, _)| of == name);
         kept.map_or(String::new(), |(_, kept)| match kept {
             Kept::Json(null) if null == "null" => String::new(),
             kept => kept.text().to_owned(),
@@ -123,17 +123,25 @@ pub(super) fn kept_cells(report: &Answers, answer: &Answer) -> impl Iterator<Ite
     })
 }
 
+/// The same as one object.
+pub(super) fn kept_fields(row: &[(String, Kept)]) -> Fields {
+    let mut kept = Fields::default();
+    row.iter().for_each(|(name, value)| kept.keep(name, value));
+    kept
+}
+
 fn row(report: &Answers, answer: &Answer) -> Fields {
     let asked = Asked::in_table(report);
     let mut fields = given(answer, asked);
     fields.append(verdict(answer, asked));
     for &quantity in &report.quantities {
-        fields.add(quantity.name(), answer.value(quantity).map(|value| value.text()));
+        let open = answer.why_open(quantity).map(|_| "undecided".to_owned());
+        fields.add(quantity.name(), open.or(answer.value(quantity).map(|value| value.text())));
     }
     if report.quantities.iter().any(|quantity| quantity.joint().is_some()) {
         let limits: Vec<&str> = answer.values.iter().filter_map(|(_, x)| x.limited_by).collect();
         fields.add("limited_by", limits.join("; "));
     }
-    fields.add("reason", answer.status.reason());
+    fields.add("reason", answer.reason());
     fields
 }

@@ -3,6 +3,8 @@
 use super::answer::{Answer, Status, Subject};
 use super::answers::{Answers, Scope};
 use super::columns;
+use super::fields::Fields;
+use super::find;
 use super::rows::{Rows, in_parallel};
 use super::words::hexadecimal;
 use std::io;
@@ -11,6 +13,11 @@ use std::io;
 pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     match report.scope {
         Scope::Constants | Scope::Point => write(constants(report), out),
+        Scope::Found => {
+            let all: Vec<Fields> = report.list.iter().map(finding).collect();
+            let header = all.iter().take(1).map(|row| row.names().map(str::to_owned).collect());
+            write(header.chain(all.iter().map(|row| row.texts().collect())), out)
+        }
         Scope::Arch | Scope::Arches => {
             let rows = report.list.iter().map(|answer| record(report, answer, false));
             write(std::iter::once(header(report, false)).chain(rows), out)
@@ -72,13 +79,13 @@ fn header(report: &Answers, with_lines: bool) -> Vec<String> {
         let names = report.quantities.iter().map(|quantity| quantity.name());
         header.extend(names.flat_map(|name| [format!("{name}_double"), format!("{name}_hex")]));
     }
-    let mut all = columns::kept_names(report, &header);
+    let mut all = columns::kept_names(&report.kept, &header);
     all.append(&mut header);
     all
 }
 
 fn record(report: &Answers, answer: &Answer, with_lines: bool) -> Vec<String> {
-    let mut record: Vec<String> = columns::kept_cells(report, answer).collect();
+    let mut record: Vec<String> = columns::kept_cells(&report.kept, &answer.kept).collect();
     record.extend(columns::cells(report, answer));
     if with_lines {
         let error = match &answer.status {
@@ -98,6 +105,14 @@ fn record(report: &Answers, answer: &Answer, with_lines: bool) -> Vec<String> {
         }));
     }
     record
+}
+
+/// What is given and what is found, in the same columns.
+fn finding(answer: &Answer) -> Fields {
+    let modes: Vec<&str> = answer.modes.iter().map(|mode| mode.label()).collect();
+    find::fields(answer, modes.join(" "), |fields, quantity| {
+        fields.add(quantity.name(), answer.value(quantity).map(|value| value.text()));
+    })
 }
 
 struct CsvRows(Answers);

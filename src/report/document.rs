@@ -5,6 +5,7 @@
 
 use super::answer::{Answer, Subject};
 use super::answers::{Answers, TOOL};
+use super::given::GivenDoubles;
 use super::value::Value;
 use super::words::hexadecimal;
 use crate::problem::Quantity;
@@ -65,8 +66,8 @@ struct AnswerEntry<'a> {
 
 #[derive(Serialize)]
 struct ArchEntry<'a> {
-    half_opening: &'a str,
-    friction: &'a str,
+    half_opening: Option<&'a str>,
+    friction: Option<&'a str>,
     thickness: Option<&'a str>,
     half_opening_rad: Option<f64>,
     half_opening_deg: Option<f64>,
@@ -130,21 +131,35 @@ impl<'a> ValueEntry<'a> {
     }
 }
 
+impl<'a> ArchEntry<'a> {
+    fn new(answer: &Answer, given: [Option<&'a String>; 3], doubles: GivenDoubles) -> Self {
+        let [half_opening, friction, thickness] = given.map(|text| text.map(String::as_str));
+        Self {
+            half_opening,
+            friction,
+            thickness,
+            half_opening_rad: doubles.half_opening_rad,
+            half_opening_deg: doubles.half_opening_deg,
+            friction_double: doubles.friction,
+            thickness_double: doubles.thickness,
+            can_stand: answer.can_stand,
+            stands: answer.stands,
+            mode: answer.modes.first().map(|mode| mode.label()),
+        }
+    }
+}
+
 impl<'a> AnswerEntry<'a> {
     fn new(answer: &'a Answer) -> Self {
         let arch = match &answer.subject {
-            Subject::Arch { half_opening, friction, thickness, doubles, .. } => Some(ArchEntry {
-                half_opening,
-                friction,
-                thickness: thickness.as_deref(),
-                half_opening_rad: doubles.half_opening_rad,
-                half_opening_deg: doubles.half_opening_deg,
-                friction_double: doubles.friction,
-                thickness_double: doubles.thickness,
-                can_stand: answer.can_stand,
-                stands: answer.stands,
-                mode: answer.modes.first().map(|mode| mode.label()),
-            }),
+            Subject::Arch { half_opening, friction, thickness, doubles, .. } => {
+                let given = [Some(half_opening), Some(friction), thickness.as_ref()];
+                Some(ArchEntry::new(answer, given, *doubles))
+            }
+            Subject::Sought { half_opening, friction, thickness, .. } => {
+                let given = [half_opening, friction, thickness].map(Option::as_ref);
+                Some(ArchEntry::new(answer, given, GivenDoubles::default()))
+            }
             Subject::Landmark { .. } | Subject::Query { .. } => None,
         };
         let fingerprint = answer.certificate.as_ref();

@@ -1,12 +1,13 @@
 //! JSON: `couplet.constants/1` of landmarks, `couplet.state_at/1` of one with its modes, `couplet.state/2` or
 //! `couplet.assess/2` of an arch, `couplet.arches/2` of many, `couplet.refused/1` of a query that could not be
-//! read. Fields may be added, none changes its meaning.
+//! read, `couplet.find/1` of what was found, a list of several. Fields may be added, none changes its meaning.
 
 use super::answer::{Answer, Status, Subject};
 use super::answers::{Answers, Scope};
 use super::columns::{self, Asked};
 use super::document::Document;
 use super::fields::Fields;
+use super::find;
 use super::rows::{Rows, in_parallel};
 use super::value::Value;
 use super::words::hexadecimal;
@@ -25,6 +26,12 @@ pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<(
         Scope::Arch => {
             report.list.iter().try_for_each(|answer| write(&entry(report, answer, false), out))
         }
+        Scope::Found => match &report.list[..] {
+            [answer] => write(&finding(report, answer), out),
+            all => {
+                write(&all.iter().map(|answer| finding(report, answer)).collect::<Vec<_>>(), out)
+            }
+        },
         Scope::Arches => {
             let quantities = report.quantities.iter().map(|quantity| quantity.name()).collect();
             let (schema, digits) = ("couplet.arches/2", report.digits);
@@ -94,9 +101,7 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Fields {
         fields.add("line", answer.subject.line());
     }
     if !answer.kept.is_empty() {
-        let mut kept = Fields::default();
-        answer.kept.iter().for_each(|(name, value)| kept.keep(name, value));
-        fields.add_fields("kept", Some(kept));
+        fields.add_fields("kept", Some(columns::kept_fields(&answer.kept)));
     }
     if let (Subject::Query { .. }, Status::Refused(error)) = (&answer.subject, &answer.status) {
         fields.add("error", error.as_str());
@@ -108,16 +113,18 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Fields {
     let quantities =
         if asked.assessment { &Quantity::ASSESSMENT[..] } else { &Quantity::STATE[..] };
     for &quantity in quantities {
-        let value = answer.value(quantity).filter(|_| report.shows(quantity));
-        fields.add_fields(
-            quantity.name(),
-            value.map(|value| match quantity.joint() {
-                Some(joint) => limit(value, answer.value(joint), report.have_doubles()),
-                None => figure(value, report.have_doubles()),
-            }),
-        );
+        let value = answer.value(quantity).map(|value| match quantity.joint() {
+            Some(joint) => limit(value, answer.value(joint), report.have_doubles()),
+            None => figure(value, report.have_doubles()),
+        });
+        let open = answer.why_open(quantity).map(|why| {
+            let mut fields = Fields::default();
+            fields.add("undecided", why.reason.as_ref());
+            fields
+        });
+        fields.add_fields(quantity.name(), value.or(open).filter(|_| report.shows(quantity)));
     }
-    fields.add("reason", answer.status.reason());
+    fields.add("reason", answer.reason());
     if asked.state {
         let (between, gap) = match &answer.status {
             Status::Undecided(undecided) => (&undecided.between[..], undecided.gap),
@@ -126,7 +133,32 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Fields {
         let between: Vec<&str> = between.iter().map(|mode| mode.label()).collect();
         fields.add("between", between);
         fields.add("gap", gap);
+        let [friction, half_opening] = &answer.enough;
+        let enough = (friction.is_some() || half_opening.is_some()).then(|| {
+            let mut enough = Fields::default();
+            for (of, value) in
+                [(Quantity::Friction, friction), (Quantity::HalfOpening, half_opening)]
+            {
+                let figure = value.as_ref().map(|value| figure(value, report.have_doubles()));
+                enough.add_fields(of.name(), figure);
+            }
+            enough
+        });
+        fields.add_fields("enough", enough);
     }
+    fields
+}
+
+/// `couplet.find/1`: what is given is text, what is found has bounds.
+fn finding(report: &Answers, answer: &Answer) -> Fields {
+    let mut fields = Fields::default();
+    fields.add("schema", "couplet.find/1");
+    let modes: Vec<&str> = answer.modes.iter().map(|mode| mode.label()).collect();
+    fields.append(find::fields(answer, modes, |fields, quantity| {
+        let value = answer.value(quantity);
+        let figure = value.map(|value| figure(value, report.have_doubles()));
+        fields.add_fields(quantity.name(), figure);
+    }));
     fields
 }
 

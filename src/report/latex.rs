@@ -2,6 +2,7 @@
 
 use super::answer::Subject;
 use super::answers::Answers;
+use super::find;
 use super::listing::comments;
 use super::names::{about, head, safe};
 use super::value::Value;
@@ -52,6 +53,7 @@ fn title(subject: &Subject) -> String {
             let (alpha, mu) = (plain(half_opening), plain(friction));
             format!(r"{line}: $\alpha$ {alpha}, $\mu$ {mu}")
         }
+        Subject::Sought { .. } => plain(&find::asked(subject)),
         Subject::Query { line } => line.to_string(),
     };
     format!("{name} & {}", subject.weight().map_or("", author))

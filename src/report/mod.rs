@@ -30,6 +30,7 @@ mod columns;
 mod csv;
 mod document;
 mod fields;
+mod find;
 mod format;
 mod fortran;
 mod given;

@@ -7,6 +7,7 @@
 
 use super::answer::{Answer, Subject};
 use super::answers::{Answers, TOOL};
+use super::find;
 use super::value::Value;
 use super::words::model;
 use crate::problem::{Landmark, Quantity};
@@ -36,6 +37,7 @@ impl<'a> Named<'a> {
                 Subject::Arch { line, .. } | Subject::Query { line } => {
                     vec![format!("state_{line}")]
                 }
+                Subject::Sought { line, .. } => vec![format!("found_{line}")],
             };
             words.push(quantity.name().to_owned());
             Self { words, value, quantity: *quantity }
@@ -115,6 +117,9 @@ pub(super) fn about(answer: &Answer) -> Vec<String> {
                 model(*weight),
                 mode.unwrap_or_default(),
             )
+        }
+        Subject::Sought { line, weight, .. } => {
+            format!("{line}: {}, {}", safe(&find::asked(&answer.subject)), model(*weight))
         }
         Subject::Query { line } => format!("{line}: not read"),
     };

@@ -38,10 +38,10 @@ const COLUMNS: [(&str, Column); 25] = [
     ("line", Integer(|row| row.answer.subject.line())),
     ("weight", Text(|row| row.answer.subject.weight().map(|weight| weight.name()))),
     ("landmark", Text(|row| row.answer.subject.landmark().map(|landmark| landmark.symbol()))),
-    ("half_opening", Text(|row| Some(row.query()?.half_opening))),
+    ("half_opening", Text(|row| row.query()?.half_opening)),
     ("half_opening_rad", Double(|row| row.query()?.doubles.half_opening_rad)),
     ("half_opening_deg", Double(|row| row.query()?.doubles.half_opening_deg)),
-    ("friction", Text(|row| Some(row.query()?.friction))),
+    ("friction", Text(|row| row.query()?.friction)),
     ("friction_double", Double(|row| row.query()?.doubles.friction)),
     ("thickness", Text(|row| row.query()?.thickness)),
     ("thickness_double", Double(|row| row.query()?.doubles.thickness)),
@@ -206,8 +206,8 @@ struct Row<'a> {
 
 /// An arch as it was asked about.
 struct Query<'a> {
-    half_opening: &'a str,
-    friction: &'a str,
+    half_opening: Option<&'a str>,
+    friction: Option<&'a str>,
     thickness: Option<&'a str>,
     doubles: GivenDoubles,
 }
@@ -233,7 +233,14 @@ impl<'a> Row<'a> {
     fn query(&self) -> Option<Query<'_>> {
         match &self.answer.subject {
             Subject::Arch { half_opening, friction, thickness, doubles, .. } => {
+                let (half_opening, friction) = (Some(&half_opening[..]), Some(&friction[..]));
                 let (thickness, doubles) = (thickness.as_deref(), *doubles);
+                Some(Query { half_opening, friction, thickness, doubles })
+            }
+            Subject::Sought { half_opening, friction, thickness, .. } => {
+                let given = [half_opening, friction, thickness].map(|text| text.as_deref());
+                let ([half_opening, friction, thickness], doubles) =
+                    (given, GivenDoubles::default());
                 Some(Query { half_opening, friction, thickness, doubles })
             }
             Subject::Landmark { .. } | Subject::Query { .. } => None,

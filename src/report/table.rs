@@ -3,6 +3,7 @@
 use super::answer::{Answer, Status, Subject};
 use super::answers::{Answers, Scope};
 use super::columns;
+use super::find;
 use super::words::{count, model};
 use crate::certify::state::Fall;
 use crate::problem::Quantity;
@@ -18,6 +19,7 @@ pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<(
         Scope::Point => report.list.iter().try_for_each(|answer| point(answer, out)),
         Scope::Arch => report.list.iter().try_for_each(|answer| arch(report, answer, out)),
         Scope::Arches => arches(report, out),
+        Scope::Found => find::table(report, out),
     }
 }
 
@@ -76,32 +78,29 @@ fn arch(report: &Answers, answer: &Answer, out: &mut dyn io::Write) -> io::Resul
     let weight = model(*weight);
     writeln!(out, "Arch of half opening {half_opening},{eta} friction {friction}, {weight}\n")?;
     match &answer.status {
-        Status::Undecided(undecided) => {
-            writeln!(out, "{undecided}")?;
-            let between: Vec<_> = undecided.between.iter().map(|mode| mode.label()).collect();
-            match undecided.gap.filter(|_| !between.is_empty()) {
-                Some(gap) => {
-                    let place = match &between[..] {
-                        [mode] => format!("at the edge of {mode}"),
-                        modes => format!("between {}", modes.join(" and ")),
-                    };
-                    writeln!(out, "   {place}; the difference is below {gap:.1e}")
-                }
-                None => Ok(()),
-            }
+        _ if !answer.open.is_empty() || thickness.is_some() && !answer.values.is_empty() => {
+            assessment(&report.quantities, answer, out)
         }
+        Status::Undecided(undecided) => find::undecided(undecided, out),
         _ if thickness.is_some() => assessment(&report.quantities, answer, out),
-        Status::Falls(fall) => falls(*fall, out),
+        Status::Falls(fall) => falls(*fall, answer, out),
         _ => state(&report.quantities, answer, out),
     }
 }
 
-fn falls(fall: Fall, out: &mut dyn io::Write) -> io::Result<()> {
-    let why = match fall {
-        Fall::Sliding => "it slides: the friction is below that of the purely sliding state",
-        Fall::Thickness => "it would have to be thicker than twice its radius",
-    };
-    writeln!(out, "does not stand at any thickness ({}): {why}", super::words::reason(fall))
+fn falls(fall: Fall, answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
+    let (word, why) = (super::words::reason(fall), fall.reason());
+    writeln!(out, "does not stand at any thickness ({word}): {why}")?;
+    let words = [
+        "this half opening stands with a friction from",
+        "this friction carries a half opening up to",
+    ];
+    for (index, (words, value)) in words.iter().zip(&answer.enough).enumerate() {
+        let Some(value) = value else { continue };
+        let unit = if index == 1 { " rad" } else { "" };
+        writeln!(out, "   {words:<45} {}{unit}", value.text())?;
+    }
+    Ok(())
 }
 
 fn state(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
@@ -131,12 +130,20 @@ fn state(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Re
 }
 
 fn assessment(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
-    let stands = if answer.stands == Some(true) { "stands" } else { "collapses" };
-    writeln!(out, "{stands}, proved\n")?;
+    match (&answer.status, answer.stands) {
+        (Status::Undecided(undecided), _) => writeln!(out, "{undecided}\n")?,
+        (_, Some(true)) => writeln!(out, "stands, proved\n")?,
+        _ => writeln!(out, "collapses, proved\n")?,
+    }
+    let is_unlimited =
+        matches!(&answer.subject, Subject::Arch { friction, .. } if friction == "inf");
     for &quantity in asked {
         let value = answer.value(quantity);
         let finite = value.filter(|value| value.decimal.is_some()).map(|value| value.text());
-        let none = |words: &str| finite.clone().unwrap_or_else(|| words.to_owned());
+        let open = answer.why_open(quantity).map(ToString::to_string);
+        let none = |words: &str| {
+            finite.clone().or_else(|| open.clone()).unwrap_or_else(|| words.to_owned())
+        };
         let (name, text) = match quantity {
             Quantity::LeastThickness => {
                 let reason = answer.status.reason().unwrap_or_default();
@@ -144,11 +151,14 @@ fn assessment(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> i
             }
             Quantity::GeometricSafety => ("geometric safety factor", none("none")),
             Quantity::RequiredFriction => ("required friction", none("none is enough")),
-            Quantity::FrictionSafety => ("friction safety factor", none("unbounded or none")),
+            Quantity::FrictionSafety => {
+                let is_unbounded = is_unlimited && answer.stands == Some(true);
+                ("friction safety factor", none(if is_unbounded { "unbounded" } else { "none" }))
+            }
             Quantity::LeastThrust => ("least thrust", none("unbounded")),
             _ => ("largest thrust", none("unbounded")),
         };
-        if quantity.joint().is_some() && value.is_none() {
+        if quantity.joint().is_some() && value.is_none() && open.is_none() {
             continue;
         }
         writeln!(out, "   {name:<24} {text}")?;

@@ -92,6 +92,15 @@ outputs! {
     ]);
     assess: formats("assess", VAULT);
     assess_what_falls: run("couplet assess --half-opening 80deg --thickness 0.05 --friction 0.6");
+    find: each(&[
+        "couplet find half-opening --thickness 0.15 --friction 0.6 --digits 12",
+        "couplet find half-opening --friction 0.6 --weight both --digits 8 --format csv",
+        "couplet find friction --half-opening 80deg --thickness 0.1 --digits 12 --format json",
+        "couplet find boundary rrs/rsr --half-opening 2.54 --digits 12",
+        "couplet find boundary rsr/rs --friction 1.2 --digits 12",
+        "couplet find half-opening --friction 0",
+        "couplet find friction --half-opening 2.65 --digits 12",
+    ]);
     states: Terminal::new()
         .file("queries.csv", QUERIES)
         .run("couplet states --digits 8 < queries.csv")
@@ -146,6 +155,7 @@ outputs! {
     help_constants: run("couplet constants --help");
     help_state: run("couplet state --help");
     help_assess: run("couplet assess --help");
+    help_find: run("couplet find --help");
     help_states: run("couplet states --help");
     help_sample: run("couplet sample --help");
     help_judge: run("couplet judge --help");
@@ -188,6 +198,17 @@ outputs! {
         "couplet assess --half-opening 1 --friction 1 --thickness 2.5",
         "couplet assess --half-opening 1 --friction 1",
         "couplet certify state --half-opening 1.5 --friction 0.1",
+        "couplet find",
+        "couplet find thickness --half-opening 1 --friction 1",
+        "couplet find widest --friction 1",
+        "couplet find half-opening --thickness 0.1",
+        "couplet find half-opening --half-opening 1 --friction 1",
+        "couplet find friction --half-opening 200deg",
+        "couplet find boundary --friction 1",
+        "couplet find boundary rrs/rrr/ss --friction 1",
+        "couplet find boundary rrs/rsr",
+        "couplet find boundary rrs/rsr --friction 1 --half-opening 1",
+        "couplet find boundary rrs/rsr --friction inf",
     ]);
     wrong_files: each(&[
         "couplet check missing.json",

@@ -1,35 +1,55 @@
 //! An arch of a given thickness: does it stand, with what safety, and how much may it thrust?
 //!
 //! It stands exactly if the [range of thrusts](super::thrust_range) is not empty; the least thickness of
-//! the arch, proved on its own, has to say the same.
+//! the arch, proved on its own, has to say the same. Each answer is decided on its own: what stays open does
+//! not take the others with it.
 
 use super::query::Query;
 use super::state::{Fall, Outcome};
 use super::thrust_range::{
-    Limit, cut_by_friction, largest_thrust, least_thrust, required_friction,
+    Limit, cut_at_largest, cut_at_least, largest_thrust, least_thrust, required_friction,
 };
 use crate::arch::Unknown;
 use crate::certify::Undecided;
 use crate::certify::undecided::{decide, require};
-use crate::number::{Ball, ExactNumber, Field};
-use crate::problem::Arch;
+use crate::number::{Ball, Enclosure, ExactNumber, Ternary};
+use crate::problem::{
+    Arch, Quantity, friction_angle_is_half_opening, has_no_arm_at_crown, is_thickness,
+};
 
-/// What is certain of an arch of a given thickness.
+/// What is certain of an arch of a given thickness, each answer with a reason where it stays open.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Assessment {
     /// Whether it stands.
-    pub stands: bool,
-    /// The least thickness of the arch with this friction, or why there is none.
-    pub least_thickness: Result<Ball, Fall>,
+    pub stands: Result<bool, Undecided>,
+    /// Why no thickness is enough, if none is.
+    pub fall: Option<Fall>,
+    /// The least thickness of the arch with this friction; `None` if there is none.
+    pub least_thickness: Result<Option<Ball>, Undecided>,
     /// The thickness over the least thickness.
-    pub geometric_safety: Option<Ball>,
+    pub geometric_safety: Result<Option<Ball>, Undecided>,
     /// The least friction with which the arch of this thickness stands; `None` if none is enough.
-    pub required_friction: Option<Ball>,
+    pub required_friction: Result<Option<Ball>, Undecided>,
     /// The friction over the required one; `None` if either is unbounded.
-    pub friction_safety: Option<Ball>,
+    pub friction_safety: Result<Option<Ball>, Undecided>,
     /// The least and the largest admissible thrust; `None` if the arch does not stand.
-    pub thrust: Option<[Limit; 2]>,
+    pub thrust: [Result<Option<Limit>, Undecided>; 2],
+}
+
+impl Assessment {
+    /// Why a quantity of [`Quantity::ASSESSMENT`] stays open, if it does.
+    pub fn why_open(&self, quantity: Quantity) -> Option<&Undecided> {
+        match quantity {
+            Quantity::LeastThickness => self.least_thickness.as_ref().err(),
+            Quantity::GeometricSafety => self.geometric_safety.as_ref().err(),
+            Quantity::RequiredFriction => self.required_friction.as_ref().err(),
+            Quantity::FrictionSafety => self.friction_safety.as_ref().err(),
+            Quantity::LeastThrust => self.thrust[0].as_ref().err(),
+            Quantity::LargestThrust => self.thrust[1].as_ref().err(),
+            _ => None,
+        }
+    }
 }
 
 /// What is asked of an arch of a given thickness.
@@ -41,8 +61,8 @@ pub enum Wanted {
     Everything,
 }
 
-/// Proves what holds for an arch with a given thickness, as far as it is wanted, with numbers of `bits`
-/// bits. `state` proves the state of the arch, with its own friction if told so, or with unlimited
+/// Proves what holds for an arch with a given thickness in `(0, 2]`, as far as it is wanted, with numbers of
+/// `bits` bits. `state` proves the state of the arch, with its own friction if told so, or with unlimited
 /// friction.
 pub(super) fn assessment(
     arch: &Arch,
@@ -51,48 +71,96 @@ pub(super) fn assessment(
     wanted: Wanted,
     mut state: impl FnMut(bool) -> Result<Outcome, Undecided>,
 ) -> Result<Assessment, Undecided> {
+    if !is_thickness(thickness) {
+        return Err(Undecided::new("the thickness is not between 0 and 2"));
+    }
     let eta: Ball = thickness.enclosure(bits);
-    require(&eta, "whether the thickness is positive")?;
-    require(&(eta.int(2) - &eta), "whether the thickness is below the limit 2")?;
     let enough = |least: &Ball, question| decide(&(eta.clone() - least), question, &[]);
-    let (least_thickness, stands) = match state(true)? {
-        Outcome::Falls(fall) => (Err(fall), false),
-        Outcome::Stands(state) => {
-            let stands = enough(&state.thickness, "whether the thickness is enough")?;
-            (Ok(state.thickness), stands)
-        }
+    let own = state(true);
+    let (fall, least_thickness) = match own {
+        Ok(Outcome::Falls(fall)) => (Some(fall), Ok(None)),
+        Ok(Outcome::Stands(state)) => (None, Ok(Some(state.thickness))),
+        Err(undecided) => (None, Err(undecided)),
     };
+    let stands = of(&least_thickness, |least| enough(least, "whether the thickness is enough"));
+    let stands = stands.map(|enough| enough == Some(true));
+    let geometric_safety = of(&least_thickness, |least| Ok(eta.clone() / least));
+    if wanted == Wanted::Standing {
+        return Ok(Assessment {
+            stands,
+            fall,
+            least_thickness,
+            geometric_safety,
+            required_friction: Ok(None),
+            friction_safety: Ok(None),
+            thrust: [Ok(None), Ok(None)],
+        });
+    }
     let mut query = Query::new(arch, bits);
     query.given = query.given.with(Unknown::Thickness, eta.clone());
     // With unlimited friction the arch stands if a line of thrust lies inside it at all.
-    let mut line_fits = || match state(false)? {
-        Outcome::Falls(_) => Ok(false),
-        Outcome::Stands(state) => enough(&state.thickness, "whether a line of thrust fits"),
+    let line_fits = match state(false) {
+        Ok(Outcome::Falls(_)) => Ok(false),
+        Ok(Outcome::Stands(state)) => enough(&state.thickness, "whether a line of thrust fits"),
+        Err(undecided) => Err(undecided),
     };
-    let geometric = if wanted == Wanted::Everything && line_fits()? {
-        Some([least_thrust(&query)?, largest_thrust(&query)?])
-    } else {
-        None
+    let line_fits = line_fits.map(|fits| fits.then_some(()));
+    let ends = [
+        of(&line_fits, |()| least_thrust(&query)),
+        of(&line_fits, |()| largest_thrust(&query, has_no_arm_at_crown(arch, thickness))),
+    ];
+    let required_friction = of(&line_fits, |()| required_friction(&query, &ends));
+    // Friction enough and a line of thrust that fits are the other way to say that it stands.
+    let stands = stands.or_else(|open| match (&required_friction, query.friction()) {
+        (Ok(None), _) => Ok(false),
+        (Ok(Some(_)), None) => Ok(true),
+        (Ok(Some(least)), Some(mu)) => match least.is_less_than(mu) {
+            Ternary::True => Ok(true),
+            Ternary::False => Ok(false),
+            Ternary::Undecided => Err(open),
+        },
+        (Err(_), _) => Err(open),
+    });
+    let friction_safety = match query.friction() {
+        Some(friction) => of(&required_friction, |required| Ok(friction.clone() / required)),
+        None => Ok(None),
     };
-    let required_friction = match &geometric {
-        Some(range) => Some(required_friction(&query, range)?),
-        None => None,
+    let never_slides = friction_angle_is_half_opening(arch);
+    let [least, largest] = ends;
+    let thrust = match stands {
+        Ok(false) => [Ok(None), Ok(None)],
+        Ok(true) => not_empty([
+            of(&least, |least| cut_at_least(&query, least.clone())),
+            of(&largest, |largest| cut_at_largest(&query, largest.clone(), never_slides)),
+        ]),
+        Err(ref open) => [Err(open.clone()), Err(open.clone())],
     };
-    let friction_safety = match (query.friction(), &required_friction) {
-        (Some(friction), Some(required)) => Some(friction.clone() / required),
-        _ => None,
-    };
-    let thrust = match (stands, geometric) {
-        (true, Some(range)) => Some(cut_by_friction(&query, range)?),
-        _ => None,
-    };
-    let geometric_safety = least_thickness.as_ref().ok().map(|least| eta / least);
     Ok(Assessment {
         stands,
+        fall,
         least_thickness,
         geometric_safety,
         required_friction,
         friction_safety,
         thrust,
     })
+}
+
+/// The range of an arch that stands: the two routes have to agree.
+fn not_empty(ends: [Result<Option<Limit>, Undecided>; 2]) -> [Result<Option<Limit>, Undecided>; 2] {
+    let [least, largest] = ends.each_ref().map(|end| end.as_ref().ok()?.as_ref()?.thrust.as_ref());
+    let Some((least, largest)) = least.zip(largest) else { return ends };
+    let question = "a range of thrusts that is not empty";
+    match require(&(largest.clone() - least), question) {
+        Ok(()) => ends,
+        Err(open) => [Err(open.clone()), Err(open)],
+    }
+}
+
+/// What follows from an answer, where it is known and there is one.
+fn of<T, U>(
+    known: &Result<Option<T>, Undecided>,
+    f: impl FnOnce(&T) -> Result<U, Undecided>,
+) -> Result<Option<U>, Undecided> {
+    known.as_ref().map_err(Clone::clone)?.as_ref().map(f).transpose()
 }

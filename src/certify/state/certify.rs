@@ -47,7 +47,7 @@ pub trait Certify {
     /// the state does not need.
     fn certify_alone(&self, digits: usize) -> Result<Answer, Undecided>;
 
-    /// What holds for the arch with a given thickness `t/r` in `(0, 2)`, in the same way; any other
+    /// What holds for the arch with a given thickness `t/r` in `(0, 2]`, in the same way; any other
     /// thickness is undecided.
     fn certify_thickness(
         &self,
@@ -77,7 +77,7 @@ impl Certify for Arch {
     fn least(&self, digits: usize) -> Result<Digits, NoState> {
         match self.certify(digits)? {
             Answer::Stands(state) => Ok(*state),
-            Answer::Falls(fall) => Err(NoState::Falls(fall)),
+            Answer::Falls { fall, .. } => Err(NoState::Falls(fall)),
         }
     }
 

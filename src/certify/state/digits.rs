@@ -1,9 +1,11 @@
 //! The digits of a proved state, and of an arch of a given thickness.
 
 use super::assess::Assessment;
+use super::enough::Enough;
 use super::figure::Figure;
 use super::state::{Fall, Frictions, State};
 use super::thrust_range::Limit;
+use crate::certify::Undecided;
 use crate::number::Ball;
 use crate::problem::{Mode, Quantity};
 
@@ -13,7 +15,12 @@ pub enum Answer {
     /// The arch stands from a least thickness on.
     Stands(Box<Digits>),
     /// It does not stand at any thickness up to the physical limit.
-    Falls(Fall),
+    Falls {
+        /// Why.
+        fall: Fall,
+        /// What would be enough, if the frictions at which the mode changes are asked for.
+        enough: Option<Box<Enough>>,
+    },
 }
 
 /// The values of a proved state, correctly rounded.
@@ -36,22 +43,25 @@ pub struct Digits {
     pub frictions: Option<Frictions<Figure>>,
 }
 
-/// What is certain of an arch of a given thickness, correctly rounded.
+/// What is certain of an arch of a given thickness, correctly rounded; each answer with a reason where it stays
+/// open.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct AssessmentDigits {
     /// Whether it stands.
-    pub stands: bool,
-    /// The least thickness, or why there is none.
-    pub least_thickness: Result<Figure, Fall>,
+    pub stands: Result<bool, Undecided>,
+    /// Why no thickness is enough, if none is.
+    pub fall: Option<Fall>,
+    /// The least thickness; `None` if there is none.
+    pub least_thickness: Result<Option<Figure>, Undecided>,
     /// The thickness over the least thickness.
-    pub geometric_safety: Option<Figure>,
+    pub geometric_safety: Result<Option<Figure>, Undecided>,
     /// The least friction with which it stands; `None` if none is enough.
-    pub required_friction: Option<Figure>,
+    pub required_friction: Result<Option<Figure>, Undecided>,
     /// The friction over the required one; `None` if either is unbounded.
-    pub friction_safety: Option<Figure>,
+    pub friction_safety: Result<Option<Figure>, Undecided>,
     /// The least and the largest admissible thrust, if it stands.
-    pub thrust: Option<[LimitDigits; 2]>,
+    pub thrust: [Result<Option<LimitDigits>, Undecided>; 2],
 }
 
 /// An end of the range of admissible thrusts, correctly rounded.
@@ -109,53 +119,88 @@ impl Digits {
     }
 }
 
+/// The quantities of a thickness and a friction, in the order of their fields.
+const SINGLE: [Quantity; 4] = [
+    Quantity::LeastThickness,
+    Quantity::GeometricSafety,
+    Quantity::RequiredFriction,
+    Quantity::FrictionSafety,
+];
+/// The ends of the range of thrusts.
+const THRUSTS: [Quantity; 2] = [Quantity::LeastThrust, Quantity::LargestThrust];
+
 impl AssessmentDigits {
+    fn single(&self) -> [&Result<Option<Figure>, Undecided>; 4] {
+        let Self { least_thickness, geometric_safety, required_friction, friction_safety, .. } =
+            self;
+        [least_thickness, geometric_safety, required_friction, friction_safety]
+    }
+
     /// The values that there are, in the order of [`Quantity::ASSESSMENT`] and each limiting joint behind its
     /// thrust; `None` for a thrust without bound.
     pub fn figures(&self) -> impl Iterator<Item = (Quantity, Option<&Figure>)> {
-        let least = self.least_thickness.as_ref().ok();
-        let single = [
-            (Quantity::LeastThickness, least),
-            (Quantity::GeometricSafety, self.geometric_safety.as_ref()),
-            (Quantity::RequiredFriction, self.required_friction.as_ref()),
-            (Quantity::FrictionSafety, self.friction_safety.as_ref()),
-        ];
-        let single = single.into_iter().filter(|(_, figure)| figure.is_some());
-        let thrusts = [Quantity::LeastThrust, Quantity::LargestThrust];
-        let limits = thrusts.into_iter().zip(self.thrust.iter().flatten());
-        single.chain(limits.flat_map(|(thrust, limit)| {
-            let joint = thrust.joint().zip(limit.joint.as_ref());
+        let single = SINGLE.into_iter().zip(self.single());
+        let single = single.filter_map(|(of, figure)| Some((of, figure.as_ref().ok()?.as_ref())));
+        let single = single.filter(|(_, figure)| figure.is_some());
+        single.chain(THRUSTS.into_iter().zip(self.limits()).flat_map(|(thrust, limit)| {
+            let joint = limit.and_then(|limit| thrust.joint().zip(limit.joint.as_ref()));
             let joint = joint.map(|(joint, figure)| (joint, Some(figure)));
-            std::iter::once((thrust, limit.thrust.as_ref())).chain(joint)
+            limit.map(|limit| (thrust, limit.thrust.as_ref())).into_iter().chain(joint)
         }))
     }
 
-    /// Every value rounded to `digits` significant digits, if the enclosures decide all of them.
-    pub(super) fn new(assessment: &Assessment, digits: usize) -> Option<Self> {
-        let optional = |x: Option<&Ball>| match x {
-            Some(x) => Figure::new(x, digits).map(Some),
-            None => Some(None),
-        };
-        let limit = |limit: &Limit| {
-            Some(LimitDigits {
-                thrust: optional(limit.thrust.as_ref())?,
+    /// The ends of the range of thrusts, where they are known and the arch stands.
+    pub fn limits(&self) -> [Option<&LimitDigits>; 2] {
+        self.thrust.each_ref().map(|limit| limit.as_ref().ok()?.as_ref())
+    }
+
+    /// The quantities that stay open, and why.
+    pub fn open(&self) -> impl Iterator<Item = (Quantity, &Undecided)> {
+        let single = SINGLE.into_iter().zip(self.single());
+        let single = single.filter_map(|(of, figure)| Some((of, figure.as_ref().err()?)));
+        let thrusts = THRUSTS.into_iter().zip(&self.thrust);
+        single.chain(thrusts.filter_map(|(of, limit)| Some((of, limit.as_ref().err()?))))
+    }
+
+    /// Why not everything is decided, where it is not.
+    pub(super) fn first_open(&self) -> Option<&Undecided> {
+        self.stands.as_ref().err().or_else(|| self.open().next().map(|(_, undecided)| undecided))
+    }
+
+    /// Every value rounded to `digits` significant digits; one that the enclosures do not decide is open.
+    pub(super) fn new(assessment: Assessment, digits: usize) -> Self {
+        let rounding = || Undecided::new("the rounding");
+        let round = |x: &Ball| Figure::new(x, digits).ok_or_else(rounding);
+        let rounded = |x: Result<Option<Ball>, Undecided>| x?.as_ref().map(round).transpose();
+        let limit = |limit: Limit| {
+            Ok(LimitDigits {
+                thrust: limit.thrust.as_ref().map(round).transpose()?,
                 limited_by: limit.touch.name(),
-                joint: optional(limit.touch.joint())?,
+                joint: limit.touch.joint().map(round).transpose()?,
             })
         };
-        Some(Self {
+        Self {
             stands: assessment.stands,
-            least_thickness: match &assessment.least_thickness {
-                Ok(least) => Ok(Figure::new(least, digits)?),
-                Err(fall) => Err(*fall),
-            },
-            geometric_safety: optional(assessment.geometric_safety.as_ref())?,
-            required_friction: optional(assessment.required_friction.as_ref())?,
-            friction_safety: optional(assessment.friction_safety.as_ref())?,
-            thrust: match &assessment.thrust {
-                Some([least, largest]) => Some([limit(least)?, limit(largest)?]),
-                None => None,
-            },
-        })
+            fall: assessment.fall,
+            least_thickness: rounded(assessment.least_thickness),
+            geometric_safety: rounded(assessment.geometric_safety),
+            required_friction: rounded(assessment.required_friction),
+            friction_safety: rounded(assessment.friction_safety),
+            thrust: assessment.thrust.map(|end| end?.map(limit).transpose()),
+        }
+    }
+
+    /// The same, with what another precision has decided where this one has not.
+    pub(super) fn or(self, other: Self) -> Self {
+        let [[least, largest], [other_least, other_largest]] = [self.thrust, other.thrust];
+        Self {
+            stands: self.stands.or(other.stands),
+            fall: self.fall.or(other.fall),
+            least_thickness: self.least_thickness.or(other.least_thickness),
+            geometric_safety: self.geometric_safety.or(other.geometric_safety),
+            required_friction: self.required_friction.or(other.required_friction),
+            friction_safety: self.friction_safety.or(other.friction_safety),
+            thrust: [least.or(other_least), largest.or(other_largest)],
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::assess::{Assessment, Wanted, assessment};
 use super::digits::{Answer, AssessmentDigits, Digits};
+use super::enough::enough;
 use super::mode::{Asked, outcome};
 use super::query::{Query, bits_lost, bits_lost_unless_small};
 use super::raise::{GUARD, raise};
@@ -37,18 +38,24 @@ impl<'a> Inquiry<'a> {
     /// asked for here and in [`Inquiry::new`].
     pub fn state(&mut self, digits: usize, frictions: bool) -> Result<Answer, Undecided> {
         let lost = bits_lost_unless_small(self.arch, self.bits);
-        raise(self.bits + lost, |bits| {
+        let answer = raise(self.bits + lost, |bits| {
             Ok(match self.outcome(bits)? {
-                Outcome::Falls(fall) => Some(Answer::Falls(fall)),
+                Outcome::Falls(fall) => Some(Answer::Falls { fall, enough: None }),
                 Outcome::Stands(mut state) => {
                     state.frictions = state.frictions.filter(|_| frictions);
                     Digits::new(&state, digits).map(|digits| Answer::Stands(Box::new(digits)))
                 }
             })
+        })?;
+        Ok(match answer {
+            Answer::Falls { fall, .. } if frictions => {
+                Answer::Falls { fall, enough: Some(Box::new(enough(self.arch, digits))) }
+            }
+            answer => answer,
         })
     }
 
-    /// What holds for the arch with a given thickness, in `(0, 2)`, to `digits` digits.
+    /// What holds for the arch with a given thickness, in `(0, 2]`, to `digits` digits.
     pub fn assess(
         &mut self,
         thickness: &ExactNumber,
@@ -56,9 +63,21 @@ impl<'a> Inquiry<'a> {
         wanted: Wanted,
     ) -> Result<AssessmentDigits, Undecided> {
         let first = self.bits + bits_lost(self.arch);
-        raise(first, |bits| {
-            Ok(AssessmentDigits::new(&self.assessment(thickness, bits, wanted)?, digits))
-        })
+        let mut found: Option<AssessmentDigits> = None;
+        let decided = raise(first, |bits| {
+            let last = AssessmentDigits::new(self.assessment(thickness, bits, wanted)?, digits);
+            let all = match found.take() {
+                Some(before) => before.or(last),
+                None => last,
+            };
+            let open = all.first_open().cloned();
+            found = Some(all);
+            open.map_or(Ok(Some(())), Err)
+        });
+        match found {
+            Some(found) => Ok(found),
+            None => Err(decided.err().unwrap_or_else(|| Undecided::new("the thickness"))),
+        }
     }
 
     /// What holds for the arch with a given thickness, in enclosures of `bits` bits.

@@ -23,14 +23,18 @@
 //! | `mode` | parts 2 to 4: which mode, and its start values |
 //! | `state` | the outcome |
 //! | `thrust_range`, `assess` | an arch of a given thickness |
+//! | `enough` | what would be enough for an arch that falls |
 //! | `figure`, `digits` | the outcome in digits |
+//! | [`find`] | questions the other way round |
 //! | `raise` | raises the precision until everything is decided |
 //! | `inquiry` | several questions about one arch, which share its state |
 
 mod assess;
 mod certify;
 mod digits;
+mod enough;
 mod figure;
+pub mod find;
 mod inner;
 mod inquiry;
 mod mode;
@@ -45,6 +49,7 @@ mod thrust_range;
 pub use assess::{Assessment, Wanted};
 pub use certify::{Certify, NoState};
 pub use digits::{Answer, AssessmentDigits, Digits, LimitDigits};
+pub use enough::Enough;
 pub use figure::Figure;
 pub use inquiry::Inquiry;
 pub(crate) use query::bits_lost;

@@ -264,7 +264,7 @@ fn proved(
 }
 
 /// Parts 2 and 3 of the proof: the state is admissible, and none thinner is.
-fn prove(
+pub(super) fn prove(
     query: &Query,
     mode: Mode,
     at: &Configuration<Ball>,

@@ -8,6 +8,7 @@ use crate::problem::{Arch, Friction, System};
 use rug::Float;
 
 /// An arch in numbers of some bits.
+#[derive(Clone)]
 pub(super) struct Query {
     pub weight: SelfWeight,
     pub bits: u32,

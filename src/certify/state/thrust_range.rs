@@ -112,20 +112,14 @@ pub(super) fn least_thrust(query: &Query) -> Result<Limit, Undecided> {
     Ok(Limit { thrust: Some(at.thrust), touch: Touch::Haunch(at.rotation_joint.rad) })
 }
 
-/// The thrust above which the line of thrust leaves the arch.
-pub(super) fn largest_thrust(query: &Query) -> Result<Limit, Undecided> {
+/// The thrust above which the line of thrust leaves the arch; `has_no_arm` if its lever arm at the crown is
+/// exactly zero. Then the gap, which is concave, is constant in the end: it stays open.
+pub(super) fn largest_thrust(query: &Query, has_no_arm: bool) -> Result<Limit, Undecided> {
     let given = &query.given;
     let ring = Ring::new(query.weight, &given.thickness);
     let crown = thrust::upper(&given.half_opening, &Angle::zero(&given.thrust), &ring);
-    let bounded = match crown.denominator.is_positive() {
-        Ternary::True => true,
-        Ternary::False => false,
-        // Where friction bounds the thrust sooner, it does not matter.
-        Ternary::Undecided if shoulder_slides_first(query)? => false,
-        Ternary::Undecided => {
-            decide(&crown.denominator, "whether the thrust is bounded from above", &[])?
-        }
-    };
+    let question = "whether the thrust is bounded from above";
+    let bounded = !has_no_arm && decide(&crown.denominator, question, &[])?;
     if !bounded {
         return Ok(Limit { thrust: None, touch: Touch::Nothing });
     }
@@ -153,43 +147,28 @@ pub(super) fn largest_thrust(query: &Query) -> Result<Limit, Undecided> {
     Ok(Limit { thrust: Some(at.thrust), touch: Touch::Haunch(at.rotation_joint.rad) })
 }
 
-/// Whether the line of thrust still fits, touching the intrados at the crown, at the thrust at which
-/// the shoulder slides: then that comes before any other bound.
-fn shoulder_slides_first(query: &Query) -> Result<bool, Undecided> {
-    let Some(friction) = query.friction() else { return Ok(false) };
-    let shoulder = sliding::shoulder_thrust(&query.given.half_opening, friction);
-    if shoulder.denominator.is_positive() != Ternary::True {
-        return Ok(false);
-    }
-    let slides = query.root(Mode::Sliding.system(query.weight), &start::sliding(&query.alpha()))?;
-    let at = query.given.clone().with(Unknown::Thrust, shoulder.value());
-    // Above the purely sliding thrust the required friction does not see the bound either.
-    let above = slides.thrust.is_less_than(&at.thrust);
-    let intrados = Ring::new(query.weight, &at.thickness).intrados() * &at.thrust;
-    let margin = contact::shoulder_moment(query.weight, &at) - intrados / at.thrust.int(2);
-    let at_crown = contact::crown_slope(query.weight, &at).is_positive();
-    Ok(margin.is_positive().and(at_crown).and(above).is_proved())
-}
-
 /// The least friction for which some thrust of the range slides nowhere. The shoulder asks for more
 /// the larger the thrust, an inner joint the smaller: best is the thrust at which they ask for the
 /// same, or the end of the range next to it.
 pub(super) fn required_friction(
     query: &Query,
-    [least, largest]: &[Limit; 2],
+    [least, largest]: &[Result<Option<Limit>, Undecided>; 2],
 ) -> Result<Ball, Undecided> {
     let slides = query.root(Mode::Sliding.system(query.weight), &start::sliding(&query.alpha()))?;
     let question = "which joint the friction is needed for";
-    if let Some(least) = &least.thrust
+    let bound = |end: &Result<Option<Limit>, Undecided>| -> Result<Option<Ball>, Undecided> {
+        Ok(end.clone()?.and_then(|limit| limit.thrust))
+    };
+    if let Some(least) = bound(least)?
         && decide(&(least.clone() - &slides.thrust), question, &[])?
     {
-        return Ok(sliding::shoulder(&query.given.half_opening, least).value());
+        return Ok(sliding::shoulder(&query.given.half_opening, &least).value());
     }
-    if let Some(largest) = &largest.thrust
-        && decide(&(slides.thrust.clone() - largest), question, &[])?
+    if let Some(largest) = bound(largest)?
+        && decide(&(slides.thrust.clone() - &largest), question, &[])?
     {
-        let at = query.given.clone().with(Unknown::Thrust, largest.clone());
-        let steepest = (largest.clone() * (largest.int(1) - largest)).sqrt();
+        let steepest = (largest.clone() * (largest.int(1) - &largest)).sqrt();
+        let at = query.given.clone().with(Unknown::Thrust, largest);
         let margin = at.half_opening.rad.clone() - steepest;
         require(&margin, Condition::SteepestAboveShoulder.label())?;
         return Ok(inner_friction(&at));
@@ -197,45 +176,50 @@ pub(super) fn required_friction(
     Ok(slides.friction)
 }
 
-/// The range without the thrusts at which a joint slides.
-pub(super) fn cut_by_friction(
-    query: &Query,
-    [mut least, mut largest]: [Limit; 2],
-) -> Result<[Limit; 2], Undecided> {
-    let Some(friction) = query.friction() else { return Ok([least, largest]) };
-    let question = "whether sliding or the line of thrust limits the thrust";
+/// What is asked where friction and the line of thrust may limit a thrust.
+const WHICH_LIMIT: &str = "whether sliding or the line of thrust limits the thrust";
+
+/// The least thrust of an arch that stands, where a joint may slide sooner.
+pub(super) fn cut_at_least(query: &Query, least: Limit) -> Result<Limit, Undecided> {
+    let Some(friction) = query.friction() else { return Ok(least) };
     let [h, joint] = start::inner_sliding(&Float::with_val(query.bits, friction.mid()));
     let inner = query.root(System::inner_sliding(query.weight), &[h, joint])?;
     let (alpha, joint) = (&query.given.half_opening, inner.sliding_joint.rad);
     // T/N grows up to the steepest joint: if that lies beyond the shoulder, the shoulder counts.
     let inside = alpha.rad.clone() - &joint;
-    let slid = if decide(&inside, "whether the steepest joint is above the shoulder", &[])? {
-        Limit { thrust: Some(inner.thrust), touch: Touch::InnerSliding(joint) }
+    let (slid, touch) = if decide(&inside, "whether the steepest joint is above the shoulder", &[])?
+    {
+        (inner.thrust, Touch::InnerSliding(joint))
     } else {
         let thrust = sliding::shoulder_thrust(alpha, &-friction.clone()).value();
-        Limit { thrust: Some(thrust), touch: Touch::ShoulderSlidingInwards }
+        (thrust, Touch::ShoulderSlidingInwards)
     };
-    if let (Some(thrust), Some(bound)) = (&least.thrust, &slid.thrust)
-        && decide(&(bound.clone() - thrust), question, &[])?
-    {
-        least = slid;
-    }
+    let slides_first = match &least.thrust {
+        Some(thrust) => decide(&(slid.clone() - thrust), WHICH_LIMIT, &[])?,
+        None => false,
+    };
+    Ok(if slides_first { Limit { thrust: Some(slid), touch } } else { least })
+}
+
+/// The same at the largest thrust; `never_slides` if the friction angle is exactly the half opening.
+pub(super) fn cut_at_largest(
+    query: &Query,
+    largest: Limit,
+    never_slides: bool,
+) -> Result<Limit, Undecided> {
+    let Some(friction) = query.friction().filter(|_| !never_slides) else { return Ok(largest) };
     let shoulder = sliding::shoulder_thrust(&query.given.half_opening, friction);
-    let first = match &largest.thrust {
+    let slides_first = match &largest.thrust {
         // numerator / denominator < thrust, without dividing by what may be zero: the numerator
         // is positive, since something stands.
         Some(thrust) => {
             let margin = shoulder.denominator.clone() * thrust - &shoulder.numerator;
-            decide(&margin, question, &[])?
+            decide(&margin, WHICH_LIMIT, &[])?
         }
         None => decide(&shoulder.denominator, "whether the shoulder can slide", &[])?,
     };
-    if first {
-        let touch = Touch::ShoulderSliding;
-        largest = Limit { thrust: Some(shoulder.value()), touch };
-    }
-    if let (Some(low), Some(high)) = (&least.thrust, &largest.thrust) {
-        require(&(high.clone() - low), "a range of thrusts that is not empty")?;
-    }
-    Ok([least, largest])
+    Ok(match slides_first {
+        true => Limit { thrust: Some(shoulder.value()), touch: Touch::ShoulderSliding },
+        false => largest,
+    })
 }

@@ -4,7 +4,7 @@ use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
 use crate::cli::failure::Failure;
 use crate::number::{ExactNumber, ParseExactError};
-use crate::problem::{Arch, is_thickness};
+use crate::problem::{Arch, Friction, is_thickness};
 use crate::report::words::list;
 use clap::Args;
 
@@ -52,6 +52,17 @@ impl ArchArguments {
     }
 }
 
+impl ArchArguments {
+    /// The half opening and the friction, where they are given.
+    pub(super) fn given(&self) -> Result<(Option<ExactNumber>, Option<Friction>), Failure> {
+        let wrong = |error: ParseExactError| Failure::Input(error.to_string());
+        let half_opening = self.shape.half_opening.as_deref().map(str::parse);
+        let friction = self.shape.friction_text();
+        let friction = friction.as_deref().map(str::parse);
+        Ok((half_opening.transpose().map_err(wrong)?, friction.transpose().map_err(wrong)?))
+    }
+}
+
 /// What a command needs beside the arch, and a command line that has everything.
 pub(super) struct Needs {
     /// Options that are missing.
@@ -66,12 +77,17 @@ impl ShapeArguments {
         self.half_opening.is_some() || self.friction.is_some() || self.friction_angle.is_some()
     }
 
-    /// The arch described. All that is missing is told at once.
-    pub(super) fn arch(&self, weight: SelfWeight, needs: &Needs) -> Result<Arch, Failure> {
-        let friction = match (&self.friction, &self.friction_angle) {
+    /// The friction as [`Friction`] reads it.
+    fn friction_text(&self) -> Option<String> {
+        match (&self.friction, &self.friction_angle) {
             (Some(mu), _) => Some(mu.clone()),
             (None, phi) => phi.as_ref().map(|phi| format!("tan({phi})")),
-        };
+        }
+    }
+
+    /// The arch described. All that is missing is told at once.
+    pub(super) fn arch(&self, weight: SelfWeight, needs: &Needs) -> Result<Arch, Failure> {
+        let friction = self.friction_text();
         let (Some(alpha), Some(mu), true) =
             (&self.half_opening, &friction, needs.missing.is_empty())
         else {

@@ -5,6 +5,7 @@ mod assess;
 mod audit;
 mod certify;
 mod constants;
+mod find;
 mod folder;
 mod judge;
 mod output;
@@ -28,6 +29,7 @@ pub(super) enum Command {
     Constants(constants::Arguments),
     State(state::Arguments),
     Assess(assess::Arguments),
+    Find(find::Arguments),
     States(states::Arguments),
     Sample(sample::Arguments),
     Judge(judge::Arguments),
@@ -54,6 +56,7 @@ impl Command {
             Self::Constants(arguments) => constants::run(arguments),
             Self::State(arguments) => state::run(arguments),
             Self::Assess(arguments) => assess::run(arguments),
+            Self::Find(arguments) => find::run(arguments),
             Self::States(arguments) => states::run(arguments),
             Self::Sample(arguments) => sample::run(arguments),
             Self::Judge(arguments) => judge::run(arguments),

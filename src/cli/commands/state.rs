@@ -7,7 +7,7 @@ use crate::certify::state::Certify;
 use crate::certify::{CertifiedLandmark, Undecided, quantities as quantities_of};
 use crate::cli::failure::Failure;
 use crate::problem::{Arch, Landmark, Quantity};
-use crate::report::{Answer, Answers, Report, Scope, Status};
+use crate::report::{Answer, Answers, Report, Scope};
 use clap::Args;
 
 /// Print whether an arch can stand, how thin it can be, and how it collapses there, with a proof.
@@ -61,15 +61,12 @@ pub(super) fn print(
     let (file, format) = (output.open()?, output.format());
     let answers: Vec<Answer> =
         answers().into_iter().map(|answer| answer.only(&quantities)).collect();
-    let undecided = answers.iter().find_map(|answer| match &answer.status {
-        Status::Undecided(undecided) => Some(Failure::Undecided(undecided.to_string())),
-        _ => None,
-    });
+    let open = answers.iter().find_map(Answer::first_open);
     let scope = if answers.len() == 1 { Scope::Arch } else { Scope::Arches };
     let report =
         Report::Answers(Answers { scope, digits, quantities, list: answers, kept: Vec::new() });
     file.write(|out| report.write(format, out))?;
-    undecided.map_or(Ok(()), Err)
+    open.map_or(Ok(()), |open| Err(Failure::Undecided(open.to_string())))
 }
 
 fn at_landmark(landmark: Landmark, arguments: &Arguments) -> Result<(), Failure> {

@@ -4,14 +4,14 @@ use super::arch::thickness;
 use super::output::OutputFile;
 use super::parse;
 use super::rows::{
-    Cells, Columns, Input, Keep, Line, Progress, Purpose, Reader, Role, Source, Spelling, Syntax,
-    Table, Together, in_order, objects,
+    Cells, Columns, Input, Keep, Line, Progress, Purpose, Reader, Role, Row, Source, Spelling,
+    Syntax, Table, Together, in_order, objects,
 };
 use crate::arch::SelfWeight;
 use crate::certify::state::Certify;
 use crate::check::visible_name;
 use crate::cli::failure::Failure;
-use crate::report::{Answer, Answers, Content, Format, Kept, Status};
+use crate::report::{Answer, Answers, Content, Format, Status};
 use clap::Args;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -64,19 +64,13 @@ pub(crate) struct Arguments {
     output: OutputFile,
 }
 
-/// A query as it was read.
-struct Query {
-    cells: Cells,
-    kept: Vec<(String, Kept)>,
-}
-
 /// The queries of a file.
 struct Queries {
     columns: Columns,
     spelling: Spelling,
     /// The names of what is handed on, where the rows are those of a table.
     kept: Vec<String>,
-    rows: Box<dyn Iterator<Item = Line<Query>> + Send>,
+    rows: Box<dyn Iterator<Item = Line<Row>> + Send>,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -144,7 +138,7 @@ fn unwritten(error: io::Error) -> Failure {
 }
 
 /// The answer to a query, or its error.
-fn answer(reader: &Reader, (line, query): Line<Query>, digits: usize) -> Answer {
+fn answer(reader: &Reader, (line, query): Line<Row>, digits: usize) -> Answer {
     let (answer, kept) = match query {
         Ok(query) => (asked(reader, line, &query.cells, digits), query.kept),
         Err(error) => (Err(error), Vec::new()),
@@ -171,13 +165,7 @@ fn table(input: Input, keep: &Keep) -> Result<Queries, Failure> {
     let places = columns.places(&table.header).map_err(Failure::Input)?;
     let spelling = Spelling { decimal_comma: table.has_decimal_commas() };
     let names = kept.iter().map(|(name, _)| name.clone()).collect();
-    let query = move |row: Vec<String>| Query {
-        cells: places.iter().map(|&place| row.get(place).cloned()).collect(),
-        kept: kept
-            .iter()
-            .filter_map(|(name, place)| Some((name.clone(), Kept::Text(row.get(*place)?.clone()))))
-            .collect(),
-    };
+    let query = move |row: Vec<String>| Keep::row(&row, &places, &kept);
     let rows = Box::new(table.map(move |(line, row)| (line, row.map(&query))));
     Ok(Queries { columns, spelling, kept: names, rows })
 }
@@ -185,17 +173,10 @@ fn table(input: Input, keep: &Keep) -> Result<Queries, Failure> {
 /// Of JSON, where each row has keys of its own.
 fn json(input: Input, keep: Keep, format: &Format) -> Result<Queries, Failure> {
     let columns = Columns::own(Purpose::Ask);
-    let kept = match &keep {
-        Keep::Named(names) => names.clone(),
-        Keep::All if format.name == "jsonl" => Vec::new(),
-        Keep::All => {
-            let message = "JSON rows have no common columns: name those to keep, --keep id,name";
-            return Err(Failure::Input(message.into()));
-        }
-    };
+    let kept = keep.names(format.name == "jsonl").map_err(Failure::Input)?;
     let read = columns.clone();
     let rows = objects(input, move |object| {
-        Ok(Query { cells: read.cells(object)?, kept: keep.entries(object, &read) })
+        Ok(Row { cells: read.cells(object)?, kept: keep.entries(object, &read) })
     });
     Ok(Queries { columns, spelling: Spelling::default(), kept, rows })
 }

@@ -4,6 +4,7 @@ use super::row::{JudgedRow, digits, number};
 use super::summary::JudgeSummary;
 use crate::arch::SelfWeight;
 use crate::judge::Verdict;
+use crate::report::columns::kept_fields;
 use crate::report::fields::Fields;
 use crate::report::json;
 use serde::Serialize;
@@ -14,6 +15,8 @@ use std::io;
 #[derive(Serialize)]
 struct RowEntry {
     schema: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    kept: Option<Fields>,
     #[serde(flatten)]
     fields: Fields,
     numbers: BTreeMap<&'static str, Fields>,
@@ -22,7 +25,9 @@ struct RowEntry {
 impl RowEntry {
     fn new(row: &JudgedRow) -> Self {
         let numbers = row.numbers().iter().map(|judged| (judged.quantity.name(), number(judged)));
-        Self { schema: "couplet.judged/2", fields: row.fields(), numbers: numbers.collect() }
+        let kept = (!row.kept.is_empty()).then(|| kept_fields(&row.kept));
+        let schema = "couplet.judged/2";
+        Self { schema, kept, fields: row.fields(), numbers: numbers.collect() }
     }
 }
 

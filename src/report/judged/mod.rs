@@ -17,14 +17,14 @@ use std::io;
 /// How rows are written as they come.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct JudgedLines {
-    /// The header, with the quantities that have columns.
-    pub header: fn(&[Quantity]) -> io::Result<Vec<u8>>,
+    /// The header, with the quantities that have columns, and with the names of what is handed on.
+    pub header: fn(&[Quantity], &[String]) -> io::Result<Vec<u8>>,
     /// One row.
-    pub row: fn(&JudgedRow, &[Quantity]) -> io::Result<Vec<u8>>,
+    pub row: fn(&JudgedRow, &[Quantity], &[String]) -> io::Result<Vec<u8>>,
 }
 
 /// CSV.
 pub(crate) const CSV: JudgedLines = JudgedLines { header: csv::header, row: csv::row };
 /// JSON lines, `couplet.judged/2`.
 pub(crate) const JSON_LINES: JudgedLines =
-    JudgedLines { header: |_| Ok(Vec::new()), row: |row, _| json::row(row) };
+    JudgedLines { header: |_, _| Ok(Vec::new()), row: |row, _, _| json::row(row) };

@@ -3,6 +3,7 @@
 use crate::judge::{Certified, CorrectDigits, Judged, Judgement, Side, Standing, Verdict};
 use crate::number::Decimal;
 use crate::problem::Quantity;
+use crate::report::Kept;
 use crate::report::fields::Fields;
 use crate::report::words::reason;
 use serde_json::Value as Json;
@@ -26,6 +27,8 @@ pub(crate) struct JudgedRow {
     pub claimed_stands: Option<bool>,
     /// The mode that is claimed.
     pub claimed_mode: Option<&'static str>,
+    /// What is handed on from the row.
+    pub kept: Vec<(String, Kept)>,
     /// The judgement, or why the row cannot be read.
     pub outcome: Result<Judgement, String>,
 }
@@ -79,6 +82,7 @@ impl Default for JudgedRow {
             claimed_can_stand: None,
             claimed_stands: None,
             claimed_mode: None,
+            kept: Vec::new(),
             outcome: Err(String::new()),
         }
     }

@@ -8,13 +8,16 @@
 //! thinner arch stands, whatever the start ([`arch::contact`](crate::arch::contact)).
 
 mod landmark;
+mod line;
 mod quick;
 mod rotation;
 mod scaled;
 mod sliding;
 mod touch;
+mod wide;
 
 pub use landmark::landmark;
+pub use line::on_line;
 pub use quick::{QuickState, quick_state};
 pub use rotation::{
     rotational, rotational_with_thickness, rotational_with_thrust, scaled_rotational,
@@ -23,3 +26,6 @@ pub use rotation::{
 pub use scaled::{scaled_largest_thrust, scaled_shoulder_sliding, scaled_sliding};
 pub use sliding::{inner_sliding, sliding};
 pub use touch::{InnerStart, largest_thrust, rotational_sliding};
+pub use wide::{
+    tangent_joint, widest_rotational, widest_sliding, widest_touching, widest_without_sliding,
+};

@@ -12,6 +12,8 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Below this half opening the leading terms are used.
 const SMALL: f64 = 0.01;
+/// Below this friction the leading terms are used.
+const SLIPPERY: f64 = 1e-6;
 /// Below this angle `θ` is half of it.
 const STEEP: f64 = 1e-3;
 
@@ -19,6 +21,12 @@ const STEEP: f64 = 1e-3;
 /// slides.
 pub fn inner_sliding(friction: &Float) -> [Float; 2] {
     let bits = friction.prec();
+    if *friction < SLIPPERY {
+        // (1 - h)³ = (3/2 mu)², the leading term.
+        let rest = (Float::with_val(bits, friction * 3u32) / 2u32).cbrt().square();
+        let h = Float::with_val(bits, 1 - &rest);
+        return [h.clone(), (rest * h).sqrt()];
+    }
     let target = Float::with_val(bits, friction.recip_ref()).atan();
     let theta = match target.to_f64() {
         moderate if moderate > STEEP => Float::with_val(bits, slope_angle(moderate)),
@@ -85,6 +93,15 @@ pub(super) fn sliding_in_doubles(opening: &Angle<f64>) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_least_frictions_have_a_start() {
+        for friction in [1.01e-6, 0.99e-6, 1e-15, 1e-100] {
+            let [h, joint] = inner_sliding(&Float::with_val(2000, friction));
+            let again = sliding::inner(&Angle::new(joint), &h).value().to_f64();
+            approx::assert_relative_eq!(again, friction, max_relative = 1e-2);
+        }
+    }
 
     #[test]
     fn the_purely_sliding_state_uses_its_friction_at_both_joints() {

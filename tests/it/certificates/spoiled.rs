@@ -74,16 +74,11 @@ fn truth(accepted: &Accepted, quantity: Quantity) -> Option<Rational> {
 fn is_so(problem: &Problem) -> bool {
     let Problem::Verdict { verdict, arch } = problem else { return true };
     let least = match arch.certify_alone(5).unwrap() {
-        Answer::Falls(fall) => Err(fall),
+        Answer::Falls { fall, .. } => Err(fall),
         Answer::Stands(state) => Ok(state),
     };
-    let stands = |thickness: &ExactNumber| {
-        arch.certify_thickness(thickness, 2).map_or_else(
-            // Only the physical limit itself may be left out there.
-            |_| least.is_ok(),
-            |assessed| assessed.stands,
-        )
-    };
+    let stands =
+        |thickness: &ExactNumber| arch.certify_thickness(thickness, 2).unwrap().stands.unwrap();
     match (verdict, &least) {
         (Verdict::Slides, Err(Fall::Sliding)) | (Verdict::TooWide, Err(Fall::Thickness)) => true,
         (Verdict::TooThin { mode, thickness }, Ok(state)) => {

@@ -1,9 +1,102 @@
 //! `couplet state`, `couplet assess` and `couplet states`.
 
-use super::{exact, stdout};
-use crate::program::{fed, json};
+use super::{exact, printed, stdout};
+use crate::program::{couplet, fed, json, text};
 use serde_json::Value;
 use std::process::Output;
+
+/// The tangent of the half opening, to more digits than any precision that is tried.
+fn tangent_of_one_half() -> String {
+    let half = rug::Float::with_val(40_000, 0.5);
+    half.tan().to_string_radix(10, Some(11_000))
+}
+
+/// What stays open is open alone, in every format and in the exit code.
+#[test]
+fn an_open_quantity_is_named_and_the_rest_is_given() {
+    let friction = tangent_of_one_half();
+    let asked = |format| {
+        let arch = ["assess", "--alpha", "1/2", "--mu", &friction, "--thickness", "0.6"];
+        couplet(&[&arch[..], &["--digits", "6", "--format", format]].concat())
+    };
+    let why = "whether the shoulder can slide";
+    let table = asked("table");
+    assert_eq!(table.status.code(), Some(1));
+    assert_eq!(text(&table.stderr), format!("couplet: undecided: largest_thrust: {why}\n"));
+    let lines = text(&table.stdout);
+    assert!(lines.contains("stands, proved") && lines.contains(&format!("undecided: {why}")));
+    assert!(lines.contains("472.002"), "the safety factor is known");
+    let entry: Value = serde_json::from_str(&text(&asked("json").stdout)).unwrap();
+    assert_eq!((&entry["verdict"], &entry["stands"]), (&"proved".into(), &true.into()));
+    assert_eq!(entry["largest_thrust"]["undecided"], why);
+    assert_eq!(entry["least_thrust"]["thrust"]["value"], "0.322101");
+    assert_eq!(entry["reason"], format!("largest_thrust: {why}"));
+    let csv = text(&asked("csv").stdout);
+    let [header, row] =
+        [0, 1].map(|line| csv.lines().nth(line).unwrap().split(',').collect::<Vec<_>>());
+    let place = header.iter().position(|name| *name == "largest_thrust").unwrap();
+    assert_eq!((row[place], row[place - 1]), ("undecided", "0.322101"));
+}
+
+/// What is found is text where it is given and a value where it is found, in the same columns.
+#[test]
+fn what_is_found_is_written_in_every_format() {
+    let widest = ["find", "half-opening", "--mu", "0.6", "--eta", "0.15", "--digits", "12"];
+    let asked = |format| printed(&[&widest[..], &["--format", format]].concat());
+    let entry: Value = serde_json::from_str(&asked("json")).unwrap();
+    assert_eq!(entry["schema"], "couplet.find/1");
+    assert_eq!((&entry["friction"], &entry["thickness"]), (&"0.6".into(), &"0.15".into()));
+    assert_eq!(entry["half_opening"]["value"], "1.71413299187");
+    let [lower, upper] = ["lower", "upper"].map(|end| exact(&entry["half_opening"][end]));
+    assert!(lower < upper);
+    let csv = asked("csv");
+    let columns = csv.lines().next().unwrap().split(',').take(7).collect::<Vec<_>>();
+    let expected =
+        ["weight", "sought", "boundary", "half_opening", "friction", "thickness", "verdict"];
+    assert_eq!(columns, expected);
+    assert!(csv.contains("milankovitch,half_opening,,1.71413299187,0.6,0.15,proved,\"[r,r,r]\""));
+    for format in ["toml", "latex", "c", "rust", "python", "julia", "matlab", "fortran", "plain"] {
+        assert!(asked(format).contains("1.71413299187"), "{format}");
+    }
+    // A friction that is found is one that `state` and `assess` have in other words.
+    let at = |arguments: &[&str]| printed(&[arguments, &["--plain", "--digits", "12"]].concat());
+    let quantity = |name| ["--quantity", name];
+    let arch = ["--half-opening", "pi/2"];
+    let sliding =
+        at(&[&["state", "--friction", "1"], &arch[..], &quantity("sliding_friction")].concat());
+    let friction = quantity("friction");
+    assert_eq!(at(&[&["find", "friction"], &arch[..], &friction].concat()), sliding);
+    assert_eq!(at(&[&["find", "boundary", "srr/ss"], &arch[..], &friction].concat()), sliding);
+    let rotational =
+        at(&[&["state", "--friction", "1"], &arch[..], &quantity("rotational_friction")].concat());
+    assert_eq!(at(&[&["find", "boundary", "rrr/srr"], &arch[..], &friction].concat()), rotational);
+}
+
+#[test]
+fn a_state_that_falls_says_what_would_be_enough() {
+    let falls = ["state", "--alpha", "pi/2", "--mu", "0.3", "--weight", "heyman", "--digits", "6"];
+    let asked = |format| printed(&[&falls[..], &["--format", format]].concat());
+    let table = asked("table");
+    assert!(table.contains("stands with a friction from") && table.contains("0.309215"), "{table}");
+    let entry: Value = serde_json::from_str(&asked("json")).unwrap();
+    assert_eq!(entry["sliding_friction"]["value"], "0.309215");
+    assert_eq!(entry["enough"]["friction"]["value"], "0.309215");
+    let widest = printed(&[
+        "find",
+        "half-opening",
+        "--mu",
+        "0.3",
+        "--weight",
+        "heyman",
+        "--digits",
+        "6",
+        "--plain",
+        "--quantity",
+        "half_opening",
+    ]);
+    assert_eq!(entry["enough"]["half_opening"]["value"], widest.trim());
+    assert!(asked("csv").contains(",0.309215,"));
+}
 
 #[test]
 fn a_state_has_its_proof_and_its_schema() {

@@ -76,7 +76,8 @@ fn states_have_a_row_for_each_value_and_for_each_that_has_none() {
     let of = |line| rows.iter().find(|row| row["line"] == Field::Long(line)).unwrap();
     let fallen = of(3);
     assert_eq!((text(&fallen["reason"]), &fallen["can_stand"]), ("sliding", &Field::Bool(false)));
-    assert_eq!(fallen["quantity"], Field::Null);
+    assert_eq!(text(&fallen["quantity"]), "sliding_friction");
+    assert_eq!(of(4)["quantity"], Field::Null);
     assert_eq!(text(&of(4)["status"]), "refused");
     assert!(text(&of(4)["reason"]).contains("banana"));
     let kept =

@@ -128,6 +128,8 @@ fn what_is_written_is_as_the_schemas_say() {
     let out = scratch.path("out");
     assert_eq!(couplet(&["run", &scratch.path("scene.toml"), "-o", &out]).status.code(), Some(0));
     let mut documents = vec![scratch.read("out/a.json"), scratch.read("out/b.json")];
+    // Nearer to the tangent of the half opening than can be told.
+    let open = rug::Float::with_val(40_000, 0.5).tan().to_string_radix(10, Some(11_000));
     let near = ["--alpha", "pi/2", "--mu", "0.3958320381380695", "--weight", "heyman"];
     for line in [
         &[&["state", "--format", "json"], &near[..]].concat()[..],
@@ -137,6 +139,11 @@ fn what_is_written_is_as_the_schemas_say() {
             "assess", "--alpha", "80deg", "--mu", "1", "--eta", "0.2", "--digits", "17",
             "--format", "json",
         ],
+        &["find", "half-opening", "--mu", "0.6", "--eta", "0.15", "--format", "json"],
+        &["find", "half-opening", "--mu", "0", "--format", "json"],
+        &["find", "boundary", "rrs/ss", "--alpha", "2.5", "--digits", "17", "--format", "json"],
+        &["find", "boundary", "rrs/ss", "--mu", "1", "--format", "json"],
+        &["assess", "--alpha", "1/2", "--mu", &open, "--eta", "0.6", "--format", "json"],
         &["state", "--at", "T", "--format", "json"],
         &["audit", "--format", "json"],
         &["constants", "--digits", "20", "--format", "json"],

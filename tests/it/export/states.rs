@@ -27,7 +27,7 @@ fn report() -> Report {
     };
     let list = vec![
         answer(2, slides.certify(40)),
-        answer(3, Ok(State::Falls(Fall::Sliding))),
+        answer(3, Ok(State::Falls { fall: Fall::Sliding, enough: None })),
         answer(4, Err(doubt())),
         Answer::refused(5, HOSTILE.into()),
     ];

@@ -144,3 +144,17 @@ fn a_mode_next_to_a_boundary_is_told_with_its_distance() {
         "{table}"
     );
 }
+
+/// What joins the output with the input beside the line.
+#[test]
+fn what_is_kept_is_handed_on() {
+    let input = "id,alpha,mu,eta,mode\n7,1.5,0.6,0.0901407,\n8,x,1,1,\n";
+    let judged = fed(&["judge", "-", "--format", "csv", "--keep", "id,mode"], input);
+    let table = text(&judged.stdout);
+    let lines: Vec<&str> = table.lines().collect();
+    assert!(lines[0].starts_with("id,input_mode,line,weight,"), "{table}");
+    assert!(lines[1].starts_with("7,,2,milankovitch,") && lines[2].starts_with("8,,3,"), "{table}");
+    let (_, rows) = rows(&["--keep", "all"], input);
+    assert_eq!((&rows[0]["kept"]["id"], &rows[1]["kept"]["id"]), (&"7".into(), &"8".into()));
+    crate::program::refused(&["judge", "-", "--keep", "x"], input, "no column 'x' to keep");
+}

@@ -135,8 +135,8 @@ faults! {
         "[arches]\nhalf_opening = 1\nfriction = 1\nthickness = \"pi/3\"\n"
         => "5:13: thickness \"pi/3\" is not a ratio of thickness to radius (0.12, \"3/25\")";
     a_thickness_beyond_the_limit:
-        "[arches]\nhalf_opening = 1\nfriction = 1\nthickness = 2\n"
-        => "5:13: thickness 2 is not between 0 and 2";
+        "[arches]\nhalf_opening = 1\nfriction = 1\nthickness = 2.1\n"
+        => "5:13: thickness 2.1 is not between 0 and 2";
     a_range_that_falls:
         "[arches]\nhalf_opening = 1\nfriction = { from = 0.5, to = 0.3, steps = 3 }\n"
         => "4:12: friction from 0.5 to 0.3 does not rise; give the smaller first";

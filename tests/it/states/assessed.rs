@@ -1,26 +1,29 @@
 //! Arches of a given thickness.
 
-use super::mode;
+use super::{float_text, mode};
 use crate::arches::{H, M, arch, number};
-use couplet::certify::state::Certify;
-use couplet::problem::Mode;
+use couplet::arch::SelfWeight;
+use couplet::certify::state::{AssessmentDigits, Certify, Outcome};
+use couplet::problem::{Mode, Quantity};
 
-/// A thickness outside `(0, 2)` is none: nothing is said of it.
-#[test]
-fn an_impossible_thickness_is_a_doubt() {
-    for (thickness, question) in [
-        ("0", "whether the thickness is positive"),
-        ("-1/10", "whether the thickness is positive"),
-        ("2", "whether the thickness is below the limit 2"),
-        ("3", "whether the thickness is below the limit 2"),
-    ] {
-        let doubt = arch(H, "pi/2", "0.5").certify_thickness(&number(thickness), 6).unwrap_err();
-        assert_eq!(doubt.reason, question, "{thickness}");
-    }
-    assert!(arch(H, "pi/2", "0.5").certify_thickness(&number("1.99"), 6).unwrap().stands);
+fn assessed(weight: SelfWeight, alpha: &str, mu: &str, eta: &str) -> AssessmentDigits {
+    let found = arch(weight, alpha, mu).certify_thickness(&number(eta), 20);
+    found.unwrap_or_else(|doubt| panic!("{alpha} {mu} {eta}: {doubt:?}"))
 }
 
-/// Arches on which a comparison of the assessment is an exact tie that does not matter for the answer.
+/// A thickness outside `(0, 2]` is none: nothing is said of it.
+#[test]
+fn an_impossible_thickness_is_a_doubt() {
+    for thickness in ["0", "-1/10", "2.000001", "3"] {
+        let doubt = arch(H, "pi/2", "0.5").certify_thickness(&number(thickness), 6).unwrap_err();
+        assert_eq!(doubt.reason, "the thickness is not between 0 and 2", "{thickness}");
+    }
+    for thickness in ["1.99", "2"] {
+        assert_eq!(assessed(H, "pi/2", "0.5", thickness).stands, Ok(true), "{thickness}");
+    }
+}
+
+/// Arches on which a comparison of the assessment is an exact tie: everything is decided.
 #[test]
 fn exact_ties_do_not_hide_the_answer() {
     let cases = [
@@ -28,8 +31,18 @@ fn exact_ties_do_not_hide_the_answer() {
         (M, "pi/3", "0.5", "2/3"),
         // Besides, the line of least thrust touches the intrados exactly at the shoulder.
         (H, "pi/3", "0.5", "2/3"),
+        (H, "pi/3", "inf", "2/3"),
+        (M, "60deg", "2", "2/3"),
+        (M, "pi/3", "60deg", "2/3"),
+        (M, "pi/2", "0.5", "2"),
+        (H, "90deg", "inf", "2"),
         // The friction angle is the half opening: the shoulder can just not slide.
         (M, "pi/4", "1", "0.1"),
+        (H, "pi/4", "1", "0.5"),
+        (M, "pi/4", "1", "0.5"),
+        (M, "30deg", "30deg", "0.5"),
+        (H, "60deg", "tan(60deg)", "0.7"),
+        (M, "1/3", "tan(1/3)", "0.7"),
         // The thickness is that of the end of rotation.
         (H, "pi/2", "0.5", "1"),
         (H, "pi/2", "inf", "1"),
@@ -39,9 +52,61 @@ fn exact_ties_do_not_hide_the_answer() {
         (M, "2.3", "1e900", "1.5"),
     ];
     for (weight, alpha, mu, eta) in cases {
-        let found = arch(weight, alpha, mu).certify_thickness(&number(eta), 20);
-        let found = found.unwrap_or_else(|doubt| panic!("{alpha} {mu} {eta}: {doubt:?}"));
-        assert_eq!(found.stands, mu != "0", "{alpha} {mu} {eta}");
+        let found = assessed(weight, alpha, mu, eta);
+        assert_eq!(found.stands, Ok(mu != "0"), "{alpha} {mu} {eta}");
+        assert_eq!(found.open().collect::<Vec<_>>(), [], "{alpha} {mu} {eta}");
     }
     assert_eq!(mode(M, "2.6", "1e900"), Mode::OverturningSliding);
+}
+
+/// Where the shoulder slides at no thrust, and where the crown has no lever arm, nothing bounds the thrust.
+/// The least thrusts come from a derivation of their own.
+#[test]
+fn exact_ties_leave_the_thrust_unbounded() {
+    for (weight, alpha, mu, eta, least) in [
+        (M, "pi/4", "1", "0.5", Some(0.1633041930418988)),
+        (H, "pi/3", "inf", "2/3", Some(0.1045997880780726)),
+        (M, "pi/3", "inf", "2/3", Some(0.08658346485675566)),
+        (M, "pi/3", "60deg", "2/3", None),
+        (H, "pi/2", "inf", "2", Some(0.0)),
+    ] {
+        let found = assessed(weight, alpha, mu, eta);
+        let [low, high] = found.limits().map(Option::unwrap);
+        assert!(high.thrust.is_none(), "{alpha} {mu} {eta}");
+        let low = low.thrust.as_ref().unwrap().double;
+        if let Some(least) = least {
+            approx::assert_relative_eq!(low, least, max_relative = 1e-12);
+        }
+    }
+    // Hair's breadth on either side there is a bound, or none.
+    let bounded = |mu: &str| assessed(M, "pi/4", mu, "0.5").limits()[1].unwrap().thrust.is_some();
+    assert!(bounded("0.99999999999999999999") && !bounded("1.00000000000000000001"));
+}
+
+/// A comparison that stays open leaves the others decided.
+#[test]
+fn an_open_answer_is_open_alone() {
+    // The tangent of the half opening, to more digits than any precision that is tried.
+    let alpha = number("1/2").enclosure::<couplet::number::Ball>(40_000);
+    let (sin, cos) = couplet::number::Real::sin_cos(&alpha);
+    let mu = float_text((sin / cos).mid(), 11_000);
+    let found = assessed(M, "1/2", &mu, "0.6");
+    assert_eq!(found.stands, Ok(true));
+    let open: Vec<_> = found.open().map(|(of, why)| (of, why.reason.as_ref())).collect();
+    assert_eq!(open, [(Quantity::LargestThrust, "whether the shoulder can slide")]);
+    assert!(found.figures().any(|(of, _)| of == Quantity::FrictionSafety));
+    assert!(found.figures().any(|(of, _)| of == Quantity::LeastThrust));
+}
+
+/// On the line between two modes the least thickness stays open; that the arch stands does not.
+#[test]
+fn an_arch_between_modes_stands() {
+    let Ok(Outcome::Stands(state)) = arch(H, "pi/2", "1").state(40_000) else { panic!() };
+    let mu = float_text(state.frictions.unwrap().rotational.unwrap().mid(), 11_000);
+    for (eta, stands) in [("0.2", true), ("0.05", false)] {
+        let found = assessed(H, "pi/2", &mu, eta);
+        assert_eq!(found.stands, Ok(stands), "{eta}");
+        assert!(found.least_thickness.is_err() && found.geometric_safety.is_err());
+        assert_eq!(found.limits().map(|end| end.is_some()), [stands; 2]);
+    }
 }

@@ -47,7 +47,7 @@ fn openings_close_to_half_a_turn() {
     for weight in BOTH {
         for alpha in ["3", "3.14", "3.1415926535", "3.14159265358979323846264338327950"] {
             let fall = |friction| match arch(weight, alpha, friction).certify(40) {
-                Ok(Answer::Falls(fall)) => fall,
+                Ok(Answer::Falls { fall, .. }) => fall,
                 other => panic!("{weight:?} {alpha} {friction}: {other:?}"),
             };
             assert_eq!(fall("0.5"), Fall::Sliding);

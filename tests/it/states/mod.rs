@@ -5,6 +5,7 @@ mod assessed;
 mod borders;
 mod cost;
 mod crown;
+mod found;
 mod known;
 mod random;
 mod small;
@@ -62,7 +63,7 @@ fn proved_twice(weight: SelfWeight, half_opening: &str, friction: &str) -> Optio
     let arch = arch(weight, half_opening, friction);
     let first = match arch.certify(40) {
         Ok(Answer::Stands(state)) => state,
-        Ok(Answer::Falls(_)) => return None,
+        Ok(Answer::Falls { .. }) => return None,
         Err(doubt) => panic!("{weight:?} {half_opening} {friction}: {doubt:?}"),
     };
     let bits = 2000 + arch.bits_lost();

@@ -58,8 +58,8 @@ fn random_queries(count: u64, weight: SelfWeight) -> [usize; 9] {
         let (alpha, mu) = (format!("{:.17}", random() * limit), format!("{:.17}", random() * 5.0));
         let slot = match arch(weight, &alpha, &mu).certify(16) {
             Ok(Answer::Stands(state)) => Mode::ALL.iter().position(|m| *m == state.mode).unwrap(),
-            Ok(Answer::Falls(Fall::Sliding)) => 7,
-            Ok(Answer::Falls(Fall::Thickness)) => 8,
+            Ok(Answer::Falls { fall: Fall::Sliding, .. }) => 7,
+            Ok(Answer::Falls { fall: Fall::Thickness, .. }) => 8,
             Err(doubt) => panic!("{weight:?} {alpha} {mu}: {doubt:?}"),
         };
         met[slot] += 1;

@@ -4,8 +4,8 @@ mod row;
 
 use super::output::OutputFile;
 use super::rows::{
-    CHUNK, Cells, Columns, Input, Line, Progress, Reader, Role, Source, Spelling, Syntax, Table,
-    Together, in_order, objects,
+    CHUNK, Columns, Input, Keep, Line, Progress, Reader, Role, Row, Source, Spelling, Syntax,
+    Table, Together, in_order, objects,
 };
 use crate::arch::SelfWeight;
 use crate::check::visible_name;
@@ -70,6 +70,11 @@ pub(crate) struct Arguments {
     #[arg(long, value_delimiter = ',', value_name = "THEIRS=OURS,…")]
     columns: Vec<String>,
 
+    /// Columns or keys of the file that are handed on to each row (csv and jsonl), or `all` that are not
+    /// read. One whose name the output has for itself is called input_NAME there; JSON has them in `kept`.
+    #[arg(long, value_delimiter = ',', value_name = "NAME,…")]
+    keep: Vec<String>,
+
     /// Self-weight model of the rows that have none, heyman or milankovitch; milankovitch if not given.
     #[arg(long, value_parser = parse::weight)]
     weight: Option<SelfWeight>,
@@ -116,11 +121,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let progress = Progress::new(&source);
     let syntax = source.syntax;
     let input = progress.counted(source.into_input());
+    let keep = Keep::new(&arguments.keep);
     let results = match syntax {
-        Syntax::Csv => table(columns, input)?,
-        Syntax::Json => json(columns, input)?,
+        Syntax::Csv => table(columns, input, &keep)?,
+        Syntax::Json => json(columns, input, keep, arguments.format)?,
     };
-    let Results { columns, spelling, rows, has_weight, quantities } = results;
+    let Results { columns, spelling, kept, rows, has_weight, quantities } = results;
     let each = arguments.format.judged_lines;
     let demand = match arguments.accept {
         Some(digits) => Demand { digits, or_as_printed: false },
@@ -135,11 +141,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut complete = false;
     output.write(|out| {
         if let Some(each) = each {
-            out.write_all(&(each.header)(&quantities)?)?;
+            out.write_all(&(each.header)(&quantities, &kept)?)?;
         }
         let answer = |(line, cells)| {
             let row = judge.row(line, cells);
-            let text = each.map_or(Ok(Vec::new()), |each| (each.row)(&row, &quantities));
+            let text = each.map_or(Ok(Vec::new()), |each| (each.row)(&row, &quantities, &kept));
             (row, text)
         };
         in_order(rows, (&progress, Together::WhatIsThere), answer, |answers| {
@@ -181,7 +187,9 @@ fn verdict(summary: &JudgeSummary) -> Result<(), Failure> {
 struct Results {
     columns: Columns,
     spelling: Spelling,
-    rows: Box<dyn Iterator<Item = Line<Cells>> + Send>,
+    /// The names of what is handed on, where the rows are those of a table.
+    kept: Vec<String>,
+    rows: Box<dyn Iterator<Item = Line<Row>> + Send>,
     /// Whether the rows have a weight of their own.
     has_weight: bool,
     /// What is claimed.
@@ -192,8 +200,8 @@ impl Results {
     /// Of rows in which some of the columns were seen.
     fn new(
         (columns, seen): (Columns, &[bool]),
-        spelling: Spelling,
-        rows: impl Iterator<Item = Line<Cells>> + Send + 'static,
+        (spelling, kept): (Spelling, Vec<String>),
+        rows: impl Iterator<Item = Line<Row>> + Send + 'static,
     ) -> Self {
         let there = || columns.all.iter().zip(seen).filter(|(_, seen)| **seen).map(|(c, _)| c.role);
         let has_weight = there().any(|role| role == Role::Weight);
@@ -203,37 +211,42 @@ impl Results {
             .filter(|&quantity| !(is_given && quantity == Quantity::Thickness))
             .filter(|&quantity| there().any(|role| role == Role::Number(quantity)))
             .collect();
-        Self { columns, spelling, rows: Box::new(rows), has_weight, quantities }
+        Self { columns, spelling, kept, rows: Box::new(rows), has_weight, quantities }
     }
 }
 
 /// Of a table: the columns that it has.
-fn table(mut columns: Columns, input: Input) -> Result<Results, Failure> {
+fn table(mut columns: Columns, input: Input, keep: &Keep) -> Result<Results, Failure> {
     let table = Table::open(input)?;
     if table.header.iter().all(String::is_empty) {
         return Err(Failure::Input("the file is empty".into()));
     }
+    let kept = keep.places(&table.header, &columns).map_err(Failure::Input)?;
     let places = columns.places(&table.header).map_err(Failure::Input)?;
+    let names = kept.iter().map(|(name, _)| name.clone()).collect();
     let seen = vec![true; places.len()];
     let spelling = Spelling { decimal_comma: table.has_decimal_commas() };
-    let cells =
-        move |row: Vec<String>| places.iter().map(|&place| row.get(place).cloned()).collect();
-    let rows = table.map(move |(line, row)| (line, row.map(&cells)));
-    Ok(Results::new((columns, &seen), spelling, rows))
+    let read = move |row: Vec<String>| Keep::row(&row, &places, &kept);
+    let rows = table.map(move |(line, row)| (line, row.map(&read)));
+    Ok(Results::new((columns, &seen), (spelling, names), rows))
 }
 
 /// Of JSON: the columns that the first rows have.
-fn json(columns: Columns, input: Input) -> Result<Results, Failure> {
+fn json(columns: Columns, input: Input, keep: Keep, format: &Format) -> Result<Results, Failure> {
+    let is_table = format.judged_lines.is_some() && format.name != "jsonl";
+    let kept = keep.names(!is_table).map_err(Failure::Input)?;
     let read = columns.clone();
-    let mut rows = objects(input, move |object| read.cells(object));
-    let first: Vec<Line<Cells>> = rows.by_ref().take(CHUNK).collect();
-    let read = || first.iter().filter_map(|(_, cells)| cells.as_ref().ok());
-    let has = |place: usize| read().any(|cells| cells[place].is_some());
+    let mut rows = objects(input, move |object| {
+        Ok(Row { cells: read.cells(object)?, kept: keep.entries(object, &read) })
+    });
+    let first: Vec<Line<Row>> = rows.by_ref().take(CHUNK).collect();
+    let read = || first.iter().filter_map(|(_, row)| row.as_ref().ok());
+    let has = |place: usize| read().any(|row| row.cells[place].is_some());
     let seen: Vec<bool> = (0..columns.all.len()).map(has).collect();
     // If no row can be read, each reports its error.
     if read().next().is_some() {
         columns.check(&seen, "the first rows have").map_err(Failure::Input)?;
     }
     let rows = first.into_iter().chain(rows);
-    Ok(Results::new((columns, &seen), Spelling::default(), rows))
+    Ok(Results::new((columns, &seen), (Spelling::default(), kept), rows))
 }

@@ -1,7 +1,7 @@
 //! A row of results: its arch, and what it claims.
 
 use super::super::arch::thickness;
-use super::super::rows::{Cells, Reader, Role};
+use super::super::rows::{Cells, Reader, Role, Row};
 use crate::judge::{Claim, Demand, Said, judge};
 use crate::problem::Quantity;
 use crate::report::judged::JudgedRow;
@@ -14,10 +14,15 @@ pub(super) struct Judge {
 
 impl Judge {
     /// Judges a row.
-    pub(super) fn row(&self, line: u64, cells: Result<Cells, String>) -> JudgedRow {
+    pub(super) fn row(&self, line: u64, row: Result<Row, String>) -> JudgedRow {
+        let (cells, kept) = match row {
+            Ok(Row { cells, kept }) => (Ok(cells), kept),
+            Err(error) => (Err(error), Vec::new()),
+        };
         let described = cells.as_ref().map(|cells| self.reader.described(cells));
         let [weight, half_opening, friction] = described.unwrap_or_default();
-        let mut row = JudgedRow { line, weight, half_opening, friction, ..JudgedRow::default() };
+        let mut row =
+            JudgedRow { line, weight, half_opening, friction, kept, ..JudgedRow::default() };
         row.outcome = cells.and_then(|cells| {
             let arch = self.reader.arch(&cells)?;
             let claim = self.claim(&cells)?;

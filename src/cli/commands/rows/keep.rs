@@ -1,9 +1,17 @@
 //! What is handed on from the rows of the input to those of the output.
 
-use super::columns::Columns;
+use super::columns::{Cells, Columns};
 use super::object::JsonObject;
 use crate::report::Kept;
 use crate::report::words::shortened;
+
+/// A row as it was read.
+pub(crate) struct Row {
+    /// What is read of it.
+    pub cells: Cells,
+    /// What is handed on.
+    pub kept: Vec<(String, Kept)>,
+}
 
 /// Which columns or keys are handed on.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -44,6 +52,28 @@ impl Keep {
             }
         };
         names.into_iter().map(place).collect()
+    }
+
+    /// The names of what is handed on from JSON, where that is known before the rows are: `lines` says whether
+    /// rows need no common columns.
+    pub(crate) fn names(&self, lines: bool) -> Result<Vec<String>, String> {
+        match self {
+            Self::Named(names) => Ok(names.clone()),
+            Self::All if lines => Ok(Vec::new()),
+            Self::All => {
+                Err("JSON rows have no common columns: name those to keep, --keep id,name"
+                    .to_owned())
+            }
+        }
+    }
+
+    /// A row of a table, by the places of its cells and of what is handed on.
+    pub(crate) fn row(row: &[String], places: &[usize], kept: &[(String, usize)]) -> Row {
+        let kept = kept.iter().filter_map(|(name, place)| Some((name, row.get(*place)?)));
+        Row {
+            cells: places.iter().map(|&place| row.get(place).cloned()).collect(),
+            kept: kept.map(|(name, text)| (name.clone(), Kept::Text(text.clone()))).collect(),
+        }
     }
 
     /// The entries of an object that are handed on.

@@ -17,7 +17,7 @@ pub(super) use arch::Reader;
 pub(super) use columns::{Cells, Columns};
 pub(super) use csv::Table;
 pub(super) use json::objects;
-pub(super) use keep::Keep;
+pub(super) use keep::{Keep, Row};
 pub(super) use roles::{Purpose, Role};
 pub(super) use source::{Input, Line, Source, Syntax};
 pub(super) use spelling::Spelling;

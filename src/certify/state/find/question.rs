@@ -1,0 +1,252 @@
+//! What can be asked the other way round, and the answers in digits.
+
+use super::line::point_on;
+use super::widest::{at_thickness, bits_lost, widest};
+use crate::arch::{Configuration, SelfWeight};
+use crate::certify::Undecided;
+use crate::certify::state::assess::Wanted;
+use crate::certify::state::figure::Figure;
+use crate::certify::state::inquiry::Inquiry;
+use crate::certify::state::query::Query;
+use crate::certify::state::raise::{GUARD, raise};
+use crate::certify::state::state::Fall;
+use crate::number::{Ball, ExactNumber, Field, Real, bits_of};
+use crate::problem::{Arch, ArchError, Friction, Line, Mode, Quantity, Sought, is_thickness};
+use rug::Rational;
+
+/// A question the other way round.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Question {
+    /// The widest half opening that stands: at a thickness in `(0, 2]`, or at any if none is given.
+    HalfOpening {
+        /// The friction.
+        friction: Friction,
+        /// The thickness.
+        thickness: Option<ExactNumber>,
+    },
+    /// The least friction with which an arch stands: at a thickness in `(0, 2]`, or at any if none is given.
+    Friction {
+        /// The half opening, rad.
+        half_opening: ExactNumber,
+        /// The thickness.
+        thickness: Option<ExactNumber>,
+    },
+    /// Where one mode becomes another.
+    Boundary {
+        /// The line of the map.
+        line: Line,
+        /// What is given of its point.
+        given: Given,
+    },
+}
+
+/// What is given of a point on a line of the map.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Given {
+    /// The half opening, rad; the friction is asked for.
+    HalfOpening(ExactNumber),
+    /// The friction; the half opening is asked for.
+    Friction(Friction),
+}
+
+/// The answer to a question the other way round.
+#[derive(Clone, Debug)]
+pub enum Finding {
+    /// What was asked for, and what else is known there.
+    Found(Found),
+    /// It is proved that there is none, as nothing stands.
+    Nothing(Fall),
+}
+
+/// What was asked for, correctly rounded.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Found {
+    /// How the arch collapses there; both modes on a line.
+    pub modes: Vec<Mode>,
+    /// What was asked for, and what else is known there.
+    pub figures: Vec<(Quantity, Figure)>,
+    /// What is proved besides: why there is no other answer.
+    pub proved: String,
+}
+
+/// What is found, in enclosures.
+struct Place {
+    modes: Vec<Mode>,
+    values: Vec<(Quantity, Ball)>,
+    proved: String,
+}
+
+impl Question {
+    /// What is asked for.
+    pub fn sought(&self) -> Sought {
+        match self {
+            Self::HalfOpening { .. } => Sought::HalfOpening,
+            Self::Friction { .. } => Sought::Friction,
+            Self::Boundary { given: Given::HalfOpening(_), .. } => Sought::Friction,
+            Self::Boundary { given: Given::Friction(_), .. } => Sought::HalfOpening,
+        }
+    }
+
+    /// What is given of an arch, with something else in place of what is not: it has to be in its range.
+    fn arch(&self, weight: SelfWeight) -> Result<Arch, ArchError> {
+        let one = || ExactNumber::from(&Rational::from(1));
+        let (half_opening, friction) = match self {
+            Self::HalfOpening { friction, .. } => (one(), friction.clone()),
+            Self::Friction { half_opening, .. } => (half_opening.clone(), Friction::Infinite),
+            Self::Boundary { given, .. } => match given {
+                Given::HalfOpening(alpha) => (alpha.clone(), Friction::Infinite),
+                Given::Friction(friction) => (one(), friction.clone()),
+            },
+        };
+        Arch::new(weight, half_opening, friction)
+    }
+
+    /// The thickness, if one is given.
+    pub fn thickness(&self) -> Option<&ExactNumber> {
+        match self {
+            Self::HalfOpening { thickness, .. } | Self::Friction { thickness, .. } => {
+                thickness.as_ref()
+            }
+            Self::Boundary { .. } => None,
+        }
+    }
+}
+
+/// Answers a question, with every value correctly rounded to `digits` significant digits, at least one. An
+/// error if the half opening or the friction that is given is out of its range; undecided if the thickness is.
+pub fn find(
+    weight: SelfWeight,
+    question: &Question,
+    digits: usize,
+) -> Result<Result<Finding, Undecided>, ArchError> {
+    let arch = question.arch(weight)?;
+    if question.thickness().is_some_and(|eta| !is_thickness(eta)) {
+        return Ok(Err(Undecided::new("the thickness is not between 0 and 2")));
+    }
+    let two = ExactNumber::from(&Rational::from(2));
+    let limit = question.thickness().is_none_or(|eta| eta.factor() == two.factor());
+    let eta = question.thickness().unwrap_or(&two);
+    Ok(match question {
+        Question::HalfOpening { .. } if has_no_friction(&arch) => {
+            Ok(Finding::Nothing(Fall::Sliding))
+        }
+        Question::HalfOpening { thickness, .. } => {
+            let query = |bits| at_thickness(&arch, eta, bits);
+            let proved = match thickness {
+                Some(_) => "every narrower arch stands at this thickness, no wider one does",
+                None => "every narrower arch stands at some thickness, no wider one does at any",
+            };
+            in_digits(&query, digits, |query| {
+                let (mode, at) = widest(query, limit)?;
+                Ok(place(vec![mode], &at, Sought::HalfOpening, proved.to_owned()))
+            })
+        }
+        Question::Friction { thickness, .. } => {
+            least_friction(&arch, eta, thickness.is_some(), digits)
+        }
+        Question::Boundary { line, given } => {
+            let sought = question.sought();
+            let query = |bits| {
+                let query = Query::new(&arch, bits);
+                match given {
+                    Given::HalfOpening(_) => Query { is_limited: true, ..query },
+                    Given::Friction(_) => query,
+                }
+            };
+            if *given == Given::Friction(Friction::Infinite) {
+                return Ok(Err(Undecided::new("with unlimited friction nothing slides")));
+            }
+            let proved = sides(*line, sought);
+            in_digits(&query, digits, |query| {
+                let at = point_on(query, *line, sought)?;
+                Ok(place(line.modes().to_vec(), &at, sought, proved.clone()))
+            })
+        }
+    })
+}
+
+fn has_no_friction(arch: &Arch) -> bool {
+    match arch.friction() {
+        Friction::Coefficient(x) | Friction::Angle(x) => x.factor().numer().bits() == 0,
+        Friction::Infinite => false,
+    }
+}
+
+/// The least friction with which an arch stands at a thickness, or at the physical limit.
+fn least_friction(
+    arch: &Arch,
+    thickness: &ExactNumber,
+    is_given: bool,
+    digits: usize,
+) -> Result<Finding, Undecided> {
+    let found = Inquiry::new(arch, digits, false).assess(thickness, digits, Wanted::Everything)?;
+    let proved = match is_given {
+        true => "it stands at this thickness with every larger friction, with none that is smaller",
+        false => {
+            "it stands at some thickness with every larger friction, at none with a smaller one"
+        }
+    };
+    Ok(match found.required_friction? {
+        Some(friction) => {
+            let figures = vec![(Quantity::Friction, friction)];
+            Finding::Found(Found { modes: Vec::new(), figures, proved: proved.to_owned() })
+        }
+        None => Finding::Nothing(Fall::Thickness),
+    })
+}
+
+/// What is on which side of a line.
+fn sides(line: Line, sought: Sought) -> String {
+    let [first, second] = line.modes();
+    let (what, more, less) = match sought {
+        Sought::Friction => ("friction", "above", "below"),
+        Sought::HalfOpening => ("half opening", "below", "above"),
+    };
+    match second {
+        Mode::Sliding => {
+            format!("the only such {what}: {first} next {more} it, nothing stands {less}")
+        }
+        second => format!("the only such {what}: {first} next {more} it, {second} next {less}"),
+    }
+}
+
+/// What is known where a state was found.
+fn place(modes: Vec<Mode>, at: &Configuration<Ball>, sought: Sought, proved: String) -> Place {
+    let alpha = &at.half_opening.rad;
+    let is_line = modes.len() > 1;
+    let mut values = match sought {
+        Sought::HalfOpening => vec![
+            (Quantity::HalfOpening, alpha.clone()),
+            (Quantity::HalfOpeningDegrees, alpha.clone() * alpha.int(180) / alpha.pi()),
+        ],
+        Sought::Friction => vec![(Quantity::Friction, at.friction.clone())],
+    };
+    if is_line {
+        values.push((Quantity::Thickness, at.thickness.clone()));
+    }
+    values.push((Quantity::Thrust, at.thrust.clone()));
+    if modes[0] != Mode::Sliding {
+        values.push((Quantity::RotationJoint, at.rotation_joint.rad.clone()));
+    }
+    if modes.iter().any(|mode| mode.slides_inside()) {
+        values.push((Quantity::SlidingJoint, at.sliding_joint.rad.clone()));
+    }
+    Place { modes, values, proved }
+}
+
+/// What a proof finds, with more bits until every digit is decided.
+fn in_digits(
+    query: &dyn Fn(u32) -> Query,
+    digits: usize,
+    proof: impl Fn(&Query) -> Result<Place, Undecided>,
+) -> Result<Finding, Undecided> {
+    let first = bits_of(digits) + GUARD;
+    let first = first.saturating_add(bits_lost(&query(first)));
+    raise(first, |bits| {
+        let Place { modes, values, proved } = proof(&query(bits))?;
+        let figures = values.iter().map(|(of, x)| Some((*of, Figure::new(x, digits)?)));
+        let Some(figures) = figures.collect::<Option<Vec<_>>>() else { return Ok(None) };
+        Ok(Some(Finding::Found(Found { modes, figures, proved })))
+    })
+}

@@ -1,0 +1,135 @@
+//! `couplet find`.
+
+use super::arch::{ArchArguments, thickness};
+use super::output::AnswerOutput;
+use super::parse;
+use crate::certify::state::find::{Given, Question, find};
+use crate::cli::failure::Failure;
+use crate::problem::{Friction, Line, Quantity};
+use crate::report::words::list;
+use crate::report::{Answer, Answers, Report, Scope};
+use clap::Args;
+
+/// Find the widest half opening that stands, the least friction, or where one mode becomes another, with a proof.
+///
+/// Without --thickness an arch counts if it stands at any. The least thickness of an arch is what `couplet state`
+/// finds.
+#[derive(Args)]
+#[command(
+    override_usage = "couplet find half-opening --friction <MU> [--thickness <ETA>] [OPTIONS]\n       \
+                            couplet find friction --half-opening <ANGLE> [--thickness <ETA>] [OPTIONS]\n       \
+                            couplet find boundary <MODES> --friction <MU> | --half-opening <ANGLE> [OPTIONS]"
+)]
+pub(crate) struct Arguments {
+    /// What to find: half-opening, friction or boundary.
+    #[arg(value_name = "WHAT", value_parser = what)]
+    what: What,
+
+    /// The two modes of a boundary (rrs/rsr, [r,s,r]/[r,s]).
+    #[arg(value_name = "MODES", value_parser = line)]
+    modes: Option<Line>,
+
+    #[command(flatten)]
+    arch: ArchArguments,
+
+    /// Thickness-to-radius ratio, between 0 and 2 (0.12, 3/25); any if not given.
+    #[arg(long, visible_alias = "eta", value_name = "ETA", allow_hyphen_values = true)]
+    thickness: Option<String>,
+
+    #[command(flatten)]
+    output: AnswerOutput,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum What {
+    HalfOpening,
+    Friction,
+    Boundary,
+}
+
+fn what(text: &str) -> Result<What, String> {
+    match &text.replace('_', "-").to_lowercase()[..] {
+        "half-opening" | "alpha" => Ok(What::HalfOpening),
+        "friction" | "mu" => Ok(What::Friction),
+        "boundary" => Ok(What::Boundary),
+        "thickness" | "eta" => Err("the least thickness is what `couplet state` finds".into()),
+        _ => Err(parse::unknown("what is found", text, &["half-opening", "friction", "boundary"])),
+    }
+}
+
+fn line(text: &str) -> Result<Line, String> {
+    text.parse().map_err(|error: crate::problem::NoLine| error.to_string())
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let question = question(arguments)?;
+    let quantities = arguments.output.quantities(&Quantity::FOUND)?;
+    let (file, format) = (arguments.output.open()?, arguments.output.format());
+    let digits = arguments.arch.digits;
+    let answer = |(line, weight)| {
+        let found = find(weight, &question, digits);
+        let found = found.map_err(|error| Failure::Input(error.to_string()))?;
+        Ok(Answer::finding(line, (weight, &question), &found).only(&quantities))
+    };
+    let weights = (1..).zip(arguments.arch.weight.all());
+    let answers: Vec<Answer> = weights.map(answer).collect::<Result<_, Failure>>()?;
+    let open = answers.iter().find_map(Answer::first_open);
+    let kept = Vec::new();
+    let report = Answers { scope: Scope::Found, digits, quantities, kept, list: answers };
+    let report = Report::Answers(report);
+    file.write(|out| report.write(format, out))?;
+    open.map_or(Ok(()), |open| Err(Failure::Undecided(open.to_string())))
+}
+
+/// The question asked, if what is given fits it.
+fn question(arguments: &Arguments) -> Result<Question, Failure> {
+    let (half_opening, friction) = arguments.arch.given()?;
+    let eta = arguments.thickness.as_deref().map(thickness).transpose().map_err(Failure::Input)?;
+    let given = [half_opening.is_some(), friction.is_some(), eta.is_some()];
+    let too_much = |wrong: &[(bool, &str)]| {
+        let wrong: Vec<&str> = wrong.iter().filter(|(given, _)| *given).map(|x| x.1).collect();
+        match wrong.is_empty() {
+            true => Ok(()),
+            false => Err(Failure::Input(format!("{} does not belong here", list(wrong)))),
+        }
+    };
+    let missing = |what: &str, example: &str| {
+        Failure::Input(format!("{what} is missing; for example: couplet find {example}"))
+    };
+    let modes = (arguments.modes.is_some(), "a pair of modes");
+    let [alpha, _, thick] = given;
+    Ok(match arguments.what {
+        What::HalfOpening => {
+            too_much(&[modes, (alpha, "--half-opening")])?;
+            let example = "half-opening --thickness 0.15 --friction 0.6";
+            let friction =
+                friction.ok_or_else(|| missing("--friction (or --friction-angle)", example))?;
+            Question::HalfOpening { friction, thickness: eta }
+        }
+        What::Friction => {
+            too_much(&[modes, (friction.is_some(), "--friction")])?;
+            let example = "friction --half-opening 80deg --thickness 0.1";
+            let half_opening = half_opening.ok_or_else(|| missing("--half-opening", example))?;
+            Question::Friction { half_opening, thickness: eta }
+        }
+        What::Boundary => {
+            too_much(&[(thick, "--thickness")])?;
+            let example = "boundary rrs/rsr --friction 1.6";
+            let line = arguments.modes.ok_or_else(|| missing("the pair of modes", example))?;
+            let given = match (half_opening, friction) {
+                (Some(alpha), None) => Given::HalfOpening(alpha),
+                (None, Some(Friction::Infinite)) => {
+                    let message = "a boundary needs a limited friction: with inf nothing slides";
+                    return Err(Failure::Input(message.into()));
+                }
+                (None, Some(mu)) => Given::Friction(mu),
+                (None, None) => return Err(missing("--friction or --half-opening", example)),
+                (Some(_), Some(_)) => {
+                    let message = "give --friction or --half-opening; the other one is found";
+                    return Err(Failure::Input(message.into()));
+                }
+            };
+            Question::Boundary { line, given }
+        }
+    })
+}

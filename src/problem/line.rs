@@ -1,0 +1,274 @@
+//! The lines of the map, on each of which one mode becomes another.
+//!
+//! | line | equations | what is fixed |
+//! |---|---|---|
+//! | `[r,r,r]/[s,r,r]` | (2), (4), (5), (17) | |
+//! | `[r,r,r]/[r,r,s]` | (2), (4), (5), (18) | |
+//! | `[s,r,r]/[s,s]` | (2), (5), (17), (18) | |
+//! | `[r,r,s]/[s,s]`, `[r,s,r]/[s,s]` | (3), (5), (17), (18) | |
+//! | `[r,s]/[s,s]` | (3), (17), (18) | `beta_r = 0` |
+//! | `[r,r,s]/[r,s,r]` | (3), (5), (18) | `beta_r = beta_s` |
+//! | `[r,s,r]/[r,s]` | (3), (5) at `beta_r -> 0`, (18) | `beta_r = 0` |
+//!
+//! A line has one unknown more than equations: at a half opening the friction is solved for, at a friction
+//! the half opening.
+
+use super::{Condition, Equation, Fixed, Landmark, Mode, System};
+use crate::arch::{SelfWeight, Unknown};
+use std::fmt;
+
+/// What is solved for, with the half opening and with the friction.
+type Unknowns = [&'static [Unknown]; 2];
+
+/// A line of the map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Line {
+    /// `[r,r,r]/[s,r,r]`: the shoulder begins to slide.
+    RotationShoulder,
+    /// `[r,r,r]/[r,r,s]`: an inner joint begins to slide.
+    RotationInner,
+    /// `[s,r,r]/[s,s]`: nothing stands below.
+    ShoulderEnd,
+    /// `[r,r,s]/[s,s]`: nothing stands below.
+    AboveHaunchEnd,
+    /// `[r,s,r]/[s,s]`: nothing stands below.
+    BelowHaunchEnd,
+    /// `[r,s]/[s,s]`: nothing stands below.
+    CrownEnd,
+    /// `[r,r,s]/[r,s,r]`: the rotational and the sliding joint coincide.
+    Joints,
+    /// `[r,s,r]/[r,s]`: the rotational joint reaches the crown.
+    Crown,
+}
+
+impl Line {
+    /// All lines.
+    pub const ALL: [Self; 8] = [
+        Self::RotationShoulder,
+        Self::RotationInner,
+        Self::ShoulderEnd,
+        Self::AboveHaunchEnd,
+        Self::BelowHaunchEnd,
+        Self::CrownEnd,
+        Self::Joints,
+        Self::Crown,
+    ];
+
+    /// The modes on its two sides: the first where there is more friction, or the narrower half opening.
+    pub fn modes(self) -> [Mode; 2] {
+        use Mode::*;
+        match self {
+            Self::RotationShoulder => [Rotational, SlidingRotational],
+            Self::RotationInner => [Rotational, RotationalSliding],
+            Self::ShoulderEnd => [SlidingRotational, Sliding],
+            Self::AboveHaunchEnd => [RotationalSliding, Sliding],
+            Self::BelowHaunchEnd => [RotationalSlidingRotational, Sliding],
+            Self::CrownEnd => [OverturningSliding, Sliding],
+            Self::Joints => [RotationalSliding, RotationalSlidingRotational],
+            Self::Crown => [RotationalSlidingRotational, OverturningSliding],
+        }
+    }
+
+    /// The landmarks between which the line runs; some begin where the half opening is zero.
+    pub fn ends(self) -> [Option<Landmark>; 2] {
+        use Landmark::*;
+        match self {
+            Self::RotationShoulder | Self::ShoulderEnd => [None, Some(Triple)],
+            Self::RotationInner => [Some(Triple), Some(RotationEnd)],
+            Self::AboveHaunchEnd => [Some(Triple), Some(Shift)],
+            Self::BelowHaunchEnd => [Some(Shift), Some(Junction)],
+            Self::CrownEnd => [Some(Junction), Some(Border)],
+            Self::Joints => [Some(Shift), Some(RotationEnd)],
+            Self::Crown => [Some(Junction), Some(RotationEnd)],
+        }
+    }
+
+    /// The condition of each mode that is zero on the line. A mode whose equations have a form of their own
+    /// there, as at the crown, has none.
+    pub fn ties(self) -> [Option<Condition>; 2] {
+        use Condition as C;
+        match self {
+            Self::RotationShoulder => [Some(C::FrictionAtShoulder), Some(C::ExtradosAtShoulder)],
+            Self::RotationInner => [Some(C::FrictionInside), Some(C::ExtradosAtCrown)],
+            Self::ShoulderEnd => [Some(C::FrictionInside), None],
+            Self::AboveHaunchEnd | Self::BelowHaunchEnd | Self::CrownEnd => {
+                [Some(C::FrictionAtShoulder), None]
+            }
+            Self::Joints => [Some(C::SlidesAboveHaunch), Some(C::SlidesBelowHaunch)],
+            Self::Crown => [Some(C::Above(Unknown::RotationJoint)), Some(C::IntradosAtCrown)],
+        }
+    }
+
+    /// The points of the line at a given half opening, or at a given friction: `sought` is the other one.
+    pub fn system(self, weight: SelfWeight, sought: Sought) -> System {
+        use {Equation as E, Fixed as F, Unknown as U};
+        let (unknowns, equations, fixed): (Unknowns, &[E], &[(U, F)]) = match self {
+            Self::RotationShoulder => (
+                [
+                    &[U::HalfOpening, U::RotationJoint, U::Thickness, U::Thrust],
+                    &[U::Friction, U::RotationJoint, U::Thickness, U::Thrust],
+                ],
+                &[E::LowerThrust, E::WholeThrust, E::Tangency, E::ShoulderSliding],
+                &[],
+            ),
+            Self::RotationInner => (
+                Self::ALL_JOINTS,
+                &[E::LowerThrust, E::WholeThrust, E::Tangency, E::InnerSliding, E::Steepest],
+                &[],
+            ),
+            Self::ShoulderEnd => (
+                Self::ALL_JOINTS,
+                &[E::LowerThrust, E::Tangency, E::ShoulderSliding, E::InnerSliding, E::Steepest],
+                &[],
+            ),
+            Self::AboveHaunchEnd | Self::BelowHaunchEnd => (
+                Self::ALL_JOINTS,
+                &[E::UpperThrust, E::Tangency, E::ShoulderSliding, E::InnerSliding, E::Steepest],
+                &[],
+            ),
+            Self::CrownEnd => (
+                Self::SLIDING_JOINT,
+                &[E::UpperThrust, E::ShoulderSliding, E::InnerSliding, E::Steepest],
+                &[(U::RotationJoint, F::Integer(0))],
+            ),
+            Self::Joints => (
+                Self::SLIDING_JOINT,
+                &[E::UpperThrust, E::Tangency, E::InnerSliding, E::Steepest],
+                &[(U::RotationJoint, F::SameAs(U::SlidingJoint))],
+            ),
+            Self::Crown => (
+                Self::SLIDING_JOINT,
+                &[E::UpperThrust, E::TangencyAtCrown, E::InnerSliding, E::Steepest],
+                &[(U::RotationJoint, F::Integer(0))],
+            ),
+        };
+        let [half_opening, friction] = unknowns;
+        let unknowns = match sought {
+            Sought::HalfOpening => half_opening,
+            Sought::Friction => friction,
+        };
+        System { weight, unknowns, equations, fixed }
+    }
+
+    /// The unknowns where both inner joints are among them.
+    const ALL_JOINTS: Unknowns = {
+        use Unknown as U;
+        [
+            &[U::HalfOpening, U::RotationJoint, U::SlidingJoint, U::Thickness, U::Thrust],
+            &[U::Friction, U::RotationJoint, U::SlidingJoint, U::Thickness, U::Thrust],
+        ]
+    };
+    /// The same where the rotational joint is known.
+    const SLIDING_JOINT: Unknowns = {
+        use Unknown as U;
+        [
+            &[U::HalfOpening, U::SlidingJoint, U::Thickness, U::Thrust],
+            &[U::Friction, U::SlidingJoint, U::Thickness, U::Thrust],
+        ]
+    };
+}
+
+/// What can be asked for in place of the least thickness.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Sought {
+    /// The half opening.
+    HalfOpening,
+    /// The friction coefficient.
+    Friction,
+}
+
+impl Sought {
+    /// The name used in files and on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::HalfOpening => Unknown::HalfOpening.name(),
+            Self::Friction => Unknown::Friction.name(),
+        }
+    }
+}
+
+/// Why a text names no line.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("'{text}' names no two modes that meet: {}", Line::ALL.map(|line| line.to_string()).join(", "))]
+pub struct NoLine {
+    text: String,
+}
+
+impl std::str::FromStr for Line {
+    type Err = NoLine;
+
+    /// Reads two modes that meet, in either order, with or without brackets and commas: `rrs/rsr`,
+    /// `[r,r,s]/[r,s,r]`.
+    fn from_str(text: &str) -> Result<Self, NoLine> {
+        let short = |text: &str| text.replace(['[', ']', ',', ' '], "").to_lowercase();
+        let mut asked: Vec<String> = text.split('/').map(short).collect();
+        asked.sort();
+        let is_asked = |line: &Self| {
+            let mut modes = line.modes().map(|mode| short(mode.label()));
+            modes.sort();
+            modes[..] == asked[..]
+        };
+        let no_line = || NoLine { text: text.chars().take(40).collect() };
+        Self::ALL.into_iter().find(is_asked).ok_or_else(no_line)
+    }
+}
+
+impl fmt::Display for Line {
+    /// The modes without brackets: `rrs/rsr`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [first, second] = self.modes().map(|mode| mode.label().replace(['[', ']', ','], ""));
+        f.pad(&format!("{first}/{second}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_is_read_in_any_spelling() {
+        for line in Line::ALL {
+            assert_eq!(line.to_string().parse(), Ok(line));
+            let [first, second] = line.modes();
+            assert_eq!(format!("{second} / {first}").parse(), Ok(line));
+        }
+        for wrong in ["", "rrr", "rrr/rrr", "rrr/ss", "rrs/rsr/rs", "r/rrr"] {
+            assert!(wrong.parse::<Line>().is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn every_system_is_square_and_solves_for_what_is_sought() {
+        for line in Line::ALL {
+            for (sought, unknown) in
+                [(Sought::HalfOpening, Unknown::HalfOpening), (Sought::Friction, Unknown::Friction)]
+            {
+                let system = line.system(SelfWeight::Heyman, sought);
+                assert_eq!(system.unknowns.len(), system.equations.len(), "{line}");
+                assert_eq!(system.unknowns[0], unknown);
+            }
+        }
+    }
+
+    /// At the end of a line both its modes are among those that meet there, but for `l`.
+    #[test]
+    fn a_line_ends_where_its_modes_meet() {
+        for line in Line::ALL {
+            for end in line.ends().into_iter().flatten().filter(|l| *l != Landmark::RotationEnd) {
+                assert!(line.modes().iter().all(|mode| end.modes().contains(mode)), "{line}");
+            }
+        }
+    }
+
+    /// The conditions that are zero on a line are conditions of its modes, but for the crown's haunch.
+    #[test]
+    fn what_ties_is_a_condition_of_the_mode() {
+        for line in Line::ALL {
+            for (mode, tie) in line.modes().into_iter().zip(line.ties()) {
+                if let Some(tie) = tie {
+                    assert!(Condition::of(mode, true).any(|c| c == tie), "{line} {mode} {tie:?}");
+                }
+            }
+        }
+    }
+}

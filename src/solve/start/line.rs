@@ -1,0 +1,198 @@
+//! Start values on the lines of the map, at a given half opening or at a given friction.
+
+use super::rotation::{before_end, rotational, rotational_with_thrust};
+use super::sliding::{friction_inside, inner_sliding, sliding};
+use super::touch::{rotational_sliding, touched_ring};
+use super::wide::{widest_rotational, widest_sliding, widest_touching};
+use crate::arch::{Configuration, Ring, SelfWeight, Unknown, sliding as friction, thrust};
+use crate::number::Angle;
+use crate::problem::{Line, Sought};
+use crate::solve::zero::{quadratic_zero, zero};
+use rug::Float;
+
+/// Below this friction the rotational state at which the shoulder slides is found from the leading term.
+const SLIPPERY: f64 = 1e-5;
+/// A thrust below all others.
+const LEAST_THRUST: f64 = 1e-12;
+
+/// A candidate on a line, where the half opening or the friction is `given` and the other is sought. Only what
+/// the equations of the line read is set.
+pub fn on_line(
+    weight: SelfWeight,
+    line: Line,
+    sought: Sought,
+    given: &Float,
+) -> Configuration<Float> {
+    match sought {
+        Sought::Friction => at_half_opening(weight, line, given),
+        Sought::HalfOpening => at_friction(weight, line, given),
+    }
+}
+
+/// Puts values together.
+fn point(like: &Float, values: &[(Unknown, Float)]) -> Configuration<Float> {
+    let zero = Configuration::zero(like);
+    values.iter().fold(zero, |at, (unknown, value)| at.with(*unknown, value.clone()))
+}
+
+fn at_half_opening(weight: SelfWeight, line: Line, alpha: &Float) -> Configuration<Float> {
+    use Unknown as U;
+    let float = |x: f64| Float::with_val(alpha.prec(), x);
+    let opening = || (U::HalfOpening, alpha.clone());
+    match line {
+        Line::RotationShoulder | Line::RotationInner => {
+            let [beta, eta, h] = rotational(weight, alpha);
+            let joint = steepest(&h);
+            let mu = match line {
+                Line::RotationInner => friction::inner(&Angle::new(joint.clone()), &h).value(),
+                _ => friction::shoulder(&Angle::new(alpha.clone()), &h).value(),
+            };
+            let rotation = [(U::RotationJoint, beta), (U::Thickness, eta), (U::Thrust, h)];
+            let at = point(alpha, &rotation).with(U::SlidingJoint, joint);
+            at.with(U::HalfOpening, alpha.clone()).with(U::Friction, mu)
+        }
+        Line::ShoulderEnd | Line::AboveHaunchEnd | Line::BelowHaunchEnd | Line::CrownEnd => {
+            let [mu, h, joint] = sliding(alpha);
+            let slides = [(U::Friction, mu), (U::Thrust, h.clone()), (U::SlidingJoint, joint)];
+            let at = point(alpha, &slides).with(U::HalfOpening, alpha.clone());
+            with_haunch(weight, line, at)
+        }
+        Line::Joints | Line::Crown => {
+            let wide = alpha.to_f64();
+            let [_, most, _] = sliding(alpha).map(|x| x.to_f64());
+            let least = match before_end(weight, wide) > 0.0 {
+                true => rotational(weight, alpha)[2].to_f64(),
+                false => LEAST_THRUST,
+            };
+            // Where the thrust is h, how far the rotational joint is below the other, or the crown.
+            let joint = |h: f64| rotational_sliding(weight, wide, h).joint.unwrap_or(0.0);
+            let h = zero(least, most, |h| match line {
+                Line::Joints => joint(h) - (h * (1.0 - h)).sqrt(),
+                _ => touched_ring(weight, 1.0, h).thickness - at_crown(weight, wide, h),
+            });
+            let steepest = (h * (1.0 - h)).sqrt();
+            let mu = friction_inside([h, steepest]).value();
+            let eta = rotational_sliding(weight, wide, h).thickness;
+            let values = [(U::Friction, mu), (U::Thrust, h), (U::SlidingJoint, steepest)];
+            let values = values.map(|(unknown, value)| (unknown, float(value)));
+            let at = point(alpha, &values).with(U::Thickness, float(eta));
+            point_with(at, [opening()])
+        }
+    }
+}
+
+fn point_with<const N: usize>(
+    at: Configuration<Float>,
+    values: [(Unknown, Float); N],
+) -> Configuration<Float> {
+    values.into_iter().fold(at, |at, (unknown, value)| at.with(unknown, value))
+}
+
+/// The thickness with which the half arch turns about the crown's intrados at a thrust.
+fn at_crown(weight: SelfWeight, alpha: f64, h: f64) -> f64 {
+    let (opening, crown) = (Angle::new(alpha), Angle::zero(&alpha));
+    quadratic_zero(|eta| thrust::upper(&opening, &crown, &Ring::new(weight, &eta)).residual(&h))
+}
+
+fn at_friction(weight: SelfWeight, line: Line, mu: &Float) -> Configuration<Float> {
+    use Unknown as U;
+    let float = |x: f64| Float::with_val(mu.prec(), x);
+    let alpha = match line {
+        Line::RotationShoulder => rotating(weight, mu),
+        Line::RotationInner => {
+            let [h, _] = inner_sliding(mu);
+            let [_, eta, _] = rotational_with_thrust(weight, &h);
+            widest_rotational(weight, &eta, &h)
+        }
+        Line::ShoulderEnd | Line::AboveHaunchEnd | Line::BelowHaunchEnd | Line::CrownEnd => {
+            let [alpha, h, joint] = widest_sliding(mu);
+            let slides = [(U::Thrust, h), (U::SlidingJoint, joint), (U::Friction, mu.clone())];
+            return with_haunch(weight, line, point(mu, &slides).with(U::HalfOpening, alpha));
+        }
+        Line::Joints | Line::Crown => {
+            let [h, joint] = inner_sliding(mu);
+            let beta = if line == Line::Joints { joint.to_f64() } else { 0.0 };
+            let times_cotangent = if beta > 0.0 { beta / beta.tan() } else { 1.0 };
+            let eta = touched_ring(weight, times_cotangent, h.to_f64()).thickness;
+            let alpha = float(widest_touching(weight, eta, h.to_f64(), beta));
+            let values = [(U::HalfOpening, alpha), (U::Thickness, float(eta)), (U::Thrust, h)];
+            let at = point(mu, &values).with(U::SlidingJoint, joint);
+            return at.with(U::Friction, mu.clone());
+        }
+    };
+    at_half_opening(weight, line, &alpha).with(U::Friction, mu.clone())
+}
+
+/// The half opening whose rotational state asks for a friction at the shoulder.
+fn rotating(weight: SelfWeight, mu: &Float) -> Float {
+    let bits = mu.prec();
+    if *mu < SLIPPERY {
+        // alpha³/6.
+        return Float::with_val(bits, mu * 6u32).cbrt();
+    }
+    let end = zero(2.0, 3.0, |alpha| before_end(weight, alpha));
+    let target = mu.to_f64();
+    let found = zero(1e-3, end, |alpha| {
+        let [_, _, h] = rotational(weight, &Float::with_val(64, alpha)).map(|x| x.to_f64());
+        friction::shoulder(&Angle::new(alpha), &h).value() - target
+    });
+    Float::with_val(bits, found)
+}
+
+/// The thickness and the rotational joint at the thrust of a purely sliding state.
+fn with_haunch(weight: SelfWeight, line: Line, at: Configuration<Float>) -> Configuration<Float> {
+    let h = at.thrust.clone();
+    let [beta, eta] = match line {
+        Line::ShoulderEnd => {
+            let [beta, eta, _] = rotational_with_thrust(weight, &h);
+            [beta, eta]
+        }
+        _ => {
+            let start = rotational_sliding(weight, at.half_opening.rad.to_f64(), h.to_f64());
+            let float = |x: f64| Float::with_val(h.prec(), x);
+            [float(start.joint.unwrap_or(0.0)), float(start.thickness)]
+        }
+    };
+    at.with(Unknown::RotationJoint, beta).with(Unknown::Thickness, eta)
+}
+
+/// `beta_s` at a thrust.
+fn steepest(h: &Float) -> Float {
+    Float::with_val(h.prec(), h * Float::with_val(h.prec(), 1 - h)).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arch::SelfWeight::{Heyman, Milankovitch};
+
+    /// On every line, at a friction and at the half opening found there.
+    #[test]
+    fn the_equations_hold_at_the_start() {
+        for (line, weight, mu) in [
+            (Line::RotationShoulder, Heyman, 0.6),
+            (Line::RotationShoulder, Milankovitch, 1e-9),
+            (Line::RotationInner, Milankovitch, 2.0),
+            (Line::ShoulderEnd, Heyman, 0.3),
+            (Line::ShoulderEnd, Heyman, 1e-9),
+            (Line::AboveHaunchEnd, Milankovitch, 1.4),
+            (Line::BelowHaunchEnd, Milankovitch, 1.542),
+            (Line::CrownEnd, Heyman, 2.2),
+            (Line::Joints, Milankovitch, 1.8),
+            (Line::Crown, Heyman, 3.0),
+        ] {
+            let friction = Float::with_val(300, mu);
+            let at = on_line(weight, line, Sought::HalfOpening, &friction);
+            let alpha = at.half_opening.rad.clone();
+            let back = on_line(weight, line, Sought::Friction, &alpha);
+            approx::assert_relative_eq!(back.friction.to_f64(), mu, max_relative = 1e-2);
+            for (found, sought) in [(at, Sought::HalfOpening), (back, Sought::Friction)] {
+                let system = line.system(weight, sought);
+                let placed = system.place(found.clone(), &system.values(&found));
+                for (equation, residual) in system.equations.iter().zip(system.residuals(&placed)) {
+                    assert!(residual.clone().abs() < 1e-3, "{line} {equation:?}: {residual}");
+                }
+            }
+        }
+    }
+}
