@@ -69,7 +69,7 @@ const MAX_BYTES: u64 = 64 << 20;
 
 /// What became of a file.
 enum Verdict {
-    Accepted(Accepted),
+    Accepted(Box<Accepted>),
     Refused(String),
     NotChecked(String),
     NotRead(io::Error),
@@ -115,7 +115,7 @@ fn verdict(name: &OsStr, engine: EngineChoice) -> Verdict {
         return Verdict::Refused(format!("the file has more than {MAX_BYTES} bytes"));
     }
     match checked(&bytes, engine) {
-        Ok(accepted) => Verdict::Accepted(accepted),
+        Ok(accepted) => Verdict::Accepted(Box::new(accepted)),
         Err(limit @ Refusal::Limit(..)) => {
             let other = match cfg!(feature = "mpfr") {
                 true => "--engine mpfr",

@@ -8,7 +8,6 @@ use crate::number::{Enclosure, Engine};
 /// A landmark, an arch with the mode in which it collapses at its least thickness, or another verdict on an arch: what
 /// a proof is about, and what a certificate claims.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[expect(clippy::large_enum_variant, reason = "there is one problem at a time")]
 pub enum Problem {
     /// A landmark point.
     Landmark {
