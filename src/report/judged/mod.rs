@@ -14,13 +14,16 @@ pub(crate) use table::{verdicts, write as table};
 use crate::problem::Quantity;
 use std::io;
 
+/// Writes a row, with the quantities that have columns and the texts of what is handed on.
+type RowWriter = fn(&JudgedRow, &[Quantity], &[String]) -> io::Result<Vec<u8>>;
+
 /// How rows are written as they come.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct JudgedLines {
     /// The header, with the quantities that have columns, and with the names of what is handed on.
     pub header: fn(&[Quantity], &[String]) -> io::Result<Vec<u8>>,
     /// One row.
-    pub row: fn(&JudgedRow, &[Quantity], &[String]) -> io::Result<Vec<u8>>,
+    pub row: RowWriter,
 }
 
 /// CSV.
