@@ -98,6 +98,6 @@ fn zeros_that_only_show_a_size_are_not_judged() {
 #[test]
 fn a_friction_of_pure_sliding_says_nothing_of_standing() {
     let file = "weight,half_opening,friction,sliding_friction\nmilankovitch,80deg,0.1,0.219394\n";
-    let (code, rows) = rows(&[], file.to_owned());
+    let (code, rows) = rows(&[], file);
     assert_eq!((code, rows[0]["accepted"].as_bool()), (Some(0), Some(true)), "{rows:?}");
 }
