@@ -12,6 +12,7 @@ use crate::number::{Ball, Dyadic, Enclosure, ExactNumber, Real, Stumpff};
 use crate::problem::{Arch, Nearest, Problem, Quantity, Standing, System, Verdict};
 use crate::solve::{self, start};
 use rug::Float;
+use std::cell::Cell;
 
 /// The most bits that an arch loses; the format leaves room for a little more.
 const MOST_LOST: u32 = EXTRA_BITS as u32 - 64;
@@ -33,17 +34,18 @@ pub fn certify_arch(
     thickness: Option<&ExactNumber>,
     digits: usize,
 ) -> Result<Certificate, Undecided> {
-    made(arch, digits, |bits| {
+    let too_wide = |bits| limit(arch, Verdict::TooWide, widest(arch, bits), bits, digits);
+    let slides = Cell::new(false);
+    let found = made(arch, digits, |bits| {
         let state = match arch.state_alone(bits)? {
             Outcome::Stands(state) => state,
             Outcome::Falls(Fall::Sliding) => {
+                slides.set(true);
                 let alpha =
                     Float::with_val(bits, arch.half_opening().enclosure::<Ball>(bits).mid());
                 return limit(arch, Verdict::Slides, start::sliding(&alpha).to_vec(), bits, digits);
             }
-            Outcome::Falls(Fall::Thickness) => {
-                return limit(arch, Verdict::TooWide, widest(arch, bits), bits, digits);
-            }
+            Outcome::Falls(Fall::Thickness) => return too_wide(bits),
         };
         let Some(thickness) = thickness else { return state_root(arch, &state, None, digits) };
         let margin = thickness.enclosure::<Ball>(bits) - &state.thickness;
@@ -51,7 +53,13 @@ pub fn certify_arch(
             false => state_root(arch, &state, Some(thickness), digits),
             true => standing(arch, thickness, &state, bits),
         }
-    })
+    });
+    // Next to half a turn the friction of pure sliding is beyond all numbers. The widest half opening is not, and
+    // is another reason.
+    match found {
+        Err(open) if slides.get() => made(arch, digits, too_wide).map_err(|_| open),
+        found => found,
+    }
 }
 
 fn made(
@@ -121,7 +129,7 @@ fn limit(
     Ok(Root { problem, centre, values })
 }
 
-/// Start values of the widest half opening that stands with the friction.
+/// Start values of the half opening beyond which no arch stands with the friction.
 fn widest(arch: &Arch, bits: u32) -> Vec<Float> {
     let at = |h: f64| Float::with_val(bits, solve::widest(arch.weight(), h));
     if !arch.is_limited() {

@@ -1,31 +1,42 @@
 //! What was accepted, in a few words: shortened, and true.
 
 use crate::check::{Accepted, friction_text, given_text};
-use crate::problem::{Arch, Problem, Verdict};
+use crate::problem::{Arch, Problem, Quantity, Verdict};
 
 /// What was accepted, in a few words.
 pub(super) fn summary(accepted: &Accepted) -> String {
     let thick = |thickness| format!(" thickness {}", shortened_fraction(&given_text(thickness)));
-    let (subject, relation) = match &accepted.problem {
-        Problem::Landmark { landmark, .. } => (landmark.symbol().to_owned(), ""),
-        Problem::State { mode, arch } => (format!("{mode} {}", described(arch)), ""),
+    // What is given is compared with the value of the same quantity, and with no other.
+    let (subject, limit) = match &accepted.problem {
+        Problem::Landmark { landmark, .. } => (landmark.symbol().to_owned(), None),
+        Problem::State { mode, arch } => (format!("{mode} {}", described(arch)), None),
         Problem::Verdict { verdict, arch } => {
             let arch = described(arch);
             match verdict {
-                Verdict::Slides => (format!("stands at no thickness {arch}"), "as it is below "),
-                Verdict::TooWide => (format!("stands at no thickness {arch}"), "as it is beyond "),
+                Verdict::Slides => {
+                    let limit = (Quantity::Friction, "as it is below ");
+                    (format!("stands at no thickness {arch}"), Some(limit))
+                }
+                Verdict::TooWide => {
+                    let limit = (Quantity::HalfOpening, "as it is beyond ");
+                    (format!("stands at no thickness {arch}"), Some(limit))
+                }
                 Verdict::TooThin { mode, thickness } => {
                     let thick = thick(thickness);
-                    (format!("does not stand {arch}{thick} collapses as {mode}"), "as it is below ")
+                    let limit = (Quantity::Thickness, "as it is below ");
+                    (format!("does not stand {arch}{thick}; at the least {mode}"), Some(limit))
                 }
                 Verdict::Stands(standing) => {
-                    (format!("stands {arch}{}", thick(&standing.thickness)), "")
+                    (format!("stands {arch}{}", thick(&standing.thickness)), None)
                 }
             }
         }
     };
     let weight = accepted.problem.weight().name();
-    let Some((quantity, value)) = accepted.values.first() else {
+    let of_limit = |of: Quantity| accepted.values.iter().find(|(quantity, _)| *quantity == of);
+    let limit = limit.and_then(|(of, relation)| Some((of_limit(of)?, relation)));
+    let first = accepted.values.first().map(|first| (first, ""));
+    let Some(((quantity, value), relation)) = limit.or(first) else {
         return format!("{subject} {weight}");
     };
     let (name, value) = (quantity.name(), shortened_value(value));

@@ -139,7 +139,12 @@ impl Claim {
             (None, _) => {}
         }
         let who = |stands| votes.iter().find(|(_, vote)| *vote == stands).map(|(name, _)| *name);
-        let any_number = || numbers.iter().any(|number| matches!(number.value, Value::Number(_)));
+        // The friction below which nothing stands belongs to the half opening, whatever the arch does.
+        let any_number = || {
+            let is_one = |number: &&Claimed| matches!(number.value, Value::Number(_));
+            let mut claimed = numbers.iter().filter(is_one);
+            claimed.any(|number| number.quantity != Quantity::SlidingFriction)
+        };
         let can_stand = match (who(true), who(false)) {
             (Some(yes), Some(no)) => return Err(ClaimError::Contradiction(yes, no)),
             (Some(_), None) => Some(true),
@@ -157,7 +162,9 @@ impl Claim {
     /// Whether the row says nothing.
     pub(super) fn is_empty(&self) -> bool {
         let Self { can_stand, thickness, stands, numbers, .. } = self;
-        can_stand.is_none() && stands.is_none() && (thickness.is_none() || numbers.is_empty())
+        let of_opening = numbers.iter().any(|x| x.quantity == Quantity::SlidingFriction);
+        let says_nothing = numbers.is_empty() || (thickness.is_none() && !of_opening);
+        can_stand.is_none() && stands.is_none() && says_nothing
     }
 }
 
@@ -175,7 +182,8 @@ impl Claimed {
     fn read(quantity: Quantity, text: &str, degrees: bool) -> Result<Self, ClaimError> {
         let infinite = ["inf", "+inf", "infinity"];
         let mut size = 0;
-        let may_be_infinite = [Quantity::RotationalFriction, Quantity::LargestThrust];
+        let may_be_infinite =
+            [Quantity::RotationalFriction, Quantity::LargestThrust, Quantity::FrictionSafety];
         let value = if may_be_infinite.contains(&quantity) && is_word(text, &infinite) {
             Value::Infinite
         } else if let Some(number) = PrintedNumber::from_hexadecimal(text) {

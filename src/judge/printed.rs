@@ -37,11 +37,18 @@ pub(super) struct PrintedNumber {
 }
 
 impl PrintedNumber {
-    /// A decimal, with the unit of its last written place.
+    /// A decimal, with the unit of its last written place. Zeros at the end of a whole number only show its
+    /// size, as in what we write.
     pub(super) fn from_decimal(decimal: &Decimal) -> Option<Self> {
-        let power = Integer::from(10).pow(u32::try_from(decimal.exponent().unsigned_abs()).ok()?);
-        let unit = if decimal.exponent() < 0 { Rational::from((1, power)) } else { power.into() };
-        let digits = if decimal.digits().is_empty() { "0" } else { decimal.digits() };
+        let digits = match (decimal.exponent(), decimal.digits()) {
+            (_, "") => "0",
+            (0.., digits) => digits.trim_end_matches('0'),
+            (_, digits) => digits,
+        };
+        let zeros = decimal.digits().len().saturating_sub(digits.len());
+        let last = decimal.exponent() + zeros as i64;
+        let power = Integer::from(10).pow(u32::try_from(last.unsigned_abs()).ok()?);
+        let unit = if last < 0 { Rational::from((1, power)) } else { power.into() };
         Some(Self { value: decimal.to_rational(), unit, digits: digits.to_owned() })
     }
 

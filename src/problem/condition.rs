@@ -153,7 +153,9 @@ impl Condition {
                 "no admissible state in a thinner arch"
             }
             Self::Beyond(Unknown::Friction) => "a friction below that of the purely sliding state",
-            Self::Beyond(Unknown::HalfOpening) => "a half opening beyond the widest that stands",
+            Self::Beyond(Unknown::HalfOpening) => {
+                "a half opening beyond the limit for the friction"
+            }
             Self::Beyond(_) => "a thickness below the least",
             Self::InsideIntrados => "the line of thrust inside the intrados",
             Self::NearestAtShoulder => "the line of thrust nearest to the intrados at the shoulder",

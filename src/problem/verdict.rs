@@ -27,7 +27,8 @@ use crate::number::{Dyadic, Engine, ExactNumber, Ternary};
 pub enum Verdict {
     /// It stands at no thickness: the friction is below that of the purely sliding state.
     Slides,
-    /// It stands at no thickness: the half opening is beyond the widest that does with this friction.
+    /// It stands at no thickness: the half opening is beyond one that no arch with this friction exceeds. The widest
+    /// that stands may be narrower, as nothing is asked here of the friction at the shoulder.
     TooWide,
     /// It does not stand: it is thinner than its least thickness.
     TooThin {

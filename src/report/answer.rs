@@ -164,6 +164,9 @@ impl Status {
     }
 }
 
+/// Why no friction is enough at a thickness.
+const TOO_THIN: &str = "there is none: the arch is too thin, whatever the friction";
+
 impl Answer {
     /// Without values.
     fn new(subject: Subject, status: Status) -> Self {
@@ -263,6 +266,12 @@ impl Answer {
                 let open = digits.open().map(|(of, why)| (of, why.clone()));
                 answer.open = open.collect();
                 answer.values = digits.figures().map(|(of, x)| (of, Value::figure(x))).collect();
+                if !arch.is_limited() && digits.stands == Ok(true) {
+                    let least = |(of, _): &(Quantity, Value)| *of == Quantity::RequiredFriction;
+                    let behind = answer.values.iter().position(least).map_or(0, |place| place + 1);
+                    let unbounded = (Quantity::FrictionSafety, Value::figure(None));
+                    answer.values.insert(behind, unbounded);
+                }
                 let thrusts = answer.values.iter_mut().filter(|(of, _)| of.joint().is_some());
                 for ((_, value), limit) in thrusts.zip(digits.limits().into_iter().flatten()) {
                     value.limited_by = Some(limit.limited_by);
@@ -289,7 +298,10 @@ impl Answer {
             }
             Ok(Finding::Nothing(fall)) => {
                 answer.stands = Some(false);
-                answer.status = Status::Falls(*fall);
+                match fall {
+                    Some(fall) => answer.status = Status::Falls(*fall),
+                    None => answer.proved = Some(TOO_THIN.to_owned()),
+                }
             }
             Err(undecided) => answer.status = Status::Undecided(undecided.clone()),
         }

@@ -44,6 +44,8 @@ pub enum Touch {
     Crown,
     /// The line of thrust is on the intrados of the shoulder.
     Shoulder,
+    /// It touches the intrados at the shoulder, or so near to it that the two cannot be told apart.
+    AtShoulder,
     /// This inner joint slides.
     InnerSliding(Ball),
     /// The shoulder slides outwards.
@@ -61,6 +63,7 @@ impl Touch {
             Self::Haunch(_) => "intrados at the haunch",
             Self::Crown => "intrados at the crown",
             Self::Shoulder => "intrados at the shoulder",
+            Self::AtShoulder => "intrados at the shoulder or next to it",
             Self::InnerSliding(_) => "sliding of an inner joint",
             Self::ShoulderSliding => "sliding of the shoulder",
             Self::ShoulderSlidingInwards => "sliding of the shoulder inwards",
@@ -103,7 +106,7 @@ pub(super) fn least_thrust(query: &Query) -> Result<Limit, Undecided> {
         // The joint is the shoulder as far as can be told, and the two thrusts are as close.
         Ternary::Undecided => {
             let thrust = Some(shoulder.hull(&at.thrust));
-            return Ok(Limit { thrust, touch: Touch::Shoulder });
+            return Ok(Limit { thrust, touch: Touch::AtShoulder });
         }
     }
     let margin =
@@ -155,6 +158,7 @@ pub(super) fn required_friction(
     [least, largest]: &[Result<Option<Limit>, Undecided>; 2],
 ) -> Result<Ball, Undecided> {
     let slides = query.root(Mode::Sliding.system(query.weight), &start::sliding(&query.alpha()))?;
+    require(&slides.friction, "a positive purely sliding friction")?;
     let question = "which joint the friction is needed for";
     let bound = |end: &Result<Option<Limit>, Undecided>| -> Result<Option<Ball>, Undecided> {
         Ok(end.clone()?.and_then(|limit| limit.thrust))

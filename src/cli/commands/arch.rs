@@ -108,6 +108,11 @@ impl ShapeArguments {
 pub(super) fn thickness(text: &str) -> Result<ExactNumber, String> {
     let thickness: ExactNumber =
         text.parse().map_err(|error: ParseExactError| error.to_string())?;
+    if !thickness.is_rational() {
+        return Err(format!(
+            "the thickness {text} is no ratio of thickness to radius (0.12, 3/25)"
+        ));
+    }
     is_thickness(&thickness)
         .then_some(thickness)
         .ok_or_else(|| format!("the thickness {text} is not between 0 and 2"))

@@ -5,7 +5,7 @@ use super::output::AnswerOutput;
 use super::parse;
 use crate::certify::state::find::{Given, Question, find};
 use crate::cli::failure::Failure;
-use crate::problem::{Friction, Line, Quantity};
+use crate::problem::{Friction, Line, Quantity, Sought};
 use crate::report::words::list;
 use crate::report::{Answer, Answers, Report, Scope};
 use clap::Args;
@@ -63,7 +63,7 @@ fn line(text: &str) -> Result<Line, String> {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let question = question(arguments)?;
-    let quantities = arguments.output.quantities(&Quantity::FOUND)?;
+    let quantities = arguments.output.quantities(&found_by(&question))?;
     let (file, format) = (arguments.output.open()?, arguments.output.format());
     let digits = arguments.arch.digits;
     let answer = |(line, weight)| {
@@ -79,6 +79,21 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let report = Report::Answers(report);
     file.write(|out| report.write(format, out))?;
     open.map_or(Ok(()), |open| Err(Failure::Undecided(open.to_string())))
+}
+
+/// The quantities that an answer can have: not what is given.
+fn found_by(question: &Question) -> Vec<Quantity> {
+    use Quantity as Q;
+    let sought: &[Q] = match question.sought() {
+        Sought::HalfOpening => &[Q::HalfOpening, Q::HalfOpeningDegrees],
+        Sought::Friction => &[Q::Friction],
+    };
+    let others: &[Q] = match question {
+        Question::HalfOpening { .. } => &[Q::Thrust, Q::RotationJoint, Q::SlidingJoint],
+        Question::Friction { .. } => &[],
+        Question::Boundary { .. } => &[Q::Thickness, Q::Thrust, Q::RotationJoint, Q::SlidingJoint],
+    };
+    [sought, others].concat()
 }
 
 /// The question asked, if what is given fits it.

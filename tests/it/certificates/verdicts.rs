@@ -129,7 +129,7 @@ fn long_witness(field: &str) -> Cases {
 }
 
 const BELOW: &str = "a friction below that of the purely sliding state";
-const BEYOND: &str = "a half opening beyond the widest that stands";
+const BEYOND: &str = "a half opening beyond the limit for the friction";
 const THIN: &str = "a thickness below the least";
 
 refusals! {
@@ -295,7 +295,7 @@ fn what_is_certified_is_said() {
     let arch = ["arch", "--alpha", "80deg", "--mu", "31deg"];
     assert_eq!(
         line(&[&arch[..], &["--eta", "0.05"]].concat()),
-        "-: accepted  does not stand half_opening 4/9 pi friction tan 31/180 pi thickness 1/20 collapses as [r,r,r] \
+        "-: accepted  does not stand half_opening 4/9 pi friction tan 31/180 pi thickness 1/20; at the least [r,r,r] \
          milankovitch  as it is below thickness 0.068650 to 5 digits\n"
     );
     assert_eq!(
@@ -309,4 +309,30 @@ fn what_is_certified_is_said() {
     refused(&["arch", "--alpha", "1", "--mu", "1"], "--thickness is missing");
     refused(&["state", "--alpha", "1", "--mu", "1", "--eta", "1"], "a thickness belongs to `arch`");
     refused(&["T", "--eta", "1"], "a thickness belongs to `arch`");
+}
+
+/// Next to half a turn the friction of pure sliding is beyond all numbers.
+#[test]
+fn an_arch_next_to_half_a_turn_has_a_certificate() {
+    let arch = arch(H, "0.99999999999999999999999999999999999999999pi", "1");
+    let certificate = certify_arch(&arch, None, 10).unwrap();
+    let accepted = both(&serde_json::to_vec(&certificate).unwrap(), MAX_DIGITS).unwrap();
+    assert!(matches!(accepted.problem, Problem::Verdict { verdict: Verdict::TooWide, .. }));
+}
+
+/// A limit is told of the quantity that is compared, whatever the order of the values.
+#[test]
+fn what_is_printed_compares_only_what_is_compared() {
+    let mut made = verdict("1.5", "0.1", "1").clone();
+    let printed = |made: &Value| {
+        let output = crate::program::fed(&["check", "-"], made.to_string());
+        assert_eq!(output.status.code(), Some(0), "{made}");
+        text(&output.stdout)
+    };
+    let values = made["values"].as_array().unwrap().clone();
+    made["values"] = values.iter().rev().cloned().collect();
+    assert!(printed(&made).contains("as it is below friction 0.27"), "{}", printed(&made));
+    let is_thrust = |value: &&Value| value["quantity"] == "thrust";
+    made["values"] = values.iter().filter(is_thrust).cloned().collect();
+    assert!(!printed(&made).contains("as it is"), "{}", printed(&made));
 }

@@ -79,6 +79,26 @@ fn a_value_is_had_alone() {
 }
 
 #[test]
+fn what_has_no_bound_is_infinite() {
+    let arch = ["assess", "--alpha", "80deg", "--mu", "inf", "--eta", "0.1"];
+    assert_eq!(
+        printed(&[&arch[..], &["--quantity", "friction_safety", "--plain"]].concat()),
+        "inf\n"
+    );
+    assert!(printed(&arch).contains("friction safety factor   unbounded"));
+    let falls = ["assess", "--alpha", "80deg", "--mu", "inf", "--eta", "0.01"];
+    let safety = printed(&[&falls[..], &["--quantity", "friction_safety", "--plain"]].concat());
+    assert_eq!(safety, "none\n", "it does not stand");
+}
+
+#[test]
+fn an_arch_that_is_too_thin_is_told_from_one_that_stands_nowhere() {
+    let find = |alpha, eta| printed(&["find", "friction", "--alpha", alpha, "--eta", eta]);
+    assert!(find("pi/2", "0.05").contains("too thin, whatever the friction"));
+    assert!(find("3", "0.05").contains("nothing stands (thickness)"));
+}
+
+#[test]
 fn quantities_that_are_left_out_are_null_or_absent() {
     let state =
         ["state", "--alpha", "80deg", "--mu", "0.6", "--digits", "8", "--quantity", "thrust"];

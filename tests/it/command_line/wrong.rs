@@ -53,6 +53,10 @@ wrong_uses! {
     nothing_of_an_arch_of_given_thickness: ["assess"] => "--half-opening, --friction (or \
         --friction-angle), --thickness are missing; for example: couplet assess";
     degrees_without_their_unit: ["state", "--alpha", "90", "--mu", "1"] => "did you mean 90deg?";
+    a_thickness_in_degrees: ["assess", "--alpha", "1", "--mu", "1", "--eta", "5deg"] => "is no ratio";
+    what_is_given_cannot_be_found:
+        ["find", "half-opening", "--mu", "0.6", "--eta", "0.15", "--quantity", "eta"]
+        => "there is no thickness here; the quantities are half_opening";
     a_decimal_comma: ["state", "--alpha", "1,5", "--mu", "1"] => "has a comma";
     a_division_by_zero: ["state", "--alpha", "1", "--mu", "1/0"] => "divides by zero";
     a_friction_in_words: ["state", "--alpha", "1", "--mu", "none"] => "inf";

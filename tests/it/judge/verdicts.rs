@@ -84,3 +84,20 @@ fn every_verdict_is_given() {
     let readable = ROWS.iter().filter(|(_, verdict)| *verdict != "bad row");
     assert_eq!(rows(&[], file(readable)).0, Some(1), "no row is bad");
 }
+
+/// What couplet prints with few digits is right as it is printed: the zeros of a whole number are no digits.
+#[test]
+fn zeros_that_only_show_a_size_are_not_judged() {
+    let arch = ["assess", "--alpha", "0.001", "--mu", "0.5", "--eta", "0.1", "--digits", "4"];
+    let output = crate::program::couplet(&[&arch[..], &["--format", "csv"]].concat());
+    let (code, rows) = rows(&[], crate::program::text(&output.stdout));
+    assert_eq!((code, rows[0]["accepted"].as_bool()), (Some(0), Some(true)), "{rows:?}");
+}
+
+/// The friction below which nothing stands is told of an arch that falls, too.
+#[test]
+fn a_friction_of_pure_sliding_says_nothing_of_standing() {
+    let file = "weight,half_opening,friction,sliding_friction\nmilankovitch,80deg,0.1,0.219394\n";
+    let (code, rows) = rows(&[], file);
+    assert_eq!((code, rows[0]["accepted"].as_bool()), (Some(0), Some(true)), "{rows:?}");
+}

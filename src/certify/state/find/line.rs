@@ -33,6 +33,7 @@ pub(super) fn point_on(
     if (line, sought) == (Line::Joints, Sought::Friction) {
         let slides = Mode::Sliding.system(query.weight);
         let slides = query.root(slides, &start::sliding(&query.alpha()))?;
+        require(&slides.friction, "a positive purely sliding friction")?;
         let rest = slides.thrust.int(1) - slides.thrust.int(2) * &slides.thrust;
         require(&rest, "a thrust below one half")?;
     }

@@ -54,8 +54,9 @@ pub enum Given {
 pub enum Finding {
     /// What was asked for, and what else is known there.
     Found(Found),
-    /// It is proved that there is none, as nothing stands.
-    Nothing(Fall),
+    /// It is proved that there is none, as nothing stands; or, without a reason for that, as the thickness is
+    /// below the least one whatever the friction.
+    Nothing(Option<Fall>),
 }
 
 /// What was asked for, correctly rounded.
@@ -129,7 +130,7 @@ pub fn find(
     let eta = question.thickness().unwrap_or(&two);
     Ok(match question {
         Question::HalfOpening { .. } if has_no_friction(&arch) => {
-            Ok(Finding::Nothing(Fall::Sliding))
+            Ok(Finding::Nothing(Some(Fall::Sliding)))
         }
         Question::HalfOpening { thickness, .. } => {
             let query = |bits| at_thickness(&arch, eta, bits);
@@ -192,7 +193,8 @@ fn least_friction(
             let figures = vec![(Quantity::Friction, friction)];
             Finding::Found(Found { modes: Vec::new(), figures, proved: proved.to_owned() })
         }
-        None => Finding::Nothing(Fall::Thickness),
+        None if is_given => Finding::Nothing(found.fall),
+        None => Finding::Nothing(Some(Fall::Thickness)),
     })
 }
 
