@@ -22,4 +22,5 @@ pub use format::{Certificate, SCHEMA, ValueFile, Witness};
 #[cfg(feature = "cli")]
 pub(crate) use given::{friction_text, given_text};
 pub use refusal::Refusal;
+#[cfg(feature = "cli")]
 pub(crate) use visible::visible_name;

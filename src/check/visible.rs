@@ -1,10 +1,11 @@
 //! Text of other people, to be shown: in one line, without control characters, and not too long.
 
 use crate::number::visible;
+#[cfg(feature = "cli")]
 use std::ffi::OsStr;
 
 /// The name of a file, whatever bytes it has; those that are not UTF-8 as `\xff`.
-#[cfg_attr(not(feature = "cli"), expect(dead_code, reason = "only the command shows names"))]
+#[cfg(feature = "cli")]
 pub(crate) fn visible_name(name: &OsStr) -> String {
     let mut shown = String::new();
     for chunk in name.as_encoded_bytes().utf8_chunks() {
@@ -41,7 +42,7 @@ mod tests {
         assert_eq!(shortened(&"7".repeat(40)), "7".repeat(40));
     }
 
-    #[cfg(unix)]
+    #[cfg(all(unix, feature = "cli"))]
     #[test]
     fn a_name_of_any_bytes_is_shown() {
         use std::os::unix::ffi::OsStrExt;
