@@ -2,7 +2,8 @@
 
 use super::originals::{both, verdict};
 use super::refusals::{Cases, MAX_DIGITS, Original, Spoiled};
-use crate::arches::{H, M, arch, number};
+use crate::arches::{H, arch};
+#[cfg(feature = "cli")]
 use crate::program::text;
 use couplet::certify::certify_arch;
 use couplet::check::Refusal;
@@ -235,8 +236,10 @@ fn the_originals_are_accepted() {
 }
 
 /// Whatever is done to a given thickness, half opening or friction: what is accepted is so.
+#[cfg(feature = "cli")]
 #[test]
 fn around_its_limit_a_claim_is_accepted_on_one_side_only() {
+    use crate::arches::{M, number};
     // The least thickness of the semicircle at this friction is 0.12219…
     for weight in [H, M] {
         let semicircle = arch(weight, "pi/2", "0.38");
@@ -252,6 +255,7 @@ fn around_its_limit_a_claim_is_accepted_on_one_side_only() {
 }
 
 /// What `couplet assess` says.
+#[cfg(feature = "cli")]
 fn semicircle_stands(weight: &str, thickness: &str) -> bool {
     let weight = weight.to_lowercase();
     let output = crate::program::couplet(&[
@@ -321,6 +325,7 @@ fn an_arch_next_to_half_a_turn_has_a_certificate() {
 }
 
 /// A limit is told of the quantity that is compared, whatever the order of the values.
+#[cfg(feature = "cli")]
 #[test]
 fn what_is_printed_compares_only_what_is_compared() {
     let mut made = verdict("1.5", "0.1", "1").clone();
