@@ -147,14 +147,14 @@ impl Derivation {
         self.push(Support::Conclusion, words, None);
     }
 
-    /// Uses another claim, which is decided here once more; its steps are not repeated. One that is
-    /// false as printed cannot be used.
+    /// Uses another claim, which is decided here once more; its steps are not repeated. One that does not
+    /// hold as it is stated cannot be used.
     pub fn lemma(&mut self, claim: &Claim) -> Result<(), Undecided> {
         let decision = claim.decide();
         match decision.outcome {
             Ok(Finding::AsPrinted | Finding::Implicit) => {}
-            Ok(Finding::Misprint { .. }) => {
-                return Err(Undecided::new(format!("{} is false", claim.id)));
+            Ok(_) => {
+                return Err(Undecided::new(format!("{} does not hold as it is stated", claim.id)));
             }
             Err(undecided) => return Err(undecided.about(claim.id)),
         }

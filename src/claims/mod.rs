@@ -62,6 +62,18 @@ pub enum Finding {
     AsPrinted,
     /// It holds; the paper does not state it.
     Implicit,
+    /// It holds as it is printed, but in some places only with equality.
+    Equality {
+        /// Where both sides are the same: `thickness at B is 2 for both weights`.
+        at: String,
+    },
+    /// It speaks of an amount without a number, or with a rounded one: "about", "limited", "suffices".
+    Measured {
+        /// The number with which it is proved.
+        holds_with: String,
+        /// A number with which it is refuted, the printed one above all.
+        fails_with: Option<String>,
+    },
     /// It is false as printed.
     Misprint {
         /// Where it fails: a point with the two values, or the difference that is not zero.

@@ -17,39 +17,37 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "weights-thickness",
         place: "Sec. 3, Tables 1-2",
         statement: "at T, S, J and B the thickness is lower for Milankovitch's weight",
-        decide: |d| compared(d, Quantity::Thickness, "lower at T, S and J; at B it is 2 for both"),
+        decide: |d| compared(d, Quantity::Thickness),
     },
     Claim {
         id: "weights-friction",
         place: "Sec. 3, Tables 1-2",
         statement: "at T, S, J and B the friction is lower for Milankovitch's weight",
-        decide: |d| compared(d, Quantity::Friction, ""),
+        decide: |d| compared(d, Quantity::Friction),
     },
     Claim {
         id: "weights-opening",
         place: "Sec. 3, Tables 1-2",
         statement: "at T, S, J and B the half opening is lower for Milankovitch's weight",
-        decide: |d| compared(d, Quantity::HalfOpening, ""),
+        decide: |d| compared(d, Quantity::HalfOpening),
     },
     Claim {
         id: "weights-thrust",
         place: "Sec. 3, Tables 1-2",
         statement: "at T, S, J and B the thrust is higher for Milankovitch's weight",
-        decide: |d| compared(d, Quantity::Thrust, ""),
+        decide: |d| compared(d, Quantity::Thrust),
     },
     Claim {
         id: "weights-beta-r",
         place: "Sec. 3, Tables 1-2",
         statement: "at T, S, J and B the rotational joint is wider for Milankovitch's weight",
-        decide: |d| {
-            compared(d, Quantity::RotationJoint, "wider at T and S; at J and B it is 0 for both")
-        },
+        decide: |d| compared(d, Quantity::RotationJoint),
     },
     Claim {
         id: "weights-beta-s",
         place: "Sec. 3, Tables 1-2",
         statement: "at T, S, J and B the sliding joint is wider for Milankovitch's weight",
-        decide: |d| compared(d, Quantity::SlidingJoint, ""),
+        decide: |d| compared(d, Quantity::SlidingJoint),
     },
     Claim {
         id: "weights-limits",
@@ -104,13 +102,9 @@ fn comparisons() -> Result<&'static [Comparison], Undecided> {
     DECIDED.get_or_init(compare_weights).as_deref().map_err(Clone::clone)
 }
 
-/// A quantity at T, S, J and B: as claimed, or equal by exact values, which refutes the claim.
-fn compared(
-    d: &mut Derivation,
-    quantity: Quantity,
-    corrected: &'static str,
-) -> Result<Finding, Undecided> {
-    let mut counterexamples = Vec::new();
+/// A quantity at T, S, J and B: as claimed, or equal by exact values.
+fn compared(d: &mut Derivation, quantity: Quantity) -> Result<Finding, Undecided> {
+    let mut equalities = Vec::new();
     for comparison in comparisons()?.iter().filter(|c| c.quantity == quantity) {
         let landmark = comparison.landmark;
         let words = format!("{} at {}", quantity.name(), landmark.symbol());
@@ -122,16 +116,16 @@ fn compared(
             let [heyman, milankovitch] = SelfWeight::ALL.map(exact);
             let value = heyman?;
             d.equal(format!("{words} is the same for both weights"), &milankovitch?, &value)?;
-            counterexamples.push(format!("{words} is {value} for both weights"));
+            equalities.push(format!("{words} is {value} for both weights"));
         } else {
             let strict = comparison.certified == comparison.claimed;
             let words = format!("{words} is {}", comparison.certified.name());
             d.certain(Support::Balls, words, certain_if(strict))?;
         }
     }
-    match counterexamples.is_empty() {
+    match equalities.is_empty() {
         true => Ok(Finding::AsPrinted),
-        false => Ok(Finding::Misprint { counterexample: counterexamples.join("; "), corrected }),
+        false => Ok(Finding::Equality { at: equalities.join("; ") }),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::claims::{Decision, Finding};
 use crate::report::words::count;
+use std::iter;
 
 /// Claims with what was found of them.
 #[derive(Debug)]
@@ -19,8 +20,26 @@ pub(super) fn as_printed(decision: &Decision) -> &'static str {
     match decision.outcome {
         Ok(Finding::AsPrinted) => "proved",
         Ok(Finding::Implicit) => "not stated",
+        Ok(Finding::Equality { .. }) => "equality",
+        Ok(Finding::Measured { .. }) => "measured",
         Ok(Finding::Misprint { .. }) => "refuted",
         Err(_) => "undecided",
+    }
+}
+
+/// What was found besides the word, each with what it is: `as printed`, `corrected`, `holds with`.
+pub(super) fn remarks(decision: &Decision) -> Vec<(&'static str, &str)> {
+    match &decision.outcome {
+        Ok(Finding::AsPrinted | Finding::Implicit) => Vec::new(),
+        Ok(Finding::Equality { at }) => vec![("equal", at)],
+        Ok(Finding::Measured { holds_with, fails_with }) => {
+            let fails = fails_with.iter().map(|number| ("does not hold with", number.as_str()));
+            iter::once(("holds with", holds_with.as_str())).chain(fails).collect()
+        }
+        Ok(Finding::Misprint { counterexample, corrected }) => {
+            vec![("as printed", counterexample), ("corrected", corrected)]
+        }
+        Err(undecided) => vec![("reason", &undecided.reason)],
     }
 }
 
@@ -30,6 +49,8 @@ pub(super) fn summary(decisions: &[Decision]) -> String {
     let kinds = [
         ("proved", "proved as printed"),
         ("not stated", "proved, not stated in the paper"),
+        ("equality", "proved with equality in some places"),
+        ("measured", "proved with a number"),
         ("refuted", "refuted as printed and proved as corrected"),
         ("undecided", "undecided"),
     ];

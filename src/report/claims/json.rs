@@ -1,7 +1,7 @@
-//! Claims as JSON, `couplet.claims/1`. Fields may be added, none changes its meaning.
+//! Claims as JSON, `couplet.claims/2`. Fields may be added, none changes its meaning.
 
-use super::decided::{Claims, as_printed};
-use crate::claims::{Finding, Step};
+use super::decided::{Claims, as_printed, remarks};
+use crate::claims::Step;
 use crate::report::json;
 use serde::Serialize;
 use std::io;
@@ -17,10 +17,13 @@ struct Entry<'a> {
     id: &'static str,
     place: &'static str,
     statement: &'static str,
-    /// `proved`, `refuted`, `not stated` or `undecided`.
+    /// `proved`, `equality`, `measured`, `refuted`, `not stated` or `undecided`.
     as_printed: &'static str,
     counterexample: Option<&'a str>,
-    corrected: Option<&'static str>,
+    corrected: Option<&'a str>,
+    equal: Option<&'a str>,
+    holds_with: Option<&'a str>,
+    fails_with: Option<&'a str>,
     /// `proved` (the corrected statement, where there is one) or `undecided`.
     verdict: &'static str,
     reason: Option<&'a str>,
@@ -54,24 +57,21 @@ impl<'a> From<&'a Step> for StepEntry<'a> {
 /// All claims.
 pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
     let claims = report.decisions.iter().map(|decision| {
-        let (counterexample, corrected) = match &decision.outcome {
-            Ok(Finding::Misprint { counterexample, corrected }) => {
-                (Some(counterexample.as_str()), Some(*corrected))
-            }
-            _ => (None, None),
-        };
-        let reason = match &decision.outcome {
-            Err(undecided) => Some(&*undecided.reason),
-            Ok(_) => None,
-        };
+        let remarks = remarks(decision);
+        let remark =
+            |kind| remarks.iter().find(|(other, _)| *other == kind).map(|(_, words)| *words);
+        let reason = remark("reason");
         let steps = decision.derivation.steps();
         Entry {
             id: decision.claim.id,
             place: decision.claim.place,
             statement: decision.claim.statement,
             as_printed: as_printed(decision),
-            counterexample,
-            corrected,
+            counterexample: remark("as printed"),
+            corrected: remark("corrected"),
+            equal: remark("equal"),
+            holds_with: remark("holds with"),
+            fails_with: remark("does not hold with"),
             verdict: if reason.is_none() { "proved" } else { "undecided" },
             reason,
             hypotheses: decision.derivation.hypotheses().collect(),
@@ -80,6 +80,6 @@ pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()>
             derivation: report.show.then(|| steps.iter().map(StepEntry::from).collect()),
         }
     });
-    let file = ClaimsFile { schema: "couplet.claims/1", claims: claims.collect() };
+    let file = ClaimsFile { schema: "couplet.claims/2", claims: claims.collect() };
     json::write(&file, out)
 }

@@ -1,7 +1,7 @@
 //! Claims as a LaTeX document: words as text, each formula in a paragraph of its own.
 
-use super::decided::{Claims, as_printed, summary};
-use crate::claims::{Finding, Support};
+use super::decided::{Claims, as_printed, remarks, summary};
+use crate::claims::Support;
 use std::io;
 
 const HEAD: &str = r"\documentclass{article}
@@ -20,12 +20,8 @@ pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()>
         let title = format!("{}, {}: {}", claim.id, claim.place, as_printed(decision));
         writeln!(out, "\\subsection*{{{}}}", plain(&title))?;
         writeln!(out, "{}.\n", plain(claim.statement))?;
-        if let Ok(Finding::Misprint { counterexample, corrected }) = &decision.outcome {
-            writeln!(out, "As printed: {}.\n", plain(counterexample))?;
-            writeln!(out, "Corrected: {}.\n", plain(corrected))?;
-        }
-        if let Err(undecided) = &decision.outcome {
-            writeln!(out, "{}.\n", plain(&undecided.to_string()))?;
+        for (kind, words) in remarks(decision) {
+            writeln!(out, "\\textit{{{kind}:}} {}.\n", plain(words))?;
         }
         if !report.show {
             continue;

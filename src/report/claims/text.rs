@@ -1,7 +1,7 @@
 //! Claims for a person at a terminal.
 
-use super::decided::{Claims, as_printed, summary};
-use crate::claims::{Decision, Finding, Support};
+use super::decided::{Claims, as_printed, remarks, summary};
+use crate::claims::{Decision, Support};
 use std::io;
 
 /// All claims.
@@ -17,6 +17,7 @@ pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()>
 }
 
 const WIDTH: usize = 100;
+const INDENT: &str = "           ";
 
 fn heading(decision: &Decision, timed: bool, out: &mut dyn io::Write) -> io::Result<()> {
     let claim = &decision.claim;
@@ -27,15 +28,10 @@ fn heading(decision: &Decision, timed: bool, out: &mut dyn io::Write) -> io::Res
     } else {
         writeln!(out, "{verdict:<10} {id:<22} {place}")?;
     }
-    wrapped(claim.statement, "           ", out)?;
-    match &decision.outcome {
-        Ok(Finding::Misprint { counterexample, corrected }) => {
-            wrapped(&format!("as printed: {counterexample}"), "           ", out)?;
-            wrapped(&format!("corrected:  {corrected}"), "           ", out)
-        }
-        Err(undecided) => wrapped(&format!("reason: {}", undecided.reason), "           ", out),
-        Ok(_) => Ok(()),
-    }
+    wrapped(claim.statement, INDENT, out)?;
+    remarks(decision)
+        .into_iter()
+        .try_for_each(|(kind, words)| wrapped(&format!("{kind}: {words}"), INDENT, out))
 }
 
 fn steps(decision: &Decision, out: &mut dyn io::Write) -> io::Result<()> {
@@ -48,7 +44,7 @@ fn steps(decision: &Decision, out: &mut dyn io::Write) -> io::Result<()> {
             Support::Balls => "balls ",
             Support::Conclusion => "so    ",
         };
-        lines(&step.words, &format!("    {mark} "), "           ", out)?;
+        lines(&step.words, &format!("    {mark} "), INDENT, out)?;
         if let Some(formula) = &step.formula {
             writeln!(out, "             {}", formula.text)?;
         }

@@ -6,7 +6,7 @@ use crate::program::{command, json};
 #[test]
 fn claims_are_decided_and_a_misprint_is_no_failure() {
     let file = json(&["prove", "--format", "json"]);
-    assert_eq!(file["schema"], "couplet.claims/1");
+    assert_eq!(file["schema"], "couplet.claims/2");
     let claims = file["claims"].as_array().unwrap();
     assert!(claims.len() >= 30);
     assert!(claims.iter().all(|claim| claim["verdict"] == "proved"), "{claims:?}");
