@@ -44,11 +44,17 @@ pub enum Symbol {
     CosineOfOpening,
     /// `delta_M`.
     Flag,
+    /// `r`, a radius as a length.
+    Radius,
+    /// `d`, the depth out of the plane.
+    Depth,
+    /// `gamma`, the weight per unit volume.
+    SpecificWeight,
 }
 
 impl Symbol {
     /// How many there are.
-    pub const COUNT: usize = 18;
+    pub const COUNT: usize = 21;
 
     /// All of them, in order.
     pub const ALL: [Self; Self::COUNT] = [
@@ -70,6 +76,9 @@ impl Symbol {
         Self::SineOfOpening,
         Self::CosineOfOpening,
         Self::Flag,
+        Self::Radius,
+        Self::Depth,
+        Self::SpecificWeight,
     ];
 
     /// How it is written in text and in LaTeX.
@@ -93,6 +102,9 @@ impl Symbol {
             Self::SineOfOpening => ("Sa", r"\sin\alpha"),
             Self::CosineOfOpening => ("Ca", r"\cos\alpha"),
             Self::Flag => ("delta", r"\delta_M"),
+            Self::Radius => ("r", "r"),
+            Self::Depth => ("d", "d"),
+            Self::SpecificWeight => ("gamma", r"\gamma"),
         }
     }
 }
