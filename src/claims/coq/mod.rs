@@ -20,11 +20,15 @@ mod joint;
 mod landmark;
 mod numeral;
 mod printed;
+mod sign;
+mod solution;
+mod state;
 mod table;
 mod template;
 mod term;
 mod weights;
 
+pub use state::{StateError, state};
 pub use term::Term;
 
 use crate::arch::{SelfWeight, Unknown};
