@@ -1,7 +1,7 @@
 # `make` builds couplet and prints the landmark constants; `make test` runs every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build test lint docs msrv deny snapshots constants checker combinations crates examples exporters bench peers \
+.PHONY: run build test lint docs msrv deny snapshots constants states checker combinations crates examples exporters bench peers \
         proofs witness m4 coq
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
@@ -58,6 +58,15 @@ deny:
 # The repository's certificates, 100 digits of every landmark; a test says whether they are up to date.
 constants: build
 	./target/release/couplet certify all --digits 100 --output proofs/constants
+
+# One certified state of each collapse mode, for Coq; a test says whether they are up to date.
+states: build
+	mkdir -p proofs/states
+	while read -r name weight alpha mu; do \
+	  ./target/release/couplet certify state --weight $$weight --alpha $$alpha --mu $$mu --digits 30 \
+	    --output proofs/states/$$name.json || exit 1; \
+	done < proofs/states/arches.txt
+	./target/release/couplet prove --coq proofs/coq/generated --state proofs/states/*.json
 
 # The checker of certificates alone, which must need neither GMP nor MPFR: `couplet check`, and its tests.
 checker:

@@ -1,8 +1,8 @@
 (** * The state of an arch from a handful of signs
 
-    For each mode: where its printed equations hold and a few numbers are positive, the state is
+    For each mode with a thickness: where its printed equations hold and a few numbers are positive, the state is
     **admissible at every joint** of the half arch, and the arch stands **exactly** from its thickness
-    on, up to the physical limit.  The half-angle and the friction are given; a generated file adds
+    on, up to the physical limit.  Purely sliding states bound the friction.  The half-angle and the friction are given; a generated file adds
     the numbers.
 
     All of it from the printed equations and the statics: see [Contact] for the line of thrust,
@@ -31,6 +31,10 @@ Definition stands_from (delta alpha mu eta : R) : Prop :=
 (** and the same if friction has no limit. *)
 Definition stands_without_limit_from (delta alpha eta : R) : Prop :=
   forall eta', 0 < eta' <= 2 -> ((exists h p, thrust_inside delta alpha eta' h p) <-> eta <= eta').
+
+(** Without enough friction it stands at no thickness, whatever the self-weight. *)
+Definition stands_at_no_thickness (alpha mu : R) : Prop :=
+  forall delta eta, ~ arch_stands delta alpha eta mu.
 
 (** The moments [p] of the crown's thrust that put it on the extrados at crown and shoulder. *)
 Definition at_crown (eta h : R) : R := extrados eta * h.
@@ -321,9 +325,35 @@ Qed.
 
 End Modes.
 
+(** *** [[s,s]] *)
+
+Theorem purely_sliding (alpha mu h joint : R) : 0 < alpha < PI ->
+  mu = mu_ss alpha h /\ mu = mu_is h /\ joint = beta_s h ->
+  0 < joint -> joint < alpha -> 0 < normal_force alpha h ->
+  forall mu', 0 <= mu' < mu -> stands_at_no_thickness alpha mu'.
+Proof.
+  intros opening (H17 & H18 & ->) Hs Ha HN mu' Hmu delta eta.
+  assert (Hh : 0 < h < 1).
+  { assert (Hsq : 0 < h * (1 - h))
+      by (apply sqrt_lt_0_alt; rewrite sqrt_0; exact Hs). nra. }
+  assert (Hmore : mu * normal_force alpha h = h * sin alpha - alpha * cos alpha)
+    by (rewrite H17; unfold mu_ss, normal_force in *; field; lra).
+  (* what is left of the shoulder's bound grows as the friction falls *)
+  assert (Hbound : 0 < sin alpha - mu' * cos alpha).
+  { assert (HS : 0 < sin alpha) by (apply sin_gt_0; lra). assert (Hcircle := circle alpha).
+    assert (E : (sin alpha - mu * cos alpha) * normal_force alpha h = alpha).
+    { transitivity (sin alpha * normal_force alpha h - cos alpha * (mu * normal_force alpha h));
+        [ring|]. rewrite Hmore. unfold normal_force.
+      transitivity (alpha * (sin alpha ^ 2 + cos alpha ^ 2)); [ring | rewrite Hcircle; ring]. }
+    assert (0 < sin alpha - mu * cos alpha).
+    { apply (Rmult_lt_reg_r (normal_force alpha h)); [easy|]. rewrite Rmult_0_l. lra. }
+    destruct (Rle_lt_dec 0 (cos alpha)); nra. }
+  now apply (no_arch_below_purely_sliding delta alpha eta mu mu' h); try lra.
+Qed.
+
 (** ** Signs in a small box *)
 
 Ltac signs :=
   intros; conjuncts; repeat split;
   unfold at_crown, at_shoulder, normal_force, mu_ss, mu_is, mu_inner, beta_s, extrados, intrados, fac;
-  apply Rminus_gt_0_lt; interval with (i_prec 140).
+  first [lra | interval with (i_prec 140) | apply Rminus_gt_0_lt; interval with (i_prec 140)].

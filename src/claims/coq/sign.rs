@@ -9,8 +9,8 @@ pub(super) fn sign(condition: Condition, mode: Mode, system: &System) -> Option<
     use Condition as C;
     let of = |unknown| argument(system, unknown);
     let (alpha, mu) = (of(Unknown::HalfOpening), of(Unknown::Friction));
-    let (beta, eta, h) =
-        (of(Unknown::RotationJoint), of(Unknown::Thickness), of(Unknown::Thrust));
+    let (beta, eta, h) = (of(Unknown::RotationJoint), of(Unknown::Thickness), of(Unknown::Thrust));
+    let joint = of(Unknown::SlidingJoint);
     let delta = system.weight.flag();
     let (crown, shoulder) =
         (format!("at_crown {eta} {h}"), format!("at_shoulder {delta} {alpha} {eta} {h}"));
@@ -29,6 +29,8 @@ pub(super) fn sign(condition: Condition, mode: Mode, system: &System) -> Option<
         C::ThickerStands => {
             format!("fac {delta} 2 * (1 - cos {alpha}) < 2 * normal_force {alpha} {h}")
         }
+        C::SlidesAboveHaunch => format!("{joint} < {beta}"),
+        C::SlidesBelowHaunch => format!("{beta} < {joint}"),
         C::SteepestAboveShoulder => format!("Arch.beta_s {h} < {alpha}"),
         C::FrictionAtShoulder => format!("mu_ss {alpha} {h} < {mu}"),
         C::FrictionInside => format!("mu_is {h} < {mu}"),

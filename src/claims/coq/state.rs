@@ -1,16 +1,17 @@
 //! The file of a state: its one solution, the signs that are left, and what they make of it.
 
+use super::given::{friction, given};
 use super::numeral::{text, unit};
 use super::sign::sign;
 use super::solution::{Solution, Values};
 use super::table::{DECIMALS, Root};
 use super::template::fill;
-use super::{BITS, argument, symbol};
+use super::{BITS, argument};
 use crate::arch::Unknown;
 use crate::certify::{Undecided, isolate_root};
 use crate::check::{Certificate, Refusal, verify};
-use crate::number::{Ball, Dyadic, Engine, ExactNumber, Magnitude};
-use crate::problem::{Arch, Friction, Mode, Problem};
+use crate::number::{Ball, Dyadic, Engine, Magnitude};
+use crate::problem::{Arch, Mode, Problem, System, Verdict};
 use crate::solve::Candidate;
 use rug::{Float, Rational};
 
@@ -30,24 +31,36 @@ pub enum StateError {
 }
 
 /// The file of the state that a certificate is about, name and content, after a check of the certificate.
+///
+/// Of an arch that slides it is the purely sliding state, which has no thickness but a friction.
 pub fn state(certificate: &[u8]) -> Result<(String, String), StateError> {
-    let accepted = verify(certificate)?;
-    let Problem::State { mode, arch } = &accepted.problem else { return Err(StateError::NotState) };
-    let root = root(&accepted.problem, &Certificate::read(certificate)?)?;
-    let given = match arch.is_limited() {
-        true => &["alpha", "mu"][..],
-        false => &["alpha"],
+    let problem = verify(certificate)?.problem;
+    let (mode, arch) = match &problem {
+        Problem::State { mode, arch } => (*mode, arch),
+        Problem::Verdict { verdict: Verdict::Slides, arch } => (Mode::Sliding, arch),
+        _ => return Err(StateError::NotState),
     };
-    let mut solution = Solution::new(&root, given)?;
-    signs_hold(&accepted.problem, &root, &solution)?;
-    let claims = claims(*mode, &accepted.problem, arch, &solution).ok_or(StateError::NotState)?;
-    solution.values.extend(claims);
-    let parts = [
-        fill(include_str!("templates/state.v"), &solution.values),
-        solution.text(),
-        fill(include_str!("templates/least_thickness.v"), &solution.values),
-    ];
-    Ok((format!("State{mode:?}{:?}.v", arch.weight()), parts.concat()))
+    let root = root(&problem, &Certificate::read(certificate)?)?;
+    let given = given(&root.system, arch);
+    let names: Vec<&str> = given.iter().map(|(name, _)| *name).collect();
+    let mut solution = Solution::new(&root, &names)?;
+    signs_hold(&problem, &root, &solution)?;
+    solution.values.extend(claims(&problem, mode, arch, &solution));
+    let definitions = given.iter().map(|(name, x)| format!("Definition {name} : R := {x}."));
+    solution.values.push(("arch", definitions.collect::<Vec<_>>().join("\n")));
+    let [heading, theorems] = match mode {
+        Mode::Sliding => {
+            [include_str!("templates/sliding.v"), include_str!("templates/least_friction.v")]
+        }
+        _ => [include_str!("templates/state.v"), include_str!("templates/least_thickness.v")],
+    }
+    .map(|template| fill(template, &solution.values));
+    // Pure sliding does not know the weight.
+    let weight = match mode {
+        Mode::Sliding => String::new(),
+        _ => format!("{:?}", arch.weight()),
+    };
+    Ok((format!("State{mode:?}{weight}.v"), [heading, solution.text(), theorems].concat()))
 }
 
 /// Steps with the inverse of a certificate, each of which gains many bits next to the root.
@@ -75,86 +88,69 @@ fn root(problem: &Problem, certificate: &Certificate) -> Result<Root, Undecided>
 /// Whether the digits that are printed tell every sign.
 fn signs_hold(problem: &Problem, root: &Root, solution: &Solution) -> Result<(), Undecided> {
     let radius = Magnitude::upper(&Float::with_val(64, unit(DECIMALS)));
-    let digit = |x: &Rational| Ball::enclosing(x, BITS).widened(radius);
-    let narrow: Vec<Ball> = solution.table.centre.iter().map(digit).collect();
-    match problem.first_failure(&root.system.place(root.given.clone(), &narrow), BITS) {
-        None => Ok(()),
-        Some(condition) => {
-            let reason = format!("for Coq: {DECIMALS} decimals do not tell {}", condition.label());
-            Err(Undecided::new(reason))
-        }
-    }
+    let digits = |x: &Rational| Ball::enclosing(x, BITS).widened(radius);
+    let narrow: Vec<Ball> = solution.table.centre.iter().map(digits).collect();
+    let at = root.system.place(root.given.clone(), &narrow);
+    problem.first_failure(&at, BITS).map_or(Ok(()), |open| {
+        let open = open.label();
+        Err(Undecided::new(format!("for Coq: {DECIMALS} decimals do not tell {open}")))
+    })
 }
 
-/// What is claimed of the state.
-fn claims(mode: Mode, problem: &Problem, arch: &Arch, solution: &Solution) -> Option<Values> {
+/// What is claimed of the state beside the digits of its solution.
+fn claims(problem: &Problem, mode: Mode, arch: &Arch, solution: &Solution) -> Values {
     let system = problem.system();
-    let signs = problem.conditions().into_iter().filter_map(|c| sign(c, mode, &system));
-    let eta = system.index(Unknown::Thickness)?;
+    let mut signs: Vec<String> =
+        problem.conditions().into_iter().filter_map(|c| sign(c, mode, &system)).collect();
+    let least = match mode {
+        Mode::Sliding => Unknown::Friction,
+        _ => Unknown::Thickness,
+    };
+    let least = system.index(least).map(|index| text(&solution.table.centre[index]));
+    let friction = friction(arch);
+    if let (Mode::Sliding, Some(mu)) = (mode, &friction) {
+        signs.extend(["0 < alpha".into(), "alpha < PI".into()]);
+        signs.extend([format!("0 <= {mu}"), format!("{mu} < mu")]);
+    }
+    let symbols: Vec<&str> = solution.symbols.iter().collect();
+    let mut values = vec![
+        ("mode", mode.label().into()),
+        ("signs", signs.join(" /\\\n  ")),
+        ("least", least.unwrap_or_default()),
+        ("witness", symbols.join(" & ")),
+        ("friction", friction.unwrap_or_default()),
+    ];
+    values.extend(admissibility(mode, arch, &system));
+    values
+}
+
+/// What is claimed on the whole half arch, and the theorem of `States.v` behind it.
+fn admissibility(mode: Mode, arch: &Arch, system: &System) -> Values {
     let delta = system.weight.flag();
-    let h = argument(&system, Unknown::Thrust);
+    let h = argument(system, Unknown::Thrust);
     let moment = match mode {
         Mode::Rotational | Mode::SlidingRotational => format!("(at_crown eta {h})"),
         Mode::Overturning => "0".into(),
         _ => format!("(at_shoulder {delta} alpha eta {h})"),
     };
-    let (theorem, friction) = match mode {
-        Mode::Rotational if arch.is_limited() => ("rotational", true),
-        Mode::Rotational => ("rotational_without_limit", false),
-        Mode::SlidingRotational => ("sliding_rotational", true),
-        Mode::RotationalSliding | Mode::RotationalSlidingRotational => ("rotational_sliding", true),
-        Mode::OverturningSliding => ("overturning_sliding", true),
-        Mode::Overturning => ("overturning", false),
-        Mode::Sliding => return None,
+    let theorem = match mode {
+        Mode::Rotational if arch.is_limited() => "rotational",
+        Mode::Rotational => "rotational_without_limit",
+        Mode::SlidingRotational => "sliding_rotational",
+        Mode::RotationalSliding | Mode::RotationalSlidingRotational => "rotational_sliding",
+        Mode::OverturningSliding => "overturning_sliding",
+        Mode::Overturning => "overturning",
+        Mode::Sliding => "purely_sliding",
     };
-    let (admissible, stands_from, holds) = match friction {
-        true => (
-            format!("admissible {delta} alpha eta mu {h} {moment}"),
-            format!("stands_from {delta} alpha mu"),
-            ", and friction holds,",
-        ),
-        false => (
-            format!("thrust_inside {delta} alpha eta {h} {moment}"),
-            format!("stands_without_limit_from {delta} alpha"),
-            "",
-        ),
+    let [admissible, stands_from, holds, given] = match arch.is_limited() {
+        true => ["admissible", "stands_from", ", and friction holds,", "alpha mu"],
+        false => ["thrust_inside", "stands_without_limit_from", "", "alpha"],
     };
-    let given = if friction { " mu" } else { "" };
-    Some(vec![
-        ("mode", mode.label().into()),
-        ("arch", definitions(arch)),
+    let mu = if arch.is_limited() { " mu" } else { "" };
+    vec![
+        ("admissible", format!("{admissible} {delta} alpha eta{mu} {h} {moment}")),
+        ("stands_from", format!("{stands_from} {delta} {given}")),
         ("holds", holds.into()),
-        ("signs", signs.collect::<Vec<_>>().join(" /\\\n  ")),
-        ("admissible", admissible),
-        ("stands_from", stands_from),
-        ("theorem", format!("{theorem} {delta} alpha{given}")),
-        ("least", text(&solution.table.centre[eta])),
-        ("witness", solution.symbols.iter().collect::<Vec<_>>().join(" & ")),
-    ])
-}
-
-/// What is given, as definitions.
-fn definitions(arch: &Arch) -> String {
-    let mu = match arch.friction() {
-        Friction::Coefficient(mu) => Some(number(mu)),
-        Friction::Angle(phi) => Some(format!("tan ({})", number(phi))),
-        Friction::Infinite => None,
-    };
-    let definition = |name, value| format!("Definition {name} : R := {value}.");
-    let alpha = definition(symbol(Unknown::HalfOpening), number(arch.half_opening()));
-    let mu = mu.map(|mu| definition(symbol(Unknown::Friction), mu));
-    [Some(alpha), mu].into_iter().flatten().collect::<Vec<_>>().join("\n")
-}
-
-/// A number that is given, as Coq reads it.
-fn number(x: &ExactNumber) -> String {
-    let factor = x.to_rational();
-    if x.is_rational() {
-        return text(&factor);
-    }
-    let above = match factor.numer() {
-        one if *one == 1 => "PI".into(),
-        n => format!("{n} * PI"),
-    };
-    if factor.is_integer() { above } else { format!("{above} / {}", factor.denom()) }
+        ("theorem", format!("{theorem} {delta} {given}")),
+    ]
 }

@@ -22,6 +22,8 @@ const MORE: u32 = 4;
 const MATRIX: u32 = 7;
 /// The factor by which distances have to shrink.
 const CONTRACTION: (u32, u32) = (9, 10);
+/// The largest radius: the small box is that part of the wide one which shows the decimals where a radius is one.
+const LARGEST: (u32, u32) = (99, 100);
 /// By how much a bound is printed larger than the balls find it; Coq's intervals differ from them.
 const ROOM: (u32, u32) = (21, 20);
 /// The box is made smaller by a twentieth this often before it is given up.
@@ -158,7 +160,8 @@ impl Table {
 
 /// Smaller and smaller boxes of one shape, with radii of two digits.
 fn shrinking(domain: &[Ball]) -> Vec<Vec<Rational>> {
-    let mut shape: Vec<Rational> = domain.iter().map(radius).collect();
+    let largest = Rational::from(LARGEST);
+    let mut shape: Vec<Rational> = domain.iter().map(|x| radius(x).min(largest.clone())).collect();
     let step = |_| {
         let radii = shape.iter().map(|r| down(r, places(r, 2))).collect();
         shape.iter_mut().for_each(|r| *r *= Rational::from((19, 20)));
