@@ -118,7 +118,7 @@ witness:
 	  echo "couplet: the third check needs Python 3.10 or newer with venv and python-flint (pip install python-flint)" >&2; \
 	  exit 1; }
 	@if python3 -c 'import flint' 2>/dev/null; then python=python3; else python=$(ARB)/bin/python3; fi; \
-	$$python proofs/check_with_arb.py proofs/constants/*.json
+	$$python proofs/check_with_arb.py proofs/constants/*.json proofs/states/*.json
 
 # GMP's configure script, run by the first build, needs m4.
 m4:
