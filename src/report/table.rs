@@ -62,7 +62,7 @@ fn constants(answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
 fn point(answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
     let modes: Vec<_> = answer.modes.iter().map(|mode| mode.label()).collect();
     writeln!(out, "{}", title(&answer.subject))?;
-    writeln!(out, "   modes that meet here: {}", modes.join(" "))?;
+    writeln!(out, "   modes that meet here (proved): {}", modes.join(" "))?;
     for (quantity, value) in &answer.values {
         let (name, symbol) = (quantity.name(), quantity.symbol());
         writeln!(out, "   {name:<23} {symbol:<19} {}", value.text())?;
