@@ -1,5 +1,6 @@
 //! Exact input: decimals, fractions and multiples of pi, read as text and never rounded.
 
+use super::unit::{Unit, unit};
 use super::{Decimal, Dyadic, Engine, ParseDecimalError, shown};
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
@@ -111,11 +112,7 @@ impl ExactNumber {
     /// `None` beyond the largest double.
     #[cfg(feature = "mpfr")]
     pub fn nearest_double(&self) -> Option<f64> {
-        // Few bits decide nearly always; a tie is rational, and exact in the bits of a long number.
-        let found = [128, 4096, 80_000]
-            .iter()
-            .find_map(|&bits| self.enclosure::<super::Ball>(bits).nearest_double());
-        found.filter(|x| x.is_finite())
+        nearest_double(|bits| self.enclosure(bits))
     }
 
     /// An enclosure in numbers of `bits` bits, at least one.
@@ -186,39 +183,6 @@ impl FromStr for ExactNumber {
     }
 }
 
-/// The unit that is written behind a number.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Unit {
-    None,
-    Radians,
-    Degrees,
-}
-
-/// How units are written, in any case, with or without a space before them.
-const UNITS: [(&str, Unit); 6] = [
-    ("°", Unit::Degrees),
-    ("degrees", Unit::Degrees),
-    ("degree", Unit::Degrees),
-    ("deg", Unit::Degrees),
-    ("radians", Unit::Radians),
-    ("rad", Unit::Radians),
-];
-
-/// A text without its unit.
-fn unit(text: &str) -> (&str, Unit) {
-    let text = text.trim();
-    let behind = |(written, unit): &(&str, Unit)| {
-        let (number, end) = text.split_at_checked(text.len().checked_sub(written.len())?)?;
-        end.eq_ignore_ascii_case(written).then(|| (number.trim_end(), *unit))
-    };
-    UNITS.iter().find_map(behind).unwrap_or((text, Unit::None))
-}
-
-/// Whether a number is written with the unit of an angle.
-pub(crate) fn is_angle(text: &str) -> bool {
-    unit(text).1 != Unit::None
-}
-
 impl ExactNumber {
     /// A number without its unit; `given` is the whole text.
     fn without_unit(text: &str, given: &str) -> Result<Self, ParseExactError> {
@@ -270,6 +234,15 @@ impl ExactNumber {
     }
 }
 
+/// The double nearest to a number that has an enclosure of any number of bits, ties to even; `None` beyond the largest
+/// double.
+#[cfg(feature = "mpfr")]
+pub(crate) fn nearest_double(enclosure: impl Fn(u32) -> super::Ball) -> Option<f64> {
+    // Few bits decide nearly always; a tie is rational, and exact in the bits of a long number.
+    let found = [128, 4096, 80_000].into_iter().find_map(|bits| enclosure(bits).nearest_double());
+    found.filter(|x| x.is_finite())
+}
+
 /// The exact value of a decimal.
 fn rational(decimal: &Decimal) -> BigRational {
     let Some(digits) = integer(decimal.digits()) else { return BigInt::ZERO.into() };
@@ -290,7 +263,7 @@ fn integer(digits: &str) -> Option<BigInt> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{AstroInterval, Enclosure, Field, Real};
+    use crate::number::{AstroInterval, Enclosure, Field, Real, is_angle};
 
     fn factor(text: &str) -> BigRational {
         text.parse::<ExactNumber>().unwrap().factor().clone()
