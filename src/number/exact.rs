@@ -263,7 +263,7 @@ fn integer(digits: &str) -> Option<BigInt> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{AstroInterval, Enclosure, Field, Real, is_angle};
+    use crate::number::{AstroInterval, Enclosure, Field, Real};
 
     fn factor(text: &str) -> BigRational {
         text.parse::<ExactNumber>().unwrap().factor().clone()
@@ -285,31 +285,6 @@ mod tests {
         let hundred = format!("0.{}1", "0".repeat(99));
         assert_eq!(factor(&hundred), factor("1e-100"));
         assert_eq!(factor("45deg"), quotient(1, 4));
-    }
-
-    #[test]
-    fn units_are_read_in_their_usual_spellings() {
-        for text in
-            ["80deg", "80°", "80 deg", " 80 ° ", "80degrees", "80 Degrees", "80DEG", "80 degree"]
-        {
-            let number: ExactNumber = text.parse().unwrap();
-            assert_eq!(
-                (number.to_string().as_str(), number.is_in_degrees()),
-                ("80deg", true),
-                "{text}"
-            );
-            assert_eq!(*number.factor(), quotient(4, 9));
-            assert!(is_angle(text));
-        }
-        for text in ["1.5rad", "1.5 rad", "1.5 radians", "1.5"] {
-            let number: ExactNumber = text.parse().unwrap();
-            assert_eq!(
-                (number.to_string().as_str(), number.is_in_degrees()),
-                ("1.5", false),
-                "{text}"
-            );
-        }
-        assert!(!is_angle("pi/6") && is_angle("0.5rad"));
     }
 
     #[test]

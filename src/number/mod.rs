@@ -70,7 +70,7 @@ pub use dual::Dual;
 pub use dyadic::{Dyadic, MAX_EXPONENT, ParseDyadicError};
 #[cfg(feature = "check")]
 pub use engine::Engine;
-#[cfg(feature = "mpfr")]
+#[cfg(all(feature = "mpfr", feature = "cli"))]
 pub(crate) use exact::nearest_double;
 #[cfg(feature = "check")]
 pub use exact::{ExactNumber, ParseExactError};

@@ -32,3 +32,35 @@ pub(super) fn unit(text: &str) -> (&str, Unit) {
 pub(crate) fn is_angle(text: &str) -> bool {
     unit(text).1 != Unit::None
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::ExactNumber;
+    use num_rational::BigRational;
+
+    #[test]
+    fn units_are_read_in_their_usual_spellings() {
+        for text in
+            ["80deg", "80°", "80 deg", " 80 ° ", "80degrees", "80 Degrees", "80DEG", "80 degree"]
+        {
+            let number: ExactNumber = text.parse().unwrap();
+            assert_eq!(
+                (number.to_string().as_str(), number.is_in_degrees()),
+                ("80deg", true),
+                "{text}"
+            );
+            assert_eq!(*number.factor(), BigRational::new(4.into(), 9.into()));
+            assert!(is_angle(text));
+        }
+        for text in ["1.5rad", "1.5 rad", "1.5 radians", "1.5"] {
+            let number: ExactNumber = text.parse().unwrap();
+            assert_eq!(
+                (number.to_string().as_str(), number.is_in_degrees()),
+                ("1.5", false),
+                "{text}"
+            );
+        }
+        assert!(!is_angle("pi/6") && is_angle("0.5rad"));
+    }
+}
