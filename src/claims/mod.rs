@@ -15,15 +15,21 @@
 //! | the two weights compared | `weights.rs` |
 //! | friction along sliding and along rotation | `frictions.rs`, with the states of `along.rs` |
 //! | where on the map the modes are | `domains.rs` |
+//! | why there are seven modes | `modes.rs`, with the limits of a joint in `contacts.rs` |
+//! | why a symmetric arch has one least thickness | `uniqueness.rs` |
+//! | why the modes fill the map | `tiling.rs` |
+//! | the landmarks as states of the whole arch | `admissible.rs` |
 //!
 //! A claim is decided by a [`Derivation`]: the equations of `arch` are evaluated over
 //! [`symbolic`](crate::symbolic) numbers, and each step is checked exactly, or in balls over a whole
 //! range. A person can read the steps; a test spoils each of them in turn, and then the claim must
 //! fail.
 
+mod admissible;
 mod along;
 mod asymptotics;
 mod branches;
+mod contacts;
 pub mod coq;
 mod cubics;
 mod curve;
@@ -33,9 +39,12 @@ mod frictions;
 mod joining;
 mod landmarks;
 mod letters;
+mod modes;
 mod moments;
 mod overturning;
 mod sliding;
+mod tiling;
+mod uniqueness;
 mod weights;
 
 pub use derivation::{Derivation, Formula, Step, Support};
@@ -130,6 +139,10 @@ pub fn claims() -> Vec<Claim> {
         weights::CLAIMS,
         frictions::CLAIMS,
         domains::CLAIMS,
+        modes::CLAIMS,
+        uniqueness::CLAIMS,
+        tiling::CLAIMS,
+        admissible::CLAIMS,
     ]
     .concat()
 }

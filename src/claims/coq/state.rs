@@ -100,8 +100,8 @@ fn signs_hold(problem: &Problem, root: &Root, solution: &Solution) -> Result<(),
 /// What is claimed of the state beside the digits of its solution.
 fn claims(problem: &Problem, mode: Mode, arch: &Arch, solution: &Solution) -> Values {
     let system = problem.system();
-    let mut signs: Vec<String> =
-        problem.conditions().into_iter().filter_map(|c| sign(c, mode, &system)).collect();
+    let conditions = problem.conditions().into_iter().flat_map(|(_, conditions)| conditions);
+    let mut signs: Vec<String> = conditions.filter_map(|c| sign(c, mode, &system)).collect();
     let least = match mode {
         Mode::Sliding => Unknown::Friction,
         _ => Unknown::Thickness,
