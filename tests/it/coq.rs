@@ -1,7 +1,7 @@
 //! The stored Coq files are those that the program prints.
 
 use couplet::arch::SelfWeight;
-use couplet::certify::certify_state;
+use couplet::certify::certify_arch;
 use couplet::claims::coq::{StateError, files, state};
 use couplet::problem::{Arch, Mode};
 use std::collections::BTreeMap;
@@ -71,7 +71,7 @@ fn every_mode_has_a_stored_state() {
 #[test]
 fn a_certificate_of_two_digits_gives_the_same_theorem() {
     let arch = Arch::parse("heyman", "pi/2", "0.38").unwrap();
-    let few = certify_state(&arch, 2).unwrap();
+    let few = certify_arch(&arch, None, 2).unwrap();
     let (name, text) = state(&serde_json::to_vec(&few).unwrap()).unwrap();
     assert_eq!(text, printed()[&name]);
 }
@@ -85,7 +85,7 @@ fn other_arches_have_a_theorem_too() {
         ("2.6", "inf", "alpha : R := 2.6.\n\n"),
     ] {
         let arch = Arch::parse("milankovitch", alpha, mu).unwrap();
-        let certificate = serde_json::to_vec(&certify_state(&arch, 20).unwrap()).unwrap();
+        let certificate = serde_json::to_vec(&certify_arch(&arch, None, 20).unwrap()).unwrap();
         let (_, text) = state(&certificate).unwrap_or_else(|e| panic!("{alpha} {mu}: {e}"));
         assert!(text.contains(given), "{alpha} {mu}: {text}");
     }
@@ -100,6 +100,6 @@ fn what_is_no_state_or_does_not_check_is_refused() {
     assert!(matches!(state(wrong.as_bytes()), Err(StateError::Refused(_))));
     // Nothing that 30 decimals show.
     let arch = Arch::parse("heyman", "1e-30", "1").unwrap();
-    let tiny = serde_json::to_vec(&certify_state(&arch, 10).unwrap()).unwrap();
+    let tiny = serde_json::to_vec(&certify_arch(&arch, None, 10).unwrap()).unwrap();
     assert!(matches!(state(&tiny), Err(StateError::Undecided(_))));
 }
