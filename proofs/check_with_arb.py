@@ -259,13 +259,34 @@ class Box:
         return all(-r[i] < move[i] and move[i] < r[i] for i in n)
 
 
-def landmark_signs(unknowns, v):
-    """What has to be positive at a landmark: each unknown, and what it lacks to its upper bound."""
+SHOULDER, INSIDE, CROWN = "mu - (17)", "mu - (18)", "fac - (2 - eta) (2 - h)/2"
+ABOUT_EXTRADOS = {"(2 + eta) N(alpha)/2 - fac (1 - cos alpha) - (2 + eta) h/2",
+                  "(2 + eta) h/2 - [(2 + eta) N(alpha)/2 - fac (1 - cos alpha)]"}
+AT_LIMIT = {"2 - eta", "2 N(alpha) - (1 - cos alpha) (1 + delta/3)"}
+# The modes that meet at a landmark, but for [s,s], and what is zero there by its equations.
+MEET = {
+    "T": ("[r,r,r] [s,r,r] [r,r,s]", {SHOULDER, INSIDE} | ABOUT_EXTRADOS),
+    "S": ("[r,r,s] [r,s,r]", {SHOULDER, "the order of the joints"}),
+    "J": ("[r,s,r] [r,s]", {SHOULDER, CROWN, "beta"}),
+    "B": ("[r,s]", {SHOULDER} | AT_LIMIT),
+    "l": ("[r,r,r] [r]", {"h", "beta", CROWN}),
+    "L": ("[r]", AT_LIMIT),
+    "sb": ("[r,r,r]", set()),
+}
+
+
+def landmark_signs(claim, v):
+    """What has to be positive at a landmark: each unknown, what it lacks to its upper bound, and what its modes need."""
     bound = {"β": v["α"], "βs": v["α"], "η": 2, "h": 1}
-    for name in unknowns:
+    for name in claim.unknowns:
         yield name, v[SYMBOL[name]]
         if SYMBOL[name] in bound:
             yield f"upper bound - {name}", bound[SYMBOL[name]] - v[SYMBOL[name]]
+    modes, zero = MEET[claim.name]
+    if claim.name == "L" and v["δ"] == 1:
+        zero = zero | {"W/2 + ..."}
+    for mode in modes.split():
+        yield from ((what, x) for what, x in state_signs(mode, {"μ": INFINITE({}), **v}) if what not in zero)
 
 
 def state_signs(mode, v):
@@ -282,7 +303,7 @@ def state_signs(mode, v):
     if mode != "[r]":
         yield from [("h", h), ("1 - h", 1 - h)]
     if mode in ("[r,s]", "[r]"):  # no haunch hinge
-        yield "fac - (2 - eta) (2 - h)/2", fac(η, δ) - (2 - η) * (2 - h) / 2
+        yield CROWN, fac(η, δ) - (2 - η) * (2 - h) / 2
     else:
         yield from [("beta", β), ("alpha - beta", α - β)]
     if mode == "[s,r,r]":
@@ -437,7 +458,7 @@ def check(data):
     # Point 5: signs.
     v = claim.variables(small.ball())
     need(v["α"] > 0 and v["α"] < arb.pi(), "half opening not between 0 and pi")
-    signs = (landmark_signs(claim.unknowns, v) if claim.kind == "landmark" else
+    signs = (landmark_signs(claim, v) if claim.kind == "landmark" else
              state_signs(claim.name, v) if claim.kind == "state" else verdict_signs(claim, v))
     for name, value in signs:
         need(value > 0, f"not shown to be positive: {name}")

@@ -290,6 +290,8 @@ impl Precision {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::problem::{Condition, Examined};
+    use rug::Rational;
 
     #[test]
     fn quantities_exist_where_the_landmark_has_them() {
@@ -298,6 +300,51 @@ mod tests {
         let widest = names(Landmark::WidestJoint);
         assert!(!widest.contains(&"friction") && !widest.contains(&"sliding_joint"));
         assert!(widest.contains(&"rotation_joint") && widest.contains(&"A"));
+    }
+
+    /// What a landmark leaves out of the conditions of its modes is zero there, and only that.
+    #[test]
+    fn what_is_left_out_of_the_conditions_is_zero() {
+        let mut ties = 0;
+        for (landmark, weight) in
+            Landmark::ALL.into_iter().flat_map(|l| SelfWeight::ALL.map(|w| (l, w)))
+        {
+            let point = CertifiedLandmark::new(landmark, weight).unwrap();
+            let (system, narrow) = (landmark.system(weight), point.enclosure(256).unwrap());
+            let asked = landmark.conditions(weight);
+            for mode in landmark.modes() {
+                let state = Examined::new(weight, *mode, narrow.configuration());
+                let is_limited = narrow.value(Unknown::Friction).is_some();
+                for condition in Condition::of(*mode, is_limited) {
+                    let margin = state.margin(condition);
+                    let is_zero =
+                        margin.contains(&Rational::new()) && margin.rad().to_float() < 1e-30;
+                    assert_eq!(
+                        condition.is_tie(&system),
+                        is_zero,
+                        "{landmark:?} {mode} {condition:?}"
+                    );
+                    let is_asked =
+                        asked.iter().any(|(m, all)| m == mode && all.contains(&condition));
+                    assert_eq!(is_asked, !is_zero, "{landmark:?} {mode} {condition:?}");
+                    ties += usize::from(is_zero);
+                }
+            }
+        }
+        assert!(ties > 20);
+    }
+
+    /// All unknowns are in their ranges, but the joints are in the order of another mode.
+    #[test]
+    fn a_landmark_without_the_states_of_its_modes_is_refused() {
+        let weight = SelfWeight::Milankovitch;
+        let point = CertifiedLandmark::new(Landmark::Triple, weight).unwrap();
+        let problem = Problem::Landmark { landmark: Landmark::Triple, weight };
+        let at = point.enclosure(256).unwrap().configuration().clone();
+        assert_eq!(problem.first_failure(&at, 256), None);
+        let nearer = at.sliding_joint.rad.ratio(1, 2) * &at.sliding_joint.rad;
+        let spoiled = at.with(Unknown::RotationJoint, nearer);
+        assert_eq!(problem.first_failure(&spoiled, 256), Some(Condition::SlidesAboveHaunch));
     }
 
     #[test]

@@ -8,7 +8,8 @@
 //! 2. **The root in the small box**, which lies inside the large one. The same slopes hold on it, so
 //!    that only the residuals at its centre are evaluated to full precision.
 //! 3. **The claim**: the physical range; for a state, that it is admissible on the whole half arch, that
-//!    no thinner arch stands, and that it is the mode stated; for another verdict, what decides it.
+//!    no thinner arch stands, and that it is the mode stated; for a landmark, the same of each mode that
+//!    meets there; for another verdict, what decides it.
 //! 4. **The decimals** are the correct rounding of everything in the small box.
 
 use super::format::{Certificate, Witness};

@@ -126,13 +126,17 @@ fn one_joint_for_each_thickness(d: &mut Derivation) -> Result<Finding, Undecided
     )?;
     d.identity(
         "what is negative at the crown is the condition behind (16), so eta_l is where it changes sign",
-        &(at_crown / eta),
+        &(at_crown.clone() / eta),
         &(overturning::end_of_rotation(&ring) * p.int(-12)),
         &Relations::none(),
     )?;
+    let bracket = at_crown.clone() / eta;
+    let growth = delta * eta * eta.int(2) + eta.int(12);
+    let words = "it grows with eta";
+    d.identity(words, &bracket.derivative(&along_the_thickness()), &growth, &Relations::none())?;
     d.conclude(
         "As S < beta and C < 1, beta - S C > 0 and 2 + eta - (2 - eta) C > 0: p/S grows with beta on \
-         (0, pi), from eta (delta_M eta^2 + 12 eta - 12) to +inf. The bracket grows with eta and \
+         (0, pi), from eta (delta_M eta^2 + 12 eta - 12) to +inf. The bracket \
          vanishes at eta_l. So p = 0 has exactly one root beta(eta) if eta < eta_l and none if \
          eta_l <= eta < 2; beta(eta) is analytic, since the slope is not zero.",
     );
@@ -263,6 +267,12 @@ fn states_of_one_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
         "the derivative of (13) to delta_M",
         &rest.derivative(&by_flag),
         &(eta.square() / (eta.int(6) * ring.extrados())),
+        &Relations::none(),
+    )?;
+    d.identity(
+        "the derivative of p to delta_M",
+        &cubic_in_thickness().derivative(&by_flag),
+        &(eta.square() * &eta * &joint.sin),
         &Relations::none(),
     )?;
     let at_right_angle = |eta: &Ball| {

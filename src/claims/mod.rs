@@ -16,16 +16,23 @@
 //! | the two weights at one half opening | `same_opening.rs`, `differences.rs` |
 //! | the two weights compared | `weights.rs` |
 //! | friction along sliding and along rotation | `frictions.rs`, with the states of `along.rs` |
+//! | which joints can be at their limits | `contacts.rs` |
+//! | why there are seven modes | `modes.rs` |
 //! | where on the map the modes are | `domains.rs` |
+//! | why they fill it | `tiling.rs` |
+//! | the landmarks as states of the whole arch | `admissible.rs` |
+//! | one least thickness, one half opening | `uniqueness.rs` |
 //!
 //! A claim is decided by a [`Derivation`]: the equations of `arch` are evaluated over
 //! [`symbolic`](crate::symbolic) numbers, and each step is checked exactly, or in balls over a whole
 //! range. A person can read the steps; a test spoils each of them in turn, and then the claim must
 //! fail.
 
+mod admissible;
 mod along;
 mod asymptotics;
 mod branches;
+mod contacts;
 pub mod coq;
 mod cubics;
 mod curve;
@@ -37,11 +44,14 @@ mod joining;
 mod landmarks;
 mod letters;
 mod measured;
+mod modes;
 mod moments;
 mod overturning;
 mod same_opening;
 mod sliding;
 mod states;
+mod tiling;
+mod uniqueness;
 mod units;
 mod weights;
 
@@ -139,7 +149,12 @@ pub fn claims() -> Vec<Claim> {
         differences::CLAIMS,
         weights::CLAIMS,
         frictions::CLAIMS,
+        contacts::CLAIMS,
+        modes::CLAIMS,
         domains::CLAIMS,
+        tiling::CLAIMS,
+        admissible::CLAIMS,
+        uniqueness::CLAIMS,
     ]
     .concat()
 }

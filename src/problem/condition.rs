@@ -2,8 +2,8 @@
 //!
 //! The lemma behind it, and the multipliers, are in [`arch::contact`](crate::arch::contact).
 
-use super::Mode;
-use crate::arch::Unknown;
+use super::{Equation, Fixed, Mode, System};
+use crate::arch::{SelfWeight, Unknown};
 
 /// One thing that has to be positive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -159,6 +159,33 @@ impl Condition {
             Self::Beyond(_) => "a thickness below the least",
             Self::InsideIntrados => "the line of thrust inside the intrados",
             Self::NearestAtShoulder => "the line of thrust nearest to the intrados at the shoulder",
+        }
+    }
+
+    /// Whether its margin is zero by the equations of a landmark: on one side the state is of one mode, on
+    /// the other of another, or no thicker arch is physical.
+    pub fn is_tie(self, system: &System) -> bool {
+        let holds = |equation| system.equations.contains(&equation);
+        let is = |unknown, n| system.fixed_value(unknown) == Some(Fixed::Integer(n));
+        match self {
+            Self::Above(unknown) => is(unknown, 0),
+            Self::Below(Unknown::Thickness) | Self::ThickerStands => is(Unknown::Thickness, 2),
+            Self::FrictionAtShoulder => holds(Equation::ShoulderSliding),
+            Self::FrictionInside => holds(Equation::InnerSliding),
+            Self::ExtradosAtShoulder | Self::ExtradosAtCrown => holds(Equation::WholeThrust),
+            Self::IntradosAtCrown => holds(Equation::TangencyAtCrown),
+            Self::SlidesAboveHaunch | Self::SlidesBelowHaunch => {
+                let haunch = system.fixed_value(Unknown::RotationJoint);
+                haunch == Some(Fixed::SameAs(Unknown::SlidingJoint))
+            }
+            // `L`, where the overturning curve is vertical for Milankovitch's weight: the bracket is (4).
+            // It is positive for every thinner arch, as it falls with the thickness.
+            Self::NoneThinner => {
+                system.weight == SelfWeight::Milankovitch
+                    && is(Unknown::Thickness, 2)
+                    && is(Unknown::Thrust, 0)
+            }
+            _ => false,
         }
     }
 

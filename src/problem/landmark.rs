@@ -29,6 +29,7 @@
 
 use super::{Condition, Equation, Fixed, Mode, System};
 use crate::arch::{SelfWeight, Unknown};
+use std::iter;
 
 /// A landmark point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -197,12 +198,22 @@ impl Landmark {
         System { weight, unknowns, equations, fixed }
     }
 
-    /// The physical range of what is solved for: `0 < alpha < pi`, `0 < beta < alpha`, `0 < eta < 2`,
-    /// `0 < h < 1`, `mu > 0`.
-    pub fn conditions(self) -> impl Iterator<Item = Condition> {
-        // What is solved for does not depend on the weight.
-        let unknowns = self.system(SelfWeight::Heyman).unknowns;
-        unknowns.iter().flat_map(|&unknown| [Condition::Above(unknown), Condition::Below(unknown)])
+    /// What has to be positive at the landmark, mode by mode: the physical range of what is solved for, `0 <
+    /// alpha < pi`, `0 < beta < alpha`, `0 < eta < 2`, `0 < h < 1`, `mu > 0`; and all that the state of each
+    /// mode that meets there needs, so that its lines of thrust and of friction are inside the arch and no
+    /// thinner one stands. What is zero by the equations is left out: there the modes meet.
+    pub fn conditions(self, weight: SelfWeight) -> Vec<(Mode, Vec<Condition>)> {
+        let system = self.system(weight);
+        let is_limited = system.knows(Unknown::Friction)
+            && system.fixed_value(Unknown::Friction) != Some(Fixed::Infinite);
+        let range = |unknown: &Unknown| [Condition::Above(*unknown), Condition::Below(*unknown)];
+        let range = system.unknowns.iter().flat_map(range).collect();
+        let state = |mode: &Mode| {
+            let all = Condition::of(*mode, is_limited);
+            (*mode, all.filter(|condition| !condition.is_tie(&system)).collect())
+        };
+        let modes = self.modes();
+        iter::once((modes[0], range)).chain(modes.iter().map(state)).collect()
     }
 }
 

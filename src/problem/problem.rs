@@ -59,42 +59,44 @@ impl Problem {
         }
     }
 
-    /// What has to be positive at the root: the physical range and, for a state, its admissibility, that
-    /// no thinner arch stands, and what tells its mode from others.
-    pub fn conditions(&self) -> Vec<Condition> {
+    /// What has to be positive at the root, for the state of each mode that is spoken of: the physical range,
+    /// that it is admissible, that no thinner arch stands, and what tells its mode from others.
+    pub fn conditions(&self) -> Vec<(Mode, Vec<Condition>)> {
         match self {
-            Self::Landmark { landmark, .. } => landmark.conditions().collect(),
+            Self::Landmark { landmark, weight } => landmark.conditions(*weight),
             Self::State { mode, arch } => {
                 let opening = Unknown::HalfOpening;
                 let range = [Condition::Above(opening), Condition::Below(opening)];
-                range.into_iter().chain(Condition::of(*mode, arch.is_limited())).collect()
+                let all = range.into_iter().chain(Condition::of(*mode, arch.is_limited()));
+                vec![(*mode, all.collect())]
             }
-            Self::Verdict { verdict, arch } => verdict.conditions(arch),
+            Self::Verdict { verdict, arch } => {
+                let mode = match verdict {
+                    Verdict::TooThin { mode, .. } => *mode,
+                    // It asks for no mechanism.
+                    _ => Mode::Sliding,
+                };
+                vec![(mode, verdict.conditions(arch))]
+            }
         }
     }
 
     /// The first condition that is not shown to hold where the variables lie in the configuration given; what is
     /// given is compared in numbers of `bits` bits.
     pub fn first_failure<E: Engine>(&self, at: &Configuration<E>, bits: u32) -> Option<Condition> {
-        // A landmark's conditions are those of every mode that meets there; a verdict that has no mode asks for no
-        // mechanism.
-        let mode = match self {
-            Self::Landmark { landmark, .. } => landmark.modes()[0],
-            Self::State { mode, .. } => *mode,
-            Self::Verdict { verdict: Verdict::TooThin { mode, .. }, .. } => *mode,
-            Self::Verdict { .. } => Mode::Sliding,
-        };
-        let state = Examined::new(self.weight(), mode, at);
-        let margin = |condition: Condition| match (self, condition) {
-            (_, Condition::Beyond(unknown)) => beyond(unknown, &self.given(bits), at),
-            (Self::Verdict { verdict: Verdict::Stands(standing), .. }, condition) => {
-                standing_margin(condition, self.weight(), standing, at, bits)
-                    .unwrap_or_else(|| state.margin(condition))
-            }
-            _ => state.margin(condition),
-        };
-        let fails = |condition: &Condition| !margin(*condition).is_positive().is_proved();
-        self.conditions().into_iter().find(fails)
+        self.conditions().into_iter().find_map(|(mode, conditions)| {
+            let state = Examined::new(self.weight(), mode, at);
+            let margin = |condition: Condition| match (self, condition) {
+                (_, Condition::Beyond(unknown)) => beyond(unknown, &self.given(bits), at),
+                (Self::Verdict { verdict: Verdict::Stands(standing), .. }, condition) => {
+                    standing_margin(condition, self.weight(), standing, at, bits)
+                        .unwrap_or_else(|| state.margin(condition))
+                }
+                _ => state.margin(condition),
+            };
+            let fails = |condition: &Condition| !margin(*condition).is_positive().is_proved();
+            conditions.into_iter().find(fails)
+        })
     }
 
     /// Bits of the longest number that is given as a witness.

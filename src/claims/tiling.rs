@@ -1,0 +1,120 @@
+//! The map as the graph of one function: to each thickness and friction belongs one half opening that just stands,
+//! and two questions tell its mode.
+//!
+//! The inner part asks for a thrust: at least `h_R` of the rotational state of the thickness, so that the line of
+//! thrust stays between crown and haunch, and at least `h_s` of the friction, so that no inner joint slides. The
+//! shoulder ends the arch where it is on the extrados or where it slides, and does so the later the smaller the thrust.
+
+use super::contacts::Contact;
+use super::curve::STATES_IN_ORDER;
+use super::domains::INNER_SLIDING_BEYOND_T;
+use super::frictions::{
+    FRICTION_FOR_ROTATION_GROWS, FRICTION_OF_SMALL_THRUST, ROTATION_MEETS_SLIDING,
+};
+use super::letters::{ring, variables};
+use super::uniqueness::{ONE_HALF_OPENING, THICKER_HAS_ROOM};
+use super::{Claim, Derivation, Finding};
+use crate::arch::{overturning, sliding, statics, thrust};
+use crate::certify::Undecided;
+use crate::number::{Angle, Field};
+use crate::symbolic::{Letters, Polynomial, Relations, Symbol};
+
+pub(super) const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "map-columns",
+        place: "Sec. 3, Fig. 5, 6",
+        statement: "the modes fill the map: at a given friction they follow each other, as the thickness \
+                    grows, in the order [r,r,r], [s,r,r], [r,r,s], [r,s,r], [r,s], [s,s], each on an \
+                    interval or not at all; the second is left of T, the next three are right of it",
+        decide: columns,
+    },
+    Claim {
+        id: "map-T-frictions",
+        place: "Sec. 3",
+        statement: "beyond T an inner joint asks for a higher friction than the shoulder, in the purely \
+                    rotational states and, without limit, in the purely overturning ones; in the mixed ones \
+                    it takes all there is",
+        decide: frictions_beyond_t,
+    },
+];
+
+fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&ONE_HALF_OPENING)?;
+    d.lemma(&THICKER_HAS_ROOM)?;
+    d.lemma(&STATES_IN_ORDER)?;
+    d.lemma(&FRICTION_FOR_ROTATION_GROWS)?;
+    d.lemma(&INNER_SLIDING_BEYOND_T)?;
+    let (at, ring, free) = (variables(), ring(), Relations::none());
+    let two = at.thrust.int(2);
+    let lower = thrust::lower(&at.rotation_joint, &ring);
+    let sum =
+        Contact::Extrados.margin(&Angle::zero(&two)) + Contact::Intrados.margin(&at.rotation_joint);
+    d.identity(
+        "U at the crown and L at a joint add up to h - h_L up to a positive factor",
+        &sum,
+        &(lower.residual(&at.thrust) / &two),
+        &free,
+    )?;
+    let h = lower.value();
+    let whole = h.clone() + overturning::opening_variable(&ring).value();
+    let further = two.clone() * &ring.thickness * &h
+        / (ring.intrados() * at.rotation_joint.versine())
+        + two.clone() * &ring.centroid_factor * (two.clone() * &ring.thickness)
+            / (ring.intrados() * ring.extrados());
+    let words = "A(beta) less A(alpha_0) along rotation: positive, so that beta < alpha_0";
+    let wider = thrust::opening_variable(&at.rotation_joint).value() - whole;
+    d.identity(words, &wider, &further, &free)?;
+    let touching = thrust::tangency(&at.rotation_joint.times_cotangent(), &ring).value();
+    let excess =
+        ring.thickness.clone() + Symbol::Flag.number() * ring.thickness.square() / two.int(6);
+    let words = "beta cot(beta) less the thrust of (5): positive";
+    let lack = at.rotation_joint.times_cotangent() - touching;
+    d.identity(words, &lack, &(excess / ring.intrados()), &free)?;
+    let outwards = (at.thrust.clone() - at.half_opening.times_cotangent()) * &at.half_opening.sin;
+    let words = "-T at the shoulder: positive where it slides, so that h > alpha cot(alpha)";
+    d.identity(words, &-statics::shear_force(&at.half_opening, &at.thrust), &outwards, &free)?;
+    d.conclude(
+        "Let h_R(eta) be the thrust of the rotational state of the thickness, alpha_0 its half opening; h_R falls as eta \
+         grows, and is 0 from eta_l on. At alpha*, h >= h_R: if its haunch is a joint of the arch, as h >= h_L; else, \
+         if the shoulder slides, since h > alpha cot(alpha) is more than that at the haunch; and if it is on the extrados, since \
+         h >= A(alpha) - 2 fac/(2 + eta), and alpha < alpha_0. And h >= h_s(mu). A hinge at the crown has h = h_R, \
+         an inner joint that slides h = h_s: below one thickness h_R > h_s, and the mode has the first, above it \
+         the second.",
+    );
+    let rest = two.clone() * &ring.centroid_factor / ring.intrados();
+    let slope = rest.derivative(&[(Symbol::Thickness, Polynomial::from(1))]);
+    let expected = (two.clone() * &ring.centroid_factor
+        + Symbol::Flag.number() * &ring.thickness * ring.intrados() / two.int(3))
+        / ring.intrados().square();
+    d.identity("2 fac/(2 - eta), by which beta_r falls in (5), grows", &slope, &expected, &free)?;
+    d.conclude(
+        "Below it h = h_R, and the haunch is that of the rotational state of half opening alpha_0(eta), which grows: \
+         [r,r,r] as long as M(alpha_0) <= mu, [s,r,r] from there on. Above it h = h_s: let alpha_P be the half opening that \
+         just slides. If it stands, alpha* = alpha_P, [s,s]; and it stands from one thickness on. Below that the \
+         shoulder opens, beta_r cot(beta_r) = h_s - 1 + 2 fac/(2 - eta) grows up to 1: beta_r falls, past beta_s, to the crown: \
+         [r,r,s], [r,s,r], [r,s].",
+    );
+    d.conclude(
+        "At the thickness where h_R = h_s, mu = m(alpha_0). For mu < mu_T, alpha_0 < alpha_T and M > m: [s,r,r] comes before, \
+         and then [s,s], as no inner joint slides with a hinge at the shoulder left of T. For mu >= mu_T, M <= m: [s,r,r] is left out.",
+    );
+    Ok(Finding::AsPrinted)
+}
+
+fn frictions_beyond_t(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&ROTATION_MEETS_SLIDING)?;
+    d.lemma(&FRICTION_OF_SMALL_THRUST)?;
+    let alpha = Symbol::half_opening();
+    let none = alpha.rad.int(0);
+    d.identity(
+        "the friction that the shoulder asks for without thrust: bounded, as alpha < pi",
+        &sliding::shoulder(&alpha, &none).value(),
+        &-(alpha.cos / alpha.sin),
+        &Relations::none(),
+    )?;
+    d.conclude(
+        "In [r,r,r] beyond T, M < m; in [r], m is unbounded. In [r,r,s], [r,s,r] and [r,s] mu = mu_is, and the \
+         shoulder, which does not slide, asks for no more.",
+    );
+    Ok(Finding::AsPrinted)
+}
