@@ -2,8 +2,8 @@
 
     A mechanism without dilatancy gives rates that are not negative to joints at their limit, so
     that neither the thrust [h] nor the crown moment [p] works on it: [u] to the hinge at the
-    crown's extrados, [l] to that at the intrados of [beta], [v] to that at the shoulder's extrados, [s] to
-    the joint [sigma] that slides inwards and [t] to the shoulder that slides outwards.
+    crown's extrados, [l] to that at the intrados of [beta], [v] to that at the shoulder's extrados,
+    [s] to the joint [sigma] that slides inwards and [t] to the shoulder that slides outwards.
 
     - [limits_of_a_state]: few joints can be at their limits;
     - [four_supports]: a mechanism is a sum of four, each with one rate inside and one at the
