@@ -15,6 +15,7 @@
 //! | the two weights compared | `weights.rs` |
 //! | friction along sliding and along rotation | `frictions.rs`, with the states of `along.rs` |
 //! | where on the map the modes are | `domains.rs` |
+//! | what the paper says, place by place, and what decides it | `index.rs`, `sentences.rs` |
 //!
 //! A claim is decided by a [`Derivation`]: the equations of `arch` are evaluated over
 //! [`symbolic`](crate::symbolic) numbers, and each step is checked exactly, or in balls over a whole
@@ -30,15 +31,18 @@ mod curve;
 mod derivation;
 mod domains;
 mod frictions;
+mod index;
 mod joining;
 mod landmarks;
 mod letters;
 mod moments;
 mod overturning;
+mod sentences;
 mod sliding;
 mod weights;
 
 pub use derivation::{Derivation, Formula, Step, Support};
+pub use index::{Decided, Sentence, index};
 
 use crate::certify::Undecided;
 use std::time::{Duration, Instant};
