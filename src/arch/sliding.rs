@@ -1,7 +1,7 @@
 //! The sliding equations (17) and (18): the friction a thrust asks for.
 
 use super::{Quotient, statics};
-use crate::number::{Angle, Field};
+use crate::number::{Angle, Field, Real};
 
 /// Eq. (17), `mu_ss`: the friction at which the shoulder just slides, `-T/N` at `alpha`.
 ///
@@ -53,6 +53,11 @@ pub fn inner<T: Field>(joint: &Angle<T>, thrust: &T) -> Quotient<T> {
 /// `beta_s² - h (1 - h)`: zero at the joint where `T/N` is largest, so that it slides first.
 pub fn steepest<T: Field>(joint: &T, thrust: &T) -> T {
     joint.square() - (thrust.int(1) - thrust) * thrust
+}
+
+/// `beta_s = √(h (1 - h))`, rad: the joint where [`steepest`] is zero, for `h` in `[0, 1]`.
+pub fn steepest_joint<T: Real>(thrust: &T) -> T {
+    ((thrust.int(1) - thrust) * thrust).sqrt()
 }
 
 #[cfg(all(test, feature = "mpfr"))]

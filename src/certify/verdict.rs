@@ -2,29 +2,21 @@
 //! thickness, or that it stands or does not at one that is given.
 
 use super::certificate::{Root, attempt, value_file};
-use super::root::{Form, root_near};
+use super::posed::Posed;
+use super::root::root_near;
 use super::state::{Certify, Fall, Figure, Outcome, State, bits_lost};
 use super::undecided::decide;
 use super::{Undecided, Value};
-use crate::arch::{Configuration, Unknown};
+use crate::arch::Unknown;
 use crate::check::{Certificate, EXTRA_BITS, ValueFile};
-use crate::number::{Ball, Dyadic, Enclosure, ExactNumber, Real, Stumpff};
-use crate::problem::{Arch, Nearest, Problem, Quantity, Standing, System, Verdict};
+use crate::number::{Ball, Dyadic, ExactNumber};
+use crate::problem::{Arch, Nearest, Problem, Quantity, Standing, Verdict};
 use crate::solve::{self, start};
 use rug::Float;
 use std::cell::Cell;
 
 /// The most bits that an arch loses; the format leaves room for a little more.
 const MOST_LOST: u32 = EXTRA_BITS as u32 - 64;
-
-/// A certificate of the state of an arch at its least thickness, with `digits` significant digits of
-/// each value, at least one. Undecided if the arch does not stand or if a comparison stays open.
-pub fn certify_state(arch: &Arch, digits: usize) -> Result<Certificate, Undecided> {
-    made(arch, digits, |bits| match arch.state_alone(bits)? {
-        Outcome::Stands(state) => state_root(arch, &state, None, digits),
-        Outcome::Falls(fall) => Err(Undecided::new(format!("no state: {}", fall.reason()))),
-    })
-}
 
 /// A certificate of what an arch does, with `digits` significant digits of each value, at least one: of its state at
 /// the least thickness, or why it stands at no thickness; with a `thickness`, in `(0, 2]`, that it stands with it or
@@ -116,10 +108,10 @@ fn limit(
     digits: usize,
 ) -> Result<Root, Undecided> {
     let problem = Problem::Verdict { verdict, arch: arch.clone() };
-    let posed = Posed { system: problem.system(), given: problem.given(bits) };
-    let root = root_near(&posed, bits, start)?;
+    let (system, given) = (problem.system(), problem.given(bits));
+    let root = root_near(&Posed { system: &system, given: &given }, bits, start)?;
     let mut values = Vec::new();
-    for (unknown, ball) in posed.system.unknowns.iter().zip(&root) {
+    for (unknown, ball) in system.unknowns.iter().zip(&root) {
         let of_it = |quantity: &Quantity| quantity.variable() == Some(*unknown);
         if let Some(quantity) = Quantity::LANDMARK.into_iter().find(of_it) {
             values.push(rounded(quantity, ball, digits)?);
@@ -131,30 +123,13 @@ fn limit(
 
 /// Start values of the half opening beyond which no arch stands with the friction.
 fn widest(arch: &Arch, bits: u32) -> Vec<Float> {
-    let at = |h: f64| Float::with_val(bits, solve::widest(arch.weight(), h));
+    let at = |h| Float::with_val(bits, start::widest_touching(arch.weight(), 2.0, h, 0.0));
     if !arch.is_limited() {
         return vec![at(0.0)];
     }
     let given = arch.given::<Ball>(bits);
     let [h, joint] = start::inner_sliding(&Float::with_val(bits, given.friction.mid()));
     vec![at(h.to_f64()), h, joint]
-}
-
-/// A system with what is given.
-struct Posed {
-    system: System,
-    given: Configuration<Ball>,
-}
-
-impl Form for Posed {
-    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
-        self.system.residuals(&self.system.place(self.given.map_ref(number), x))
-    }
-
-    fn is_regular(&self, x: &[Ball]) -> bool {
-        let at = self.system.place(self.given.clone(), x);
-        self.system.denominators(&at).iter().all(Enclosure::excludes_zero)
-    }
 }
 
 /// An admissible state of an arch that stands, from the one at its least thickness.
@@ -223,7 +198,7 @@ mod tests {
         for (alpha, mu) in cases {
             let arch = Arch::parse("milankovitch", alpha, mu).unwrap();
             let certificate =
-                certify_state(&arch, 25).unwrap_or_else(|e| panic!("{alpha} {mu}: {e}"));
+                certify_arch(&arch, None, 25).unwrap_or_else(|e| panic!("{alpha} {mu}: {e}"));
             accepted(&certificate, 25);
         }
     }

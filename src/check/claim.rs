@@ -6,8 +6,10 @@ use super::refusal::Refusal;
 use super::visible::shortened;
 use crate::arch::{SelfWeight, Unknown};
 use crate::number::{Dyadic, ExactNumber};
-use crate::problem::{Arch, Equation, Landmark, Mode, Nearest, Problem, Standing, System, Verdict};
-use num_rational::BigRational;
+use crate::problem::{
+    Arch, ArchError, Equation, Landmark, Mode, Nearest, Problem, Standing, System, Verdict,
+    is_thickness,
+};
 use serde::{Deserialize, Serialize};
 
 /// What is claimed, in names and text: of its six subjects exactly one.
@@ -230,7 +232,7 @@ fn arch(weight: SelfWeight, half_opening: &str, friction: &str) -> Result<Arch, 
     let alpha = read_given(half_opening).ok_or_else(|| refused("half_opening", half_opening))?;
     let is_limited = friction != "inf";
     let arch = Arch::new(weight, alpha, mu).map_err(|error| match error {
-        crate::problem::ArchError::HalfOpening(_) => refused("half_opening", half_opening),
+        ArchError::HalfOpening(_) => refused("half_opening", half_opening),
         _ => refused("friction", friction),
     })?;
     // A right angle is written as `inf`.
@@ -251,9 +253,5 @@ fn mode(label: &str, arch: &Arch, friction: &str) -> Result<Mode, Refusal> {
 
 /// A thickness above 0 and up to the physical limit 2.
 fn thickness(text: &str) -> Result<ExactNumber, Refusal> {
-    let limit = BigRational::from_integer(2.into());
-    let is_possible = |x: &ExactNumber| {
-        x.is_rational() && *x.factor() > BigRational::ZERO && *x.factor() <= limit
-    };
-    read_given(text).filter(is_possible).ok_or_else(|| refused("thickness", text))
+    read_given(text).filter(is_thickness).ok_or_else(|| refused("thickness", text))
 }

@@ -45,7 +45,7 @@ pub(super) const CLAIMS: &[Claim] = &[
     },
 ];
 
-const DISTANCES_RISE_AND_FALL: Claim = Claim {
+pub(super) const DISTANCES_RISE_AND_FALL: Claim = Claim {
     id: "map-distances",
     place: "Sec. 2.1",
     statement: "along an admissible arch the normal force N and the distance U from the extrados first \
@@ -53,7 +53,7 @@ const DISTANCES_RISE_AND_FALL: Claim = Claim {
     decide: distances_rise_and_fall,
 };
 
-const INNER_SLIDING_BEYOND_T: Claim = Claim {
+pub(super) const INNER_SLIDING_BEYOND_T: Claim = Claim {
     id: "map-T-inner",
     place: "Sec. 3, 5",
     statement: "modes with shoulder rotation and inner sliding are seen only on the right of T, and \

@@ -46,7 +46,7 @@ pub(super) const SLOPES_OF_FRICTION: Claim = Claim {
     decide: friction_slopes,
 };
 
-const FRICTION_OF_SMALL_THRUST: Claim = Claim {
+pub(super) const FRICTION_OF_SMALL_THRUST: Claim = Claim {
     id: "friction-unbounded",
     place: "Eq. (18)",
     statement: "mu_is is unbounded as the thrust falls to 0",

@@ -15,6 +15,10 @@
 //! | the two weights compared | `weights.rs` |
 //! | friction along sliding and along rotation | `frictions.rs`, with the states of `along.rs` |
 //! | where on the map the modes are | `domains.rs` |
+//! | why there are seven modes | `modes.rs`, with the limits of a joint in `contacts.rs` |
+//! | why a symmetric arch has one least thickness | `uniqueness.rs` |
+//! | why the modes fill the map | `tiling.rs` |
+//! | the landmarks as states of the whole arch | `admissible.rs` |
 //! | what the paper says, place by place, and what decides it | `index.rs`, `sentences.rs` |
 //!
 //! A claim is decided by a [`Derivation`]: the equations of `arch` are evaluated over
@@ -22,9 +26,11 @@
 //! range. A person can read the steps; a test spoils each of them in turn, and then the claim must
 //! fail.
 
+mod admissible;
 mod along;
 mod asymptotics;
 mod branches;
+mod contacts;
 pub mod coq;
 mod cubics;
 mod curve;
@@ -35,10 +41,13 @@ mod index;
 mod joining;
 mod landmarks;
 mod letters;
+mod modes;
 mod moments;
 mod overturning;
 mod sentences;
 mod sliding;
+mod tiling;
+mod uniqueness;
 mod weights;
 
 pub use derivation::{Derivation, Formula, Step, Support};
@@ -134,6 +143,10 @@ pub fn claims() -> Vec<Claim> {
         weights::CLAIMS,
         frictions::CLAIMS,
         domains::CLAIMS,
+        modes::CLAIMS,
+        uniqueness::CLAIMS,
+        tiling::CLAIMS,
+        admissible::CLAIMS,
     ]
     .concat()
 }

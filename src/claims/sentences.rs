@@ -137,34 +137,34 @@ pub(super) const EQUATIONS: &[Sentence] = &[
     said(
         "Sec. 2.3",
         "(2) to (5) describe pure rotation, (17) and (18) pure sliding",
-        &["modes-all"],
+        &["modes-seven"],
     ),
 ];
 
 /// Section 3: the map.
 pub(super) const MAP: &[Sentence] = &[
-    said("Sec. 3", "there are seven collapse modes", &["modes-all", "modes-occur"]),
-    said("Sec. 3, Fig. 6", "their domains fill the strip between eta = 0 and 2", &["map-tiles"]),
+    said("Sec. 3", "there are seven collapse modes", &["modes-seven", "modes-occur"]),
+    said("Sec. 3, Fig. 6", "their domains fill the strip between eta = 0 and 2", &["map-columns"]),
     said(
         "Sec. 3, Fig. 6",
         "[s,r,r] lies between [s,s] and [r,r,r], up to T",
-        &["map-tiles", "map-T-shoulder"],
+        &["map-columns", "map-T-shoulder"],
     ),
     said(
         "Sec. 3, Fig. 6",
         "[r,r,s] lies beyond T, below beta_r = beta_s",
-        &["map-tiles", "map-T-inner"],
+        &["map-columns", "map-T-inner"],
     ),
-    said("Sec. 3, Fig. 6", "[r,s,r] lies between beta_r = beta_s and beta_r = 0", &["map-tiles"]),
+    said("Sec. 3, Fig. 6", "[r,s,r] lies between beta_r = beta_s and beta_r = 0", &["map-columns"]),
     said("Sec. 3, Fig. 6", "both lines tend to eta_l as mu -> inf", &["map-asymptotes"]),
-    said("Sec. 3, Fig. 6", "[r,s] lies between beta_r = 0 and eta = 2", &["map-tiles", "map-J"]),
+    said("Sec. 3, Fig. 6", "[r,s] lies between beta_r = 0 and eta = 2", &["map-columns", "map-J"]),
     said("Sec. 3", "in [r,s] friction sets a thrust that is not zero", &["eq-18-falls"]),
     said(
         "Sec. 3, Fig. 6",
         "[r] lies at mu = inf, from eta_l to 2, without thrust",
         &["landmark-l"],
     ),
-    said("Sec. 3", "one divide parts the modes with rotation from pure sliding", &["map-tiles"]),
+    said("Sec. 3", "one divide parts the modes with rotation from pure sliding", &["map-columns"]),
     printed("Tables 1-2", "digits of T, S, J, B for both weights"),
     printed("Tables 3-4", "digits of l and L for both weights"),
     said("Tables 3-4", "A and eta at l and L in closed form", &["limit-l", "limit-L"]),
@@ -197,7 +197,7 @@ pub(super) const MAP: &[Sentence] = &[
     said(
         "Sec. 3",
         "there an inner joint asks for more friction than the shoulder",
-        &["map-T-order"],
+        &["map-T-frictions"],
     ),
     said("Sec. 3", "overturning without thrust needs infinite friction", &["landmark-l"]),
     said(
@@ -213,7 +213,7 @@ pub(super) const ILLUSTRATION: &[Sentence] = &[
         place: "Eq. (19)",
         says: "the complementarity problem of the discretised arch",
         decided: Open(
-            "its conditions are those of modes-all; its discretised form is not examined",
+            "its conditions are those of modes-seven; its discretised form is not examined",
         ),
     },
     Sentence {
@@ -224,16 +224,28 @@ pub(super) const ILLUSTRATION: &[Sentence] = &[
     said(
         "Sec. 4, Fig. 7-12",
         "the lines of thrust and of friction are inside the arch at T, S, J, B, l, L",
-        &["landmark-states"],
+        &["landmark-inside", "landmark-inside-unlimited"],
     ),
     printed("Fig. 7-12", "digits in the captions"),
-    said("Sec. 4, Fig. 7-8", "four modes hold at T", &["landmark-T", "landmark-states"]),
-    said("Sec. 4, Fig. 7-8", "any three of their mechanisms give the fourth", &["modes-at-T"]),
+    said(
+        "Sec. 4, Fig. 7-8",
+        "four modes hold at T",
+        &["landmark-T", "landmark-inside", "landmark-T-modes"],
+    ),
+    said(
+        "Sec. 4, Fig. 7-8",
+        "any three of their mechanisms give the fourth",
+        &["landmark-T-modes"],
+    ),
     said("Sec. 4", "angles near 140°, 52°, 60°, 20° at T", &["rounded-values", "rounded-coarse"]),
-    said("Sec. 4, Fig. 9", "at S one joint turns and slides, [r+s]", &["landmark-S", "modes-at-S"]),
+    said(
+        "Sec. 4, Fig. 9",
+        "at S one joint turns and slides, [r+s]",
+        &["landmark-S", "landmark-S-joint"],
+    ),
     said("Sec. 4", "angles near 145°, 57°, 16° at S", &["rounded-values"]),
     said("Sec. 4, Fig. 10", "at J beta_r = 0, and [r,s] begins", &["landmark-J"]),
-    said("Sec. 4, Fig. 11", "at B eta = 2, and [r,s] meets [s,s]", &["landmark-B"]),
+    said("Sec. 4, Fig. 11", "at B eta = 2, and [r,s] meets [s,s]", &["landmark-inside"]),
     said("Sec. 4", "angles near 150°, 62°, 14° at B", &["rounded-values"]),
     said("Sec. 4, Fig. 12", "at l and L the half arch overturns without thrust", &["landmark-l"]),
     said("Sec. 4", "about 150° there", &["rounded-values"]),
@@ -252,12 +264,12 @@ pub(super) const CONCLUSIONS: &[Sentence] = &[
         "the friction that prevents sliding grows with alpha, without bound",
         &["friction-rotation"],
     ),
-    said("Sec. 5", "finite friction turns overturning into [r,s]", &["landmark-l", "map-tiles"]),
+    said("Sec. 5", "finite friction turns overturning into [r,s]", &["landmark-l", "map-columns"]),
     said("Sec. 5", "a friction of about 1.854 prevents [s,s]", &["suffices-B"]),
     said(
         "Sec. 5",
         "the least thickness is unique, though friction is not associated",
-        &["unique-symmetric"],
+        &["unique-thickness"],
     ),
     said("Sec. 5", "differences are marginal up to the semicircle", &["weights-marginal"]),
     said("Sec. 5", "the kinds of modes are the same for both weights", &["modes-occur"]),

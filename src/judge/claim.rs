@@ -139,11 +139,9 @@ impl Claim {
             (None, _) => {}
         }
         let who = |stands| votes.iter().find(|(_, vote)| *vote == stands).map(|(name, _)| *name);
-        // The friction below which nothing stands belongs to the half opening, whatever the arch does.
         let any_number = || {
-            let is_one = |number: &&Claimed| matches!(number.value, Value::Number(_));
-            let mut claimed = numbers.iter().filter(is_one);
-            claimed.any(|number| number.quantity != Quantity::SlidingFriction)
+            let is_one = |number: &Claimed| matches!(number.value, Value::Number(_));
+            numbers.iter().any(|number| is_one(number) && !number.is_of_half_opening())
         };
         let can_stand = match (who(true), who(false)) {
             (Some(yes), Some(no)) => return Err(ClaimError::Contradiction(yes, no)),
@@ -162,7 +160,7 @@ impl Claim {
     /// Whether the row says nothing.
     pub(super) fn is_empty(&self) -> bool {
         let Self { can_stand, thickness, stands, numbers, .. } = self;
-        let of_opening = numbers.iter().any(|x| x.quantity == Quantity::SlidingFriction);
+        let of_opening = numbers.iter().any(Claimed::is_of_half_opening);
         let says_nothing = numbers.is_empty() || (thickness.is_none() && !of_opening);
         can_stand.is_none() && stands.is_none() && says_nothing
     }
@@ -209,6 +207,11 @@ impl Claimed {
             Value::Number(PrintedNumber::from_decimal(&decimal).ok_or_else(range)?)
         };
         Ok(Self { quantity, text: text.to_owned(), degrees, value, size })
+    }
+
+    /// Whether it belongs to the half opening, whatever the arch does: the friction below which nothing stands.
+    fn is_of_half_opening(&self) -> bool {
+        self.quantity == Quantity::SlidingFriction
     }
 
     /// The power of ten next to it, of either sign; none for zero.

@@ -1,5 +1,6 @@
 //! Exact input: decimals, fractions and multiples of pi, read as text and never rounded.
 
+use super::unit::{Unit, unit};
 use super::{Decimal, Dyadic, Engine, ParseDecimalError, shown};
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
@@ -111,11 +112,7 @@ impl ExactNumber {
     /// `None` beyond the largest double.
     #[cfg(feature = "mpfr")]
     pub fn nearest_double(&self) -> Option<f64> {
-        // Few bits decide nearly always; a tie is rational, and exact in the bits of a long number.
-        let found = [128, 4096, 80_000]
-            .iter()
-            .find_map(|&bits| self.enclosure::<super::Ball>(bits).nearest_double());
-        found.filter(|x| x.is_finite())
+        nearest_double(|bits| self.enclosure(bits))
     }
 
     /// An enclosure in numbers of `bits` bits, at least one.
@@ -186,39 +183,6 @@ impl FromStr for ExactNumber {
     }
 }
 
-/// The unit that is written behind a number.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Unit {
-    None,
-    Radians,
-    Degrees,
-}
-
-/// How units are written, in any case, with or without a space before them.
-const UNITS: [(&str, Unit); 6] = [
-    ("°", Unit::Degrees),
-    ("degrees", Unit::Degrees),
-    ("degree", Unit::Degrees),
-    ("deg", Unit::Degrees),
-    ("radians", Unit::Radians),
-    ("rad", Unit::Radians),
-];
-
-/// A text without its unit.
-fn unit(text: &str) -> (&str, Unit) {
-    let text = text.trim();
-    let behind = |(written, unit): &(&str, Unit)| {
-        let (number, end) = text.split_at_checked(text.len().checked_sub(written.len())?)?;
-        end.eq_ignore_ascii_case(written).then(|| (number.trim_end(), *unit))
-    };
-    UNITS.iter().find_map(behind).unwrap_or((text, Unit::None))
-}
-
-/// Whether a number is written with the unit of an angle.
-pub(crate) fn is_angle(text: &str) -> bool {
-    unit(text).1 != Unit::None
-}
-
 impl ExactNumber {
     /// A number without its unit; `given` is the whole text.
     fn without_unit(text: &str, given: &str) -> Result<Self, ParseExactError> {
@@ -270,6 +234,15 @@ impl ExactNumber {
     }
 }
 
+/// The double nearest to a number that has an enclosure of any number of bits, ties to even; `None` beyond the largest
+/// double.
+#[cfg(feature = "mpfr")]
+pub(crate) fn nearest_double(enclosure: impl Fn(u32) -> super::Ball) -> Option<f64> {
+    // Few bits decide nearly always; a tie is rational, and exact in the bits of a long number.
+    let found = [128, 4096, 80_000].into_iter().find_map(|bits| enclosure(bits).nearest_double());
+    found.filter(|x| x.is_finite())
+}
+
 /// The exact value of a decimal.
 fn rational(decimal: &Decimal) -> BigRational {
     let Some(digits) = integer(decimal.digits()) else { return BigInt::ZERO.into() };
@@ -312,31 +285,6 @@ mod tests {
         let hundred = format!("0.{}1", "0".repeat(99));
         assert_eq!(factor(&hundred), factor("1e-100"));
         assert_eq!(factor("45deg"), quotient(1, 4));
-    }
-
-    #[test]
-    fn units_are_read_in_their_usual_spellings() {
-        for text in
-            ["80deg", "80°", "80 deg", " 80 ° ", "80degrees", "80 Degrees", "80DEG", "80 degree"]
-        {
-            let number: ExactNumber = text.parse().unwrap();
-            assert_eq!(
-                (number.to_string().as_str(), number.is_in_degrees()),
-                ("80deg", true),
-                "{text}"
-            );
-            assert_eq!(*number.factor(), quotient(4, 9));
-            assert!(is_angle(text));
-        }
-        for text in ["1.5rad", "1.5 rad", "1.5 radians", "1.5"] {
-            let number: ExactNumber = text.parse().unwrap();
-            assert_eq!(
-                (number.to_string().as_str(), number.is_in_degrees()),
-                ("1.5", false),
-                "{text}"
-            );
-        }
-        assert!(!is_angle("pi/6") && is_angle("0.5rad"));
     }
 
     #[test]

@@ -57,6 +57,8 @@ mod shown;
 mod stumpff;
 mod ternary;
 #[cfg(feature = "check")]
+mod unit;
+#[cfg(feature = "check")]
 mod written;
 
 pub use angle::Angle;
@@ -68,8 +70,8 @@ pub use dual::Dual;
 pub use dyadic::{Dyadic, MAX_EXPONENT, ParseDyadicError};
 #[cfg(feature = "check")]
 pub use engine::Engine;
-#[cfg(feature = "check")]
-pub(crate) use exact::is_angle;
+#[cfg(all(feature = "mpfr", feature = "cli"))]
+pub(crate) use exact::nearest_double;
 #[cfg(feature = "check")]
 pub use exact::{ExactNumber, ParseExactError};
 #[cfg(feature = "mpfr")]
@@ -82,6 +84,8 @@ pub use stumpff::Stumpff;
 #[cfg(feature = "mpfr")]
 pub(crate) use stumpff::terms as stumpff_terms;
 pub use ternary::Ternary;
+#[cfg(feature = "check")]
+pub(crate) use unit::is_angle;
 #[cfg(feature = "check")]
 pub use written::Written;
 

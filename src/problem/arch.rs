@@ -40,11 +40,8 @@ pub struct Arch {
 #[non_exhaustive]
 pub enum ArchError {
     /// The half opening is not between 0 and pi.
-    #[error("the half opening {0} is not between 0 and pi (180deg)")]
-    HalfOpening(String),
-    /// The same, and it would be if it were in degrees.
-    #[error("the half opening {0} is not between 0 and pi (180deg); did you mean {0}deg?")]
-    Degrees(String),
+    #[error("the half opening {0} is not between 0 and pi (180deg){hint}", hint = meant_degrees(.0))]
+    HalfOpening(ExactNumber),
     /// The friction is negative.
     #[error("the friction {0} is negative")]
     Friction(String),
@@ -110,14 +107,7 @@ impl Arch {
         friction: Friction,
     ) -> Result<Self, ArchError> {
         if !is_between(&half_opening, false, 1) {
-            // Hardly anybody means four times a radian.
-            let in_degrees = half_opening.is_rational()
-                && *half_opening.factor() >= ratio(4, 1)
-                && is_between(&half_opening.degrees(), false, 1);
-            return Err(match in_degrees {
-                true => ArchError::Degrees(half_opening.to_string()),
-                false => ArchError::HalfOpening(half_opening.to_string()),
-            });
+            return Err(ArchError::HalfOpening(half_opening));
         }
         let friction = match friction {
             Friction::Coefficient(mu) if *mu.factor() < ratio(0, 1) => {
@@ -187,6 +177,18 @@ impl fmt::Display for Arch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { weight, half_opening, friction } = self;
         write!(f, "{}, half opening {half_opening}, friction {friction}", weight.name())
+    }
+}
+
+/// What a half opening that is refused may have been meant to be, if it would be one in degrees.
+fn meant_degrees(half_opening: &ExactNumber) -> String {
+    // Hardly anybody means four times a radian.
+    let in_degrees = half_opening.is_rational()
+        && *half_opening.factor() >= ratio(4, 1)
+        && is_between(&half_opening.degrees(), false, 1);
+    match in_degrees {
+        true => format!("; did you mean {}?", half_opening.degrees()),
+        false => String::new(),
     }
 }
 

@@ -120,13 +120,21 @@ pub fn shoulder_friction<T: Field>(at: &Configuration<T>) -> T {
 
 /// What is left between the shoulder and the joint that is steepest at the thrust of a state, rad.
 pub fn room_for_steepest<T: Real>(at: &Configuration<T>) -> T {
-    let square = at.thrust.clone() * (at.thrust.int(1) - &at.thrust);
-    at.half_opening.rad.clone() - square.sqrt()
+    at.half_opening.rad.clone() - sliding::steepest_joint(&at.thrust)
 }
 
 /// The friction that the steepest joint asks for at the thrust of a state.
 pub fn inner_friction<T: Real>(at: &Configuration<T>) -> T {
     tally::equation(Equation::InnerSliding);
-    let square = at.thrust.clone() * (at.thrust.int(1) - &at.thrust);
-    sliding::inner(&Angle::new(square.sqrt()), &at.thrust).value()
+    let joint = Angle::new(sliding::steepest_joint(&at.thrust));
+    sliding::inner(&joint, &at.thrust).value()
+}
+
+/// The most friction that the joints above the shoulder ask for, inwards: at the steepest joint, or at the shoulder if
+/// that comes first.
+pub fn inward_friction<T: Real>(at: &Configuration<T>, steepest_comes_first: bool) -> T {
+    match steepest_comes_first {
+        true => inner_friction(at),
+        false => -shoulder_friction(at),
+    }
 }

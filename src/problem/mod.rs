@@ -45,7 +45,9 @@ mod verdict;
 pub use arch::{Arch, ArchError, Friction, is_thickness};
 pub use condition::Condition;
 pub use equation::Equation;
-pub use examined::{Examined, inner_friction, room_for_steepest, shoulder_friction};
+pub use examined::{
+    Examined, inner_friction, inward_friction, room_for_steepest, shoulder_friction,
+};
 pub use examined_small::{
     ExaminedSmall, scaled_inner_friction, scaled_room_for_steepest, scaled_shoulder_friction,
 };

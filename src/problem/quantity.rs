@@ -168,20 +168,24 @@ impl Quantity {
         self.row().name
     }
 
-    /// The quantity of a name, or of one of the paper's letters as people type them.
-    pub fn named(name: &str) -> Option<Self> {
-        let letter = match name {
-            "eta" => Some(Self::Thickness),
-            "mu" => Some(Self::Friction),
-            "phi" => Some(Self::FrictionAngle),
-            "alpha" => Some(Self::HalfOpening),
-            "h" => Some(Self::Thrust),
-            "beta_r" => Some(Self::RotationJoint),
-            "beta_s" => Some(Self::SlidingJoint),
+    /// The paper's letter for it, as people type it.
+    pub const fn letter(self) -> Option<&'static str> {
+        match self {
+            Self::Thickness => Some("eta"),
+            Self::Friction => Some("mu"),
+            Self::FrictionAngle => Some("phi"),
+            Self::HalfOpening => Some("alpha"),
+            Self::Thrust => Some("h"),
+            Self::RotationJoint => Some("beta_r"),
+            Self::SlidingJoint => Some("beta_s"),
             _ => None,
-        };
-        let all = Self::LANDMARK.into_iter().chain(Self::STATE).chain(Self::ASSESSMENT);
-        letter.or(all.into_iter().find(|quantity| quantity.name() == name))
+        }
+    }
+
+    /// The quantity of a name or of a letter of the paper.
+    pub fn named(name: &str) -> Option<Self> {
+        let mut all = Self::LANDMARK.into_iter().chain(Self::STATE).chain(Self::ASSESSMENT);
+        all.find(|quantity| quantity.name() == name || quantity.letter() == Some(name))
     }
 
     /// The symbol of the paper and the unit.

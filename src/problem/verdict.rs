@@ -18,7 +18,7 @@
 //! root of (5), or an end of the half arch.
 
 use super::{Arch, Condition, Equation, Fixed, Landmark, Mode, Quantity, System};
-use super::{inner_friction, room_for_steepest, shoulder_friction};
+use super::{inward_friction, room_for_steepest};
 use crate::arch::{Configuration, SelfWeight, Unknown, contact};
 use crate::number::{Dyadic, Engine, ExactNumber, Ternary};
 
@@ -203,17 +203,11 @@ pub(super) fn standing_margin<E: Engine>(
         }
         // (5) at the shoulder lies below: the line still comes nearer.
         Condition::NearestAtShoulder => -contact::approach(weight, &at.half_opening, at),
-        Condition::FrictionInside => at.friction.clone() - steepest_friction(at),
+        Condition::FrictionInside => {
+            // At the steepest joint, even of a longer arch, it is the most.
+            let steepest_comes_first = room_for_steepest(at).is_positive() != Ternary::False;
+            at.friction.clone() - inward_friction(at, steepest_comes_first)
+        }
         _ => return None,
     })
-}
-
-/// The most friction that the joints above the shoulder ask for, inwards: at the steepest joint, or at the shoulder if
-/// that comes first.
-fn steepest_friction<E: Engine>(at: &Configuration<E>) -> E {
-    match room_for_steepest(at).is_positive() {
-        Ternary::False => -shoulder_friction(at),
-        // At the steepest joint, even of a longer arch, it is the most.
-        _ => inner_friction(at),
-    }
 }

@@ -266,12 +266,6 @@ impl Answer {
                 let open = digits.open().map(|(of, why)| (of, why.clone()));
                 answer.open = open.collect();
                 answer.values = digits.figures().map(|(of, x)| (of, Value::figure(x))).collect();
-                if !arch.is_limited() && digits.stands == Ok(true) {
-                    let least = |(of, _): &(Quantity, Value)| *of == Quantity::RequiredFriction;
-                    let behind = answer.values.iter().position(least).map_or(0, |place| place + 1);
-                    let unbounded = (Quantity::FrictionSafety, Value::figure(None));
-                    answer.values.insert(behind, unbounded);
-                }
                 let thrusts = answer.values.iter_mut().filter(|(of, _)| of.joint().is_some());
                 for ((_, value), limit) in thrusts.zip(digits.limits().into_iter().flatten()) {
                     value.limited_by = Some(limit.limited_by);

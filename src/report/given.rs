@@ -1,6 +1,6 @@
 //! What is given of an arch, as numbers that every program reads.
 
-use crate::number::{Ball, ExactNumber, Field, Real};
+use crate::number::{Ball, ExactNumber, Field, Real, nearest_double};
 use crate::problem::{Arch, Friction};
 use num_bigint::BigInt;
 
@@ -26,7 +26,7 @@ impl GivenDoubles {
             half_opening_deg: degrees(half_opening),
             friction: match arch.friction() {
                 Friction::Coefficient(mu) => mu.nearest_double(),
-                Friction::Angle(_) => nearest(|bits| arch.given::<Ball>(bits).friction),
+                Friction::Angle(_) => nearest_double(|bits| arch.given::<Ball>(bits).friction),
                 Friction::Infinite => Some(f64::INFINITY),
             },
             thickness: thickness.and_then(ExactNumber::nearest_double),
@@ -38,17 +38,10 @@ fn degrees(angle: &ExactNumber) -> Option<f64> {
     if !angle.is_rational() {
         return ExactNumber::rational(angle.factor() * BigInt::from(180)).nearest_double();
     }
-    nearest(|bits| {
+    nearest_double(|bits| {
         let x: Ball = angle.enclosure(bits);
         x.int(180) * &x / x.pi()
     })
-}
-
-/// The double nearest to an irrational number, or to zero. Few bits decide nearly always; the last are more
-/// than the longest number that is read has.
-fn nearest(enclosure: impl Fn(u32) -> Ball) -> Option<f64> {
-    let found = [128, 4096, 80_000].into_iter().find_map(|bits| enclosure(bits).nearest_double());
-    found.filter(|x| x.is_finite())
 }
 
 #[cfg(test)]

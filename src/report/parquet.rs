@@ -5,6 +5,7 @@
 
 use super::answer::{Answer, Subject};
 use super::answers::{Answers, Scope, TOOL};
+use super::columns::kept_names;
 use super::given::GivenDoubles;
 use super::names::head;
 use super::rows::Rows;
@@ -155,9 +156,8 @@ impl ParquetRows {
 fn with_kept(schema: &str, kept: &[String]) -> Result<Type> {
     let own = parse_message_type(schema)?;
     let mut fields = own.get_fields().to_vec();
-    for name in kept {
-        let is_own = COLUMNS.iter().any(|(own, _)| own == name);
-        let name = if is_own { format!("input_{name}") } else { name.clone() };
+    let names = COLUMNS.map(|(name, _)| name.to_owned());
+    for name in kept_names(kept, &names) {
         let text = Type::primitive_type_builder(&name, PhysicalType::BYTE_ARRAY)
             .with_repetition(Repetition::OPTIONAL)
             .with_logical_type(Some(LogicalType::String));

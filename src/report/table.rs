@@ -135,8 +135,6 @@ fn assessment(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> i
         (_, Some(true)) => writeln!(out, "stands, proved\n")?,
         _ => writeln!(out, "collapses, proved\n")?,
     }
-    let is_unlimited =
-        matches!(&answer.subject, Subject::Arch { friction, .. } if friction == "inf");
     for &quantity in asked {
         let value = answer.value(quantity);
         let finite = value.filter(|value| value.decimal.is_some()).map(|value| value.text());
@@ -152,8 +150,8 @@ fn assessment(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> i
             Quantity::GeometricSafety => ("geometric safety factor", none("none")),
             Quantity::RequiredFriction => ("required friction", none("none is enough")),
             Quantity::FrictionSafety => {
-                let is_unbounded = is_unlimited && answer.stands == Some(true);
-                ("friction safety factor", none(if is_unbounded { "unbounded" } else { "none" }))
+                let words = if value.is_some() { "unbounded" } else { "none" };
+                ("friction safety factor", none(words))
             }
             Quantity::LeastThrust => ("least thrust", none("unbounded")),
             _ => ("largest thrust", none("unbounded")),

@@ -2,6 +2,7 @@
 
 use crate::arch::SelfWeight;
 use crate::certify::state::Fall;
+use crate::problem::Quantity;
 use std::fmt::Display;
 
 pub(crate) use crate::number::shown as shortened;
@@ -20,20 +21,13 @@ pub(crate) fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     names.into_iter().collect::<Vec<_>>().join(", ")
 }
 
-/// Symbols that people may type instead of our keys.
-const SYMBOLS: [(&str, &str); 5] = [
-    ("alpha", "half_opening"),
-    ("mu", "friction"),
-    ("phi", "friction_angle"),
-    ("eta", "thickness"),
-    ("h", "thrust"),
-];
 /// Minimum similarity of a suggestion.
 const ALIKE: f64 = 0.75;
 
-/// ` (did you mean "…"?)`, if one of the names is close to what was written.
+/// ` (did you mean "…"?)`, if one of the names is close to what was written, or is that of a letter of the paper.
 pub(crate) fn did_you_mean(written: &str, names: &[&str]) -> String {
-    let symbol = SYMBOLS.iter().find(|(symbol, _)| *symbol == written).map(|(_, name)| *name);
+    let mut lettered = Quantity::LANDMARK.into_iter().filter(|of| of.letter() == Some(written));
+    let symbol = lettered.next().map(Quantity::name);
     let alike = |name: &str| strsim::jaro_winkler(&written.to_lowercase(), &name.to_lowercase());
     let nearest = names
         .iter()

@@ -124,7 +124,7 @@ fn item(
 ) -> Option<Item> {
     let before = reader.faults.len();
     let name = format!("[[{}]]", kind.name());
-    reader.unknown_keys(table, &name, kind.keys(), kind.letters());
+    reader.unknown_keys(table, &name, kind.keys(), &kind.letters());
     let what = match kind {
         Kind::Constants => constants(reader, span, table, overall),
         Kind::Arches => arches(reader, span, table, overall, &mut totals.arches),

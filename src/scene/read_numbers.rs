@@ -4,7 +4,7 @@ use super::schema::MAX_ARCHES;
 use super::value::{Reader, Value};
 use crate::arch::SelfWeight;
 use crate::number::{ExactNumber, ParseExactError, terminating};
-use crate::problem::{Arch, ArchError, Friction, is_thickness};
+use crate::problem::{Arch, ArchError, Friction, Quantity, is_thickness};
 use crate::report::words::shortened;
 use rug::Rational;
 use std::collections::HashMap;
@@ -60,23 +60,17 @@ pub(super) struct SceneNumber {
 }
 
 impl Meaning {
-    pub(super) fn key(self) -> &'static str {
+    fn quantity(self) -> Quantity {
         match self {
-            Self::HalfOpening => "half_opening",
-            Self::Friction => "friction",
-            Self::FrictionAngle => "friction_angle",
-            Self::Thickness => "thickness",
+            Self::HalfOpening => Quantity::HalfOpening,
+            Self::Friction => Quantity::Friction,
+            Self::FrictionAngle => Quantity::FrictionAngle,
+            Self::Thickness => Quantity::Thickness,
         }
     }
 
-    /// The paper's letter, which is a key too.
-    fn letter(self) -> &'static str {
-        match self {
-            Self::HalfOpening => "alpha",
-            Self::Friction => "mu",
-            Self::FrictionAngle => "phi",
-            Self::Thickness => "eta",
-        }
+    pub(super) fn key(self) -> &'static str {
+        self.quantity().name()
     }
 
     /// What a table says of it, under its name or its letter.
@@ -85,12 +79,17 @@ impl Meaning {
         reader: &mut Reader,
         table: &'v DeTable<'s>,
     ) -> Option<&'v Value<'s>> {
-        let (key, letter) = (self.key(), self.letter());
-        let (named, by_letter) = (table.get(key), table.get(letter));
-        if let (Some(_), Some(value)) = (named, by_letter) {
+        let named = table.get(self.key());
+        let letter = self.quantity().letter();
+        let Some((letter, value)) = letter.and_then(|letter| Some((letter, table.get(letter)?)))
+        else {
+            return named;
+        };
+        if named.is_some() {
+            let key = self.key();
             reader.fault(value.span(), format!("both {key} and {letter}; give one of them"));
         }
-        named.or(by_letter)
+        named.or(Some(value))
     }
 
     /// What may be given.
@@ -129,7 +128,7 @@ impl Meaning {
             }
         };
         made.err().map(|error| match error {
-            ArchError::HalfOpening(_) | ArchError::Degrees(_) => "between 0 and pi (180deg)",
+            ArchError::HalfOpening(_) => "between 0 and pi (180deg)",
             ArchError::Friction(_) => "0 or more",
             ArchError::FrictionAngle(_) => "between 0 and pi/2 (90deg)",
             _ => self.allowed(),

@@ -129,11 +129,9 @@ impl Kind {
     }
 
     /// The paper's letters, which are keys too.
-    pub(super) fn letters(self) -> &'static [&'static str] {
-        match self {
-            Self::Arches => &["alpha", "mu", "phi", "eta"],
-            _ => &[],
-        }
+    pub(super) fn letters(self) -> Vec<&'static str> {
+        let keys = self.keys().iter();
+        keys.filter_map(|key| Quantity::named(key)?.letter()).collect()
     }
 
     /// The keys that an item of this kind may have.

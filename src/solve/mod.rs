@@ -9,7 +9,7 @@ mod zero;
 
 pub use linear::{Approximate, inverse, newton_step};
 pub use newton::{newton, settle};
-pub use standing::{StandingCandidate, standing, widest};
+pub use standing::{StandingCandidate, standing};
 
 use rug::Float;
 

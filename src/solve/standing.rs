@@ -1,12 +1,10 @@
 //! A candidate for a line of thrust well inside an arch.
 
-use super::settle;
-use super::zero::zero;
-use crate::arch::{Configuration, Ring, SelfWeight, Unknown, contact, thrust};
+use super::{settle, start};
+use crate::arch::{Configuration, Ring, SelfWeight, Unknown, contact};
 use crate::number::{Angle, Dual, Field};
-use crate::problem::{Nearest, inner_friction, room_for_steepest, shoulder_friction};
+use crate::problem::{Nearest, inward_friction, room_for_steepest, shoulder_friction};
 use rug::Float;
-use std::f64::consts::PI;
 
 /// A thrust and a crown moment that seem to be admissible.
 #[derive(Clone, Debug)]
@@ -23,8 +21,6 @@ pub struct StandingCandidate {
 
 /// Bits of a step, and of what is left for the crown moment, that are kept.
 const KEPT: u32 = 32;
-/// A joint where `1 - beta cot(beta)` is below this starts from the leading term.
-const SMALL: f64 = 1e-3;
 
 /// A candidate for an arch that stands: `given` has its half opening, friction and thickness, and a `thrust` next to
 /// which an admissible one is, as that of its least thickness.
@@ -78,13 +74,9 @@ impl Fit {
         let (h, bits) = (&at.thrust, thrust.prec());
         let is_possible = *h > 0 && *h < 1;
         let slides = || {
-            let shoulder = shoulder_friction(&at);
             // Where the steepest joint would lie beyond the shoulder, that slides inwards first.
-            let inwards = match room_for_steepest(&at) > 0 {
-                true => inner_friction(&at),
-                false => -shoulder.clone(),
-            };
-            at.friction <= shoulder || at.friction <= inwards
+            let inwards = inward_friction(&at, room_for_steepest(&at) > 0);
+            at.friction <= shoulder_friction(&at) || at.friction <= inwards
         };
         if !is_possible || (is_limited && slides()) {
             return None;
@@ -120,13 +112,7 @@ impl Fit {
 /// The joint where `beta cot(beta) = 1 - fall`.
 fn touching(fall: &Float) -> Option<Float> {
     let bits = fall.prec();
-    let start = match fall.to_f64() {
-        small if small < SMALL => Float::with_val(bits, fall * 3u32).sqrt(),
-        fall => {
-            let excess = |beta: f64| 1.0 - fall - beta / beta.tan();
-            Float::with_val(bits, zero(SMALL, PI * (1.0 - 1e-15), excess))
-        }
-    };
+    let start = start::tangent_joint(&Float::with_val(bits, 1 - fall));
     let constant = Dual::constant(Float::with_val(bits, fall - 1u32));
     let residual = |x: &[Float]| {
         let joint = Angle::new(x[0].clone()).variable(0);
@@ -134,14 +120,4 @@ fn touching(fall: &Float) -> Option<Float> {
         vec![joint.rad.clone() * &joint.cos + constant.clone() * &joint.sin]
     };
     settle(vec![start], residual)?.pop()
-}
-
-/// The widest half opening at which the physical limit of the thickness is enough at a thrust, rad.
-pub fn widest(weight: SelfWeight, h: f64) -> f64 {
-    let margin = |alpha: f64| {
-        let at = Angle::new(alpha);
-        let opening = thrust::opening_variable(&at).value();
-        2.0 * (h * at.cos / at.versine() + opening) - 1.0 - f64::from(weight.flag()) / 3.0
-    };
-    zero(PI / 2.0, PI, margin)
 }

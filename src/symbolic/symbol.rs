@@ -24,6 +24,8 @@ pub enum Symbol {
     RootOfMinusThree,
     /// `p`, the moment of the crown thrust.
     CrownMoment,
+    /// `v`, the vertical force in the crown.
+    CrownShear,
     /// `e0`, the eccentricity at the crown.
     CrownEccentricity,
     /// `f`, where it is kept as a letter.
@@ -48,7 +50,7 @@ pub enum Symbol {
 
 impl Symbol {
     /// How many there are.
-    pub const COUNT: usize = 18;
+    pub const COUNT: usize = 19;
 
     /// All of them, in order.
     pub const ALL: [Self; Self::COUNT] = [
@@ -60,6 +62,7 @@ impl Symbol {
         Self::SquareRoot,
         Self::RootOfMinusThree,
         Self::CrownMoment,
+        Self::CrownShear,
         Self::CrownEccentricity,
         Self::F,
         Self::G,
@@ -83,6 +86,7 @@ impl Symbol {
             Self::SquareRoot => ("q", "q"),
             Self::RootOfMinusThree => ("k", "k"),
             Self::CrownMoment => ("p", "p"),
+            Self::CrownShear => ("v", "v"),
             Self::CrownEccentricity => ("e0", "e_0"),
             Self::F => ("f", "f"),
             Self::G => ("g", "g"),

@@ -137,16 +137,25 @@ impl AssessmentDigits {
     }
 
     /// The values that there are, in the order of [`Quantity::ASSESSMENT`] and each limiting joint behind its
-    /// thrust; `None` for a thrust without bound.
+    /// thrust; `None` for a thrust or a safety without bound.
     pub fn figures(&self) -> impl Iterator<Item = (Quantity, Option<&Figure>)> {
         let single = SINGLE.into_iter().zip(self.single());
         let single = single.filter_map(|(of, figure)| Some((of, figure.as_ref().ok()?.as_ref())));
-        let single = single.filter(|(_, figure)| figure.is_some());
+        let single = single.filter(|(of, figure)| {
+            figure.is_some() || *of == Quantity::FrictionSafety && self.is_safe_from_sliding()
+        });
         single.chain(THRUSTS.into_iter().zip(self.limits()).flat_map(|(thrust, limit)| {
             let joint = limit.and_then(|limit| thrust.joint().zip(limit.joint.as_ref()));
             let joint = joint.map(|(joint, figure)| (joint, Some(figure)));
             limit.map(|limit| (thrust, limit.thrust.as_ref())).into_iter().chain(joint)
         }))
+    }
+
+    /// Whether it stands and nothing slides: some friction is required, and it is unlimited.
+    fn is_safe_from_sliding(&self) -> bool {
+        let Self { stands, required_friction, friction_safety, .. } = self;
+        let is_required = !matches!(required_friction, Ok(None));
+        *stands == Ok(true) && is_required && matches!(friction_safety, Ok(None))
     }
 
     /// The ends of the range of thrusts, where they are known and the arch stands.

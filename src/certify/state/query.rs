@@ -2,8 +2,9 @@
 
 use crate::arch::{Configuration, SelfWeight};
 use crate::certify::Undecided;
-use crate::certify::root::{Form, root_near};
-use crate::number::{Ball, Enclosure, Real, Stumpff, stumpff_terms};
+use crate::certify::posed::Posed;
+use crate::certify::root::root_near;
+use crate::number::{Ball, stumpff_terms};
 use crate::problem::{Arch, Friction, System};
 use rug::Float;
 
@@ -40,26 +41,9 @@ impl Query {
         system: System,
         start: &[Float],
     ) -> Result<Configuration<Ball>, Undecided> {
-        let root = root_near(&Given { system, query: self }, self.bits, start.to_vec())?;
+        let posed = Posed { system: &system, given: &self.given };
+        let root = root_near(&posed, self.bits, start.to_vec())?;
         Ok(system.place(self.given.clone(), &root))
-    }
-}
-
-/// A system with what is given.
-struct Given<'a> {
-    system: System,
-    query: &'a Query,
-}
-
-impl Form for Given<'_> {
-    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
-        let given = self.query.given.map_ref(number);
-        self.system.residuals(&self.system.place(given, x))
-    }
-
-    fn is_regular(&self, x: &[Ball]) -> bool {
-        let at = self.system.place(self.query.given.clone(), x);
-        self.system.denominators(&at).iter().all(Enclosure::excludes_zero)
     }
 }
 

@@ -20,7 +20,7 @@ use crate::arch::{Ring, Unknown, contact, sliding, thrust};
 use crate::certify::Undecided;
 use crate::certify::undecided::{decide, require};
 use crate::number::{Angle, Ball, Enclosure, Field, Real, Ternary};
-use crate::problem::{Condition, Mode, System, inner_friction};
+use crate::problem::{Condition, Mode, System, inner_friction, room_for_steepest};
 use crate::solve::start;
 use rug::Float;
 
@@ -171,10 +171,8 @@ pub(super) fn required_friction(
     if let Some(largest) = bound(largest)?
         && decide(&(slides.thrust.clone() - &largest), question, &[])?
     {
-        let steepest = (largest.clone() * (largest.int(1) - &largest)).sqrt();
         let at = query.given.clone().with(Unknown::Thrust, largest);
-        let margin = at.half_opening.rad.clone() - steepest;
-        require(&margin, Condition::SteepestAboveShoulder.label())?;
+        require(&room_for_steepest(&at), Condition::SteepestAboveShoulder.label())?;
         return Ok(inner_friction(&at));
     }
     Ok(slides.friction)

@@ -3,7 +3,7 @@
 
 use super::decided::as_printed;
 use super::text::lines;
-use crate::claims::{Decided, Decision, Sentence, index};
+use crate::claims::{Decided, Decision, Finding, Sentence, index};
 use crate::report::json;
 use crate::report::words::count;
 use serde::Serialize;
@@ -17,11 +17,16 @@ pub struct Index {
 }
 
 impl Index {
-    /// The claims that decide a sentence, each with the word for what became of it as it is printed.
+    /// The claims that decide a sentence, each with the word for what became of it.
     fn claims(&self, sentence: &Sentence) -> Vec<ClaimEntry> {
         let Decided::Claims(ids) = sentence.decided else { return Vec::new() };
         let decision = |id: &&str| self.decisions.iter().find(|d| d.claim.id == *id);
-        let entry = |d: &Decision| ClaimEntry { id: d.claim.id, as_printed: as_printed(d) };
+        // A claim may say more than the sentence, which is there.
+        let found = |d: &Decision| match d.outcome {
+            Ok(Finding::Implicit) => "proved",
+            _ => as_printed(d),
+        };
+        let entry = |d: &Decision| ClaimEntry { id: d.claim.id, found: found(d) };
         ids.iter().filter_map(decision).map(entry).collect()
     }
 }
@@ -46,7 +51,7 @@ struct SentenceEntry {
 #[derive(Serialize)]
 struct ClaimEntry {
     id: &'static str,
-    as_printed: &'static str,
+    found: &'static str,
 }
 
 /// The word for what decides a sentence.
@@ -84,8 +89,8 @@ pub(crate) fn text(report: &Index, out: &mut dyn io::Write) -> io::Result<()> {
         lines(sentence.says, &first, &indent, out)?;
         match sentence.decided {
             Decided::Claims(_) => {
-                for ClaimEntry { id, as_printed } in report.claims(sentence) {
-                    writeln!(out, "{indent}{as_printed:<10} {id}")?;
+                for ClaimEntry { id, found } in report.claims(sentence) {
+                    writeln!(out, "{indent}{found:<10} {id}")?;
                 }
             }
             Decided::Audit => writeln!(out, "{indent}{:<10} couplet audit", "digits")?,

@@ -2,12 +2,12 @@
 
 use super::rotation::{before_end, rotational, rotational_with_thrust};
 use super::sliding::{friction_inside, inner_sliding, sliding};
-use super::touch::{rotational_sliding, touched_ring};
+use super::touch::{ring_at_crown, rotational_sliding, touched_ring};
 use super::wide::{widest_rotational, widest_sliding, widest_touching};
-use crate::arch::{Configuration, Ring, SelfWeight, Unknown, sliding as friction, thrust};
+use crate::arch::{Configuration, SelfWeight, Unknown, sliding as friction};
 use crate::number::Angle;
 use crate::problem::{Line, Sought};
-use crate::solve::zero::{quadratic_zero, zero};
+use crate::solve::zero::zero;
 use rug::Float;
 
 /// Below this friction the rotational state at which the shoulder slides is found from the leading term.
@@ -42,7 +42,7 @@ fn at_half_opening(weight: SelfWeight, line: Line, alpha: &Float) -> Configurati
     match line {
         Line::RotationShoulder | Line::RotationInner => {
             let [beta, eta, h] = rotational(weight, alpha);
-            let joint = steepest(&h);
+            let joint = friction::steepest_joint(&h);
             let mu = match line {
                 Line::RotationInner => friction::inner(&Angle::new(joint.clone()), &h).value(),
                 _ => friction::shoulder(&Angle::new(alpha.clone()), &h).value(),
@@ -66,11 +66,15 @@ fn at_half_opening(weight: SelfWeight, line: Line, alpha: &Float) -> Configurati
             };
             // Where the thrust is h, how far the rotational joint is below the other, or the crown.
             let joint = |h: f64| rotational_sliding(weight, wide, h).joint.unwrap_or(0.0);
+            let rings = |h: f64| [touched_ring(weight, 1.0, h), ring_at_crown(weight, wide, h)];
             let h = zero(least, most, |h| match line {
-                Line::Joints => joint(h) - (h * (1.0 - h)).sqrt(),
-                _ => touched_ring(weight, 1.0, h).thickness - at_crown(weight, wide, h),
+                Line::Joints => joint(h) - friction::steepest_joint(&h),
+                _ => {
+                    let [touched, at_crown] = rings(h).map(|ring| ring.thickness);
+                    touched - at_crown
+                }
             });
-            let steepest = (h * (1.0 - h)).sqrt();
+            let steepest = friction::steepest_joint(&h);
             let mu = friction_inside([h, steepest]).value();
             let eta = rotational_sliding(weight, wide, h).thickness;
             let values = [(U::Friction, mu), (U::Thrust, h), (U::SlidingJoint, steepest)];
@@ -86,12 +90,6 @@ fn point_with<const N: usize>(
     values: [(Unknown, Float); N],
 ) -> Configuration<Float> {
     values.into_iter().fold(at, |at, (unknown, value)| at.with(unknown, value))
-}
-
-/// The thickness with which the half arch turns about the crown's intrados at a thrust.
-fn at_crown(weight: SelfWeight, alpha: f64, h: f64) -> f64 {
-    let (opening, crown) = (Angle::new(alpha), Angle::zero(&alpha));
-    quadratic_zero(|eta| thrust::upper(&opening, &crown, &Ring::new(weight, &eta)).residual(&h))
 }
 
 fn at_friction(weight: SelfWeight, line: Line, mu: &Float) -> Configuration<Float> {
@@ -154,11 +152,6 @@ fn with_haunch(weight: SelfWeight, line: Line, at: Configuration<Float>) -> Conf
         }
     };
     at.with(Unknown::RotationJoint, beta).with(Unknown::Thickness, eta)
-}
-
-/// `beta_s` at a thrust.
-fn steepest(h: &Float) -> Float {
-    Float::with_val(h.prec(), h * Float::with_val(h.prec(), 1 - h)).sqrt()
 }
 
 #[cfg(test)]

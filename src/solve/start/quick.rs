@@ -35,7 +35,7 @@ pub fn quick_state(weight: SelfWeight, alpha: f64, mu: f64) -> QuickState {
     if before_end(weight, alpha) > 0.0 {
         let state @ [_, _, h] = rotational_in_doubles(weight, alpha);
         shoulder = sliding::shoulder(&opening, &h).value();
-        let steepest = (h * (1.0 - h)).max(0.0).sqrt();
+        let steepest = sliding::steepest_joint(&h.max(0.0));
         if mu >= shoulder.max(friction_inside([h, steepest]).value()) {
             return found(Mode::Rotational, state);
         }

@@ -61,7 +61,7 @@ pub(super) fn friction_inside([h, joint]: [f64; 2]) -> Quotient<f64> {
 }
 
 /// `acot(mu)`, which is finite for every friction.
-fn inverse_tangent(friction: &Quotient<f64>) -> f64 {
+pub(super) fn inverse_tangent(friction: &Quotient<f64>) -> f64 {
     friction.denominator.atan2(friction.numerator)
 }
 

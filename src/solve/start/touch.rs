@@ -29,6 +29,13 @@ pub(super) fn touched_ring(weight: SelfWeight, times_cotangent: f64, h: f64) -> 
     Ring::new(weight, &quadratic_zero(gap))
 }
 
+/// The ring with which the half arch turns about the crown's intrados at a half opening (rad) and a thrust.
+pub(super) fn ring_at_crown(weight: SelfWeight, alpha: f64, h: f64) -> Ring<f64> {
+    let (opening, crown) = (Angle::new(alpha), Angle::zero(&alpha));
+    let ring = |eta| Ring::new(weight, &eta);
+    ring(quadratic_zero(|eta| thrust::upper(&opening, &crown, &ring(eta)).residual(&h)))
+}
+
 /// A start with a sliding inner joint: the thickness, and the rotational joint unless it is the crown.
 pub struct InnerStart {
     /// `eta`.
@@ -50,8 +57,7 @@ pub fn rotational_sliding(weight: SelfWeight, alpha: f64, h: f64) -> InnerStart 
     let opening = Angle::new(alpha);
     let gap =
         |joint: &Angle<f64>, ring: &Ring<f64>| thrust::upper(&opening, joint, ring).residual(&h);
-    let crown = Angle::zero(&alpha);
-    let at_crown = quadratic_zero(|eta| gap(&crown, &Ring::new(weight, &eta)));
+    let at_crown = ring_at_crown(weight, alpha, h).thickness;
     let touched = touched_ring(weight, 1.0, h).thickness;
     let is_near_crown = at_crown > touched * (1.0 - NEAR_CROWN);
     if at_crown >= touched {

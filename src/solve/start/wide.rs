@@ -5,8 +5,8 @@
 //! at the shoulder's extrados first grows with the half opening and then falls, and so does what friction has
 //! to spare: the widest half opening is the one zero of what falls.
 
-use super::sliding::inner_sliding;
-use crate::arch::{Ring, SelfWeight, statics};
+use super::sliding::{inner_sliding, inverse_tangent};
+use crate::arch::{Configuration, Ring, SelfWeight, Unknown, contact, sliding};
 use crate::number::Angle;
 use crate::solve::zero::zero;
 use rug::Float;
@@ -24,29 +24,33 @@ pub fn widest_rotational(weight: SelfWeight, eta: &Float, h: &Float) -> Float {
         // eta = alpha⁴/48.
         return Float::with_val(eta.prec(), eta * 48u32).sqrt().sqrt();
     }
-    let (eta_in_doubles, h) = (eta.to_f64(), h.to_f64());
-    let ring = Ring::new(weight, &eta_in_doubles);
-    Float::with_val(eta.prec(), widest_inside(&ring, h, (1.0 + 0.5 * eta_in_doubles) * h))
+    let at = in_doubles(eta.to_f64(), h.to_f64());
+    let moment = contact::crown_moment(&at);
+    Float::with_val(eta.prec(), widest_inside(weight, at, moment))
 }
 
 /// A candidate: the half opening at which the line of thrust that touches the intrados at a joint (rad)
 /// reaches the extrados of the shoulder.
 pub fn widest_touching(weight: SelfWeight, eta: f64, h: f64, joint: f64) -> f64 {
-    let (ring, joint) = (Ring::new(weight, &eta), Angle::new(joint));
-    let normal = statics::normal_force(&joint, &h);
-    let moment = (1.0 - 0.5 * eta) * normal - ring.centroid_factor * joint.versine();
-    widest_inside(&ring, h, moment)
+    let at = in_doubles(eta, h);
+    let moment = -contact::intrados_margin(weight, &Angle::new(joint), &at, &0.0);
+    widest_inside(weight, at, moment)
 }
 
-/// The half opening at which the margin at the shoulder's extrados is used up, for a thrust and a crown moment.
-fn widest_inside(ring: &Ring<f64>, h: f64, moment: f64) -> f64 {
-    let outer = 0.5 * ring.extrados();
-    // The margin grows while outer (1 - h + beta cot(beta)) is above the centroid factor.
-    let turning = ring.centroid_factor / outer - 1.0 + h;
-    let top = zero(1e-9, PI, |x| x * x.cos() - turning * x.sin());
+/// A thickness and a thrust, with no half opening.
+fn in_doubles(eta: f64, h: f64) -> Configuration<f64> {
+    Configuration::zero(&h).with(Unknown::Thickness, eta).with(Unknown::Thrust, h)
+}
+
+/// The half opening at which the margin at the shoulder's extrados is used up, for a thickness, a thrust and a crown
+/// moment.
+fn widest_inside(weight: SelfWeight, at: Configuration<f64>, moment: f64) -> f64 {
+    let ring = Ring::new(weight, &at.thickness);
+    // The margin grows while (1 + eta/2) (1 - h + beta cot(beta)) is above the centroid factor.
+    let top = tangent_in_doubles(2.0 * ring.centroid_factor / ring.extrados() - 1.0 + at.thrust);
     zero(top, PI, |x| {
-        let joint = Angle::new(x);
-        outer * statics::normal_force(&joint, &h) - moment - ring.centroid_factor * joint.versine()
+        let at = at.clone().with(Unknown::HalfOpening, x);
+        contact::extrados_margin_at_shoulder(weight, &at, &moment)
     })
 }
 
@@ -61,10 +65,11 @@ pub fn widest_without_sliding(h: &Float, friction: &Float) -> Float {
         let part = zero(1.0, (3.0 * scaled).cbrt() + 2.0, |x| x * x * x / 3.0 - x - scaled);
         return unit * part;
     }
-    let (h, angle) = (h.to_f64(), friction.to_f64().atan());
-    // The resultant leans by alpha - atan(alpha/h) against the joint: least at the steepest joint.
-    let steepest = (h * (1.0 - h)).sqrt();
-    let found = zero(steepest, PI, |x| x - x.atan2(h) - angle);
+    let (h, inverse) = (h.to_f64(), friction.to_f64().recip().atan());
+    // The shoulder asks for the least where it is the steepest joint.
+    let found = zero(sliding::steepest_joint(&h), PI, |x| {
+        inverse - inverse_tangent(&sliding::shoulder(&Angle::new(x), &h))
+    });
     Float::with_val(bits, found)
 }
 
@@ -81,8 +86,8 @@ pub fn widest_sliding(friction: &Float) -> [Float; 3] {
     [widest_without_sliding(&h, friction), h, joint]
 }
 
-/// A candidate: the joint (rad) at which the line of thrust is tangent to the intrados, for `beta cot(beta)`
-/// between `beta cot(beta)` at a right angle and a half, and one.
+/// A candidate: the joint (rad) at which the line of thrust is tangent to the intrados, for `beta cot(beta)` below
+/// one.
 pub fn tangent_joint(times_cotangent: &Float) -> Float {
     let bits = times_cotangent.prec();
     let rest = Float::with_val(bits, 1 - times_cotangent);
@@ -90,14 +95,17 @@ pub fn tangent_joint(times_cotangent: &Float) -> Float {
         // 1 - beta²/3.
         return (rest * 3u32).sqrt();
     }
-    let target = times_cotangent.to_f64();
-    Float::with_val(bits, zero(1e-9, PI, |x| x * x.cos() - target * x.sin()))
+    Float::with_val(bits, tangent_in_doubles(times_cotangent.to_f64()))
+}
+
+/// The joint (rad) with a `beta cot(beta)`, which falls.
+fn tangent_in_doubles(times_cotangent: f64) -> f64 {
+    zero(1e-9, PI, |x| x * x.cos() - times_cotangent * x.sin())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arch::sliding;
     use crate::solve::start::{rotational, sliding as purely_sliding};
 
     #[test]

@@ -140,6 +140,8 @@ refusals! {
     a_long_numerator: not_given_as(&format!("{}/2", long()));
     a_long_denominator: not_given_as(&format!("2/{}", long()));
     an_infinite_half_opening: vec![given_as("half_opening", "inf")];
+    half_a_turn: vec![given_as("half_opening", "1/1 pi")];
+    degrees_without_their_unit: vec![given_as("half_opening", "90/1")];
     a_tangent_without_a_number: vec![given_as("friction", "tan ")];
     a_tangent_of_a_right_angle: vec![given_as("friction", "tan 1/2 pi")];
     a_tangent_of_an_obtuse_angle: vec![given_as("friction", "tan 2/3 pi")];

@@ -3,7 +3,7 @@
 
 use crate::arches::{M, arch, number};
 use couplet::arch::SelfWeight;
-use couplet::certify::{certify_arch, certify_landmark, certify_state};
+use couplet::certify::{certify_arch, certify_landmark};
 use couplet::check::{
     Accepted, Certificate, ClaimFile, Refusal, SCHEMA, ValueFile, Witness, check,
 };
@@ -45,7 +45,7 @@ pub(super) fn landmark(symbol: &str) -> &'static Value {
 /// The certificate of a state with 20 digits, for Milankovitch's weight.
 pub(super) fn state(half_opening: &str, friction: &str) -> &'static Value {
     kept(format!("{half_opening} {friction}"), || {
-        certify_state(&arch(M, half_opening, friction), 20).unwrap()
+        certify_arch(&arch(M, half_opening, friction), None, 20).unwrap()
     })
 }
 

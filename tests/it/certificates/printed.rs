@@ -2,7 +2,7 @@
 
 use super::originals::{landmark, state};
 use crate::program::{Scratch, couplet, fed, said};
-use couplet::certify::certify_state;
+use couplet::certify::certify_arch;
 use rug::Rational;
 use rug::ops::Pow;
 use serde_json::{Value, json};
@@ -83,7 +83,7 @@ fn every_spelling_of_a_value_is_printed_truly() {
 fn a_power_of_ten_is_not_cut_off() {
     let arch = crate::arches::arch(crate::arches::H, "1/1000", "9/10");
     for digits in [20, 21, 22, 30, 200] {
-        let certificate = serde_json::to_value(certify_state(&arch, digits).unwrap()).unwrap();
+        let certificate = serde_json::to_value(certify_arch(&arch, None, digits).unwrap()).unwrap();
         let printed = line(&certificate);
         assert!(shown(&printed, "thickness").ends_with("e-14"), "{printed}");
         shows(&printed, "thickness", certificate["values"][0]["value"].as_str().unwrap());

@@ -4,7 +4,7 @@
 //! least one of the half opening. The thrust and the touching joint do not see the half opening: they are
 //! found first and tell the mode.
 
-use crate::arch::{Configuration, Ring, Unknown, contact, statics, thrust};
+use crate::arch::{Configuration, Ring, Unknown, contact, thrust};
 use crate::certify::Undecided;
 use crate::certify::state::mode::prove;
 use crate::certify::state::query::Query;
@@ -96,11 +96,9 @@ fn has_room(query: &Query, at: &Configuration<Ball>) -> Result<bool, Undecided> 
         true => joint,
         false => at.half_opening.clone(),
     };
-    let ring = Ring::new(query.weight, &at.thickness);
-    let moment = statics::normal_force(&joint, &at.thrust) * ring.intrados() / at.thrust.int(2)
-        - joint.versine() * ring.centroid_factor;
+    let moment = -contact::intrados_margin(query.weight, &joint, at, &at.thrust.int(0));
     let crown = contact::crown_moment(at) - &moment;
-    let shoulder = contact::shoulder_moment(query.weight, at) - &moment;
+    let shoulder = contact::extrados_margin_at_shoulder(query.weight, at, &moment);
     Ok(decide(&crown, question, &[])? && decide(&shoulder, question, &[])?)
 }
 

@@ -33,12 +33,8 @@ impl Columns {
     /// Our own names.
     pub(crate) fn own(purpose: Purpose) -> Self {
         let columns = purpose.roles().into_iter().flat_map(|role| {
-            let names = match role.names(purpose) {
-                [] => vec![role.name()],
-                names => names.to_vec(),
-            };
             let column = move |name: &str| Column { theirs: name.to_owned(), role, degrees: false };
-            names.into_iter().map(column)
+            role.names(purpose).into_iter().map(column)
         });
         Self { all: columns.collect(), named: false, purpose }
     }

@@ -60,21 +60,33 @@ impl Role {
         }
     }
 
-    /// All names of it, the one to show first.
-    pub(super) fn names(self, purpose: Purpose) -> &'static [&'static str] {
+    /// The quantity whose name, and letter in the paper, it may have.
+    fn quantity(self, purpose: Purpose) -> Option<Quantity> {
         match (self, purpose) {
-            (Self::HalfOpening, _) => &["half_opening", "alpha"],
-            (Self::Friction, _) => &["friction", "mu"],
-            (Self::FrictionAngle, _) => &["friction_angle", "phi"],
-            (Self::GivenThickness, Purpose::Ask) => &["thickness", "eta", "given_thickness"],
-            (Self::Number(Quantity::Thickness), _) => &["thickness", "eta"],
-            _ => &[],
+            (Self::HalfOpening, _) => Some(Quantity::HalfOpening),
+            (Self::Friction, _) => Some(Quantity::Friction),
+            (Self::FrictionAngle, _) => Some(Quantity::FrictionAngle),
+            (Self::GivenThickness, Purpose::Ask) | (Self::Number(Quantity::Thickness), _) => {
+                Some(Quantity::Thickness)
+            }
+            _ => None,
         }
+    }
+
+    /// All names of it, the one to show first.
+    pub(super) fn names(self, purpose: Purpose) -> Vec<&'static str> {
+        let quantity = self.quantity(purpose);
+        let mut names: Vec<_> = quantity.map(Quantity::name).into_iter().collect();
+        names.extend(quantity.and_then(Quantity::letter));
+        if !names.contains(&self.name()) {
+            names.push(self.name());
+        }
+        names
     }
 
     /// Whether it is called so.
     pub(super) fn is_called(self, purpose: Purpose, name: &str) -> bool {
-        self.names(purpose).contains(&name) || self.name() == name
+        self.names(purpose).contains(&name)
     }
 
     /// Whether it may be in degrees.

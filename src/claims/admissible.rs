@@ -1,0 +1,255 @@
+//! The landmarks as states of the whole arch: inside at every joint, and how the mechanisms that meet there move.
+//!
+//! In an admissible state the lines of thrust and of friction are at their limits at the joints of a mechanism only
+//! (`modes.rs`). So "strictly inside" holds everywhere else, and there it cannot.
+
+use super::contacts::Contact;
+use super::landmarks::{certain_if, enclosed};
+use super::letters::{ring, variables};
+use super::modes::{CONTACTS, SEVEN_MODES};
+use super::{Claim, Derivation, Finding, Support};
+use crate::arch::{
+    Configuration, SelfWeight, Unknown, contact, overturning, sliding, statics, thrust,
+};
+use crate::certify::Undecided;
+use crate::number::{Angle, Ball, Enclosure, Field, Ternary};
+use crate::problem::{Condition, Examined, Fixed, Landmark, Mode};
+use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint};
+
+pub(super) const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "landmark-inside",
+        place: "Sec. 4, Fig. 7-11",
+        statement: "at T, S, J and B the lines of thrust and of friction are strictly inside the whole arch, \
+                    and no thinner arch stands",
+        decide: landmarks_stand,
+    },
+    Claim {
+        id: "landmark-inside-unlimited",
+        place: "Sec. 4, Fig. 12",
+        statement: "at l and L the lines of thrust and of friction are strictly inside the whole arch, and \
+                    no thinner arch stands",
+        decide: landmarks_without_thrust_stand,
+    },
+    Claim {
+        id: "landmark-T-modes",
+        place: "Sec. 4, Fig. 7-8",
+        statement: "at T four modes are possible at once, and the mechanism of each is a linear combination of the \
+                    other three",
+        decide: four_mechanisms_at_t,
+    },
+    Claim {
+        id: "landmark-S-joint",
+        place: "Sec. 4, Fig. 9",
+        statement: "at S one inner joint both rotates and slides: [r,r+s]",
+        decide: one_joint_rotates_and_slides,
+    },
+];
+
+/// Every condition of every mode that meets at a landmark, but for those that are zero by its equations.
+fn conditions_hold(d: &mut Derivation, landmark: Landmark) -> Result<(), Undecided> {
+    for weight in SelfWeight::ALL {
+        let at = enclosed(landmark, weight)?.1;
+        // The range of what is solved for comes first, and belongs to all modes.
+        for (place, (mode, conditions)) in landmark.conditions(weight).into_iter().enumerate() {
+            let state = Examined::new(weight, mode, &at);
+            let holds = |condition: &Condition| state.margin(*condition).is_positive();
+            let all = conditions.iter().map(holds).fold(Ternary::True, Ternary::and);
+            let of = if place == 0 { "the range of the unknowns" } else { mode.label() };
+            let words = format!(
+                "{}, {of}: {} conditions, {}",
+                landmark.symbol(),
+                conditions.len(),
+                weight.name()
+            );
+            d.certain(Support::Balls, words, all)?;
+        }
+    }
+    Ok(())
+}
+
+/// A margin with another crown moment.
+fn with_moment(margin: &Fraction, moment: &Fraction) -> Fraction {
+    margin.evaluate(moment, |symbol| match symbol {
+        Symbol::CrownMoment => moment.clone(),
+        other => other.number(),
+    })
+}
+
+fn landmarks_stand(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&CONTACTS)?;
+    let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
+    let (h, mu, free) = (Symbol::Thrust.number(), Symbol::Friction.number(), Relations::none());
+    let two = h.int(2);
+    let at_crown = ring.extrados() * &h / &two;
+    let upper = Contact::Extrados.margin(&alpha);
+    let lower = Contact::Intrados.margin(&joint);
+    let whole = thrust::whole(&alpha, &ring).residual(&h);
+    let words = "(4): U at the shoulder, if U = 0 at the crown";
+    d.identity(words, &with_moment(&upper, &at_crown), &-(whole / &two), &free)?;
+    let above = thrust::lower(&joint, &ring).residual(&h);
+    let words = "(2): L at the joint, if U = 0 at the crown";
+    d.identity(words, &with_moment(&lower, &at_crown), &(above / &two), &free)?;
+    let below = thrust::upper(&alpha, &joint, &ring).residual(&h);
+    let words = "(3): L at the joint, if U = 0 at the shoulder";
+    d.identity(words, &(lower.clone() + upper), &-(below / &two), &free)?;
+    let touching = thrust::tangency(&joint.times_cotangent(), &ring).residual(&h);
+    let slope = lower.derivative(&along_the_joint());
+    let expected = touching * &joint.sin / &two;
+    d.identity("(5): dL/d beta", &slope, &expected, &Relations::trigonometric())?;
+    let shoulder = sliding::shoulder(&alpha, &h).residual(&mu);
+    let words = "(17): mu N + T at the shoulder";
+    d.identity(words, &Contact::Outwards.margin(&alpha), &shoulder, &free)?;
+    let square = Symbol::Thrust.polynomial() - &Symbol::Thrust.polynomial().power(2);
+    let steepest = Relations::none().with(Symbol::Joint, 2, square);
+    let inner = sliding::inner(&joint, &h).residual(&mu) * &joint.rad / (h.int(1) - &h);
+    let words = "(18): mu N - T at beta_s";
+    d.identity(words, &Contact::Inwards.margin(&joint), &inner, &steepest)?;
+    d.conclude(
+        "So the equations of a landmark say which margins are exactly zero: those of the joints that turn or \
+         slide in one of its modes.",
+    );
+    for landmark in [Landmark::Triple, Landmark::Shift, Landmark::Junction, Landmark::Border] {
+        conditions_hold(d, landmark)?;
+    }
+    d.conclude("With the ends, the steepest joint and the touching joint inside, every joint is.");
+    Ok(Finding::Equality {
+        at: "the joints of the mechanisms: hinges, where the line of thrust is on a face, and sliding \
+             joints, where the line of friction is at its limit"
+            .to_owned(),
+    })
+}
+
+fn landmarks_without_thrust_stand(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
+    let (h, free) = (Symbol::Thrust.number(), Relations::none());
+    let (none, two) = (h.int(0), h.int(2));
+    let unloaded = |value: &Fraction| {
+        value.evaluate(&none, |symbol| match symbol {
+            Symbol::Thrust | Symbol::CrownMoment => none.clone(),
+            other => other.number(),
+        })
+    };
+    let normal = statics::normal_force(&joint, &none);
+    let words = "N where h = 0: positive below the crown, where nothing acts";
+    d.identity(words, &normal, &(joint.rad.clone() * &joint.sin), &free)?;
+    let upper = unloaded(&Contact::Extrados.margin(&alpha));
+    let whole = thrust::whole(&alpha, &ring).residual(&none);
+    d.identity("(4): U at the shoulder", &upper, &-(whole / &two), &free)?;
+    let slope = unloaded(&Contact::Intrados.margin(&joint)).derivative(&along_the_joint());
+    let fall = (h.int(1) - joint.times_cotangent()) * ring.intrados() / &two;
+    let expected = (fall - overturning::end_of_rotation(&ring)) * &joint.sin;
+    let words = "dL/d beta, with beta cot(beta) < 1 and, from eta_l on, the condition behind (16) not positive";
+    d.identity(words, &slope, &expected, &Relations::trigonometric())?;
+    d.conclude(
+        "So L, zero at the crown, grows. U grows and then falls from 0 to 0, and is positive between. Thinner arches \
+         have a positive bracket: at L it is zero for Milankovitch's weight, and falls as the thickness grows.",
+    );
+    for landmark in [Landmark::RotationEnd, Landmark::OverturningEnd] {
+        conditions_hold(d, landmark)?;
+    }
+    let ratio = statics::shear_force(&joint, &none) / normal;
+    d.identity("T/N", &ratio, &(joint.cos / joint.sin), &free)?;
+    d.conclude(
+        "It is bounded on any part of the arch off the crown, and unbounded next to it: the line of friction is inside if \
+         friction is infinite, and for no finite friction.",
+    );
+    Ok(Finding::Equality {
+        at: "the crown, where no force acts, and the shoulder's extrados; with infinite friction alone"
+            .to_owned(),
+    })
+}
+
+/// The rates of the crown's, the haunch's and the shoulder's hinge, of the inner joint and of the sliding shoulder,
+/// those of sliding joints times the sine of the joint.
+type Motion = [Fraction; 5];
+
+/// `[r,r,r]`, `[s,r,r]`, `[r,r,s]`, `[s,s]`.
+fn motions() -> [Motion; 4] {
+    let at: Configuration<Fraction> = variables();
+    let none = at.thrust.int(0);
+    let (turns, shoulder, inner) = (
+        contact::rates_of_rotation(&at),
+        contact::rates_of_shoulder_sliding(&at),
+        contact::rates_of_inner_sliding(&at),
+    );
+    let one = none.int(1);
+    [
+        [turns.crown, turns.haunch, turns.shoulder, none.clone(), none.clone()],
+        [shoulder.crown, shoulder.haunch, shoulder.shoulder, none.clone(), shoulder.sliding],
+        [inner.crown, inner.haunch, inner.shoulder, inner.sliding, none.clone()],
+        [none.clone(), none.clone(), none, one.clone(), one],
+    ]
+}
+
+fn four_mechanisms_at_t(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&SEVEN_MODES)?;
+    let free = Relations::none();
+    let [turns, shoulder, inner, slides] = motions();
+    let (a, ratio) = (shoulder[4].clone(), turns[2].clone());
+    d.define("a, the rate of the shoulder in [s,r,r]", &a);
+    d.define("c, that of the shoulder's hinge in [r,r,r]", &ratio);
+    for (place, rate) in ["crown", "haunch", "shoulder"].into_iter().zip(0..) {
+        let sum = shoulder[rate].clone() + ratio.clone() * &inner[rate] - a.clone() * &slides[rate];
+        let words = format!("[s,r,r] + c [r,r,s] - a [s,s] is [r,r,r], hinge at the {place}");
+        d.identity(words, &sum, &turns[rate], &free)?;
+    }
+    for (place, rate) in [("the inner joint", 3), ("the shoulder", 4)] {
+        let sum = shoulder[rate].clone() + ratio.clone() * &inner[rate] - a.clone() * &slides[rate];
+        let words = format!("the same, {place} sliding");
+        d.identity(words, &sum, &turns[rate], &free)?;
+    }
+    let [x, y, z] =
+        [&shoulder, &inner, &slides].map(|motion| [0, 2, 3].map(|rate| motion[rate].clone()));
+    let minor = |i: usize, j: usize| y[i].clone() * &z[j] - y[j].clone() * &z[i];
+    let determinant =
+        x[0].clone() * minor(1, 2) - x[1].clone() * minor(0, 2) + x[2].clone() * minor(0, 1);
+    let words = "the determinant of [s,r,r], [r,r,s], [s,s] in u, v, s: not zero";
+    d.identity(words, &determinant, &x[0].int(1), &free)?;
+    let [by_thrust, by_moment] = Contact::Extrados.row(&Angle::zero(&a));
+    let [slip, none] = Contact::Inwards.row(&Symbol::joint());
+    d.identity(
+        "of the two balances, that of h and p on the crown's hinge and the inner joint: not zero",
+        &(by_thrust * none - by_moment * slip),
+        &Symbol::Sine.number(),
+        &free,
+    )?;
+    for weight in SelfWeight::ALL {
+        let at = enclosed(Landmark::Triple, weight)?.1;
+        let rates: [(&str, Ball); 2] = [
+            ("a", contact::rates_of_shoulder_sliding(&at).sliding),
+            ("c", contact::rates_of_rotation(&at).shoulder),
+        ];
+        for (name, rate) in rates {
+            let words = format!("{name} > 0 at T, {}", weight.name());
+            d.certain(Support::Balls, words, rate.is_positive())?;
+        }
+    }
+    d.conclude(
+        "All rates are positive, and five rates with two balances leave three free: three of the four span all \
+         motions, and as neither 1, c nor a is zero, any three do. Not all with positive coefficients: \
+         [r,r,r] + a [s,s] = [s,r,r] + c [r,r,s].",
+    );
+    Ok(Finding::AsPrinted)
+}
+
+fn one_joint_rotates_and_slides(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&SEVEN_MODES)?;
+    for weight in SelfWeight::ALL {
+        let (name, at) = (weight.name(), enclosed(Landmark::Shift, weight)?.1);
+        let system = Landmark::Shift.system(weight);
+        let same = Some(Fixed::SameAs(Unknown::SlidingJoint));
+        let words = format!("beta_r = beta_s, {name}");
+        let is_same = system.fixed_value(Unknown::RotationJoint) == same;
+        d.certain(Support::Algebra, words, certain_if(is_same))?;
+        let state = Examined::new(weight, Mode::RotationalSliding, &at);
+        let crown = state.margin(Condition::ExtradosAtCrown).is_positive();
+        d.certain(Support::Balls, format!("U > 0 at the crown, {name}"), crown)?;
+        let rates = contact::rates_of_inner_sliding(&at);
+        for (words, rate) in [("turns", rates.haunch), ("slides", rates.sliding)] {
+            d.certain(Support::Balls, format!("it {words}, {name}"), rate.is_positive())?;
+        }
+    }
+    d.conclude("The crown has no hinge; the shoulder turns, and slides too in [s,s].");
+    Ok(Finding::AsPrinted)
+}

@@ -1,0 +1,296 @@
+//! Why there are seven collapse modes, and no others.
+//!
+//! A mechanism gives each joint at its limit a rate that is not negative, so that neither the thrust `h` nor the
+//! crown moment `p` works on it. In an admissible state few joints are at their limit. Let `u` be the rate of the
+//! crown's hinge, `l` of the haunch's, `v` of the shoulder's, `s` of the joint that slides inwards and `t` of the
+//! shoulder that slides outwards. Then `l = u + v`, and with `a` and `b` the lever arms of the haunch,
+//!
+//! ```text
+//! a u + sin(beta_s) s = b v + sin(alpha) t,      a, b > 0
+//! ```
+//!
+//! **What gives way inside is carried by what gives way at the shoulder**: each mechanism is a sum of four, with one
+//! term on each side.
+
+use super::along::Along;
+use super::contacts::{Contact, slopes};
+use super::domains::DISTANCES_RISE_AND_FALL;
+use super::frictions::SLOPES_OF_FRICTION;
+use super::landmarks::{certain_if, state_of};
+use super::letters::{ring, variables};
+use super::{Claim, Derivation, Finding, Support};
+use crate::arch::{Configuration, SelfWeight, contact, statics, thrust};
+use crate::certify::Undecided;
+use crate::number::{Angle, Ball, Enclosure, Field};
+use crate::problem::Mode;
+use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint};
+use rug::Rational;
+
+pub(super) const CLAIMS: &[Claim] = &[CONTACTS, LEVER, SEVEN_MODES, MODES_OCCUR];
+
+pub(super) const CONTACTS: Claim = Claim {
+    id: "modes-contacts",
+    place: "Sec. 3, 4",
+    statement: "in an admissible state the line of thrust reaches the extrados at the crown and at the \
+                shoulder only, and the intrados at one joint only; friction is used up inwards at one \
+                joint only, above a shoulder at its limit, and outwards at the shoulder only",
+    decide: contacts,
+};
+
+pub(super) const LEVER: Claim = Claim {
+    id: "modes-lever",
+    place: "Sec. 3",
+    statement: "a line of thrust on the shoulder's extrados and on the intrados above it has a positive \
+                lever arm between the two",
+    decide: lever,
+};
+
+pub(super) const SEVEN_MODES: Claim = Claim {
+    id: "modes-seven",
+    place: "Sec. 3",
+    statement: "the seven modes are all there are: a symmetric mechanism without dilatancy is one of \
+                them, or several at once",
+    decide: seven_modes,
+};
+
+const MODES_OCCUR: Claim = Claim {
+    id: "modes-occur",
+    place: "Sec. 3",
+    statement: "each of the seven modes occurs, with either weight",
+    decide: modes_occur,
+};
+
+/// `U`, `L` at a joint, whose difference is known and whose directions change once.
+fn contacts(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.assume("0 < alpha < pi, 0 < eta <= 2, 0 < mu < inf");
+    d.lemma(&DISTANCES_RISE_AND_FALL)?;
+    d.lemma(&SLOPES_OF_FRICTION)?;
+    let (joint, alpha) = (Symbol::joint(), Symbol::half_opening());
+    let (ring, h, mu) = (ring(), Symbol::Thrust.number(), Symbol::Friction.number());
+    let (free, circle, two) = (Relations::none(), Relations::trigonometric(), h.int(2));
+    let [upper, lower, inwards, _] = Contact::ALL.map(|contact| contact.margin(&joint));
+    let rise = h.int(1) - &h + joint.times_cotangent();
+    let slope = (ring.centroid_factor.clone() - ring.intrados() * rise / &two) * &joint.sin;
+    let words = "dL/d beta, L = p + fac (1 - cos(beta)) - (1 - eta/2) N; the bracket grows";
+    d.identity(words, &lower.derivative(&along_the_joint()), &slope, &circle)?;
+    let normal = statics::normal_force(&joint, &h);
+    d.identity("U + L", &(upper.clone() + &lower), &(normal.clone() * &ring.thickness), &free)?;
+    let without = |value: &Fraction, gone: Symbol| {
+        let zero = value.int(0);
+        value.evaluate(&zero, |symbol| if symbol == gone { zero.clone() } else { symbol.number() })
+    };
+    let near = (mu * &joint.sin - &joint.cos) * &joint.rad;
+    let words = "mu N - T without thrust: negative next to the crown, so that h > 0";
+    d.identity(words, &without(&inwards, Symbol::Thrust), &near, &free)?;
+    let moment = Symbol::CrownMoment.number() + joint.versine() * &ring.centroid_factor;
+    let words = "U where N = 0: negative, as p >= (1 - eta/2) h, so that N > 0";
+    d.identity(words, &(upper - ring.extrados() * normal / &two), &-moment, &free)?;
+    d.conclude(
+        "With h > 0 and N > 0: U first grows and then falls, strictly, and L first falls and then grows. \
+         Not negative at either end, U is positive between; L is zero at one joint at most. T/N \
+         starts from 0 at the crown, grows up to beta_s and falls beyond: it is mu at one joint at most, at \
+         beta_s or, in an arch that ends before, at the shoulder; it is -mu at the shoulder only, and then \
+         beta_s < alpha.",
+    );
+    let crown = Angle::zero(&h);
+    let distances = Contact::Extrados.margin(&crown) - Contact::Extrados.margin(&alpha);
+    let opening = thrust::opening_variable(&alpha);
+    let expected = ring.extrados() * (h.clone() * &opening.denominator - opening.numerator) / &two
+        + alpha.versine() * &ring.centroid_factor;
+    d.identity("U at the crown less U at the shoulder", &distances, &expected, &free)?;
+    let rest = (h.int(6) - Symbol::Flag.number() * &ring.thickness) * &ring.thickness / h.int(12);
+    d.identity(
+        "1 + eta/2 - fac: positive, so that h >= A - 1 if the shoulder is on the extrados",
+        &(ring.extrados() / &two - &ring.centroid_factor),
+        &rest,
+        &free,
+    )?;
+    let term = |n: i32, m: i32, power: usize| {
+        Fraction::from(Symbol::HalfOpening.polynomial().power(power)) * h.ratio(n, m)
+    };
+    let sine = term(1, 1, 1) - term(1, 6, 3);
+    let versine = term(1, 2, 2) - term(1, 24, 4) + term(1, 720, 6);
+    d.identity(
+        "alpha sin - (2 - alpha²)(1 - cos) is at least this, positive for 0 < alpha <= 1/2",
+        &(term(1, 1, 1) * sine - (term(2, 1, 0) - term(1, 1, 2)) * versine),
+        &(term(5, 12, 4) - term(2, 45, 6) + term(1, 720, 8)),
+        &free,
+    )?;
+    d.conclude(
+        "So a shoulder on the extrados has 1 - h <= 2 - A < alpha² if alpha <= 1/2, and beta_s < alpha; \
+         for alpha > 1/2 that is so anyway, as beta_s <= 1/2.",
+    );
+    Ok(Finding::Implicit)
+}
+
+/// The lever arm between the haunch's intrados and the shoulder's extrados.
+fn lever(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.assume("0 <= beta <= alpha < pi, 0 < eta <= 2, h >= 0");
+    let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
+    let (h, eta, free) = (Symbol::Thrust.number(), &ring.thickness, Relations::none());
+    let two = h.int(2);
+    let arm = (ring.intrados() * &joint.cos - ring.extrados() * &alpha.cos) / &two;
+    let sum = Contact::Intrados.margin(&joint) + Contact::Extrados.margin(&alpha);
+    let bracket = sum.clone() + h.clone() * &arm;
+    let free_of_h: Fraction = bracket.derivative(&[(Symbol::Thrust, Polynomial::from(1))]);
+    d.identity("L(beta) + U(alpha) + h b is free of h", &free_of_h, &h.int(0), &free)?;
+    let area = |at: &Angle<Fraction>| at.rad.clone() * &at.sin + &at.cos;
+    let growth = area(&alpha) - area(&joint);
+    let gain = (h.int(6) - Symbol::Flag.number() * eta) * eta / h.int(12);
+    let expected = growth * ring.extrados() / &two
+        + joint.rad.clone() * &joint.sin * eta
+        + (joint.cos.clone() - &alpha.cos) * gain;
+    d.identity("it is", &bracket, &expected, &free)?;
+    let words = "d(beta sin(beta) + cos(beta))/d beta, positive below pi/2";
+    let slope = area(&joint).derivative(&along_the_joint());
+    d.identity(words, &slope, &(joint.rad.clone() * &joint.cos), &free)?;
+    d.conclude(
+        "Suppose b <= 0. As cos(alpha) <= cos(beta), cos(alpha) is not negative, so that alpha <= pi/2, \
+         and each of the three terms is not negative; one is positive, as alpha > 0. But L = U = 0 \
+         and -h b >= 0: a contradiction. So b > 0.",
+    );
+    Ok(Finding::Implicit)
+}
+
+fn seven_modes(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&CONTACTS)?;
+    d.lemma(&LEVER)?;
+    let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
+    let (h, free, crown) =
+        (Symbol::Thrust.number(), Relations::none(), Angle::zero(&ring.thickness));
+    let two = h.int(2);
+    for contact in [Contact::Extrados, Contact::Intrados] {
+        let [by_thrust, by_moment] = slopes(&contact.margin(&joint));
+        let [row, unit] = contact.row(&joint);
+        let name = contact.name();
+        d.identity(format!("the work of h on a hinge, d{name}/dh"), &by_thrust, &row, &free)?;
+        d.identity(format!("the work of p on it, d{name}/dp"), &by_moment, &unit, &free)?;
+    }
+    let shear = slopes(&statics::shear_force(&joint, &h));
+    let [row, _] = Contact::Inwards.row(&joint);
+    let words = "the work of h on a joint that slides along itself is that on T";
+    d.identity(words, &-shear[0].clone(), &row, &free)?;
+    // With the multiple of the haunch's row for p that takes the haunch out.
+    let balance = |[by_thrust, by_moment]: [Fraction; 2]| {
+        by_thrust + by_moment * ring.intrados() * &joint.cos / &two
+    };
+    let (inner, outer) = (ring.intrados() * &joint.cos, ring.extrados());
+    let (a, b) = ((outer.clone() - &inner) / &two, (inner - outer * &alpha.cos) / &two);
+    let terms = [
+        ("a u, of the crown's hinge", Contact::Extrados.row(&crown), a.clone()),
+        ("no l, of the haunch's hinge", Contact::Intrados.row(&joint), h.int(0)),
+        ("-b v, of the shoulder's hinge", Contact::Extrados.row(&alpha), -b.clone()),
+        ("s sin(beta_s), of an inner joint", Contact::Inwards.row(&joint), joint.sin.clone()),
+        ("-t sin(alpha), of the shoulder", Contact::Outwards.row(&alpha), -alpha.sin.clone()),
+    ];
+    for (words, row, expected) in terms {
+        d.identity(format!("the balance of h has {words}"), &balance(row), &expected, &free)?;
+    }
+    let opening = (joint.cos.int(1) + &joint.cos) * &ring.thickness / &two;
+    d.identity("a, positive as eta is", &a, &(joint.versine() + opening), &free)?;
+    let at = variables();
+    let rates = [
+        (Mode::Rotational, contact::rates_of_rotation(&at), 0),
+        (Mode::SlidingRotational, contact::rates_of_shoulder_sliding(&at), -1),
+        (Mode::RotationalSliding, contact::rates_of_inner_sliding(&at), 1),
+    ];
+    for (mode, rates, side) in rates {
+        let sum = a.clone() * &rates.crown - b.clone() * &rates.shoulder
+            + rates.sliding * h.int(side)
+            + (rates.haunch - rates.crown - rates.shoulder) * ring.intrados();
+        let words = format!("the rates by which {mode} is proved are in balance");
+        d.identity(words, &sum, &h.int(0), &free)?;
+    }
+    let slope = Contact::Intrados.margin(&joint).derivative(&along_the_joint());
+    let shear = statics::shear_force(&joint, &h);
+    let thick =
+        ring.thickness.clone() / &two + Symbol::Flag.number() * ring.thickness.square() / h.int(12);
+    d.identity(
+        "dL/d beta again: positive where T < 0, so that L is not zero first at a shoulder that slides",
+        &slope,
+        &(thick * &joint.sin - ring.intrados() * shear / &two),
+        &free,
+    )?;
+    d.conclude(
+        "The work of p gives l = u + v, that of h a u + s sin(beta_s) = b v + t sin(alpha), where b > 0 if v > 0. \
+         One joint is not at both faces, as U + L = eta N > 0; so L = 0 at the shoulder excludes v, leaves \
+         u and t, and is excluded by dL/d beta. A mechanism has a term on each side, and is a sum of pairs, each \
+         balanced by itself: u and v, [r,r,r]; u and t, [s,r,r]; s and t, [s,s]; s and v, which is \
+         [r,r,s] for beta_r >= beta_s, [r,s,r] for 0 < beta_r <= beta_s and [r,s] for beta_r = 0. With u, beta_r is \
+         not 0.",
+    );
+    let without = |value: &Fraction| {
+        let zero = value.int(0);
+        value.evaluate(&zero, |symbol| match symbol {
+            Symbol::Thrust => zero.clone(),
+            other => other.number(),
+        })
+    };
+    let p = Symbol::CrownMoment.number();
+    for (contact, expected) in [(Contact::Extrados, -p.clone()), (Contact::Intrados, p)] {
+        let words = format!("{} at the crown without thrust", contact.name());
+        d.identity(words, &without(&contact.margin(&crown)), &expected, &free)?;
+    }
+    d.conclude(
+        "With unlimited friction s = t = 0, and u and v remain: [r,r,r] for h > 0. For h = 0, p is 0, the crown is at \
+         both faces and opens, and L grows from there: [r].",
+    );
+    Ok(Finding::AsPrinted)
+}
+
+/// Half opening and friction of an arch of each mode that has a least thickness, for Heyman's and for Milankovitch's
+/// weight.
+const EXAMPLES: [(Mode, [(&str, Option<&str>); 2]); 6] = [
+    (Mode::Rotational, [("3/2", Some("1")); 2]),
+    (Mode::SlidingRotational, [("pi/2", Some("0.35")); 2]),
+    (Mode::RotationalSliding, [("2.54", Some("1.6")), ("2.45", Some("1.35"))]),
+    (Mode::RotationalSlidingRotational, [("2.607", Some("1.9")), ("2.535", Some("1.57"))]),
+    (Mode::OverturningSliding, [("2.65", Some("2.2")), ("2.57", Some("2.2"))]),
+    (Mode::Overturning, [("2.7", None), ("2.62", None)]),
+];
+
+fn modes_occur(d: &mut Derivation) -> Result<Finding, Undecided> {
+    for (mode, arches) in EXAMPLES {
+        for (weight, (half_opening, friction)) in SelfWeight::ALL.into_iter().zip(arches) {
+            let found = state_of(half_opening, friction, weight)?.mode;
+            let friction = friction.unwrap_or("inf");
+            let words =
+                format!("alpha = {half_opening}, mu = {friction}: {mode}, {}", weight.name());
+            d.certain(Support::Balls, words, certain_if(found == mode))?;
+        }
+    }
+    for weight in SelfWeight::ALL {
+        let name = weight.name();
+        for (words, margin) in room_of_pure_sliding(weight)? {
+            d.certain(Support::Balls, format!("{words}, {name}"), margin.is_positive())?;
+        }
+    }
+    d.conclude(
+        "At its least friction the arch of half opening 1 and thickness 1 has room for the line of thrust \
+         that starts in the middle of the crown: L is least at the crown, U at crown or shoulder. It \
+         can only slide, at beta_s and at the shoulder: [s,s].",
+    );
+    Ok(Finding::Implicit)
+}
+
+/// What is left to a line of thrust in an arch that only slides: half opening 1, thickness 1, thrust in the middle
+/// of the crown.
+pub(super) fn room_of_pure_sliding(
+    weight: SelfWeight,
+) -> Result<[(&'static str, Ball); 4], Undecided> {
+    let Along { alpha, thrust: h, .. } = Along::sliding(&Rational::from(1))?;
+    let at = Configuration {
+        half_opening: alpha.clone(),
+        rotation_joint: Angle::zero(&h),
+        sliding_joint: Angle::zero(&h),
+        thickness: h.int(1),
+        thrust: h.clone(),
+        friction: h.int(0),
+    };
+    Ok([
+        ("h > 0 at alpha = 1", h.clone()),
+        ("dL/d beta > 0 next to the crown, eta = 1", contact::crown_slope(weight, &at)),
+        ("U > 0 at the shoulder", contact::extrados_margin_at_shoulder(weight, &at, &h)),
+        ("N > 0 there", statics::normal_force(&alpha, &h)),
+    ])
+}

@@ -1,0 +1,199 @@
+//! Among symmetric states the least thickness is unique, though friction is not associated.
+//!
+//! A joint that slides does so along itself, while its condition would have it open too. In the half arch only the
+//! thrust works on it, so that the rate of the joint can be scaled: from a mechanism without dilatancy one with it is
+//! made, by positive factors. For that one the sum of the rates times the margins is the same in all states, and the
+//! usual argument of the static theorem holds. It needs the symmetry: where a vertical force in the crown works
+//! too, no factor serves both. **Asymmetric mechanisms are not in question here.**
+
+use super::contacts::{Contact, slopes};
+use super::frictions::SLIDING_STATES_IN_ORDER;
+use super::letters::ring;
+use super::modes::{SEVEN_MODES, room_of_pure_sliding};
+use super::{Claim, Derivation, Finding, Support};
+use crate::arch::{SelfWeight, statics};
+use crate::certify::Undecided;
+use crate::number::{Angle, Enclosure, Field};
+use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol};
+
+pub(super) const CLAIMS: &[Claim] = &[
+    SYMMETRIC_MEAN,
+    MECHANISM_BOUNDS,
+    THICKER_HAS_ROOM,
+    Claim {
+        id: "unique-thickness",
+        place: "Sec. 5",
+        statement: "above its least thickness an arch has no symmetric mechanism without dilatancy: the \
+                    static and the kinematic thickness are one. The only exception is the friction of \
+                    pure sliding, where [s,s] moves at each thickness that stands. (Asymmetric \
+                    mechanisms are not included.)",
+        decide: one_thickness,
+    },
+];
+
+const SYMMETRIC_MEAN: Claim = Claim {
+    id: "unique-mean",
+    place: "Sec. 2, 4",
+    statement: "if the whole arch has an admissible state, asymmetric or not, it has a symmetric one: the \
+                mean of the state and its mirror image",
+    decide: symmetric_mean,
+};
+
+pub(super) const MECHANISM_BOUNDS: Claim = Claim {
+    id: "unique-work",
+    place: "Sec. 4, 5",
+    statement: "no thrust and crown moment leave a positive margin at all joints that move in a symmetric \
+                mechanism without dilatancy: all these margins are zero, or one is negative",
+    decide: mechanism_bounds,
+};
+
+pub(super) const THICKER_HAS_ROOM: Claim = Claim {
+    id: "unique-thicker",
+    place: "Sec. 4, 5",
+    statement: "a thrust that is admissible at one thickness is so at each larger one up to 2, with a line of \
+                thrust off both faces at every joint",
+    decide: thicker_has_room,
+};
+
+/// The state with the thrust and the crown moment zero.
+fn without_forces(value: &Fraction) -> Fraction {
+    let zero = value.int(0);
+    value.evaluate(&zero, |symbol| match symbol {
+        Symbol::Thrust | Symbol::CrownMoment => zero.clone(),
+        other => other.number(),
+    })
+}
+
+fn symmetric_mean(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let (joint, h, v) = (Symbol::joint(), Symbol::Thrust.number(), Symbol::CrownShear.number());
+    let (free, two) = (Relations::none(), h.int(2));
+    d.assume("a vertical force v in the crown carries v of the weight above each joint");
+    let right = Angle { rad: joint.rad.clone() - &v, ..joint.clone() };
+    let left = Angle { rad: -(joint.rad.clone() + &v), sin: -joint.sin.clone(), ..joint.clone() };
+    let normal = |at| statics::normal_force(at, &h);
+    let shear = |at| statics::shear_force(at, &h);
+    let words = "half of N at beta and at -beta is N at beta with v = 0";
+    d.identity(words, &((normal(&right) + normal(&left)) / &two), &normal(&joint), &free)?;
+    let words = "half of T at beta less T at -beta is T at beta with v = 0";
+    d.identity(words, &((shear(&right) - shear(&left)) / &two), &shear(&joint), &free)?;
+    let moment =
+        |at: &Angle<Fraction>| Symbol::CrownMoment.number() + at.versine() * ring().centroid_factor;
+    d.identity("M is the same at both", &moment(&left), &moment(&joint), &free)?;
+    d.conclude(
+        "What both sides of the arch satisfy, (1 - eta/2) N <= M <= (1 + eta/2) N and -mu N <= T, -T <= mu N, \
+         their means satisfy, as each condition is linear: the state (h, p, 0).",
+    );
+    Ok(Finding::Implicit)
+}
+
+fn mechanism_bounds(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&SEVEN_MODES)?;
+    let (joint, h) = (Symbol::joint(), Symbol::Thrust.number());
+    let (free, circle) = (Relations::none(), Relations::trigonometric());
+    let p = Symbol::CrownMoment.number();
+    for contact in Contact::ALL {
+        let margin = contact.margin(&joint);
+        let [by_thrust, by_moment] = slopes(&margin);
+        let sum = without_forces(&margin) + by_thrust * &h + by_moment * &p;
+        let words = format!("{} is linear in h and p", contact.name());
+        d.identity(words, &margin, &sum, &free)?;
+    }
+    let (shear, normal) = (statics::shear_force(&joint, &h), statics::normal_force(&joint, &h));
+    for (contact, friction) in [(Contact::Inwards, shear.clone()), (Contact::Outwards, -shear)] {
+        let [by_thrust, _] = slopes(&contact.margin(&joint));
+        let friction = friction / &normal;
+        let at_limit = by_thrust.evaluate(&h, |symbol| match symbol {
+            Symbol::Friction => friction.clone(),
+            other => other.number(),
+        });
+        let [row, _] = contact.row(&joint);
+        let scaled = row * &joint.rad / (joint.sin.clone() * &normal);
+        let words = format!(
+            "d({})/dh at its limit is the work of h on the sliding joint times beta/(N sin(beta))",
+            contact.name()
+        );
+        d.identity(words, &at_limit, &scaled, &circle)?;
+    }
+    d.conclude(
+        "Divide the rates of sliding joints by this positive number, and leave those of the hinges: then the \
+         sum of the rates times the margins is free of h and p. It is zero in the state in which the \
+         mechanism moves, so in all: the margins with a rate are all zero, or one is negative.",
+    );
+    Ok(Finding::Implicit)
+}
+
+fn thicker_has_room(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.assume("0 < eta < 2, 0 <= delta_M <= 1, h > 0");
+    let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
+    let (h, eta, delta) = (Symbol::Thrust.number(), ring.thickness.clone(), Symbol::Flag.number());
+    let (free, two) = (Relations::none(), h.int(2));
+    let by_thickness = [(Symbol::Thickness, Polynomial::from(1))];
+    let intrados = Contact::Intrados.margin(&joint);
+    let crown = Contact::Extrados.margin(&Angle::zero(&h)) + &intrados;
+    let normal = statics::normal_force(&joint, &h);
+    let slope = (h.clone() + normal) / &two + delta.clone() * &eta * joint.versine() / h.int(6);
+    let words =
+        "what is left to p between the crown's extrados and a joint's intrados grows with eta";
+    d.identity(words, &crown.derivative(&by_thickness), &slope, &free)?;
+    let shoulder = Contact::Extrados.margin(&alpha) + intrados;
+    let bend = shoulder.derivative(&by_thickness).derivative(&by_thickness);
+    let expected = -(delta.clone() * (joint.cos.clone() - &alpha.cos) / h.int(6));
+    let words =
+        "what is left to it between the shoulder's extrados and a joint's intrados is concave";
+    d.identity(words, &bend, &expected, &free)?;
+    let thick = |value: &Fraction| {
+        value.evaluate(&h, |symbol| match symbol {
+            Symbol::Thickness => two.clone(),
+            other => other.number(),
+        })
+    };
+    let third = h.int(1) + delta.clone() / h.int(3);
+    let normal = statics::normal_force(&alpha, &h);
+    let margin = normal.clone() * &two - third.clone() * alpha.versine();
+    let words = "at eta = 2 it is at least 2 N(alpha) - (1 + delta/3) (1 - cos(alpha))";
+    d.identity(words, &thick(&shoulder), &(margin.clone() + third * joint.versine()), &free)?;
+    let held = ring.extrados() * normal - two.clone() * &ring.centroid_factor * alpha.versine();
+    let gain = (two.clone() - &eta) * (h.int(3) - delta.clone() - delta * &eta) / h.int(6);
+    d.identity(
+        "and that, times 1 + eta/2, is 2 (p + U) of the shoulder at eta and a positive number",
+        &(margin * ring.extrados() / &two),
+        &(held + gain * alpha.versine()),
+        &free,
+    )?;
+    d.conclude(
+        "p is not negative, so that the room is positive at 2; concave and not negative at eta, it is positive between. \
+         So each lower bound of p, from the intrados of a joint, is below both upper bounds, from the extrados of \
+         crown and shoulder, and U, which is least there, is positive at every joint. Friction does not see the \
+         thickness.",
+    );
+    Ok(Finding::Implicit)
+}
+
+fn one_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.assume("0 < mu < inf");
+    d.lemma(&MECHANISM_BOUNDS)?;
+    d.lemma(&THICKER_HAS_ROOM)?;
+    d.lemma(&SLIDING_STATES_IN_ORDER)?;
+    d.conclude(
+        "Let an arch stand that is thicker than one that stands too. It has an admissible state with room at both \
+         faces everywhere: so no hinge has a rate. What remains is [s,s], and then the friction is that of the purely \
+         sliding state of the half opening.",
+    );
+    d.conclude(
+        "At the least thickness no state leaves a positive margin at all joints, or a thinner arch would \
+         stand, as the margins are continuous. Linear inequalities without a strict solution have multipliers: \
+         rates in balance, not all zero, which move only joints at their limit. With those of the sliding joints \
+         scaled back they are a mechanism.",
+    );
+    for weight in SelfWeight::ALL {
+        for (words, margin) in room_of_pure_sliding(weight)? {
+            let words = format!("the exception: {words}, {}", weight.name());
+            d.certain(Support::Balls, words, margin.is_positive())?;
+        }
+    }
+    d.conclude(
+        "There the line of thrust is off both faces, so that thinner arches of half opening 1 stand too, and yet \
+         [s,s] can move at thickness 1.",
+    );
+    Ok(Finding::Implicit)
+}
