@@ -53,7 +53,9 @@ pub enum Support {
     Algebra,
     /// Balls that cover a whole range.
     Balls,
-    /// A conclusion from the steps before.
+    /// Another claim, decided by itself.
+    Claim,
+    /// A conclusion from the steps before, in words.
     Conclusion,
 }
 
@@ -65,6 +67,7 @@ impl Support {
             Self::Definition => "definition",
             Self::Algebra => "algebra",
             Self::Balls => "balls",
+            Self::Claim => "claim",
             Self::Conclusion => "conclusion",
         }
     }
@@ -159,7 +162,7 @@ impl Derivation {
             Err(undecided) => return Err(undecided.about(claim.id)),
         }
         self.beneath.extend(decision.derivation.supports());
-        self.push(Support::Conclusion, format!("By {}: {}", claim.id, claim.statement), None);
+        self.push(Support::Claim, format!("{}: {}", claim.id, claim.statement), None);
         Ok(())
     }
 

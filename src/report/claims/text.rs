@@ -43,6 +43,7 @@ fn steps(decision: &Decision, out: &mut dyn io::Write) -> io::Result<()> {
             Support::Definition => "let   ",
             Support::Algebra => "exact ",
             Support::Balls => "balls ",
+            Support::Claim => "by    ",
             Support::Conclusion => "so    ",
         };
         lines(&step.words, &format!("    {mark} "), INDENT, out)?;
