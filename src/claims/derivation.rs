@@ -197,6 +197,18 @@ impl Derivation {
         right: &Fraction,
         relations: &Relations,
     ) -> Result<(), Undecided> {
+        self.identity_as(words, left, right, relations, right.into())
+    }
+
+    /// The same, with the right side shown as it was made.
+    pub fn identity_as(
+        &mut self,
+        words: impl Into<String>,
+        left: &Fraction,
+        right: &Fraction,
+        relations: &Relations,
+        shown: Formula,
+    ) -> Result<(), Undecided> {
         let words = words.into();
         let left = if self.twin() { false_twin(left) } else { left.clone() };
         if [&left, right].iter().any(|x| relations.normal_form(x.denominator()).is_zero()) {
@@ -207,7 +219,7 @@ impl Derivation {
         if !normal_form.is_zero() {
             return Err(Undecided::new(format!("{words}: the difference is {normal_form}")));
         }
-        self.push(Support::Algebra, words, Some(right.into()));
+        self.push(Support::Algebra, words, Some(shown));
         Ok(())
     }
 

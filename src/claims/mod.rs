@@ -19,6 +19,7 @@
 //! | why a symmetric arch has one least thickness | `uniqueness.rs` |
 //! | why the modes fill the map | `tiling.rs` |
 //! | the landmarks as states of the whole arch | `admissible.rs` |
+//! | signs by algebra | `sign.rs` |
 //! | what the paper says, place by place, and what decides it | `index.rs`, `sentences.rs` |
 //!
 //! A claim is decided by a [`Derivation`]: the equations of `arch` are evaluated over
@@ -45,6 +46,7 @@ mod modes;
 mod moments;
 mod overturning;
 mod sentences;
+mod sign;
 mod sliding;
 mod tiling;
 mod uniqueness;
