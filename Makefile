@@ -1,7 +1,7 @@
 # `make` builds couplet and prints the landmark constants; `make test` runs every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build test lint docs msrv deny snapshots constants checker combinations crates examples exporters bench peers \
+.PHONY: run build test lint docs msrv deny snapshots constants states checker combinations crates examples exporters bench peers \
         proofs witness m4 coq
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
@@ -59,6 +59,15 @@ deny:
 constants: build
 	./target/release/couplet certify all --digits 100 --output proofs/constants
 
+# One certified state of each collapse mode, for Coq; a test says whether they are up to date.
+states: build
+	mkdir -p proofs/states
+	while read -r name weight alpha mu; do \
+	  ./target/release/couplet certify state --weight $$weight --alpha $$alpha --mu $$mu --digits 30 \
+	    --output proofs/states/$$name.json || exit 1; \
+	done < proofs/states/arches.txt
+	./target/release/couplet prove --coq proofs/coq/generated --state proofs/states/*.json
+
 # The checker of certificates alone, which must need neither GMP nor MPFR: `couplet check`, and its tests.
 checker:
 	cargo build --release --locked --no-default-features --features check,cli --target-dir target/checker
@@ -109,7 +118,7 @@ witness:
 	  echo "couplet: the third check needs Python 3.10 or newer with venv and python-flint (pip install python-flint)" >&2; \
 	  exit 1; }
 	@if python3 -c 'import flint' 2>/dev/null; then python=python3; else python=$(ARB)/bin/python3; fi; \
-	$$python proofs/check_with_arb.py proofs/constants/*.json
+	$$python proofs/check_with_arb.py proofs/constants/*.json proofs/states/*.json
 
 # GMP's configure script, run by the first build, needs m4.
 m4:

@@ -463,30 +463,23 @@ Proof.
   lra.
 Qed.
 
-Theorem thicker_arch_stands (delta alpha beta eta eta' : R) :
-  0 <= delta <= 1 -> 0 < beta < PI -> 0 < alpha < PI -> 0 < eta < 2 -> eta <= eta' <= 2 ->
-  rotational_state delta alpha beta eta ->
-  let h := h_lower delta beta eta in
-  exists p, forall x, 0 <= x <= alpha -> joint_stands delta x eta' h p.
+(** Any state with a thrust that the limit bears. *)
+Theorem thicker_arch_stands_by_limit (delta alpha eta eta' h p : R) :
+  0 <= delta -> 0 < alpha < PI -> 0 < eta < 2 -> eta <= eta' <= 2 -> 0 <= h ->
+  fac delta 2 * (1 - cos alpha) <= 2 * normal_force alpha h ->
+  (forall x, 0 <= x <= alpha -> joint_stands delta x eta h p) ->
+  exists p', forall x, 0 <= x <= alpha -> joint_stands delta x eta' h p'.
 Proof.
-  intros Hd Hb Ha He He' Hstate h.
-  assert (Hh := rotational_thrust_positive delta alpha beta eta Hb He Hstate). fold h in Hh.
-  assert (Hstands := rotational_state_stands delta alpha beta eta (proj1 Hd) Hb Ha He Hstate).
-  cbv zeta in Hstands. fold h in Hstands. destruct Hstate as [_ H24].
-  assert (Hversine : 0 < 1 - cos alpha) by (apply versine_positive; lra).
-  apply whole_thrust_cleared in H24; [fold h in H24 | lra | lra].
-  assert (Hshoulder : extrados eta * normal_force alpha h
-                      = extrados eta * h + fac delta eta * (1 - cos alpha))
-    by (unfold extrados, normal_force; lra).
-  assert (Hlimit := gap_at_limit_not_negative delta alpha eta h Hd ltac:(lra) ltac:(lra)
-                      ltac:(lra) Hshoulder).
+  intros Hd Ha He He' Hh Hlimit Hstands.
   set (from_crown := extrados eta' * h).
   set (from_shoulder := extrados eta' * normal_force alpha h - fac delta eta' * (1 - cos alpha)).
   exists (Rmin from_crown from_shoulder). intros x Hx.
-  destruct (Hstands x Hx) as [HN Hinside].
-  apply joint_stands_iff_thrust_inside in Hinside; [|easy].
-  destruct Hinside as (_ & Hin & Hout).
-  split; [lra|]. split.
+  destruct (Hstands 0 ltac:(lra)) as (_ & _ & Hcrown).
+  destruct (Hstands alpha ltac:(lra)) as (_ & _ & Hshoulder).
+  destruct (Hstands x Hx) as (HN & Hin & _).
+  replace (normal_force 0 h) with h in Hcrown by (unfold normal_force; rewrite cos_0, sin_0; ring).
+  rewrite cos_0 in Hcrown.
+  split; [exact HN|]. split.
   - (* intrados *)
     enough (intrados eta' * normal_force x h - fac delta eta' * (1 - cos x)
             <= Rmin from_crown from_shoulder) by lra.
@@ -527,6 +520,26 @@ Proof.
     + unfold extrados. lra.
     + apply Rmin_l.
     + assert (H := Rmin_r from_crown from_shoulder). unfold from_shoulder in *. lra.
+Qed.
+
+Theorem thicker_arch_stands (delta alpha beta eta eta' : R) :
+  0 <= delta <= 1 -> 0 < beta < PI -> 0 < alpha < PI -> 0 < eta < 2 -> eta <= eta' <= 2 ->
+  rotational_state delta alpha beta eta ->
+  let h := h_lower delta beta eta in
+  exists p, forall x, 0 <= x <= alpha -> joint_stands delta x eta' h p.
+Proof.
+  intros Hd Hb Ha He He' Hstate h.
+  assert (Hh := rotational_thrust_positive delta alpha beta eta Hb He Hstate). fold h in Hh.
+  assert (Hstands := rotational_state_stands delta alpha beta eta (proj1 Hd) Hb Ha He Hstate).
+  cbv zeta in Hstands. fold h in Hstands. destruct Hstate as [_ H24].
+  assert (Hversine : 0 < 1 - cos alpha) by (apply versine_positive; lra).
+  apply whole_thrust_cleared in H24; [fold h in H24 | lra | lra].
+  assert (Hshoulder : extrados eta * normal_force alpha h
+                      = extrados eta * h + fac delta eta * (1 - cos alpha))
+    by (unfold extrados, normal_force; lra).
+  apply (thicker_arch_stands_by_limit delta alpha eta eta' h (h * extrados eta)); try easy; try lra.
+  - apply (gap_at_limit_not_negative delta alpha eta h); try easy; lra.
+  - intros x Hx. destruct (Hstands x Hx). now apply joint_stands_iff_thrust_inside.
 Qed.
 
 (** ** The least thickness *)

@@ -1,10 +1,10 @@
 #!/bin/sh
-# After `make`: wrong copies of a generated file do not compile, each for the reason it should.
+# After `make`: wrong copies of generated files do not compile, each for the reason it should.
 #
-# Usage: spoil.sh [MODULE], by default TripleMilankovitch.
+# Usage: spoil.sh [MODULE]..., by default a landmark and a state.
 set -eu
 cd "$(dirname "$0")"
-module=${1:-TripleMilankovitch}
+[ $# -gt 0 ] || set -- TripleMilankovitch StateSlidingRotationalHeyman
 here=$PWD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -41,37 +41,76 @@ spoiled() {
   fi
 }
 
-cp "generated/$module.v" "$work/Untouched.v"
-found=$(refused_at "$work/Untouched.v")
-if [ -n "$found" ]; then
-  cat "$work/message" >&2
-  echo "spoil.sh: the untouched copy is refused at $found" >&2
-  exit 1
-fi
-echo "spoil.sh: the untouched copy of $module: accepted"
+# The untouched copy compiles.
+untouched() {
+  cp "generated/$module.v" "$work/Untouched.v"
+  found=$(refused_at "$work/Untouched.v")
+  if [ -n "$found" ]; then
+    cat "$work/message" >&2
+    echo "spoil.sh: the untouched copy is refused at $found" >&2
+    exit 1
+  fi
+  echo "spoil.sh: the untouched copy of $module: accepted"
+}
 
-spoiled "a shifted centre" residuals_hold \
-  's/(Definition centre.*?\.\d{30})(\d)/$1 . ($2 + 5) % 10/se'
-spoiled "a shifted centre with a bound that allows it" starts \
-  's/(Definition centre.*?\.\d{28})(\d)/$1 . ($2 + 5) % 10/se; s/(Definition size : R := )\S+\./${1}1e-27./'
-spoiled "a wrong digit in the claim" one_solution \
-  's/(Definition narrow.*?\.\d{28})(\d)/$1 . ($2 + 5) % 10/se'
-spoiled "a box too wide in the claim" one_solution \
-  's/(Definition wide.*?<= \w+ <= \d\.\d)(\d)/$1 . ($2 + 1) % 10/se'
-spoiled "a wrong sign in an equation" derivatives \
-  's/(Definition residuals.*?) - /$1 + /s'
-spoiled "a wrong sign in (18), its derivatives and their values" residuals_hold \
-  's/beta_s \^ 2 - /beta_s ^ 2 + /; s/h - \(1 - h\)/1 - h - h/; s/-(0\.\d+; 0\] \]\.)/$1/'
-spoiled "a wrong partial derivative" derivatives \
-  's/(Definition jacobian.*?)\bcos\b/$1sin/s'
-spoiled "a spoiled preconditioner" contracts \
-  's/(Definition inverse.*?\[ \[)/${1}1 + /s'
-spoiled "a singular preconditioner" contracts \
-  's/(Definition inverse.*?\n  \[ )(\[.*?\])(;\s*)\[.*?\]/$1$2$3$2/s'
-spoiled "slopes that are too narrow" slopes_hold \
-  's/(Definition spreads.*?)0\.\d+/${1}0.0000001/s'
-spoiled "another printed equation" cleared \
-  's/(Definition equations.*?h_\w+ )(\d)/$1 . (1 - $2)/se'
-spoiled "a printed value that is off" "$(sed -nE 's/^Corollary (table_\w+_right).*/\1/p' "generated/$module.v" | head -n 1)" \
-  's/(_right .*?Rabs \([^)]*\d)(\d)\)/$1 . (($2 + 5) % 10) . ")"/se'
+# One solution: the claim, the table and its check.
+spoil_solution() {
+  spoiled "a shifted centre" residuals_hold \
+    's/(Definition centre.*?\.\d{30})(\d)/$1 . ($2 + 5) % 10/se'
+  spoiled "a shifted centre with a bound that allows it" starts \
+    's/(Definition centre.*?\.\d{28})(\d)/$1 . ($2 + 5) % 10/se; s/(Definition size : R := )\S+\./${1}1e-27./'
+  spoiled "a wrong digit in the claim" one_solution \
+    's/(Definition narrow.*?\.\d{28})(\d)/$1 . ($2 + 5) % 10/se'
+  spoiled "a wrong sign in an equation" derivatives \
+    's/(Definition residuals.*?) - /$1 + /s'
+  spoiled "a wrong partial derivative" derivatives \
+    's/(Definition jacobian.*?)\bcos\b/$1sin/s'
+  spoiled "a singular preconditioner" contracts \
+    's/(Definition inverse.*?\n  \[ )(\[.*?\])(;\s*)\[.*?\]/$1$2$3$2/s'
+}
+
+# What only the equations of T have, or its printed values.
+spoil_landmark() {
+  spoiled "a box too wide in the claim" one_solution \
+    's/(Definition wide.*?<= \w+ <= \d\.\d)(\d)/$1 . ($2 + 1) % 10/se'
+  spoiled "a wrong sign in (18), its derivatives and their values" residuals_hold \
+    's/beta_s \^ 2 - /beta_s ^ 2 + /; s/h - \(1 - h\)/1 - h - h/; s/-(0\.\d+; 0\] \]\.)/$1/'
+  spoiled "a spoiled preconditioner" contracts \
+    's/(Definition inverse.*?\[ \[)/${1}1 + /s'
+  spoiled "slopes that are too narrow" slopes_hold \
+    's/(Definition spreads.*?)0\.\d+/${1}0.0000001/s'
+  spoiled "another printed equation" cleared \
+    's/(Definition equations.*?h_\w+ )(\d)/$1 . (1 - $2)/se'
+  spoiled "a printed value that is off" "$(sed -nE 's/^Corollary (table_\w+_right).*/\1/p' "generated/$module.v" | head -n 1)" \
+    's/(_right .*?Rabs \([^)]*\d)(\d)\)/$1 . (($2 + 5) % 10) . ")"/se'
+}
+
+# What is made of a solution: signs, admissibility, the least thickness.
+spoil_state() {
+  spoiled "an arch with less friction" residuals_hold \
+    's/(Definition mu : R := 0\.\d)(\d)/$1 . ($2 - 1)/e'
+  spoiled "another printed equation" cleared \
+    's/mu = mu_ss alpha h/mu = mu_is h/'
+  spoiled "a condition with a flipped sign" signs \
+    's/mu_is h < mu\b/mu < mu_is h/'
+  spoiled "a condition that is left out" state \
+    's/  0 < normal_force alpha h \/\\\n//'
+  spoiled "a line of thrust elsewhere in the crown" state \
+    's/(Theorem state.*?)at_crown eta h/$1intrados eta * h/s'
+  spoiled "friction at a joint beyond the shoulder" state \
+    's/(Theorem state.*?admissible 0 )alpha/$1(2 * alpha)/s'
+  spoiled "an arch that stands thinner" state \
+    's/(Theorem state.*?stands_from 0 alpha mu )eta/$1(eta - 1e-9)/s'
+  spoiled "a thinner thickness claimed" least_thickness \
+    's/(Theorem least_thickness.*?\.\d{28})(\d)/$1 . ($2 - 1) % 10/se'
+}
+
+for module; do
+  untouched
+  spoil_solution
+  case $module in
+    State*) spoil_state ;;
+    *) spoil_landmark ;;
+  esac
+done
 exit $wrong

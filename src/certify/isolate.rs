@@ -65,12 +65,19 @@ pub fn isolate(
     weight: SelfWeight,
     candidate: &Candidate,
 ) -> Result<Isolated, Undecided> {
-    let problem = Problem::Landmark { landmark, weight };
+    isolate_root(&Problem::Landmark { landmark, weight }, candidate)
+}
+
+/// The same for the root of any problem.
+pub(crate) fn isolate_root(
+    problem: &Problem,
+    candidate: &Candidate,
+) -> Result<Isolated, Undecided> {
     let centre: Vec<Float> = candidate.0.iter().map(|x| Float::with_val(BITS, x)).collect();
     let points: Vec<Ball> = centre.iter().map(|x| Ball::exact(x.clone(), BITS)).collect();
     let inverse = inverse_jacobian(&problem.slopes(BITS, &points), BITS)
         .ok_or_else(|| Undecided::new("the Jacobian at the candidate is singular"))?;
-    let operator = Operator::<_, Ball>::new(&problem, BITS, &centre, &inverse);
+    let operator = Operator::<_, Ball>::new(problem, BITS, &centre, &inverse);
     let values: Vec<Magnitude> = centre.iter().map(Magnitude::lower).collect();
     largest_boxes(&values, LADDER, |radii| operator.image(radii))
         .into_iter()

@@ -3,10 +3,11 @@
 //! In an admissible state the lines of thrust and of friction are at their limits at the joints of a mechanism only
 //! (`modes.rs`). So "strictly inside" holds everywhere else, and there it cannot.
 
+use super::contacts::CONTACTS;
 use super::contacts::Contact;
 use super::landmarks::{certain_if, enclosed};
 use super::letters::{ring, variables};
-use super::modes::{CONTACTS, SEVEN_MODES};
+use super::modes::SEVEN_MODES;
 use super::{Claim, Derivation, Finding, Support};
 use crate::arch::{
     Configuration, SelfWeight, Unknown, contact, overturning, sliding, statics, thrust,

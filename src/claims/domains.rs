@@ -1,4 +1,4 @@
-//! Where on the map the modes are: T, J and B as limits of the modes, sections 3 and 5.
+//! Where on the map the modes are: T, S, J and B as limits of the modes, sections 3 and 5.
 //!
 //! All about mixed modes follows from the order of the two frictions along rotation, since an admissible
 //! state with a hinge at the shoulder has at least the thrust of rotation, and one that slides there has
@@ -11,18 +11,17 @@ use super::frictions::{
     SLOPES_OF_FRICTION,
 };
 use super::letters::{ring, variables};
+use super::modes::LEVER;
+use super::uniqueness::{MECHANISM_BOUNDS, ONE_HALF_OPENING, THICKER_HAS_ROOM};
 use super::{Claim, Derivation, Finding, Support};
-use crate::arch::{
-    Configuration, Ring, SelfWeight, contact, overturning, sliding, statics, thrust,
-};
+use crate::arch::{Ring, SelfWeight, contact, overturning, sliding, statics, thrust};
 use crate::certify::Undecided;
-use crate::number::{Angle, Ball, Dual, Enclosure, Field, Real, Ternary};
+use crate::number::{Angle, Ball, Enclosure, Field, Real, Ternary};
 use crate::problem::Landmark;
-use crate::symbolic::{Letters, Relations, Symbol, along_the_joint};
+use crate::symbolic::{Letters, Polynomial, Relations, Symbol};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
-    DISTANCES_RISE_AND_FALL,
     Claim {
         id: "map-T-shoulder",
         place: "Sec. 3, 5",
@@ -31,6 +30,13 @@ pub(super) const CLAIMS: &[Claim] = &[
         decide: no_shoulder_sliding_beyond_t,
     },
     INNER_SLIDING_BEYOND_T,
+    Claim {
+        id: "map-S",
+        place: "Sec. 3, Fig. 6",
+        statement: "modes with the sliding joint below the rotational one are seen only on the right of S, and \
+                    above it",
+        decide: shift_beyond_s,
+    },
     Claim {
         id: "map-J",
         place: "Sec. 3",
@@ -44,14 +50,6 @@ pub(super) const CLAIMS: &[Claim] = &[
         decide: no_pure_sliding_beyond_b,
     },
 ];
-
-pub(super) const DISTANCES_RISE_AND_FALL: Claim = Claim {
-    id: "map-distances",
-    place: "Sec. 2.1",
-    statement: "along an admissible arch the normal force N and the distance U from the extrados first \
-                grow and then fall",
-    decide: distances_rise_and_fall,
-};
 
 pub(super) const INNER_SLIDING_BEYOND_T: Claim = Claim {
     id: "map-T-inner",
@@ -79,38 +77,11 @@ fn shoulder_margin(d: &mut Derivation) -> Result<(), Undecided> {
     Ok(())
 }
 
-/// `N` and `U` along an arch first grow and then fall.
-fn distances_rise_and_fall(d: &mut Derivation) -> Result<Finding, Undecided> {
-    let (joint, h, ring) = (Symbol::joint(), Symbol::Thrust.number(), ring());
-    let (rules, circle) = (along_the_joint(), Relations::trigonometric());
-    let normal = statics::normal_force(&joint, &h);
-    let rise = h.int(1) - &h + joint.times_cotangent();
-    let words = "dN/d beta";
-    d.identity(words, &normal.derivative(&rules), &(joint.sin.clone() * &rise), &circle)?;
-    let distance = ring.extrados() * &normal / h.int(2) - joint.versine() * &ring.centroid_factor;
-    let slope = ring.extrados() * rise / h.int(2) - &ring.centroid_factor;
-    let words = "dU/d beta, U = (1 + eta/2) N - p - fac (1 - cos(beta))";
-    d.identity(words, &distance.derivative(&rules), &(slope * &joint.sin), &circle)?;
-    let bow = joint.rad.clone() - joint.sin.clone() * &joint.cos;
-    d.identity(
-        "d(beta cot(beta))/d beta, negative",
-        &joint.times_cotangent().derivative(&rules),
-        &-(bow / joint.sin.square()),
-        &circle,
-    )?;
-    d.conclude(
-        "As beta cot(beta) falls, either slope changes its sign at most once, from + to -: N and U are \
-         positive between two joints where they are.",
-    );
-    Ok(Finding::Implicit)
-}
-
 fn no_shoulder_sliding_beyond_t(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.lemma(&STATES_IN_ORDER)?;
     d.lemma(&SLOPES_OF_FRICTION)?;
     d.lemma(&FRICTION_FOR_ROTATION_GROWS)?;
     d.lemma(&ROTATION_MEETS_SLIDING)?;
-    d.lemma(&DISTANCES_RISE_AND_FALL)?;
     shoulder_margin(d)?;
     d.conclude(
         "An admissible state [s,r,r] has (2) and (5), so it lies on the curve of rotation: its \
@@ -127,137 +98,149 @@ fn inner_sliding_beyond_t(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.lemma(&SLOPES_OF_FRICTION)?;
     d.lemma(&FRICTION_FOR_ROTATION_GROWS)?;
     d.lemma(&ROTATION_MEETS_SLIDING)?;
-    d.lemma(&DISTANCES_RISE_AND_FALL)?;
+    d.lemma(&LEVER)?;
+    d.lemma(&MECHANISM_BOUNDS)?;
+    d.lemma(&THICKER_HAS_ROOM)?;
     shoulder_margin(d)?;
-    let (at, ring) = (variables(), ring());
-    let joint = &at.rotation_joint;
-    let lower = thrust::lower(joint, &ring);
-    let two = at.thrust.int(2);
-    let normal = statics::normal_force(joint, &at.thrust);
-    let distances = (ring.extrados() * &at.thrust - ring.intrados() * normal) / &two
-        + joint.versine() * &ring.centroid_factor;
-    d.identity(
-        "the distances of the crown from the extrados and of a joint from the intrados add up to h - \
-         h_L up to a positive factor",
-        &distances,
-        &(lower.residual(&at.thrust) / &two),
-        &Relations::none(),
-    )?;
-    let h = lower.value();
-    let whole = h.clone() + overturning::opening_variable(&ring).value();
-    let further = two.clone() * &at.thickness * &h / (ring.intrados() * joint.versine())
-        + two.clone() * &ring.centroid_factor * (two.clone() * &at.thickness)
-            / (ring.intrados() * ring.extrados());
-    d.identity(
-        "A(beta) less A(alpha) on the curve: positive, so that beta_r < alpha",
-        &(thrust::opening_variable(joint).value() - whole),
-        &further,
-        &Relations::none(),
-    )?;
+    let (ring, eta, delta) = (ring(), Symbol::Thickness.number(), Symbol::Flag.number());
+    let rest = overturning::opening_variable(&ring).value();
+    let slope = rest.derivative(&[(Symbol::Thickness, Polynomial::from(1))]);
+    let fall = (eta.int(12) * (eta.int(1) - &delta)
+        + delta * ring.intrados() * (eta.int(6) + &eta))
+        / (eta.int(6) * ring.extrados().square());
+    d.identity("2 fac/(2 + eta) falls with eta", &slope, &-fall, &Relations::none())?;
     d.conclude(
-        "Let a state be admissible with the shoulder on the extrados, and alpha_0 the half opening of \
-         the rotational state of the same thrust h. Then alpha >= alpha_0: else the rotational thrust \
-         at alpha is larger than h. The crown within the extrados gives A(alpha) <= h + 2 fac/(2+eta), \
-         so that eta is smaller than at the rotational state of alpha. Then the joint of the rotational \
-         state of thickness eta is a joint of the arch, and there h >= h_L, the thrust of that \
-         state, which is larger still: a contradiction.",
+        "Let a state have the shoulder on the extrados and alpha < alpha_l, and let eta_0 and h_0 be those of the \
+         rotational state of alpha. That has a mechanism, since its lever arm is positive, whatever the \
+         friction: no state of thickness eta_0 has room, and no thinner arch stands, so that eta >= eta_0. The crown \
+         within the extrados gives h >= A(alpha) - 2 fac/(2 + eta), which is at least h_0, its value at eta_0.",
     );
     d.conclude(
-        "If besides an inner joint slides, mu = m(alpha_0), and the shoulder gives mu >= mu_ss(alpha, h) \
-         >= M(alpha_0), as mu_ss grows with alpha. So M <= m: alpha_0 >= alpha_T, h <= h_T and mu >= mu_T. \
-         Were \
-         eta < eta_T, the joint of the rotational state of that thickness would be a joint of the arch, \
-         with h >= h_L > h_T: so eta >= eta_T. This is so for [r,r,s], [r,s,r] and [r,s].",
+        "If besides an inner joint slides, mu = mu_is(h) <= m(alpha), and the shoulder gives mu >= mu_ss(alpha, h) \
+         >= M(alpha). So M <= m: alpha >= alpha_T, eta >= eta_0 >= eta_T and mu >= M(alpha) >= mu_T. For alpha >= \
+         alpha_l the parts of the arch stand: eta >= eta_l; and mu >= mu_ss(alpha, 0) >= mu_ss(alpha_l, 0), the limit \
+         of M. This is so for [r,r,s], [r,s,r] and [r,s].",
     );
     Ok(Finding::AsPrinted)
 }
 
-/// `U` at the shoulder where the crown's pressure point is on the intrados.
-fn margin_from_intrados<T: Field>(ring: &Ring<T>, alpha: &Angle<T>, h: &T) -> T {
-    let normal = statics::normal_force(alpha, h);
-    (ring.extrados() * normal - ring.intrados() * h) / h.int(2)
-        - alpha.versine() * &ring.centroid_factor
+/// A line on which the rotational joint is known: at the crown, or where the inner joint slides.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Haunch {
+    Crown,
+    Sliding,
 }
 
-/// The thickness at which `h` is the thrust of (5) in the limit `beta -> 0`.
-fn thickness_at_crown<T: Real>(weight: SelfWeight, h: &T) -> T {
-    let (one, half) = (h.int(1), h.int(1) - h.ratio(1, 2) * h);
-    match weight {
-        SelfWeight::Heyman => (one - h) / half,
-        SelfWeight::Milankovitch => {
-            let root = (half.square() + (one - h) / h.int(3)).sqrt();
-            (root - half) * h.int(6)
+impl Haunch {
+    fn joint<T: Real>(self, h: &T) -> Angle<T> {
+        match self {
+            Self::Crown => Angle::zero(h),
+            Self::Sliding => Angle::new((h.clone() * (h.int(1) - h)).sqrt()),
         }
     }
+
+    /// The thickness at which the line of thrust of this thrust touches the intrados there, (5).
+    fn thickness<T: Real>(self, weight: SelfWeight, h: &T) -> T {
+        let cotangent = match self {
+            Self::Crown => h.int(1),
+            Self::Sliding => self.joint(h).times_cotangent(),
+        };
+        let sum = cotangent + h.int(1) - h;
+        match weight {
+            SelfWeight::Heyman => sum.int(2) - sum.int(2) / sum,
+            SelfWeight::Milankovitch => {
+                let radicand = sum.square() + (sum.clone() - sum.int(1)) * sum.ratio(4, 3);
+                (radicand.sqrt() - &sum) * sum.int(3)
+            }
+        }
+    }
+
+    /// `U` at another joint with `L = 0` at the haunch, at this thickness.
+    fn room<T: Real>(self, weight: SelfWeight, other: &Angle<T>, h: &T) -> T {
+        let ring = Ring::new(weight, &self.thickness(weight, h));
+        let joint = self.joint(h);
+        let (outer, inner) = (statics::normal_force(other, h), statics::normal_force(&joint, h));
+        (ring.extrados() * outer - ring.intrados() * inner) / h.int(2)
+            - (joint.cos - &other.cos) * &ring.centroid_factor
+    }
+}
+
+/// The thickness at which the line of thrust touches the intrados, from (5) solved for it.
+fn touching_thickness(d: &mut Derivation) -> Result<(), Undecided> {
+    let (h, q, cotangent) =
+        (Symbol::Thrust.number(), Symbol::SquareRoot.number(), Symbol::joint().times_cotangent());
+    let sum = cotangent.clone() + h.int(1) - &h;
+    let radicand = sum.square() + (sum.clone() - h.int(1)) * h.ratio(4, 3);
+    let cases = [
+        (SelfWeight::Heyman, h.int(2) - h.int(2) / &sum),
+        (SelfWeight::Milankovitch, (q.clone() - &sum) * h.int(3)),
+    ];
+    for (weight, thickness) in cases {
+        let residual = thrust::tangency(&cotangent, &Ring::new(weight, &thickness)).residual(&h);
+        let words = format!("(5) holds at eta_5, {} weight", weight.name());
+        let expected = (q.square() - &radicand) * h.ratio(3, 2) * h.int(weight.flag());
+        d.identity(words, &residual, &expected, &Relations::none())?;
+    }
+    d.conclude("The last is zero, as q is the square root of the radicand.");
+    Ok(())
+}
+
+fn shift_beyond_s(d: &mut Derivation) -> Result<Finding, Undecided> {
+    only_beyond(d, Haunch::Sliding, Landmark::Shift)?;
+    d.conclude(
+        "[r,s,r] has beta_r < beta_s, so that eta > eta_5(h), as by (5) beta_r falls as eta grows. So mu >= mu_S, h <= h_S and \
+         eta >= eta_5(h_S) = eta_S, as beta_s cot(beta_s) - h falls with h below 1/2, and eta_5 with it.",
+    );
+    Ok(Finding::Implicit)
 }
 
 fn overturning_sliding_beyond_j(d: &mut Derivation) -> Result<Finding, Undecided> {
+    only_beyond(d, Haunch::Crown, Landmark::Junction)?;
+    d.conclude(
+        "[r,s] has L = 0 at the crown with a slope that is not negative and grows with eta, so that eta >= eta_5(h). \
+         So mu >= mu_J, h <= h_J and eta >= eta_5(h_J) = eta_J, as eta_5 falls with h.",
+    );
+    Ok(Finding::AsPrinted)
+}
+
+/// Left of a landmark the purely sliding arch stands at the thickness of (5).
+fn only_beyond(d: &mut Derivation, haunch: Haunch, end: Landmark) -> Result<(), Undecided> {
     d.lemma(&SLOPES_OF_FRICTION)?;
     d.lemma(&INNER_SLIDING_BEYOND_T)?;
     d.lemma(&SLIDING_STATES_IN_ORDER)?;
-    d.lemma(&DISTANCES_RISE_AND_FALL)?;
-    let at = variables();
-    let ring = ring();
-    let upper = thrust::upper(&at.half_opening, &Angle::zero(&at.thrust), &ring);
-    let margin = margin_from_intrados(&ring, &at.half_opening, &at.thrust);
-    let words = "U at the shoulder with L = 0 at the crown is half of (3) at beta = 0, cleared";
-    let half = -(upper.residual(&at.thrust) / at.thrust.int(2));
-    d.identity(words, &margin, &half, &Relations::none())?;
-    // The thickness of (5) at the crown: the root is the larger one of its quadratic.
-    let (h, q) = (Symbol::Thrust.number(), Symbol::SquareRoot.number());
-    let inner = h.int(1) - h.ratio(1, 2) * &h;
-    let radicand = inner.square() + (h.int(1) - &h) / h.int(3);
-    let rooted = Relations::none().with(Symbol::SquareRoot, 2, radicand.numerator().clone());
-    let cases = [
-        (SelfWeight::Heyman, (h.int(1) - &h) / &inner),
-        (SelfWeight::Milankovitch, (q - &inner) * h.int(6)),
-    ];
-    for (weight, thickness) in cases {
-        let at = Configuration { thickness, ..variables() };
-        let slope = contact::crown_slope(weight, &at);
-        let words = format!("the slope at the crown vanishes at eta_c, {} weight", weight.name());
-        d.identity(words, &slope, &h.int(0), &rooted)?;
-    }
+    d.lemma(&THICKER_HAS_ROOM)?;
+    d.lemma(&ONE_HALF_OPENING)?;
+    touching_thickness(d)?;
+    let sliding = |alpha: &Rational| Along::sliding(alpha);
+    let symbol = end.symbol();
     for weight in SelfWeight::ALL {
         let name = weight.name();
-        let crown = |alpha: &Angle<Ball>, h: &Ball| {
-            margin_from_intrados(&Ring::new(weight, &thickness_at_crown(weight, h)), alpha, h)
-        };
-        let crown_dual = |alpha: &Angle<Dual<Ball>>, h: &Dual<Ball>| {
-            margin_from_intrados(&Ring::new(weight, &thickness_at_crown(weight, h)), alpha, h)
-        };
-        let limit = |alpha: &Angle<Ball>, h: &Ball| {
-            margin_from_intrados(&Ring::new(weight, &h.int(2)), alpha, h)
-        };
-        let sliding = |alpha: &Rational| Along::sliding(alpha);
         let start = below(&landmark(Landmark::Triple, weight)?.half_opening.rad, 100)?;
-        let (before, beyond) =
-            around(&landmark(Landmark::Junction, weight)?.half_opening.rad, 100)?;
-        let positive = |margin: &dyn Fn(&Angle<Ball>, &Ball) -> Ball, a: &Along, b: &Along| {
-            a.up_to(b)
-                .map_or(Ternary::Undecided, |all| margin(&all.alpha, &all.thrust).is_positive())
+        let (before, beyond) = around(&landmark(end, weight)?.half_opening.rad, 1000)?;
+        let positive = |room: &dyn Fn(&Along) -> Ball, a: &Along, b: &Along| {
+            a.up_to(b).map_or(Ternary::Undecided, |all| room(&all).is_positive())
         };
-        let truth = on_all((&start, &before), &sliding, &|a, b| positive(&crown, a, b));
-        let words = format!("U at eta_c along sliding from {start} to {before}, {name}");
+        let shoulder = |at: &Along| haunch.room(weight, &at.alpha, &at.thrust);
+        let crown = |at: &Along| haunch.room(weight, &Angle::zero(&at.thrust), &at.thrust);
+        let truth = on_all((&start, &before), &sliding, &|a, b| positive(&shoulder, a, b));
+        let words = format!("U at the shoulder, along sliding from {start} to {before}, {name}");
+        d.certain(Support::Balls, words, truth?)?;
+        let truth = on_all((&start, &beyond), &sliding, &|a, b| positive(&crown, a, b));
+        let words = format!("U at the crown, along sliding from {start} to {beyond}, {name}");
         d.certain(Support::Balls, words, truth?)?;
         let all = sliding(&before)?.up_to(&sliding(&beyond)?)?;
-        let slope = -all.slope_along_sliding(crown_dual);
-        let words = format!("it falls from {before} to {beyond}, which holds alpha_J, {name}");
+        let slope = -all.slope_along_sliding(|alpha, h| haunch.room(weight, alpha, h));
+        let words = format!(
+            "U at the shoulder falls from {before} to {beyond}, which holds alpha_{symbol}, {name}"
+        );
         d.certain(Support::Balls, words, slope.is_positive())?;
-        let truth = on_all((&start, &beyond), &sliding, &|a, b| positive(&limit, a, b));
-        let words = format!("U at eta = 2 along sliding from {start} to {beyond}, {name}");
-        d.certain(Support::Balls, words, truth?)?;
     }
-    d.conclude(
-        "A state [r,s] has L = 0 at the crown, with a slope that is not negative and grows with eta, so \
-         eta >= eta_c(h), and U = 0 at the shoulder. Let mu_T <= mu < mu_J, so that h_J < h <= h_T, and alpha_s the \
-         half opening of the purely sliding state of thrust h, alpha_T <= alpha_s < alpha_J. The \
-         shoulder does not slide, so alpha <= alpha_s. But U at alpha_s is positive: it is so at eta_c \
-         and at eta = 2, and is concave in eta. As U along an arch first grows and then falls, from eta h \
-         > 0 at the crown, it is positive up to alpha_s: a contradiction. So mu >= \
-         mu_J, h <= h_J and eta >= eta_c(h) >= eta_c(h_J) = eta_J, as eta_c falls with h.",
-    );
-    Ok(Finding::AsPrinted)
+    d.conclude(format!(
+        "Let mu_T <= mu < mu_{symbol}. The arch that just slides stands at the thickness eta_5 of its thrust h, with room at crown \
+         and shoulder, and at each larger one with room at all faces. There [s,s] moves, and no other half opening has a \
+         mechanism; this one has none that turns at the shoulder."
+    ));
+    Ok(())
 }
 
 fn no_pure_sliding_beyond_b(d: &mut Derivation) -> Result<Finding, Undecided> {

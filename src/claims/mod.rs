@@ -14,11 +14,12 @@
 //! | the landmarks again, as Coq theorems | [`coq`] |
 //! | the two weights compared | `weights.rs` |
 //! | friction along sliding and along rotation | `frictions.rs`, with the states of `along.rs` |
+//! | which joints can be at their limits | `contacts.rs` |
+//! | why there are seven modes | `modes.rs` |
 //! | where on the map the modes are | `domains.rs` |
-//! | why there are seven modes | `modes.rs`, with the limits of a joint in `contacts.rs` |
-//! | why a symmetric arch has one least thickness | `uniqueness.rs` |
-//! | why the modes fill the map | `tiling.rs` |
+//! | why they fill it | `tiling.rs` |
 //! | the landmarks as states of the whole arch | `admissible.rs` |
+//! | one least thickness, one half opening | `uniqueness.rs` |
 //! | signs by algebra | `sign.rs` |
 //! | what the paper says, place by place, and what decides it | `index.rs`, `sentences.rs` |
 //!
@@ -144,11 +145,12 @@ pub fn claims() -> Vec<Claim> {
         landmarks::CLAIMS,
         weights::CLAIMS,
         frictions::CLAIMS,
-        domains::CLAIMS,
+        contacts::CLAIMS,
         modes::CLAIMS,
-        uniqueness::CLAIMS,
+        domains::CLAIMS,
         tiling::CLAIMS,
         admissible::CLAIMS,
+        uniqueness::CLAIMS,
     ]
     .concat()
 }

@@ -13,29 +13,18 @@
 //! term on each side.
 
 use super::along::Along;
-use super::contacts::{Contact, slopes};
-use super::domains::DISTANCES_RISE_AND_FALL;
-use super::frictions::SLOPES_OF_FRICTION;
+use super::contacts::{CONTACTS, Contact, slopes};
 use super::landmarks::{certain_if, state_of};
 use super::letters::{ring, variables};
 use super::{Claim, Derivation, Finding, Support};
-use crate::arch::{Configuration, SelfWeight, contact, statics, thrust};
+use crate::arch::{Configuration, SelfWeight, contact, statics};
 use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Enclosure, Field};
 use crate::problem::Mode;
 use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint};
 use rug::Rational;
 
-pub(super) const CLAIMS: &[Claim] = &[CONTACTS, LEVER, SEVEN_MODES, MODES_OCCUR];
-
-pub(super) const CONTACTS: Claim = Claim {
-    id: "modes-contacts",
-    place: "Sec. 3, 4",
-    statement: "in an admissible state the line of thrust reaches the extrados at the crown and at the \
-                shoulder only, and the intrados at one joint only; friction is used up inwards at one \
-                joint only, above a shoulder at its limit, and outwards at the shoulder only",
-    decide: contacts,
-};
+pub(super) const CLAIMS: &[Claim] = &[LEVER, SEVEN_MODES, MODES_OCCUR];
 
 pub(super) const LEVER: Claim = Claim {
     id: "modes-lever",
@@ -59,69 +48,6 @@ const MODES_OCCUR: Claim = Claim {
     statement: "each of the seven modes occurs, with either weight",
     decide: modes_occur,
 };
-
-/// `U`, `L` at a joint, whose difference is known and whose directions change once.
-fn contacts(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.assume("0 < alpha < pi, 0 < eta <= 2, 0 < mu < inf");
-    d.lemma(&DISTANCES_RISE_AND_FALL)?;
-    d.lemma(&SLOPES_OF_FRICTION)?;
-    let (joint, alpha) = (Symbol::joint(), Symbol::half_opening());
-    let (ring, h, mu) = (ring(), Symbol::Thrust.number(), Symbol::Friction.number());
-    let (free, circle, two) = (Relations::none(), Relations::trigonometric(), h.int(2));
-    let [upper, lower, inwards, _] = Contact::ALL.map(|contact| contact.margin(&joint));
-    let rise = h.int(1) - &h + joint.times_cotangent();
-    let slope = (ring.centroid_factor.clone() - ring.intrados() * rise / &two) * &joint.sin;
-    let words = "dL/d beta, L = p + fac (1 - cos(beta)) - (1 - eta/2) N; the bracket grows";
-    d.identity(words, &lower.derivative(&along_the_joint()), &slope, &circle)?;
-    let normal = statics::normal_force(&joint, &h);
-    d.identity("U + L", &(upper.clone() + &lower), &(normal.clone() * &ring.thickness), &free)?;
-    let without = |value: &Fraction, gone: Symbol| {
-        let zero = value.int(0);
-        value.evaluate(&zero, |symbol| if symbol == gone { zero.clone() } else { symbol.number() })
-    };
-    let near = (mu * &joint.sin - &joint.cos) * &joint.rad;
-    let words = "mu N - T without thrust: negative next to the crown, so that h > 0";
-    d.identity(words, &without(&inwards, Symbol::Thrust), &near, &free)?;
-    let moment = Symbol::CrownMoment.number() + joint.versine() * &ring.centroid_factor;
-    let words = "U where N = 0: negative, as p >= (1 - eta/2) h, so that N > 0";
-    d.identity(words, &(upper - ring.extrados() * normal / &two), &-moment, &free)?;
-    d.conclude(
-        "With h > 0 and N > 0: U first grows and then falls, strictly, and L first falls and then grows. \
-         Not negative at either end, U is positive between; L is zero at one joint at most. T/N \
-         starts from 0 at the crown, grows up to beta_s and falls beyond: it is mu at one joint at most, at \
-         beta_s or, in an arch that ends before, at the shoulder; it is -mu at the shoulder only, and then \
-         beta_s < alpha.",
-    );
-    let crown = Angle::zero(&h);
-    let distances = Contact::Extrados.margin(&crown) - Contact::Extrados.margin(&alpha);
-    let opening = thrust::opening_variable(&alpha);
-    let expected = ring.extrados() * (h.clone() * &opening.denominator - opening.numerator) / &two
-        + alpha.versine() * &ring.centroid_factor;
-    d.identity("U at the crown less U at the shoulder", &distances, &expected, &free)?;
-    let rest = (h.int(6) - Symbol::Flag.number() * &ring.thickness) * &ring.thickness / h.int(12);
-    d.identity(
-        "1 + eta/2 - fac: positive, so that h >= A - 1 if the shoulder is on the extrados",
-        &(ring.extrados() / &two - &ring.centroid_factor),
-        &rest,
-        &free,
-    )?;
-    let term = |n: i32, m: i32, power: usize| {
-        Fraction::from(Symbol::HalfOpening.polynomial().power(power)) * h.ratio(n, m)
-    };
-    let sine = term(1, 1, 1) - term(1, 6, 3);
-    let versine = term(1, 2, 2) - term(1, 24, 4) + term(1, 720, 6);
-    d.identity(
-        "alpha sin - (2 - alpha²)(1 - cos) is at least this, positive for 0 < alpha <= 1/2",
-        &(term(1, 1, 1) * sine - (term(2, 1, 0) - term(1, 1, 2)) * versine),
-        &(term(5, 12, 4) - term(2, 45, 6) + term(1, 720, 8)),
-        &free,
-    )?;
-    d.conclude(
-        "So a shoulder on the extrados has 1 - h <= 2 - A < alpha² if alpha <= 1/2, and beta_s < alpha; \
-         for alpha > 1/2 that is so anyway, as beta_s <= 1/2.",
-    );
-    Ok(Finding::Implicit)
-}
 
 /// The lever arm between the haunch's intrados and the shoulder's extrados.
 fn lever(d: &mut Derivation) -> Result<Finding, Undecided> {
@@ -238,9 +164,12 @@ fn seven_modes(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
+/// A half opening and a friction, none if it is unlimited.
+type GivenArch = (&'static str, Option<&'static str>);
+
 /// Half opening and friction of an arch of each mode that has a least thickness, for Heyman's and for Milankovitch's
 /// weight.
-const EXAMPLES: [(Mode, [(&str, Option<&str>); 2]); 6] = [
+const EXAMPLES: [(Mode, [GivenArch; 2]); 6] = [
     (Mode::Rotational, [("3/2", Some("1")); 2]),
     (Mode::SlidingRotational, [("pi/2", Some("0.35")); 2]),
     (Mode::RotationalSliding, [("2.54", Some("1.6")), ("2.45", Some("1.35"))]),

@@ -12,16 +12,14 @@ use super::frictions::{
     FRICTION_FOR_ROTATION_GROWS, FRICTION_OF_SMALL_THRUST, ROTATION_MEETS_SLIDING,
 };
 use super::letters::{ring, variables};
-use super::modes::{CONTACTS, SEVEN_MODES};
-use super::uniqueness::{MECHANISM_BOUNDS, THICKER_HAS_ROOM};
+use super::uniqueness::{ONE_HALF_OPENING, THICKER_HAS_ROOM};
 use super::{Claim, Derivation, Finding};
-use crate::arch::{sliding, statics, thrust};
+use crate::arch::{overturning, sliding, statics, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Field};
 use crate::symbolic::{Letters, Polynomial, Relations, Symbol};
 
 pub(super) const CLAIMS: &[Claim] = &[
-    ONE_HALF_OPENING,
     Claim {
         id: "map-columns",
         place: "Sec. 3, Fig. 5, 6",
@@ -40,52 +38,6 @@ pub(super) const CLAIMS: &[Claim] = &[
     },
 ];
 
-const ONE_HALF_OPENING: Claim = Claim {
-    id: "map-function",
-    place: "Sec. 3, Fig. 5, 6",
-    statement: "to each thickness 0 < eta < 2 and each friction 0 < mu < inf belongs one half opening: \
-                narrower arches stand, wider ones fall, and there alone a symmetric mechanism exists",
-    decide: one_half_opening,
-};
-
-fn one_half_opening(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&CONTACTS)?;
-    d.lemma(&SEVEN_MODES)?;
-    d.lemma(&MECHANISM_BOUNDS)?;
-    let (h, free) = (Symbol::Thrust.number(), Relations::none());
-    let (crown, one) = (Angle::zero(&h), h.int(1));
-    let eta = ring().thickness;
-    let cases = [
-        (Contact::Extrados, eta.clone() / h.int(2)),
-        (Contact::Intrados, eta / h.int(2)),
-        (Contact::Inwards, Symbol::Friction.number()),
-        (Contact::Outwards, Symbol::Friction.number()),
-    ];
-    for (contact, expected) in cases {
-        let margin = contact.margin(&crown).evaluate(&h, |symbol| match symbol {
-            Symbol::Thrust | Symbol::CrownMoment => one.clone(),
-            other => other.number(),
-        });
-        let words = format!("{} at the crown for h = p = 1: positive", contact.name());
-        d.identity(words, &margin, &expected, &free)?;
-    }
-    let flat = Angle { rad: Symbol::HalfOpening.number(), sin: h.int(0), cos: h.int(-1) };
-    d.identity("N at pi", &statics::normal_force(&flat, &h), &-h, &free)?;
-    d.conclude(
-        "So narrow arches stand, by continuity; none of half opening pi does, as N > 0 in an admissible state; and \
-         a part of an arch that stands, cut off at a joint, stands. The limit of arches that stand \
-         does, since the conditions are closed: the widest is alpha* < pi.",
-    );
-    d.conclude(
-        "At alpha* no state leaves a positive margin at all joints, else a wider arch would stand. So it has a mechanism \
-         (linear inequalities without a strict solution have multipliers). Suppose a narrower arch has one. In a state \
-         of a wider one, U > 0 and mu N + T > 0 at its shoulder, a joint within. But margins that are not negative \
-         are all zero where the mechanism moves: so it does not move at the shoulder, and then nowhere, as it has a term on \
-         each side.",
-    );
-    Ok(Finding::Implicit)
-}
-
 fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.lemma(&ONE_HALF_OPENING)?;
     d.lemma(&THICKER_HAS_ROOM)?;
@@ -103,10 +55,31 @@ fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
         &(lower.residual(&at.thrust) / &two),
         &free,
     )?;
+    let h = lower.value();
+    let whole = h.clone() + overturning::opening_variable(&ring).value();
+    let further = two.clone() * &ring.thickness * &h
+        / (ring.intrados() * at.rotation_joint.versine())
+        + two.clone() * &ring.centroid_factor * (two.clone() * &ring.thickness)
+            / (ring.intrados() * ring.extrados());
+    let words = "A(beta) less A(alpha_0) along rotation: positive, so that beta < alpha_0";
+    let wider = thrust::opening_variable(&at.rotation_joint).value() - whole;
+    d.identity(words, &wider, &further, &free)?;
+    let touching = thrust::tangency(&at.rotation_joint.times_cotangent(), &ring).value();
+    let excess =
+        ring.thickness.clone() + Symbol::Flag.number() * ring.thickness.square() / two.int(6);
+    let words = "beta cot(beta) less the thrust of (5): positive";
+    let lack = at.rotation_joint.times_cotangent() - touching;
+    d.identity(words, &lack, &(excess / ring.intrados()), &free)?;
+    let outwards = (at.thrust.clone() - at.half_opening.times_cotangent()) * &at.half_opening.sin;
+    let words = "-T at the shoulder: positive where it slides, so that h > alpha cot(alpha)";
+    d.identity(words, &-statics::shear_force(&at.half_opening, &at.thrust), &outwards, &free)?;
     d.conclude(
-        "So h >= h_R(eta), the largest h_L, that of the rotational state of this thickness; it falls as eta grows, and is 0 from \
-         eta_l on. And h >= h_s(mu). The mode has a hinge at the crown only if h = h_R, an inner joint that slides \
-         only if h = h_s: below one thickness h_R > h_s, above it h_R < h_s.",
+        "Let h_R(eta) be the thrust of the rotational state of the thickness, alpha_0 its half opening; h_R falls as eta \
+         grows, and is 0 from eta_l on. At alpha*, h >= h_R: if its haunch is a joint of the arch, as h >= h_L; else, \
+         if the shoulder slides, since h > alpha cot(alpha) is more than that at the haunch; and if it is on the extrados, since \
+         h >= A(alpha) - 2 fac/(2 + eta), and alpha < alpha_0. And h >= h_s(mu). A hinge at the crown has h = h_R, \
+         an inner joint that slides h = h_s: below one thickness h_R > h_s, and the mode has the first, above it \
+         the second.",
     );
     let rest = two.clone() * &ring.centroid_factor / ring.intrados();
     let slope = rest.derivative(&[(Symbol::Thickness, Polynomial::from(1))]);

@@ -6,7 +6,7 @@
 //! usual argument of the static theorem holds. It needs the symmetry: where a vertical force in the crown works
 //! too, no factor serves both. **Asymmetric mechanisms are not in question here.**
 
-use super::contacts::{Contact, slopes};
+use super::contacts::{CONTACTS, Contact, slopes};
 use super::frictions::SLIDING_STATES_IN_ORDER;
 use super::letters::ring;
 use super::modes::{SEVEN_MODES, room_of_pure_sliding};
@@ -20,6 +20,7 @@ pub(super) const CLAIMS: &[Claim] = &[
     SYMMETRIC_MEAN,
     MECHANISM_BOUNDS,
     THICKER_HAS_ROOM,
+    ONE_HALF_OPENING,
     Claim {
         id: "unique-thickness",
         place: "Sec. 5",
@@ -53,6 +54,14 @@ pub(super) const THICKER_HAS_ROOM: Claim = Claim {
     statement: "a thrust that is admissible at one thickness is so at each larger one up to 2, with a line of \
                 thrust off both faces at every joint",
     decide: thicker_has_room,
+};
+
+pub(super) const ONE_HALF_OPENING: Claim = Claim {
+    id: "map-function",
+    place: "Sec. 3, Fig. 5, 6",
+    statement: "to each thickness 0 < eta < 2 and each friction 0 < mu < inf belongs one half opening: \
+                narrower arches stand, wider ones fall, and there alone a symmetric mechanism exists",
+    decide: one_half_opening,
 };
 
 /// The state with the thrust and the crown moment zero.
@@ -194,6 +203,44 @@ fn one_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.conclude(
         "There the line of thrust is off both faces, so that thinner arches of half opening 1 stand too, and yet \
          [s,s] can move at thickness 1.",
+    );
+    Ok(Finding::Implicit)
+}
+
+fn one_half_opening(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&CONTACTS)?;
+    d.lemma(&SEVEN_MODES)?;
+    d.lemma(&MECHANISM_BOUNDS)?;
+    let (h, free) = (Symbol::Thrust.number(), Relations::none());
+    let (crown, one) = (Angle::zero(&h), h.int(1));
+    let eta = ring().thickness;
+    let cases = [
+        (Contact::Extrados, eta.clone() / h.int(2)),
+        (Contact::Intrados, eta / h.int(2)),
+        (Contact::Inwards, Symbol::Friction.number()),
+        (Contact::Outwards, Symbol::Friction.number()),
+    ];
+    for (contact, expected) in cases {
+        let margin = contact.margin(&crown).evaluate(&h, |symbol| match symbol {
+            Symbol::Thrust | Symbol::CrownMoment => one.clone(),
+            other => other.number(),
+        });
+        let words = format!("{} at the crown for h = p = 1: positive", contact.name());
+        d.identity(words, &margin, &expected, &free)?;
+    }
+    let flat = Angle { rad: Symbol::HalfOpening.number(), sin: h.int(0), cos: h.int(-1) };
+    d.identity("N at pi", &statics::normal_force(&flat, &h), &-h, &free)?;
+    d.conclude(
+        "So narrow arches stand, by continuity; none of half opening pi does, as N > 0 in an admissible state; and \
+         a part of an arch that stands, cut off at a joint, stands. The limit of arches that stand \
+         does, since the conditions are closed: the widest is alpha* < pi.",
+    );
+    d.conclude(
+        "At alpha* no state leaves a positive margin at all joints, else a wider arch would stand. So it has a mechanism \
+         (linear inequalities without a strict solution have multipliers). Suppose a narrower arch has one. In a state \
+         of a wider one, U > 0 and mu N + T > 0 at its shoulder, a joint within. But margins that are not negative \
+         are all zero where the mechanism moves: so it does not move at the shoulder, and then nowhere, as it has a term on \
+         each side.",
     );
     Ok(Finding::Implicit)
 }

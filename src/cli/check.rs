@@ -136,7 +136,7 @@ fn checked(bytes: &[u8], engine: EngineChoice) -> Result<Accepted, Refusal> {
 }
 
 /// The bytes of a file, a little more than the most that is allowed at the most.
-fn read(name: &OsStr) -> io::Result<Vec<u8>> {
+pub(super) fn read(name: &OsStr) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     if name == "-" {
         io::stdin().lock().take(MAX_BYTES + 1).read_to_end(&mut bytes)?;

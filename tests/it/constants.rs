@@ -1,4 +1,4 @@
-//! The certificates in `proofs/constants` are accepted, and are those that the program makes.
+//! The certificates in `proofs/constants` and `proofs/states` are accepted, and are those that the program makes.
 
 use couplet::arch::SelfWeight;
 use couplet::check::check;
@@ -8,8 +8,8 @@ use couplet::problem::Problem;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-fn stored() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("proofs/constants");
+fn stored(folder: &str) -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("proofs").join(folder);
     let files = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     files.filter(|path| path.extension().is_some_and(|e| e == "json")).collect()
 }
@@ -17,7 +17,7 @@ fn stored() -> Vec<PathBuf> {
 #[test]
 fn every_landmark_has_an_accepted_certificate() {
     let mut subjects: Vec<(Landmark, SelfWeight)> = Vec::new();
-    for path in stored() {
+    for path in stored("constants") {
         let text = fs::read_to_string(&path).unwrap();
         let accepted = check::<AstroInterval>(text.as_bytes(), 1000).unwrap();
         let Problem::Landmark { landmark, weight } = accepted.problem else { panic!("{path:?}") };
@@ -34,4 +34,19 @@ fn every_landmark_has_an_accepted_certificate() {
     let all: Vec<_> =
         Landmark::ALL.into_iter().flat_map(|l| SelfWeight::ALL.map(|w| (l, w))).collect();
     assert_eq!(subjects, all);
+}
+
+#[cfg(feature = "mpfr")]
+#[test]
+fn the_stored_states_are_those_that_the_program_makes() {
+    for path in stored("states") {
+        let text = fs::read_to_string(&path).unwrap();
+        let accepted = check::<AstroInterval>(text.as_bytes(), 1000).unwrap();
+        let (Problem::State { arch, .. } | Problem::Verdict { arch, .. }) = accepted.problem else {
+            panic!("{path:?}")
+        };
+        let made = couplet::certify::certify_arch(&arch, None, accepted.digits).unwrap();
+        let made = serde_json::to_string_pretty(&made).unwrap() + "\n";
+        assert!(text == made, "{}: run `make states`", path.display());
+    }
 }

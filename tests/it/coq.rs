@@ -1,18 +1,34 @@
 //! The stored Coq files are those that the program prints.
 
+use couplet::arch::SelfWeight;
+use couplet::certify::certify_arch;
+use couplet::claims::coq::{StateError, files, state};
+use couplet::problem::{Arch, Mode};
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+/// The files of a folder of `proofs` with an extension.
+fn stored(folder: &str, extension: &str) -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("proofs").join(folder);
+    let files = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    files.filter(|path| path.extension().is_some_and(|found| found == extension)).collect()
+}
+
+/// What the program prints: the landmarks, and the states of the stored certificates.
+fn printed() -> BTreeMap<String, String> {
+    let states = stored("states", "json").into_iter().map(|path| {
+        let certificate = fs::read(&path).unwrap();
+        state(&certificate).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+    });
+    files().unwrap().into_iter().chain(states).collect()
+}
 
 #[test]
 fn stored_and_printed_files_agree() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("proofs/coq/generated");
-    let printed: BTreeMap<String, String> =
-        couplet::claims::coq::files().unwrap().into_iter().collect();
-    let stored: BTreeMap<String, String> = fs::read_dir(&folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().path())
-        .filter(|path| path.extension().is_some_and(|extension| extension == "v"))
+    let printed = printed();
+    let stored: BTreeMap<String, String> = stored("coq/generated", "v")
+        .into_iter()
         .map(|path| {
             let name = path.file_name().unwrap().to_str().unwrap().to_owned();
             (name, fs::read_to_string(path).unwrap())
@@ -22,17 +38,68 @@ fn stored_and_printed_files_agree() {
     for (name, text) in &printed {
         assert!(
             stored[name] == *text,
-            "{name}: run `couplet prove --coq proofs/coq/generated` and look at what changed"
+            "{name}: run `couplet prove --coq proofs/coq/generated`, `make states`, and look at what changed"
         );
     }
 }
 
 #[test]
 fn a_printed_file_has_no_holes_and_leaves_nothing_unproved() {
-    for (name, text) in couplet::claims::coq::files().unwrap() {
+    for (name, text) in printed() {
         for word in ["<<", ">>", "Admitted", "Axiom", "admit"] {
             assert!(!text.contains(word), "{name}: {word}");
         }
         assert_eq!(text.matches("Proof.").count(), text.matches("Qed.").count(), "{name}");
     }
+}
+
+/// Every mode has a stored state, for both weights where it knows one.
+#[test]
+fn every_mode_has_a_stored_state() {
+    let names: Vec<String> =
+        printed().into_keys().filter(|name| name.starts_with("State")).collect();
+    let expected = Mode::ALL.into_iter().flat_map(|mode| match mode {
+        Mode::Sliding => vec![format!("State{mode:?}.v")],
+        _ => SelfWeight::ALL.map(|weight| format!("State{mode:?}{weight:?}.v")).to_vec(),
+    });
+    let mut expected: Vec<String> = expected.collect();
+    expected.sort();
+    assert_eq!(names, expected);
+}
+
+/// A theorem has the digits of the state, however few its certificate has.
+#[test]
+fn a_certificate_of_two_digits_gives_the_same_theorem() {
+    let arch = Arch::parse("heyman", "pi/2", "0.38").unwrap();
+    let few = certify_arch(&arch, None, 2).unwrap();
+    let (name, text) = state(&serde_json::to_vec(&few).unwrap()).unwrap();
+    assert_eq!(text, printed()[&name]);
+}
+
+/// What is given is exact: a fraction, a multiple of pi, the tangent of an angle.
+#[test]
+fn other_arches_have_a_theorem_too() {
+    for (alpha, mu, given) in [
+        ("1/3", "1/7", "alpha : R := 1/3.\nDefinition mu : R := 1/7."),
+        ("80deg", "31deg", "alpha : R := 4 * PI / 9.\nDefinition mu : R := tan (31 * PI / 180)."),
+        ("2.6", "inf", "alpha : R := 2.6.\n\n"),
+    ] {
+        let arch = Arch::parse("milankovitch", alpha, mu).unwrap();
+        let certificate = serde_json::to_vec(&certify_arch(&arch, None, 20).unwrap()).unwrap();
+        let (_, text) = state(&certificate).unwrap_or_else(|e| panic!("{alpha} {mu}: {e}"));
+        assert!(text.contains(given), "{alpha} {mu}: {text}");
+    }
+}
+
+#[test]
+fn what_is_no_state_or_does_not_check_is_refused() {
+    let landmark = fs::read(&stored("constants", "json")[0]).unwrap();
+    assert_eq!(state(&landmark), Err(StateError::NotState));
+    let good = fs::read_to_string(&stored("states", "json")[0]).unwrap();
+    let wrong = good.replacen("\"value\": \"", "\"value\": \"9", 1);
+    assert!(matches!(state(wrong.as_bytes()), Err(StateError::Refused(_))));
+    // Nothing that 30 decimals show.
+    let arch = Arch::parse("heyman", "1e-30", "1").unwrap();
+    let tiny = serde_json::to_vec(&certify_arch(&arch, None, 10).unwrap()).unwrap();
+    assert!(matches!(state(&tiny), Err(StateError::Undecided(_))));
 }

@@ -1,163 +1,27 @@
-//! The file of a landmark: the claim in printed equations, the table, and its check.
+//! The file of a landmark: its one solution, and what follows for the values that the paper prints.
 
-use super::numeral::{text, unit};
-use super::table::{Cleared, DECIMALS, Table};
+use super::printed;
+use super::solution::Solution;
+use super::table::Root;
 use super::template::fill;
-use super::{Symbols, argument, printed, weight_name};
-use crate::arch::Unknown;
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::judge::Audited;
-use crate::problem::{Equation, Landmark, System};
-use rug::Rational;
+use crate::problem::{Equation, Landmark};
 
 /// The whole file.
 pub(super) fn file(point: &CertifiedLandmark, audited: &[Audited]) -> Result<String, Undecided> {
-    let system = point.isolated().system();
-    let cleared = Cleared::new(system);
-    let table = Table::new(point, &cleared)?;
-    let symbols = Symbols::of(system);
-    let mut values = claim(point, &symbols, &table);
-    values.extend(numbers(&cleared, &table));
-    values.extend(check(system, &symbols));
-    let mut out = fill(include_str!("templates/landmark.v"), &values);
-    if system.equations.contains(&Equation::DoubleThickness) {
-        out.push_str(&fill(include_str!("templates/radicand.v"), &values));
+    let mut solution = Solution::new(&Root::of_landmark(point)?, &[])?;
+    solution.values.push(("title", title(point.landmark())));
+    let mut out = fill(include_str!("templates/landmark.v"), &solution.values);
+    out.push_str(&solution.text());
+    if point.isolated().system().equations.contains(&Equation::DoubleThickness) {
+        out.push_str(&fill(include_str!("templates/radicand.v"), &solution.values));
     }
-    out.push_str(&printed::corollaries(point, audited, &symbols));
+    out.push_str(&printed::corollaries(point, audited, &solution.symbols));
     Ok(out)
-}
-
-type Values = Vec<(&'static str, String)>;
-
-/// What the theorem says.
-fn claim(point: &CertifiedLandmark, symbols: &Symbols, table: &Table) -> Values {
-    let system = point.isolated().system();
-    let labels: Vec<&str> = system.equations.iter().map(|equation| equation.label()).collect();
-    let equations = system.equations.iter().map(|&e| equation(e, system));
-    let wide = symbols.iter().zip(&table.wide);
-    let wide = wide.map(|(x, (lo, hi))| format!("{} <= {x} <= {}", text(lo), text(hi)));
-    let narrow = symbols.iter().zip(&table.centre);
-    let narrow =
-        narrow.map(|(x, c)| format!("Rabs ({x} - {}) <= {}", text(c), text(&unit(DECIMALS))));
-    let all = |parts: Vec<String>| parts.join(" /\\\n  ");
-    vec![
-        ("title", title(point.landmark())),
-        ("weight", weight_name(point.weight()).into()),
-        ("delta", point.weight().flag().to_string()),
-        ("labels", labels.join("; ")),
-        ("args", symbols.arguments()),
-        ("equations", all(equations.collect())),
-        ("wide", all(wide.collect())),
-        ("narrow", all(narrow.collect())),
-        ("radius", text(&unit(DECIMALS))),
-    ]
 }
 
 /// A landmark as a title.
 pub(super) fn title(landmark: Landmark) -> String {
     format!("The point {}: {}", landmark.symbol(), landmark.name())
-}
-
-/// An equation as the paper prints it, in the names of `Arch.v` and `Instance.v`.
-fn equation(equation: Equation, system: &System) -> String {
-    let of = |unknown| argument(system, unknown);
-    let (alpha, eta) = (of(Unknown::HalfOpening), of(Unknown::Thickness));
-    let (beta, h, mu) = (of(Unknown::RotationJoint), of(Unknown::Thrust), of(Unknown::Friction));
-    let joint = of(Unknown::SlidingJoint);
-    let delta = system.weight.flag();
-    match equation {
-        Equation::LowerThrust => format!("{h} = h_lower {delta} {beta} {eta}"),
-        Equation::UpperThrust => format!("{h} = h_upper {delta} {alpha} {beta} {eta}"),
-        Equation::WholeThrust => format!("{h} = h_whole {delta} {alpha} {eta}"),
-        Equation::Tangency => format!("{h} = h_tangency {delta} {beta} {eta}"),
-        Equation::TangencyAtCrown => format!("{h} = end_of_rotation {delta} {eta}"),
-        Equation::DoubleThickness => format!("double_thickness {delta} {beta} {eta}"),
-        Equation::ShoulderSliding => format!("{mu} = mu_ss {alpha} {h}"),
-        Equation::InnerSliding => format!("{mu} = mu_is {h}"),
-        Equation::Steepest => format!("{joint} = Arch.beta_s {h}"),
-    }
-}
-
-/// The lemma of `Instance.v` that links the cleared form of an equation to the printed one.
-fn lemma(equation: Equation) -> Option<&'static str> {
-    Some(match equation {
-        Equation::LowerThrust => "cleared_lower",
-        Equation::UpperThrust => "cleared_upper",
-        Equation::WholeThrust => "cleared_whole",
-        Equation::Tangency => "cleared_tangency",
-        Equation::TangencyAtCrown => "cleared_tangency_at_crown",
-        Equation::DoubleThickness => "cleared_double_thickness",
-        Equation::ShoulderSliding => "cleared_shoulder_sliding",
-        Equation::InnerSliding => "cleared_inner_sliding",
-        // With the equation before it.
-        Equation::Steepest => return None,
-    })
-}
-
-/// The table.
-fn numbers(cleared: &Cleared, table: &Table) -> Values {
-    let terms: Vec<String> = cleared.residuals.iter().map(|term| term.to_string()).collect();
-    let slopes = cleared.jacobian.iter().map(|row| {
-        let row: Vec<String> = row.iter().map(|term| term.to_string()).collect();
-        format!("[{}]", row.join(";\n     "))
-    });
-    vec![
-        ("residuals", terms.join(";\n    ")),
-        ("jacobian", slopes.collect::<Vec<_>>().join(";\n    ")),
-        ("centre", numerals(&table.centre, ";\n    ")),
-        ("radii", numerals(&table.radii, "; ")),
-        ("inverse", matrix(&table.inverse)),
-        ("slopes", matrix(&table.slopes)),
-        ("spreads", matrix(&table.spreads)),
-        ("size", text(&table.residual)),
-        ("factor", text(&table.factor)),
-    ]
-}
-
-fn numerals(numbers: &[Rational], between: &str) -> String {
-    numbers.iter().map(text).collect::<Vec<_>>().join(between)
-}
-
-fn matrix(rows: &[Vec<Rational>]) -> String {
-    let rows: Vec<String> = rows.iter().map(|row| format!("[{}]", numerals(row, "; "))).collect();
-    rows.join(";\n    ")
-}
-
-/// What the check has to spell out for each unknown or equation.
-fn check(system: &System, symbols: &Symbols) -> Values {
-    let n = system.unknowns.len();
-    let each = |f: &dyn Fn(usize) -> String| (0..n).map(f).collect::<Vec<_>>();
-    let primed = |x: &'static str| format!("{x}'");
-    let others: Vec<String> = symbols.iter().map(primed).collect();
-    let equal: Vec<String> = symbols.iter().map(|x| format!("{x}' = {x}")).collect();
-    let coordinates = each(&|k| format!("(x {k}%nat)"));
-    let bounds = each(&|k| format!("generalize (bounds Hx {k} ltac:(lia))."));
-    let same = each(&|k| format!("apply (same {k}%nat); lia"));
-    vec![
-        ("n", n.to_string()),
-        ("coordinates", coordinates.join(" ")),
-        ("witnesses", coordinates.join(", ")),
-        ("bounds", bounds.join("\n  ")),
-        ("hypotheses", each(&|k| format!("B{k}")).join(" ")),
-        ("clearing", clearing(system).join("\n  ")),
-        ("others", others.join(" ")),
-        ("others_list", others.join("; ")),
-        ("pattern", others.join(" & ")),
-        ("equal", equal.join(" /\\ ")),
-        ("same", same.join(" | ")),
-    ]
-}
-
-/// One step for each equation; (18) takes the last two together.
-fn clearing(system: &System) -> Vec<String> {
-    let lemmas: Vec<&str> = system.equations.iter().filter_map(|&e| lemma(e)).collect();
-    let last = lemmas.len() - 1;
-    let step = |(index, lemma): (usize, &&str)| {
-        if index == last {
-            format!("apply {lemma}; clearing.")
-        } else {
-            format!("apply both_under; [apply {lemma}; clearing | intros E{index}].")
-        }
-    };
-    lemmas.iter().enumerate().map(step).collect()
 }

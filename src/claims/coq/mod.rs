@@ -1,10 +1,12 @@
-//! Coq theorems about the landmarks, printed from the equations of [`crate::arch`].
+//! Coq theorems about the landmarks and about certified states, printed from the equations of [`crate::arch`].
 //!
 //! | file | what it does |
 //! |---|---|
 //! | `term` | a number type that prints |
 //! | `table` | the numbers that prove one root of a system |
-//! | `landmark` | the file of a landmark: what is claimed, the table, its check |
+//! | `solution` | one solution of a system: what is claimed, the table, its check |
+//! | `landmark` | the file of a landmark |
+//! | `state`, `given`, `sign` | the file of a state: what is given, what its signs are, what follows |
 //! | `printed` | what follows for the values that the paper prints |
 //! | `half_opening`, `joint` | the files with one unknown and a very wide bracket |
 //! | `weights` | the two self-weights compared |
@@ -15,16 +17,21 @@
 //! numbers, and calls. **Only the statements matter**: they are in terms of the printed equations of
 //! `Arch.v`, and Coq checks everything else.
 
+mod given;
 mod half_opening;
 mod joint;
 mod landmark;
 mod numeral;
 mod printed;
+mod sign;
+mod solution;
+mod state;
 mod table;
 mod template;
 mod term;
 mod weights;
 
+pub use state::{StateError, state};
 pub use term::Term;
 
 use crate::arch::{SelfWeight, Unknown};

@@ -3,8 +3,8 @@
 //! Nothing here is trusted: Coq checks every number. Floats and balls only choose them, such that the
 //! check succeeds with some room.
 
-use super::numeral::{distance, down, exact, nearest, places, radius, up};
-use super::{Symbols, Term};
+use super::numeral::{distance, down, exact, nearest, places, radius, unit, up};
+use super::{BITS, Symbols, Term, symbol};
 use crate::arch::{Configuration, Unknown};
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::number::{Angle, Ball, Dual, Magnitude};
@@ -16,12 +16,14 @@ use rug::{Float, Rational};
 pub(super) const DECIMALS: u32 = 30;
 /// Decimals of a centre as printed: the first Newton step has to stay far inside the small box.
 const CENTRE: u32 = DECIMALS + 6;
+/// Decimals more where the equations lose many.
+const MORE: u32 = 4;
 /// Decimals of the preconditioner and of the slopes at the centre.
 const MATRIX: u32 = 7;
-/// Bits of the balls.
-const BITS: u32 = 256;
 /// The factor by which distances have to shrink.
 const CONTRACTION: (u32, u32) = (9, 10);
+/// The largest radius: the small box is that part of the wide one which shows the decimals where a radius is one.
+const LARGEST: (u32, u32) = (99, 100);
 /// By how much a bound is printed larger than the balls find it; Coq's intervals differ from them.
 const ROOM: (u32, u32) = (21, 20);
 /// The box is made smaller by a twentieth this often before it is given up.
@@ -36,11 +38,15 @@ pub(super) struct Cleared {
 }
 
 impl Cleared {
-    /// The equations of the system, in its own order, in variables named by their symbols.
+    /// The equations of the system, in its own order, in variables named by their symbols; so is what is given.
     pub(super) fn new(system: &System) -> Self {
         let symbols = Symbols::of(system);
         let variables: Vec<Term> = symbols.iter().map(Term::variable).collect();
-        let given = Configuration::zero(&Term::constant(0));
+        let given = Configuration {
+            half_opening: Term::angle(symbol(Unknown::HalfOpening)),
+            friction: Term::variable(symbol(Unknown::Friction)),
+            ..Configuration::zero(&Term::constant(0))
+        };
         let at = system.place_with(given, &variables, |k, _| Term::angle(symbols.get(k)));
         let residuals: Vec<Term> =
             system.residuals(&at).iter().map(|term| term.fraction().0).collect();
@@ -55,7 +61,7 @@ fn gradient(term: &Term, symbols: &Symbols) -> Vec<Term> {
     let like = Dual::constant(Term::constant(0));
     let slope = term.evaluate(&like, &|name| match symbols.index(name) {
         Some((k, symbol)) => Term::angle(symbol).variable(k),
-        None => Angle::zero(&like),
+        None => Term::angle(name).map(Dual::constant),
     });
     symbols.iter().enumerate().map(|(k, _)| slope.derivative(k)).collect()
 }
@@ -66,7 +72,33 @@ pub(super) fn derivative(term: &Term, variable: &'static str) -> Term {
     term.evaluate(&like, &|_| Term::angle(variable).variable(0)).derivative(0)
 }
 
-/// The numbers of one landmark.
+/// A root of a system: where it is, and where there is no other.
+pub(super) struct Root {
+    /// The equations.
+    pub system: System,
+    /// What is given.
+    pub given: Configuration<Ball>,
+    /// The root, in the order of the unknowns.
+    pub values: Vec<Ball>,
+    /// A box about it of the shape in which Newton's method contracts.
+    pub domain: Vec<Ball>,
+}
+
+impl Root {
+    /// The root that is a landmark.
+    pub(super) fn of_landmark(point: &CertifiedLandmark) -> Result<Self, Undecided> {
+        let isolated = point.isolated();
+        let system = *isolated.system();
+        let refined = point.enclosure(BITS)?;
+        let values = system.unknowns.iter().map(|&unknown| refined.value(unknown)).collect();
+        let missing = || Undecided::new(format!("{} lacks a value", point.landmark().symbol()));
+        let values: Vec<Ball> = Option::ok_or_else(values, missing)?;
+        let given = Configuration::zero(&Ball::integer(0, BITS));
+        Ok(Self { system, given, values, domain: isolated.domain().to_vec() })
+    }
+}
+
+/// The numbers that prove one root.
 pub(super) struct Table {
     /// The centre `c`.
     pub centre: Vec<Rational>,
@@ -89,31 +121,38 @@ pub(super) struct Table {
 impl Table {
     /// Chooses the numbers: the largest wide box of the shape that the isolation has found, on which
     /// the system contracts well.
-    pub(super) fn new(point: &CertifiedLandmark, cleared: &Cleared) -> Result<Self, Undecided> {
-        let failed =
-            |what| Undecided::new(format!("{} for Coq: {what}", point.landmark().symbol()));
-        let system = point.isolated().system();
-        let refined = point.enclosure(BITS)?;
-        let values = system.unknowns.iter().map(|&unknown| refined.value(unknown));
-        let centre: Option<Vec<Rational>> =
-            values.map(|x| Some(nearest(&exact(x?.mid()), CENTRE))).collect();
-        let centre = centre.ok_or_else(|| failed("a value is missing"))?;
+    pub(super) fn new(root: &Root, cleared: &Cleared) -> Result<Self, Undecided> {
+        let table = |decimals| Self::with_centre(root, cleared, decimals);
+        table(CENTRE).or_else(|_| table(CENTRE + MORE))
+    }
 
-        let at_centre = Values::new(system, &centre, &vec![Rational::new(); centre.len()]);
+    /// The same with a centre of some decimals.
+    fn with_centre(root: &Root, cleared: &Cleared, decimals: u32) -> Result<Self, Undecided> {
+        let failed = |what| Undecided::new(format!("for Coq: {what}"));
+        let centre: Vec<Rational> =
+            root.values.iter().map(|x| nearest(&exact(x.mid()), decimals)).collect();
+        let at_centre = Values::new(root, &centre, &vec![Rational::new(); centre.len()]);
         let slopes = matrix(&cleared.jacobian, |term| at_centre.nearest(term));
         let floats = matrix(&slopes, |x| Float::with_val(BITS, x));
         let inverse = inverse(floats).ok_or_else(|| failed("a singular Jacobian"))?;
         let inverse = matrix(&inverse, |x| nearest(&exact(x), MATRIX));
 
-        let boxes = shrinking(point.isolated().domain());
+        let boxes = shrinking(&root.domain);
         let contracting = boxes.into_iter().find_map(|radii| {
-            let spreads = Values::new(system, &centre, &radii).spreads(cleared, &slopes);
+            // Tiny unknowns have no radius of this many decimals.
+            if radii.contains(&Rational::new()) {
+                return None;
+            }
+            let spreads = Values::new(root, &centre, &radii).spreads(cleared, &slopes);
             let factor = up(&contraction(&inverse, &slopes, &spreads, &radii), 2);
             (factor <= Rational::from(CONTRACTION)).then_some((radii, spreads, factor))
         });
         let (radii, spreads, factor) =
             contracting.ok_or_else(|| failed("no box on which it contracts"))?;
-        let residual = at_centre.largest(&cleared.residuals);
+        let residual = at_centre.largest(&cleared.residuals, decimals);
+        if !starts(&inverse, &residual, &factor, &radii) {
+            return Err(failed("the equations lose too many decimals of the root"));
+        }
         let wide = short_bounds(&centre, &radii);
         Ok(Self { centre, radii, wide, inverse, slopes, spreads, residual, factor })
     }
@@ -121,7 +160,8 @@ impl Table {
 
 /// Smaller and smaller boxes of one shape, with radii of two digits.
 fn shrinking(domain: &[Ball]) -> Vec<Vec<Rational>> {
-    let mut shape: Vec<Rational> = domain.iter().map(radius).collect();
+    let largest = Rational::from(LARGEST);
+    let mut shape: Vec<Rational> = domain.iter().map(|x| radius(x).min(largest.clone())).collect();
     let step = |_| {
         let radii = shape.iter().map(|r| down(r, places(r, 2))).collect();
         shape.iter_mut().for_each(|r| *r *= Rational::from((19, 20)));
@@ -143,10 +183,11 @@ fn short_bounds(centre: &[Rational], radii: &[Rational]) -> Vec<(Rational, Ratio
 struct Values {
     symbols: Symbols,
     angles: Vec<Angle<Ball>>,
+    given: Configuration<Ball>,
 }
 
 impl Values {
-    fn new(system: &System, centre: &[Rational], radii: &[Rational]) -> Self {
+    fn new(root: &Root, centre: &[Rational], radii: &[Rational]) -> Self {
         let angle = |((c, r), unknown): ((&Rational, &Rational), &Unknown)| {
             let radius = Magnitude::upper(&Float::with_val(64, r));
             let ball = Ball::enclosing(c, BITS).widened(radius);
@@ -156,15 +197,16 @@ impl Values {
                 Angle { rad: ball.clone(), ..Angle::zero(&ball) }
             }
         };
-        let angles = centre.iter().zip(radii).zip(system.unknowns).map(angle).collect();
-        Self { symbols: Symbols::of(system), angles }
+        let angles = centre.iter().zip(radii).zip(root.system.unknowns).map(angle).collect();
+        Self { symbols: Symbols::of(&root.system), angles, given: root.given.clone() }
     }
 
     fn of(&self, term: &Term) -> Ball {
         let like = &self.angles[0].rad;
         term.evaluate(like, &|name| match self.symbols.index(name) {
             Some((k, _)) => self.angles[k].clone(),
-            None => Angle::zero(like),
+            None if name == symbol(Unknown::HalfOpening) => self.given.half_opening.clone(),
+            None => Angle { rad: self.given.friction.clone(), ..Angle::zero(like) },
         })
     }
 
@@ -189,11 +231,11 @@ impl Values {
         rows.map(|(terms, slopes)| terms.iter().zip(slopes).map(spread).collect()).collect()
     }
 
-    /// A bound of one digit for all absolute values, with room.
-    fn largest(&self, terms: &[Term]) -> Rational {
+    /// A bound of few digits for all absolute values, with room.
+    fn largest(&self, terms: &[Term], decimals: u32) -> Rational {
         let sizes = terms.iter().map(|term| distance(&self.of(term), &Rational::new()));
         let largest = sizes.max().unwrap_or_default() * Rational::from(2);
-        up(&largest, CENTRE)
+        up(&largest, decimals)
     }
 }
 
@@ -218,6 +260,20 @@ fn contraction(
     (0..n).map(row).max().unwrap_or_default()
 }
 
+/// Whether the first Newton step stays far inside the small box.
+fn starts(
+    inverse: &[Vec<Rational>],
+    residual: &Rational,
+    factor: &Rational,
+    radii: &[Rational],
+) -> bool {
+    let room = (Rational::from(1) - factor) * unit(DECIMALS);
+    inverse.iter().zip(radii).all(|(row, radius)| {
+        let sum = row.iter().fold(Rational::new(), |sum, y| sum + y.clone().abs());
+        sum * residual <= room.clone() * radius
+    })
+}
+
 fn matrix<T, U>(rows: &[Vec<T>], f: impl Fn(&T) -> U) -> Vec<Vec<U>> {
     rows.iter().map(|row| row.iter().map(&f).collect()).collect()
 }
@@ -226,23 +282,20 @@ fn matrix<T, U>(rows: &[Vec<T>], f: impl Fn(&T) -> U) -> Vec<Vec<U>> {
 mod tests {
     use super::*;
     use crate::arch::SelfWeight;
-    use crate::claims::coq::numeral::unit;
     use crate::problem::Landmark;
 
-    fn triple() -> (System, Cleared) {
-        let system = Landmark::Triple.system(SelfWeight::Milankovitch);
-        (system, Cleared::new(&system))
+    fn triple() -> (Root, Cleared) {
+        let point = CertifiedLandmark::new(Landmark::Triple, SelfWeight::Milankovitch).unwrap();
+        let root = Root::of_landmark(&point).unwrap();
+        let cleared = Cleared::new(&root.system);
+        (root, cleared)
     }
 
     #[test]
     fn a_cleared_system_has_no_quotients_and_its_own_zeros() {
-        let (system, cleared) = triple();
-        let point = CertifiedLandmark::new(Landmark::Triple, system.weight).unwrap();
-        let refined = point.enclosure(BITS).unwrap();
-        let centre: Vec<Rational> =
-            system.unknowns.iter().map(|&x| exact(refined.value(x).unwrap().mid())).collect();
-        let none = vec![Rational::new(); centre.len()];
-        let values = Values::new(&system, &centre, &none);
+        let (root, cleared) = triple();
+        let centre: Vec<Rational> = root.values.iter().map(|x| exact(x.mid())).collect();
+        let values = Values::new(&root, &centre, &vec![Rational::new(); centre.len()]);
         for term in &cleared.residuals {
             assert!(!term.to_string().contains(" / "), "{term}");
             assert!(distance(&values.of(term), &Rational::new()) < unit(60));
@@ -251,11 +304,11 @@ mod tests {
 
     #[test]
     fn the_jacobian_is_that_of_the_cleared_system() {
-        let (system, cleared) = triple();
+        let (root, cleared) = triple();
         let at = |shift: usize, by: Rational| -> Values {
             let mut centre: Vec<Rational> = (2..8).map(|n| Rational::from((n, 7))).collect();
             centre[shift] += by;
-            Values::new(&system, &centre, &vec![Rational::new(); 6])
+            Values::new(&root, &centre, &vec![Rational::new(); 6])
         };
         let step = Rational::from((1, 1_000_000_000));
         for k in 0..6 {

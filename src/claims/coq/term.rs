@@ -76,7 +76,7 @@ impl Term {
 
     /// The value of the term in another number "like" `like`, where the variables have the values
     /// given; a variable that is no angle needs no sine and cosine.
-    pub fn evaluate<T: Field>(&self, like: &T, value: &impl Fn(&str) -> Angle<T>) -> T {
+    pub fn evaluate<T: Field>(&self, like: &T, value: &impl Fn(&'static str) -> Angle<T>) -> T {
         let of = |term: &Self| term.evaluate(like, value);
         match &*self.0 {
             Constant(constant) => rational(like, constant),

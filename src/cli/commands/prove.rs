@@ -2,12 +2,17 @@
 
 use super::output::{Output, OutputFile};
 use super::parse;
-use crate::claims::{Claim, claims, coq};
+use crate::check::visible_name;
+use crate::claims::coq::{self, StateError};
+use crate::claims::{Claim, claims};
+use crate::cli::check::read;
 use crate::cli::failure::Failure;
 use crate::report::words::{did_you_mean, shortened};
 use crate::report::{Claims, Content, Format, Index, Report};
 use clap::Args;
 use rayon::prelude::*;
+use std::collections::HashMap;
+use std::ffi::OsString;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -43,11 +48,19 @@ pub(crate) struct Arguments {
     /// Instead, write the constants as theorems for the proof assistant Coq into a folder.
     #[arg(long, value_name = "FOLDER", conflicts_with_all = ["claims", "show", "format", "output"])]
     coq: Option<PathBuf>,
+
+    /// With --coq, write these states instead: certificates of `couplet certify state`, `-` for standard input.
+    #[arg(long, value_name = "FILE", num_args = 1.., requires = "coq")]
+    state: Vec<OsString>,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(folder) = &arguments.coq {
-        return write_coq(folder);
+        let files = match arguments.state.is_empty() {
+            true => coq::files().map_err(|undecided| Failure::Undecided(undecided.to_string()))?,
+            false => state_files(&arguments.state)?,
+        };
+        return write_coq(folder, files);
     }
     if arguments.index
         && !Format::all(Content::Index).any(|format| format.name == arguments.format.name)
@@ -89,14 +102,34 @@ fn list(claims: &[Claim], out: &mut dyn io::Write) -> io::Result<()> {
 }
 
 /// Writes the Coq files into a folder, which is made if need be.
-fn write_coq(folder: &Path) -> Result<(), Failure> {
-    let files = coq::files().map_err(|undecided| Failure::Undecided(undecided.to_string()))?;
+fn write_coq(folder: &Path, files: Vec<(String, String)>) -> Result<(), Failure> {
     fs::create_dir_all(folder).map_err(|error| Failure::writing(folder.display(), &error))?;
     for (name, text) in files {
         let output = Output::open(Some(&folder.join(name)))?;
         output.write(|out| out.write_all(text.as_bytes()))?;
     }
     Ok(())
+}
+
+/// The Coq files of certified states. Those of one mode and weight are numbered from the second on.
+fn state_files(certificates: &[OsString]) -> Result<Vec<(String, String)>, Failure> {
+    let mut files: Vec<(String, String)> = Vec::new();
+    let mut seen = HashMap::new();
+    for path in certificates {
+        let shown = visible_name(path);
+        let bytes = read(path).map_err(|error| Failure::reading(&shown, &error))?;
+        let (name, text) = coq::state(&bytes).map_err(|error| match error {
+            StateError::Undecided(_) => Failure::Undecided(format!("{shown}: {error}")),
+            _ => Failure::Input(format!("{shown}: {error}")),
+        })?;
+        let count = seen.entry(name.clone()).and_modify(|n| *n += 1).or_insert(1);
+        let name = match *count {
+            1 => name,
+            n => format!("{}{n}.v", name.trim_end_matches(".v")),
+        };
+        files.push((name, text));
+    }
+    Ok(files)
 }
 
 /// The claims named, each by its id or by the beginning of it up to a hyphen.

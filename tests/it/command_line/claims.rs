@@ -1,7 +1,7 @@
 //! `couplet prove`.
 
 use super::printed;
-use crate::program::{command, json};
+use crate::program::{Scratch, command, couplet, json, said};
 
 #[test]
 fn claims_are_decided_and_a_misprint_is_no_failure() {
@@ -63,4 +63,40 @@ fn no_claim_waits_for_one_that_waits_for_it() {
             assert!(status.success());
         }
     }
+}
+
+/// Two arches of one mode and weight do not overwrite each other, and a bad file writes nothing.
+#[test]
+fn certified_states_become_theorems() {
+    let scratch = Scratch::new();
+    let certificate = |name: &str, friction: &str| {
+        let path = scratch.path(name);
+        let arch = ["certify", "state", "--alpha", "pi/2", "--mu", friction, "-o", &path];
+        assert_eq!(said(&couplet(&arch)).0, Some(0));
+        path
+    };
+    let (one, other) = (certificate("one.json", "0.5"), certificate("other.json", "0.6"));
+    let folder = scratch.path("coq");
+    let made = couplet(&["prove", "--coq", &folder, "--state", &one, &other]);
+    assert_eq!(said(&made), (Some(0), String::new(), String::new()));
+    let first = scratch.read("coq/StateRotationalMilankovitch.v");
+    let second = scratch.read("coq/StateRotationalMilankovitch2.v");
+    assert!(first.contains("mu : R := 0.5.") && second.contains("mu : R := 0.6."));
+    scratch.write("bad.json", scratch.read("one.json").replace("1/2 pi", "2/5 pi"));
+    let (bad, landmark) = (scratch.path("bad.json"), scratch.path("T.json"));
+    couplet(&["certify", "T", "--digits", "5", "-o", &landmark]);
+    for (file, code, reason) in [
+        (&bad, 2, "refused: unique"),
+        (&landmark, 2, "not the certificate of a state"),
+        (&scratch.path("none.json"), 3, "cannot read"),
+    ] {
+        let empty = scratch.path("empty");
+        let (found, output, message) =
+            said(&couplet(&["prove", "--coq", &empty, "--state", &one, file]));
+        assert_eq!((found, output.as_str()), (Some(code), ""), "{message}");
+        assert!(message.contains(reason) && message.lines().count() == 1, "{message}");
+        assert!(!std::path::Path::new(&empty).exists());
+    }
+    let (code, _, message) = said(&couplet(&["prove", "--state", &one]));
+    assert!(code == Some(2) && message.contains("--coq"), "{message}");
 }

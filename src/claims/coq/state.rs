@@ -1,0 +1,156 @@
+//! The file of a state: its one solution, the signs that are left, and what they make of it.
+
+use super::given::{friction, given};
+use super::numeral::{text, unit};
+use super::sign::sign;
+use super::solution::{Solution, Values};
+use super::table::{DECIMALS, Root};
+use super::template::fill;
+use super::{BITS, argument};
+use crate::arch::Unknown;
+use crate::certify::{Undecided, isolate_root};
+use crate::check::{Certificate, Refusal, verify};
+use crate::number::{Ball, Dyadic, Engine, Magnitude};
+use crate::problem::{Arch, Mode, Problem, System, Verdict};
+use crate::solve::Candidate;
+use rug::{Float, Rational};
+
+/// Why a certificate does not become a theorem.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum StateError {
+    /// The checker does not accept it.
+    #[error("refused: {0}")]
+    Refused(#[from] Refusal),
+    /// It is about something else.
+    #[error("it is not the certificate of a state (`couplet certify state` writes one)")]
+    NotState,
+    /// The numbers for Coq were not found.
+    #[error(transparent)]
+    Undecided(#[from] Undecided),
+}
+
+/// The file of the state that a certificate is about, name and content, after a check of the certificate.
+///
+/// Of an arch that slides it is the purely sliding state, which has no thickness but a friction.
+pub fn state(certificate: &[u8]) -> Result<(String, String), StateError> {
+    let problem = verify(certificate)?.problem;
+    let (mode, arch) = match &problem {
+        Problem::State { mode, arch } => (*mode, arch),
+        Problem::Verdict { verdict: Verdict::Slides, arch } => (Mode::Sliding, arch),
+        _ => return Err(StateError::NotState),
+    };
+    let root = root(&problem, &Certificate::read(certificate)?)?;
+    let given = given(&root.system, arch);
+    let names: Vec<&str> = given.iter().map(|(name, _)| *name).collect();
+    let mut solution = Solution::new(&root, &names)?;
+    signs_hold(&problem, &root, &solution)?;
+    solution.values.extend(claims(&problem, mode, arch, &solution));
+    let definitions = given.iter().map(|(name, x)| format!("Definition {name} : R := {x}."));
+    solution.values.push(("arch", definitions.collect::<Vec<_>>().join("\n")));
+    let [heading, theorems] = match mode {
+        Mode::Sliding => {
+            [include_str!("templates/sliding.v"), include_str!("templates/least_friction.v")]
+        }
+        _ => [include_str!("templates/state.v"), include_str!("templates/least_thickness.v")],
+    }
+    .map(|template| fill(template, &solution.values));
+    // Pure sliding does not know the weight.
+    let weight = match mode {
+        Mode::Sliding => String::new(),
+        _ => format!("{:?}", arch.weight()),
+    };
+    Ok((format!("State{mode:?}{weight}.v"), [heading, solution.text(), theorems].concat()))
+}
+
+/// Steps with the inverse of a certificate, each of which gains many bits next to the root.
+const STEPS: usize = 40;
+
+/// The root of a certificate to the digits that are printed, however many it has itself.
+fn root(problem: &Problem, certificate: &Certificate) -> Result<Root, Undecided> {
+    let (system, given) = (problem.system(), problem.given::<Ball>(BITS));
+    let exact = |x: &Dyadic| <Ball as Engine>::exact(x, BITS as usize);
+    let inverse: Vec<Vec<Ball>> =
+        certificate.inverse.iter().map(|row| row.iter().map(exact).collect()).collect();
+    let mut values: Vec<Ball> = certificate.root.centre.iter().map(exact).collect();
+    for _ in 0..STEPS {
+        let residuals = system.residuals(&system.place(given.clone(), &values));
+        for (x, row) in values.iter_mut().zip(&inverse) {
+            let terms = row.iter().zip(&residuals).map(|(y, residual)| y.clone() * residual);
+            *x = Ball::exact(terms.fold(x.clone(), |x, term| x - term).mid().clone(), BITS);
+        }
+    }
+    let candidate = Candidate(values.iter().map(|x| x.mid().clone()).collect());
+    let domain = isolate_root(problem, &candidate)?.domain().to_vec();
+    Ok(Root { system, given, values, domain })
+}
+
+/// Whether the digits that are printed tell every sign.
+fn signs_hold(problem: &Problem, root: &Root, solution: &Solution) -> Result<(), Undecided> {
+    let radius = Magnitude::upper(&Float::with_val(64, unit(DECIMALS)));
+    let digits = |x: &Rational| Ball::enclosing(x, BITS).widened(radius);
+    let narrow: Vec<Ball> = solution.table.centre.iter().map(digits).collect();
+    let at = root.system.place(root.given.clone(), &narrow);
+    problem.first_failure(&at, BITS).map_or(Ok(()), |open| {
+        let open = open.label();
+        Err(Undecided::new(format!("for Coq: {DECIMALS} decimals do not tell {open}")))
+    })
+}
+
+/// What is claimed of the state beside the digits of its solution.
+fn claims(problem: &Problem, mode: Mode, arch: &Arch, solution: &Solution) -> Values {
+    let system = problem.system();
+    let conditions = problem.conditions().into_iter().flat_map(|(_, conditions)| conditions);
+    let mut signs: Vec<String> = conditions.filter_map(|c| sign(c, mode, &system)).collect();
+    let least = match mode {
+        Mode::Sliding => Unknown::Friction,
+        _ => Unknown::Thickness,
+    };
+    let least = system.index(least).map(|index| text(&solution.table.centre[index]));
+    let friction = friction(arch);
+    if let (Mode::Sliding, Some(mu)) = (mode, &friction) {
+        signs.extend(["0 < alpha".into(), "alpha < PI".into()]);
+        signs.extend([format!("0 <= {mu}"), format!("{mu} < mu")]);
+    }
+    let symbols: Vec<&str> = solution.symbols.iter().collect();
+    let mut values = vec![
+        ("mode", mode.label().into()),
+        ("signs", signs.join(" /\\\n  ")),
+        ("least", least.unwrap_or_default()),
+        ("witness", symbols.join(" & ")),
+        ("friction", friction.unwrap_or_default()),
+    ];
+    values.extend(admissibility(mode, arch, &system));
+    values
+}
+
+/// What is claimed on the whole half arch, and the theorem of `States.v` behind it.
+fn admissibility(mode: Mode, arch: &Arch, system: &System) -> Values {
+    let delta = system.weight.flag();
+    let h = argument(system, Unknown::Thrust);
+    let moment = match mode {
+        Mode::Rotational | Mode::SlidingRotational => format!("(at_crown eta {h})"),
+        Mode::Overturning => "0".into(),
+        _ => format!("(at_shoulder {delta} alpha eta {h})"),
+    };
+    let theorem = match mode {
+        Mode::Rotational if arch.is_limited() => "rotational",
+        Mode::Rotational => "rotational_without_limit",
+        Mode::SlidingRotational => "sliding_rotational",
+        Mode::RotationalSliding | Mode::RotationalSlidingRotational => "rotational_sliding",
+        Mode::OverturningSliding => "overturning_sliding",
+        Mode::Overturning => "overturning",
+        Mode::Sliding => "purely_sliding",
+    };
+    let [admissible, stands_from, holds, given] = match arch.is_limited() {
+        true => ["admissible", "stands_from", ", and friction holds,", "alpha mu"],
+        false => ["thrust_inside", "stands_without_limit_from", "", "alpha"],
+    };
+    let mu = if arch.is_limited() { " mu" } else { "" };
+    vec![
+        ("admissible", format!("{admissible} {delta} alpha eta{mu} {h} {moment}")),
+        ("stands_from", format!("{stands_from} {delta} {given}")),
+        ("holds", holds.into()),
+        ("theorem", format!("{theorem} {delta} {given}")),
+    ]
+}

@@ -1,0 +1,31 @@
+
+(** ** The state *)
+
+(** What is left to look at: the joints that slide, and the friction of the arch. *)
+Lemma signs <<args>> : narrow <<args>> ->
+  <<signs>>.
+Proof. unfold narrow<<unfolded>>. signs. Qed.
+
+(** At less friction nothing stands. *)
+Theorem state <<args>> : wide <<args>> -> equations <<args>> ->
+  forall mu', 0 <= mu' < mu -> stands_at_no_thickness alpha mu'.
+Proof.
+  intros W E. pose proof (signs <<args>> (digits <<args>> W E)) as S.
+  eapply (purely_sliding alpha); [tauto | exact E | tauto ..].
+Qed.
+
+Theorem least_friction : exists mu, Rabs (mu - <<least>>) <= <<radius>> /\
+  (forall mu', 0 <= mu' < mu -> stands_at_no_thickness alpha mu').
+Proof.
+  destruct one_solution as (<<witness>> & N & E & _).
+  exists mu. split; [unfold narrow in N; tauto |].
+  exact (state <<args>> (narrow_is_wide <<args>> N) E).
+Qed.
+
+(** That of the certificate is less. *)
+Theorem stands_not : stands_at_no_thickness alpha <<friction>>.
+Proof.
+  destruct one_solution as (<<witness>> & N & E & _).
+  apply (state <<args>> (narrow_is_wide <<args>> N) E).
+  pose proof (signs <<args>> N). tauto.
+Qed.
