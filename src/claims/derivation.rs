@@ -5,6 +5,8 @@ use crate::certify::{Undecided, cover};
 use crate::number::{Ball, Enclosure, ExactField, Field, Ternary};
 use crate::symbolic::{Fraction, Notation, Polynomial, Relations, Series, Symbol};
 use rug::Rational;
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
 
 /// A formula in both notations.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -150,18 +152,10 @@ impl Derivation {
         self.push(Support::Conclusion, words, None);
     }
 
-    /// Uses another claim, which is decided here once more; its steps are not repeated. One that does not
-    /// hold as it is stated cannot be used.
+    /// Uses another claim, which is decided too; its steps are not repeated. One that does not hold as it is
+    /// stated cannot be used.
     pub fn lemma(&mut self, claim: &Claim) -> Result<(), Undecided> {
-        let decision = claim.decide();
-        match decision.outcome {
-            Ok(Finding::AsPrinted | Finding::Implicit) => {}
-            Ok(_) => {
-                return Err(Undecided::new(format!("{} does not hold as it is stated", claim.id)));
-            }
-            Err(undecided) => return Err(undecided.about(claim.id)),
-        }
-        self.beneath.extend(decision.derivation.supports());
+        self.beneath.extend(used(claim)?);
         self.push(Support::Claim, format!("{}: {}", claim.id, claim.statement), None);
         Ok(())
     }
@@ -324,6 +318,25 @@ impl Derivation {
         self.push(Support::Balls, range, None);
         Ok(())
     }
+}
+
+/// What a claim that is used rests on, if it holds as it is stated; each is decided once in a process.
+fn used(claim: &Claim) -> Result<Vec<Support>, Undecided> {
+    type Used = Result<Vec<Support>, Undecided>;
+    static KNOWN: Mutex<BTreeMap<&str, Used>> = Mutex::new(BTreeMap::new());
+    let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(used) = known().get(claim.id) {
+        return used.clone();
+    }
+    // Not under the lock: a claim uses others.
+    let decision = claim.decide();
+    let used = match decision.outcome {
+        Ok(Finding::AsPrinted | Finding::Implicit) => Ok(decision.derivation.supports().collect()),
+        Ok(_) => Err(Undecided::new(format!("{} does not hold as it is stated", claim.id))),
+        Err(undecided) => Err(undecided.about(claim.id)),
+    };
+    known().insert(claim.id, used.clone());
+    used
 }
 
 /// The fraction with the first coefficient of its numerator changed; one for zero.

@@ -24,7 +24,7 @@ pub(super) const EQUATIONS: &[Sentence] = &[
         &["weights-same-opening"],
     ),
     said("Eq. (1)", "the intrinsic thrust is eta h = H/(gamma d r^2)", &["eq-1"]),
-    said("Fig. 1", "r is the inner radius", &["fig-1-radius"]),
+    said("Fig. 1", "r is the inner radius", &["eq-1-radius"]),
     said("Eq. (2)", "the thrust by the moment of the upper part about the inner hinge", &["eq-2"]),
     said("Eq. (3)", "the thrust by the moment of the lower part about it", &["eq-3"]),
     said("Eq. (4)", "the thrust by the moment of the half arch about the shoulder", &["eq-4"]),
@@ -54,12 +54,12 @@ pub(super) const EQUATIONS: &[Sentence] = &[
     said(
         "Sec. 2.1, Fig. 2",
         "the rotational joint of Heyman's solution overshoots about and after its peak",
-        &["weights-widest-joint", "weights-overshoot"],
+        &["weights-widest-joint", "weights-rotation"],
     ),
     said(
         "Sec. 2.1, Fig. 2",
         "eta and h of the two weights differ minimally, even where thick",
-        &["weights-minimal-eta", "weights-minimal-h"],
+        &["weights-minimal"],
     ),
     said(
         "Sec. 2.1",
