@@ -17,6 +17,7 @@
 //! `beta < beta_sb`, the double one at `beta_sb`, and none beyond.
 
 use super::letters::ring;
+use super::sign::{AngleSigns, Positive, RingSigns};
 use super::{Claim, Derivation, Finding};
 use crate::arch::{Ring, cubic, overturning, thrust};
 use crate::certify::Undecided;
@@ -92,10 +93,22 @@ fn cubic_in_thickness() -> Fraction {
     )
 }
 
+/// `2 + eta - (2 - eta) cos(beta)`, the lever arm in (2), which is positive.
+fn lever_arm(
+    d: &mut Derivation,
+    angle: &AngleSigns,
+    signs: &RingSigns,
+) -> Result<Positive, Undecided> {
+    let arm = Positive::int(2) * &angle.versine + &(signs.thickness.clone() * &angle.coversine);
+    let lower = thrust::lower(&Symbol::joint(), &ring());
+    arm.is(d, "the lever arm in (2)", &lower.denominator, &Relations::none())
+}
+
 fn one_joint_for_each_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (joint, ring, circle) = (Symbol::joint(), ring(), Relations::trigonometric());
     let (eta, delta, p) = (&ring.thickness, Symbol::Flag.number(), cubic_in_thickness());
-    d.assume("0 < beta < pi, 0 < eta < 2, 0 <= delta_M <= 1");
+    let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
+    let lever = lever_arm(d, &angle, &signs)?;
     let gap =
         thrust::lower(&joint, &ring).difference(&thrust::tangency(&joint.times_cotangent(), &ring));
     d.identity(
@@ -105,10 +118,8 @@ fn one_joint_for_each_thickness(d: &mut Derivation) -> Result<Finding, Undecided
         &circle,
     )?;
     let slope = (p.clone() / &joint.sin).derivative(&along_the_joint());
-    let lever = ring.extrados() - ring.intrados() * &joint.cos;
-    let bow = joint.rad.clone() - joint.sin.clone() * &joint.cos;
-    let expected = p.int(3) * ring.intrados() * lever * bow / joint.sin.square();
-    d.identity("d(p/S)/d beta", &slope, &expected, &circle)?;
+    let rise = Positive::int(3) * &signs.intrados * &lever * &angle.bow;
+    (rise / &(angle.sin.clone() * &angle.sin)).is(d, "d(p/S)/d beta", &slope, &circle)?;
     let crown = Angle { rad: p.int(1), sin: p.int(1), cos: p.int(1) };
     let at_crown = (delta.clone() * eta.square() + eta.int(12) * eta - eta.int(12)) * eta;
     d.identity(
@@ -118,26 +129,27 @@ fn one_joint_for_each_thickness(d: &mut Derivation) -> Result<Finding, Undecided
         &Relations::none(),
     )?;
     let flat = Angle { rad: joint.rad.clone(), sin: p.int(0), cos: p.int(-1) };
-    d.identity(
+    (Positive::int(12) * &signs.intrados * &angle.rad).is(
+        d,
         "p at beta = pi, where S = 0 and C = -1",
         &cubic::in_thickness(&cubic::abbreviations(&flat), &delta, eta),
-        &(ring.intrados() * &joint.rad * p.int(12)),
+        &Relations::none(),
+    )?;
+    (signs.flag.clone() * &signs.thickness * &Positive::int(2) + &Positive::int(12)).is(
+        d,
+        "the slope to eta of (p/beta)/eta at the crown",
+        &(at_crown.clone() / eta).derivative(&along_the_thickness()),
         &Relations::none(),
     )?;
     d.identity(
         "what is negative at the crown is the condition behind (16), so eta_l is where it changes sign",
-        &(at_crown.clone() / eta),
+        &(at_crown / eta),
         &(overturning::end_of_rotation(&ring) * p.int(-12)),
         &Relations::none(),
     )?;
-    let bracket = at_crown.clone() / eta;
-    let growth = delta * eta * eta.int(2) + eta.int(12);
-    let words = "it grows with eta";
-    d.identity(words, &bracket.derivative(&along_the_thickness()), &growth, &Relations::none())?;
     d.conclude(
-        "As S < beta and C < 1, beta - S C > 0 and 2 + eta - (2 - eta) C > 0: p/S grows with beta on \
-         (0, pi), from eta (delta_M eta^2 + 12 eta - 12) to +inf. The bracket \
-         vanishes at eta_l. So p = 0 has exactly one root beta(eta) if eta < eta_l and none if \
+        "p/S grows with beta on (0, pi), from eta (delta_M eta^2 + 12 eta - 12) to +inf. The bracket \
+         grows with eta and vanishes at eta_l. So p = 0 has exactly one root beta(eta) if eta < eta_l and none if \
          eta_l <= eta < 2; beta(eta) is analytic, since the slope is not zero.",
     );
     Ok(Finding::Implicit)
@@ -146,24 +158,18 @@ fn one_joint_for_each_thickness(d: &mut Derivation) -> Result<Finding, Undecided
 fn two_thicknesses_for_each_joint(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.lemma(&ONE_JOINT_FOR_EACH_THICKNESS)?;
     let (joint, free) = (Symbol::joint(), Relations::none());
+    let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
     let (p, delta) = (cubic_in_thickness(), Symbol::Flag.number());
-    let one = p.int(1);
-    let (above, below) = (one.clone() - &joint.cos, one.clone() + &joint.cos);
-    let at = |eta: i32| cubic::in_thickness(&cubic::abbreviations(&joint), &delta, &one.int(eta));
-    let excess = joint.rad.clone() - &joint.sin;
-    d.identity("p at eta = 0", &at(0), &(excess * &above * one.int(12)), &free)?;
-    d.identity(
-        "p at eta = 2",
-        &at(2),
-        &((delta.clone() + one.int(3)) * &joint.sin * one.int(8)),
-        &free,
-    )?;
+    let at = |eta: i32| cubic::in_thickness(&cubic::abbreviations(&joint), &delta, &p.int(eta));
+    let thin = Positive::int(12) * &angle.excess * &angle.versine;
+    thin.is(d, "p at eta = 0", &at(0), &free)?;
+    let thick = Positive::int(8) * &angle.sin * &(signs.flag.clone() + &Positive::int(3));
+    thick.is(d, "p at eta = 2", &at(2), &free)?;
     let rules = along_the_thickness();
     let bend = p.derivative(&rules).derivative(&rules);
-    let sum = joint.rad.clone() + &joint.sin;
-    let expected = delta.clone() * &joint.sin * Symbol::Thickness.number() * one.int(6)
-        + sum * &below * one.int(6);
-    d.identity("d²p/d eta²", &bend, &expected, &free)?;
+    let flat = signs.flag.clone() * &signs.thickness * &angle.sin * &Positive::int(6);
+    let sum = (angle.rad.clone() + &angle.sin) * &angle.coversine * &Positive::int(6);
+    (flat + &sum).is(d, "d²p/d eta²", &bend, &free)?;
     let leading = p.numerator().leading_coefficient(Symbol::Thickness);
     d.identity("the coefficient of eta³", &leading.into(), &(delta * &joint.sin), &free)?;
     d.conclude(
@@ -181,7 +187,10 @@ fn two_thicknesses_for_each_joint(d: &mut Derivation) -> Result<Finding, Undecid
 fn states_in_order(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.lemma(&ONE_JOINT_FOR_EACH_THICKNESS)?;
     let (joint, ring, circle) = (Symbol::joint(), ring(), Relations::trigonometric());
+    let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
+    let wide = AngleSigns::of_half_opening(d)?;
     let (eta, delta) = (ring.thickness.clone(), Symbol::Flag.number());
+    let arm = lever_arm(d, &angle, &signs)?;
     let lower = thrust::lower(&joint, &ring);
     let (lever, h_lower) = (lower.denominator.clone(), lower.value());
     let one = eta.int(1);
@@ -191,30 +200,30 @@ fn states_in_order(d: &mut Derivation) -> Result<Finding, Undecided> {
         &-(cubic_in_thickness() / (one.int(3) * lever.square())),
         &circle,
     )?;
-    let loss = one.int(4) * &joint.sin * (joint.rad.clone() - &joint.sin)
-        + one.int(2) * joint.sin.square() * (one.int(2) - &ring.centroid_factor)
-        + delta.clone() * &eta * joint.versine() * &lever / one.int(3);
-    d.identity(
-        "h_L falls with eta",
-        &h_lower.derivative(&along_the_thickness()),
-        &-(loss / lever.square()),
+    let loss = Positive::int(4) * &angle.sin * &angle.excess
+        + &(Positive::int(2) * &angle.sin * &angle.sin * &signs.unfactored)
+        + &(signs.flag.clone() * &signs.thickness * &angle.versine * &arm / &Positive::int(3));
+    (loss / &(arm.clone() * &arm)).is(
+        d,
+        "the fall of h_L with eta",
+        &-h_lower.derivative(&along_the_thickness()),
         &circle,
     )?;
     let rest = overturning::opening_variable(&ring).value();
-    let fall = one.int(12) * (one.clone() - &delta)
-        + delta.clone() * ring.intrados() * (one.int(6) + &eta);
-    d.identity(
-        "2 fac/(2 + eta) falls with eta",
-        &rest.derivative(&along_the_thickness()),
-        &-(fall / (one.int(6) * ring.extrados().square())),
+    let six = Positive::int(6) + &signs.thickness;
+    let four = Positive::int(4) + &signs.thickness;
+    let fall = six * &signs.intrados + &(signs.unflagged.clone() * &signs.thickness * &four);
+    (fall / &(Positive::int(6) * &signs.extrados * &signs.extrados)).is(
+        d,
+        "the fall of 2 fac/(2 + eta) with eta",
+        &-rest.derivative(&along_the_thickness()),
         &Relations::none(),
     )?;
-    let alpha = Symbol::half_opening();
-    let opening = thrust::opening_variable(&alpha).value();
-    d.identity(
-        "A falls with alpha",
-        &opening.derivative(&along_the_opening()),
-        &-((alpha.rad.clone() - &alpha.sin) / alpha.versine()),
+    let opening = thrust::opening_variable(&Symbol::half_opening()).value();
+    (wide.excess / &wide.versine).is(
+        d,
+        "the fall of A with alpha",
+        &-opening.derivative(&along_the_opening()),
         &circle,
     )?;
     let straight = Angle { rad: one.int(0), sin: one.int(0), cos: one.clone() };
@@ -231,8 +240,8 @@ fn states_in_order(d: &mut Derivation) -> Result<Finding, Undecided> {
         &Relations::none(),
     )?;
     d.conclude(
-        "Along the curve dh/d eta is the partial derivative of h_L, negative since S < beta and \
-         fac < 2, and with (4) dA/d eta is negative too, so that d alpha/d eta > 0: eta, alpha and -h \
+        "Along the curve dh/d eta is the partial derivative of h_L, which is negative, and with (4) \
+         dA/d eta is negative too, so that d alpha/d eta > 0: eta, alpha and -h \
          grow together. (4) with 0 <= alpha < alpha_l is then met exactly once.",
     );
     d.conclude(format!(
@@ -246,33 +255,36 @@ fn states_in_order(d: &mut Derivation) -> Result<Finding, Undecided> {
 /// At one thickness a larger `delta_M` means a smaller half opening and a smaller thrust.
 fn states_of_one_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.lemma(&STATES_IN_ORDER)?;
-    let (joint, ring, eta) = (Symbol::joint(), ring(), Symbol::Thickness.number());
-    let lower = thrust::lower(&joint, &ring);
-    let (h_lower, lever) = (lower.value(), lower.denominator);
+    let (joint, ring) = (Symbol::joint(), ring());
+    let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
+    let [cosine] = Positive::given(d, "beta < pi/2, which is shown below", [&joint.cos]);
+    let arm = lever_arm(d, &angle, &signs)?;
+    let square = signs.thickness.clone() * &signs.thickness / &Positive::int(6);
+    let h_lower = thrust::lower(&joint, &ring).value();
     let rest = overturning::opening_variable(&ring).value();
     let by_flag = [(Symbol::Flag, Polynomial::from(1))];
-    d.identity(
+    (Positive::int(2) * &square * &signs.thickness * &cosine / &(arm.clone() * &signs.extrados)).is(
+        d,
         "the derivative of A = h_L + 2 fac/(2 + eta) to delta_M, at a fixed joint and thickness",
         &(h_lower.clone() + &rest).derivative(&by_flag),
-        &(eta.square() * &eta * &joint.cos / (eta.int(3) * &lever * ring.extrados())),
         &Relations::none(),
     )?;
-    d.identity(
-        "the derivative of h_L to delta_M",
-        &h_lower.derivative(&by_flag),
-        &-(eta.square() * joint.versine() / (eta.int(6) * lever)),
+    (square.clone() * &angle.versine / &arm).is(
+        d,
+        "the fall of h_L with delta_M",
+        &-h_lower.derivative(&by_flag),
         &Relations::none(),
     )?;
-    d.identity(
+    (square / &signs.extrados).is(
+        d,
         "the derivative of (13) to delta_M",
         &rest.derivative(&by_flag),
-        &(eta.square() / (eta.int(6) * ring.extrados())),
         &Relations::none(),
     )?;
-    d.identity(
+    (angle.sin * &signs.thickness * &signs.thickness * &signs.thickness).is(
+        d,
         "the derivative of p to delta_M",
         &cubic_in_thickness().derivative(&by_flag),
-        &(eta.square() * &eta * &joint.sin),
         &Relations::none(),
     )?;
     let at_right_angle = |eta: &Ball| {

@@ -5,6 +5,8 @@ use crate::certify::{Undecided, cover};
 use crate::number::{Ball, Enclosure, ExactField, Field, Ternary};
 use crate::symbolic::{Fraction, Notation, Polynomial, Relations, Series, Symbol};
 use rug::Rational;
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
 
 /// A formula in both notations.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -53,7 +55,9 @@ pub enum Support {
     Algebra,
     /// Balls that cover a whole range.
     Balls,
-    /// A conclusion from the steps before.
+    /// Another claim, decided by itself.
+    Claim,
+    /// A conclusion from the steps before, in words.
     Conclusion,
 }
 
@@ -65,6 +69,7 @@ impl Support {
             Self::Definition => "definition",
             Self::Algebra => "algebra",
             Self::Balls => "balls",
+            Self::Claim => "claim",
             Self::Conclusion => "conclusion",
         }
     }
@@ -147,19 +152,11 @@ impl Derivation {
         self.push(Support::Conclusion, words, None);
     }
 
-    /// Uses another claim, which is decided here once more; its steps are not repeated. One that does not
-    /// hold as it is stated cannot be used.
+    /// Uses another claim, which is decided too; its steps are not repeated. One that does not hold as it is
+    /// stated cannot be used.
     pub fn lemma(&mut self, claim: &Claim) -> Result<(), Undecided> {
-        let decision = claim.decide();
-        match decision.outcome {
-            Ok(Finding::AsPrinted | Finding::Implicit) => {}
-            Ok(_) => {
-                return Err(Undecided::new(format!("{} does not hold as it is stated", claim.id)));
-            }
-            Err(undecided) => return Err(undecided.about(claim.id)),
-        }
-        self.beneath.extend(decision.derivation.supports());
-        self.push(Support::Conclusion, format!("By {}: {}", claim.id, claim.statement), None);
+        self.beneath.extend(used(claim)?);
+        self.push(Support::Claim, format!("{}: {}", claim.id, claim.statement), None);
         Ok(())
     }
 
@@ -194,6 +191,18 @@ impl Derivation {
         right: &Fraction,
         relations: &Relations,
     ) -> Result<(), Undecided> {
+        self.identity_as(words, left, right, relations, right.into())
+    }
+
+    /// The same, with the right side shown as it was made.
+    pub fn identity_as(
+        &mut self,
+        words: impl Into<String>,
+        left: &Fraction,
+        right: &Fraction,
+        relations: &Relations,
+        shown: Formula,
+    ) -> Result<(), Undecided> {
         let words = words.into();
         let left = if self.twin() { false_twin(left) } else { left.clone() };
         if [&left, right].iter().any(|x| relations.normal_form(x.denominator()).is_zero()) {
@@ -204,7 +213,7 @@ impl Derivation {
         if !normal_form.is_zero() {
             return Err(Undecided::new(format!("{words}: the difference is {normal_form}")));
         }
-        self.push(Support::Algebra, words, Some(right.into()));
+        self.push(Support::Algebra, words, Some(shown));
         Ok(())
     }
 
@@ -309,6 +318,25 @@ impl Derivation {
         self.push(Support::Balls, range, None);
         Ok(())
     }
+}
+
+/// What a claim that is used rests on, if it holds as it is stated; each is decided once in a process.
+fn used(claim: &Claim) -> Result<Vec<Support>, Undecided> {
+    type Used = Result<Vec<Support>, Undecided>;
+    static KNOWN: Mutex<BTreeMap<&str, Used>> = Mutex::new(BTreeMap::new());
+    let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(used) = known().get(claim.id) {
+        return used.clone();
+    }
+    // Not under the lock: a claim uses others.
+    let decision = claim.decide();
+    let used = match decision.outcome {
+        Ok(Finding::AsPrinted | Finding::Implicit) => Ok(decision.derivation.supports().collect()),
+        Ok(_) => Err(Undecided::new(format!("{} does not hold as it is stated", claim.id))),
+        Err(undecided) => Err(undecided.about(claim.id)),
+    };
+    known().insert(claim.id, used.clone());
+    used
 }
 
 /// The fraction with the first coefficient of its numerator changed; one for zero.

@@ -25,6 +25,8 @@
 //! | why they fill it | `tiling.rs` |
 //! | the landmarks as states of the whole arch | `admissible.rs` |
 //! | one least thickness, one half opening | `uniqueness.rs` |
+//! | signs by algebra | `sign.rs` |
+//! | what the paper says, place by place, and what decides it | `index.rs`, `sentences.rs` |
 //!
 //! A claim is decided by a [`Derivation`]: the equations of `arch` are evaluated over
 //! [`symbolic`](crate::symbolic) numbers, and each step is checked exactly, or in balls over a whole
@@ -44,6 +46,7 @@ mod derivation;
 mod differences;
 mod domains;
 mod frictions;
+mod index;
 mod joining;
 mod landmarks;
 mod letters;
@@ -54,6 +57,8 @@ mod moments;
 mod overturning;
 mod rounded;
 mod same_opening;
+mod sentences;
+mod sign;
 mod sliding;
 mod states;
 mod tiling;
@@ -63,6 +68,7 @@ mod units;
 mod weights;
 
 pub use derivation::{Derivation, Formula, Step, Support};
+pub use index::{Decided, Sentence, index};
 
 use crate::certify::Undecided;
 use std::time::{Duration, Instant};

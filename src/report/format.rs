@@ -2,7 +2,7 @@
 
 use super::answers::Answers;
 use super::audit::{self, Audit};
-use super::claims::{self, Claims};
+use super::claims::{self, Claims, Index};
 use super::judged::{self, JudgeSummary, JudgedLines};
 use super::rows::Rows;
 use super::sampled::{self, SampledLines};
@@ -21,6 +21,8 @@ pub enum Content {
     Audit,
     /// Claims of the paper.
     Claims,
+    /// The paper, place by place.
+    Index,
     /// Other people's results: all of them in summary, or each as it comes.
     Judged,
     /// Arches that were drawn.
@@ -49,6 +51,7 @@ pub struct Format {
     pub(crate) rows: Option<Opener>,
     pub(super) audit: Option<Writer<Audit>>,
     pub(super) claims: Option<Writer<Claims>>,
+    pub(super) index: Option<Writer<Index>>,
     pub(crate) judged: Option<Writer<JudgeSummary>>,
     pub(crate) judged_lines: Option<JudgedLines>,
     pub(crate) samples: Option<SampledLines>,
@@ -65,6 +68,7 @@ const fn text(name: &'static str, extension: &'static str) -> Format {
         rows: None,
         audit: None,
         claims: None,
+        index: None,
         judged: None,
         judged_lines: None,
         samples: None,
@@ -83,11 +87,12 @@ static FORMATS: [Format; 15] = [
         judged: Some(judged::table),
         ..text("table", "txt")
     },
-    Format { claims: Some(claims::text), ..text("text", "txt") },
+    Format { claims: Some(claims::text), index: Some(claims::index_text), ..text("text", "txt") },
     Format { answers: Some(plain::answers), ..text("plain", "txt") },
     Format {
         audit: Some(audit::json),
         claims: Some(claims::json),
+        index: Some(claims::index_json),
         judged: Some(judged::json),
         ..language("json", "json", json::answers)
     },
@@ -140,6 +145,7 @@ impl Format {
             Content::Rows => format.rows.is_some(),
             Content::Audit => format.audit.is_some(),
             Content::Claims => format.claims.is_some(),
+            Content::Index => format.index.is_some(),
             Content::Judged => format.judged.is_some() || format.judged_lines.is_some(),
             Content::Samples => format.samples.is_some(),
         })

@@ -58,7 +58,7 @@ pub(crate) mod words;
 pub use answer::{Answer, Fingerprint, Kept, Proof, Status, Subject};
 pub use answers::{Answers, Scope};
 pub use audit::Audit;
-pub use claims::Claims;
+pub use claims::{Claims, Index};
 pub use format::{Content, Format};
 pub use given::GivenDoubles;
 pub use rows::Rows;
@@ -75,6 +75,8 @@ pub enum Report {
     Audit(Audit),
     /// Claims of the paper.
     Claims(Claims),
+    /// The paper, place by place.
+    Index(Index),
 }
 
 impl Report {
@@ -84,6 +86,7 @@ impl Report {
             Self::Answers(answers) => format.answers.map(|write| write(answers, out)),
             Self::Audit(audit) => format.audit.map(|write| write(audit, out)),
             Self::Claims(claims) => format.claims.map(|write| write(claims, out)),
+            Self::Index(index) => format.index.map(|write| write(index, out)),
         };
         written.unwrap_or_else(|| Err(io::ErrorKind::Unsupported.into()))
     }

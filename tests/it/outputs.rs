@@ -124,6 +124,7 @@ outputs! {
 
     prove: run("couplet prove");
     prove_with_derivations: run("couplet prove eq-7-eta eq-8 eq-16 --show");
+    prove_index: run("couplet prove --index");
     prove_json: run("couplet prove eq-16 --show --format json");
     prove_latex: run("couplet prove eq-8 --show --format latex");
 
@@ -181,6 +182,8 @@ outputs! {
         "couplet constants --weight heymann",
         "couplet prove eq-99",
         "couplet prove --format csv",
+        "couplet prove --index --format latex",
+        "couplet prove --index eq-16",
         "couplet study accuracy --only T",
         "couplet certify T --half-opening 1",
         "couplet check --engine gmp T.json",

@@ -8,7 +8,7 @@ use crate::claims::{Claim, claims};
 use crate::cli::check::read;
 use crate::cli::failure::Failure;
 use crate::report::words::{did_you_mean, shortened};
-use crate::report::{Claims, Content, Format, Report};
+use crate::report::{Claims, Content, Format, Index, Report};
 use clap::Args;
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -30,6 +30,10 @@ pub(crate) struct Arguments {
     /// List the claims, without deciding them.
     #[arg(long, conflicts_with_all = ["show", "format", "coq"])]
     list: bool,
+
+    /// The paper, place by place: each equation and comparison with the claims that decide it.
+    #[arg(long, conflicts_with_all = ["claims", "list", "show", "coq"])]
+    index: bool,
 
     /// Show the derivations: hypotheses, intermediate polynomials, cofactors.
     #[arg(long)]
@@ -58,6 +62,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         };
         return write_coq(folder, files);
     }
+    if arguments.index
+        && !Format::all(Content::Index).any(|format| format.name == arguments.format.name)
+    {
+        let names = Format::names(Content::Index);
+        return Err(Failure::Input(format!("the index is written as {names}")));
+    }
     let chosen = choose(&arguments.claims)?;
     let output = arguments.file.open()?;
     if arguments.list {
@@ -70,8 +80,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .map(|decision| decision.claim.id)
         .collect();
     let undecided = undecided.join(", ");
-    let claims = Claims { decisions, show: arguments.show, timed: true };
-    let report = Report::Claims(claims);
+    let report = match arguments.index {
+        true => Report::Index(Index { decisions }),
+        false => Report::Claims(Claims { decisions, show: arguments.show, timed: true }),
+    };
     output.write(|out| report.write(arguments.format, out))?;
     match undecided.is_empty() {
         true => Ok(()),

@@ -32,6 +32,7 @@ pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()>
                 Support::Definition => "Let: ",
                 Support::Algebra => "Exactly: ",
                 Support::Balls => "By balls: ",
+                Support::Claim => "By ",
                 Support::Conclusion => "So: ",
             };
             writeln!(out, "\\textit{{{lead}}}{}", plain(&step.words))?;

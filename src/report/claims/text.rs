@@ -16,6 +16,7 @@ pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()>
     writeln!(out, "{}", summary(&report.decisions))
 }
 
+/// Characters of a line.
 const WIDTH: usize = 100;
 const INDENT: &str = "           ";
 
@@ -42,6 +43,7 @@ fn steps(decision: &Decision, out: &mut dyn io::Write) -> io::Result<()> {
             Support::Definition => "let   ",
             Support::Algebra => "exact ",
             Support::Balls => "balls ",
+            Support::Claim => "by    ",
             Support::Conclusion => "so    ",
         };
         lines(&step.words, &format!("    {mark} "), INDENT, out)?;
@@ -58,7 +60,12 @@ fn wrapped(words: &str, indent: &str, out: &mut dyn io::Write) -> io::Result<()>
 }
 
 /// The same with another beginning of the first line.
-fn lines(words: &str, first: &str, indent: &str, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn lines(
+    words: &str,
+    first: &str,
+    indent: &str,
+    out: &mut dyn io::Write,
+) -> io::Result<()> {
     let mut line = first.to_owned();
     let mut fresh = true;
     for word in words.split_whitespace() {

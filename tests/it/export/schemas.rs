@@ -149,6 +149,7 @@ fn what_is_written_is_as_the_schemas_say() {
         &["constants", "--digits", "20", "--format", "json"],
         &["prove", "eq-16", "--show", "--format", "json"],
         &["prove", "eq-8", "--format", "json"],
+        &["prove", "--index", "--format", "json"],
     ] {
         documents.push(text(&couplet(line).stdout));
     }

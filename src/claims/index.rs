@@ -1,0 +1,74 @@
+//! The paper, place by place: each equation and each sentence that says how much, or which is more, with what
+//! decides it. The sentences are in our own words.
+
+use super::sentences;
+
+/// An equation or a sentence of the paper.
+#[derive(Clone, Copy, Debug)]
+pub struct Sentence {
+    /// Where it stands.
+    pub place: &'static str,
+    /// What it says.
+    pub says: &'static str,
+    /// What decides it.
+    pub decided: Decided,
+}
+
+/// What decides a sentence.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub enum Decided {
+    /// Claims, by their ids; there is at least one.
+    Claims(&'static [&'static str]),
+    /// Printed digits: `couplet audit` compares each with its certified value.
+    Audit,
+    /// Not decided here, and why.
+    Open(&'static str),
+}
+
+/// The index, in the order of the paper.
+pub fn index() -> Vec<Sentence> {
+    [sentences::EQUATIONS, sentences::MAP, sentences::ILLUSTRATION, sentences::CONCLUSIONS].concat()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Finding, claims};
+    use super::*;
+    use std::collections::BTreeSet;
+
+    fn named() -> BTreeSet<&'static str> {
+        let ids = index().into_iter().flat_map(|sentence| match sentence.decided {
+            Decided::Claims(ids) => ids.to_vec(),
+            Decided::Audit | Decided::Open(_) => Vec::new(),
+        });
+        ids.collect()
+    }
+
+    #[test]
+    fn what_decides_a_sentence_is_a_claim() {
+        let all: BTreeSet<_> = claims().iter().map(|claim| claim.id).collect();
+        let unknown: Vec<_> = named().difference(&all).copied().collect();
+        assert!(unknown.is_empty(), "{unknown:?}");
+        let is_empty = |sentence: &Sentence| matches!(sentence.decided, Decided::Claims([]));
+        assert!(!index().iter().any(is_empty));
+    }
+
+    /// A claim that the paper does not state need not have a place in it.
+    #[test]
+    fn what_the_paper_states_is_in_the_index() {
+        let named = named();
+        let forgotten = claims().into_iter().filter(|claim| !named.contains(claim.id));
+        let stated = forgotten.filter(|claim| claim.decide().outcome != Ok(Finding::Implicit));
+        let stated: Vec<_> = stated.map(|claim| claim.id).collect();
+        assert!(stated.is_empty(), "{stated:?}");
+    }
+
+    #[test]
+    fn every_equation_is_in_the_index() {
+        for n in 1..=20 {
+            let place = format!("Eq. ({n})");
+            assert!(index().iter().any(|sentence| sentence.place == place), "{place}");
+        }
+    }
+}

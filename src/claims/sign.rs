@@ -1,0 +1,301 @@
+//! Signs by algebra: what is positive by a hypothesis, and what follows from that.
+//!
+//! A number of these types carries the proof of its sign, which holds wherever the hypotheses of its derivation
+//! do. It is taken from a hypothesis, or made of others by sums, products and quotients, by growing from zero
+//! with a positive slope, or as one of two whose sum and product are positive. Nothing else makes one.
+
+use super::letters::ring;
+use super::{Derivation, Formula};
+use crate::certify::Undecided;
+use crate::number::{Angle, Field};
+use crate::symbolic::{
+    Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint, along_the_opening,
+};
+use std::ops::{Add, Div, Mul};
+
+/// A number that is positive.
+#[derive(Clone, Debug)]
+pub(super) struct Positive(Made);
+
+/// A number that is not negative.
+#[derive(Clone, Debug)]
+pub(super) struct NotNegative(Made);
+
+/// A number, and how it was made of others.
+#[derive(Clone, Debug)]
+struct Made {
+    value: Fraction,
+    formula: Formula,
+    /// Whether it needs brackets in a product.
+    is_sum: bool,
+}
+
+impl Made {
+    /// Of nothing else.
+    fn whole(value: &Fraction) -> Self {
+        let is_sum = value.as_polynomial().is_none_or(|polynomial| polynomial.len() > 1);
+        Self { value: value.clone(), formula: value.into(), is_sum }
+    }
+
+    fn factor(&self) -> Formula {
+        let Formula { text, latex } = &self.formula;
+        match self.is_sum {
+            true => Formula { text: format!("({text})"), latex: format!("({latex})") },
+            false => self.formula.clone(),
+        }
+    }
+}
+
+fn joined(left: Formula, between: &str, right: &Formula) -> Formula {
+    let join = |left: &str, right: &str| format!("{left}{between}{right}");
+    Formula { text: join(&left.text, &right.text), latex: join(&left.latex, &right.latex) }
+}
+
+impl Add<&Self> for Made {
+    type Output = Self;
+
+    fn add(self, other: &Self) -> Self {
+        let formula = joined(self.formula, " + ", &other.formula);
+        Self { value: self.value + &other.value, formula, is_sum: true }
+    }
+}
+
+impl Mul<&Self> for Made {
+    type Output = Self;
+
+    fn mul(self, other: &Self) -> Self {
+        let formula = joined(self.factor(), " ", &other.factor());
+        Self { value: self.value * &other.value, formula, is_sum: false }
+    }
+}
+
+impl Div<&Self> for Made {
+    type Output = Self;
+
+    fn div(self, other: &Self) -> Self {
+        let Formula { text, latex } = &other.formula;
+        let below = Formula { text: format!("[{text}]"), latex: format!("[{latex}]") };
+        let formula = joined(self.factor(), "/", &below);
+        Self { value: self.value / &other.value, formula, is_sum: false }
+    }
+}
+
+/// A variable that grows from zero: how letters change with it, and what those that do are at zero.
+pub(super) struct FromZero<'a> {
+    pub rules: &'a [(Symbol, Polynomial)],
+    pub at_zero: &'a dyn Fn(Symbol) -> Option<i32>,
+    pub relations: &'a Relations,
+}
+
+impl Positive {
+    /// What a hypothesis says is positive: `0 < beta < pi` of `beta` and of its sine.
+    pub(super) fn given<const N: usize>(
+        d: &mut Derivation,
+        hypothesis: &str,
+        values: [&Fraction; N],
+    ) -> [Self; N] {
+        d.assume(hypothesis);
+        values.map(|value| Self(Made::whole(value)))
+    }
+
+    /// A positive integer; for zero, one.
+    pub(super) fn int(n: u8) -> Self {
+        Self(Made::whole(&Symbol::Joint.number().int(i32::from(n.max(1)))))
+    }
+
+    /// Checks that a value is what is positive already.
+    pub(super) fn is(
+        &self,
+        d: &mut Derivation,
+        words: &str,
+        value: &Fraction,
+        relations: &Relations,
+    ) -> Result<Self, Undecided> {
+        self.check(d, format!("{words}: positive"), value, relations)?;
+        Ok(Self(Made::whole(value)))
+    }
+
+    fn check(
+        &self,
+        d: &mut Derivation,
+        words: String,
+        value: &Fraction,
+        relations: &Relations,
+    ) -> Result<(), Undecided> {
+        d.identity_as(words, value, &self.0.value, relations, self.0.formula.clone())
+    }
+
+    /// Checks that a value is zero at the beginning of a range and has this slope on it.
+    pub(super) fn is_slope_of(
+        &self,
+        d: &mut Derivation,
+        words: &str,
+        value: &Fraction,
+        range: &FromZero<'_>,
+    ) -> Result<Self, Undecided> {
+        let zero = value.int(0);
+        let at_zero =
+            |symbol: Symbol| (range.at_zero)(symbol).map_or(symbol.number(), |n| zero.int(n));
+        let start = value.evaluate(&zero, at_zero);
+        d.identity(format!("{words} begins with 0"), &start, &zero, &Relations::none())?;
+        let slope = value.derivative(range.rules);
+        self.check(d, format!("and grows: {words} is positive"), &slope, range.relations)?;
+        Ok(Self(Made::whole(value)))
+    }
+
+    /// Checks that two values have this product and a positive sum.
+    pub(super) fn is_product_of(
+        &self,
+        d: &mut Derivation,
+        words: &str,
+        values: [&Fraction; 2],
+        sum: &Self,
+        relations: &Relations,
+    ) -> Result<[Self; 2], Undecided> {
+        let [a, b] = values;
+        self.check(d, format!("the product of {words}: positive"), &(a.clone() * b), relations)?;
+        sum.check(d, "their sum: positive, so both are".to_owned(), &(a.clone() + b), relations)?;
+        Ok(values.map(|value| Self(Made::whole(value))))
+    }
+}
+
+impl NotNegative {
+    /// What a hypothesis says is not negative.
+    pub(super) fn given<const N: usize>(
+        d: &mut Derivation,
+        hypothesis: &str,
+        values: [&Fraction; N],
+    ) -> [Self; N] {
+        d.assume(hypothesis);
+        values.map(|value| Self(Made::whole(value)))
+    }
+}
+
+macro_rules! operators {
+    ($($left:ident $operator:ident $method:ident $right:ident = $result:ident;)*) => { $(
+        impl $operator<&$right> for $left {
+            type Output = $result;
+
+            fn $method(self, right: &$right) -> $result {
+                $result(self.0.$method(&right.0))
+            }
+        }
+    )* };
+}
+
+operators! {
+    Positive Add add Positive = Positive;
+    Positive Add add NotNegative = Positive;
+    Positive Mul mul Positive = Positive;
+    Positive Div div Positive = Positive;
+    NotNegative Add add NotNegative = NotNegative;
+    NotNegative Add add Positive = Positive;
+    NotNegative Mul mul Positive = NotNegative;
+    NotNegative Mul mul NotNegative = NotNegative;
+    NotNegative Div div Positive = NotNegative;
+}
+
+/// The signs of an angle between 0 and pi.
+pub(super) struct AngleSigns {
+    pub rad: Positive,
+    pub sin: Positive,
+    /// `1 - cos`.
+    pub versine: Positive,
+    /// `1 + cos`.
+    pub coversine: Positive,
+    /// The angle less its sine.
+    pub excess: Positive,
+    /// The angle less sine times cosine.
+    pub bow: Positive,
+}
+
+impl AngleSigns {
+    /// Those of the rotational joint.
+    pub(super) fn of_joint(d: &mut Derivation) -> Result<Self, Undecided> {
+        let at_zero = |symbol| match symbol {
+            Symbol::Joint | Symbol::Sine => Some(0),
+            Symbol::Cosine => Some(1),
+            _ => None,
+        };
+        Self::of(d, "beta", &Symbol::joint(), (&along_the_joint(), &at_zero))
+    }
+
+    /// Those of the half opening.
+    pub(super) fn of_half_opening(d: &mut Derivation) -> Result<Self, Undecided> {
+        let at_zero = |symbol| match symbol {
+            Symbol::HalfOpening | Symbol::SineOfOpening => Some(0),
+            Symbol::CosineOfOpening => Some(1),
+            _ => None,
+        };
+        Self::of(d, "alpha", &Symbol::half_opening(), (&along_the_opening(), &at_zero))
+    }
+
+    fn of(
+        d: &mut Derivation,
+        name: &str,
+        angle: &Angle<Fraction>,
+        (rules, at_zero): (&[(Symbol, Polynomial)], &dyn Fn(Symbol) -> Option<i32>),
+    ) -> Result<Self, Undecided> {
+        let relations = &Relations::trigonometric();
+        let range = FromZero { rules, at_zero, relations };
+        let Angle { rad, sin, cos } = angle;
+        let [positive_rad, positive_sin] =
+            Positive::given(d, &format!("0 < {name} < pi"), [rad, sin]);
+        let square = positive_sin.clone() * &positive_sin;
+        let [versine, coversine] = square.is_product_of(
+            d,
+            &format!("1 - cos({name}) and 1 + cos({name})"),
+            [&(rad.int(1) - cos), &(rad.int(1) + cos)],
+            &Positive::int(2),
+            relations,
+        )?;
+        let words = format!("{name} - sin({name})");
+        let excess = versine.is_slope_of(d, &words, &(rad.clone() - sin), &range)?;
+        let words = format!("{name} - sin({name}) cos({name})");
+        let bow = rad.clone() - sin.clone() * cos;
+        let bow = (Positive::int(2) * &square).is_slope_of(d, &words, &bow, &range)?;
+        Ok(Self { rad: positive_rad, sin: positive_sin, versine, coversine, excess, bow })
+    }
+}
+
+/// The signs of a ring thinner than the physical limit.
+pub(super) struct RingSigns {
+    pub thickness: Positive,
+    /// `2 - eta`.
+    pub intrados: Positive,
+    /// `2 + eta`.
+    pub extrados: Positive,
+    /// `delta_M`.
+    pub flag: NotNegative,
+    /// `1 - delta_M`.
+    pub unflagged: NotNegative,
+    /// `fac`.
+    pub factor: Positive,
+    /// `2 - fac`.
+    pub unfactored: Positive,
+}
+
+impl RingSigns {
+    pub(super) fn of(d: &mut Derivation) -> Result<Self, Undecided> {
+        let (ring, free) = (ring(), Relations::none());
+        let flag = Symbol::Flag.number();
+        let [thickness, intrados] =
+            Positive::given(d, "0 < eta < 2", [&ring.thickness, &ring.intrados()]);
+        let [flag, unflagged] =
+            NotNegative::given(d, "0 <= delta_M <= 1", [&flag, &(flag.int(1) - &flag)]);
+        let extrados = (Positive::int(2) + &thickness).is(d, "2 + eta", &ring.extrados(), &free)?;
+        let square = thickness.clone() * &thickness / &Positive::int(12);
+        let factor = (Positive::int(1) + &(flag.clone() * &square)).is(
+            d,
+            "fac",
+            &ring.centroid_factor,
+            &free,
+        )?;
+        let part = (Positive::int(8) + &(intrados.clone() * &extrados)) / &Positive::int(12);
+        let rest = ring.thickness.int(2) - &ring.centroid_factor;
+        // Where delta_M is 0 the first is left, where it is 1 the second.
+        let unfactored = (Positive::int(1) * &part + &(unflagged.clone() * &square))
+            .is(d, "2 - fac", &rest, &free)?;
+        Ok(Self { thickness, intrados, extrados, flag, unflagged, factor, unfactored })
+    }
+}

@@ -1,0 +1,109 @@
+//! The paper, place by place, with what became of the claims that decide each sentence: text, and JSON,
+//! `couplet.index/1`. Fields may be added, none changes its meaning.
+
+use super::decided::as_printed;
+use super::text::lines;
+use crate::claims::{Decided, Decision, Finding, Sentence, index};
+use crate::report::json;
+use crate::report::words::count;
+use serde::Serialize;
+use std::io;
+
+/// The index of the paper.
+#[derive(Debug)]
+pub struct Index {
+    /// One per claim, as they were decided.
+    pub decisions: Vec<Decision>,
+}
+
+impl Index {
+    /// The claims that decide a sentence, each with the word for what became of it.
+    fn claims(&self, sentence: &Sentence) -> Vec<ClaimEntry> {
+        let Decided::Claims(ids) = sentence.decided else { return Vec::new() };
+        let decision = |id: &&str| self.decisions.iter().find(|d| d.claim.id == *id);
+        // A claim may say more than the sentence, which is there.
+        let found = |d: &Decision| match d.outcome {
+            Ok(Finding::Implicit) => "proved",
+            _ => as_printed(d),
+        };
+        let entry = |d: &Decision| ClaimEntry { id: d.claim.id, found: found(d) };
+        ids.iter().filter_map(decision).map(entry).collect()
+    }
+}
+
+#[derive(Serialize)]
+struct IndexFile {
+    schema: &'static str,
+    sentences: Vec<SentenceEntry>,
+}
+
+#[derive(Serialize)]
+struct SentenceEntry {
+    place: &'static str,
+    says: &'static str,
+    /// `claims`, `audit` or `open`.
+    decided: &'static str,
+    claims: Vec<ClaimEntry>,
+    /// Why it is open.
+    reason: Option<&'static str>,
+}
+
+#[derive(Serialize)]
+struct ClaimEntry {
+    id: &'static str,
+    found: &'static str,
+}
+
+/// The word for what decides a sentence.
+fn decided(sentence: &Sentence) -> &'static str {
+    match sentence.decided {
+        Decided::Claims(_) => "claims",
+        Decided::Audit => "audit",
+        Decided::Open(_) => "open",
+    }
+}
+
+/// The index as a file.
+pub(crate) fn json(report: &Index, out: &mut dyn io::Write) -> io::Result<()> {
+    let entry = |sentence: Sentence| SentenceEntry {
+        place: sentence.place,
+        says: sentence.says,
+        decided: decided(&sentence),
+        claims: report.claims(&sentence),
+        reason: match sentence.decided {
+            Decided::Open(reason) => Some(reason),
+            Decided::Claims(_) | Decided::Audit => None,
+        },
+    };
+    let sentences = index().into_iter().map(entry).collect();
+    json::write(&IndexFile { schema: "couplet.index/1", sentences }, out)
+}
+
+/// The index for a person at a terminal.
+pub(crate) fn text(report: &Index, out: &mut dyn io::Write) -> io::Result<()> {
+    let all = index();
+    let place = all.iter().map(|sentence| sentence.place.chars().count()).max().unwrap_or(0);
+    let indent = " ".repeat(place + 2);
+    for sentence in &all {
+        let first = format!("{:<place$}  ", sentence.place);
+        lines(sentence.says, &first, &indent, out)?;
+        match sentence.decided {
+            Decided::Claims(_) => {
+                for ClaimEntry { id, found } in report.claims(sentence) {
+                    writeln!(out, "{indent}{found:<10} {id}")?;
+                }
+            }
+            Decided::Audit => writeln!(out, "{indent}{:<10} couplet audit", "digits")?,
+            Decided::Open(reason) => lines(reason, &format!("{indent}open       "), &indent, out)?,
+        }
+    }
+    let of = |kind| all.iter().filter(|sentence| decided(sentence) == kind).count();
+    writeln!(
+        out,
+        "{}: {} by claims, {} by couplet audit, {} open",
+        count(all.len(), "sentence", "sentences"),
+        of("claims"),
+        of("audit"),
+        of("open")
+    )
+}
