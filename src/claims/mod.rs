@@ -2,6 +2,7 @@
 //!
 //! | claims about | file |
 //! |---|---|
+//! | what `r`, `w`, `h` are: (1) | `units.rs` |
 //! | moments, tangency, centroids: (2)–(6) | `moments.rs` |
 //! | the cubics and their abbreviations: (7), (8) | `cubics.rs` |
 //! | the curve of rotational states, the widest joint | `curve.rs` |
@@ -12,6 +13,7 @@
 //! | series for small openings and about `l` | `asymptotics.rs` |
 //! | the landmarks, values of few digits | `landmarks.rs` |
 //! | the landmarks again, as Coq theorems | [`coq`] |
+//! | the two weights at one half opening | `same_opening.rs`, `differences.rs` |
 //! | the two weights compared | `weights.rs` |
 //! | friction along sliding and along rotation | `frictions.rs`, with the states of `along.rs` |
 //! | which joints can be at their limits | `contacts.rs` |
@@ -35,17 +37,22 @@ pub mod coq;
 mod cubics;
 mod curve;
 mod derivation;
+mod differences;
 mod domains;
 mod frictions;
 mod joining;
 mod landmarks;
 mod letters;
+mod measured;
 mod modes;
 mod moments;
 mod overturning;
+mod same_opening;
 mod sliding;
+mod states;
 mod tiling;
 mod uniqueness;
+mod units;
 mod weights;
 
 pub use derivation::{Derivation, Formula, Step, Support};
@@ -128,6 +135,7 @@ impl Claim {
 /// All claims, in the order of the paper.
 pub fn claims() -> Vec<Claim> {
     [
+        units::CLAIMS,
         moments::CLAIMS,
         cubics::CLAIMS,
         curve::CLAIMS,
@@ -137,6 +145,8 @@ pub fn claims() -> Vec<Claim> {
         sliding::CLAIMS,
         asymptotics::CLAIMS,
         landmarks::CLAIMS,
+        same_opening::CLAIMS,
+        differences::CLAIMS,
         weights::CLAIMS,
         frictions::CLAIMS,
         contacts::CLAIMS,

@@ -59,6 +59,18 @@ pub(super) const CLAIMS: &[Claim] = &[
                     r (1 + eta^2/12), and fac_M >= 1",
         decide: centroid,
     },
+    Claim {
+        id: "eq-5-thin",
+        place: "Eq. (5)",
+        statement: "Heyman's beta cot(beta) is what is left of h_e for a thin arch, with either weight",
+        decide: thin_arch,
+    },
+    Claim {
+        id: "rotation-friction",
+        place: "Sec. 2.2",
+        statement: "(2)-(5) see no friction",
+        decide: no_friction,
+    },
 ];
 
 /// The letters of this file: thrust, crown eccentricity, and a ring with symbolic `delta_M`.
@@ -251,5 +263,40 @@ fn centroid(d: &mut Derivation) -> Result<Finding, Undecided> {
     let square = (factor - eta.int(1)) * eta.int(12);
     d.identity("12 (fac_M - 1) is a square", &square, &eta.square(), &free)?;
     d.conclude("fac_M >= 1");
+    Ok(Finding::AsPrinted)
+}
+
+fn thin_arch(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let Arch { ring, .. } = arch();
+    let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
+    let cotangent = Symbol::joint().times_cotangent();
+    let none = Ring::with_flag(&delta, &eta.int(0));
+    let limit = thrust::tangency(&cotangent, &none).value();
+    d.identity("h_e at eta = 0", &limit, &cotangent, &Relations::none())?;
+    let rest = thrust::tangency(&cotangent, &ring).value() - cotangent;
+    let expected = -(eta.clone() / ring.intrados() * (eta.int(1) + delta * eta / eta.int(6)));
+    d.identity(
+        "h_e less beta cot(beta), of the order of eta for either weight",
+        &rest,
+        &expected,
+        &Relations::none(),
+    )?;
+    Ok(Finding::AsPrinted)
+}
+
+fn no_friction(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let Arch { ring, .. } = arch();
+    let (joint, shoulder) = (Symbol::joint(), Symbol::half_opening());
+    let forms = [
+        ("(2)", thrust::lower(&joint, &ring)),
+        ("(3)", thrust::upper(&shoulder, &joint, &ring)),
+        ("(4)", thrust::whole(&shoulder, &ring)),
+        ("(5)", thrust::tangency(&joint.times_cotangent(), &ring)),
+    ];
+    for (name, form) in forms {
+        let slope = form.value().derivative(&[(Symbol::Friction, 1.into())]);
+        let words = format!("the derivative of {name} to mu");
+        d.identity(words, &slope, &slope.int(0), &Relations::none())?;
+    }
     Ok(Finding::AsPrinted)
 }

@@ -4,7 +4,9 @@ use super::{Claim, Derivation, Finding};
 use crate::arch::{sliding, statics};
 use crate::certify::Undecided;
 use crate::number::Field;
-use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint};
+use crate::symbolic::{
+    Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint, along_the_opening,
+};
 
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
@@ -39,6 +41,12 @@ pub(super) const CLAIMS: &[Claim] = &[
         place: "Sec. 2.2",
         statement: "(17) and (18) see neither the thickness nor the self-weight model",
         decide: no_thickness,
+    },
+    Claim {
+        id: "sliding-opening",
+        place: "Sec. 2.2",
+        statement: "the half opening enters sliding by (17) alone: (18) does not see it",
+        decide: no_half_opening,
     },
 ];
 
@@ -128,5 +136,21 @@ fn no_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
             d.identity(words, &slope, &slope.int(0), &Relations::none())?;
         }
     }
+    Ok(Finding::AsPrinted)
+}
+
+fn no_half_opening(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let (alpha, joint, thrust) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thrust.number());
+    let rules = along_the_opening();
+    let inner = sliding::inner(&joint, &thrust).value().derivative(&rules);
+    let words = "the derivative of (18) to alpha";
+    d.identity(words, &inner, &inner.int(0), &Relations::none())?;
+    let steepest = sliding::steepest(&alpha.rad, &thrust);
+    d.identity(
+        "the derivative of (17) to alpha, not zero but at beta_s",
+        &sliding::shoulder(&alpha, &thrust).value().derivative(&rules),
+        &(steepest / statics::normal_force(&alpha, &thrust).square()),
+        &Relations::trigonometric(),
+    )?;
     Ok(Finding::AsPrinted)
 }

@@ -46,11 +46,17 @@ pub enum Symbol {
     CosineOfOpening,
     /// `delta_M`.
     Flag,
+    /// `r`, a radius as a length.
+    Radius,
+    /// `d`, the depth out of the plane.
+    Depth,
+    /// `gamma`, the weight per unit volume.
+    SpecificWeight,
 }
 
 impl Symbol {
     /// How many there are.
-    pub const COUNT: usize = 19;
+    pub const COUNT: usize = 22;
 
     /// All of them, in order.
     pub const ALL: [Self; Self::COUNT] = [
@@ -73,6 +79,9 @@ impl Symbol {
         Self::SineOfOpening,
         Self::CosineOfOpening,
         Self::Flag,
+        Self::Radius,
+        Self::Depth,
+        Self::SpecificWeight,
     ];
 
     /// How it is written in text and in LaTeX.
@@ -97,6 +106,9 @@ impl Symbol {
             Self::SineOfOpening => ("Sa", r"\sin\alpha"),
             Self::CosineOfOpening => ("Ca", r"\cos\alpha"),
             Self::Flag => ("delta", r"\delta_M"),
+            Self::Radius => ("r", "r"),
+            Self::Depth => ("d", "d"),
+            Self::SpecificWeight => ("gamma", r"\gamma"),
         }
     }
 }

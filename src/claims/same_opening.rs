@@ -1,0 +1,265 @@
+//! The purely rotational states of the two weights at the same half opening.
+//!
+//! `delta_M` is taken for a number that grows from 0, Heyman's weight, to 1, Milankovitch's: the state of a
+//! half opening moves with it, and what holds of its slopes for every `delta_M` holds of the difference.
+//! With `A = h_L + 2 fac/(2 + eta)` kept, and `h_L` stationary in the joint, the slopes are quotients of
+//! sums whose terms have one sign each.
+
+use super::curve::{ONE_JOINT_FOR_EACH_THICKNESS, STATES_IN_ORDER, STATES_OF_ONE_THICKNESS};
+use super::landmarks::{certain_if, state_of};
+use super::letters::ring;
+use super::states::at_all_states;
+use super::{Claim, Derivation, Finding, Support};
+use crate::arch::{Ring, SelfWeight, cubic, overturning, thrust};
+use crate::certify::Undecided;
+use crate::number::{Angle, Ball, Dual, Enclosure, Field};
+use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint};
+use rug::Rational;
+use std::sync::OnceLock;
+
+pub(super) const CLAIMS: &[Claim] = &[STATES_OF_ONE_OPENING, DIFFERENCES_GROW];
+
+pub(super) const STATES_OF_ONE_OPENING: Claim = Claim {
+    id: "weights-rotation",
+    place: "Sec. 2.1, Fig. 2",
+    statement: "at every half opening below alpha_l of Milankovitch's weight its purely rotational state has \
+                a larger thickness, a smaller thrust and a smaller joint than that of Heyman's, whose beta_r \
+                overshoots everywhere, not only about the peak",
+    decide: states_of_one_opening,
+};
+
+pub(super) const DIFFERENCES_GROW: Claim = Claim {
+    id: "weights-differences",
+    place: "Sec. 2.1, Fig. 2",
+    statement: "from alpha = 2/5 up to 2.58 the relative differences of eta, h and beta_r between the two \
+                weights grow with the half opening; up to 2/5 they are below 0.01 %",
+    decide: differences_grow,
+};
+
+/// How a rotational state moves with `delta_M` while its half opening is kept: logarithmic slopes.
+struct Slopes<T> {
+    /// Of `eta`; positive.
+    thickness: T,
+    /// Of `h`; negative.
+    thrust: T,
+    /// Of `beta_r`; negative.
+    joint: T,
+    /// What the slope of the cubic `p`, kept at zero, leaves to the joint; positive.
+    push: T,
+}
+
+/// `-dA/d eta` of overturning, times `6 (2 + eta)²`.
+fn fall<T: Field>(delta: &T, ring: &Ring<T>) -> T {
+    let eta = &ring.thickness;
+    eta.int(12) - (eta.int(4) + eta) * eta * delta
+}
+
+/// `-dh_L/d eta`, times the square of the lever arm in (2).
+fn loss<T: Field>(joint: &Angle<T>, delta: &T, ring: &Ring<T>, lever: &T) -> T {
+    let (eta, sin) = (&ring.thickness, &joint.sin);
+    eta.int(4) * sin * (joint.rad.clone() - sin)
+        + eta.int(2) * sin.square() * (eta.int(2) - &ring.centroid_factor)
+        + delta.clone() * eta * joint.versine() * lever / eta.int(3)
+}
+
+/// `-dh_e/d eta`, times the square of `2 - eta`.
+fn gain<T: Field>(delta: &T, ring: &Ring<T>) -> T {
+    let eta = &ring.thickness;
+    delta.clone() * eta * ring.intrados() / eta.int(3) + eta.int(2) * &ring.centroid_factor
+}
+
+fn slopes<T: Field>(joint: &Angle<T>, delta: &T, eta: &T, h: &T) -> Slopes<T> {
+    let ring = Ring::with_flag(delta, eta);
+    let lever = thrust::lower(joint, &ring).denominator;
+    let (intrados, extrados) = (ring.intrados(), ring.extrados());
+    let (loss, fall) = (loss(joint, delta, &ring, &lever), fall(delta, &ring));
+    let steepness = loss.clone() / lever.square() + fall.clone() / (eta.int(6) * extrados.square());
+    let thickness = eta.square() * &joint.cos / (eta.int(3) * &lever * &extrados * &steepness);
+    let rest = loss.clone() * &extrados / lever.square()
+        + fall.clone() * joint.versine() / (eta.int(6) * &lever);
+    let thrust = -(eta.square() * rest / (eta.int(6) * extrados.square() * &steepness * h));
+    let tilt = eta.int(3) * loss
+        + eta.int(3) * &joint.cos * gain(delta, &ring) * &lever / &intrados
+        + fall * &lever / (eta.int(2) * &extrados);
+    let push =
+        eta.square() * eta * &joint.sin * tilt / (eta.int(3) * &lever * &extrados * &steepness);
+    let joint =
+        -(push.clone() / (eta.int(3) * intrados * lever * bow(joint, &ring, h) * &joint.rad));
+    Slopes { thickness, thrust, joint, push }
+}
+
+/// `(beta - S C)/S` on the curve, by the thrust where (2) and (5) hold both.
+fn bow<T: Field>(joint: &Angle<T>, ring: &Ring<T>, h: &T) -> T {
+    let eta = &ring.thickness;
+    joint.versine() + eta.int(2) * eta * h / (ring.intrados() * joint.versine())
+}
+
+/// `d beta_r/d eta` along the states of one weight.
+fn widening<T: Field>(joint: &Angle<T>, delta: &T, eta: &T, h: &T) -> T {
+    let ring = Ring::with_flag(delta, eta);
+    let (lever, intrados) = (thrust::lower(joint, &ring).denominator, ring.intrados());
+    let by_thickness = loss(joint, delta, &ring, &lever) * &intrados / &lever
+        - gain(delta, &ring) * &lever / &intrados;
+    by_thickness * &joint.sin / (intrados * lever * bow(joint, &ring, h))
+}
+
+fn by(symbol: Symbol) -> [(Symbol, Polynomial); 1] {
+    [(symbol, Polynomial::from(1))]
+}
+
+fn states_of_one_opening(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&ONE_JOINT_FOR_EACH_THICKNESS)?;
+    d.lemma(&STATES_IN_ORDER)?;
+    d.lemma(&STATES_OF_ONE_THICKNESS)?;
+    d.assume("0 <= delta_M <= 1");
+    let (joint, ring, circle) = (Symbol::joint(), ring(), Relations::trigonometric());
+    let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
+    let slopes = slopes(&joint, &delta, eta, &thrust::lower(&joint, &ring).value());
+    let end = overturning::end_of_rotation(&ring);
+    let last = overturning::opening_variable(&ring).value();
+    d.identity(
+        "A of (13) is 2 (2 - eta)/(2 + eta) at eta_l, less the condition behind (16), up to a factor",
+        &last,
+        &((ring.intrados() - &end) * eta.int(2) / ring.extrados()),
+        &Relations::none(),
+    )?;
+    let words = "which falls with delta_M, and with eta as it did: so do eta_l and alpha_l";
+    let slope = end.derivative(&by(Symbol::Flag));
+    d.identity(words, &slope, &-(eta.square() / eta.int(12)), &Relations::none())?;
+    // A = h_L + 2 fac/(2 + eta) is kept.
+    let lower = thrust::lower(&joint, &ring);
+    let opening = lower.value() + &last;
+    let moved =
+        -(opening.derivative(&by(Symbol::Flag)) / opening.derivative(&by(Symbol::Thickness)));
+    let thickness = eta.clone() * &slopes.thickness;
+    let words = "d eta/d delta_M where A is kept: positive, as cos(beta) is";
+    d.identity(words, &moved, &thickness, &circle)?;
+    let moved =
+        last.derivative(&by(Symbol::Flag)) + last.derivative(&by(Symbol::Thickness)) * &thickness;
+    let words = "dh/d delta_M there: negative, a sum of terms of one sign";
+    d.identity(words, &-moved, &(lower.value() * &slopes.thrust), &circle)?;
+    // p = 0 is kept too. On the curve the slope of p is that of what p is a multiple of.
+    let p = cubic::in_thickness(&cubic::abbreviations(&joint), &delta, eta);
+    let multiple = lower.denominator * ring.intrados();
+    let over = multiple.derivative(&by(Symbol::Thickness)) / &multiple;
+    let slope = p.derivative(&by(Symbol::Thickness)) - p.clone() * over;
+    let moved = slope.clone() * thickness + p.derivative(&by(Symbol::Flag));
+    let words = "dp/d delta_M there, at a fixed joint, where p = 0: positive too";
+    d.identity(words, &moved, &slopes.push, &circle)?;
+    let rise = (p.clone() / &joint.sin).derivative(&along_the_joint());
+    let bow = joint.rad.clone() - joint.sin.clone() * &joint.cos;
+    let rise_on_curve = eta.int(3) * &multiple * bow / &joint.sin;
+    let words = "dp/d beta where p = 0";
+    d.identity(words, &(rise * &joint.sin), &rise_on_curve, &circle)?;
+    // What the balls are given.
+    let excess = (joint.rad.clone() - &joint.sin) / &joint.sin;
+    let h = thrust::touching(&joint.versine(), &excess, &ring).value();
+    let words = "d log beta_r/d delta_M";
+    let moved = -(slopes.push / (rise_on_curve.clone() * &joint.rad));
+    d.identity(words, &moved, &self::slopes(&joint, &delta, eta, &h).joint, &circle)?;
+    let words = "d beta_r/d eta at one delta_M";
+    let moved = -(slope / rise_on_curve);
+    d.identity(words, &moved, &widening(&joint, &delta, eta, &h), &circle)?;
+    d.conclude(
+        "As S < beta, fac < 2 and cos(beta) > 0, each term has the sign named; p grows with beta, so that \
+         the joint falls as delta_M grows from 0 to 1. A half opening below alpha_l at delta_M = 1 is below \
+         alpha_l at every delta_M, and has one state at each.",
+    );
+    Ok(Finding::AsPrinted)
+}
+
+/// `beta/sin(beta) - 1` with its slope, both of which grow with `beta`, from the ends of the ball.
+fn excess(joint: &Ball) -> (Ball, Ball) {
+    let [low, high] = [joint.lower(), joint.upper()].map(|end| {
+        let at = Angle::new(Ball::exact(end, joint.prec()));
+        let slope = (at.rad.int(1) - at.times_cotangent()) / &at.sin;
+        ((at.rad - &at.sin) / at.sin, slope)
+    });
+    (low.0.hull(&high.0), low.1.hull(&high.1))
+}
+
+/// The slopes with their change along the states of one weight, as the thickness grows.
+fn slopes_along(joint: &Ball, delta: &Ball, eta: &Ball) -> Slopes<Dual<Ball>> {
+    let angle = Angle::new(joint.clone());
+    let (excess, slope_of_excess) = excess(joint);
+    let ring = Ring::with_flag(delta, eta);
+    let h = thrust::touching(&angle.versine(), &excess, &ring).value();
+    let slope = widening(&angle, delta, eta, &h);
+    let dual = |value, slope| Dual::with_derivative(value, 0, slope);
+    let Angle { rad, sin, cos } = angle;
+    let (up, down) = (cos.clone() * &slope, -(sin.clone() * &slope));
+    let excess = dual(excess, slope_of_excess * &slope);
+    let joint = Angle { rad: dual(rad, slope), sin: dual(sin, up), cos: dual(cos, down) };
+    let (delta, eta) = (Dual::constant(delta.clone()), Dual::variable(eta.clone(), 0));
+    let ring = Ring::with_flag(&delta, &eta);
+    let h = thrust::touching(&joint.versine(), &excess, &ring).value();
+    slopes(&joint, &delta, &eta, &h)
+}
+
+/// The pieces on which the slopes are proved to grow in size along the states, decided once.
+fn growth() -> Result<usize, Undecided> {
+    static DECIDED: OnceLock<Result<usize, Undecided>> = OnceLock::new();
+    let range = (Rational::from((1, 2000)), Rational::from((9, 10)));
+    let decide = || {
+        at_all_states(&range, &|joint, delta, eta| {
+            let Slopes { thickness, thrust, joint, .. } = slopes_along(joint, delta, eta);
+            [thickness, -thrust, -joint].map(|slope| slope.derivative(0)).to_vec()
+        })
+    };
+    DECIDED.get_or_init(decide).clone()
+}
+
+fn differences_grow(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&STATES_OF_ONE_OPENING)?;
+    let pieces = growth()?;
+    let words = "d log/d delta_M of eta, h and beta_r grow in size with eta along the states of any \
+                 delta_M, eta in [1/2000, 9/10]";
+    d.certain(Support::Balls, format!("{words}, {pieces} pieces"), certain_if(pieces > 0))?;
+    let number = |n: i32, m: i32| Ball::enclosing(&Rational::from((n, m)), 128);
+    let first = state_of("0.4", None, SelfWeight::Heyman)?.thickness;
+    let words = "eta > 1/2000 from alpha = 2/5 on, with Heyman's weight and so with any";
+    d.certain(Support::Balls, words, number(1, 2000).is_less_than(&first))?;
+    let last = state_of("2.58", None, SelfWeight::Milankovitch)?.thickness;
+    let words = "eta < 9/10 up to alpha = 2.58, with Milankovitch's weight and so with any";
+    d.certain(Support::Balls, words, last.is_less_than(&number(9, 10)))?;
+    // Where the arch is thin, bounds are enough.
+    let (joint, ring, free) = (Symbol::joint(), ring(), Relations::none());
+    let eta = &ring.thickness;
+    let lever = thrust::lower(&joint, &ring).denominator;
+    d.identity(
+        "the lever arm of (2) is at least 2 eta cos(beta)",
+        &(lever - eta.int(2) * eta * &joint.cos),
+        &(ring.extrados() * joint.versine()),
+        &free,
+    )?;
+    let touching = thrust::touching(&joint.versine(), &Fraction::from(Polynomial::from(1)), &ring);
+    let slope = touching.value().derivative(&by(Symbol::Thickness)) / touching.value();
+    d.identity(
+        "d log h/d log eta at a fixed joint, where (2) and (5) hold",
+        &(slope * eta),
+        &-(eta.int(2) / ring.intrados()),
+        &free,
+    )?;
+    let thin = state_of("0.4", None, SelfWeight::Milankovitch)?;
+    let (eta, h) = (&thin.thickness, &thin.thrust);
+    let ring = Ring::with_flag(&eta.int(1), eta);
+    let bound = eta.clone() * ring.extrados() * eta.int(2)
+        / (ring.intrados().square() * (eta.int(6) + eta));
+    let words = "2/(2 - eta) eta (2 + eta)/((2 - eta)(6 + eta)) at alpha = 2/5, eta the larger one";
+    d.certain(
+        Support::Balls,
+        format!("{words}, is below 0.0001"),
+        bound.is_less_than(&number(1, 10_001)),
+    )?;
+    let bound = eta.square() / (eta.int(6) * ring.extrados() * h);
+    let words = "eta²/(6 (2 + eta) h) there is below 0.0001";
+    d.certain(Support::Balls, words, bound.is_less_than(&number(1, 10_001)))?;
+    d.conclude(
+        "As lever >= 2 eta cos(beta), d log(eta)/d delta_M is at most eta (2 + eta)/fall, and fall is at \
+         least (2 - eta)(6 + eta); -dh/d delta_M is at most eta²/(6 (2 + eta)). The joint follows by h = \
+         (2 - eta)/(2 eta) V, where V = (1 - cos)(beta/sin - 1): d log(V)/d log(beta) >= A(beta) >= 1. The \
+         differences of the logarithms are the integrals over delta_M of these slopes, and eta grows with \
+         the half opening at each delta_M.",
+    );
+    Ok(Finding::Implicit)
+}

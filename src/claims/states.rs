@@ -1,0 +1,81 @@
+//! A statement on all purely rotational states, whatever `delta_M` between 0 and 1.
+//!
+//! A thickness and a joint are those of a state where the cubic (7) in `eta`, which grows with `delta_M`, is
+//! not positive for `delta_M = 0` and not negative for `delta_M = 1`.
+
+use crate::arch::cubic;
+use crate::certify::{Undecided, between, cover};
+use crate::number::{Angle, Ball, Enclosure, Field, Real, Ternary};
+use rug::{Float, Rational};
+
+/// A range is halved so often at the most.
+const DEPTH: usize = 40;
+/// Bits at the ends of the joints.
+const BITS: u32 = 96;
+
+/// From one number to another.
+pub(super) type Range = (Rational, Rational);
+
+/// The joints among which those of all states are sought; that there are no others is checked.
+fn joints() -> Range {
+    (Rational::from((1, 4)), Rational::from((6, 5)))
+}
+
+/// The cubic (7) in `eta`.
+fn cubic(joint: &Ball, delta: i32, eta: &Ball) -> Ball {
+    let joint = Angle::new(joint.clone());
+    cubic::in_thickness(&cubic::abbreviations(&joint), &eta.int(delta), eta)
+}
+
+/// The `delta_M` between 0 and 1 with states in a range of joints, at some of the thicknesses; none if there
+/// are none. It falls as the joint grows, since `p/S` grows with both.
+fn flags((least, widest): &Range, eta: &Ball) -> Option<Ball> {
+    let root = |joint: &Rational| {
+        let joint = Ball::enclosing(joint, eta.prec());
+        let rise = joint.sin_cos().0 * eta.square() * eta;
+        -(cubic(&joint, 0, eta) / rise)
+    };
+    let (low, high) = (root(widest).lower(), root(least).upper());
+    let is_possible = !(low > 1 || high < 0);
+    let end = |x: Float| Ball::exact(x.clamp(&0, &1), eta.prec());
+    is_possible.then(|| end(low).hull(&end(high)))
+}
+
+/// How many pieces it takes to prove that all of `values`, of the joint, `delta_M` and the thickness, are
+/// positive at all states of a range of thicknesses. They are given balls that contain the states.
+pub(super) fn at_all_states(
+    range: &Range,
+    values: &dyn Fn(&Ball, &Ball, &Ball) -> Vec<Ball>,
+) -> Result<usize, Undecided> {
+    let ((low, high), (first, last)) = (range, joints());
+    let at = |x: &Rational| Ball::enclosing(x, BITS);
+    cover(low, high, &|eta| (-cubic(&at(&first), 1, eta)).is_positive())?;
+    cover(low, high, &|eta| cubic(&at(&last), 0, eta).is_positive())?;
+    let mut pieces = 0;
+    let mut open = vec![(range.clone(), joints(), 0)];
+    while let Some((thickness, joint, depth)) = open.pop() {
+        let [eta, beta] = [&thickness, &joint].map(|(low, high)| between(low, high));
+        let Some(delta) = flags(&joint, &eta) else { continue };
+        if values(&beta, &delta, &eta).iter().all(|value| value.is_positive() == Ternary::True) {
+            pieces += 1;
+        } else if depth == DEPTH {
+            let at = (thickness.0.to_f64(), joint.0.to_f64());
+            return Err(Undecided::new(format!("not decided at eta = {}, beta = {}", at.0, at.1)));
+        } else if width(&thickness) > width(&joint) {
+            open.extend(halves(thickness).map(|half| (half, joint.clone(), depth + 1)));
+        } else {
+            open.extend(halves(joint).map(|half| (thickness.clone(), half, depth + 1)));
+        }
+    }
+    Ok(pieces)
+}
+
+/// The width over the upper end.
+fn width((low, high): &Range) -> Rational {
+    Rational::from(high - low) / high
+}
+
+fn halves((low, high): Range) -> [Range; 2] {
+    let middle: Rational = Rational::from(&low + &high) / 2;
+    [(low, middle.clone()), (middle, high)]
+}
