@@ -75,6 +75,12 @@ impl Along {
         Ok(Self { weight, alpha, thrust, rotation: None })
     }
 
+    /// A state that slides, of a landmark.
+    pub(super) fn of_landmark(weight: SelfWeight, at: &Configuration<Ball>) -> Self {
+        let (alpha, thrust) = (at.half_opening.clone(), at.thrust.clone());
+        Self { weight, alpha, thrust, rotation: None }
+    }
+
     /// All states between two.
     pub(super) fn up_to(&self, other: &Self) -> Result<Self, Undecided> {
         let rotation = match (&self.rotation, &other.rotation) {

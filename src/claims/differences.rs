@@ -49,7 +49,7 @@ fn largest(
             let difference = part.clone() - part.int(1);
             let percent = if *is_larger { difference } else { -difference } * part.int(100);
             let words = format!("{name}, up to alpha = {alpha}");
-            bounds.note(d, (&words, &percent, " %"), 3)?;
+            bounds.at_most(d, (&words, &percent, " %"), 3)?;
         }
     }
     d.conclude("They grow with the half opening, so that the last of a range is the largest.");

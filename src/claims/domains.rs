@@ -22,13 +22,7 @@ use crate::symbolic::{Letters, Polynomial, Relations, Symbol};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
-    Claim {
-        id: "map-T-shoulder",
-        place: "Sec. 3, 5",
-        statement: "a friction above mu_T precludes any mixed sliding-rotational mode; its thickness is at \
-                    most eta_T and its half opening at most alpha_T",
-        decide: no_shoulder_sliding_beyond_t,
-    },
+    NO_SHOULDER_SLIDING_BEYOND_T,
     INNER_SLIDING_BEYOND_T,
     Claim {
         id: "map-S",
@@ -43,13 +37,23 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "overturning-sliding modes are seen only on the right of J, and above it",
         decide: overturning_sliding_beyond_j,
     },
-    Claim {
-        id: "map-B",
-        place: "Sec. 3, 5",
-        statement: "a friction above mu_B precludes any purely sliding mode of thickness up to 2",
-        decide: no_pure_sliding_beyond_b,
-    },
+    NO_PURE_SLIDING_BEYOND_B,
 ];
+
+pub(super) const NO_SHOULDER_SLIDING_BEYOND_T: Claim = Claim {
+    id: "map-T-shoulder",
+    place: "Sec. 3, 5",
+    statement: "a friction above mu_T precludes any mixed sliding-rotational mode; its thickness is at \
+                most eta_T and its half opening at most alpha_T",
+    decide: no_shoulder_sliding_beyond_t,
+};
+
+pub(super) const NO_PURE_SLIDING_BEYOND_B: Claim = Claim {
+    id: "map-B",
+    place: "Sec. 3, 5",
+    statement: "a friction above mu_B precludes any purely sliding mode of thickness up to 2",
+    decide: no_pure_sliding_beyond_b,
+};
 
 pub(super) const INNER_SLIDING_BEYOND_T: Claim = Claim {
     id: "map-T-inner",

@@ -260,9 +260,17 @@ fn frictions_grow(d: &mut Derivation) -> Result<Finding, Undecided> {
     )?;
     let (low, high) = (Rational::from((5, 2)), Rational::from((315, 100)));
     d.positive("sin - alpha/4 - 3/4 alpha cos", (&low, &high), bound)?;
+    let joint = Symbol::joint();
+    let excess = joint.rad.clone() * &joint.cos
+        - (one.clone() - joint.rad.square() / one.int(2)) * &joint.sin;
+    d.identity(
+        "d(x cos(x) - (1 - x²/2) sin(x))/dx, positive below pi/2",
+        &excess.derivative(&along_the_joint()),
+        &(joint.rad.square() * &joint.cos / one.int(2)),
+        &Relations::none(),
+    )?;
     d.conclude(
-        "On the curve h >= A - 1, since 2 fac/(2 + eta) <= 1, and A = 2 x cot(x) >= 2 - x² with x = \
-         alpha/2, so that h (1-h) <= 1 - h <= alpha²/4. In N² dM = (alpha² - h (1-h)) d alpha + alpha dh \
+        "On the curve h >= A - 1, since 2 fac/(2 + eta) <= 1, and A = 2 x cot(x) >= 2 - x² with x = alpha/2, so that h (1-h) <= 1 - h <= alpha²/4. In N² dM = (alpha² - h (1-h)) d alpha + alpha dh \
          both A and A - h fall, so that d alpha >= -dh (1 - cos)/(alpha - sin): N² dM is at least -dh \
          times (3/4 alpha² (1 - cos)/(alpha - sin) - alpha), which is positive. So M grows with alpha; m \
          = mu_is(h) grows, since h falls, and without bound, since h -> 0 at l.",

@@ -1,18 +1,15 @@
-//! The landmark points: what holds beyond the equations that define them, and the values that the
-//! text gives to few digits.
+//! The landmark points: what holds beyond the equations that define them.
 
 use super::letters::{ring, variables};
 use super::{Claim, Derivation, Finding, Support};
 use crate::arch::{
-    Configuration, Ring, SelfWeight, Unknown, contact, overturning, sliding, statics, thrust,
+    Configuration, Ring, SelfWeight, Unknown, contact, overturning, statics, thrust,
 };
 use crate::certify::state::{Certify, Outcome, State};
 use crate::certify::{CertifiedLandmark, Undecided};
-use crate::number::{
-    Angle, Ball, Decimal, Enclosure, ExactNumber, Field, Real, Rounded, Ternary, arctangent,
-};
+use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Ternary};
 use crate::problem::{Arch, Friction};
-use crate::problem::{Fixed, Landmark, Mode, Quantity};
+use crate::problem::{Fixed, Landmark, Mode};
 use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint};
 use rug::Rational;
 
@@ -48,20 +45,6 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "states without thrust, l, L and all purely overturning ones, strictly require \
                     infinite friction, against inner sliding; and (2) holds at l too",
         decide: no_thrust_needs_unlimited_friction,
-    },
-    Claim {
-        id: "rounded-values",
-        place: "Sec. 2.1-5, Fig. 7-12",
-        statement: "the values given to few digits, such as beta_r = 59.7° at T, are roundings of the \
-                    true ones",
-        decide: rounded_values,
-    },
-    Claim {
-        id: "semicircle",
-        place: "Sec. 5",
-        statement: "for the semicircle a friction of about 0.395, 22°, suffices to prevent sliding of \
-                    the shoulder and warrants purely rotational collapse",
-        decide: semicircle,
     },
 ];
 
@@ -228,97 +211,4 @@ pub(super) fn state_of(
         Ok(Outcome::Falls(_)) => Err(Undecided::new("the arch does not stand")),
         Err(doubt) => Err(Undecided::new(doubt.reason.clone().into_owned())),
     }
-}
-
-/// The values to few digits: landmark, weight, quantity, text, places where it stands.
-const ROUNDED: &[(Landmark, SelfWeight, Quantity, &[&str])] = {
-    use {Landmark::*, Quantity::*, SelfWeight::*};
-    &[
-        (WidestJoint, Milankovitch, RotationJointDegrees, &["64.2"]),
-        (WidestJoint, Milankovitch, HalfOpeningDegrees, &["125.8"]),
-        (RotationEnd, Milankovitch, HalfOpeningDegrees, &["148.4", "1.5e2"]),
-        (RotationEnd, Milankovitch, Thickness, &["0.93"]),
-        (RotationEnd, Heyman, HalfOpeningDegrees, &["151.7", "1.5e2"]),
-        (OverturningEnd, Heyman, HalfOpeningDegrees, &["159.7", "1.6e2"]),
-        (OverturningEnd, Milankovitch, HalfOpeningDegrees, &["151.7", "1.5e2"]),
-        (Triple, Milankovitch, HalfOpening, &["2.43"]),
-        (Triple, Milankovitch, HalfOpeningDegrees, &["139.2", "139", "1.4e2"]),
-        (Triple, Milankovitch, Friction, &["1.277"]),
-        (Triple, Milankovitch, FrictionAngleDegrees, &["51.9", "52", "5e1"]),
-        (Triple, Milankovitch, RotationJointDegrees, &["59.7", "60"]),
-        (Triple, Milankovitch, SlidingJointDegrees, &["18.3", "2e1"]),
-        (Shift, Milankovitch, HalfOpeningDegrees, &["145.0", "145"]),
-        (Shift, Milankovitch, FrictionAngleDegrees, &["57.0", "57"]),
-        (Shift, Milankovitch, SlidingJointDegrees, &["16.0", "16"]),
-        (Junction, Milankovitch, HalfOpeningDegrees, &["145.2"]),
-        (Junction, Milankovitch, FrictionAngleDegrees, &["57.1"]),
-        (Junction, Milankovitch, SlidingJointDegrees, &["16.0"]),
-        (Border, Milankovitch, HalfOpeningDegrees, &["150.3", "150"]),
-        (Border, Milankovitch, Friction, &["1.854"]),
-        (Border, Milankovitch, FrictionAngleDegrees, &["61.7", "62", "6e1"]),
-        (Border, Milankovitch, SlidingJointDegrees, &["13.9", "14"]),
-    ]
-};
-
-/// Checks that `text` is the value rounded to its digits.
-fn rounds_to(d: &mut Derivation, words: &str, value: &Ball, text: &str) -> Result<(), Undecided> {
-    let printed: Decimal = text.parse().map_err(|e| Undecided::new(format!("{e}")))?;
-    let rounded = Rounded::from_ball(value, printed.significant_digits())
-        .ok_or_else(|| Undecided::new(format!("the rounding of {words}")))?;
-    d.equal(
-        format!("{words} to the digits of {text}"),
-        &rounded.value.to_rational(),
-        &printed.to_rational(),
-    )
-}
-
-fn rounded_values(d: &mut Derivation) -> Result<Finding, Undecided> {
-    for (landmark, weight, quantity, texts) in ROUNDED {
-        let point = CertifiedLandmark::new(*landmark, *weight)?;
-        let words = format!("{} at {}, {}", quantity.name(), landmark.symbol(), weight.name());
-        let value = point
-            .quantity(&point.enclosure(128)?, *quantity)
-            .ok_or_else(|| Undecided::new(words.clone()))?;
-        for text in *texts {
-            rounds_to(d, &words, &value, text)?;
-        }
-    }
-    let friction = |landmark| -> Result<Ball, Undecided> {
-        let point = CertifiedLandmark::new(landmark, SelfWeight::Milankovitch)?;
-        Ok(point.enclosure(128)?.configuration().friction.clone())
-    };
-    let printed = |n: i32| Ball::enclosing(&Rational::from((n, 1000)), 128);
-    let (words, shoulder) = ("mu_T is above 1.277, milankovitch", friction(Landmark::Triple)?);
-    d.certain(Support::Balls, words, printed(1277).is_less_than(&shoulder))?;
-    let (words, border) = ("mu_B is below 1.854, milankovitch", friction(Landmark::Border)?);
-    d.certain(Support::Balls, words, border.is_less_than(&printed(1854)))?;
-    d.conclude(
-        "As frictions that suffice, 1.277 itself is a little too small, and 1.854 is enough.",
-    );
-    Ok(Finding::AsPrinted)
-}
-
-fn semicircle(d: &mut Derivation) -> Result<Finding, Undecided> {
-    for (weight, text) in [(SelfWeight::Milankovitch, "0.395"), (SelfWeight::Heyman, "0.396")] {
-        let state = state_of("pi/2", None, weight)?;
-        let half = state.thrust.pi() / state.thrust.int(2);
-        let right = Angle { rad: half, sin: state.thrust.int(1), cos: state.thrust.int(0) };
-        let friction = sliding::shoulder(&right, &state.thrust).value();
-        let words = format!("the friction the shoulder asks for, {} weight,", weight.name());
-        rounds_to(d, &words, &friction, text)?;
-        let degrees = arctangent(&friction) * friction.int(180) / friction.pi();
-        rounds_to(d, &format!("its angle in degrees, {} weight,", weight.name()), &degrees, "22")?;
-        let joint = (state.thrust.clone() * (state.thrust.int(1) - &state.thrust)).sqrt();
-        let inner = sliding::inner(&Angle::new(joint), &state.thrust).value();
-        let words = format!("an inner joint asks for less, {} weight", weight.name());
-        d.certain(Support::Balls, words, inner.is_less_than(&friction))?;
-        let printed = Ball::enclosing(&Rational::from((395, 1000)), 128);
-        let words = format!("it asks for more than 0.395 exactly, {} weight", weight.name());
-        d.certain(Support::Balls, words, printed.is_less_than(&friction))?;
-    }
-    d.conclude(
-        "0.395 is the rounded value for Milankovitch's weight; for Heyman's it is 0.396. Both round \
-         down: 0.395 itself is a little too small.",
-    );
-    Ok(Finding::AsPrinted)
 }

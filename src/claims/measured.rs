@@ -7,34 +7,64 @@ use crate::number::{Ball, Decimal, Enclosure, Rounded};
 /// Bounds of values: decimals next to each, between which it is proved to lie.
 #[derive(Default)]
 pub(super) struct Bounds {
-    above: Vec<String>,
-    below: Vec<String>,
+    hold: Vec<String>,
+    fail: Vec<String>,
 }
 
 impl Bounds {
-    /// Checks between which neighbours of few significant digits a positive value lies, and notes them with
-    /// what stands before and behind.
-    pub(super) fn note(
+    /// Checks between which neighbours of few significant digits a positive value lies; the upper one is
+    /// noted as a bound that holds.
+    pub(super) fn at_most(
         &mut self,
         d: &mut Derivation,
         (words, value, unit): (&str, &Ball, &str),
         digits: usize,
     ) -> Result<(), Undecided> {
-        let rounded = Rounded::from_ball(value, digits)
-            .ok_or_else(|| Undecided::new(format!("{words}: no digits")))?;
-        let near = |decimal: &Decimal| Ball::enclosing(&decimal.to_rational(), value.prec());
-        let (below, above) = (&rounded.lower, &rounded.upper);
-        let inside = near(below).is_less_than(value).and(value.is_less_than(&near(above)));
-        let found = format!("{words} is between {below}{unit} and {above}{unit}");
-        d.certain(Support::Balls, found, inside)?;
-        self.above.push(format!("{words}: {above}{unit}"));
-        self.below.push(format!("{words}: {below}{unit}"));
+        let (below, above) = neighbours(d, (words, value, unit), digits)?;
+        self.hold.push(format!("{words}: at most {above}{unit}"));
+        self.fail.push(format!("{words}: at most {below}{unit}"));
         Ok(())
+    }
+
+    /// The same with the lower one as the bound that holds.
+    pub(super) fn at_least(
+        &mut self,
+        d: &mut Derivation,
+        (words, value, unit): (&str, &Ball, &str),
+        digits: usize,
+    ) -> Result<(), Undecided> {
+        let (below, above) = neighbours(d, (words, value, unit), digits)?;
+        self.hold.push(format!("{words}: at least {below}{unit}"));
+        self.fail.push(format!("{words}: at least {above}{unit}"));
+        Ok(())
+    }
+
+    /// Notes where the sentence fails besides.
+    pub(super) fn fails(&mut self, words: &str) {
+        self.fail.push(words.to_owned());
     }
 
     /// The values as bounds that hold, next to such as do not.
     pub(super) fn finding(self) -> Finding {
-        let fails_with = Some(self.below.join("; "));
-        Finding::Measured { holds_with: self.above.join("; "), fails_with }
+        Finding::Measured {
+            holds_with: self.hold.join("; "),
+            fails_with: Some(self.fail.join("; ")),
+        }
     }
+}
+
+/// The decimals of few significant digits between which a value is proved to lie.
+fn neighbours(
+    d: &mut Derivation,
+    (words, value, unit): (&str, &Ball, &str),
+    digits: usize,
+) -> Result<(String, String), Undecided> {
+    let rounded = Rounded::from_ball(value, digits)
+        .ok_or_else(|| Undecided::new(format!("{words}: no digits")))?;
+    let near = |decimal: &Decimal| Ball::enclosing(&decimal.to_rational(), value.prec());
+    let (below, above) = (&rounded.lower, &rounded.upper);
+    let inside = near(below).is_less_than(value).and(value.is_less_than(&near(above)));
+    let found = format!("{words} is between {below}{unit} and {above}{unit}");
+    d.certain(Support::Balls, found, inside)?;
+    Ok((below.to_string(), above.to_string()))
 }

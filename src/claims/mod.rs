@@ -8,14 +8,17 @@
 //! | the curve of rotational states, the widest joint | `curve.rs` |
 //! | the closed forms (9)–(11), their branches, the range of (12) | `branches.rs` |
 //! | purely overturning states: (13)–(16) | `overturning.rs` |
+//! | their trends, Fig. 3, with both weights | `trends.rs` |
 //! | how rotation and overturning join | `joining.rs` |
 //! | sliding: (17), (18) | `sliding.rs` |
 //! | series for small openings and about `l` | `asymptotics.rs` |
-//! | the landmarks, values of few digits | `landmarks.rs` |
+//! | the landmarks | `landmarks.rs` |
+//! | values of few digits, frictions that suffice | `rounded.rs` |
 //! | the landmarks again, as Coq theorems | [`coq`] |
 //! | the two weights at one half opening | `same_opening.rs`, `differences.rs` |
-//! | the two weights compared | `weights.rs` |
+//! | the two weights compared at the landmarks | `weights.rs` |
 //! | friction along sliding and along rotation | `frictions.rs`, with the states of `along.rs` |
+//! | the two weights compared on the map | `map_of_weights.rs`, `border.rs` |
 //! | which joints can be at their limits | `contacts.rs` |
 //! | why there are seven modes | `modes.rs` |
 //! | where on the map the modes are | `domains.rs` |
@@ -31,6 +34,7 @@
 mod admissible;
 mod along;
 mod asymptotics;
+mod border;
 mod branches;
 mod contacts;
 pub mod coq;
@@ -43,14 +47,17 @@ mod frictions;
 mod joining;
 mod landmarks;
 mod letters;
+mod map_of_weights;
 mod measured;
 mod modes;
 mod moments;
 mod overturning;
+mod rounded;
 mod same_opening;
 mod sliding;
 mod states;
 mod tiling;
+mod trends;
 mod uniqueness;
 mod units;
 mod weights;
@@ -141,14 +148,18 @@ pub fn claims() -> Vec<Claim> {
         curve::CLAIMS,
         branches::CLAIMS,
         overturning::CLAIMS,
+        trends::CLAIMS,
         joining::CLAIMS,
         sliding::CLAIMS,
         asymptotics::CLAIMS,
         landmarks::CLAIMS,
+        rounded::CLAIMS,
         same_opening::CLAIMS,
         differences::CLAIMS,
         weights::CLAIMS,
         frictions::CLAIMS,
+        map_of_weights::CLAIMS,
+        border::CLAIMS,
         contacts::CLAIMS,
         modes::CLAIMS,
         domains::CLAIMS,

@@ -33,7 +33,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         id: "eq-15-branch",
         place: "Eq. (15)",
         statement: "on 0 <= eta <= 2, A falls from 1 to 2/3, where the square root in (15) is zero and \
-                    eta(A) has a vertical tangent; the other sign of the root has eta >= 2",
+                    eta(A) and eta(alpha) have a vertical tangent; the other sign of the root has eta >= 2",
         decide: milankovitch_branch,
     },
     Claim {
@@ -55,12 +55,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "at eta = 2: A_L = 1/2 (Heyman), A_L = 2/3 (Milankovitch)",
         decide: physical_limit,
     },
-    Claim {
-        id: "alpha-one-to-one",
-        place: "Sec. 2.1",
-        statement: "A(alpha) falls strictly from 2 to 0 on (0, pi), so that A fixes alpha",
-        decide: opening_variable_falls,
-    },
+    A_FIXES_ALPHA,
     Claim {
         id: "alpha-L-is-alpha-l",
         place: "Sec. 2.1",
@@ -68,6 +63,13 @@ pub(super) const CLAIMS: &[Claim] = &[
         decide: shared_opening,
     },
 ];
+
+pub(super) const A_FIXES_ALPHA: Claim = Claim {
+    id: "alpha-one-to-one",
+    place: "Sec. 2.1",
+    statement: "A(alpha) falls strictly from 2 to 0 on (0, pi), so that A fixes alpha",
+    decide: opening_variable_falls,
+};
 
 fn without_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.assume("h = 0; 2 + eta != 0; cos(alpha) != 1");
@@ -140,12 +142,7 @@ fn milankovitch_branch(d: &mut Derivation) -> Result<Finding, Undecided> {
     let slope = value.derivative(&[(Symbol::Thickness, 1.into())]);
     let expected = (eta.clone() - eta.int(2)) * (eta.clone() + eta.int(6))
         / (ring.extrados().square() * eta.int(6));
-    d.identity(
-        "dA/d eta, negative on 0 <= eta < 2 and zero at 2",
-        &slope,
-        &expected,
-        &Relations::none(),
-    )?;
+    d.identity("dA/d eta, negative on 0 <= eta < 2", &slope, &expected, &Relations::none())?;
     let at = |n: i32| {
         let ring = Ring::new(SelfWeight::Milankovitch, &Rational::from(n));
         overturning::opening_variable(&ring).value()
@@ -167,7 +164,13 @@ fn milankovitch_branch(d: &mut Derivation) -> Result<Finding, Undecided> {
         &expected,
         &Relations::none(),
     )?;
-    d.conclude("with one root in [0, 2] the other is 6A - eta >= 2: the sign in (15) is right, and dA/d eta = 0 at eta = 2 is the vertical tangent");
+    d.lemma(&A_FIXES_ALPHA)?;
+    let end = slope.evaluate(&Rational::new(), |_| Rational::from(2));
+    d.equal("dA/d eta at eta = 2", &end, &Rational::new())?;
+    d.conclude(
+        "With one root in [0, 2] the other is 6A - eta >= 2: the sign in (15) is right. d alpha/d eta is \
+         dA/d eta over dA/d alpha, which is not zero: both vanish at eta = 2.",
+    );
     Ok(Finding::AsPrinted)
 }
 
@@ -272,9 +275,20 @@ fn opening_variable_falls(d: &mut Derivation) -> Result<Finding, Undecided> {
         &alpha.versine(),
         &circle,
     )?;
-    d.conclude(
-        "the limits: alpha sin(alpha) ~ alpha^2 and 1 - cos(alpha) ~ alpha^2/2 at 0; sin(pi) = 0",
-    );
+    let parts = thrust::opening_variable(&alpha);
+    for (words, part, at_zero) in [
+        ("alpha sin(alpha) at 0 has the second derivative", &parts.numerator, 2),
+        ("1 - cos(alpha) at 0 has the second derivative", &parts.denominator, 1),
+    ] {
+        let bend = part.derivative(&rules).derivative(&rules);
+        let none = Rational::new();
+        let start = |x| Rational::from(i32::from(x == Symbol::CosineOfOpening));
+        d.equal(words, &bend.evaluate(&none, start), &Rational::from(at_zero))?;
+    }
+    let straight = |x| Rational::from(i32::from(x == Symbol::HalfOpening));
+    let end = parts.numerator.evaluate(&Rational::new(), straight);
+    d.equal("alpha sin(alpha) where sin(alpha) = 0", &end, &Rational::new())?;
+    d.conclude("So A tends to 2/1 at 0 and is 0 at pi.");
     Ok(Finding::Implicit)
 }
 

@@ -1,0 +1,149 @@
+//! The line from J to B, between overturning-sliding and pure sliding.
+//!
+//! Its states are purely sliding, with (3) at `beta = 0`: over `1 - cos(alpha)` that is
+//!
+//! ```text
+//! a + c eta = fac,   a = A - h,   c = (A + h cot²(alpha/2))/2
+//! ```
+//!
+//! where `a` and `c` do not depend on the weight.
+
+use super::along::{Along, around, below, landmark, on_all};
+use super::map_of_weights::{LINES_RISE, WHERE_THE_SHOULDER_TURNS};
+use super::measured::Bounds;
+use super::{Claim, Derivation, Finding, Support};
+use crate::arch::{Ring, SelfWeight, sliding, thrust};
+use crate::certify::{Undecided, between};
+use crate::number::{Angle, Ball, Enclosure, Field, Ternary};
+use crate::problem::Landmark;
+use crate::symbolic::{Letters, Polynomial, Relations, Symbol};
+use rug::Rational;
+
+pub(super) const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "weights-J-B",
+        place: "Sec. 3, Fig. 5",
+        statement: "from J to B the divide deviates to the left for Milankovitch's weight, the more the \
+                    larger the thickness",
+        decide: divide_deviates,
+    },
+    Claim {
+        id: "weights-B-slope",
+        place: "Sec. 3, Fig. 5",
+        statement: "for Milankovitch's weight the divide arrives almost vertically at B",
+        decide: slope_at_the_border,
+    },
+];
+
+/// `a` and `c`.
+fn parts<T: Field>(alpha: &Angle<T>, h: &T) -> [T; 2] {
+    let opening = thrust::opening_variable(alpha).value();
+    let rest = (alpha.cos.int(1) + &alpha.cos) / alpha.versine() * h;
+    [opening.clone() - h, (opening + rest) / h.int(2)]
+}
+
+/// Along pure sliding, the slopes of `a`, `c` and `mu` to the half opening.
+struct Slopes {
+    a: Ball,
+    c: Ball,
+    friction: Ball,
+}
+
+fn slopes(at: &Along) -> Slopes {
+    let part = |n: usize| at.slope_along_sliding(|alpha, h| parts(alpha, h)[n].clone());
+    let friction = at.slope_along_sliding(|alpha, h| sliding::shoulder(alpha, h).value());
+    Slopes { a: part(0), c: part(1), friction }
+}
+
+fn equation(d: &mut Derivation) -> Result<(), Undecided> {
+    let (alpha, h, free) = (Symbol::half_opening(), Symbol::Thrust.number(), Relations::none());
+    let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
+    let ring = Ring::with_flag(&delta, &eta);
+    let third = thrust::upper(&alpha, &Angle::zero(&h), &ring).residual(&h);
+    let [a, c] = parts(&alpha, &h);
+    let sum = a + c * &eta - &ring.centroid_factor;
+    let words = "(3) at beta = 0, cleared, is fac - a - c eta up to a factor";
+    d.identity(words, &third, &-(sum * alpha.versine() * h.int(2)), &free)
+}
+
+fn divide_deviates(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&LINES_RISE)?;
+    d.lemma(&WHERE_THE_SHOULDER_TURNS)?;
+    equation(d)?;
+    let (eta, c) = (Symbol::Thickness.number(), Symbol::F.number());
+    let ring = Ring::new(SelfWeight::Milankovitch, &eta);
+    let a = ring.centroid_factor.clone() - c.clone() * &eta;
+    d.identity(
+        "c² - (1 - a)/3 where a + c eta = fac, Milankovitch's weight",
+        &(c.square() - (c.int(1) - a) / c.int(3)),
+        &(c.clone() - eta.clone() / eta.int(6)).square(),
+        &Relations::none(),
+    )?;
+    for weight in SelfWeight::ALL {
+        let first = below(&landmark(Landmark::Junction, weight)?.half_opening.rad, 100)?;
+        let last = around(&landmark(Landmark::Border, weight)?.half_opening.rad, 100)?.1;
+        let holds = |at: &Along| {
+            let [a, c] = parts(&at.alpha, &at.thrust);
+            let slopes = slopes(at);
+            let rest = a.int(1) - a;
+            match weight {
+                SelfWeight::Heyman => {
+                    let pull = (slopes.a + slopes.c * (rest / &c)) * c.ratio(4, 5);
+                    (slopes.friction * c + pull).is_positive()
+                }
+                SelfWeight::Milankovitch => {
+                    let any = between(&Rational::from((4, 5)), &Rational::from(2));
+                    let pull = (slopes.a + slopes.c * any) * c.ratio(7, 10);
+                    let push = slopes.friction.square() * (c.square() - rest / c.int(3));
+                    (pull.square() - push).is_positive()
+                }
+            }
+        };
+        let truth = on_all((&first, &last), &Along::sliding, &|a, b| {
+            a.up_to(b).map_or(Ternary::Undecided, |all| holds(&all))
+        });
+        let bound = match weight {
+            SelfWeight::Heyman => "above 4/5",
+            SelfWeight::Milankovitch => "below 7/10",
+        };
+        let words = format!("d mu/d eta is {bound} on the divide, alpha in [{first}, {last}]");
+        d.certain(Support::Balls, format!("{words}, {} weight", weight.name()), truth?)?;
+    }
+    d.conclude(
+        "d mu/d eta is -mu' (c - delta_M eta/6)/(a' + c' eta), with the slopes along pure sliding; there W \
+         falls, and so a' + c' eta < 0. A purely \
+         sliding state of the divide is thicker for Milankovitch's weight; as the lines rise, at the same \
+         thickness its friction is smaller, and the difference grows with eta.",
+    );
+    Ok(Finding::AsPrinted)
+}
+
+fn slope_at_the_border(d: &mut Derivation) -> Result<Finding, Undecided> {
+    equation(d)?;
+    let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
+    let factor = Ring::with_flag(&delta, &eta).centroid_factor;
+    let slope = factor.derivative(&[(Symbol::Thickness, Polynomial::from(1))]);
+    d.identity("d fac/d eta", &slope, &(delta * &eta / eta.int(6)), &Relations::none())?;
+    let mut bounds = Bounds::default();
+    for weight in [SelfWeight::Milankovitch, SelfWeight::Heyman] {
+        let at = landmark(Landmark::Border, weight)?;
+        let along = Along::of_landmark(weight, &at);
+        let [_, c] = parts(&along.alpha, &along.thrust);
+        let Slopes { a, c: c_slope, friction } = slopes(&along);
+        let (eta, delta) = (&at.thickness, at.thickness.int(weight.flag()));
+        let by_opening = -(a + c_slope * eta) / (c - delta * eta / eta.int(6));
+        let by_friction = by_opening / friction;
+        let by_angle = by_friction.clone() * (eta.int(1) + at.friction.square());
+        let name = weight.name();
+        let words =
+            [format!("d eta/d mu at B, {name} weight"), format!("d eta/d phi at B, {name} weight")];
+        for (words, value) in words.iter().zip([by_friction, by_angle]) {
+            match weight {
+                SelfWeight::Heyman => bounds.at_most(d, (words, &value, ""), 3)?,
+                SelfWeight::Milankovitch => bounds.at_least(d, (words, &value, ""), 3)?,
+            }
+        }
+    }
+    d.conclude("d eta/d mu = -(a' + c' eta)/(c - delta_M eta/6)/mu', finite for both weights.");
+    Ok(bounds.finding())
+}

@@ -1,0 +1,331 @@
+//! The two self-weights compared on the map: at one half opening and friction, and along the dividing lines.
+
+use super::along::{Along, around, landmark, on_all};
+use super::curve::{STATES_IN_ORDER, STATES_OF_ONE_THICKNESS};
+use super::frictions::{FRICTION_FOR_ROTATION_GROWS, SLIDING_STATES_IN_ORDER, SLOPES_OF_FRICTION};
+use super::landmarks::state_of;
+use super::letters::ring;
+use super::modes::LEVER;
+use super::uniqueness::THICKER_HAS_ROOM;
+use super::{Claim, Derivation, Finding, Support};
+use crate::arch::{Ring, SelfWeight, sliding, statics, thrust};
+use crate::certify::{Undecided, between};
+use crate::number::{Angle, Ball, Dual, Enclosure, Field, Real, Rounded, Ternary};
+use crate::problem::Landmark;
+use crate::symbolic::{Letters, Polynomial, Relations, Symbol, along_the_joint};
+use rug::Rational;
+
+pub(super) const CLAIMS: &[Claim] = &[
+    WHERE_THE_SHOULDER_TURNS,
+    WHERE_THE_JOINT_IS_GIVEN,
+    Claim {
+        id: "weights-same-opening",
+        place: "Sec. 3",
+        statement: "in the eta-mu map the curves of one half opening lie lower for Milankovitch's weight: \
+                    Heyman's is on the safe side",
+        decide: same_opening_compared,
+    },
+    LINES_RISE,
+    Claim {
+        id: "weights-dividing-lines",
+        place: "Sec. 3, Fig. 5",
+        statement: "in the eta-mu map the dividing lines of Milankovitch's weight lie always below and \
+                    left of Heyman's",
+        decide: dividing_lines_compared,
+    },
+];
+
+pub(super) const LINES_RISE: Claim = Claim {
+    id: "weights-lines-rise",
+    place: "Sec. 3, Fig. 5",
+    statement: "in the eta-mu map each dividing line rises, so that what lies left of it lies above",
+    decide: lines_rise,
+};
+
+pub(super) const WHERE_THE_SHOULDER_TURNS: Claim = Claim {
+    id: "weights-shoulder-turns",
+    place: "Sec. 3",
+    statement: "where the shoulder turns about the extrados, (3), the same thrust and half opening mean a \
+                larger thickness for Milankovitch's weight",
+    decide: thickness_where_the_shoulder_turns,
+};
+
+const WHERE_THE_JOINT_IS_GIVEN: Claim = Claim {
+    id: "weights-joint-given",
+    place: "Sec. 3",
+    statement: "where the line of thrust touches the intrados, (5), the same thrust and joint mean a \
+                smaller thickness for Milankovitch's weight",
+    decide: thickness_where_the_joint_is_given,
+};
+
+/// Where the shoulder turns, (3) gives the thickness of a given thrust and half opening.
+fn thickness_where_the_shoulder_turns(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let (alpha, joint, h) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thrust.number());
+    let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
+    let ring = Ring::with_flag(&delta, &eta);
+    d.assume("0 < eta < 2, 0 <= delta_M <= 1, N(beta) > 0, beta < alpha");
+    let free = Relations::none();
+    let margin = -(thrust::upper(&alpha, &joint, &ring).residual(&h) / h.int(2));
+    let drop = joint.cos.clone() - &alpha.cos;
+    let (extrados, intrados) = (ring.extrados() / h.int(2), ring.intrados() / h.int(2));
+    let sum = extrados * statics::normal_force(&alpha, &h)
+        - intrados * statics::normal_force(&joint, &h)
+        - drop.clone() * &ring.centroid_factor;
+    d.identity(
+        "W, which vanishes where (3) holds, is the sum of the distances of the shoulder from the extrados \
+         and of a joint from the intrados",
+        &margin,
+        &sum,
+        &free,
+    )?;
+    let by = |symbol| [(symbol, Polynomial::from(1))];
+    d.identity(
+        "dW/d delta_M, negative",
+        &margin.derivative(&by(Symbol::Flag)),
+        &-(eta.square() * &drop / eta.int(12)),
+        &free,
+    )?;
+    let rest = eta.int(12) * (eta.int(1) - &delta) + delta * ring.intrados() * (eta.int(6) + &eta);
+    let normal = statics::normal_force(&joint, &h);
+    d.identity(
+        "(2 + eta) dW/d eta less W, positive",
+        &(margin.derivative(&by(Symbol::Thickness)) * ring.extrados() - &margin),
+        &(h.int(2) * normal + drop * rest / h.int(12)),
+        &free,
+    )?;
+    d.conclude(
+        "So W/(2 + eta) grows with eta, and W falls as delta_M grows. Let a state of thickness eta_0 have \
+         delta_M = 0, W = 0 at its joint, and an admissible one of thickness eta_1 have delta_M = 1 and \
+         the shoulder on the extrados, so that W >= 0 at each joint. With delta_M = 1, W < 0 at eta_0 and \
+         the joint of the first, and W >= 0 there at eta_1: eta_0 < eta_1.",
+    );
+    Ok(Finding::Implicit)
+}
+
+/// (5) gives the thickness of a given thrust and joint.
+fn thickness_where_the_joint_is_given(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
+    let ring = Ring::with_flag(&delta, &eta);
+    d.assume("0 < eta < 2, 0 <= delta_M <= 1");
+    let thrust = thrust::tangency(&Symbol::joint().times_cotangent(), &ring).value();
+    let by = |symbol| [(symbol, Polynomial::from(1))];
+    let slope = -(eta.square() / (eta.int(6) * ring.intrados()));
+    let words = "the derivative of h_e to delta_M, negative";
+    d.identity(words, &thrust.derivative(&by(Symbol::Flag)), &slope, &Relations::none())?;
+    let gain = delta * &eta * ring.intrados() / eta.int(3) + eta.int(2) * &ring.centroid_factor;
+    let slope = -(gain / ring.intrados().square());
+    let words = "the derivative of h_e to eta, negative";
+    d.identity(words, &thrust.derivative(&by(Symbol::Thickness)), &slope, &Relations::none())?;
+    d.conclude("So with the thrust and the joint kept, the thickness falls as delta_M grows.");
+    Ok(Finding::Implicit)
+}
+
+fn by(symbol: Symbol) -> [(Symbol, Polynomial); 1] {
+    [(symbol, Polynomial::from(1))]
+}
+
+/// No arch of Milankovitch's weight is as thin as that of Heyman's, unless its shoulder slides.
+fn thicker_unless_the_shoulder_slides(d: &mut Derivation) -> Result<(), Undecided> {
+    d.lemma(&THICKER_HAS_ROOM)?;
+    d.lemma(&LEVER)?;
+    let (alpha, joint, ring) = (Symbol::half_opening(), Symbol::joint(), ring());
+    let (eta, h, free) = (&ring.thickness, Symbol::Thrust.number(), Relations::none());
+    let (lower, upper) = (thrust::lower(&joint, &ring), thrust::upper(&alpha, &joint, &ring));
+    let crown = lower.residual(&h) / h.int(2);
+    let shoulder = -(upper.residual(&h) / h.int(2));
+    let (lever, arm) = (lower.denominator, upper.denominator);
+    let words = "W falls as h grows, by the lever arm in (3)";
+    d.identity(
+        words,
+        &shoulder.derivative(&by(Symbol::Thrust)),
+        &-(arm.clone() / h.int(2)),
+        &free,
+    )?;
+    let drop = joint.cos.clone() - &alpha.cos;
+    let slope = -(eta.square() * drop / eta.int(12));
+    let words = "and as delta_M grows";
+    d.identity(words, &shoulder.derivative(&by(Symbol::Flag)), &slope, &free)?;
+    let both = crown * arm + shoulder * lever;
+    let words = "Z, V and W times the lever arms in (3) and (2), is free of h";
+    d.identity(words, &both.derivative(&by(Symbol::Thrust)), &h.int(0), &free)?;
+    let slope = -(eta.square() * eta * &joint.cos * alpha.versine() / eta.int(6));
+    let words = "Z falls as delta_M grows";
+    d.identity(words, &both.derivative(&by(Symbol::Flag)), &slope, &free)?;
+    d.conclude(
+        "V is the sum of the distances of the crown from the extrados and of a joint from the intrados, W \
+         that of the shoulder from the extrados and of the joint from the intrados: not negative where a \
+         state is admissible. Let Heyman's arch have the least thickness eta, and Milankovitch's stand with \
+         as little: then it stands with eta too. If Heyman's collapse is purely rotational, V = W = Z = 0 at \
+         its joint, below pi/2, and Z < 0 there for delta_M = 1. If it has an inner sliding joint, or no \
+         thrust, W = 0 at its joint, and no arch of this friction has less thrust, so that W < 0 there for \
+         delta_M = 1. So Milankovitch's arch is thicker, however it collapses.",
+    );
+    Ok(())
+}
+
+/// Arches of both weights, by half opening and friction, and whether Milankovitch's is the thicker one.
+fn thicker(
+    d: &mut Derivation,
+    (alpha, friction): (&str, Option<&str>),
+    is_thicker: bool,
+) -> Result<String, Undecided> {
+    let [heyman, milankovitch] = SelfWeight::ALL.map(|w| state_of(alpha, friction, w));
+    let (heyman, milankovitch) = (heyman?, milankovitch?);
+    let (eta, other) = (&milankovitch.thickness, &heyman.thickness);
+    let modes =
+        format!("{} with Heyman's weight, {}", heyman.mode.label(), milankovitch.mode.label());
+    let place = format!("at alpha = {alpha}, mu = {}", friction.unwrap_or("inf"));
+    let (word, less, more) =
+        if is_thicker { ("thicker", other, eta) } else { ("thinner", eta, other) };
+    let words = format!("{place} Milankovitch's arch is {word}: {modes} with Milankovitch's");
+    d.certain(Support::Balls, words, less.is_less_than(more))?;
+    Ok(format!("{place}: eta = {}, but {} for Heyman's weight", shown(eta)?, shown(other)?))
+}
+
+fn same_opening_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&STATES_IN_ORDER)?;
+    d.lemma(&STATES_OF_ONE_THICKNESS)?;
+    thicker_unless_the_shoulder_slides(d)?;
+    d.conclude(
+        "[s,r,r] with both: friction gives the thrust by (17), and on the curve of (2) and (5) the thrust \
+         falls with eta and, at one eta, with delta_M: Milankovitch's arch is thinner.",
+    );
+    let first = thicker(d, ("pi/2", None), true)?;
+    let second = thicker(d, ("2.6", Some("1.9")), true)?;
+    thicker(d, ("pi/2", Some("0.38")), false)?;
+    thicker(d, ("2.3", Some("1.071")), false)?;
+    thicker(d, ("2.3", Some("1.083")), true)?;
+    thicker(d, ("2.45", Some("1.324")), false)?;
+    thicker(d, ("2.45", Some("1.338")), true)?;
+    Ok(Finding::Misprint {
+        counterexample: format!("{first}; {second}"),
+        corrected: "at the same half opening and friction, where both stand, Milankovitch's thickness is the \
+                    larger one, so that Heyman's weight is not on the safe side, unless the shoulder slides \
+                    with Heyman's weight, [s,r,r]; it is the smaller one if it slides with both; if it slides \
+                    with Heyman's alone, both occur",
+    })
+}
+
+/// Each line, in turn.
+fn lines_rise(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&FRICTION_FOR_ROTATION_GROWS)?;
+    d.lemma(&STATES_IN_ORDER)?;
+    d.lemma(&SLOPES_OF_FRICTION)?;
+    d.conclude(
+        "About pure rotation: M and m grow with alpha, as eta does. On [s,r,r]|[s,s], by (2) and (5), eta \
+         grows as h falls, and so does mu.",
+    );
+    let (joint, ring) = (Symbol::joint(), ring());
+    let bow = joint.rad.clone() - joint.sin.clone() * &joint.cos;
+    d.identity(
+        "d(beta cot(beta))/d beta, negative",
+        &joint.times_cotangent().derivative(&along_the_joint()),
+        &-(bow / joint.sin.square()),
+        &Relations::trigonometric(),
+    )?;
+    let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
+    let rest = ring.centroid_factor.int(2) * &ring.centroid_factor / ring.intrados();
+    let gain = delta * eta * ring.intrados() / eta.int(3) + eta.int(2) * &ring.centroid_factor;
+    d.identity(
+        "d(2 fac/(2 - eta))/d eta, positive",
+        &rest.derivative(&by(Symbol::Thickness)),
+        &(gain / ring.intrados().square()),
+        &Relations::none(),
+    )?;
+    for weight in SelfWeight::ALL {
+        let thrust = landmark(Landmark::Triple, weight)?.thrust;
+        let words = format!("h < 1/2 at T and beyond, {} weight", weight.name());
+        d.certain(Support::Balls, words, thrust.is_less_than(&thrust.ratio(1, 2)))?;
+    }
+    d.conclude(
+        "On [r,r,s]|[r,s,r] and [r,s,r]|[r,s] (5) is h - beta cot(beta) = 1 - 2 fac/(2 - eta) at beta_s = \
+         sqrt(h (1-h)), which grows with h < 1/2, or at the crown, where beta cot(beta) = 1: eta grows as h \
+         falls and mu grows.",
+    );
+    d.lemma(&SLIDING_STATES_IN_ORDER)?;
+    d.lemma(&WHERE_THE_SHOULDER_TURNS)?;
+    let [first, last] =
+        [(Landmark::Triple, SelfWeight::Milankovitch), (Landmark::Border, SelfWeight::Heyman)].map(
+            |(point, weight)| {
+                landmark(point, weight).and_then(|at| around(&at.half_opening.rad, 100))
+            },
+        );
+    let (low, high) = (first?.0, last?.1);
+    let range = |(low, high): (i32, i32), scale| {
+        between(&Rational::from((low, scale)), &Rational::from((high, scale)))
+    };
+    let any_ring = Ring { thickness: range((0, 2), 1), centroid_factor: range((3, 4), 3) };
+    let any_joint = Angle::new(range((0, 8), 5));
+    let truth = on_all((&low, &high), &Along::sliding, &|a, b| {
+        a.up_to(b).map_or(Ternary::Undecided, |all| {
+            let slope = all.slope_along_sliding(|alpha, h| {
+                let constant = |x: &Ball| Dual::constant(x.clone());
+                let ring = Ring {
+                    thickness: constant(&any_ring.thickness),
+                    centroid_factor: constant(&any_ring.centroid_factor),
+                };
+                let joint = any_joint.clone().map(Dual::constant);
+                thrust::upper(alpha, &joint, &ring).residual(h)
+            });
+            slope.is_positive()
+        })
+    });
+    let words = "W falls along pure sliding, at any joint up to 8/5, eta up to 2 and fac up to 4/3";
+    d.certain(Support::Balls, format!("{words}, alpha in [{low}, {high}]"), truth?)?;
+    d.conclude(
+        "About pure sliding from T to B, W = 0 at the joint, which by (5) is below pi/2. Further along W < 0 \
+         there at the same thickness and, as W/(2 + eta) grows with eta, at each smaller one: eta grows.",
+    );
+    Ok(Finding::Implicit)
+}
+
+fn dividing_lines_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&LINES_RISE)?;
+    d.lemma(&STATES_OF_ONE_THICKNESS)?;
+    d.lemma(&SLOPES_OF_FRICTION)?;
+    d.conclude(
+        "About pure rotation, at one thickness, alpha and h are smaller for Milankovitch's weight, so that M \
+         is smaller, as mu_ss grows with both, and m = mu_is(h) is larger: [r,r,r]|[s,r,r] lies left, \
+         [r,r,r]|[r,r,s] right.",
+    );
+    d.lemma(&WHERE_THE_SHOULDER_TURNS)?;
+    d.lemma(&WHERE_THE_JOINT_IS_GIVEN)?;
+    d.conclude(
+        "On the other lines friction gives the thrust by (18) and, on those about pure sliding, the half \
+         opening too, the same for both weights. On [s,r,r]|[s,s] the thickness follows from (2) and (5), \
+         on [r,r,s]|[r,s,r] and [r,s,r]|[r,s] from (5) at beta_s or at the crown: it is smaller for \
+         Milankovitch's weight. On the lines from T to B about pure sliding it follows from (3): it is \
+         larger.",
+    );
+    let states = SelfWeight::ALL.map(|weight| {
+        let state = state_of("pi/2", None, weight)?;
+        let half = state.thrust.pi() / state.thrust.int(2);
+        let right = Angle { rad: half, sin: state.thrust.int(1), cos: state.thrust.int(0) };
+        Ok((state.thickness, sliding::shoulder(&right, &state.thrust).value()))
+    });
+    let [heyman, milankovitch]: [Result<(Ball, Ball), Undecided>; 2] = states;
+    let (heyman, milankovitch) = (heyman?, milankovitch?);
+    let words = "the semicircle's point on the first line is higher for Milankovitch's weight";
+    d.certain(Support::Balls, words, heyman.0.is_less_than(&milankovitch.0))?;
+    let words = "and further left";
+    d.certain(Support::Balls, words, milankovitch.1.is_less_than(&heyman.1))?;
+    Ok(Finding::Misprint {
+        counterexample: format!(
+            "[r,r,r]|[s,r,r] at alpha = pi/2: mu = {}, eta = {} for Milankovitch's weight is left of and \
+             above mu = {}, eta = {} for Heyman's, on a line that rises",
+            shown(&milankovitch.1)?,
+            shown(&milankovitch.0)?,
+            shown(&heyman.1)?,
+            shown(&heyman.0)?
+        ),
+        corrected: "as each line rises, left of it is above it, and right below: Milankovitch's lines lie left \
+                    of Heyman's and above where they are [r,r,r]|[s,r,r] or, from T to B, bound pure sliding; \
+                    the others, [r,r,r]|[r,r,s], [s,r,r]|[s,s], [r,r,s]|[r,s,r] and [r,s,r]|[r,s], lie right \
+                    and below",
+    })
+}
+
+fn shown(value: &Ball) -> Result<String, Undecided> {
+    let rounded = Rounded::from_ball(value, 6).map(|rounded| rounded.value.to_string());
+    rounded.ok_or_else(|| Undecided::new("no six digits"))
+}

@@ -1,0 +1,190 @@
+//! Values that the text gives to few digits, and frictions that are said to suffice.
+
+use super::along::Along;
+use super::domains::{NO_PURE_SLIDING_BEYOND_B, NO_SHOULDER_SLIDING_BEYOND_T};
+use super::landmarks::{certain_if, enclosed, state_of};
+use super::measured::Bounds;
+use super::{Claim, Derivation, Finding, Support};
+use crate::arch::{SelfWeight, sliding};
+use crate::certify::{CertifiedLandmark, Undecided};
+use crate::number::{Angle, Ball, Decimal, Enclosure, Field, Real, Rounded, arctangent};
+use crate::problem::{Landmark, Mode, Quantity};
+use rug::Rational;
+
+pub(super) const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "rounded-values",
+        place: "Sec. 2.1-5, Fig. 7-12",
+        statement: "the values given to few digits, such as beta_r = 59.7° at T or, coarser, 20° for 22°, are \
+                    roundings of the true ones",
+        decide: rounded_values,
+    },
+    Claim {
+        id: "semicircle",
+        place: "Sec. 5",
+        statement: "for the semicircle a friction of about 0.395, 22°, suffices to prevent sliding of \
+                    the shoulder and warrants purely rotational collapse",
+        decide: semicircle,
+    },
+    Claim {
+        id: "suffices-T",
+        place: "Sec. 5",
+        statement: "a friction of about 1.277, 52°, suffices to prevent any mixed sliding-rotational mode",
+        decide: no_shoulder_sliding,
+    },
+    Claim {
+        id: "suffices-B",
+        place: "Sec. 5",
+        statement: "a friction of about 1.854, 62°, suffices to prevent any purely sliding mode",
+        decide: no_pure_sliding,
+    },
+];
+
+/// The values to few digits: landmark, weight, quantity, text, places where it stands.
+const ROUNDED: &[(Landmark, SelfWeight, Quantity, &[&str])] = {
+    use {Landmark::*, Quantity::*, SelfWeight::*};
+    &[
+        (WidestJoint, Milankovitch, RotationJointDegrees, &["64.2"]),
+        (WidestJoint, Milankovitch, HalfOpeningDegrees, &["125.8"]),
+        (RotationEnd, Milankovitch, HalfOpeningDegrees, &["148.4", "1.5e2"]),
+        (RotationEnd, Milankovitch, Thickness, &["0.93"]),
+        (RotationEnd, Heyman, HalfOpeningDegrees, &["151.7", "1.5e2"]),
+        (OverturningEnd, Heyman, HalfOpeningDegrees, &["159.7", "1.6e2"]),
+        (OverturningEnd, Milankovitch, HalfOpeningDegrees, &["151.7", "1.5e2"]),
+        (Triple, Milankovitch, HalfOpening, &["2.43"]),
+        (Triple, Milankovitch, HalfOpeningDegrees, &["139.2", "139", "1.4e2"]),
+        (Triple, Milankovitch, Friction, &["1.277"]),
+        (Triple, Milankovitch, FrictionAngleDegrees, &["51.9", "52", "5e1"]),
+        (Triple, Milankovitch, RotationJointDegrees, &["59.7", "60"]),
+        (Triple, Milankovitch, SlidingJointDegrees, &["18.3", "2e1"]),
+        (Shift, Milankovitch, HalfOpeningDegrees, &["145.0", "145"]),
+        (Shift, Milankovitch, FrictionAngleDegrees, &["57.0", "57"]),
+        (Shift, Milankovitch, SlidingJointDegrees, &["16.0", "16"]),
+        (Junction, Milankovitch, HalfOpeningDegrees, &["145.2"]),
+        (Junction, Milankovitch, FrictionAngleDegrees, &["57.1"]),
+        (Junction, Milankovitch, SlidingJointDegrees, &["16.0"]),
+        (Border, Milankovitch, HalfOpeningDegrees, &["150.3", "150"]),
+        (Border, Milankovitch, Friction, &["1.854"]),
+        (Border, Milankovitch, FrictionAngleDegrees, &["61.7", "62", "6e1"]),
+        (Border, Milankovitch, SlidingJointDegrees, &["13.9", "14"]),
+    ]
+};
+
+/// Checks that `text` is the value rounded to its digits.
+fn rounds_to(d: &mut Derivation, words: &str, value: &Ball, text: &str) -> Result<(), Undecided> {
+    let printed: Decimal = text.parse().map_err(|e| Undecided::new(format!("{e}")))?;
+    let rounded = Rounded::from_ball(value, printed.significant_digits())
+        .ok_or_else(|| Undecided::new(format!("the rounding of {words}")))?;
+    d.equal(
+        format!("{words} to the digits of {text}"),
+        &rounded.value.to_rational(),
+        &printed.to_rational(),
+    )
+}
+
+fn rounded_values(d: &mut Derivation) -> Result<Finding, Undecided> {
+    for (landmark, weight, quantity, texts) in ROUNDED {
+        let point = CertifiedLandmark::new(*landmark, *weight)?;
+        let words = format!("{} at {}, {}", quantity.name(), landmark.symbol(), weight.name());
+        let value = point
+            .quantity(&point.enclosure(128)?, *quantity)
+            .ok_or_else(|| Undecided::new(words.clone()))?;
+        for text in *texts {
+            rounds_to(d, &words, &value, text)?;
+        }
+    }
+    let [heyman, milankovitch] = SelfWeight::ALL.map(|weight| semicircle_friction(weight));
+    let (heyman, milankovitch) = (heyman?, milankovitch?);
+    let words = "the friction that the shoulder of a semicircle asks for, milankovitch weight,";
+    rounds_to(d, words, &milankovitch, "0.395")?;
+    for (friction, weight) in
+        [(heyman, SelfWeight::Heyman), (milankovitch, SelfWeight::Milankovitch)]
+    {
+        let degrees = arctangent(&friction) * friction.int(180) / friction.pi();
+        for text in ["22", "2e1"] {
+            rounds_to(
+                d,
+                &format!("its angle in degrees, {} weight,", weight.name()),
+                &degrees,
+                text,
+            )?;
+        }
+    }
+    Ok(Finding::AsPrinted)
+}
+
+/// What the shoulder of a semicircle asks for.
+fn semicircle_friction(weight: SelfWeight) -> Result<Ball, Undecided> {
+    let thrust = state_of("pi/2", None, weight)?.thrust;
+    let half = thrust.pi() / thrust.int(2);
+    let right = Angle { rad: half, sin: thrust.int(1), cos: thrust.int(0) };
+    Ok(sliding::shoulder(&right, &thrust).value())
+}
+
+/// Notes a friction, and its angle, that is the least to suffice.
+fn least_friction(
+    d: &mut Derivation,
+    bounds: &mut Bounds,
+    words: &str,
+    friction: &Ball,
+    digits: usize,
+) -> Result<(), Undecided> {
+    bounds.at_most(d, (words, friction, ""), digits)?;
+    let degrees = arctangent(friction) * friction.int(180) / friction.pi();
+    bounds.at_most(d, ("its angle", &degrees, "°"), 3)
+}
+
+/// Checks the mode of an arch.
+fn collapses(
+    d: &mut Derivation,
+    (alpha, friction): (&str, &str),
+    weight: SelfWeight,
+    mode: Mode,
+) -> Result<(), Undecided> {
+    let found = state_of(alpha, Some(friction), weight)?.mode;
+    let words = format!(
+        "alpha = {alpha}, mu = {friction} gives {}, {} weight",
+        mode.label(),
+        weight.name()
+    );
+    d.certain(Support::Balls, words, certain_if(found == mode))
+}
+
+fn semicircle(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let mut bounds = Bounds::default();
+    let sufficient = [(SelfWeight::Milankovitch, "0.3953"), (SelfWeight::Heyman, "0.3959")];
+    for (weight, enough) in sufficient {
+        let words = format!("the friction that the shoulder asks for, {} weight", weight.name());
+        least_friction(d, &mut bounds, &words, &semicircle_friction(weight)?, 4)?;
+        collapses(d, ("pi/2", enough), weight, Mode::Rotational)?;
+        collapses(d, ("pi/2", "0.395"), weight, Mode::SlidingRotational)?;
+    }
+    Ok(bounds.finding())
+}
+
+fn no_shoulder_sliding(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&NO_SHOULDER_SLIDING_BEYOND_T)?;
+    let mut bounds = Bounds::default();
+    let (weight, words) = (SelfWeight::Milankovitch, "mu_T, milankovitch weight");
+    least_friction(d, &mut bounds, words, &enclosed(Landmark::Triple, weight)?.1.friction, 5)?;
+    collapses(d, ("2.430058", "1.277"), weight, Mode::SlidingRotational)?;
+    Ok(bounds.finding())
+}
+
+fn no_pure_sliding(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&NO_PURE_SLIDING_BEYOND_B)?;
+    let mut bounds = Bounds::default();
+    let (weight, words) = (SelfWeight::Milankovitch, "mu_B, milankovitch weight");
+    let friction = enclosed(Landmark::Border, weight)?.1.friction;
+    least_friction(d, &mut bounds, words, &friction, 5)?;
+    // An arch thinner than B that slides purely with hardly less friction.
+    let (text, alpha) = ("2.62307", Rational::from((262_307, 100_000)));
+    let slides = Along::sliding(&alpha)?.inner_friction();
+    let least = Ball::enclosing(&Rational::from((18_537, 10_000)), slides.prec());
+    let words = format!("alpha = {text} slides purely with more than 1.8537");
+    d.certain(Support::Balls, words, least.is_less_than(&slides))?;
+    let state = state_of(text, Some("1.8538"), weight)?;
+    let words = "with 1.8538 it stands, with eta < 2";
+    d.certain(Support::Balls, words, state.thickness.is_less_than(&friction.int(2)))?;
+    Ok(bounds.finding())
+}

@@ -1,0 +1,121 @@
+//! The purely overturning states of the two weights beside each other: Fig. 3.
+
+use super::along::landmark;
+use super::letters::ring;
+use super::measured::Bounds;
+use super::overturning::A_FIXES_ALPHA;
+use super::{Claim, Derivation, Finding, Support};
+use crate::arch::{Ring, SelfWeight, overturning, thrust};
+use crate::certify::Undecided;
+use crate::number::{Angle, Ball, Enclosure, Field, Real};
+use crate::problem::Landmark::OverturningEnd;
+use crate::symbolic::{Letters, Polynomial, Relations, Symbol};
+use rug::Rational;
+
+pub(super) const CLAIMS: &[Claim] = &[
+    Claim {
+        id: "weights-overturning",
+        place: "Sec. 2.1, Fig. 3",
+        statement: "for purely overturning modes the trends of eta differ to a quite limited extent between \
+                    the two weights",
+        decide: trends_compared,
+    },
+    Claim {
+        id: "weights-range",
+        place: "Sec. 2.1",
+        statement: "the half openings of rotational states, purely overturning ones among them, end at about \
+                    150° for Milankovitch's weight and about 160° for Heyman's",
+        decide: ranges_compared,
+    },
+];
+
+/// `(1 - cos(alpha))/(alpha - sin(alpha))`, by which `A` makes `alpha` fall.
+fn leverage(alpha: &Ball) -> Ball {
+    let alpha = Angle::new(alpha.clone());
+    alpha.versine() / (alpha.rad - alpha.sin)
+}
+
+fn trends_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&A_FIXES_ALPHA)?;
+    let (ring, free) = (ring(), Relations::none());
+    let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
+    let opening = overturning::opening_variable(&ring).value();
+    let at = |n: i32| {
+        let put = |x: Symbol| if x == Symbol::Flag { delta.int(n) } else { x.number() };
+        opening.evaluate(&delta, put)
+    };
+    let gap = at(1) - at(0);
+    let words = "A at the same eta, Milankovitch's weight less Heyman's";
+    d.identity(words, &gap, &(eta.square() / (eta.int(6) * ring.extrados())), &free)?;
+    let by = |symbol| [(symbol, Polynomial::from(1))];
+    let fall = eta.int(12) - (eta.int(4) + eta) * eta * &delta;
+    let slope = -(fall / (eta.int(6) * ring.extrados().square()));
+    let words = "dA/d eta";
+    d.identity(words, &opening.derivative(&by(Symbol::Thickness)), &slope, &free)?;
+    let two = Rational::from(2);
+    let a = |weight| overturning::opening_variable(&Ring::new(weight, &two)).value();
+    let [heyman_end, milankovitch_end] = SelfWeight::ALL.map(a);
+    let largest = Rational::from(&milankovitch_end - &heyman_end);
+    d.equal("the largest difference in A, at eta = 2", &largest, &Rational::from((1, 6)))?;
+    // alpha falls with A; on 1 <= eta <= 2 all of it lies between 5/2 and 14/5.
+    let [low, high] = [(5, 2), (14, 5)].map(|x| Ball::enclosing(&Rational::from(x), 128));
+    for (bound, eta, weight, is_above) in
+        [(&low, 1, SelfWeight::Milankovitch, true), (&high, 2, SelfWeight::Heyman, false)]
+    {
+        let a = overturning::opening_variable(&Ring::new(weight, &bound.int(eta))).value();
+        let at_bound = thrust::opening_variable(&Angle::new(bound.clone())).value();
+        let truth = if is_above { a.is_less_than(&at_bound) } else { at_bound.is_less_than(&a) };
+        let side = if is_above { "above 5/2" } else { "below 14/5" };
+        let words = format!("alpha is {side} at eta = {eta}, {} weight", weight.name());
+        d.certain(Support::Balls, words, truth)?;
+    }
+    let margin = leverage(&high) * low.int(12) - leverage(&low) * low.int(7);
+    let words = "12 k(14/5) > 7 k(5/2), where k = (1 - cos)/(alpha - sin), d alpha = -k dA";
+    d.certain(Support::Balls, words, margin.is_positive())?;
+    let falling = |alpha: &Ball| {
+        let Angle { rad, sin, cos } = Angle::new(alpha.clone());
+        (rad.int(1) - &cos).square() - (rad - &sin) * sin
+    };
+    let range = (&Rational::from((5, 2)), &Rational::from((14, 5)));
+    d.positive("k falls: (1 - cos)² - (alpha - sin) sin", range, falling)?;
+    d.conclude(
+        "12 - 4 eta - eta² <= 7 for eta >= 1: as eta grows from 1 to 2, alpha grows faster for Heyman's \
+         weight, so that the difference is largest at eta = 2.",
+    );
+    let [heyman, milankovitch] = SelfWeight::ALL.map(|weight| landmark(OverturningEnd, weight));
+    let difference = heyman?.half_opening.rad - milankovitch?.half_opening.rad;
+    let degrees = in_degrees(&difference);
+    let mut bounds = Bounds::default();
+    let words = "alpha, at the same eta between 1 and 2";
+    bounds.at_most(d, (words, &difference, ""), 3)?;
+    bounds.at_most(d, ("in degrees", &degrees, "°"), 3)?;
+    let ring = Ring::new(SelfWeight::Heyman, &Rational::from(1));
+    let words = "A at eta = 1 with Heyman's weight is A_L with Milankovitch's, where eta = 2";
+    d.equal(words, &overturning::opening_variable(&ring).value(), &milankovitch_end)?;
+    bounds.fails(
+        "eta at the same half opening: 2 and 1 at alpha_L, the only one where both overturn",
+    );
+    Ok(bounds.finding())
+}
+
+fn in_degrees(angle: &Ball) -> Ball {
+    angle.clone() * angle.int(180) / angle.pi()
+}
+
+fn ranges_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let mut bounds = Bounds::default();
+    let mut ends = Vec::new();
+    for weight in [SelfWeight::Milankovitch, SelfWeight::Heyman] {
+        let end = in_degrees(&landmark(OverturningEnd, weight)?.half_opening.rad);
+        let words = format!("alpha_L, {} weight", weight.name());
+        bounds.at_most(d, (&words, &end, "°"), 4)?;
+        ends.push(end);
+    }
+    let [narrow, wide] = [&ends[0], &ends[1]];
+    let words = "150° is below alpha_L of Milankovitch's weight";
+    d.certain(Support::Balls, words, narrow.int(150).is_less_than(narrow))?;
+    let words = "160° is above alpha_L of Heyman's weight";
+    d.certain(Support::Balls, words, wide.is_less_than(&wide.int(160)))?;
+    bounds.fails("150° is too small, 160° too large");
+    Ok(bounds.finding())
+}
