@@ -288,3 +288,24 @@ Qed.
 Theorem tangency_second_form (delta beta eta : R) : 2 - eta <> 0 -> eta <> 0 ->
   h_tangency delta beta eta = h_tangency_second delta beta eta.
 Proof. unfold h_tangency, h_tangency_second, fac. intros; field. split; assumption. Qed.
+
+(** Heyman's [beta cot beta] is what is left of (5) in a thin arch, with either weight. *)
+Theorem tangency_of_thin_arch (delta beta : R) : h_tangency delta beta 0 = beta * cot beta.
+Proof. unfold h_tangency, fac; field. Qed.
+
+(** ** The caption of Fig. 1: [r] is not the inner radius
+
+    With the inner radius [r] the ring lies between [r] and [r (1 + eta)], and its centreline has the
+    radius [r (1 + eta/2)], in units of which its thickness is [eta / (1 + eta/2)]. *)
+Theorem centroid_with_inner_radius (eta : R) : 0 < eta <= 2 ->
+  (1 + eta / 2) * fac 1 (eta / (1 + eta / 2)) <> fac 1 eta.
+Proof.
+  intros H E.
+  assert (P : 0 < eta * (12 + 6 * eta - eta ^ 2)) by nra.
+  assert (D : (1 + eta / 2) * fac 1 (eta / (1 + eta / 2)) - fac 1 eta
+              = eta * (12 + 6 * eta - eta ^ 2) / (24 * (1 + eta / 2)))
+    by (unfold fac; field; lra).
+  assert (0 < eta * (12 + 6 * eta - eta ^ 2) / (24 * (1 + eta / 2)))
+    by (apply Rdiv_lt_0_compat; lra).
+  lra.
+Qed.

@@ -133,11 +133,13 @@ fn border_point(d: &mut Derivation) -> Result<Finding, Undecided> {
         let cotangent = Symbol::joint().times_cotangent();
         let residual = thrust::tangency(&cotangent, &symbolic).residual(&Symbol::Thrust.number());
         let value = two.clone() * &ring.centroid_factor;
-        let words = format!("(5), cleared, at eta = 2, {} weight", weight.name());
+        let words = format!(
+            "(5), cleared, at eta = 2, whatever the joint and the thrust, {} weight",
+            weight.name()
+        );
         d.identity(words, &residual, &value.clone().into(), &Relations::none())?;
         d.differ("its residual", &value, &Rational::new())?;
     }
-    d.conclude("(5) holds at no joint and for no thrust at eta = 2, at B in particular.");
     Ok(Finding::Implicit)
 }
 

@@ -162,7 +162,7 @@ fn whole(d: &mut Derivation) -> Result<Finding, Undecided> {
 fn opening_variable_forms(d: &mut Derivation) -> Result<Finding, Undecided> {
     let half = Symbol::joint();
     d.assume("sin(alpha/2) != 0");
-    d.conclude("here S = sin(alpha/2) and C = cos(alpha/2), so that sin(alpha) = 2 S C, cos(alpha) = 1 - 2 S^2");
+    d.assume("S = sin(alpha/2), C = cos(alpha/2): sin(alpha) = 2 S C, cos(alpha) = 1 - 2 S^2");
     let alpha = Angle {
         rad: Symbol::HalfOpening.number(),
         sin: half.sin.int(2) * &half.sin * &half.cos,
@@ -187,8 +187,8 @@ fn upper_follows(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.define("(2) without its denominator", &second);
     d.define("(4) without its denominator", &fourth);
     let combination = fourth - second;
-    d.identity("(4) minus (2) is (3)", &combination, &third, &Relations::none())?;
-    d.conclude("cofactors: -1 of (2), 1 of (4)");
+    let words = "(4) minus (2) is (3): the cofactors are 1 and -1";
+    d.identity(words, &combination, &third, &Relations::none())?;
     Ok(Finding::Implicit)
 }
 
@@ -247,7 +247,7 @@ fn centroid(d: &mut Derivation) -> Result<Finding, Undecided> {
     let rule = [(Symbol::Sine, Symbol::Sine.polynomial().power(0))];
     let (area, moment) =
         (radius.ratio(1, 2) * radius.square(), { radius.ratio(1, 3) * radius.square() * &radius });
-    d.conclude("a wedge element of angle d beta has the area S dS and the moment S^2 dS about the centre, S the radius");
+    d.assume("a wedge of angle d beta has the area S dS and the moment S^2 dS about the centre, S the radius");
     let free = Relations::none();
     d.identity("(S^2/2)' = S", &area.derivative(&rule), &radius, &free)?;
     d.identity("(S^3/3)' = S^2", &moment.derivative(&rule), &radius.square(), &free)?;
@@ -261,8 +261,8 @@ fn centroid(d: &mut Derivation) -> Result<Finding, Undecided> {
     let factor = Ring::with_flag(&eta.int(1), &eta).centroid_factor;
     d.identity("moment over area, from 1 - eta/2 to 1 + eta/2", &centroid, &factor, &free)?;
     let square = (factor - eta.int(1)) * eta.int(12);
-    d.identity("12 (fac_M - 1) is a square", &square, &eta.square(), &free)?;
-    d.conclude("fac_M >= 1");
+    let words = "12 (fac_M - 1) is a square, so that fac_M >= 1";
+    d.identity(words, &square, &eta.square(), &free)?;
     Ok(Finding::AsPrinted)
 }
 

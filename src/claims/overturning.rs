@@ -278,7 +278,7 @@ fn opening_variable_falls(d: &mut Derivation) -> Result<Finding, Undecided> {
     let parts = thrust::opening_variable(&alpha);
     for (words, part, at_zero) in [
         ("alpha sin(alpha) at 0 has the second derivative", &parts.numerator, 2),
-        ("1 - cos(alpha) at 0 has the second derivative", &parts.denominator, 1),
+        ("1 - cos(alpha) has it too, so that A -> 2", &parts.denominator, 1),
     ] {
         let bend = part.derivative(&rules).derivative(&rules);
         let none = Rational::new();
@@ -287,8 +287,7 @@ fn opening_variable_falls(d: &mut Derivation) -> Result<Finding, Undecided> {
     }
     let straight = |x| Rational::from(i32::from(x == Symbol::HalfOpening));
     let end = parts.numerator.evaluate(&Rational::new(), straight);
-    d.equal("alpha sin(alpha) where sin(alpha) = 0", &end, &Rational::new())?;
-    d.conclude("So A tends to 2/1 at 0 and is 0 at pi.");
+    d.equal("alpha sin(alpha) at pi, where sin(alpha) = 0", &end, &Rational::new())?;
     Ok(Finding::Implicit)
 }
 

@@ -93,7 +93,7 @@ fn rounded_values(d: &mut Derivation) -> Result<Finding, Undecided> {
             rounds_to(d, &words, &value, text)?;
         }
     }
-    let [heyman, milankovitch] = SelfWeight::ALL.map(|weight| semicircle_friction(weight));
+    let [heyman, milankovitch] = SelfWeight::ALL.map(semicircle_friction);
     let (heyman, milankovitch) = (heyman?, milankovitch?);
     let words = "the friction that the shoulder of a semicircle asks for, milankovitch weight,";
     rounds_to(d, words, &milankovitch, "0.395")?;

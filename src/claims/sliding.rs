@@ -83,8 +83,8 @@ fn stationary(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.define("(T/N)'", &slope.reduced(&Relations::trigonometric()));
     let joint = Symbol::Joint.number();
     let expected = -sliding::steepest(&joint, &Symbol::Thrust.number()) / normal.square();
-    d.identity("it is (h (1-h) - beta^2)/N^2", &slope, &expected, &Relations::trigonometric())?;
-    d.conclude("positive before beta_s, zero there, negative after");
+    let words = "it is (h (1-h) - beta^2)/N^2: positive before beta_s, negative after";
+    d.identity(words, &slope, &expected, &Relations::trigonometric())?;
     Ok(Finding::AsPrinted)
 }
 
@@ -110,7 +110,7 @@ fn inner_falls(d: &mut Derivation) -> Result<Finding, Undecided> {
     let slope = (shear / &normal).derivative(&by_thrust);
     let expected = -(Symbol::Joint.number() / normal.square());
     d.identity(
-        "at a fixed joint, d(T/N)/dh = -beta/N^2",
+        "at a fixed joint, d(T/N)/dh = -beta/N^2, negative",
         &slope,
         &expected,
         &Relations::trigonometric(),
@@ -118,8 +118,8 @@ fn inner_falls(d: &mut Derivation) -> Result<Finding, Undecided> {
     let moved = (forces().0 / forces().1).derivative(&along_the_joint());
     let steepest = &Symbol::Thrust.polynomial() - &Symbol::Thrust.polynomial().power(2);
     let relations = Relations::trigonometric().with(Symbol::Joint, 2, steepest);
-    d.identity("and d(T/N)/d beta = 0 at beta_s", &moved, &moved.int(0), &relations)?;
-    d.conclude("d mu_is/dh = -beta_s/N(beta_s)^2 < 0");
+    let words = "d(T/N)/d beta = 0 at beta_s, so that d mu_is/dh is -beta_s/N(beta_s)^2";
+    d.identity(words, &moved, &moved.int(0), &relations)?;
     Ok(Finding::Implicit)
 }
 
