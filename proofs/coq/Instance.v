@@ -197,17 +197,17 @@ Ltac conjuncts :=
 (** A printed value against the digits. *)
 Ltac compare := conjuncts; unfold A; interval with (i_prec 90).
 
-(** An inequality between numbers. *)
-Ltac arithmetic := interval with (i_prec 53).
+(** An inequality between numbers; few bits are enough unless the half opening is small. *)
+Ltac arithmetic := first [interval with (i_prec 53) | interval with (i_prec 300)].
 
 (** A bound of a slope; many slopes are constant. *)
 Ltac slope :=
-  first [rewrite Rminus_eq_0, Rabs_R0; apply Rle_refl | interval with (i_prec 53)].
+  first [rewrite Rminus_eq_0, Rabs_R0; apply Rle_refl | arithmetic].
 
 (** What the lemmas on cleared forms leave to show. *)
 Ltac clearing :=
   match goal with
-  | |- _ <> _ => interval with (i_prec 53)
+  | |- _ <> _ => arithmetic
   | |- 0 < _ => lra
   | |- h_lower _ _ _ = h_tangency _ _ _ => congruence
   | |- _ => unfold fac; rewrite ?sin_0, ?cos_0; field

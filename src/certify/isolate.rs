@@ -1,7 +1,8 @@
 //! Exactly one root in a box as large as the proof carries.
 
 use super::Undecided;
-use super::root::{Equations, Ladder, Operator, inverse_jacobian, largest_boxes};
+use super::posed::Posed;
+use super::root::{Equations, Ladder, Operator, inverse_jacobian, largest_boxes, root_near};
 use crate::arch::SelfWeight;
 use crate::number::{Ball, Magnitude};
 use crate::problem::{Landmark, Problem, System};
@@ -55,8 +56,8 @@ impl Isolated {
 
 /// Precision of the isolation in bits: ample for boxes as wide as these.
 const BITS: u32 = 64;
-/// From the whole value down to about `1e-7` of it.
-const LADDER: Ladder = Ladder { step: 0.85, trials: 100 };
+/// From the whole value down to about `1e-14` of it.
+const LADDER: Ladder = Ladder { step: 0.85, trials: 200 };
 
 /// Proves that `candidate` lies next to the root of a landmark's system that is unique in a box around
 /// it, and looks for a large such box.
@@ -65,19 +66,28 @@ pub fn isolate(
     weight: SelfWeight,
     candidate: &Candidate,
 ) -> Result<Isolated, Undecided> {
-    isolate_root(&Problem::Landmark { landmark, weight }, candidate)
+    isolated(&Problem::Landmark { landmark, weight }, &candidate.0, BITS)
 }
 
-/// The same for the root of any problem.
-pub(crate) fn isolate_root(
+/// The root of a problem next to start values, in numbers of `bits` bits, and a large box in which it is the only one.
+pub(crate) fn isolate_near(
     problem: &Problem,
-    candidate: &Candidate,
-) -> Result<Isolated, Undecided> {
-    let centre: Vec<Float> = candidate.0.iter().map(|x| Float::with_val(BITS, x)).collect();
-    let points: Vec<Ball> = centre.iter().map(|x| Ball::exact(x.clone(), BITS)).collect();
-    let inverse = inverse_jacobian(&problem.slopes(BITS, &points), BITS)
+    start: Vec<Float>,
+    bits: u32,
+) -> Result<(Vec<Ball>, Isolated), Undecided> {
+    let (system, given) = (problem.system(), problem.given(bits));
+    let root = root_near(&Posed { system: &system, given: &given }, bits, start)?;
+    let centre: Vec<Float> = root.iter().map(|x| x.mid().clone()).collect();
+    Ok((root, isolated(problem, &centre, bits)?))
+}
+
+/// The largest box that the proof carries, in numbers of `bits` bits.
+fn isolated(problem: &Problem, candidate: &[Float], bits: u32) -> Result<Isolated, Undecided> {
+    let centre: Vec<Float> = candidate.iter().map(|x| Float::with_val(bits, x)).collect();
+    let points: Vec<Ball> = centre.iter().map(|x| Ball::exact(x.clone(), bits)).collect();
+    let inverse = inverse_jacobian(&problem.slopes(bits, &points), bits)
         .ok_or_else(|| Undecided::new("the Jacobian at the candidate is singular"))?;
-    let operator = Operator::<_, Ball>::new(problem, BITS, &centre, &inverse);
+    let operator = Operator::<_, Ball>::new(problem, bits, &centre, &inverse);
     let values: Vec<Magnitude> = centre.iter().map(Magnitude::lower).collect();
     largest_boxes(&values, LADDER, |radii| operator.image(radii))
         .into_iter()

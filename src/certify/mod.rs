@@ -20,7 +20,7 @@ pub use certificate::certify_landmark;
 pub use closed_value::Exact;
 pub use cover::{between, cover};
 pub use fingerprint::{MAX_FINGERPRINT_DIGITS, fingerprint};
-pub(crate) use isolate::isolate_root;
+pub(crate) use isolate::isolate_near;
 pub use isolate::{Isolated, isolate};
 pub use landmark::{CertifiedLandmark, Constant, MAX_DIGITS, Value, quantities};
 pub use refine::{Refined, refine, refine_watched, stages};

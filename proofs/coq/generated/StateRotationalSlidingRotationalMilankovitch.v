@@ -131,7 +131,7 @@ Proof.
 Qed.
 
 Lemma residuals_hold j : (j < 4)%nat -> Rabs (F j (entry centre)) <= size.
-Proof. intros Hj. each j ltac:(reduce; interval with (i_prec 140)). Qed.
+Proof. intros Hj. each j ltac:(reduce; interval with (i_prec 153)). Qed.
 
 Lemma contracts i : (i < 4)%nat ->
   sum 4 (fun k =>

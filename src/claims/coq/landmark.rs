@@ -1,8 +1,8 @@
 //! The file of a landmark: its one solution, and what follows for the values that the paper prints.
 
 use super::printed;
+use super::root::Root;
 use super::solution::Solution;
-use super::table::Root;
 use super::template::fill;
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::judge::Audited;

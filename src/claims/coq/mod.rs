@@ -3,7 +3,7 @@
 //! | file | what it does |
 //! |---|---|
 //! | `term` | a number type that prints |
-//! | `table` | the numbers that prove one root of a system |
+//! | `root`, `table` | one root of a system, and the numbers that prove it |
 //! | `solution` | one solution of a system: what is claimed, the table, its check |
 //! | `landmark` | the file of a landmark |
 //! | `state`, `given`, `sign` | the file of a state: what is given, what its signs are, what follows |
@@ -23,6 +23,7 @@ mod joint;
 mod landmark;
 mod numeral;
 mod printed;
+mod root;
 mod sign;
 mod solution;
 mod state;
@@ -82,7 +83,7 @@ fn find(
 }
 
 /// Bits of an enclosure from which digits are printed.
-const BITS: u32 = 256;
+const BITS: u32 = 512;
 
 /// The digits of a number and the bracket that proves them.
 fn bracket(value: &Ball) -> Vec<(&'static str, String)> {

@@ -1,7 +1,8 @@
 //! One solution of a system: the claim in printed equations, the table, and its check.
 
 use super::numeral::{text, unit};
-use super::table::{Cleared, DECIMALS, Root, Table};
+use super::root::Root;
+use super::table::{Cleared, DECIMALS, Table};
 use super::template::fill;
 use super::{Symbols, argument, weight_name};
 use crate::arch::Unknown;
@@ -118,6 +119,7 @@ fn numbers(cleared: &Cleared, table: &Table) -> Values {
         ("spreads", matrix(&table.spreads)),
         ("size", text(&table.residual)),
         ("factor", text(&table.factor)),
+        ("precision", table.precision.to_string()),
     ]
 }
 

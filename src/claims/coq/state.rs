@@ -2,17 +2,17 @@
 
 use super::given::{friction, given};
 use super::numeral::{text, unit};
+use super::root::Root;
 use super::sign::sign;
 use super::solution::{Solution, Values};
-use super::table::{DECIMALS, Root};
+use super::table::DECIMALS;
 use super::template::fill;
 use super::{BITS, argument};
 use crate::arch::Unknown;
-use crate::certify::{Undecided, isolate_root};
+use crate::certify::Undecided;
 use crate::check::{Certificate, Refusal, verify};
-use crate::number::{Ball, Dyadic, Engine, Magnitude};
+use crate::number::{Ball, Magnitude};
 use crate::problem::{Arch, Mode, Problem, System, Verdict};
-use crate::solve::Candidate;
 use rug::{Float, Rational};
 
 /// Why a certificate does not become a theorem.
@@ -40,7 +40,7 @@ pub fn state(certificate: &[u8]) -> Result<(String, String), StateError> {
         Problem::Verdict { verdict: Verdict::Slides, arch } => (Mode::Sliding, arch),
         _ => return Err(StateError::NotState),
     };
-    let root = root(&problem, &Certificate::read(certificate)?)?;
+    let root = Root::of_certificate(&problem, &Certificate::read(certificate)?)?;
     let given = given(&root.system, arch);
     let names: Vec<&str> = given.iter().map(|(name, _)| *name).collect();
     let mut solution = Solution::new(&root, &names)?;
@@ -61,28 +61,6 @@ pub fn state(certificate: &[u8]) -> Result<(String, String), StateError> {
         _ => format!("{:?}", arch.weight()),
     };
     Ok((format!("State{mode:?}{weight}.v"), [heading, solution.text(), theorems].concat()))
-}
-
-/// Steps with the inverse of a certificate, each of which gains many bits next to the root.
-const STEPS: usize = 40;
-
-/// The root of a certificate to the digits that are printed, however many it has itself.
-fn root(problem: &Problem, certificate: &Certificate) -> Result<Root, Undecided> {
-    let (system, given) = (problem.system(), problem.given::<Ball>(BITS));
-    let exact = |x: &Dyadic| <Ball as Engine>::exact(x, BITS as usize);
-    let inverse: Vec<Vec<Ball>> =
-        certificate.inverse.iter().map(|row| row.iter().map(exact).collect()).collect();
-    let mut values: Vec<Ball> = certificate.root.centre.iter().map(exact).collect();
-    for _ in 0..STEPS {
-        let residuals = system.residuals(&system.place(given.clone(), &values));
-        for (x, row) in values.iter_mut().zip(&inverse) {
-            let terms = row.iter().zip(&residuals).map(|(y, residual)| y.clone() * residual);
-            *x = Ball::exact(terms.fold(x.clone(), |x, term| x - term).mid().clone(), BITS);
-        }
-    }
-    let candidate = Candidate(values.iter().map(|x| x.mid().clone()).collect());
-    let domain = isolate_root(problem, &candidate)?.domain().to_vec();
-    Ok(Root { system, given, values, domain })
 }
 
 /// Whether the digits that are printed tell every sign.

@@ -4,9 +4,10 @@
 //! check succeeds with some room.
 
 use super::numeral::{distance, down, exact, nearest, places, radius, unit, up};
+use super::root::Root;
 use super::{BITS, Symbols, Term, symbol};
 use crate::arch::{Configuration, Unknown};
-use crate::certify::{CertifiedLandmark, Undecided};
+use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Dual, Magnitude};
 use crate::problem::System;
 use crate::solve::inverse;
@@ -14,12 +15,14 @@ use rug::{Float, Rational};
 
 /// Decimals to which a centre is known.
 pub(super) const DECIMALS: u32 = 30;
-/// Decimals of a centre as printed: the first Newton step has to stay far inside the small box.
-const CENTRE: u32 = DECIMALS + 6;
-/// Decimals more where the equations lose many.
-const MORE: u32 = 4;
-/// Decimals of the preconditioner and of the slopes at the centre.
-const MATRIX: u32 = 7;
+/// Decimals to print with: the more the equations lose, the more.
+const LADDER: [Decimals; 5] = [
+    Decimals { centre: 36, matrix: 7 },
+    Decimals { centre: 40, matrix: 7 },
+    Decimals { centre: 56, matrix: 14 },
+    Decimals { centre: 72, matrix: 20 },
+    Decimals { centre: 99, matrix: 30 },
+];
 /// The factor by which distances have to shrink.
 const CONTRACTION: (u32, u32) = (9, 10);
 /// The largest radius: the small box is that part of the wide one which shows the decimals where a radius is one.
@@ -28,6 +31,15 @@ const LARGEST: (u32, u32) = (99, 100);
 const ROOM: (u32, u32) = (21, 20);
 /// The box is made smaller by a twentieth this often before it is given up.
 const TRIALS: u32 = 100;
+
+/// How many decimals are printed.
+#[derive(Clone, Copy)]
+struct Decimals {
+    /// Of a centre: the first Newton step has to stay far inside the small box.
+    centre: u32,
+    /// Of the preconditioner and of the slopes at the centre.
+    matrix: u32,
+}
 
 /// A system as terms, cleared of denominators, with its derivatives.
 pub(super) struct Cleared {
@@ -72,32 +84,6 @@ pub(super) fn derivative(term: &Term, variable: &'static str) -> Term {
     term.evaluate(&like, &|_| Term::angle(variable).variable(0)).derivative(0)
 }
 
-/// A root of a system: where it is, and where there is no other.
-pub(super) struct Root {
-    /// The equations.
-    pub system: System,
-    /// What is given.
-    pub given: Configuration<Ball>,
-    /// The root, in the order of the unknowns.
-    pub values: Vec<Ball>,
-    /// A box about it of the shape in which Newton's method contracts.
-    pub domain: Vec<Ball>,
-}
-
-impl Root {
-    /// The root that is a landmark.
-    pub(super) fn of_landmark(point: &CertifiedLandmark) -> Result<Self, Undecided> {
-        let isolated = point.isolated();
-        let system = *isolated.system();
-        let refined = point.enclosure(BITS)?;
-        let values = system.unknowns.iter().map(|&unknown| refined.value(unknown)).collect();
-        let missing = || Undecided::new(format!("{} lacks a value", point.landmark().symbol()));
-        let values: Vec<Ball> = Option::ok_or_else(values, missing)?;
-        let given = Configuration::zero(&Ball::integer(0, BITS));
-        Ok(Self { system, given, values, domain: isolated.domain().to_vec() })
-    }
-}
-
 /// The numbers that prove one root.
 pub(super) struct Table {
     /// The centre `c`.
@@ -116,26 +102,34 @@ pub(super) struct Table {
     pub residual: Rational,
     /// The factor `q`.
     pub factor: Rational,
+    /// Bits in which the residuals are evaluated.
+    pub precision: u32,
 }
 
 impl Table {
     /// Chooses the numbers: the largest wide box of the shape that the isolation has found, on which
     /// the system contracts well.
     pub(super) fn new(root: &Root, cleared: &Cleared) -> Result<Self, Undecided> {
-        let table = |decimals| Self::with_centre(root, cleared, decimals);
-        table(CENTRE).or_else(|_| table(CENTRE + MORE))
+        let failed = Err(Undecided::new("for Coq: nothing was tried"));
+        LADDER.into_iter().fold(failed, |found, decimals| {
+            found.or_else(|_| Self::with_decimals(root, cleared, decimals))
+        })
     }
 
-    /// The same with a centre of some decimals.
-    fn with_centre(root: &Root, cleared: &Cleared, decimals: u32) -> Result<Self, Undecided> {
+    /// The same with some decimals.
+    fn with_decimals(
+        root: &Root,
+        cleared: &Cleared,
+        decimals: Decimals,
+    ) -> Result<Self, Undecided> {
         let failed = |what| Undecided::new(format!("for Coq: {what}"));
         let centre: Vec<Rational> =
-            root.values.iter().map(|x| nearest(&exact(x.mid()), decimals)).collect();
+            root.values.iter().map(|x| nearest(&exact(x.mid()), decimals.centre)).collect();
         let at_centre = Values::new(root, &centre, &vec![Rational::new(); centre.len()]);
-        let slopes = matrix(&cleared.jacobian, |term| at_centre.nearest(term));
+        let slopes = matrix(&cleared.jacobian, |term| at_centre.nearest(term, decimals.matrix));
         let floats = matrix(&slopes, |x| Float::with_val(BITS, x));
         let inverse = inverse(floats).ok_or_else(|| failed("a singular Jacobian"))?;
-        let inverse = matrix(&inverse, |x| nearest(&exact(x), MATRIX));
+        let inverse = matrix(&inverse, |x| nearest(&exact(x), decimals.matrix));
 
         let boxes = shrinking(&root.domain);
         let contracting = boxes.into_iter().find_map(|radii| {
@@ -143,18 +137,27 @@ impl Table {
             if radii.contains(&Rational::new()) {
                 return None;
             }
-            let spreads = Values::new(root, &centre, &radii).spreads(cleared, &slopes);
+            let spreads =
+                Values::new(root, &centre, &radii).spreads(cleared, &slopes, decimals.matrix);
             let factor = up(&contraction(&inverse, &slopes, &spreads, &radii), 2);
             (factor <= Rational::from(CONTRACTION)).then_some((radii, spreads, factor))
         });
         let (radii, spreads, factor) =
             contracting.ok_or_else(|| failed("no box on which it contracts"))?;
-        let residual = at_centre.largest(&cleared.residuals, decimals);
+        let residual = at_centre.largest(&cleared.residuals, decimals.centre);
         if !starts(&inverse, &residual, &factor, &radii) {
             return Err(failed("the equations lose too many decimals of the root"));
         }
         let wide = short_bounds(&centre, &radii);
-        Ok(Self { centre, radii, wide, inverse, slopes, spreads, residual, factor })
+        let shows = |(c, (lo, hi)): (&Rational, &(Rational, Rational))| {
+            lo.clone() + unit(DECIMALS) <= *c && c.clone() + unit(DECIMALS) <= *hi
+        };
+        if !centre.iter().zip(&wide).all(shows) {
+            return Err(failed("an unknown is too small for its decimals"));
+        }
+        // Ten bits are three decimals.
+        let precision = decimals.centre * 10 / 3 + 20;
+        Ok(Self { centre, radii, wide, inverse, slopes, spreads, residual, factor, precision })
     }
 }
 
@@ -211,20 +214,25 @@ impl Values {
     }
 
     /// The value with few decimals; exactly, where the term is constant.
-    fn nearest(&self, term: &Term) -> Rational {
+    fn nearest(&self, term: &Term, decimals: u32) -> Rational {
         match term.as_constant() {
             Some(constant) => constant.clone(),
-            None => nearest(&exact(self.of(term).mid()), MATRIX),
+            None => nearest(&exact(self.of(term).mid()), decimals),
         }
     }
 
     /// How far the Jacobian on the box can be from the slopes at its centre, rounded up.
-    fn spreads(&self, cleared: &Cleared, slopes: &[Vec<Rational>]) -> Vec<Vec<Rational>> {
+    fn spreads(
+        &self,
+        cleared: &Cleared,
+        slopes: &[Vec<Rational>],
+        decimals: u32,
+    ) -> Vec<Vec<Rational>> {
         let spread = |(term, slope): (&Term, &Rational)| match term.as_constant() {
             Some(_) => Rational::new(),
             None => {
                 let spread = distance(&self.of(term), slope) * Rational::from(ROOM);
-                up(&spread, places(&spread, 2).min(MATRIX))
+                up(&spread, places(&spread, 2).min(decimals))
             }
         };
         let rows = cleared.jacobian.iter().zip(slopes);
@@ -282,6 +290,7 @@ fn matrix<T, U>(rows: &[Vec<T>], f: impl Fn(&T) -> U) -> Vec<Vec<U>> {
 mod tests {
     use super::*;
     use crate::arch::SelfWeight;
+    use crate::certify::CertifiedLandmark;
     use crate::problem::Landmark;
 
     fn triple() -> (Root, Cleared) {

@@ -69,7 +69,7 @@ Proof.
 Qed.
 
 Lemma residuals_hold j : (j < <<n>>)%nat -> Rabs (F j (entry centre)) <= size.
-Proof. intros Hj. each j ltac:(reduce; interval with (i_prec 140)). Qed.
+Proof. intros Hj. each j ltac:(reduce; interval with (i_prec <<precision>>)). Qed.
 
 Lemma contracts i : (i < <<n>>)%nat ->
   sum <<n>> (fun k =>

@@ -1,0 +1,46 @@
+//! A root to be proved in Coq: that of a landmark, or of a certificate.
+
+use super::BITS;
+use crate::arch::Configuration;
+use crate::certify::{CertifiedLandmark, Undecided, isolate_near};
+use crate::check::Certificate;
+use crate::number::{Ball, Dyadic, Engine};
+use crate::problem::{Problem, System};
+
+/// A root of a system: where it is, and where there is no other.
+pub(super) struct Root {
+    /// The equations.
+    pub system: System,
+    /// What is given.
+    pub given: Configuration<Ball>,
+    /// The root, in the order of the unknowns.
+    pub values: Vec<Ball>,
+    /// A box about it of the shape in which Newton's method contracts.
+    pub domain: Vec<Ball>,
+}
+
+impl Root {
+    /// The root that is a landmark.
+    pub(super) fn of_landmark(point: &CertifiedLandmark) -> Result<Self, Undecided> {
+        let isolated = point.isolated();
+        let system = *isolated.system();
+        let refined = point.enclosure(BITS)?;
+        let values = system.unknowns.iter().map(|&unknown| refined.value(unknown)).collect();
+        let missing = || Undecided::new(format!("{} lacks a value", point.landmark().symbol()));
+        let values: Vec<Ball> = Option::ok_or_else(values, missing)?;
+        let given = Configuration::zero(&Ball::integer(0, BITS));
+        Ok(Self { system, given, values, domain: isolated.domain().to_vec() })
+    }
+
+    /// The root of a certificate, to the same digits however many it has itself.
+    pub(super) fn of_certificate(
+        problem: &Problem,
+        certificate: &Certificate,
+    ) -> Result<Self, Undecided> {
+        let float = |x: &Dyadic| <Ball as Engine>::exact(x, BITS as usize).mid().clone();
+        let start = certificate.root.centre.iter().map(float).collect();
+        let (values, isolated) = isolate_near(problem, start, BITS)?;
+        let (system, domain) = (problem.system(), isolated.domain().to_vec());
+        Ok(Self { system, given: problem.given(BITS), values, domain })
+    }
+}
