@@ -293,7 +293,7 @@ impl RingSigns {
         )?;
         let part = (Positive::int(8) + &(intrados.clone() * &extrados)) / &Positive::int(12);
         let rest = ring.thickness.int(2) - &ring.centroid_factor;
-        // Where delta_M is 0 the first is left, where it is 1 the second.
+        // 1 - eta²/12, and what delta_M < 1 adds.
         let unfactored = (Positive::int(1) * &part + &(unflagged.clone() * &square))
             .is(d, "2 - fac", &rest, &free)?;
         Ok(Self { thickness, intrados, extrados, flag, unflagged, factor, unfactored })
