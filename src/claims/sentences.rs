@@ -107,7 +107,11 @@ pub(super) const EQUATIONS: &[Sentence] = &[
         &["joining-heyman", "joining-milankovitch"],
     ),
     said("Sec. 2.1", "the growth of eta towards 2 is almost vertical", &["eq-15-branch"]),
-    said("Sec. 2.1", "rotation holds up to about 150°, or 160°", &["rounded-values"]),
+    said(
+        "Sec. 2.1",
+        "rotation holds up to about 150°, or 160°",
+        &["weights-range", "rounded-values"],
+    ),
     said("Eq. (17)", "the friction at which the shoulder slides, and its inverse", &["eq-17"]),
     said(
         "Eq. (18)",
@@ -177,7 +181,7 @@ pub(super) const MAP: &[Sentence] = &[
     said(
         "Sec. 3",
         "its limits at mu = inf are lower in eta and alpha",
-        &["weights-limits", "weights-limit-thickness"],
+        &["weights-limits", "weights-eta-l"],
     ),
     said(
         "Sec. 3",

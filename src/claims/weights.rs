@@ -54,7 +54,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         decide: limits_compared,
     },
     Claim {
-        id: "weights-limit-thickness",
+        id: "weights-eta-l",
         place: "Sec. 3",
         statement: "the thickness is lower for Milankovitch's weight at l and at L",
         decide: limit_thickness_compared,
