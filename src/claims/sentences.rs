@@ -1,6 +1,6 @@
-//! What the paper says, place by place, and what decides it: the data of the [index](super::index()).
+//! What the paper says, place by place, and what decides it: the data of the index.
 
-use super::index::{Decided, Sentence};
+use super::sentence::{Decided, Sentence};
 use Decided::{Audit, Claims, Open};
 
 const fn said(
