@@ -5,13 +5,15 @@
 //! thrust stays between crown and haunch, and at least `h_s` of the friction, so that no inner joint slides. The
 //! shoulder ends the arch where it is on the extrados or where it slides, and does so the later the smaller the thrust.
 
-use super::contacts::Contact;
+use super::contacts::{CONTACTS, Contact};
 use super::curve::STATES_IN_ORDER;
 use super::domains::INNER_SLIDING_BEYOND_T;
 use super::frictions::{
     FRICTION_FOR_ROTATION_GROWS, FRICTION_OF_SMALL_THRUST, ROTATION_MEETS_SLIDING,
+    SLOPES_OF_FRICTION,
 };
 use super::letters::{ring, variables};
+use super::modes::SEVEN_MODES;
 use super::uniqueness::{ONE_HALF_OPENING, THICKER_HAS_ROOM};
 use super::{Claim, Derivation, Finding};
 use crate::arch::{overturning, sliding, statics, thrust};
@@ -39,8 +41,13 @@ pub(super) const CLAIMS: &[Claim] = &[
 ];
 
 fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.assume("0 < eta <= 2, 0 < mu < inf");
     d.lemma(&ONE_HALF_OPENING)?;
+    d.lemma(&SEVEN_MODES)?;
+    d.lemma(&CONTACTS)?;
     d.lemma(&THICKER_HAS_ROOM)?;
+    d.lemma(&SLOPES_OF_FRICTION)?;
+    d.lemma(&FRICTION_OF_SMALL_THRUST)?;
     d.lemma(&STATES_IN_ORDER)?;
     d.lemma(&FRICTION_FOR_ROTATION_GROWS)?;
     d.lemma(&INNER_SLIDING_BEYOND_T)?;
@@ -77,7 +84,9 @@ fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
         "Let h_R(eta) be the thrust of the rotational state of the thickness, alpha_0 its half opening; h_R falls as eta \
          grows, and is 0 from eta_l on. At alpha*, h >= h_R: if its haunch is a joint of the arch, as h >= h_L; else, \
          if the shoulder slides, since h > alpha cot(alpha) is more than that at the haunch; and if it is on the extrados, since \
-         h >= A(alpha) - 2 fac/(2 + eta), and alpha < alpha_0. And h >= h_s(mu). A hinge at the crown has h = h_R, \
+         h >= A(alpha) - 2 fac/(2 + eta), and alpha < alpha_0. And h >= h_s(mu), \
+         the thrust below 1 at which mu_is is mu: for h < 1 beta_s is above the shoulder, which is at its limit, so that \
+         mu_is(h) <= mu, and mu_is falls. A hinge at the crown has h = h_R, \
          an inner joint that slides h = h_s: below one thickness h_R > h_s, and the mode has the first, above it \
          the second.",
     );
@@ -91,8 +100,8 @@ fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
         "Below it h = h_R, and the haunch is that of the rotational state of half opening alpha_0(eta), which grows: \
          [r,r,r] as long as M(alpha_0) <= mu, [s,r,r] from there on. Above it h = h_s: let alpha_P be the half opening that \
          just slides. If it stands, alpha* = alpha_P, [s,s]; and it stands from one thickness on. Below that the \
-         shoulder opens, beta_r cot(beta_r) = h_s - 1 + 2 fac/(2 - eta) grows up to 1: beta_r falls, past beta_s, to the crown: \
-         [r,r,s], [r,s,r], [r,s].",
+         shoulder opens, beta_r cot(beta_r) = h_s - 1 + 2 fac/(2 - eta) grows up to 1: beta_r falls, past beta_s, to the crown, \
+         where it is up to eta = 2: [r,r,s], [r,s,r], [r,s].",
     );
     d.conclude(
         "At the thickness where h_R = h_s, mu = m(alpha_0). For mu < mu_T, alpha_0 < alpha_T and M > m: [s,r,r] comes before, \
