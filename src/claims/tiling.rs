@@ -14,12 +14,12 @@ use super::frictions::{
 };
 use super::letters::{ring, variables};
 use super::modes::SEVEN_MODES;
-use super::uniqueness::{ONE_HALF_OPENING, THICKER_HAS_ROOM};
+use super::uniqueness::{MECHANISM_BOUNDS, ONE_HALF_OPENING, ONE_THICKNESS, THICKER_HAS_ROOM};
 use super::{Claim, Derivation, Finding};
-use crate::arch::{overturning, sliding, statics, thrust};
+use crate::arch::{Ring, SelfWeight, overturning, sliding, statics, thrust};
 use crate::certify::Undecided;
-use crate::number::{Angle, Field};
-use crate::symbolic::{Letters, Polynomial, Relations, Symbol};
+use crate::number::{Angle, Field, Surd};
+use crate::symbolic::{Letters, Polynomial, Relations, Symbol, along_the_joint};
 
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
@@ -37,6 +37,14 @@ pub(super) const CLAIMS: &[Claim] = &[
                     rotational states and, without limit, in the purely overturning ones; in the mixed ones \
                     it takes all there is",
         decide: frictions_beyond_t,
+    },
+    Claim {
+        id: "map-beyond-l",
+        place: "Sec. 5",
+        statement: "beyond alpha_l finite friction makes overturning states overturning-sliding: at its least \
+                    thickness [r,s] moves the arch, and no other symmetric mode but, at its least \
+                    friction, [s,s] as well",
+        decide: overturning_sliding_beyond_l,
     },
 ];
 
@@ -126,4 +134,45 @@ fn frictions_beyond_t(d: &mut Derivation) -> Result<Finding, Undecided> {
          shoulder, which does not slide, asks for no more.",
     );
     Ok(Finding::AsPrinted)
+}
+
+fn overturning_sliding_beyond_l(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.assume("alpha_l <= alpha < pi, 0 < mu < inf, and the arch stands at a thickness up to 2");
+    d.lemma(&CONTACTS)?;
+    d.lemma(&SEVEN_MODES)?;
+    d.lemma(&STATES_IN_ORDER)?;
+    d.lemma(&MECHANISM_BOUNDS)?;
+    d.lemma(&THICKER_HAS_ROOM)?;
+    d.lemma(&ONE_THICKNESS)?;
+    let (joint, h, ring) = (Symbol::joint(), Symbol::Thrust.number(), ring());
+    let condition = overturning::end_of_rotation(&ring);
+    let by_thickness = [(Symbol::Thickness, Polynomial::from(1))];
+    let slope = -(h.int(1) + Symbol::Flag.number() * &ring.thickness / h.int(6));
+    let words = "the condition behind (16) falls as eta grows";
+    d.identity(words, &condition.derivative(&by_thickness), &slope, &Relations::none())?;
+    for weight in SelfWeight::ALL {
+        let end = overturning::thickness_at_end(weight, &Surd::new(0, 1, 3));
+        let value = overturning::end_of_rotation(&Ring::new(weight, &end));
+        let words = format!("it vanishes at eta_l, {} weight", weight.name());
+        d.equal(&words, &value, &end.int(0))?;
+    }
+    let fall = (h.int(1) - joint.times_cotangent() + &h) * ring.intrados() / h.int(2);
+    d.identity(
+        "dL/d beta: positive where that condition is not, as beta cot(beta) < 1 and h > 0",
+        &Contact::Intrados.margin(&joint).derivative(&along_the_joint()),
+        &((fall - condition) * &joint.sin),
+        &Relations::trigonometric(),
+    )?;
+    d.conclude(
+        "The parts of the arch stand, so that eta is at least the thickness of the rotational state of each half opening \
+         below alpha_l, or there would be room at that: eta >= eta_l. So L grows, and is zero at the crown alone, \
+         where then U = eta h > 0: no hinge opens at the crown's extrados, which leaves [r,s] and [s,s]. One of them moves \
+         at the least thickness.",
+    );
+    d.conclude(
+        "If [s,s] does, mu is the friction of pure sliding, the least with which the arch stands, and a thinner arch \
+         has the same thrust. So none stands only if U = 0 at the shoulder with L = 0 at the crown, and then [r,s] \
+         moves too.",
+    );
+    Ok(Finding::Implicit)
 }
