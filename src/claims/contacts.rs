@@ -11,7 +11,7 @@ use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol, along_th
 
 pub(super) const CLAIMS: &[Claim] = &[DISTANCES_RISE_AND_FALL, CONTACTS];
 
-const DISTANCES_RISE_AND_FALL: Claim = Claim {
+pub(super) const DISTANCES_RISE_AND_FALL: Claim = Claim {
     id: "map-distances",
     place: "Sec. 2.1",
     statement: "along an admissible arch the normal force N and the distance U from the extrados first \
@@ -117,7 +117,7 @@ fn distances_rise_and_fall(d: &mut Derivation) -> Result<Finding, Undecided> {
 
 /// `U`, `L` at a joint, whose difference is known and whose directions change once.
 fn contacts(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.assume("0 < alpha < pi, 0 < eta <= 2, 0 < mu < inf");
+    d.assume("0 < alpha < pi, 0 < eta <= 2; 0 < mu < inf, or h > 0 and mu = inf");
     d.lemma(&DISTANCES_RISE_AND_FALL)?;
     d.lemma(&SLOPES_OF_FRICTION)?;
     let (joint, alpha) = (Symbol::joint(), Symbol::half_opening());
@@ -126,7 +126,7 @@ fn contacts(d: &mut Derivation) -> Result<Finding, Undecided> {
     let [upper, lower, inwards, _] = Contact::ALL.map(|contact| contact.margin(&joint));
     let rise = h.int(1) - &h + joint.times_cotangent();
     let slope = (ring.centroid_factor.clone() - ring.intrados() * rise / &two) * &joint.sin;
-    let words = "dL/d beta, L = p + fac (1 - cos(beta)) - (1 - eta/2) N; the bracket grows";
+    let words = "dL/d beta, L = p + fac (1 - cos(beta)) - (1 - eta/2) N; the bracket grows or, at eta = 2, is fac";
     d.identity(words, &lower.derivative(&along_the_joint()), &slope, &circle)?;
     let normal = statics::normal_force(&joint, &h);
     d.identity("U + L", &(upper.clone() + &lower), &(normal.clone() * &ring.thickness), &free)?;
@@ -135,7 +135,7 @@ fn contacts(d: &mut Derivation) -> Result<Finding, Undecided> {
         value.evaluate(&zero, |symbol| if symbol == gone { zero.clone() } else { symbol.number() })
     };
     let near = (mu * &joint.sin - &joint.cos) * &joint.rad;
-    let words = "mu N - T without thrust: negative next to the crown, so that h > 0";
+    let words = "mu N - T without thrust: negative next to the crown, so that h > 0 if mu < inf";
     d.identity(words, &without(&inwards, Symbol::Thrust), &near, &free)?;
     let moment = Symbol::CrownMoment.number() + joint.versine() * &ring.centroid_factor;
     let words = "U where N = 0: negative, as p >= (1 - eta/2) h, so that N > 0";
@@ -145,7 +145,7 @@ fn contacts(d: &mut Derivation) -> Result<Finding, Undecided> {
          Not negative at either end, U is positive between; L is zero at one joint at most. T/N \
          starts from 0 at the crown, grows up to beta_s and falls beyond: it is mu at one joint at most, at \
          beta_s or, in an arch that ends before, at the shoulder; it is -mu at the shoulder only, and then \
-         beta_s < alpha.",
+         beta_s < alpha. If h >= 1, there is no beta_s: T/N falls from 0, and no joint slides inwards.",
     );
     let crown = Angle::zero(&h);
     let distances = Contact::Extrados.margin(&crown) - Contact::Extrados.margin(&alpha);
@@ -172,7 +172,7 @@ fn contacts(d: &mut Derivation) -> Result<Finding, Undecided> {
         &free,
     )?;
     d.conclude(
-        "So a shoulder on the extrados has 1 - h <= 2 - A < alpha² if alpha <= 1/2, and beta_s < alpha; \
+        "So for h < 1 a shoulder on the extrados has 1 - h <= 2 - A < alpha² if alpha <= 1/2, and beta_s < alpha; \
          for alpha > 1/2 that is so anyway, as beta_s <= 1/2.",
     );
     Ok(Finding::Implicit)

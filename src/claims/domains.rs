@@ -5,6 +5,7 @@
 //! at most the half opening of rotation.
 
 use super::along::{Along, around, below, landmark, on_all};
+use super::contacts::DISTANCES_RISE_AND_FALL;
 use super::curve::STATES_IN_ORDER;
 use super::frictions::{
     FRICTION_FOR_ROTATION_GROWS, ROTATION_MEETS_SLIDING, SLIDING_STATES_IN_ORDER,
@@ -12,13 +13,14 @@ use super::frictions::{
 };
 use super::letters::{ring, variables};
 use super::modes::LEVER;
+use super::overturning::A_FIXES_ALPHA;
 use super::uniqueness::{MECHANISM_BOUNDS, ONE_HALF_OPENING, THICKER_HAS_ROOM};
 use super::{Claim, Derivation, Finding, Support};
 use crate::arch::{Ring, SelfWeight, contact, overturning, sliding, statics, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Enclosure, Field, Real, Ternary};
 use crate::problem::Landmark;
-use crate::symbolic::{Letters, Polynomial, Relations, Symbol};
+use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -51,8 +53,9 @@ pub(super) const NO_SHOULDER_SLIDING_BEYOND_T: Claim = Claim {
 pub(super) const NO_PURE_SLIDING_BEYOND_B: Claim = Claim {
     id: "map-B",
     place: "Sec. 3, 5",
-    statement: "a friction above mu_B precludes any purely sliding mode of thickness up to 2",
-    decide: no_pure_sliding_beyond_b,
+    statement: "a friction above mu_B precludes any purely sliding mode of thickness up to 2; each one \
+                below has such a mode",
+    decide: pure_sliding_ends_at_b,
 };
 
 pub(super) const INNER_SLIDING_BEYOND_T: Claim = Claim {
@@ -247,8 +250,16 @@ fn only_beyond(d: &mut Derivation, haunch: Haunch, end: Landmark) -> Result<(), 
     Ok(())
 }
 
-fn no_pure_sliding_beyond_b(d: &mut Derivation) -> Result<Finding, Undecided> {
+/// The largest `n` at which no thickness up to 2 holds the shoulder of a purely sliding state.
+fn bound_at_b(weight: SelfWeight) -> Rational {
+    Ring::new(weight, &Rational::from(2)).centroid_factor / 2
+}
+
+fn pure_sliding_ends_at_b(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&DISTANCES_RISE_AND_FALL)?;
+    d.lemma(&SLOPES_OF_FRICTION)?;
     d.lemma(&SLIDING_STATES_IN_ORDER)?;
+    d.lemma(&A_FIXES_ALPHA)?;
     let (n, eta) = (Symbol::OpeningVariable.number(), Symbol::Thickness.number());
     let margin = |weight| {
         let ring = Ring::new(weight, &eta);
@@ -270,6 +281,15 @@ fn no_pure_sliding_beyond_b(d: &mut Derivation) -> Result<Finding, Undecided> {
         &free,
     )?;
     d.conclude("It is negative for all eta in (0, 2] if n < 1/2 (Heyman), n < 2/3 (Milankovitch).");
+    for weight in SelfWeight::ALL {
+        let thick = margin(weight).evaluate(&n, |symbol| match symbol {
+            Symbol::Thickness => n.int(2),
+            other => other.number(),
+        });
+        let excess = (n.clone() - Fraction::from(bound_at_b(weight))) * n.int(2);
+        let words = format!("at eta = 2 it is positive above this bound, {}", weight.name());
+        d.identity(&words, &thick, &excess, &free)?;
+    }
     let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let normal = statics::normal_force(&alpha, &h) / alpha.versine();
     let opening = thrust::opening_variable(&alpha).value();
@@ -287,16 +307,23 @@ fn no_pure_sliding_beyond_b(d: &mut Derivation) -> Result<Finding, Undecided> {
         let words = format!("n falls from {before} to {beyond}, which holds alpha_B, {name}");
         d.certain(Support::Balls, words, slope.is_positive())?;
         // A(alpha) passes below the bound at L.
-        let bound = match weight {
-            SelfWeight::Heyman => Rational::from((1, 2)),
-            SelfWeight::Milankovitch => Rational::from((2, 3)),
-        };
-        let bound = Ball::enclosing(&bound, 128);
+        let bound = Ball::enclosing(&bound_at_b(weight), 128);
         let last = below(&end.rad, 1000)?;
         // The first part falls with alpha, the second with h and, as cos/(1 - cos) does, with alpha.
         let largest = |alpha: &Angle<Ball>, thrust: &Ball| {
             thrust::opening_variable(alpha).value() + thrust.clone() * &alpha.cos / alpha.versine()
         };
+        let first = Rational::from((3, 2));
+        let opening = thrust::opening_variable(&Angle::new(Ball::enclosing(&first, 128))).value();
+        let words = format!("A is above the bound at {first}, {name}");
+        d.certain(Support::Balls, words, bound.is_less_than(&opening))?;
+        let truth = on_all((&first, &before), &sliding, &|a, b| {
+            a.up_to(b).map_or(Ternary::Undecided, |all| {
+                bound.is_less_than(&largest(&all.alpha, &all.thrust))
+            })
+        });
+        let words = format!("n is above the bound from {first} to {before}, {name}");
+        d.certain(Support::Balls, words, truth?)?;
         let truth = on_all((&beyond, &last), &sliding, &|a, b| {
             largest(&a.alpha, &b.thrust).is_less_than(&bound)
         });
@@ -318,6 +345,11 @@ fn no_pure_sliding_beyond_b(d: &mut Derivation) -> Result<Finding, Undecided> {
         "At B n is the bound, by (3) at eta = 2; beyond it n is below, and from alpha_L on so is A, \
          above n. A friction above mu_B makes alpha > alpha_B along the purely sliding states, where U \
          at the shoulder is negative for every thickness up to 2, wherever the thrust acts.",
+    );
+    d.conclude(
+        "Before B n is above the bound, for alpha < 3/2 since n > A and A falls. At eta = 2 each of these states \
+         stands with a small p > 0: L >= p, U > 0 from crown to shoulder, and T/N is largest at beta_s, -T/N at the shoulder: \
+         [s,s]. Their frictions are all those below mu_B: mu goes to 0 with alpha, as alpha cot(alpha) < h < 1.",
     );
     Ok(Finding::AsPrinted)
 }

@@ -37,8 +37,8 @@ pub(super) const LEVER: Claim = Claim {
 pub(super) const SEVEN_MODES: Claim = Claim {
     id: "modes-seven",
     place: "Sec. 3",
-    statement: "the seven modes are all there are: a symmetric mechanism without dilatancy is one of \
-                them, or several at once",
+    statement: "the seven modes are all the symmetric ones there are: a mechanism without dilatancy that is \
+                its own mirror image is one of them, or several at once",
     decide: seven_modes,
 };
 
@@ -51,7 +51,7 @@ const MODES_OCCUR: Claim = Claim {
 
 /// The lever arm between the haunch's intrados and the shoulder's extrados.
 fn lever(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.assume("0 <= beta <= alpha < pi, 0 < eta <= 2, h >= 0");
+    d.assume("0 < alpha < pi, 0 <= beta <= alpha, 0 < eta <= 2, h >= 0");
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let (h, eta, free) = (Symbol::Thrust.number(), &ring.thickness, Relations::none());
     let two = h.int(2);
@@ -158,8 +158,8 @@ fn seven_modes(d: &mut Derivation) -> Result<Finding, Undecided> {
         d.identity(words, &without(&contact.margin(&crown)), &expected, &free)?;
     }
     d.conclude(
-        "With unlimited friction s = t = 0, and u and v remain: [r,r,r] for h > 0. For h = 0, p is 0, the crown is at \
-         both faces and opens, and L grows from there: [r].",
+        "With unlimited friction s = t = 0, and u and v remain: [r,r,r] for h > 0, where the same joints are at their \
+         faces. For h = 0, p is 0, the crown is at both faces and opens, and L grows from there: [r].",
     );
     Ok(Finding::AsPrinted)
 }

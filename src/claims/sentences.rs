@@ -290,7 +290,7 @@ pub(super) const CONCLUSIONS: &[Sentence] = &[
         "the friction that prevents sliding grows with alpha, without bound",
         &["friction-rotation"],
     ),
-    said("Sec. 5", "finite friction turns overturning into [r,s]", &["landmark-l", "map-columns"]),
+    said("Sec. 5", "finite friction turns overturning into [r,s]", &["map-beyond-l"]),
     said("Sec. 5", "a friction of about 1.854 prevents [s,s]", &["suffices-B"]),
     said(
         "Sec. 5",

@@ -5,19 +5,21 @@
 //! thrust stays between crown and haunch, and at least `h_s` of the friction, so that no inner joint slides. The
 //! shoulder ends the arch where it is on the extrados or where it slides, and does so the later the smaller the thrust.
 
-use super::contacts::Contact;
+use super::contacts::{CONTACTS, Contact};
 use super::curve::STATES_IN_ORDER;
 use super::domains::INNER_SLIDING_BEYOND_T;
 use super::frictions::{
     FRICTION_FOR_ROTATION_GROWS, FRICTION_OF_SMALL_THRUST, ROTATION_MEETS_SLIDING,
+    SLOPES_OF_FRICTION,
 };
 use super::letters::{ring, variables};
-use super::uniqueness::{ONE_HALF_OPENING, THICKER_HAS_ROOM};
+use super::modes::SEVEN_MODES;
+use super::uniqueness::{MECHANISM_BOUNDS, ONE_HALF_OPENING, ONE_THICKNESS, THICKER_HAS_ROOM};
 use super::{Claim, Derivation, Finding};
-use crate::arch::{overturning, sliding, statics, thrust};
+use crate::arch::{Ring, SelfWeight, overturning, sliding, statics, thrust};
 use crate::certify::Undecided;
-use crate::number::{Angle, Field};
-use crate::symbolic::{Letters, Polynomial, Relations, Symbol};
+use crate::number::{Angle, Field, Surd};
+use crate::symbolic::{Letters, Polynomial, Relations, Symbol, along_the_joint};
 
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
@@ -36,11 +38,24 @@ pub(super) const CLAIMS: &[Claim] = &[
                     it takes all there is",
         decide: frictions_beyond_t,
     },
+    Claim {
+        id: "map-beyond-l",
+        place: "Sec. 5",
+        statement: "beyond alpha_l finite friction makes overturning states overturning-sliding: at its least \
+                    thickness [r,s] moves the arch, and no other symmetric mode but, at its least \
+                    friction, [s,s] as well",
+        decide: overturning_sliding_beyond_l,
+    },
 ];
 
 fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.assume("0 < eta <= 2, 0 < mu < inf");
     d.lemma(&ONE_HALF_OPENING)?;
+    d.lemma(&SEVEN_MODES)?;
+    d.lemma(&CONTACTS)?;
     d.lemma(&THICKER_HAS_ROOM)?;
+    d.lemma(&SLOPES_OF_FRICTION)?;
+    d.lemma(&FRICTION_OF_SMALL_THRUST)?;
     d.lemma(&STATES_IN_ORDER)?;
     d.lemma(&FRICTION_FOR_ROTATION_GROWS)?;
     d.lemma(&INNER_SLIDING_BEYOND_T)?;
@@ -77,7 +92,9 @@ fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
         "Let h_R(eta) be the thrust of the rotational state of the thickness, alpha_0 its half opening; h_R falls as eta \
          grows, and is 0 from eta_l on. At alpha*, h >= h_R: if its haunch is a joint of the arch, as h >= h_L; else, \
          if the shoulder slides, since h > alpha cot(alpha) is more than that at the haunch; and if it is on the extrados, since \
-         h >= A(alpha) - 2 fac/(2 + eta), and alpha < alpha_0. And h >= h_s(mu). A hinge at the crown has h = h_R, \
+         h >= A(alpha) - 2 fac/(2 + eta), and alpha < alpha_0. And h >= h_s(mu), \
+         the thrust below 1 at which mu_is is mu: for h < 1 beta_s is above the shoulder, which is at its limit, so that \
+         mu_is(h) <= mu, and mu_is falls. A hinge at the crown has h = h_R, \
          an inner joint that slides h = h_s: below one thickness h_R > h_s, and the mode has the first, above it \
          the second.",
     );
@@ -91,8 +108,8 @@ fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
         "Below it h = h_R, and the haunch is that of the rotational state of half opening alpha_0(eta), which grows: \
          [r,r,r] as long as M(alpha_0) <= mu, [s,r,r] from there on. Above it h = h_s: let alpha_P be the half opening that \
          just slides. If it stands, alpha* = alpha_P, [s,s]; and it stands from one thickness on. Below that the \
-         shoulder opens, beta_r cot(beta_r) = h_s - 1 + 2 fac/(2 - eta) grows up to 1: beta_r falls, past beta_s, to the crown: \
-         [r,r,s], [r,s,r], [r,s].",
+         shoulder opens, beta_r cot(beta_r) = h_s - 1 + 2 fac/(2 - eta) grows up to 1: beta_r falls, past beta_s, to the crown, \
+         where it is up to eta = 2: [r,r,s], [r,s,r], [r,s].",
     );
     d.conclude(
         "At the thickness where h_R = h_s, mu = m(alpha_0). For mu < mu_T, alpha_0 < alpha_T and M > m: [s,r,r] comes before, \
@@ -115,6 +132,47 @@ fn frictions_beyond_t(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.conclude(
         "In [r,r,r] beyond T, M < m; in [r], m is unbounded. In [r,r,s], [r,s,r] and [r,s] mu = mu_is, and the \
          shoulder, which does not slide, asks for no more.",
+    );
+    Ok(Finding::AsPrinted)
+}
+
+fn overturning_sliding_beyond_l(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.assume("alpha_l <= alpha < pi, 0 < mu < inf, and the arch stands at a thickness up to 2");
+    d.lemma(&CONTACTS)?;
+    d.lemma(&SEVEN_MODES)?;
+    d.lemma(&STATES_IN_ORDER)?;
+    d.lemma(&MECHANISM_BOUNDS)?;
+    d.lemma(&THICKER_HAS_ROOM)?;
+    d.lemma(&ONE_THICKNESS)?;
+    let (joint, h, ring) = (Symbol::joint(), Symbol::Thrust.number(), ring());
+    let condition = overturning::end_of_rotation(&ring);
+    let by_thickness = [(Symbol::Thickness, Polynomial::from(1))];
+    let slope = -(h.int(1) + Symbol::Flag.number() * &ring.thickness / h.int(6));
+    let words = "the condition behind (16) falls as eta grows";
+    d.identity(words, &condition.derivative(&by_thickness), &slope, &Relations::none())?;
+    for weight in SelfWeight::ALL {
+        let end = overturning::thickness_at_end(weight, &Surd::new(0, 1, 3));
+        let value = overturning::end_of_rotation(&Ring::new(weight, &end));
+        let words = format!("it vanishes at eta_l, {} weight", weight.name());
+        d.equal(&words, &value, &end.int(0))?;
+    }
+    let fall = (h.int(1) - joint.times_cotangent() + &h) * ring.intrados() / h.int(2);
+    d.identity(
+        "dL/d beta: positive where that condition is not, as beta cot(beta) < 1 and h > 0",
+        &Contact::Intrados.margin(&joint).derivative(&along_the_joint()),
+        &((fall - condition) * &joint.sin),
+        &Relations::trigonometric(),
+    )?;
+    d.conclude(
+        "The parts of the arch stand, so that eta is at least the thickness of the rotational state of each half opening \
+         below alpha_l, or there would be room at that: eta >= eta_l. So L grows, and is zero at the crown alone, \
+         where then U = eta h > 0: no hinge opens at the crown's extrados, which leaves [r,s] and [s,s]. One of them moves \
+         at the least thickness.",
+    );
+    d.conclude(
+        "If [s,s] does, mu is the friction of pure sliding, the least with which the arch stands, and a thinner arch \
+         has the same thrust. So none stands only if U = 0 at the shoulder with L = 0 at the crown, and then [r,s] \
+         moves too.",
     );
     Ok(Finding::AsPrinted)
 }

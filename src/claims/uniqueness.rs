@@ -6,31 +6,35 @@
 //! usual argument of the static theorem holds. It needs the symmetry: where a vertical force in the crown works
 //! too, no factor serves both. **Asymmetric mechanisms are not in question here.**
 
-use super::contacts::{CONTACTS, Contact, slopes};
-use super::frictions::SLIDING_STATES_IN_ORDER;
+use super::contacts::{CONTACTS, Contact, DISTANCES_RISE_AND_FALL, slopes};
+use super::frictions::{SLIDING_STATES_IN_ORDER, SLOPES_OF_FRICTION};
 use super::letters::ring;
 use super::modes::{SEVEN_MODES, room_of_pure_sliding};
+use super::overturning::A_FIXES_ALPHA;
 use super::{Claim, Derivation, Finding, Support};
-use crate::arch::{SelfWeight, statics};
+use crate::arch::{SelfWeight, statics, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Enclosure, Field};
-use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol};
+use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint};
 
 pub(super) const CLAIMS: &[Claim] = &[
     SYMMETRIC_MEAN,
     MECHANISM_BOUNDS,
     THICKER_HAS_ROOM,
+    LIMIT_STANDS,
     ONE_HALF_OPENING,
-    Claim {
-        id: "unique-thickness",
-        place: "Sec. 5",
-        statement: "above its least thickness an arch has no symmetric mechanism without dilatancy: the \
-                    static and the kinematic thickness are one. The only exception is the friction of \
-                    pure sliding, where [s,s] moves at each thickness that stands. (Asymmetric \
-                    mechanisms are not included.)",
-        decide: one_thickness,
-    },
+    ONE_THICKNESS,
 ];
+
+pub(super) const ONE_THICKNESS: Claim = Claim {
+    id: "unique-thickness",
+    place: "Sec. 5",
+    statement: "above its least thickness an arch has no mechanism without dilatancy that is symmetric: among \
+                symmetric motions the static and the kinematic thickness are one. The only exception is \
+                the friction of pure sliding, where [s,s] moves at each thickness that stands. Nothing is \
+                said of asymmetric mechanisms, which may move thicker arches",
+    decide: one_thickness,
+};
 
 const SYMMETRIC_MEAN: Claim = Claim {
     id: "unique-mean",
@@ -51,15 +55,23 @@ pub(super) const MECHANISM_BOUNDS: Claim = Claim {
 pub(super) const THICKER_HAS_ROOM: Claim = Claim {
     id: "unique-thicker",
     place: "Sec. 4, 5",
-    statement: "a thrust that is admissible at one thickness is so at each larger one up to 2, with a line of \
+    statement: "a positive thrust that is admissible at one thickness is so at each larger one up to 2, with a line of \
                 thrust off both faces at every joint",
     decide: thicker_has_room,
+};
+
+pub(super) const LIMIT_STANDS: Claim = Claim {
+    id: "unique-attained",
+    place: "Sec. 2, 5",
+    statement: "at a friction 0 < mu < inf the limit of arches that stand stands: the least thickness of \
+                an arch and the widest half opening of a thickness are attained",
+    decide: limit_stands,
 };
 
 pub(super) const ONE_HALF_OPENING: Claim = Claim {
     id: "map-function",
     place: "Sec. 3, Fig. 5, 6",
-    statement: "to each thickness 0 < eta < 2 and each friction 0 < mu < inf belongs one half opening: \
+    statement: "to each thickness 0 < eta <= 2 and each friction 0 < mu < inf belongs one half opening: \
                 narrower arches stand, wider ones fall, and there alone a symmetric mechanism exists",
     decide: one_half_opening,
 };
@@ -132,7 +144,8 @@ fn mechanism_bounds(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 fn thicker_has_room(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.assume("0 < eta < 2, 0 <= delta_M <= 1, h > 0");
+    d.assume("0 <= beta <= alpha, 0 < eta < 2, 0 <= delta_M <= 1, h > 0");
+    d.lemma(&DISTANCES_RISE_AND_FALL)?;
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let (h, eta, delta) = (Symbol::Thrust.number(), ring.thickness.clone(), Symbol::Flag.number());
     let (free, two) = (Relations::none(), h.int(2));
@@ -172,16 +185,19 @@ fn thicker_has_room(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.conclude(
         "p is not negative, so that the room is positive at 2; concave and not negative at eta, it is positive between. \
          So each lower bound of p, from the intrados of a joint, is below both upper bounds, from the extrados of \
-         crown and shoulder, and U, which is least there, is positive at every joint. Friction does not see the \
+         crown and shoulder, and U, which is least at these two, is positive at every joint. Friction does not see the \
          thickness.",
     );
     Ok(Finding::Implicit)
 }
 
 fn one_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.assume("0 < mu < inf");
+    d.assume("0 < mu < inf, 0 < eta <= 2");
+    d.lemma(&CONTACTS)?;
     d.lemma(&MECHANISM_BOUNDS)?;
     d.lemma(&THICKER_HAS_ROOM)?;
+    d.lemma(&LIMIT_STANDS)?;
+    d.lemma(&SLOPES_OF_FRICTION)?;
     d.lemma(&SLIDING_STATES_IN_ORDER)?;
     d.conclude(
         "Let an arch stand that is thicker than one that stands too. It has an admissible state with room at both \
@@ -189,7 +205,12 @@ fn one_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
          sliding state of the half opening.",
     );
     d.conclude(
-        "At the least thickness no state leaves a positive margin at all joints, or a thinner arch would \
+        "At that friction h is the thrust h_P of this state in each admissible one: if h < h_P, T/N exceeds mu at the \
+         joint beta_s(h_P), which is above the shoulder, and if h > h_P, -T/N does at the shoulder. So both slips \
+         are at their limit, and [s,s] moves.",
+    );
+    d.conclude(
+        "The least thickness stands, and there no state leaves a positive margin at all joints, or a thinner arch would \
          stand, as the margins are continuous. Linear inequalities without a strict solution have multipliers: \
          rates in balance, not all zero, which move only joints at their limit. With those of the sliding joints \
          scaled back they are a mechanism.",
@@ -207,7 +228,66 @@ fn one_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::Implicit)
 }
 
+/// Thrusts without bound leave room everywhere in their limit.
+fn limit_stands(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.assume("0 < mu < inf; the limit has 0 < alpha <= pi, 0 <= eta <= 2");
+    d.lemma(&A_FIXES_ALPHA)?;
+    d.lemma(&DISTANCES_RISE_AND_FALL)?;
+    let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
+    let (h, mu, eta) = (Symbol::Thrust.number(), Symbol::Friction.number(), &ring.thickness);
+    let (free, crown, two) = (Relations::none(), Angle::zero(&h), h.int(2));
+    let without_thickness = |value: Fraction| {
+        value.evaluate(&h, |symbol| match symbol {
+            Symbol::Thickness => h.int(0),
+            other => other.number(),
+        })
+    };
+    let opening = thrust::opening_variable(&joint).value();
+    let distance = Contact::Extrados.margin(&joint) - Contact::Extrados.margin(&crown);
+    let expected = (opening.clone() - h.int(1) - &h) * joint.versine();
+    let words = "U less U at the crown, at eta = 0: not zero at all joints, as A falls";
+    d.identity(words, &without_thickness(distance), &expected, &free)?;
+    d.conclude(
+        "If the thrusts of the arches are bounded, so are the moments p, which are between (1 - eta/2) h and \
+         (1 + eta/2) h. The conditions are closed: a limit of states is a state of the limit. It has eta > 0, as U + L = \
+         eta N.",
+    );
+    let outwards = (mu.clone() * &joint.cos - &joint.sin) * &h
+        + (mu.clone() * &joint.sin + &joint.cos) * &joint.rad;
+    d.identity("mu N + T", &Contact::Outwards.margin(&joint), &outwards, &free)?;
+    let ends = Contact::Intrados.margin(&crown) + Contact::Extrados.margin(&alpha);
+    let area = alpha.rad.clone() * &alpha.sin + &alpha.cos - h.int(1);
+    let gain = (h.int(6) - Symbol::Flag.number() * eta) * eta / h.int(12);
+    let expected = (ring.extrados() * &alpha.cos - ring.intrados()) * &h / &two
+        + ring.extrados() * area / &two
+        + alpha.versine() * gain;
+    d.identity("L at the crown and U at the shoulder add up to", &ends, &expected, &free)?;
+    d.conclude(
+        "Neither is negative where an arch stands. So thrusts without bound need mu cos(alpha) >= sin(alpha) and \
+         (2 + eta) cos(alpha) >= 2 - eta in the limit, so that alpha < pi/2 and eta > 0. Let c > 0 be small there, h large, and \
+         p = (1 - eta/2) h + c, so that L = c and U > 0 at the crown.",
+    );
+    let area = joint.rad.clone() * &joint.sin + &joint.cos;
+    let words = "d(x sin(x) + cos(x))/dx: positive, so that U > 0 at the shoulder";
+    let slope = joint.rad.clone() * &joint.cos;
+    d.identity(words, &area.derivative(&along_the_joint()), &slope, &free)?;
+    let rise = Contact::Intrados.margin(&joint) - Contact::Intrados.margin(&crown);
+    let expected =
+        ((h.clone() - opening) * ring.intrados() / &two + &ring.centroid_factor) * joint.versine();
+    d.identity("L less L at the crown: not negative, as A <= 2", &rise, &expected, &free)?;
+    let expected = mu * statics::normal_force(&joint, &h)
+        + (h.clone() - h.int(1)) * &joint.sin
+        + (joint.sin.clone() - slope);
+    let words = "mu N - T: positive, as x cos(x) <= sin(x)";
+    d.identity(words, &Contact::Inwards.margin(&joint), &expected, &free)?;
+    d.conclude(
+        "So L, U, mu N + T and mu N - T are positive at all joints: the limit stands, with this state.",
+    );
+    Ok(Finding::Implicit)
+}
+
 fn one_half_opening(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&LIMIT_STANDS)?;
     d.lemma(&CONTACTS)?;
     d.lemma(&SEVEN_MODES)?;
     d.lemma(&MECHANISM_BOUNDS)?;
@@ -233,7 +313,7 @@ fn one_half_opening(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.conclude(
         "So narrow arches stand, by continuity; none of half opening pi does, as N > 0 in an admissible state; and \
          a part of an arch that stands, cut off at a joint, stands. The limit of arches that stand \
-         does, since the conditions are closed: the widest is alpha* < pi.",
+         stands: the widest is alpha* < pi.",
     );
     d.conclude(
         "At alpha* no state leaves a positive margin at all joints, else a wider arch would stand. So it has a mechanism \
