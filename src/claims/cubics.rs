@@ -1,5 +1,7 @@
 //! The cubics (7) and their abbreviations (8).
 
+use super::letters::ring;
+use super::sign::{AngleSigns, NotNegative, Positive, RingSigns};
 use super::{Claim, Derivation, Finding};
 use crate::arch::cubic::{self, Abbreviations};
 use crate::arch::{Quotient, Ring, overturning, thrust};
@@ -232,36 +234,27 @@ fn in_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
         &zero,
         &none,
     )?;
-    d.conclude("the factor 2 S h + g - f is extraneous: it is positive for h >= 0, since g > f");
+    let angle = AngleSigns::of_joint(d)?;
+    let [h] = NotNegative::given(d, "h >= 0", [&h]);
+    let wide = cubic::abbreviations(&Symbol::joint());
+    let factor = Symbol::Thrust.number() * &wide.sin * wide.sin.int(2) + (wide.g - &wide.f);
+    let positive = h * &angle.sin * &Positive::int(2) + &(angle.excess * &angle.versine);
+    positive.is(d, "2 S h + g - f, which is extraneous", &factor, &none)?;
     Ok(Finding::AsPrinted)
 }
 
 fn denominators(d: &mut Derivation) -> Result<Finding, Undecided> {
-    let (joint, eta) = (Symbol::joint(), Symbol::Thickness.number());
-    d.assume("0 < beta < pi, 0 < eta < 2, A > 0; so S > 0 and -1 < C < 1");
-    let ring = Ring::with_flag(&Symbol::Flag.number(), &eta);
-    let versine = joint.versine();
-    let positive = versine * eta.int(2) + eta.clone() * (eta.int(1) + &joint.cos);
-    d.identity(
-        "2 + eta - (2-eta) C = 2 (1-C) + eta (1+C), a sum of two positive terms",
-        &thrust::lower(&joint, &ring).denominator,
-        &positive,
-        &Relations::none(),
-    )?;
-    let Abbreviations { sin, f, g } = cubic::abbreviations(&joint);
-    let circle = Relations::trigonometric();
-    let rest = joint.rad.clone() - &sin;
-    d.identity(
-        "g - f = (beta - S) (1 - C)",
-        &(g.clone() - &f),
-        &(rest * joint.versine()),
-        &circle,
-    )?;
-    let slope = (joint.rad.clone() - &sin).derivative(&along_the_joint());
-    d.identity("(beta - S)' = 1 - C, so beta > S and g > f", &slope, &joint.versine(), &circle)?;
-    let slope = g.derivative(&along_the_joint());
-    let expected = joint.cos.square() * joint.cos.int(2);
-    d.identity("g' = 2 C^2, so g > 0", &slope, &expected, &circle)?;
-    d.conclude("2 - eta, 2 + eta and g + S A are positive as they stand");
+    let (angle, signs, free) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?, Relations::none());
+    let opening = Symbol::OpeningVariable.number();
+    let [positive_opening] = Positive::given(d, "A > 0", [&opening]);
+    let lever = Positive::int(2) * &angle.versine + &(signs.thickness * &angle.coversine);
+    let lower = thrust::lower(&Symbol::joint(), &ring());
+    lever.is(d, "2 + eta - (2 - eta) C, of (2)", &lower.denominator, &free)?;
+    let Abbreviations { sin, f, g } = cubic::abbreviations(&Symbol::joint());
+    let difference = angle.excess.clone() * &angle.versine;
+    difference.is(d, "g - f", &(g.clone() - f), &free)?;
+    let sum = (angle.excess + &(angle.sin.clone() * &angle.coversine)).is(d, "g", &g, &free)?;
+    let whole = sum + &(angle.sin * &positive_opening);
+    whole.is(d, "g + S A", &(g + sin * &opening), &free)?;
     Ok(Finding::Implicit)
 }

@@ -1,13 +1,14 @@
 //! How much the two weights differ at the same half opening, in numbers.
 
-use super::landmarks::state_of;
+use super::landmarks::{enclosed, state_of};
 use super::measured::Bounds;
 use super::same_opening::DIFFERENCES_GROW;
 use super::{Claim, Derivation, Finding};
-use crate::arch::SelfWeight;
+use crate::arch::{SelfWeight, Unknown};
 use crate::certify::Undecided;
 use crate::certify::state::State;
 use crate::number::{Ball, Field};
+use crate::problem::Landmark;
 
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
@@ -15,14 +16,31 @@ pub(super) const CLAIMS: &[Claim] = &[
         place: "Sec. 2.1, Fig. 2",
         statement: "at the same half opening eta and h differ really little between the two weights, even \
                     as the thickness grows",
-        decide: |d| largest(d, &["pi/2", "2", "2.4", "2.55"], &[ETA, H]),
+        decide: |d| {
+            let mut bounds = Bounds::default();
+            largest(d, &mut bounds, &["pi/2", "2", "2.4", "2.55"], &[ETA, H])?;
+            at(d, &mut bounds, ("2.59", None), &[ETA, H])?;
+            Ok(bounds.finding())
+        },
     },
     Claim {
         id: "weights-marginal",
         place: "Sec. 5",
         statement: "for openings up to the semicircle the differences between the two weights are quite \
                     marginal",
-        decide: |d| largest(d, &["pi/2"], &[ETA, H, BETA]),
+        decide: |d| {
+            let mut bounds = Bounds::default();
+            largest(d, &mut bounds, &["pi/2"], &[ETA, H, BETA])?;
+            at(d, &mut bounds, ("pi/2", Some("0.31")), &[ETA_SMALLER])?;
+            Ok(bounds.finding())
+        },
+    },
+    Claim {
+        id: "weights-slightly",
+        place: "Sec. 2.1, 3",
+        statement: "alpha_l, eta_l, the joints at the landmarks and alpha at B differ slightly between the two \
+                    weights, mu at B much",
+        decide: at_landmarks,
     },
 ];
 
@@ -31,27 +49,81 @@ type Variable = (&'static str, bool, fn(&State) -> &Ball);
 
 const ETA: Variable = ("eta larger", true, |state| &state.thickness);
 const H: Variable = ("h smaller", false, |state| &state.thrust);
+const ETA_SMALLER: Variable = ("eta smaller", false, |state| &state.thickness);
 const BETA: Variable = ("beta_r smaller", false, |state| &state.rotation_joint);
 
-/// The largest relative differences up to some half openings, which are those at these.
+/// The relative difference between two values, in percent.
+fn percent([heyman, milankovitch]: [&Ball; 2], is_larger: bool) -> Ball {
+    let part = milankovitch.clone() / heyman;
+    let difference = part.clone() - part.int(1);
+    if is_larger { difference * part.int(100) } else { -difference * part.int(100) }
+}
+
+/// Notes the relative differences of an arch.
+fn note(
+    d: &mut Derivation,
+    bounds: &mut Bounds,
+    place: &str,
+    (alpha, friction): (&str, Option<&str>),
+    variables: &[Variable],
+) -> Result<(), Undecided> {
+    let [heyman, milankovitch] = SelfWeight::ALL.map(|weight| state_of(alpha, friction, weight));
+    let (heyman, milankovitch) = (heyman?, milankovitch?);
+    for (name, is_larger, value) in variables {
+        let percent = percent([value(&heyman), value(&milankovitch)], *is_larger);
+        bounds.at_most(d, (&format!("{name}, {place}"), &percent, " %"), 3)?;
+    }
+    Ok(())
+}
+
+/// The largest relative differences of rotational states up to some half openings, which are those at these.
 fn largest(
     d: &mut Derivation,
+    bounds: &mut Bounds,
     openings: &[&str],
     variables: &[Variable],
-) -> Result<Finding, Undecided> {
+) -> Result<(), Undecided> {
     d.lemma(&DIFFERENCES_GROW)?;
-    let mut bounds = Bounds::default();
     for alpha in openings {
-        let [heyman, milankovitch] = SelfWeight::ALL.map(|weight| state_of(alpha, None, weight));
-        let (heyman, milankovitch) = (heyman?, milankovitch?);
-        for (name, is_larger, value) in variables {
-            let part = value(&milankovitch).clone() / value(&heyman);
-            let difference = part.clone() - part.int(1);
-            let percent = if *is_larger { difference } else { -difference } * part.int(100);
-            let words = format!("{name}, up to alpha = {alpha}");
-            bounds.at_most(d, (&words, &percent, " %"), 3)?;
-        }
+        let place = format!("mu = inf, up to alpha = {alpha}");
+        note(d, bounds, &place, (alpha, None), variables)?;
     }
     d.conclude("They grow with the half opening, so that the last of a range is the largest.");
+    Ok(())
+}
+
+/// Those of one arch.
+fn at(
+    d: &mut Derivation,
+    bounds: &mut Bounds,
+    arch: (&str, Option<&str>),
+    variables: &[Variable],
+) -> Result<(), Undecided> {
+    let place = format!("mu = {}, at alpha = {}", arch.1.unwrap_or("inf"), arch.0);
+    note(d, bounds, &place, arch, variables)
+}
+
+/// What is said to differ slightly or much at the landmarks, and whether it is larger for Milankovitch's weight.
+const AT_LANDMARKS: &[(Landmark, Unknown, bool)] = &[
+    (Landmark::RotationEnd, Unknown::HalfOpening, false),
+    (Landmark::RotationEnd, Unknown::Thickness, false),
+    (Landmark::Triple, Unknown::RotationJoint, true),
+    (Landmark::Shift, Unknown::RotationJoint, true),
+    (Landmark::Triple, Unknown::SlidingJoint, true),
+    (Landmark::Border, Unknown::SlidingJoint, true),
+    (Landmark::Border, Unknown::HalfOpening, false),
+    (Landmark::Border, Unknown::Friction, false),
+];
+
+fn at_landmarks(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let mut bounds = Bounds::default();
+    for (landmark, unknown, is_larger) in AT_LANDMARKS {
+        let [heyman, milankovitch] = SelfWeight::ALL.map(|weight| enclosed(*landmark, weight));
+        let (heyman, milankovitch) = (heyman?.1, milankovitch?.1);
+        let percent = percent([heyman.value(*unknown), milankovitch.value(*unknown)], *is_larger);
+        let relation = if *is_larger { "larger" } else { "smaller" };
+        let words = format!("{} {relation}, at {}", unknown.name(), landmark.symbol());
+        bounds.at_most(d, (&words, &percent, " %"), 3)?;
+    }
     Ok(bounds.finding())
 }

@@ -1,30 +1,8 @@
 //! The paper, place by place: each equation and each sentence that says how much, or which is more, with what
 //! decides it. The sentences are in our own words.
 
+use super::sentence::Sentence;
 use super::sentences;
-
-/// An equation or a sentence of the paper.
-#[derive(Clone, Copy, Debug)]
-pub struct Sentence {
-    /// Where it stands.
-    pub place: &'static str,
-    /// What it says.
-    pub says: &'static str,
-    /// What decides it.
-    pub decided: Decided,
-}
-
-/// What decides a sentence.
-#[derive(Clone, Copy, Debug)]
-#[non_exhaustive]
-pub enum Decided {
-    /// Claims, by their ids; there is at least one.
-    Claims(&'static [&'static str]),
-    /// Printed digits: `couplet audit` compares each with its certified value.
-    Audit,
-    /// Not decided here, and why.
-    Open(&'static str),
-}
 
 /// The index, in the order of the paper.
 pub fn index() -> Vec<Sentence> {
@@ -33,7 +11,7 @@ pub fn index() -> Vec<Sentence> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Finding, claims};
+    use super::super::{Decided, Finding, claims};
     use super::*;
     use std::collections::BTreeSet;
 

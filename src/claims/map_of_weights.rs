@@ -6,6 +6,7 @@ use super::frictions::{FRICTION_FOR_ROTATION_GROWS, SLIDING_STATES_IN_ORDER, SLO
 use super::landmarks::state_of;
 use super::letters::ring;
 use super::modes::LEVER;
+use super::sign::{Positive, RingSigns};
 use super::uniqueness::THICKER_HAS_ROOM;
 use super::{Claim, Derivation, Finding, Support};
 use crate::arch::{Ring, SelfWeight, sliding, statics, thrust};
@@ -106,16 +107,25 @@ fn thickness_where_the_shoulder_turns(d: &mut Derivation) -> Result<Finding, Und
 fn thickness_where_the_joint_is_given(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
     let ring = Ring::with_flag(&delta, &eta);
-    d.assume("0 < eta < 2, 0 <= delta_M <= 1");
+    let signs = RingSigns::of(d)?;
     let thrust = thrust::tangency(&Symbol::joint().times_cotangent(), &ring).value();
-    let by = |symbol| [(symbol, Polynomial::from(1))];
-    let slope = -(eta.square() / (eta.int(6) * ring.intrados()));
-    let words = "the derivative of h_e to delta_M, negative";
-    d.identity(words, &thrust.derivative(&by(Symbol::Flag)), &slope, &Relations::none())?;
-    let gain = delta * &eta * ring.intrados() / eta.int(3) + eta.int(2) * &ring.centroid_factor;
-    let slope = -(gain / ring.intrados().square());
-    let words = "the derivative of h_e to eta, negative";
-    d.identity(words, &thrust.derivative(&by(Symbol::Thickness)), &slope, &Relations::none())?;
+    let fall = |symbol| -thrust.derivative(&[(symbol, Polynomial::from(1))]);
+    let free = Relations::none();
+    let square = signs.thickness.clone() * &signs.thickness;
+    (square / &(Positive::int(6) * &signs.intrados)).is(
+        d,
+        "the fall of h_e with delta_M",
+        &fall(Symbol::Flag),
+        &free,
+    )?;
+    let gain = signs.flag * &signs.thickness * &signs.intrados / &Positive::int(3)
+        + &(Positive::int(2) * &signs.factor);
+    (gain / &(signs.intrados.clone() * &signs.intrados)).is(
+        d,
+        "the fall of h_e with eta",
+        &fall(Symbol::Thickness),
+        &free,
+    )?;
     d.conclude("So with the thrust and the joint kept, the thickness falls as delta_M grows.");
     Ok(Finding::Implicit)
 }

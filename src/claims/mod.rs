@@ -57,6 +57,7 @@ mod moments;
 mod overturning;
 mod rounded;
 mod same_opening;
+mod sentence;
 mod sentences;
 mod sign;
 mod sliding;
@@ -68,7 +69,8 @@ mod units;
 mod weights;
 
 pub use derivation::{Derivation, Formula, Step, Support};
-pub use index::{Decided, Sentence, index};
+pub use index::index;
+pub use sentence::{Decided, Sentence};
 
 use crate::certify::Undecided;
 use std::time::{Duration, Instant};

@@ -5,7 +5,7 @@ use super::domains::{NO_PURE_SLIDING_BEYOND_B, NO_SHOULDER_SLIDING_BEYOND_T};
 use super::landmarks::{certain_if, enclosed, state_of};
 use super::measured::Bounds;
 use super::{Claim, Derivation, Finding, Support};
-use crate::arch::{SelfWeight, sliding};
+use crate::arch::{SelfWeight, Unknown, sliding};
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::number::{Angle, Ball, Decimal, Enclosure, Field, Real, Rounded, arctangent};
 use crate::problem::{Landmark, Mode, Quantity};
@@ -18,6 +18,12 @@ pub(super) const CLAIMS: &[Claim] = &[
         statement: "the values given to few digits, such as beta_r = 59.7° at T or, coarser, 20° for 22°, are \
                     roundings of the true ones",
         decide: rounded_values,
+    },
+    Claim {
+        id: "landmark-S-near-J",
+        place: "Sec. 4",
+        statement: "S and J are rather near in the eta-mu map",
+        decide: nearness,
     },
     Claim {
         id: "semicircle",
@@ -60,6 +66,7 @@ const ROUNDED: &[(Landmark, SelfWeight, Quantity, &[&str])] = {
         (Shift, Milankovitch, HalfOpeningDegrees, &["145.0", "145"]),
         (Shift, Milankovitch, FrictionAngleDegrees, &["57.0", "57"]),
         (Shift, Milankovitch, SlidingJointDegrees, &["16.0", "16"]),
+        (Junction, Milankovitch, Thickness, &["0.9"]),
         (Junction, Milankovitch, HalfOpeningDegrees, &["145.2"]),
         (Junction, Milankovitch, FrictionAngleDegrees, &["57.1"]),
         (Junction, Milankovitch, SlidingJointDegrees, &["16.0"]),
@@ -111,6 +118,20 @@ fn rounded_values(d: &mut Derivation) -> Result<Finding, Undecided> {
         }
     }
     Ok(Finding::AsPrinted)
+}
+
+fn nearness(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let mut bounds = Bounds::default();
+    for weight in SelfWeight::ALL {
+        let shift = enclosed(Landmark::Shift, weight)?.1;
+        let junction = enclosed(Landmark::Junction, weight)?.1;
+        for unknown in [Unknown::Thickness, Unknown::Friction] {
+            let distance = junction.value(unknown).clone() - shift.value(unknown);
+            let words = format!("{} from S to J, {} weight", unknown.name(), weight.name());
+            bounds.at_most(d, (&words, &distance, ""), 3)?;
+        }
+    }
+    Ok(bounds.finding())
 }
 
 /// What the shoulder of a semicircle asks for.

@@ -1,6 +1,6 @@
-//! What the paper says, place by place, and what decides it: the data of the [index](super::index()).
+//! What the paper says, place by place, and what decides it: the data of the index.
 
-use super::index::{Decided, Sentence};
+use super::sentence::{Decided, Sentence};
 use Decided::{Audit, Claims, Open};
 
 const fn said(
@@ -64,7 +64,7 @@ pub(super) const EQUATIONS: &[Sentence] = &[
     said(
         "Sec. 2.1",
         "rotation ends at alpha_l, where the joint is back at 0 and h = 0",
-        &["limit-l", "landmark-l"],
+        &["limit-l", "curve-joint", "curve-order"],
     ),
     printed("Sec. 2.1", "digits of alpha_l, eta_l and A_l"),
     said(
@@ -75,7 +75,7 @@ pub(super) const EQUATIONS: &[Sentence] = &[
     said(
         "Sec. 2.1",
         "alpha_l and eta_l are slightly higher for Heyman's weight",
-        &["weights-limits"],
+        &["weights-limits", "weights-slightly"],
     ),
     said("Sec. 2.1", "alpha_l is around 150° at eta_l near 1", &["rounded-values"]),
     said("Eq. (13)", "A of the states without thrust, from (4) or from (3)", &["eq-13"]),
@@ -107,7 +107,11 @@ pub(super) const EQUATIONS: &[Sentence] = &[
         &["joining-heyman", "joining-milankovitch"],
     ),
     said("Sec. 2.1", "the growth of eta towards 2 is almost vertical", &["eq-15-branch"]),
-    said("Sec. 2.1", "rotation holds up to about 150°, or 160°", &["rounded-values"]),
+    said(
+        "Sec. 2.1",
+        "rotation holds up to about 150°, or 160°",
+        &["weights-range", "rounded-values"],
+    ),
     said("Eq. (17)", "the friction at which the shoulder slides, and its inverse", &["eq-17"]),
     said(
         "Eq. (18)",
@@ -119,7 +123,7 @@ pub(super) const EQUATIONS: &[Sentence] = &[
     said(
         "Sec. 2.2",
         "no thickness in (17), (18), no friction in (2) to (5), no half opening in (18)",
-        &["sliding-thickness", "rotation-friction"],
+        &["sliding-thickness", "rotation-friction", "sliding-opening"],
     ),
     said("Sec. 2.2", "each half opening has one purely sliding state", &["sliding-order"]),
     said("Sec. 2.2", "it ends at B, where eta = 2", &["map-B"]),
@@ -131,11 +135,12 @@ pub(super) const EQUATIONS: &[Sentence] = &[
         "(2) to (5) describe pure rotation, (17) and (18) pure sliding",
         &["modes-seven"],
     ),
+    said("Sec. 2.3", "five equations rule five variables", &["eq-2-4-imply-3", "landmark-T"]),
 ];
 
 /// Section 3: the map.
 pub(super) const MAP: &[Sentence] = &[
-    said("Sec. 3", "there are seven collapse modes", &["modes-seven", "modes-occur"]),
+    said("Sec. 3", "there are seven symmetric collapse modes", &["modes-seven", "modes-occur"]),
     said("Sec. 3, Fig. 6", "their domains fill the strip between eta = 0 and 2", &["map-columns"]),
     said(
         "Sec. 3, Fig. 6",
@@ -154,7 +159,7 @@ pub(super) const MAP: &[Sentence] = &[
     said(
         "Sec. 3, Fig. 6",
         "[r] lies at mu = inf, from eta_l to 2, without thrust",
-        &["landmark-l"],
+        &["modes-seven", "landmark-inside-unlimited", "limit-l", "limit-L"],
     ),
     said("Sec. 3", "one divide parts the modes with rotation from pure sliding", &["map-columns"]),
     printed("Tables 1-2", "digits of T, S, J, B for both weights"),
@@ -173,8 +178,16 @@ pub(super) const MAP: &[Sentence] = &[
         &["weights-dividing-lines"],
     ),
     said("Sec. 3, Fig. 5", "its lines of one half opening lie below", &["weights-same-opening"]),
-    said("Sec. 3", "its limits at mu = inf are lower in eta and alpha", &["weights-limits"]),
-    said("Sec. 3", "B is reached at a much lower mu, a slightly lower alpha", &["weights-at-B"]),
+    said(
+        "Sec. 3",
+        "its limits at mu = inf are lower in eta and alpha",
+        &["weights-limits", "weights-eta-l"],
+    ),
+    said(
+        "Sec. 3",
+        "B is reached at a much lower mu, a slightly lower alpha",
+        &["weights-friction", "weights-opening", "weights-slightly"],
+    ),
     said("Sec. 3, Fig. 5", "the weights differ most at B", &["weights-at-B"]),
     said(
         "Sec. 3, Fig. 5",
@@ -182,6 +195,11 @@ pub(super) const MAP: &[Sentence] = &[
         &["weights-J-B"],
     ),
     said("Sec. 3, Fig. 5", "it arrives almost vertically at eta = 2", &["weights-B-slope"]),
+    said(
+        "Sec. 3",
+        "mu grows ever less along it, as if saturated",
+        &["weights-J-B", "weights-B-slope"],
+    ),
     said("Sec. 3", "a friction above mu_T precludes [s,r,r]", &["map-T-shoulder"]),
     said("Sec. 3", "a friction above mu_B precludes [s,s]", &["map-B"]),
     said("Sec. 3", "[r,r,s] and [r,s,r] are seen only right of T", &["map-T-inner"]),
@@ -195,8 +213,13 @@ pub(super) const MAP: &[Sentence] = &[
     said(
         "Sec. 3",
         "the joints are slightly wider for the true weight",
-        &["weights-beta-r", "weights-beta-s"],
+        &["weights-beta-r", "weights-beta-s", "weights-slightly"],
     ),
+    Sentence {
+        place: "Sec. 3",
+        says: "the dependences on the joints are flatter",
+        decided: Open("which dependences, and flatter than which, is not said"),
+    },
 ];
 
 /// Section 4: the states at the landmarks, and the complementarity problem.
@@ -212,6 +235,11 @@ pub(super) const ILLUSTRATION: &[Sentence] = &[
         place: "Eq. (20)",
         says: "a programme whose least value is zero at collapse",
         decided: Open("not examined"),
+    },
+    Sentence {
+        place: "Sec. 4",
+        says: "that value comes out in the order of 1e-16, at the same cost for both weights",
+        decided: Open("it is about the program of the authors"),
     },
     said(
         "Sec. 4, Fig. 7-12",
@@ -237,10 +265,16 @@ pub(super) const ILLUSTRATION: &[Sentence] = &[
     ),
     said("Sec. 4", "angles near 145°, 57°, 16° at S", &["rounded-values"]),
     said("Sec. 4, Fig. 10", "at J beta_r = 0, and [r,s] begins", &["landmark-J"]),
+    said("Sec. 4", "S and J are rather near", &["landmark-S-near-J"]),
     said("Sec. 4, Fig. 11", "at B eta = 2, and [r,s] meets [s,s]", &["landmark-inside"]),
     said("Sec. 4", "angles near 150°, 62°, 14° at B", &["rounded-values"]),
     said("Sec. 4, Fig. 12", "at l and L the half arch overturns without thrust", &["landmark-l"]),
     said("Sec. 4", "about 150° there", &["rounded-values"]),
+    said(
+        "Sec. 4",
+        "the two weights differ most beyond T and from J to B, eta from 0.9 to 2",
+        &["weights-at-B", "rounded-values"],
+    ),
 ];
 
 /// Section 5: the conclusions.
@@ -256,13 +290,21 @@ pub(super) const CONCLUSIONS: &[Sentence] = &[
         "the friction that prevents sliding grows with alpha, without bound",
         &["friction-rotation"],
     ),
-    said("Sec. 5", "finite friction turns overturning into [r,s]", &["landmark-l", "map-columns"]),
+    said("Sec. 5", "finite friction turns overturning into [r,s]", &["map-beyond-l"]),
     said("Sec. 5", "a friction of about 1.854 prevents [s,s]", &["suffices-B"]),
     said(
         "Sec. 5",
-        "the least thickness is unique, though friction is not associated",
+        "the least thickness is unique, though friction is not associated: for symmetric motions",
         &["unique-thickness"],
     ),
+    Sentence {
+        place: "Sec. 5",
+        says: "the same, for asymmetric motions",
+        decided: Open(
+            "no claim speaks of them; some horseshoes seem to have one above the least thickness",
+        ),
+    },
     said("Sec. 5", "differences are marginal up to the semicircle", &["weights-marginal"]),
+    said("Sec. 5", "they grow for horseshoes", &["weights-differences"]),
     said("Sec. 5", "the kinds of modes are the same for both weights", &["modes-occur"]),
 ];

@@ -217,7 +217,9 @@ impl AngleSigns {
             Symbol::Cosine => Some(1),
             _ => None,
         };
-        Self::of(d, "beta", &Symbol::joint(), (&along_the_joint(), &at_zero))
+        let (rules, relations) = (along_the_joint(), Relations::trigonometric());
+        let range = FromZero { rules: &rules, at_zero: &at_zero, relations: &relations };
+        Self::of(d, "beta", &Symbol::joint(), &range)
     }
 
     /// Those of the half opening.
@@ -227,17 +229,17 @@ impl AngleSigns {
             Symbol::CosineOfOpening => Some(1),
             _ => None,
         };
-        Self::of(d, "alpha", &Symbol::half_opening(), (&along_the_opening(), &at_zero))
+        let (rules, relations) = (along_the_opening(), Relations::trigonometric());
+        let range = FromZero { rules: &rules, at_zero: &at_zero, relations: &relations };
+        Self::of(d, "alpha", &Symbol::half_opening(), &range)
     }
 
     fn of(
         d: &mut Derivation,
         name: &str,
         angle: &Angle<Fraction>,
-        (rules, at_zero): (&[(Symbol, Polynomial)], &dyn Fn(Symbol) -> Option<i32>),
+        range: &FromZero<'_>,
     ) -> Result<Self, Undecided> {
-        let relations = &Relations::trigonometric();
-        let range = FromZero { rules, at_zero, relations };
         let Angle { rad, sin, cos } = angle;
         let [positive_rad, positive_sin] =
             Positive::given(d, &format!("0 < {name} < pi"), [rad, sin]);
@@ -247,13 +249,13 @@ impl AngleSigns {
             &format!("1 - cos({name}) and 1 + cos({name})"),
             [&(rad.int(1) - cos), &(rad.int(1) + cos)],
             &Positive::int(2),
-            relations,
+            range.relations,
         )?;
         let words = format!("{name} - sin({name})");
-        let excess = versine.is_slope_of(d, &words, &(rad.clone() - sin), &range)?;
+        let excess = versine.is_slope_of(d, &words, &(rad.clone() - sin), range)?;
         let words = format!("{name} - sin({name}) cos({name})");
         let bow = rad.clone() - sin.clone() * cos;
-        let bow = (Positive::int(2) * &square).is_slope_of(d, &words, &bow, &range)?;
+        let bow = (Positive::int(2) * &square).is_slope_of(d, &words, &bow, range)?;
         Ok(Self { rad: positive_rad, sin: positive_sin, versine, coversine, excess, bow })
     }
 }
@@ -293,9 +295,48 @@ impl RingSigns {
         )?;
         let part = (Positive::int(8) + &(intrados.clone() * &extrados)) / &Positive::int(12);
         let rest = ring.thickness.int(2) - &ring.centroid_factor;
-        // Where delta_M is 0 the first is left, where it is 1 the second.
+        // 1 - eta²/12, and what delta_M < 1 adds.
         let unfactored = (Positive::int(1) * &part + &(unflagged.clone() * &square))
             .is(d, "2 - fac", &rest, &free)?;
         Ok(Self { thickness, intrados, extrados, flag, unflagged, factor, unfactored })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_not_made_of_positive_parts_is_refused() {
+        let (mut d, joint) = (Derivation::new(), Symbol::joint());
+        let (free, circle) = (Relations::none(), Relations::trigonometric());
+        let (rules, at_zero) = (along_the_joint(), |symbol| (symbol == Symbol::Cosine).into());
+        let range = FromZero { rules: &rules, at_zero: &|s| Some(at_zero(s)), relations: &circle };
+        let angle = AngleSigns::of_joint(&mut d).unwrap();
+        let below = joint.sin.clone() - &joint.rad;
+        assert!(angle.excess.is(&mut d, "sin(beta) - beta", &below, &free).is_err());
+        assert!(angle.versine.is_slope_of(&mut d, "sin(beta) - beta", &below, &range).is_err());
+        let raised = joint.rad.clone() - &joint.sin - joint.rad.int(1);
+        let words = "beta - sin(beta) - 1, which begins with -1";
+        assert!(angle.versine.is_slope_of(&mut d, words, &raised, &range).is_err());
+        let square = angle.sin.clone() * &angle.sin;
+        let negative =
+            [joint.cos.clone() - joint.cos.int(1), -joint.cos.clone() - joint.cos.int(1)];
+        let [a, b] = &negative;
+        let sum = &Positive::int(2);
+        let words = "cos - 1 and -cos - 1";
+        assert!(square.is_product_of(&mut d, words, [a, b], sum, &circle).is_err());
+    }
+
+    #[test]
+    fn a_sign_shows_how_it_is_made() {
+        let mut d = Derivation::new();
+        let signs = RingSigns::of(&mut d).unwrap();
+        let made = (signs.thickness.clone() + &Positive::int(3)) * &signs.thickness;
+        let value = ring().thickness;
+        let value = (value.clone() + value.int(3)) * &value;
+        made.is(&mut d, "eta (eta + 3)", &value, &Relations::none()).unwrap();
+        let formula = d.steps().last().unwrap().formula.clone().unwrap();
+        assert_eq!(formula.text, "(eta + 3) eta");
     }
 }

@@ -174,5 +174,5 @@ fn overturning_sliding_beyond_l(d: &mut Derivation) -> Result<Finding, Undecided
          has the same thrust. So none stands only if U = 0 at the shoulder with L = 0 at the crown, and then [r,s] \
          moves too.",
     );
-    Ok(Finding::Implicit)
+    Ok(Finding::AsPrinted)
 }

@@ -3,11 +3,11 @@
 use super::curve::STATES_OF_ONE_THICKNESS;
 use super::landmarks::{certain_if, enclosed};
 use super::{Claim, Derivation, Finding, Support};
-use crate::arch::{Configuration, SelfWeight};
+use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::certify::{CertifiedLandmark, Exact, Undecided};
 use crate::judge::{Comparison, Relation, compare_weights};
 use crate::number::{Ball, Enclosure};
-use crate::problem::{Landmark, Quantity};
+use crate::problem::{Fixed, Landmark, Quantity};
 use std::sync::OnceLock;
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -52,6 +52,12 @@ pub(super) const CLAIMS: &[Claim] = &[
         place: "Sec. 2.1, Tables 3-4",
         statement: "eta_l, alpha_l and alpha_L are higher for Heyman's weight, A_l and A_L lower",
         decide: limits_compared,
+    },
+    Claim {
+        id: "weights-eta-l",
+        place: "Sec. 3",
+        statement: "the thickness is lower for Milankovitch's weight at l and at L",
+        decide: limit_thickness_compared,
     },
     Claim {
         id: "weights-widest-joint",
@@ -100,6 +106,18 @@ fn compared(d: &mut Derivation, quantity: Quantity) -> Result<Finding, Undecided
         true => Ok(Finding::AsPrinted),
         false => Ok(Finding::Equality { at: equalities.join("; ") }),
     }
+}
+
+fn limit_thickness_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let [heyman, milankovitch] =
+        SelfWeight::ALL.map(|weight| enclosed(Landmark::RotationEnd, weight));
+    let lower = milankovitch?.1.thickness.is_less_than(&heyman?.1.thickness);
+    d.certain(Support::Balls, "thickness at l is lower", lower)?;
+    let fixed = |weight| Landmark::OverturningEnd.system(weight).fixed_value(Unknown::Thickness);
+    let [heyman, milankovitch] = SelfWeight::ALL.map(fixed);
+    let same = certain_if(heyman == Some(Fixed::Integer(2)) && heyman == milankovitch);
+    d.certain(Support::Algebra, "at L it is the physical limit", same)?;
+    Ok(Finding::Equality { at: "thickness at L is 2 for both weights".to_owned() })
 }
 
 fn limits_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
