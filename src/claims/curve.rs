@@ -249,7 +249,7 @@ fn states_in_order(d: &mut Derivation) -> Result<Finding, Undecided> {
          alpha < alpha_l, and none from alpha_l on.",
         Mode::Rotational.label()
     ));
-    Ok(Finding::Implicit)
+    Ok(Finding::AsPrinted)
 }
 
 /// At one thickness a larger `delta_M` means a smaller half opening and a smaller thrust.

@@ -39,6 +39,11 @@ impl Bounds {
         Ok(())
     }
 
+    /// Notes a number with which the sentence holds besides.
+    pub(super) fn holds(&mut self, words: &str) {
+        self.hold.push(words.to_owned());
+    }
+
     /// Notes where the sentence fails besides.
     pub(super) fn fails(&mut self, words: &str) {
         self.fail.push(words.to_owned());

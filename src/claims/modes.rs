@@ -199,7 +199,7 @@ fn modes_occur(d: &mut Derivation) -> Result<Finding, Undecided> {
          that starts in the middle of the crown: L is least at the crown, U at crown or shoulder. It \
          can only slide, at beta_s and at the shoulder: [s,s].",
     );
-    Ok(Finding::Implicit)
+    Ok(Finding::AsPrinted)
 }
 
 /// What is left to a line of thrust in an arch that only slides: half opening 1, thickness 1, thrust in the middle

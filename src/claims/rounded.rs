@@ -180,6 +180,7 @@ fn semicircle(d: &mut Derivation) -> Result<Finding, Undecided> {
         collapses(d, ("pi/2", enough), weight, Mode::Rotational)?;
         collapses(d, ("pi/2", "0.395"), weight, Mode::SlidingRotational)?;
     }
+    bounds.fails("a friction of 0.395 itself: [s,r,r] with either weight");
     Ok(bounds.finding())
 }
 
@@ -189,6 +190,7 @@ fn no_shoulder_sliding(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (weight, words) = (SelfWeight::Milankovitch, "mu_T, milankovitch weight");
     least_friction(d, &mut bounds, words, &enclosed(Landmark::Triple, weight)?.1.friction, 5)?;
     collapses(d, ("2.430058", "1.277"), weight, Mode::SlidingRotational)?;
+    bounds.fails("a friction of 1.277 itself: alpha = 2.430058 is [s,r,r]");
     Ok(bounds.finding())
 }
 
@@ -207,5 +209,8 @@ fn no_pure_sliding(d: &mut Derivation) -> Result<Finding, Undecided> {
     let state = state_of(text, Some("1.8538"), weight)?;
     let words = "with 1.8538 it stands, with eta < 2";
     d.certain(Support::Balls, words, state.thickness.is_less_than(&friction.int(2)))?;
+    let printed = Ball::enclosing(&Rational::from((1854, 1000)), friction.prec());
+    d.certain(Support::Balls, "mu_B is below 1.854", friction.is_less_than(&printed))?;
+    bounds.holds("a friction of 1.854 itself");
     Ok(bounds.finding())
 }

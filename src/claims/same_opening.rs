@@ -261,5 +261,5 @@ fn differences_grow(d: &mut Derivation) -> Result<Finding, Undecided> {
          differences of the logarithms are the integrals over delta_M of these slopes, and eta grows with \
          the half opening at each delta_M.",
     );
-    Ok(Finding::Implicit)
+    Ok(Finding::AsPrinted)
 }

@@ -64,7 +64,7 @@ pub(super) const EQUATIONS: &[Sentence] = &[
     said(
         "Sec. 2.1",
         "rotation ends at alpha_l, where the joint is back at 0 and h = 0",
-        &["limit-l", "curve-joint", "curve-order"],
+        &["limit-l", "curve-order"],
     ),
     printed("Sec. 2.1", "digits of alpha_l, eta_l and A_l"),
     said(
@@ -119,7 +119,7 @@ pub(super) const EQUATIONS: &[Sentence] = &[
         &["eq-18", "eq-18-stationary"],
     ),
     said("Sec. 2.2", "sliding does not see the weight's centroids", &["sliding-thickness"]),
-    said("Sec. 2.2", "where a joint slides, friction sets the thrust", &["eq-17", "eq-18-falls"]),
+    said("Sec. 2.2", "where a joint slides, friction sets the thrust", &["eq-17", "eq-18"]),
     said(
         "Sec. 2.2",
         "no thickness in (17), (18), no friction in (2) to (5), no half opening in (18)",
@@ -135,7 +135,7 @@ pub(super) const EQUATIONS: &[Sentence] = &[
         "(2) to (5) describe pure rotation, (17) and (18) pure sliding",
         &["modes-seven"],
     ),
-    said("Sec. 2.3", "five equations rule five variables", &["eq-2-4-imply-3", "landmark-T"]),
+    said("Sec. 2.3", "five equations rule five variables", &["landmark-T"]),
 ];
 
 /// Section 3: the map.
@@ -155,7 +155,7 @@ pub(super) const MAP: &[Sentence] = &[
     said("Sec. 3, Fig. 6", "[r,s,r] lies between beta_r = beta_s and beta_r = 0", &["map-columns"]),
     said("Sec. 3, Fig. 6", "both lines tend to eta_l as mu -> inf", &["map-asymptotes"]),
     said("Sec. 3, Fig. 6", "[r,s] lies between beta_r = 0 and eta = 2", &["map-columns", "map-J"]),
-    said("Sec. 3", "in [r,s] friction sets a thrust that is not zero", &["eq-18-falls"]),
+    said("Sec. 3", "in [r,s] friction sets a thrust that is not zero", &["eq-18"]),
     said(
         "Sec. 3, Fig. 6",
         "[r] lies at mu = inf, from eta_l to 2, without thrust",
@@ -166,21 +166,25 @@ pub(super) const MAP: &[Sentence] = &[
     printed("Tables 3-4", "digits of l and L for both weights"),
     said("Tables 3-4", "A and eta at l and L in closed form", &["limit-l", "limit-L"]),
     said("Sec. 3", "at the landmarks eta is lower for the true weight", &["weights-thickness"]),
-    said("Sec. 3", "and mu is lower", &["weights-friction"]),
-    said("Sec. 3", "and alpha is lower", &["weights-opening"]),
-    said("Sec. 3", "and h is higher", &["weights-thrust"]),
-    said("Sec. 3", "and beta_r is wider", &["weights-beta-r"]),
-    said("Sec. 3", "and beta_s is wider", &["weights-beta-s"]),
+    said("Sec. 3", "at the landmarks mu is lower for the true weight", &["weights-friction"]),
+    said("Sec. 3", "at the landmarks alpha is lower for it", &["weights-opening"]),
+    said("Sec. 3", "at the landmarks h is higher for it", &["weights-thrust"]),
+    said("Sec. 3", "at the landmarks beta_r is wider for it", &["weights-beta-r"]),
+    said("Sec. 3", "at the landmarks beta_s is wider for it", &["weights-beta-s"]),
     said("Sec. 3", "Heyman's weight is on the safe side", &["weights-same-opening"]),
     said(
         "Sec. 3, Fig. 5",
         "the dividing lines of the true weight lie below and left",
         &["weights-dividing-lines"],
     ),
-    said("Sec. 3, Fig. 5", "its lines of one half opening lie below", &["weights-same-opening"]),
+    said(
+        "Sec. 3, Fig. 5",
+        "the lines of one half opening of the true weight lie below",
+        &["weights-same-opening"],
+    ),
     said(
         "Sec. 3",
-        "its limits at mu = inf are lower in eta and alpha",
+        "the limits at mu = inf are lower in eta and alpha for the true weight",
         &["weights-limits", "weights-eta-l"],
     ),
     said(
@@ -195,11 +199,7 @@ pub(super) const MAP: &[Sentence] = &[
         &["weights-J-B"],
     ),
     said("Sec. 3, Fig. 5", "it arrives almost vertically at eta = 2", &["weights-B-slope"]),
-    said(
-        "Sec. 3",
-        "mu grows ever less along it, as if saturated",
-        &["weights-J-B", "weights-B-slope"],
-    ),
+    said("Sec. 3", "mu is almost saturated there", &["weights-B-slope"]),
     said("Sec. 3", "a friction above mu_T precludes [s,r,r]", &["map-T-shoulder"]),
     said("Sec. 3", "a friction above mu_B precludes [s,s]", &["map-B"]),
     said("Sec. 3", "[r,r,s] and [r,s,r] are seen only right of T", &["map-T-inner"]),
@@ -269,10 +269,10 @@ pub(super) const ILLUSTRATION: &[Sentence] = &[
     said("Sec. 4, Fig. 11", "at B eta = 2, and [r,s] meets [s,s]", &["landmark-inside"]),
     said("Sec. 4", "angles near 150°, 62°, 14° at B", &["rounded-values"]),
     said("Sec. 4, Fig. 12", "at l and L the half arch overturns without thrust", &["landmark-l"]),
-    said("Sec. 4", "about 150° there", &["rounded-values"]),
+    said("Sec. 4", "about 150° at l and L", &["rounded-values"]),
     said(
         "Sec. 4",
-        "the two weights differ most beyond T and from J to B, eta from 0.9 to 2",
+        "the two weights differ more towards B, from J on where eta is 0.9 to 2",
         &["weights-at-B", "rounded-values"],
     ),
 ];
@@ -280,10 +280,10 @@ pub(super) const ILLUSTRATION: &[Sentence] = &[
 /// Section 5: the conclusions.
 pub(super) const CONCLUSIONS: &[Sentence] = &[
     said("Sec. 5", "a friction of about 1.277 prevents [s,r,r]", &["suffices-T"]),
-    said("Sec. 5", "52°, around 50°", &["rounded-values"]),
+    said("Sec. 5", "that friction is 52°, around 50°", &["rounded-values"]),
     said("Sec. 5", "left of T [s,r,r] may be, with alpha below 2.43", &["map-T-shoulder"]),
     said("Sec. 5", "for the semicircle about 0.395 prevents sliding", &["semicircle"]),
-    said("Sec. 5", "22°, around 20°", &["rounded-values"]),
+    said("Sec. 5", "the friction of the semicircle is 22°, around 20°", &["rounded-values"]),
     said("Sec. 5", "right of T inner sliding takes more eta and mu", &["map-T-inner"]),
     said(
         "Sec. 5",
@@ -299,12 +299,12 @@ pub(super) const CONCLUSIONS: &[Sentence] = &[
     ),
     Sentence {
         place: "Sec. 5",
-        says: "the same, for asymmetric motions",
+        says: "the least thickness is unique for asymmetric motions too",
         decided: Open(
             "no claim speaks of them; some horseshoes seem to have one above the least thickness",
         ),
     },
     said("Sec. 5", "differences are marginal up to the semicircle", &["weights-marginal"]),
-    said("Sec. 5", "they grow for horseshoes", &["weights-differences"]),
+    said("Sec. 5", "the differences grow for horseshoes", &["weights-differences"]),
     said("Sec. 5", "the kinds of modes are the same for both weights", &["modes-occur"]),
 ];

@@ -225,7 +225,7 @@ fn one_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
         "There the line of thrust is off both faces, so that thinner arches of half opening 1 stand too, and yet \
          [s,s] can move at thickness 1.",
     );
-    Ok(Finding::Implicit)
+    Ok(Finding::AsPrinted)
 }
 
 /// Thrusts without bound leave room everywhere in their limit.

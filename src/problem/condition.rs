@@ -136,7 +136,7 @@ impl Condition {
             Self::IntradosAtCrown => "the line of thrust leaves the intrados at the crown",
             Self::ExtradosAtShoulder => "the line of thrust inside the extrados at the shoulder",
             Self::ExtradosAtCrown => "the line of thrust inside the extrados at the crown",
-            Self::ThickerStands => "every thicker arch stands up to the physical limit",
+            Self::ThickerStands => "that every thicker arch stands, up to the physical limit",
             Self::SteepestAboveShoulder => "the steepest joint above the shoulder",
             Self::FrictionAtShoulder => "friction enough at the shoulder",
             Self::FrictionInside => "friction enough inside",
@@ -150,7 +150,7 @@ impl Condition {
             Self::GrowsWithThrust => "a combination that grows with the thrust",
             Self::Weight | Self::WeightAtLargestThrust => "a positive weight of the mechanism",
             Self::NoneThinner | Self::NoneThinnerAtLargestThrust => {
-                "no admissible state in a thinner arch"
+                "that no thinner arch has an admissible state"
             }
             Self::Beyond(Unknown::Friction) => "a friction below that of the purely sliding state",
             Self::Beyond(Unknown::HalfOpening) => {

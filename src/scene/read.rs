@@ -210,8 +210,8 @@ fn chosen(reader: &mut Reader, value: &Value, all: &[Claim]) -> Option<Vec<Claim
         if !all.iter().any(|claim| claim.is_named(name)) {
             let ids: Vec<&str> = all.iter().map(|claim| claim.id).collect();
             let hint = did_you_mean(name, &ids);
-            let ids = list(ids);
-            reader.is_not("prove", element, &format!("a claim{hint}; the claims are {ids}"));
+            let known = format!("a claim{hint}; couplet prove --list shows the claims");
+            reader.is_not("prove", element, &known);
         } else if names.contains(&name) {
             reader.fault(element.span(), format!("prove \"{name}\" is listed twice"));
         } else {

@@ -23,7 +23,9 @@ pub enum StateError {
     #[error("refused: {0}")]
     Refused(#[from] Refusal),
     /// It is about something else.
-    #[error("it is not the certificate of a state (`couplet certify state` writes one)")]
+    #[error(
+        "it is not the certificate of a state, nor of an arch that slides (`couplet certify state` writes them)"
+    )]
     NotState,
     /// The numbers for Coq were not found.
     #[error(transparent)]

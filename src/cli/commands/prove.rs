@@ -66,7 +66,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         && !Format::all(Content::Index).any(|format| format.name == arguments.format.name)
     {
         let names = Format::names(Content::Index);
-        return Err(Failure::Input(format!("the index is written as {names}")));
+        return Err(Failure::Input(format!("the index is written only as {names}")));
     }
     let chosen = choose(&arguments.claims)?;
     let output = arguments.file.open()?;
@@ -101,14 +101,17 @@ fn list(claims: &[Claim], out: &mut dyn io::Write) -> io::Result<()> {
     })
 }
 
-/// Writes the Coq files into a folder, which is made if need be.
+/// Writes the Coq files into a folder, which is made if need be, and tells their names.
 fn write_coq(folder: &Path, files: Vec<(String, String)>) -> Result<(), Failure> {
     fs::create_dir_all(folder).map_err(|error| Failure::writing(folder.display(), &error))?;
+    let mut written = String::new();
     for (name, text) in files {
-        let output = Output::open(Some(&folder.join(name)))?;
-        output.write(|out| out.write_all(text.as_bytes()))?;
+        let path = folder.join(name);
+        Output::open(Some(&path))?.write(|out| out.write_all(text.as_bytes()))?;
+        written += &visible_name(path.as_os_str());
+        written.push('\n');
     }
-    Ok(())
+    Output::open(None)?.write(|out| out.write_all(written.as_bytes()))
 }
 
 /// The Coq files of certified states. Those of one mode and weight are numbered from the second on.

@@ -3,7 +3,7 @@
 
 use super::decided::as_printed;
 use super::text::lines;
-use crate::claims::{Decided, Decision, Finding, Sentence, index};
+use crate::claims::{Decided, Decision, Sentence, index};
 use crate::report::json;
 use crate::report::words::count;
 use serde::Serialize;
@@ -21,12 +21,7 @@ impl Index {
     fn claims(&self, sentence: &Sentence) -> Vec<ClaimEntry> {
         let Decided::Claims(ids) = sentence.decided else { return Vec::new() };
         let decision = |id: &&str| self.decisions.iter().find(|d| d.claim.id == *id);
-        // A claim may say more than the sentence, which is there.
-        let found = |d: &Decision| match d.outcome {
-            Ok(Finding::Implicit) => "proved",
-            _ => as_printed(d),
-        };
-        let entry = |d: &Decision| ClaimEntry { id: d.claim.id, found: found(d) };
+        let entry = |d: &Decision| ClaimEntry { id: d.claim.id, found: as_printed(d) };
         ids.iter().filter_map(decision).map(entry).collect()
     }
 }

@@ -78,7 +78,8 @@ fn certified_states_become_theorems() {
     let (one, other) = (certificate("one.json", "0.5"), certificate("other.json", "0.6"));
     let folder = scratch.path("coq");
     let made = couplet(&["prove", "--coq", &folder, "--state", &one, &other]);
-    assert_eq!(said(&made), (Some(0), String::new(), String::new()));
+    let names = ["", "2"].map(|n| format!("{folder}/StateRotationalMilankovitch{n}.v\n"));
+    assert_eq!(said(&made), (Some(0), names.concat(), String::new()));
     let first = scratch.read("coq/StateRotationalMilankovitch.v");
     let second = scratch.read("coq/StateRotationalMilankovitch2.v");
     assert!(first.contains("mu : R := 0.5.") && second.contains("mu : R := 0.6."));
@@ -87,7 +88,7 @@ fn certified_states_become_theorems() {
     couplet(&["certify", "T", "--digits", "5", "-o", &landmark]);
     for (file, code, reason) in [
         (&bad, 2, "refused: unique"),
-        (&landmark, 2, "not the certificate of a state"),
+        (&landmark, 2, "not the certificate of a state, nor of an arch that slides"),
         (&scratch.path("none.json"), 3, "cannot read"),
     ] {
         let empty = scratch.path("empty");
