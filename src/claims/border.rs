@@ -16,7 +16,7 @@ use crate::arch::{Ring, SelfWeight, sliding, thrust};
 use crate::certify::{Undecided, between};
 use crate::number::{Angle, Ball, Enclosure, Field, Ternary};
 use crate::problem::Landmark;
-use crate::symbolic::{Letters, Polynomial, Relations, Symbol};
+use crate::symbolic::{Letters, Relations, Symbol};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -122,7 +122,7 @@ fn slope_at_the_border(d: &mut Derivation) -> Result<Finding, Undecided> {
     equation(d)?;
     let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
     let factor = Ring::with_flag(&delta, &eta).centroid_factor;
-    let slope = factor.derivative(&[(Symbol::Thickness, Polynomial::from(1))]);
+    let slope = factor.partial(Symbol::Thickness);
     d.identity("d fac/d eta", &slope, &(delta * &eta / eta.int(6)), &Relations::none())?;
     let mut bounds = Bounds::default();
     for weight in [SelfWeight::Milankovitch, SelfWeight::Heyman] {

@@ -7,7 +7,7 @@ use super::{Claim, Derivation, Finding};
 use crate::arch::{statics, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Field};
-use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint};
+use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint};
 
 pub(super) const CLAIMS: &[Claim] = &[DISTANCES_RISE_AND_FALL, CONTACTS];
 
@@ -85,8 +85,7 @@ impl Contact {
 
 /// `d/dh` and `d/dp` of a condition.
 pub(super) fn slopes(condition: &Fraction) -> [Fraction; 2] {
-    [Symbol::Thrust, Symbol::CrownMoment]
-        .map(|symbol| condition.derivative(&[(symbol, Polynomial::from(1))]))
+    [Symbol::Thrust, Symbol::CrownMoment].map(|symbol| condition.partial(symbol))
 }
 
 /// `N` and `U` along an arch first grow and then fall.

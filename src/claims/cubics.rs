@@ -1,6 +1,5 @@
 //! The cubics (7) and their abbreviations (8).
 
-use super::letters::ring;
 use super::sign::{AngleSigns, NotNegative, Positive, RingSigns};
 use super::{Claim, Derivation, Finding};
 use crate::arch::cubic::{self, Abbreviations};
@@ -247,9 +246,7 @@ fn denominators(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (angle, signs, free) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?, Relations::none());
     let opening = Symbol::OpeningVariable.number();
     let [positive_opening] = Positive::given(d, "A > 0", [&opening]);
-    let lever = Positive::int(2) * &angle.versine + &(signs.thickness * &angle.coversine);
-    let lower = thrust::lower(&Symbol::joint(), &ring());
-    lever.is(d, "2 + eta - (2 - eta) C, of (2)", &lower.denominator, &free)?;
+    signs.lever_arm(d, &angle)?;
     let Abbreviations { sin, f, g } = cubic::abbreviations(&Symbol::joint());
     let difference = angle.excess.clone() * &angle.versine;
     difference.is(d, "g - f", &(g.clone() - f), &free)?;

@@ -23,9 +23,7 @@ use crate::arch::{Ring, cubic, overturning, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Dual, Field, Real};
 use crate::problem::Mode;
-use crate::symbolic::{
-    Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint, along_the_opening,
-};
+use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint, along_the_opening};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -79,11 +77,6 @@ const WIDEST_JOINT: Claim = Claim {
     decide: widest_joint,
 };
 
-/// `d/d eta`.
-fn along_the_thickness() -> [(Symbol, Polynomial); 1] {
-    [(Symbol::Thickness, Polynomial::from(1))]
-}
-
 /// The cubic (7) in `eta`, with `beta`, `S`, `C`, `delta_M` as letters.
 fn cubic_in_thickness() -> Fraction {
     cubic::in_thickness(
@@ -93,22 +86,11 @@ fn cubic_in_thickness() -> Fraction {
     )
 }
 
-/// `2 + eta - (2 - eta) cos(beta)`, the lever arm in (2), which is positive.
-fn lever_arm(
-    d: &mut Derivation,
-    angle: &AngleSigns,
-    signs: &RingSigns,
-) -> Result<Positive, Undecided> {
-    let arm = Positive::int(2) * &angle.versine + &(signs.thickness.clone() * &angle.coversine);
-    let lower = thrust::lower(&Symbol::joint(), &ring());
-    arm.is(d, "the lever arm in (2)", &lower.denominator, &Relations::none())
-}
-
 fn one_joint_for_each_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (joint, ring, circle) = (Symbol::joint(), ring(), Relations::trigonometric());
     let (eta, delta, p) = (&ring.thickness, Symbol::Flag.number(), cubic_in_thickness());
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
-    let lever = lever_arm(d, &angle, &signs)?;
+    let lever = signs.lever_arm(d, &angle)?;
     let gap =
         thrust::lower(&joint, &ring).difference(&thrust::tangency(&joint.times_cotangent(), &ring));
     d.identity(
@@ -138,7 +120,7 @@ fn one_joint_for_each_thickness(d: &mut Derivation) -> Result<Finding, Undecided
     (signs.flag.clone() * &signs.thickness * &Positive::int(2) + &Positive::int(12)).is(
         d,
         "the slope to eta of (p/beta)/eta at the crown",
-        &(at_crown.clone() / eta).derivative(&along_the_thickness()),
+        &(at_crown.clone() / eta).partial(Symbol::Thickness),
         &Relations::none(),
     )?;
     d.identity(
@@ -165,8 +147,7 @@ fn two_thicknesses_for_each_joint(d: &mut Derivation) -> Result<Finding, Undecid
     thin.is(d, "p at eta = 0", &at(0), &free)?;
     let thick = Positive::int(8) * &angle.sin * &(signs.flag.clone() + &Positive::int(3));
     thick.is(d, "p at eta = 2", &at(2), &free)?;
-    let rules = along_the_thickness();
-    let bend = p.derivative(&rules).derivative(&rules);
+    let bend = p.partial(Symbol::Thickness).partial(Symbol::Thickness);
     let flat = signs.flag.clone() * &signs.thickness * &angle.sin * &Positive::int(6);
     let sum = (angle.rad.clone() + &angle.sin) * &angle.coversine * &Positive::int(6);
     (flat + &sum).is(d, "d²p/d eta²", &bend, &free)?;
@@ -190,7 +171,7 @@ fn states_in_order(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
     let wide = AngleSigns::of_half_opening(d)?;
     let (eta, delta) = (ring.thickness.clone(), Symbol::Flag.number());
-    let arm = lever_arm(d, &angle, &signs)?;
+    let arm = signs.lever_arm(d, &angle)?;
     let lower = thrust::lower(&joint, &ring);
     let (lever, h_lower) = (lower.denominator.clone(), lower.value());
     let one = eta.int(1);
@@ -206,7 +187,7 @@ fn states_in_order(d: &mut Derivation) -> Result<Finding, Undecided> {
     (loss / &(arm.clone() * &arm)).is(
         d,
         "the fall of h_L with eta",
-        &-h_lower.derivative(&along_the_thickness()),
+        &-h_lower.partial(Symbol::Thickness),
         &circle,
     )?;
     let rest = overturning::opening_variable(&ring).value();
@@ -216,7 +197,7 @@ fn states_in_order(d: &mut Derivation) -> Result<Finding, Undecided> {
     (fall / &(Positive::int(6) * &signs.extrados * &signs.extrados)).is(
         d,
         "the fall of 2 fac/(2 + eta) with eta",
-        &-rest.derivative(&along_the_thickness()),
+        &-rest.partial(Symbol::Thickness),
         &Relations::none(),
     )?;
     let opening = thrust::opening_variable(&Symbol::half_opening()).value();
@@ -258,33 +239,32 @@ fn states_of_one_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (joint, ring) = (Symbol::joint(), ring());
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
     let [cosine] = Positive::given(d, "beta < pi/2, which is shown below", [&joint.cos]);
-    let arm = lever_arm(d, &angle, &signs)?;
+    let arm = signs.lever_arm(d, &angle)?;
     let square = signs.thickness.clone() * &signs.thickness / &Positive::int(6);
     let h_lower = thrust::lower(&joint, &ring).value();
     let rest = overturning::opening_variable(&ring).value();
-    let by_flag = [(Symbol::Flag, Polynomial::from(1))];
     (Positive::int(2) * &square * &signs.thickness * &cosine / &(arm.clone() * &signs.extrados)).is(
         d,
         "the derivative of A = h_L + 2 fac/(2 + eta) to delta_M, at a fixed joint and thickness",
-        &(h_lower.clone() + &rest).derivative(&by_flag),
+        &(h_lower.clone() + &rest).partial(Symbol::Flag),
         &Relations::none(),
     )?;
     (square.clone() * &angle.versine / &arm).is(
         d,
         "the fall of h_L with delta_M",
-        &-h_lower.derivative(&by_flag),
+        &-h_lower.partial(Symbol::Flag),
         &Relations::none(),
     )?;
     (square / &signs.extrados).is(
         d,
         "the derivative of (13) to delta_M",
-        &rest.derivative(&by_flag),
+        &rest.partial(Symbol::Flag),
         &Relations::none(),
     )?;
     (angle.sin * &signs.thickness * &signs.thickness * &signs.thickness).is(
         d,
         "the derivative of p to delta_M",
-        &cubic_in_thickness().derivative(&by_flag),
+        &cubic_in_thickness().partial(Symbol::Flag),
         &Relations::none(),
     )?;
     let at_right_angle = |eta: &Ball| {
@@ -319,7 +299,7 @@ fn widest_joint(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.identity(
         "the derivative of the cleared (2) = (5) to eta is that of p over 3 S",
         &(gap.derivative(0) * p.int(3) * &joint.sin),
-        &p.derivative(&along_the_thickness()),
+        &p.partial(Symbol::Thickness),
         &Relations::trigonometric(),
     )?;
     d.conclude(

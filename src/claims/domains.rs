@@ -20,7 +20,7 @@ use crate::arch::{Ring, SelfWeight, contact, overturning, sliding, statics, thru
 use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Enclosure, Field, Real, Ternary};
 use crate::problem::Landmark;
-use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol};
+use crate::symbolic::{Fraction, Letters, Relations, Symbol};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -111,7 +111,7 @@ fn inner_sliding_beyond_t(d: &mut Derivation) -> Result<Finding, Undecided> {
     shoulder_margin(d)?;
     let (ring, eta, delta) = (ring(), Symbol::Thickness.number(), Symbol::Flag.number());
     let rest = overturning::opening_variable(&ring).value();
-    let slope = rest.derivative(&[(Symbol::Thickness, Polynomial::from(1))]);
+    let slope = rest.partial(Symbol::Thickness);
     let fall = (eta.int(12) * (eta.int(1) - &delta)
         + delta * ring.intrados() * (eta.int(6) + &eta))
         / (eta.int(6) * ring.extrados().square());

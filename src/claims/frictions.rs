@@ -12,9 +12,7 @@ use crate::arch::{Ring, SelfWeight, overturning, sliding, statics, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Enclosure, Field, Surd};
 use crate::problem::Landmark;
-use crate::symbolic::{
-    Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint, along_the_opening,
-};
+use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint, along_the_opening};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -85,10 +83,6 @@ pub(super) const ROTATION_MEETS_SLIDING: Claim = Claim {
     decide: order_of_frictions,
 };
 
-fn by(symbol: Symbol) -> [(Symbol, Polynomial); 1] {
-    [(symbol, Polynomial::from(1))]
-}
-
 /// How (17) and (18) change with the half opening and the thrust.
 fn friction_slopes(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (alpha, joint, h) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thrust.number());
@@ -102,12 +96,12 @@ fn friction_slopes(d: &mut Derivation) -> Result<Finding, Undecided> {
         &circle,
     )?;
     let words = "d mu_ss/dh";
-    d.identity(words, &shoulder.derivative(&by(Symbol::Thrust)), &(alpha.rad / normal), &circle)?;
+    d.identity(words, &shoulder.partial(Symbol::Thrust), &(alpha.rad / normal), &circle)?;
     let normal = statics::normal_force(&joint, &h);
     let ratio = statics::shear_force(&joint, &h) / &normal;
     d.identity(
         "d(T/N)/dh at a fixed joint; as T/N is stationary at beta_s, this is d mu_is/dh there",
-        &ratio.derivative(&by(Symbol::Thrust)),
+        &ratio.partial(Symbol::Thrust),
         &-(joint.rad.clone() / normal.square()),
         &circle,
     )?;
@@ -216,7 +210,7 @@ fn dividing_lines_tend_to_the_end_of_rotation(d: &mut Derivation) -> Result<Find
     )?;
     let slope = -(eta.int(1) + Symbol::Flag.number() * &eta / eta.int(6));
     let words = "its slope to eta, up to the factor, is not zero";
-    d.identity(words, &condition.derivative(&by(Symbol::Thickness)), &slope, &Relations::none())?;
+    d.identity(words, &condition.partial(Symbol::Thickness), &slope, &Relations::none())?;
     for weight in SelfWeight::ALL {
         let end = overturning::thickness_at_end(weight, &Surd::new(0, 1, 3));
         let value = overturning::end_of_rotation(&Ring::new(weight, &end));

@@ -13,7 +13,7 @@ use crate::arch::{Ring, SelfWeight, sliding, statics, thrust};
 use crate::certify::{Undecided, between};
 use crate::number::{Angle, Ball, Dual, Enclosure, Field, Real, Rounded, Ternary};
 use crate::problem::Landmark;
-use crate::symbolic::{Letters, Polynomial, Relations, Symbol, along_the_joint};
+use crate::symbolic::{Letters, Relations, Symbol, along_the_joint};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -79,10 +79,9 @@ fn thickness_where_the_shoulder_turns(d: &mut Derivation) -> Result<Finding, Und
         &sum,
         &free,
     )?;
-    let by = |symbol| [(symbol, Polynomial::from(1))];
     d.identity(
         "dW/d delta_M, negative",
-        &margin.derivative(&by(Symbol::Flag)),
+        &margin.partial(Symbol::Flag),
         &-(eta.square() * &drop / eta.int(12)),
         &free,
     )?;
@@ -90,7 +89,7 @@ fn thickness_where_the_shoulder_turns(d: &mut Derivation) -> Result<Finding, Und
     let normal = statics::normal_force(&joint, &h);
     d.identity(
         "(2 + eta) dW/d eta less W, positive",
-        &(margin.derivative(&by(Symbol::Thickness)) * ring.extrados() - &margin),
+        &(margin.partial(Symbol::Thickness) * ring.extrados() - &margin),
         &(h.int(2) * normal + drop * rest / h.int(12)),
         &free,
     )?;
@@ -109,7 +108,7 @@ fn thickness_where_the_joint_is_given(d: &mut Derivation) -> Result<Finding, Und
     let ring = Ring::with_flag(&delta, &eta);
     let signs = RingSigns::of(d)?;
     let thrust = thrust::tangency(&Symbol::joint().times_cotangent(), &ring).value();
-    let fall = |symbol| -thrust.derivative(&[(symbol, Polynomial::from(1))]);
+    let fall = |symbol| -thrust.partial(symbol);
     let free = Relations::none();
     let square = signs.thickness.clone() * &signs.thickness;
     (square / &(Positive::int(6) * &signs.intrados)).is(
@@ -130,10 +129,6 @@ fn thickness_where_the_joint_is_given(d: &mut Derivation) -> Result<Finding, Und
     Ok(Finding::Implicit)
 }
 
-fn by(symbol: Symbol) -> [(Symbol, Polynomial); 1] {
-    [(symbol, Polynomial::from(1))]
-}
-
 /// No arch of Milankovitch's weight is as thin as that of Heyman's, unless its shoulder slides.
 fn thicker_unless_the_shoulder_slides(d: &mut Derivation) -> Result<(), Undecided> {
     d.lemma(&THICKER_HAS_ROOM)?;
@@ -145,22 +140,17 @@ fn thicker_unless_the_shoulder_slides(d: &mut Derivation) -> Result<(), Undecide
     let shoulder = -(upper.residual(&h) / h.int(2));
     let (lever, arm) = (lower.denominator, upper.denominator);
     let words = "W falls as h grows, by the lever arm in (3)";
-    d.identity(
-        words,
-        &shoulder.derivative(&by(Symbol::Thrust)),
-        &-(arm.clone() / h.int(2)),
-        &free,
-    )?;
+    d.identity(words, &shoulder.partial(Symbol::Thrust), &-(arm.clone() / h.int(2)), &free)?;
     let drop = joint.cos.clone() - &alpha.cos;
     let slope = -(eta.square() * drop / eta.int(12));
     let words = "and as delta_M grows";
-    d.identity(words, &shoulder.derivative(&by(Symbol::Flag)), &slope, &free)?;
+    d.identity(words, &shoulder.partial(Symbol::Flag), &slope, &free)?;
     let both = crown * arm + shoulder * lever;
     let words = "Z, V and W times the lever arms in (3) and (2), is free of h";
-    d.identity(words, &both.derivative(&by(Symbol::Thrust)), &h.int(0), &free)?;
+    d.identity(words, &both.partial(Symbol::Thrust), &h.int(0), &free)?;
     let slope = -(eta.square() * eta * &joint.cos * alpha.versine() / eta.int(6));
     let words = "Z falls as delta_M grows";
-    d.identity(words, &both.derivative(&by(Symbol::Flag)), &slope, &free)?;
+    d.identity(words, &both.partial(Symbol::Flag), &slope, &free)?;
     d.conclude(
         "V is the sum of the distances of the crown from the extrados and of a joint from the intrados, W \
          that of the shoulder from the extrados and of the joint from the intrados: not negative where a \
@@ -238,7 +228,7 @@ fn lines_rise(d: &mut Derivation) -> Result<Finding, Undecided> {
     let gain = delta * eta * ring.intrados() / eta.int(3) + eta.int(2) * &ring.centroid_factor;
     d.identity(
         "d(2 fac/(2 - eta))/d eta, positive",
-        &rest.derivative(&by(Symbol::Thickness)),
+        &rest.partial(Symbol::Thickness),
         &(gain / ring.intrados().square()),
         &Relations::none(),
     )?;

@@ -2,7 +2,7 @@
 
 use super::{Derivation, Finding, Support};
 use crate::certify::Undecided;
-use crate::number::{Ball, Decimal, Enclosure, Rounded};
+use crate::number::{Ball, Decimal, Enclosure, Field, Real, Rounded};
 
 /// Bounds of values: decimals next to each, between which it is proved to lie.
 #[derive(Default)]
@@ -56,6 +56,11 @@ impl Bounds {
             fails_with: Some(self.fail.join("; ")),
         }
     }
+}
+
+/// An angle in degrees.
+pub(super) fn in_degrees(angle: &Ball) -> Ball {
+    angle.clone() * angle.int(180) / angle.pi()
 }
 
 /// The decimals of few significant digits between which a value is proved to lie.

@@ -21,7 +21,7 @@ use crate::arch::{Configuration, SelfWeight, contact, statics};
 use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Enclosure, Field};
 use crate::problem::Mode;
-use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint};
+use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[LEVER, SEVEN_MODES, MODES_OCCUR];
@@ -58,7 +58,7 @@ fn lever(d: &mut Derivation) -> Result<Finding, Undecided> {
     let arm = (ring.intrados() * &joint.cos - ring.extrados() * &alpha.cos) / &two;
     let sum = Contact::Intrados.margin(&joint) + Contact::Extrados.margin(&alpha);
     let bracket = sum.clone() + h.clone() * &arm;
-    let free_of_h: Fraction = bracket.derivative(&[(Symbol::Thrust, Polynomial::from(1))]);
+    let free_of_h: Fraction = bracket.partial(Symbol::Thrust);
     d.identity("L(beta) + U(alpha) + h b is free of h", &free_of_h, &h.int(0), &free)?;
     let area = |at: &Angle<Fraction>| at.rad.clone() * &at.sin + &at.cos;
     let growth = area(&alpha) - area(&joint);

@@ -294,7 +294,7 @@ fn no_friction(d: &mut Derivation) -> Result<Finding, Undecided> {
         ("(5)", thrust::tangency(&joint.times_cotangent(), &ring)),
     ];
     for (name, form) in forms {
-        let slope = form.value().derivative(&[(Symbol::Friction, 1.into())]);
+        let slope = form.value().partial(Symbol::Friction);
         let words = format!("the derivative of {name} to mu");
         d.identity(words, &slope, &slope.int(0), &Relations::none())?;
     }

@@ -139,7 +139,7 @@ fn milankovitch_branch(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (eta, a) = (Symbol::Thickness.number(), Symbol::OpeningVariable.number());
     let ring = Ring::new(SelfWeight::Milankovitch, &eta);
     let value = overturning::opening_variable(&ring).value();
-    let slope = value.derivative(&[(Symbol::Thickness, 1.into())]);
+    let slope = value.partial(Symbol::Thickness);
     let expected = (eta.clone() - eta.int(2)) * (eta.clone() + eta.int(6))
         / (ring.extrados().square() * eta.int(6));
     d.identity("dA/d eta, negative on 0 <= eta < 2", &slope, &expected, &Relations::none())?;

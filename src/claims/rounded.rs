@@ -3,7 +3,7 @@
 use super::along::Along;
 use super::domains::{NO_PURE_SLIDING_BEYOND_B, NO_SHOULDER_SLIDING_BEYOND_T};
 use super::landmarks::{certain_if, enclosed, state_of};
-use super::measured::Bounds;
+use super::measured::{Bounds, in_degrees};
 use super::{Claim, Derivation, Finding, Support};
 use crate::arch::{SelfWeight, Unknown, sliding};
 use crate::certify::{CertifiedLandmark, Undecided};
@@ -107,7 +107,7 @@ fn rounded_values(d: &mut Derivation) -> Result<Finding, Undecided> {
     for (friction, weight) in
         [(heyman, SelfWeight::Heyman), (milankovitch, SelfWeight::Milankovitch)]
     {
-        let degrees = arctangent(&friction) * friction.int(180) / friction.pi();
+        let degrees = in_degrees(&arctangent(&friction));
         for text in ["22", "2e1"] {
             rounds_to(
                 d,
@@ -151,7 +151,7 @@ fn least_friction(
     digits: usize,
 ) -> Result<(), Undecided> {
     bounds.at_most(d, (words, friction, ""), digits)?;
-    let degrees = arctangent(friction) * friction.int(180) / friction.pi();
+    let degrees = in_degrees(&arctangent(friction));
     bounds.at_most(d, ("its angle", &degrees, "°"), 3)
 }
 

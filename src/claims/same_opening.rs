@@ -103,10 +103,6 @@ fn widening<T: Field>(joint: &Angle<T>, delta: &T, eta: &T, h: &T) -> T {
     by_thickness * &joint.sin / (intrados * lever * bow(joint, &ring, h))
 }
 
-fn by(symbol: Symbol) -> [(Symbol, Polynomial); 1] {
-    [(symbol, Polynomial::from(1))]
-}
-
 fn states_of_one_opening(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.lemma(&ONE_JOINT_FOR_EACH_THICKNESS)?;
     d.lemma(&STATES_IN_ORDER)?;
@@ -124,26 +120,24 @@ fn states_of_one_opening(d: &mut Derivation) -> Result<Finding, Undecided> {
         &Relations::none(),
     )?;
     let words = "which falls with delta_M, and with eta as it did: so do eta_l and alpha_l";
-    let slope = end.derivative(&by(Symbol::Flag));
+    let slope = end.partial(Symbol::Flag);
     d.identity(words, &slope, &-(eta.square() / eta.int(12)), &Relations::none())?;
     // A = h_L + 2 fac/(2 + eta) is kept.
     let lower = thrust::lower(&joint, &ring);
     let opening = lower.value() + &last;
-    let moved =
-        -(opening.derivative(&by(Symbol::Flag)) / opening.derivative(&by(Symbol::Thickness)));
+    let moved = -(opening.partial(Symbol::Flag) / opening.partial(Symbol::Thickness));
     let thickness = eta.clone() * &slopes.thickness;
     let words = "d eta/d delta_M where A is kept: positive, as cos(beta) is";
     d.identity(words, &moved, &thickness, &circle)?;
-    let moved =
-        last.derivative(&by(Symbol::Flag)) + last.derivative(&by(Symbol::Thickness)) * &thickness;
+    let moved = last.partial(Symbol::Flag) + last.partial(Symbol::Thickness) * &thickness;
     let words = "dh/d delta_M there: negative, a sum of terms of one sign";
     d.identity(words, &-moved, &(lower.value() * &slopes.thrust), &circle)?;
     // p = 0 is kept too. On the curve the slope of p is that of what p is a multiple of.
     let p = cubic::in_thickness(&cubic::abbreviations(&joint), &delta, eta);
     let multiple = lower.denominator * ring.intrados();
-    let over = multiple.derivative(&by(Symbol::Thickness)) / &multiple;
-    let slope = p.derivative(&by(Symbol::Thickness)) - p.clone() * over;
-    let moved = slope.clone() * thickness + p.derivative(&by(Symbol::Flag));
+    let over = multiple.partial(Symbol::Thickness) / &multiple;
+    let slope = p.partial(Symbol::Thickness) - p.clone() * over;
+    let moved = slope.clone() * thickness + p.partial(Symbol::Flag);
     let words = "dp/d delta_M there, at a fixed joint, where p = 0: positive too";
     d.identity(words, &moved, &slopes.push, &circle)?;
     let rise = (p.clone() / &joint.sin).derivative(&along_the_joint());
@@ -233,7 +227,7 @@ fn differences_grow(d: &mut Derivation) -> Result<Finding, Undecided> {
         &free,
     )?;
     let touching = thrust::touching(&joint.versine(), &Fraction::from(Polynomial::from(1)), &ring);
-    let slope = touching.value().derivative(&by(Symbol::Thickness)) / touching.value();
+    let slope = touching.value().partial(Symbol::Thickness) / touching.value();
     d.identity(
         "d log h/d log eta at a fixed joint, where (2) and (5) hold",
         &(slope * eta),

@@ -6,6 +6,7 @@
 
 use super::letters::ring;
 use super::{Derivation, Formula};
+use crate::arch::thrust;
 use crate::certify::Undecided;
 use crate::number::{Angle, Field};
 use crate::symbolic::{
@@ -299,6 +300,17 @@ impl RingSigns {
         let unfactored = (Positive::int(1) * &part + &(unflagged.clone() * &square))
             .is(d, "2 - fac", &rest, &free)?;
         Ok(Self { thickness, intrados, extrados, flag, unflagged, factor, unfactored })
+    }
+
+    /// `2 + eta - (2 - eta) cos(beta)`, the lever arm in (2).
+    pub(super) fn lever_arm(
+        &self,
+        d: &mut Derivation,
+        angle: &AngleSigns,
+    ) -> Result<Positive, Undecided> {
+        let arm = Positive::int(2) * &angle.versine + &(self.thickness.clone() * &angle.coversine);
+        let lower = thrust::lower(&Symbol::joint(), &ring());
+        arm.is(d, "the lever arm in (2)", &lower.denominator, &Relations::none())
     }
 }
 

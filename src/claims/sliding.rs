@@ -4,9 +4,7 @@ use super::{Claim, Derivation, Finding};
 use crate::arch::{sliding, statics};
 use crate::certify::Undecided;
 use crate::number::Field;
-use crate::symbolic::{
-    Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint, along_the_opening,
-};
+use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint, along_the_opening};
 
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
@@ -106,8 +104,7 @@ fn inner(d: &mut Derivation) -> Result<Finding, Undecided> {
 fn inner_falls(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.assume("0 < h < 1; N > 0 at beta_s");
     let (shear, normal) = forces();
-    let by_thrust = [(Symbol::Thrust, Polynomial::from(1))];
-    let slope = (shear / &normal).derivative(&by_thrust);
+    let slope = (shear / &normal).partial(Symbol::Thrust);
     let expected = -(Symbol::Joint.number() / normal.square());
     d.identity(
         "at a fixed joint, d(T/N)/dh = -beta/N^2, negative",
@@ -131,7 +128,7 @@ fn no_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
     ];
     for (name, form) in forms {
         for symbol in [Symbol::Thickness, Symbol::Flag] {
-            let slope = form.derivative(&[(symbol, Polynomial::from(1))]);
+            let slope = form.partial(symbol);
             let words = format!("the derivative of {name} to {}", symbol.names().0);
             d.identity(words, &slope, &slope.int(0), &Relations::none())?;
         }

@@ -19,7 +19,7 @@ use super::{Claim, Derivation, Finding};
 use crate::arch::{Ring, SelfWeight, overturning, sliding, statics, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Field, Surd};
-use crate::symbolic::{Letters, Polynomial, Relations, Symbol, along_the_joint};
+use crate::symbolic::{Letters, Relations, Symbol, along_the_joint};
 
 pub(super) const CLAIMS: &[Claim] = &[
     Claim {
@@ -99,7 +99,7 @@ fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
          the second.",
     );
     let rest = two.clone() * &ring.centroid_factor / ring.intrados();
-    let slope = rest.derivative(&[(Symbol::Thickness, Polynomial::from(1))]);
+    let slope = rest.partial(Symbol::Thickness);
     let expected = (two.clone() * &ring.centroid_factor
         + Symbol::Flag.number() * &ring.thickness * ring.intrados() / two.int(3))
         / ring.intrados().square();
@@ -146,10 +146,9 @@ fn overturning_sliding_beyond_l(d: &mut Derivation) -> Result<Finding, Undecided
     d.lemma(&ONE_THICKNESS)?;
     let (joint, h, ring) = (Symbol::joint(), Symbol::Thrust.number(), ring());
     let condition = overturning::end_of_rotation(&ring);
-    let by_thickness = [(Symbol::Thickness, Polynomial::from(1))];
     let slope = -(h.int(1) + Symbol::Flag.number() * &ring.thickness / h.int(6));
     let words = "the condition behind (16) falls as eta grows";
-    d.identity(words, &condition.derivative(&by_thickness), &slope, &Relations::none())?;
+    d.identity(words, &condition.partial(Symbol::Thickness), &slope, &Relations::none())?;
     for weight in SelfWeight::ALL {
         let end = overturning::thickness_at_end(weight, &Surd::new(0, 1, 3));
         let value = overturning::end_of_rotation(&Ring::new(weight, &end));

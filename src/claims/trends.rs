@@ -2,14 +2,14 @@
 
 use super::along::landmark;
 use super::letters::ring;
-use super::measured::Bounds;
+use super::measured::{Bounds, in_degrees};
 use super::overturning::A_FIXES_ALPHA;
 use super::{Claim, Derivation, Finding, Support};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::certify::Undecided;
-use crate::number::{Angle, Ball, Enclosure, Field, Real};
+use crate::number::{Angle, Ball, Enclosure, Field};
 use crate::problem::Landmark::OverturningEnd;
-use crate::symbolic::{Letters, Polynomial, Relations, Symbol};
+use crate::symbolic::{Letters, Relations, Symbol};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -47,11 +47,10 @@ fn trends_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
     let gap = at(1) - at(0);
     let words = "A at the same eta, Milankovitch's weight less Heyman's";
     d.identity(words, &gap, &(eta.square() / (eta.int(6) * ring.extrados())), &free)?;
-    let by = |symbol| [(symbol, Polynomial::from(1))];
     let fall = eta.int(12) - (eta.int(4) + eta) * eta * &delta;
     let slope = -(fall / (eta.int(6) * ring.extrados().square()));
     let words = "dA/d eta";
-    d.identity(words, &opening.derivative(&by(Symbol::Thickness)), &slope, &free)?;
+    d.identity(words, &opening.partial(Symbol::Thickness), &slope, &free)?;
     let two = Rational::from(2);
     let a = |weight| overturning::opening_variable(&Ring::new(weight, &two)).value();
     let [heyman_end, milankovitch_end] = SelfWeight::ALL.map(a);
@@ -96,10 +95,6 @@ fn trends_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
         "eta at the same half opening: 2 and 1 at alpha_L, the only one where both overturn",
     );
     Ok(bounds.finding())
-}
-
-fn in_degrees(angle: &Ball) -> Ball {
-    angle.clone() * angle.int(180) / angle.pi()
 }
 
 fn ranges_compared(d: &mut Derivation) -> Result<Finding, Undecided> {

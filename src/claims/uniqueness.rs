@@ -15,7 +15,7 @@ use super::{Claim, Derivation, Finding, Support};
 use crate::arch::{SelfWeight, statics, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Enclosure, Field};
-use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint};
+use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint};
 
 pub(super) const CLAIMS: &[Claim] = &[
     SYMMETRIC_MEAN,
@@ -149,16 +149,15 @@ fn thicker_has_room(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let (h, eta, delta) = (Symbol::Thrust.number(), ring.thickness.clone(), Symbol::Flag.number());
     let (free, two) = (Relations::none(), h.int(2));
-    let by_thickness = [(Symbol::Thickness, Polynomial::from(1))];
     let intrados = Contact::Intrados.margin(&joint);
     let crown = Contact::Extrados.margin(&Angle::zero(&h)) + &intrados;
     let normal = statics::normal_force(&joint, &h);
     let slope = (h.clone() + normal) / &two + delta.clone() * &eta * joint.versine() / h.int(6);
     let words =
         "what is left to p between the crown's extrados and a joint's intrados grows with eta";
-    d.identity(words, &crown.derivative(&by_thickness), &slope, &free)?;
+    d.identity(words, &crown.partial(Symbol::Thickness), &slope, &free)?;
     let shoulder = Contact::Extrados.margin(&alpha) + intrados;
-    let bend = shoulder.derivative(&by_thickness).derivative(&by_thickness);
+    let bend = shoulder.partial(Symbol::Thickness).partial(Symbol::Thickness);
     let expected = -(delta.clone() * (joint.cos.clone() - &alpha.cos) / h.int(6));
     let words =
         "what is left to it between the shoulder's extrados and a joint's intrados is concave";

@@ -76,6 +76,11 @@ impl Fraction {
         Self::new(relations.normal_form(&self.numerator), relations.normal_form(&self.denominator))
     }
 
+    /// The partial derivative: every other symbol is kept.
+    pub fn partial(&self, symbol: Symbol) -> Self {
+        self.derivative(&[(symbol, Polynomial::from(1))])
+    }
+
     /// The derivation of [`Polynomial::derivative`], by the quotient rule.
     pub fn derivative(&self, rules: &[(Symbol, Polynomial)]) -> Self {
         let d = |p: &Polynomial| Self::from(p.derivative(rules));

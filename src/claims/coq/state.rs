@@ -13,6 +13,7 @@ use crate::certify::Undecided;
 use crate::check::{Certificate, Refusal, verify};
 use crate::number::{Ball, Magnitude};
 use crate::problem::{Arch, Mode, Problem, System, Verdict};
+use rug::float::Round;
 use rug::{Float, Rational};
 
 /// Why a certificate does not become a theorem.
@@ -67,7 +68,7 @@ pub fn state(certificate: &[u8]) -> Result<(String, String), StateError> {
 
 /// Whether the digits that are printed tell every sign.
 fn signs_hold(problem: &Problem, root: &Root, solution: &Solution) -> Result<(), Undecided> {
-    let radius = Magnitude::upper(&Float::with_val(64, unit(DECIMALS)));
+    let radius = Magnitude::upper(&Float::with_val_round(64, unit(DECIMALS), Round::Up).0);
     let digits = |x: &Rational| Ball::enclosing(x, BITS).widened(radius);
     let narrow: Vec<Ball> = solution.table.centre.iter().map(digits).collect();
     let at = root.system.place(root.given.clone(), &narrow);
