@@ -1,9 +1,12 @@
 //! The arithmetic a certificate is checked in.
 
 use super::Dyadic;
-use crate::number::{AstroInterval, Enclosure};
+use super::double_ball::power_of_two;
+use crate::number::{AstroInterval, DoubleBall, DoubleDouble, DoubleDoubleBall, Enclosure};
 
 /// Enclosures that can be made from exact binary numbers.
+///
+/// Balls of doubles have the bits that they have, whatever is asked for, and hold a number that has more.
 pub trait Engine: Enclosure {
     /// The number itself, with results to be rounded to at least `bits` bits.
     fn exact(value: &Dyadic, bits: usize) -> Self;
@@ -37,6 +40,70 @@ impl Engine for AstroInterval {
     fn widened_by(&self, radius: &Dyadic) -> Self {
         self.clone() + Self::exact(radius, self.prec).symmetric()
     }
+}
+
+impl Engine for DoubleDoubleBall {
+    /// The two leading parts, and a bound of what is left as radius.
+    fn exact(value: &Dyadic, _bits: usize) -> Self {
+        let Some((mantissa, is_cut, exponent)) = leading(value) else {
+            return Self::exact(DoubleDouble::ZERO);
+        };
+        // Both conversions round to nearest, and what they leave is an integer.
+        let hi = mantissa as f64;
+        let low = mantissa - hi as i128;
+        let lo = low as f64;
+        let rest = (low - lo as i128).unsigned_abs() + u128::from(is_cut);
+        // The leading bits are 126: more than these exponents is out of the range of a ball.
+        if exponent > 200 {
+            return Self::WHOLE;
+        }
+        let unit = power_of_two(exponent.max(-700));
+        let sign = if value.is_negative() { -unit } else { unit };
+        Self::new(DoubleDouble::sum(sign * hi, sign * lo), unit * rest as f64)
+    }
+
+    fn with_bits(&self, _bits: usize) -> Self {
+        *self
+    }
+
+    fn widened_by(&self, radius: &Dyadic) -> Self {
+        let radius: DoubleBall = <Self as Engine>::exact(radius, 0).into();
+        self.widened(radius.mid().abs()).widened(radius.rad())
+    }
+}
+
+impl Engine for DoubleBall {
+    fn exact(value: &Dyadic, bits: usize) -> Self {
+        <DoubleDoubleBall as Engine>::exact(value, bits).into()
+    }
+
+    fn with_bits(&self, _bits: usize) -> Self {
+        *self
+    }
+
+    fn widened_by(&self, radius: &Dyadic) -> Self {
+        let radius = <Self as Engine>::exact(radius, 0);
+        self.widened(radius.mid().abs()).widened(radius.rad())
+    }
+}
+
+/// The size of a number but zero as `mantissa 2^exponent` with a mantissa of 126 bits, and whether it is above that
+/// because bits were cut off.
+fn leading(value: &Dyadic) -> Option<(i128, bool, i32)> {
+    let words = value.words();
+    let (top, rest) = words.split_last()?;
+    let word = |i: usize| u128::from(rest.len().checked_sub(i).map_or(0, |at| rest[at]));
+    // Three words from the top, of which the first begins with its highest bit.
+    let shift = top.leading_zeros();
+    let below = if shift > 0 { word(2) >> (64 - shift) } else { 0 };
+    let head = (u128::from(*top) << 64 | word(1)) << shift | below;
+    let is_cut = head & 3 != 0
+        || (word(2) << shift) as u64 != 0
+        || rest.iter().rev().skip(2).any(|word| *word != 0);
+    let bits = 64 * words.len() as i64 - i64::from(shift);
+    let exponent = i64::from(value.exponent()) + bits - 126;
+    let exponent = exponent.clamp(i64::from(i32::MIN), i64::from(i32::MAX));
+    Some(((head >> 2) as i128, is_cut, exponent as i32))
 }
 
 #[cfg(feature = "mpfr")]
@@ -79,6 +146,40 @@ mod mpfr {
             let zeros = mantissa.find_one(0).unwrap_or(0);
             let words = Integer::from(&mantissa >> zeros).to_digits(Order::Lsf);
             Self::new(mantissa < 0, words, exponent + zeros as i32)
+        }
+    }
+}
+
+#[cfg(all(test, feature = "mpfr"))]
+mod tests {
+    use super::*;
+    use crate::number::{Ball, test_config::config};
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(config(2000))]
+
+        /// Mantissas of any length with ones, zeros and ties where they are cut; exponents beyond all ranges.
+        #[test]
+        fn balls_of_doubles_hold_the_number(
+            negative in any::<bool>(),
+            words in prop::collection::vec(prop_oneof![Just(0u64), Just(1), Just(u64::MAX), any::<u64>()], 0..6),
+            exponent in prop_oneof![-400i32..200, -2000i32..2000, Just(i32::MAX), Just(i32::MIN / 2)],
+        ) {
+            let number = Dyadic::new(negative, words, exponent);
+            let few = (-180..180).contains(&(i64::from(number.exponent()) + number.bits() as i64)) || number.is_zero();
+            let found = <DoubleDoubleBall as Engine>::exact(&number, 0);
+            let short = <DoubleBall as Engine>::exact(&number, 0);
+            if exponent.unsigned_abs() < 10_000 {
+                let truth = <Ball as Engine>::exact(&number, 1000);
+                prop_assert!(found.to_ball(1000).overlaps(&truth));
+                prop_assert!(DoubleDoubleBall::from(short).to_ball(1000).overlaps(&truth));
+                let widened = <DoubleDoubleBall as Engine>::zero(0).widened_by(&number);
+                prop_assert!(widened.to_ball(1000).overlaps(&truth));
+            }
+            prop_assert!(!few || number.bits() > 106 || found.rad() == 0.0, "exact: {number}");
+            prop_assert!(!few || found.rad() <= found.mid().hi().abs() * 1e-31);
+            prop_assert!(!few || number.bits() > 53 || short.rad() == 0.0, "exact: {number}");
         }
     }
 }

@@ -3,6 +3,8 @@
 //! | type | what it is | traits |
 //! |---|---|---|
 //! | [`f64`] | a quick look | [`Field`], [`Real`] |
+//! | [`DoubleDouble`] | the sum of two doubles, each operation with a proved bound of its error | [`Field`] |
+//! | [`DoubleBall`], [`DoubleDoubleBall`] | one or two doubles and a radius: quick enclosures | [`Field`], [`Real`], [`Enclosure`] |
 //! | [`rug::Float`] | MPFR, round to nearest: candidates | [`Field`], [`Real`] |
 //! | [`Ball`] | MPFR midpoint and radius: enclosures | [`Field`], [`Real`], [`Enclosure`] |
 //! | [`AstroInterval`] | two astro-float ends, rounded outward: the second arithmetic | [`Field`], [`Real`], [`Enclosure`] |
@@ -20,6 +22,7 @@ macro_rules! owned_operators {
     (@ [$($generics:tt)*] $type:ty, $op:ident, $method:ident) => {
         impl<$($generics)*> $op for $type {
             type Output = Self;
+            #[inline]
             fn $method(self, other: Self) -> Self {
                 self.$method(&other)
             }
@@ -44,6 +47,11 @@ mod astro;
 #[cfg(feature = "check")]
 mod decimal;
 mod double;
+mod double_ball;
+mod double_double;
+mod double_double_ball;
+mod double_sine;
+mod double_sine_table;
 mod dual;
 #[cfg(feature = "check")]
 mod dyadic;
@@ -65,6 +73,9 @@ pub use angle::Angle;
 pub use astro::AstroInterval;
 #[cfg(feature = "check")]
 pub use decimal::{Decimal, ParseDecimalError};
+pub use double_ball::DoubleBall;
+pub use double_double::DoubleDouble;
+pub use double_double_ball::DoubleDoubleBall;
 pub use dual::Dual;
 #[cfg(feature = "check")]
 pub use dyadic::{Dyadic, MAX_EXPONENT, ParseDyadicError};

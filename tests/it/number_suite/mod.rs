@@ -1,11 +1,12 @@
 //! One suite for every number type: what a field, a real number and an enclosure promise.
 
+mod doubles;
 mod enclosures;
 mod sample;
 
 use crate::hard::{circle_point, config, hard_rational, positive_rational};
 use couplet::arch::cubic;
-use couplet::number::{Angle, AstroInterval, Ball, Dual, Real};
+use couplet::number::{Angle, AstroInterval, Ball, DoubleBall, DoubleDoubleBall, Dual, Real};
 use proptest::prelude::*;
 use rug::{Float, Rational};
 use sample::Sample;
@@ -100,8 +101,12 @@ suite! {
     double: f64, Slope::None, real_functions;
     mpfr: Float, Slope::None, real_functions;
     ball: Ball, Slope::None, real_functions;
+    double_ball: DoubleBall, Slope::None, real_functions;
+    double_double_ball: DoubleDoubleBall, Slope::None, real_functions;
     astro: AstroInterval, Slope::None, real_functions;
     rational: Rational, Slope::None;
     dual_of_balls: Dual<Ball>, Slope::One, real_functions;
+    dual_of_double_balls: Dual<DoubleBall>, Slope::One, real_functions;
+    dual_of_double_double_balls: Dual<DoubleDoubleBall>, Slope::One, real_functions;
     dual_of_rationals: Dual<Rational>, Slope::One;
 }

@@ -1,6 +1,8 @@
 //! How every number type is made and compared.
 
-use couplet::number::{AstroInterval, Ball, Dual, Enclosure, Field};
+use couplet::number::{
+    AstroInterval, Ball, DoubleBall, DoubleDoubleBall, Dual, Enclosure, ExactNumber, Field,
+};
 use rug::{Float, Rational};
 
 /// How a number type is made from an exact value, and when two of its values may be the same.
@@ -59,6 +61,24 @@ impl Sample for Ball {
 impl Sample for AstroInterval {
     fn sample(value: &Rational) -> Self {
         AstroInterval::enclosing(value, BITS as usize)
+    }
+    fn agrees(&self, other: &Self) -> bool {
+        self.overlaps(other)
+    }
+}
+
+impl Sample for DoubleBall {
+    fn sample(value: &Rational) -> Self {
+        ExactNumber::from(value).enclosure(53)
+    }
+    fn agrees(&self, other: &Self) -> bool {
+        self.overlaps(other)
+    }
+}
+
+impl Sample for DoubleDoubleBall {
+    fn sample(value: &Rational) -> Self {
+        ExactNumber::from(value).enclosure(106)
     }
     fn agrees(&self, other: &Self) -> bool {
         self.overlaps(other)
