@@ -94,6 +94,9 @@ pub mod cli;
 #[cfg(feature = "mpfr")]
 pub mod judge;
 pub mod number;
+#[doc(hidden)]
+#[cfg(feature = "mpfr")]
+pub mod picture;
 pub mod problem;
 #[cfg(all(feature = "mpfr", feature = "cli"))]
 pub mod report;

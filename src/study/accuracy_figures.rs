@@ -67,7 +67,7 @@ fn error_against_time(rows: &[Row]) -> Figure {
             Line { label: method.to_owned(), points: points.collect(), kind: Kind::Measured }
         });
         let unit = Line {
-            label: "one sine and cosine".into(),
+            label: "for comparison: a sine and a cosine".into(),
             points: sine_points.clone(),
             kind: Kind::Reference,
         };
@@ -78,7 +78,12 @@ fn error_against_time(rows: &[Row]) -> Figure {
             lines: lines.chain([unit]).collect(),
         }
     });
-    Figure { title: "Correct digits against run time".into(), panels: panels.collect(), columns: 2 }
+    Figure {
+        title: "Correct digits against run time, for the median case (the table has the worst)"
+            .into(),
+        panels: panels.collect(),
+        columns: 2,
+    }
 }
 
 /// Dolan and Moré's performance profile: the part of all cases that a method solves to twelve digits in at
@@ -95,15 +100,23 @@ fn profile(rows: &[Row]) -> Figure {
             .map(|r| r.cpu_seconds)
             .min_by(f64::total_cmp)
     };
-    let lines = methods.into_iter().map(|method| {
+    let profiles = methods.into_iter().map(|method| {
         let mut ratios: Vec<f64> = cases
             .iter()
             .filter_map(|case| Some(best(case, Some(method))? / best(case, None)?))
             .collect();
         ratios.sort_by(f64::total_cmp);
+        (method, ratios)
+    });
+    let profiles: Vec<(&str, Vec<f64>)> = profiles.collect();
+    let slowest = profiles.iter().flat_map(|(_, ratios)| ratios).fold(1.0, |a: f64, b| a.max(*b));
+    let lines = profiles.iter().map(|(method, ratios)| {
         let part = |n: usize| (n + 1) as f64 / cases.len() as f64;
-        let points = ratios.into_iter().enumerate().map(|(n, ratio)| (ratio, part(n))).collect();
-        Line { label: method.to_owned(), points, kind: Kind::Steps }
+        let points = ratios.iter().enumerate().map(|(n, ratio)| (*ratio, part(n)));
+        // More time solves no more: what was reached holds to the end.
+        let end = ratios.len().checked_sub(1).map(|last| (slowest, part(last)));
+        let points = points.chain(end).collect();
+        Line { label: (*method).to_owned(), points, kind: Kind::Steps }
     });
     let panel = Panel {
         title: String::new(),

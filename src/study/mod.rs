@@ -10,24 +10,22 @@
 //! | `limits`, `target` | the limits, and a problem next to one |
 //! | `enclosure` | the truth: a proved box at a higher precision; and the error of a value |
 //! | `row` | what is measured of one method on one case |
-//! | `figure` | it as figures (feature `plots`) |
+//! | `figure` | panels of labelled lines |
+//! | `accuracy_figures`, `stability_figure` | what was measured, as figures |
 //!
 //! Every error is the distance to a certified enclosure, never to another float.
 
 pub mod accuracy;
-#[cfg(feature = "plots")]
 pub mod accuracy_figures;
 pub mod closed;
 pub mod condition;
 pub mod double_double;
 pub mod enclosure;
-#[cfg(feature = "plots")]
 pub mod figure;
 pub mod limits;
 pub mod newton;
 pub mod row;
 pub mod stability;
-#[cfg(feature = "plots")]
 pub mod stability_figure;
 pub mod static_programme;
 mod target;

@@ -24,18 +24,23 @@ pub fn figure(rungs: &[Rung]) -> Figure {
                 Line {
                     label: method.to_owned(),
                     points: points.map(|rung| lost(&rung)).collect(),
-                    kind: Kind::Measured,
+                    // Few distances, far apart: a line between them would invent values.
+                    kind: Kind::Points,
                 }
             })
             .collect();
         let mut own: Vec<(f64, f64)> =
             here.iter().map(|rung| (distance(rung), rung.condition_log10.max(0.0))).collect();
         own.dedup();
-        lines.push(Line { label: "the problem itself".into(), points: own, kind: Kind::Reference });
+        lines.push(Line {
+            label: "by the problem itself".into(),
+            points: own,
+            kind: Kind::Reference,
+        });
         Some(Panel {
-            title: format!("{} ({})", limit.name, first.output),
-            x: Axis { label: "distance".into(), scale: Scale::Approach },
-            y: Axis { label: "digits lost".into(), scale: Scale::Linear },
+            title: format!("{}, {} ({})", first.output.replace('_', " "), limit.words, limit.name),
+            x: Axis { label: "distance from the limit".into(), scale: Scale::Approach },
+            y: Axis { label: "decimal digits lost".into(), scale: Scale::Linear },
             lines,
         })
     });

@@ -41,7 +41,7 @@ struct Options {
     #[arg(long)]
     quick: bool,
 
-    /// Write raw numbers, a README and, where they are built in (feature plots), figures into a folder.
+    /// Write raw numbers, a README and figures into a folder: SVG and, where it is built in (feature plots), PNG.
     #[arg(short, long, value_name = "FOLDER")]
     output: Option<PathBuf>,
 }
@@ -129,7 +129,9 @@ impl Folder {
             output.write(|out| out.write_all(bytes))?;
         }
         if !cfg!(feature = "plots") {
-            eprintln!("couplet: no figures: they are left out of this build (feature plots)");
+            eprintln!(
+                "couplet: the figures as SVG only: PNG is left out of this build (feature plots)"
+            );
         }
         Ok(())
     }

@@ -1,9 +1,8 @@
 //! The files of a study: raw numbers as CSV, a README with what they mean and where they come from, and
-//! the figures where they are built in.
+//! the figures.
 
 use crate::study::row::Row;
 use crate::study::stability::Rung;
-#[cfg(feature = "plots")]
 use crate::study::{accuracy_figures, figure::Figure, stability_figure};
 use serde::Serialize;
 use std::process::Command;
@@ -14,34 +13,32 @@ pub(crate) struct StudyFiles(pub Vec<(String, Vec<u8>)>);
 impl StudyFiles {
     /// The files of `couplet study accuracy`.
     pub(crate) fn accuracy(rows: &[Row], command: &str) -> Self {
-        let files = vec![
+        let mut files = vec![
             ("accuracy.csv".into(), table(rows)),
             ("README.md".into(), readme("Error against run time", command, ACCURACY)),
         ];
-        #[cfg(feature = "plots")]
-        let files = [files, drawn(accuracy_figures::figures(rows))].concat();
+        files.extend(accuracy_figures::figures(rows).into_iter().flat_map(drawn));
         Self(files)
     }
 
     /// The files of `couplet study stability`.
     pub(crate) fn stability(rungs: &[Rung], command: &str) -> Self {
-        let files = vec![
+        let mut files = vec![
             ("stability.csv".into(), table(rungs)),
             ("README.md".into(), readme("Digits lost towards the limits", command, STABILITY)),
         ];
-        #[cfg(feature = "plots")]
-        let files = [files, drawn(vec![("digits-lost", stability_figure::figure(rungs))])].concat();
+        files.extend(drawn(("digits-lost", stability_figure::figure(rungs))));
         Self(files)
     }
 }
 
-/// Each figure as SVG and as PNG.
-#[cfg(feature = "plots")]
-fn drawn(figures: Vec<(&str, Figure)>) -> Vec<(String, Vec<u8>)> {
-    let files = |(name, figure): (&str, Figure)| {
-        [(format!("{name}.svg"), figure.svg().into_bytes()), (format!("{name}.png"), figure.png())]
-    };
-    figures.into_iter().flat_map(files).collect()
+/// A figure as SVG and, where pixels are built in, as PNG.
+fn drawn((name, figure): (&str, Figure)) -> Vec<(String, Vec<u8>)> {
+    vec![
+        (format!("{name}.svg"), figure.svg().into_bytes()),
+        #[cfg(feature = "plots")]
+        (format!("{name}.png"), figure.png()),
+    ]
 }
 
 fn table<T: Serialize>(rows: &[T]) -> Vec<u8> {

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Fronts of folders that use files of the folder which use the front: what these share belongs in a file
 /// of its own. To be cut too.
-const KNOWN_FRONTS: &[&str] = &["claims/coq/mod.rs", "claims/mod.rs", "study/figure/mod.rs"];
+const KNOWN_FRONTS: &[&str] = &["claims/coq/mod.rs", "claims/mod.rs"];
 
 type Uses = BTreeMap<Module, BTreeSet<Module>>;
 

@@ -15,7 +15,7 @@ use std::fmt::Debug;
 use std::fs;
 
 /// From the top: what a room may use stands before it.
-pub(crate) const ROOMS: [&str; 14] = [
+pub(crate) const ROOMS: [&str; 15] = [
     "number",
     "symbolic",
     "arch",
@@ -25,6 +25,7 @@ pub(crate) const ROOMS: [&str; 14] = [
     "certify",
     "judge",
     "claims",
+    "picture",
     "study",
     "strategies",
     "report",

@@ -35,7 +35,7 @@ const PADDING: f64 = 0.04;
 const MOST: usize = 8;
 
 /// A stretch of an axis, with ticks.
-pub(super) struct Ruler {
+pub struct Ruler {
     low: f64,
     high: f64,
     falling: bool,
@@ -45,7 +45,7 @@ pub(super) struct Ruler {
 
 /// A labelled place.
 #[derive(Debug)]
-pub(super) struct Tick {
+pub struct Tick {
     /// Its place.
     pub place: f64,
     /// What is written there.
@@ -55,7 +55,7 @@ pub(super) struct Tick {
 impl Ruler {
     /// Covers the places with as many ticks as there is room for, on so many units of length with so
     /// much `between` any two neighbours.
-    pub(super) fn new(
+    pub fn new(
         scale: Scale,
         places: impl Iterator<Item = f64>,
         length: f64,
@@ -84,7 +84,7 @@ impl Ruler {
     }
 
     /// From 0 at the start to 1 at the end.
-    pub(super) fn share(&self, place: f64) -> f64 {
+    pub fn share(&self, place: f64) -> f64 {
         let from = if self.falling { self.high - place } else { place - self.low };
         from / (self.high - self.low)
     }

@@ -2,7 +2,7 @@
 
 /// Places at least `gap` apart, in the given order and between `low` and `high` if there is room, with
 /// the least sum of squared distances to the sorted `wanted` ones.
-pub(super) fn spread(wanted: &[f64], gap: f64, low: f64, high: f64) -> Vec<f64> {
+pub fn spread(wanted: &[f64], gap: f64, low: f64, high: f64) -> Vec<f64> {
     // Without the gaps the places need only not decrease: neighbours that do are pooled at their mean.
     let mut pools: Vec<(f64, usize)> = Vec::new();
     for (k, place) in wanted.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! The width of a text, its lines, powers of ten.
 
 /// Height of a line in font sizes.
-pub(super) const LEADING: f64 = 1.3;
+pub const LEADING: f64 = 1.3;
 
 /// Advance widths of DejaVu Sans from the space to the tilde, in thousandths of the size, rounded up.
 #[rustfmt::skip]
@@ -14,13 +14,15 @@ const ADVANCES: [u16; 95] = [
     635, 635, 412, 521, 393, 634, 592, 818, 592, 592, 525, 637, 337, 637, 838,
 ];
 
-/// The width of a text in DejaVu Sans, which is among the widest. Greek, accented and typographical
-/// characters are taken as wide.
-pub(super) fn width(text: &str, size: f64) -> f64 {
+/// The width of a text in DejaVu Sans, which is among the widest. Other characters than those of
+/// formulas are taken as wide.
+pub fn width(text: &str, size: f64) -> f64 {
     let advance = |c: char| match c {
         ' '..='~' => ADVANCES[c as usize - ' ' as usize],
         '⁰' | '¹' | '²' | '³' | '⁴'..='⁹' => 401,
+        'ᵣ' | 'ₛ' | 'ₗ' | '°' | '–' => 500,
         '⁻' => 528,
+        'α'..='ω' => 700,
         '·' => 318,
         _ => 1000,
     };
@@ -28,7 +30,7 @@ pub(super) fn width(text: &str, size: f64) -> f64 {
 }
 
 /// A text in lines no wider than `limit`, unless a word is.
-pub(super) fn wrap(text: &str, size: f64, limit: f64) -> Vec<String> {
+pub fn wrap(text: &str, size: f64, limit: f64) -> Vec<String> {
     let words = text.split(|c: char| c.is_whitespace() || c.is_control());
     let mut lines: Vec<String> = Vec::new();
     for word in words.filter(|word| !word.is_empty()) {
@@ -44,7 +46,7 @@ pub(super) fn wrap(text: &str, size: f64, limit: f64) -> Vec<String> {
 }
 
 /// `10^exponent`, written with raised digits.
-pub(super) fn power_of_ten(exponent: i64) -> String {
+pub fn power_of_ten(exponent: i64) -> String {
     let raised = |c: char| match c.to_digit(10) {
         Some(digit) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize],
         None => '⁻',
@@ -53,7 +55,7 @@ pub(super) fn power_of_ten(exponent: i64) -> String {
 }
 
 /// A number with so many decimals, with a minus sign as wide as a plus.
-pub(super) fn number(value: f64, decimals: usize) -> String {
+pub fn number(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     match text.strip_prefix('-') {
         Some(digits) if digits.chars().any(|c| matches!(c, '1'..='9')) => format!("−{digits}"),
