@@ -83,6 +83,8 @@ pub mod prelude {
 
 pub mod arch;
 #[cfg(feature = "mpfr")]
+pub mod atlas;
+#[cfg(feature = "mpfr")]
 pub mod certify;
 #[cfg(feature = "check")]
 pub mod check;

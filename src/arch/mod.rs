@@ -9,6 +9,8 @@
 //! | (9)–(11) | [`closed_form`] |
 //! | (13)–(16) | [`overturning`] |
 //! | (17), (18) | [`sliding`] |
+//! | the same in angles, without roots | [`cycloid`] |
+//! | (2)–(5) by the square of the joint | [`haunch`] |
 //! | the same equations where the half opening is small | [`small`] |
 //!
 //! Lengths are in units of the centreline radius `r`, forces in units of `w r` (weight per unit
@@ -19,6 +21,8 @@
 pub mod closed_form;
 pub mod contact;
 pub mod cubic;
+pub mod cycloid;
+pub mod haunch;
 pub mod overturning;
 mod quotient;
 pub mod sliding;

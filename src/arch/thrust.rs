@@ -39,13 +39,23 @@ pub fn lower<T: Field>(joint: &Angle<T>, ring: &Ring<T>) -> Quotient<T> {
 /// At `beta = 0` it says that the whole half arch turns about the crown's intrados. Undefined where
 /// the lever arm in the denominator vanishes.
 pub fn upper<T: Field>(half_opening: &Angle<T>, joint: &Angle<T>, ring: &Ring<T>) -> Quotient<T> {
-    let drop = joint.cos.clone() - &half_opening.cos;
+    upper_about(half_opening, ring.intrados() * &joint.rad * &joint.sin, &joint.cos, ring)
+}
+
+/// Eq. (3) from `(2 - eta) beta sin(beta)` and `cos(beta)`, through which alone it sees the joint.
+pub fn upper_about<T: Field>(
+    half_opening: &Angle<T>,
+    joint_moment: T,
+    cosine: &T,
+    ring: &Ring<T>,
+) -> Quotient<T> {
+    let drop = cosine.clone() - &half_opening.cos;
     let weight_moment = ring.extrados() * &half_opening.rad * &half_opening.sin
-        - ring.intrados() * &joint.rad * &joint.sin
+        - joint_moment
         - drop * &ring.centroid_factor * ring.thickness.int(2);
     Quotient {
         numerator: weight_moment,
-        denominator: ring.intrados() * &joint.cos - ring.extrados() * &half_opening.cos,
+        denominator: ring.intrados() * cosine - ring.extrados() * &half_opening.cos,
     }
 }
 
@@ -58,12 +68,17 @@ pub fn upper<T: Field>(half_opening: &Angle<T>, joint: &Angle<T>, ring: &Ring<T>
 ///
 /// `alpha` in `(0, pi)`; the denominator `(1 - cos(alpha)) (2 + eta)` is positive there.
 pub fn whole<T: Field>(half_opening: &Angle<T>, ring: &Ring<T>) -> Quotient<T> {
-    let opening = opening_variable(half_opening);
+    whole_through(&opening_variable(half_opening), ring)
+}
+
+/// Eq. (4) from `A(alpha)`, through which alone it sees the half opening.
+pub fn whole_through<T: Field>(opening_variable: &Quotient<T>, ring: &Ring<T>) -> Quotient<T> {
+    let Quotient { numerator, denominator } = opening_variable;
     let extrados = ring.extrados();
     Quotient {
-        numerator: opening.numerator * &extrados
-            - ring.thickness.int(2) * &ring.centroid_factor * &opening.denominator,
-        denominator: opening.denominator * &extrados,
+        numerator: numerator.clone() * &extrados
+            - ring.thickness.int(2) * &ring.centroid_factor * denominator,
+        denominator: denominator.clone() * &extrados,
     }
 }
 

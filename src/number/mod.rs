@@ -12,6 +12,7 @@
 //! | [`Surd`] | `a + b√d`, exact | [`Field`] |
 //! | [`symbolic::Fraction`](crate::symbolic::Fraction) | a formula, exact | [`Field`] |
 //! | [`Dual`] | a value and its gradient | as its component, up to [`Real`] |
+//! | [`Jet`] | the first terms of a Taylor series | as its component, up to [`Real`] |
 //!
 //! Precision travels inside a value: `x.int(3)` is a three "like `x`", so an equation needs no
 //! context argument. **Comparisons live in [`Enclosure`] and nowhere else**, so an equation, which
@@ -61,6 +62,7 @@ mod engine;
 mod exact;
 #[cfg(feature = "mpfr")]
 mod gmp;
+mod jet;
 mod shown;
 mod stumpff;
 mod ternary;
@@ -90,6 +92,7 @@ pub use gmp::{
     Anchor, Ball, Binary, Magnitude, Rounded, Surd, arctangent, bits_of, hexadecimal,
     rational_like, terminating,
 };
+pub use jet::Jet;
 pub use shown::{shown, visible};
 pub use stumpff::Stumpff;
 #[cfg(feature = "mpfr")]

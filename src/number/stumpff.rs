@@ -52,8 +52,10 @@ pub(crate) fn terms(bits: u32, exponent: i64) -> i32 {
     terms
 }
 
+/// `1/n!`; beyond `12!`, the last that an `i32` holds, factor by factor.
 fn reciprocal_factorial<T: Field>(like: &T, n: i32) -> T {
-    like.ratio(1, (1..=n).product())
+    let first = like.ratio(1, (1..=n.min(12)).product());
+    (13..=n).fold(first, |rest, k| rest / like.int(k))
 }
 
 impl Stumpff for f64 {
@@ -97,6 +99,13 @@ mod tests {
     #[test]
     fn at_zero_they_are_the_reciprocal_factorials() {
         assert_eq!(0.0.stumpff(5), [1.0, 1.0, 0.5, 1.0 / 6.0, 1.0 / 24.0]);
+    }
+
+    #[test]
+    fn beyond_twelve_factors_nothing_overflows() {
+        let last = 0.0.stumpff(16)[15];
+        let factorial: f64 = (1..=15).map(f64::from).product();
+        approx::assert_relative_eq!(last, factorial.recip(), max_relative = 1e-15);
     }
 
     #[test]

@@ -15,7 +15,7 @@ use std::fmt::Debug;
 use std::fs;
 
 /// From the top: what a room may use stands before it.
-pub(crate) const ROOMS: [&str; 15] = [
+pub(crate) const ROOMS: [&str; 16] = [
     "number",
     "symbolic",
     "arch",
@@ -24,6 +24,7 @@ pub(crate) const ROOMS: [&str; 15] = [
     "solve",
     "certify",
     "judge",
+    "atlas",
     "claims",
     "picture",
     "study",

@@ -1,0 +1,100 @@
+//! Where a curve ends, by values that are proved.
+
+use super::form::Variable;
+use crate::arch::{SelfWeight, Unknown};
+use crate::certify::{CertifiedLandmark, Undecided};
+use crate::number::{Ball, Field, Real};
+use crate::problem::Landmark;
+use std::fmt;
+
+/// An end of a curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum End {
+    /// The arch of no half opening, no thickness and no friction.
+    Origin,
+    /// A landmark.
+    Landmark(Landmark),
+    /// The full circle, `alpha = pi`, at unlimited friction, where purely sliding states end.
+    Circle,
+}
+
+impl fmt::Display for End {
+    /// The symbol of the landmark, `0` or `pi`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Origin => "0",
+            Self::Landmark(landmark) => landmark.symbol(),
+            Self::Circle => "pi",
+        })
+    }
+}
+
+/// Enclosures of the variables at an end.
+#[derive(Clone, Debug)]
+pub(super) struct EndValues {
+    half_opening: Ball,
+    friction_angle: Ball,
+    inclination: Ball,
+    joint_square: Ball,
+    thickness: Ball,
+}
+
+/// Bits in which the landmarks are enclosed: far more than a tube can tell.
+const BITS: u32 = 128;
+
+impl EndValues {
+    /// The values at an end; those of a landmark are refined from its proof.
+    pub(super) fn of(end: End, weight: SelfWeight) -> Result<Self, Undecided> {
+        let zero = Ball::integer(0, BITS);
+        let quarter_turn = zero.pi() / zero.int(2);
+        let landmark = match end {
+            End::Origin => {
+                return Ok(Self {
+                    half_opening: zero.clone(),
+                    friction_angle: zero.clone(),
+                    inclination: zero.clone(),
+                    joint_square: zero.clone(),
+                    thickness: zero,
+                });
+            }
+            End::Circle => {
+                return Ok(Self {
+                    half_opening: zero.pi(),
+                    friction_angle: quarter_turn.clone(),
+                    inclination: quarter_turn,
+                    joint_square: zero.clone(),
+                    thickness: zero,
+                });
+            }
+            End::Landmark(landmark) => landmark,
+        };
+        let refined = CertifiedLandmark::new(landmark, weight)?.enclosure(BITS)?;
+        let value = |unknown| refined.value(unknown).unwrap_or_else(|| zero.clone());
+        let (friction_angle, inclination) = match refined.friction_angle() {
+            Some(phi) => {
+                let inclination = phi.clone() + value(Unknown::SlidingJoint);
+                (phi, inclination)
+            }
+            None => (quarter_turn.clone(), quarter_turn),
+        };
+        Ok(Self {
+            half_opening: value(Unknown::HalfOpening),
+            friction_angle,
+            inclination,
+            joint_square: value(Unknown::RotationJoint).square(),
+            thickness: value(Unknown::Thickness),
+        })
+    }
+
+    /// The value of a variable; of `q` its limit 2 at the origin, and nothing elsewhere.
+    pub(super) fn value(&self, variable: Variable) -> Ball {
+        match variable {
+            Variable::HalfOpening => self.half_opening.clone(),
+            Variable::FrictionAngle => self.friction_angle.clone(),
+            Variable::Inclination => self.inclination.clone(),
+            Variable::JointSquare => self.joint_square.clone(),
+            Variable::Thickness => self.thickness.clone(),
+            Variable::Ratio => Ball::integer(2, BITS),
+        }
+    }
+}

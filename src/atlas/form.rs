@@ -1,0 +1,267 @@
+//! The curves' equations in forms that are regular on the whole curve, ends included.
+//!
+//! A form is a system with one unknown more than equations, one of which is taken as its parameter. The
+//! printed equations have roots and vanishing quotients at the origin, at the crown and at unlimited friction;
+//! the square of the rotational joint, the friction angle and the inclination of the force do not
+//! ([`cycloid`](crate::arch::cycloid), [`haunch`](crate::arch::haunch)).
+
+use crate::arch::haunch::{Haunch, opening_variable_at_half, touching_root};
+use crate::arch::{Ring, SelfWeight, cycloid, thrust};
+use crate::number::{Angle, Ball, Real, Stumpff};
+
+/// A variable of a form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Variable {
+    /// `alpha`, the half opening, rad.
+    HalfOpening,
+    /// `phi`, the friction angle, rad.
+    FrictionAngle,
+    /// `chi`, the inclination of the force on the joint that slides, rad.
+    Inclination,
+    /// `b = beta_r²`, rad².
+    JointSquare,
+    /// `eta`, the thickness.
+    Thickness,
+    /// `q = (alpha - phi)/chi`, of a flat arch that slides.
+    Ratio,
+}
+
+impl Variable {
+    /// The variables in which a map is drawn: a tube is as narrow in these as was asked.
+    pub const PLANE: [Self; 3] = [Self::HalfOpening, Self::FrictionAngle, Self::Thickness];
+
+    /// The name used in files and on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::HalfOpening => "half_opening",
+            Self::FrictionAngle => "friction_angle",
+            Self::Inclination => "inclination",
+            Self::JointSquare => "rotation_joint_squared",
+            Self::Thickness => "thickness",
+            Self::Ratio => "inclination_ratio",
+        }
+    }
+}
+
+/// An equation of a form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Law {
+    /// (18), the friction angle.
+    Cycloid,
+    /// (17).
+    Shoulder,
+    /// (17) of a flat arch, in `q`.
+    FlatShoulder,
+    /// `alpha = phi + q chi`.
+    Ratio,
+    /// (5).
+    Tangency,
+    /// The thrust that (2) and (5) have in common.
+    Touching,
+    /// The square root of that, regular where the thrust vanishes.
+    TouchingRoot,
+    /// The same put into (5): what (2) and (5) leave of the thickness and the joint.
+    Rotation,
+    /// (4).
+    Whole,
+    /// (4) less (5): the half opening of the rotational states.
+    WholeTangency,
+    /// (3).
+    Upper,
+}
+
+/// Where the thrust comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Thrust {
+    /// There is none.
+    Zero,
+    /// An inner joint slides: (18).
+    Sliding,
+    /// The line of thrust touches the intrados: (5).
+    Tangent,
+}
+
+/// Where the rotational joint is, if it is no unknown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Joint {
+    /// At the crown.
+    Crown,
+    /// Where an inner joint slides.
+    Sliding,
+}
+
+/// A system with one unknown more than equations.
+#[derive(Clone, Debug)]
+pub(super) struct Form {
+    pub weight: SelfWeight,
+    pub parameter: Variable,
+    pub unknowns: &'static [Variable],
+    pub laws: &'static [Law],
+    pub thrust: Thrust,
+    pub joint: Joint,
+    /// The half opening, where it is given.
+    pub half_opening: Option<Ball>,
+}
+
+/// A value for each variable; one that a form does not know is zero and is read by none of its laws.
+#[derive(Clone, Debug)]
+pub(super) struct Spot<T> {
+    pub half_opening: T,
+    pub friction_angle: T,
+    pub inclination: Angle<T>,
+    pub joint_square: T,
+    pub haunch: Haunch<T>,
+    pub thickness: T,
+    pub ratio: T,
+    pub thrust: T,
+}
+
+impl Form {
+    /// Whether it is the parameter or an unknown.
+    pub(super) fn knows(&self, variable: Variable) -> bool {
+        self.parameter == variable || self.unknowns.contains(&variable)
+    }
+
+    /// The value of a variable among the parameter and the unknowns.
+    pub(super) fn value<'a, T>(&self, variable: Variable, s: &'a T, x: &'a [T]) -> Option<&'a T> {
+        match self.unknowns.iter().position(|unknown| *unknown == variable) {
+            Some(index) => x.get(index),
+            None => (self.parameter == variable).then_some(s),
+        }
+    }
+
+    /// All variables at a parameter and values of the unknowns; `number` makes a number like these of what is
+    /// given.
+    pub(super) fn spot<T: Real + Stumpff>(
+        &self,
+        number: &impl Fn(&Ball) -> T,
+        s: &T,
+        x: &[T],
+    ) -> Spot<T> {
+        let known = |variable| self.value(variable, s, x).cloned();
+        let zero = s.int(0);
+        let value = |variable| known(variable).unwrap_or_else(|| zero.clone());
+        let given = self.half_opening.as_ref().map(number);
+        let inclination = match known(Variable::Inclination) {
+            Some(chi) => Angle::new(chi),
+            None => Angle::zero(s),
+        };
+        let joint_square = match (known(Variable::JointSquare), self.joint) {
+            (Some(square), _) => square,
+            (None, Joint::Crown) => zero.clone(),
+            (None, Joint::Sliding) => cycloid::joint(&inclination).square(),
+        };
+        let at_crown = !self.knows(Variable::JointSquare) && self.joint == Joint::Crown;
+        let haunch = if at_crown { Haunch::crown(s) } else { Haunch::at_square(&joint_square) };
+        let thickness = match self.fixes_limit() {
+            true => s.int(2),
+            false => value(Variable::Thickness),
+        };
+        let thrust = match self.thrust {
+            Thrust::Zero => zero.clone(),
+            Thrust::Sliding => cycloid::thrust(&inclination),
+            Thrust::Tangent => {
+                let ring = Ring::new(self.weight, &thickness);
+                thrust::tangency(&haunch.times_cotangent, &ring).value()
+            }
+        };
+        Spot {
+            half_opening: given.unwrap_or_else(|| value(Variable::HalfOpening)),
+            friction_angle: value(Variable::FrictionAngle),
+            inclination,
+            joint_square,
+            haunch,
+            thickness,
+            ratio: value(Variable::Ratio),
+            thrust,
+        }
+    }
+
+    /// Whether the thickness is the physical limit, 2: a form that turns about the shoulder and knows no thickness.
+    pub(super) fn fixes_limit(&self) -> bool {
+        !self.knows(Variable::Thickness) && self.laws.contains(&Law::Upper)
+    }
+
+    /// The left sides of the equations, zero on the curve.
+    pub(super) fn residuals<T: Real + Stumpff>(
+        &self,
+        number: &impl Fn(&Ball) -> T,
+        s: &T,
+        x: &[T],
+    ) -> Vec<T> {
+        let at = self.spot(number, s, x);
+        self.laws.iter().map(|law| law.residual(self.weight, &at)).collect()
+    }
+
+    /// What the equations have cleared and what has to be positive for them to be the printed ones: the lever
+    /// arm of (3), the normal force on a shoulder that slides, `2 - eta` in (5).
+    pub(super) fn divisors<T: Real + Stumpff>(
+        &self,
+        number: &impl Fn(&Ball) -> T,
+        s: &T,
+        x: &[T],
+    ) -> Vec<T> {
+        let at = self.spot(number, s, x);
+        self.laws.iter().filter_map(|law| law.divisor(self.weight, &at)).collect()
+    }
+}
+
+impl Law {
+    fn residual<T: Real + Stumpff>(self, weight: SelfWeight, at: &Spot<T>) -> T {
+        let ring = || Ring::new(weight, &at.thickness);
+        let tangency = || thrust::tangency(&at.haunch.times_cotangent, &ring());
+        let touching = || thrust::touching(&at.haunch.versine, &at.haunch.excess, &ring());
+        let whole = || {
+            let quarter = at.half_opening.square() / at.thrust.int(4);
+            thrust::whole_through(&opening_variable_at_half(&quarter.stumpff(2)), &ring())
+        };
+        match self {
+            Self::Cycloid => cycloid::friction_angle(&at.inclination) - &at.friction_angle,
+            Self::Shoulder => {
+                cycloid::shoulder(&at.half_opening, &at.shoulder_inclination(), &at.thrust)
+            }
+            Self::FlatShoulder => cycloid::flat_shoulder(&at.ratio, &at.inclination.rad),
+            Self::Ratio => {
+                at.half_opening.clone()
+                    - &at.friction_angle
+                    - at.ratio.clone() * &at.inclination.rad
+            }
+            Self::Tangency => tangency().residual(&at.thrust),
+            Self::Touching => touching().residual(&at.thrust),
+            Self::TouchingRoot => touching_root(&at.inclination.cos, &at.joint_square, &ring()),
+            Self::Rotation => tangency().difference(&touching()),
+            Self::Whole => whole().residual(&at.thrust),
+            Self::WholeTangency => whole().difference(&tangency()),
+            Self::Upper => at.upper(weight).residual(&at.thrust),
+        }
+    }
+
+    fn divisor<T: Real + Stumpff>(self, weight: SelfWeight, at: &Spot<T>) -> Option<T> {
+        match self {
+            Self::Upper => Some(at.upper(weight).denominator),
+            Self::Shoulder => {
+                let Angle { sin, cos, .. } = at.shoulder_inclination();
+                // The force on the shoulder less its part along the joint: N over cos(phi).
+                Some(at.thrust.clone() * cos + at.half_opening.clone() * sin)
+            }
+            Self::Tangency | Self::Rotation | Self::WholeTangency => {
+                Some(Ring::new(weight, &at.thickness).intrados())
+            }
+            _ => None,
+        }
+    }
+}
+
+impl<T: Real> Spot<T> {
+    /// The inclination of the force on a shoulder that slides.
+    fn shoulder_inclination(&self) -> Angle<T> {
+        Angle::new(self.half_opening.clone() - &self.friction_angle)
+    }
+
+    fn upper(&self, weight: SelfWeight) -> crate::arch::Quotient<T> {
+        let ring = Ring::new(weight, &self.thickness);
+        let moment = ring.intrados() * &self.haunch.times_sine;
+        let half_opening = Angle::new(self.half_opening.clone());
+        thrust::upper_about(&half_opening, moment, &self.haunch.cosine, &ring)
+    }
+}

@@ -1,0 +1,30 @@
+//! The map as data: its curves from end to end, each proved for every value of a parameter.
+//!
+//! A [`Curve`] is followed by [`Trace::new`] in pieces. On each a [tube](Trace) about a cubic holds exactly one solution
+//! for every parameter; neighbouring tubes join; the ends are landmarks.
+//!
+//! ```
+//! use couplet::arch::SelfWeight;
+//! use couplet::atlas::{Curve, Trace};
+//! let curve = Curve::named("rrr/srr").unwrap();
+//! let trace = Trace::new(curve, SelfWeight::Heyman, 1e-4)?;
+//! assert_eq!(trace.gaps().count(), 0);
+//! assert!(trace.width() <= 1e-4);
+//! # Ok::<(), couplet::certify::Undecided>(())
+//! ```
+
+mod cubic;
+mod curve;
+mod end;
+mod form;
+mod place;
+mod search;
+mod trace;
+mod tube;
+mod walk;
+
+pub use curve::Curve;
+pub use end::End;
+pub use form::Variable;
+pub use place::Place;
+pub use trace::{LEAST_TOLERANCE, Piece, Point, Trace};

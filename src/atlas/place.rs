@@ -1,0 +1,76 @@
+//! The quantities of a point of a curve.
+
+use super::form::{Form, Joint, Thrust, Variable};
+use crate::arch::cycloid;
+use crate::number::{Ball, Field, Real};
+
+/// Enclosures of the quantities of a point of a curve. One that the curve leaves open is not there: the friction of
+/// purely rotational states, the thickness of purely sliding ones.
+#[derive(Clone, Debug, Default)]
+pub struct Place {
+    /// `alpha`, rad.
+    pub half_opening: Option<Ball>,
+    /// `phi`, rad.
+    pub friction_angle: Option<Ball>,
+    /// `mu = tan phi`; the whole line where the friction angle may be a right one.
+    pub friction: Option<Ball>,
+    /// `eta`.
+    pub thickness: Option<Ball>,
+    /// `h`.
+    pub thrust: Option<Ball>,
+    /// `beta_r`, rad.
+    pub rotation_joint: Option<Ball>,
+    /// `beta_s`, rad.
+    pub sliding_joint: Option<Ball>,
+}
+
+impl Place {
+    /// The quantities where the parameter and the unknowns lie in these sets.
+    pub(super) fn new(form: &Form, s: &Ball, x: &[Ball]) -> Self {
+        let at = form.spot(&Ball::clone, s, x);
+        let is_overturning = form.thrust == Thrust::Zero;
+        let slides_purely = !form.knows(Variable::Thickness) && !form.fixes_limit();
+        let friction_angle = match form.knows(Variable::FrictionAngle) {
+            true => Some(at.friction_angle.clone()),
+            false => is_overturning.then(|| s.pi() / s.int(2)),
+        };
+        let friction = friction_angle.as_ref().map(|phi| {
+            let (sin, cos) = phi.sin_cos();
+            sin / cos
+        });
+        let has_joint = form.knows(Variable::JointSquare) || form.joint == Joint::Sliding;
+        let slides_inside = form.thrust == Thrust::Sliding;
+        Self {
+            half_opening: Some(at.half_opening),
+            friction_angle,
+            friction,
+            thickness: (!slides_purely).then_some(at.thickness),
+            thrust: Some(at.thrust),
+            rotation_joint: match has_joint {
+                true => Some(root_of_square(&at.joint_square)),
+                false => (!slides_purely).then(|| s.int(0)),
+            },
+            sliding_joint: slides_inside.then(|| cycloid::joint(&at.inclination)),
+        }
+    }
+
+    /// The coordinate of a plane.
+    pub fn coordinate(&self, variable: Variable) -> Option<&Ball> {
+        match variable {
+            Variable::HalfOpening => self.half_opening.as_ref(),
+            Variable::FrictionAngle => self.friction_angle.as_ref(),
+            Variable::Thickness => self.thickness.as_ref(),
+            Variable::Inclination | Variable::JointSquare | Variable::Ratio => None,
+        }
+    }
+}
+
+/// The root of what is known not to be negative, though its enclosure may reach below zero.
+fn root_of_square(square: &Ball) -> Ball {
+    if square.lower() >= 0 {
+        return square.sqrt();
+    }
+    let upper = Ball::exact(square.upper(), square.prec());
+    let zero = square.int(0);
+    if upper.mid() <= &0 { zero } else { upper.sqrt().hull(&zero) }
+}

@@ -1,0 +1,286 @@
+//! A curve as a chain of proved pieces.
+
+use super::cubic::exact;
+use super::curve::{Curve, Leg};
+use super::end::{End, EndValues};
+use super::form::{Form, Variable};
+use super::place::Place;
+use super::tube::{Node, Tube};
+use super::walk::{Walk, walk, width};
+use crate::arch::SelfWeight;
+use crate::certify::Undecided;
+use crate::number::{Ball, Enclosure};
+use rug::float::Round;
+
+/// The least tolerance: the nodes are doubles.
+pub const LEAST_TOLERANCE: f64 = 1e-12;
+
+/// A curve from end to end, as nodes and the pieces between them.
+///
+/// Guaranteed: on each piece there is, for **each** value of the parameter, exactly one solution in the tube about the
+/// cubic that has the values and slopes of its two nodes; the solutions of neighbouring pieces join; and both ends of the curve, which are
+/// proved on their own, lie on it. Not guaranteed: anything about a piece that is a gap.
+#[derive(Debug)]
+pub struct Trace {
+    /// The curve.
+    pub curve: Curve,
+    /// The self-weight model.
+    pub weight: SelfWeight,
+    ends: [Place; 2],
+    legs: Vec<(Form, Walk)>,
+}
+
+/// A piece of a curve.
+#[derive(Clone, Copy, Debug)]
+pub struct Piece<'a> {
+    form: &'a Form,
+    from: &'a Node,
+    to: &'a Node,
+    tube: Option<&'a Tube>,
+}
+
+/// A node of a curve.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// The parameter, exactly; at an end the double next to that of the end.
+    pub parameter: f64,
+    /// The end of the curve, if it is one.
+    pub end: Option<End>,
+    /// The quantities; at an end those of the end.
+    pub place: Place,
+}
+
+impl Trace {
+    /// Follows a curve and proves it piece by piece, with tubes no wider on either side than `tolerance` in `alpha` and
+    /// `phi`, rad, and in `eta`: from [`LEAST_TOLERANCE`] up to 1. Undecided if an end cannot be reached.
+    pub fn new(curve: Curve, weight: SelfWeight, tolerance: f64) -> Result<Self, Undecided> {
+        let [first, last] = curve.ends();
+        let [start, end] = [EndValues::of(first, weight)?, EndValues::of(last, weight)?];
+        let about = |what: &str| Undecided::new(format!("{curve}, {}: {what}", weight.name()));
+        let mut legs: Vec<(Form, Walk)> = Vec::new();
+        for Leg { form, from, to } in curve.legs(weight) {
+            let at_start = start.value(form.parameter).lower().to_f64_round(Round::Down);
+            let at_end = end.value(form.parameter).upper().to_f64_round(Round::Up);
+            let (from, to) = (from.unwrap_or(at_start), to.unwrap_or(at_end));
+            let guess = |variable: &Variable| match legs.last() {
+                Some((before, walk)) => last_value(before, walk, *variable),
+                None => start.value(*variable).mid().to_f64(),
+            };
+            let guess = form.unknowns.iter().map(guess).collect();
+            let walk = walk(&form, from, guess, to, tolerance);
+            legs.push((form, walk.ok_or_else(|| about("a node cannot be proved"))?));
+        }
+        for pair in legs.windows(2) {
+            if !joins(&pair[0], &pair[1]) {
+                return Err(about("its parts do not join"));
+            }
+        }
+        let reaches = |values: &EndValues, leg: Option<&(Form, Walk)>, is_first: bool| {
+            let Some((form, walk)) = leg else { return false };
+            let tube = if is_first { walk.tubes.first() } else { walk.tubes.last() };
+            let root: Vec<Ball> = form.unknowns.iter().map(|u| values.value(*u)).collect();
+            let s = values.value(form.parameter);
+            tube.and_then(Option::as_ref).is_some_and(|tube| tube.holds(&s, &root))
+        };
+        for (values, leg, is_first, name) in
+            [(&start, legs.first(), true, first), (&end, legs.last(), false, last)]
+        {
+            if !reaches(values, leg, is_first) {
+                return Err(about(&format!("it is not proved to reach {name}")));
+            }
+        }
+        let at_end = |values: &EndValues, leg: Option<&(Form, Walk)>| {
+            leg.map_or_else(Place::default, |(form, _)| {
+                let root: Vec<Ball> = form.unknowns.iter().map(|u| values.value(*u)).collect();
+                Place::new(form, &values.value(form.parameter), &root)
+            })
+        };
+        let ends = [at_end(&start, legs.first()), at_end(&end, legs.last())];
+        Ok(Self { curve, weight, ends, legs })
+    }
+
+    /// The pieces in order, gaps among them.
+    pub fn pieces(&self) -> impl Iterator<Item = Piece<'_>> {
+        self.legs.iter().flat_map(|(form, walk)| {
+            let nodes = walk.nodes.windows(2).zip(&walk.tubes);
+            nodes.map(move |(pair, tube)| Piece {
+                form,
+                from: &pair[0],
+                to: &pair[1],
+                tube: tube.as_ref(),
+            })
+        })
+    }
+
+    /// The nodes in order, from end to end.
+    pub fn points(&self) -> Vec<Point> {
+        let [first, last] = self.curve.ends();
+        let node = |form: &Form, node: &Node| Point {
+            parameter: node.sketch.s,
+            end: None,
+            place: Place::new(form, &exact(node.sketch.s), &node.root),
+        };
+        let mut points: Vec<Point> = Vec::new();
+        for (index, (form, walk)) in self.legs.iter().enumerate() {
+            // The last node of a part is the first one of the next.
+            let new = walk.nodes.iter().skip(usize::from(index > 0));
+            points.extend(new.map(|n| node(form, n)));
+        }
+        let [at_first, at_last] = self.ends.clone();
+        if let Some(point) = points.first_mut() {
+            (point.end, point.place) = (Some(first), at_first);
+        }
+        if let Some(point) = points.last_mut() {
+            (point.end, point.place) = (Some(last), at_last);
+        }
+        points
+    }
+
+    /// The quantities at any parameter of the curve, as its tube encloses them; `None` outside or in a gap.
+    pub fn place(&self, parameter: f64) -> Option<Place> {
+        self.pieces().find_map(|piece| piece.place(parameter))
+    }
+
+    /// The pieces that are not proved.
+    pub fn gaps(&self) -> impl Iterator<Item = Piece<'_>> {
+        self.pieces().filter(|piece| piece.tube.is_none())
+    }
+
+    /// The largest half-width of a tube.
+    pub fn width(&self) -> f64 {
+        self.pieces().filter_map(|piece| piece.width()).fold(0.0, f64::max)
+    }
+}
+
+/// The value of a variable at the last node of a part.
+fn last_value(form: &Form, walk: &Walk, variable: Variable) -> f64 {
+    let node = walk.nodes.last();
+    let value = node.and_then(|node| form.value(variable, &node.sketch.s, &node.sketch.x).copied());
+    value.unwrap_or(f64::NAN)
+}
+
+/// Whether the root at the last node of a part, which solves the equations of the next one too, lies in its first tube.
+fn joins((before, walk): &(Form, Walk), (after, next): &(Form, Walk)) -> bool {
+    let (Some(node), Some(Some(tube))) = (walk.nodes.last(), next.tubes.first()) else {
+        return false;
+    };
+    let s = exact(node.sketch.s);
+    let root: Option<Vec<Ball>> =
+        after.unknowns.iter().map(|u| before.value(*u, &s, &node.root).cloned()).collect();
+    root.is_some_and(|root| tube.holds(&s, &root))
+}
+
+impl Piece<'_> {
+    /// The parameters between which it runs.
+    pub fn range(&self) -> [f64; 2] {
+        [self.from.sketch.s, self.to.sketch.s]
+    }
+
+    /// Whether it is proved.
+    pub fn is_proved(&self) -> bool {
+        self.tube.is_some()
+    }
+
+    /// The values and the slopes at its two ends of the cubic of a coordinate; `None` for one that the curve leaves open or
+    /// that is constant.
+    pub fn cubic(&self, variable: Variable) -> Option<[[f64; 2]; 2]> {
+        let index = self.form.unknowns.iter().position(|unknown| *unknown == variable);
+        let ends = [&self.from.sketch, &self.to.sketch];
+        match index {
+            Some(i) => Some([ends.map(|node| node.x[i]), ends.map(|node| node.slopes[i])]),
+            None => (self.form.parameter == variable).then(|| [ends.map(|node| node.s), [1.0; 2]]),
+        }
+    }
+
+    /// The largest half-width of the tube in `alpha`, `phi` and `eta`, rounded up; `None` for a gap.
+    pub fn width(&self) -> Option<f64> {
+        self.tube.map(|tube| width(self.form, tube))
+    }
+
+    /// The slope of a variable to the parameter, over the whole piece.
+    pub fn slope(&self, variable: Variable) -> Option<Ball> {
+        let tube = self.tube?;
+        match self.form.unknowns.iter().position(|unknown| *unknown == variable) {
+            Some(index) => tube.slopes.get(index).cloned(),
+            None => (self.form.parameter == variable).then(|| exact(1.0)),
+        }
+    }
+
+    /// The slope of one variable to another, `dy/dx`, over the whole piece; `None` if a curve leaves one of them open or
+    /// `x` may stand still.
+    pub fn slope_of(&self, y: Variable, x: Variable) -> Option<Ball> {
+        let slope = self.slope(y)? / self.slope(x)?;
+        slope.is_bounded().then_some(slope)
+    }
+
+    /// The quantities at a parameter of the piece.
+    pub fn place(&self, parameter: f64) -> Option<Place> {
+        let [low, high] = self.range();
+        let tube = self.tube.filter(|_| (low..=high).contains(&parameter))?;
+        let s = exact(parameter);
+        Some(Place::new(self.form, &s, &tube.enclosure(&s)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::problem::Line;
+
+    #[test]
+    fn every_curve_is_proved_from_end_to_end() {
+        for (curve, weight) in Curve::ALL.iter().flat_map(|c| SelfWeight::ALL.map(|w| (*c, w))) {
+            let trace = Trace::new(curve, weight, 1e-3).unwrap();
+            assert_eq!(trace.gaps().count(), 0, "{curve} {weight:?}");
+            assert!(trace.width() <= 1e-3, "{curve} {weight:?}");
+            let points = trace.points();
+            assert_eq!(points.len(), trace.pieces().count() + 1);
+            let [first, last] = curve.ends();
+            assert_eq!(points[0].end, Some(first));
+            assert_eq!(points[points.len() - 1].end, Some(last));
+            // Each node is where the pieces on both its sides have it.
+            let inner = points[1..].iter().filter(|point| point.end.is_none());
+            for (point, piece) in inner.zip(trace.pieces()) {
+                let there = piece.place(point.parameter).unwrap();
+                for variable in Variable::PLANE {
+                    let (node, tube) =
+                        (point.place.coordinate(variable), there.coordinate(variable));
+                    assert_eq!(node.is_some(), tube.is_some(), "{curve} {variable:?}");
+                    let pair = node.zip(tube);
+                    assert!(pair.is_none_or(|(node, tube)| node.overlaps(tube)), "{curve}");
+                }
+            }
+        }
+    }
+
+    /// Lines that meet in a landmark have it in common.
+    #[test]
+    fn an_end_is_the_landmark_itself() {
+        let weight = SelfWeight::Milankovitch;
+        let [one, other] = [Line::RotationShoulder, Line::RotationInner]
+            .map(|line| Trace::new(Curve::Line(line), weight, 1e-3).unwrap().points());
+        let (one, other) = (&one[one.len() - 1], &other[0]);
+        assert_eq!(one.end, other.end);
+        let eta = |point: &Point| point.place.thickness.clone().unwrap();
+        assert!(eta(one).overlaps(&eta(other)) && eta(one).rad().to_float() < 1e-30);
+    }
+
+    #[test]
+    fn what_a_curve_leaves_open_has_no_coordinate() {
+        let places = |curve| Trace::new(curve, SelfWeight::Heyman, 1e-2).unwrap().points();
+        assert!(places(Curve::Rotation).iter().all(|p| p.place.friction_angle.is_none()));
+        assert!(places(Curve::Sliding).iter().all(|p| p.place.thickness.is_none()));
+        assert!(places(Curve::Limit).iter().all(|p| p.place.thickness.is_some()));
+    }
+
+    #[test]
+    fn the_slope_of_a_line_is_that_of_its_tangent() {
+        // d eta/d phi at T on [r,r,r]/[s,r,r], for Heyman's weight about 1.8495.
+        let line = Curve::Line(Line::RotationShoulder);
+        let trace = Trace::new(line, SelfWeight::Heyman, 1e-6).unwrap();
+        let last = trace.pieces().last().unwrap();
+        let slope = last.slope_of(Variable::Thickness, Variable::FrictionAngle).unwrap();
+        assert!(slope.overlaps(&exact(1.849504241)), "{slope:?}");
+        assert!(slope.is_positive().is_proved() && !slope.overlaps(&exact(3.0)), "{slope:?}");
+    }
+}
