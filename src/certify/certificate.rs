@@ -11,7 +11,7 @@ use crate::check::{
     Certificate, ClaimFile, EXTRA_BITS, Refusal, SCHEMA, ValueFile, WITNESS_BITS, Witness,
     check_certificate,
 };
-use crate::number::{AstroInterval, Ball, Dyadic, Magnitude, Rounded, bits_of};
+use crate::number::{AstroInterval, Ball, DoubleBall, Dyadic, Magnitude, Rounded, bits_of};
 use crate::problem::{Landmark, Problem, Quantity};
 use rug::Float;
 
@@ -191,10 +191,14 @@ impl LargeBox {
         let smaller = -i64::from((lost / 3).saturating_sub(SPARE));
         let unknowns = problem.system().unknowns.iter().zip(&centre);
         let values: Vec<Magnitude> = unknowns.map(|pair| room(pair).shifted(smaller)).collect();
-        let boxes = largest_boxes(&values, LADDER, |radii| {
-            let target: Vec<Magnitude> = radii.iter().map(|r| r.times(part)).collect();
-            let image = by_mpfr.image_in(radii, &target)?;
-            by_astro.image_in(radii, &target).map(|_| image)
+        let in_doubles = Operator::<_, DoubleBall>::new(problem, bits, &centre, &inverse);
+        let target = |radii: &[Magnitude]| -> Vec<Magnitude> {
+            radii.iter().map(|r| r.times(part)).collect()
+        };
+        let seems = |radii: &[Magnitude]| in_doubles.image_in(radii, &target(radii)).is_some();
+        let boxes = largest_boxes(&values, LADDER, seems, |radii| {
+            let image = by_mpfr.image_in(radii, &target(radii))?;
+            by_astro.image_in(radii, &target(radii)).map(|_| image)
         });
         let (radius, _) = boxes.into_iter().last()?;
         Some(Self { centre, radius, inverse })

@@ -4,7 +4,7 @@ use super::Undecided;
 use super::posed::Posed;
 use super::root::{Equations, Ladder, Operator, inverse_jacobian, largest_boxes, root_near};
 use crate::arch::SelfWeight;
-use crate::number::{Ball, Magnitude};
+use crate::number::{Ball, DoubleBall, Magnitude};
 use crate::problem::{Landmark, Problem, System};
 use crate::solve::Candidate;
 use rug::Float;
@@ -83,13 +83,25 @@ pub(crate) fn isolate_near(
 
 /// The largest box that the proof carries, in numbers of `bits` bits.
 fn isolated(problem: &Problem, candidate: &[Float], bits: u32) -> Result<Isolated, Undecided> {
+    isolated_where(problem, candidate, bits, |in_doubles, radii| in_doubles.image(radii).is_some())
+}
+
+/// The same, where the search begins at boxes that seem to be contracted.
+fn isolated_where(
+    problem: &Problem,
+    candidate: &[Float],
+    bits: u32,
+    seems: impl Fn(&Operator<Problem, DoubleBall>, &[Magnitude]) -> bool,
+) -> Result<Isolated, Undecided> {
     let centre: Vec<Float> = candidate.iter().map(|x| Float::with_val(bits, x)).collect();
     let points: Vec<Ball> = centre.iter().map(|x| Ball::exact(x.clone(), bits)).collect();
     let inverse = inverse_jacobian(&problem.slopes(bits, &points), bits)
         .ok_or_else(|| Undecided::new("the Jacobian at the candidate is singular"))?;
     let operator = Operator::<_, Ball>::new(problem, bits, &centre, &inverse);
+    let in_doubles = Operator::<_, DoubleBall>::new(problem, bits, &centre, &inverse);
     let values: Vec<Magnitude> = centre.iter().map(Magnitude::lower).collect();
-    largest_boxes(&values, LADDER, |radii| operator.image(radii))
+    let seems = |radii: &[Magnitude]| seems(&in_doubles, radii);
+    largest_boxes(&values, LADDER, seems, |radii| operator.image(radii))
         .into_iter()
         .map(|(radii, image)| {
             let system = problem.system();
@@ -117,6 +129,25 @@ mod tests {
                     assert!(*radius > 5e-3, "{landmark:?} {weight:?} {unknown:?} {radius}");
                 }
             }
+        }
+    }
+
+    /// The search in doubles begins next to the box that a walk down the whole ladder finds, so that both find
+    /// the same.
+    #[test]
+    fn the_box_is_the_first_on_the_ladder() {
+        for (landmark, weight) in
+            Landmark::ALL.into_iter().flat_map(|l| SelfWeight::ALL.map(|w| (l, w)))
+        {
+            let system = landmark.system(weight);
+            let candidate = newton(&system, start::landmark(landmark, weight), BITS).unwrap();
+            let problem = Problem::Landmark { landmark, weight };
+            let walked = isolated_where(&problem, &candidate.0, BITS, |_, _| true).unwrap();
+            let found = isolate(landmark, weight, &candidate).unwrap();
+            for (x, y) in walked.domain.iter().zip(&found.domain) {
+                assert!(x.mid() == y.mid() && x.rad() == y.rad(), "{landmark:?} {weight:?}");
+            }
+            assert_eq!(walked.relative_radii(), found.relative_radii());
         }
     }
 

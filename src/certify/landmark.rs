@@ -14,6 +14,8 @@ pub const MAX_DIGITS: usize = 1_000_000;
 
 /// How often the precision is raised before a rounding counts as undecided.
 const ATTEMPTS: u32 = 6;
+/// The bits that an enclosure has at least.
+const NARROW: u32 = 256;
 /// Bits beyond the digits asked for, at the first attempt.
 const GUARD: u32 = 32;
 
@@ -34,6 +36,8 @@ pub struct CertifiedLandmark {
     landmark: Landmark,
     weight: SelfWeight,
     isolated: Isolated,
+    /// The enclosure of few digits, on which the conditions were proved.
+    narrow: Refined,
 }
 
 /// A quantity of a landmark with its digits.
@@ -98,12 +102,11 @@ impl CertifiedLandmark {
         let system = landmark.system(weight);
         let candidate = newton(&system, start::landmark(landmark, weight), 64)
             .ok_or_else(|| Undecided::new("Newton's method finds no candidate"))?;
-        let certified = Self { landmark, weight, isolated: isolate(landmark, weight, &candidate)? };
-        const BITS: u32 = 64;
-        let narrow = certified.enclosure(BITS)?;
+        let isolated = isolate(landmark, weight, &candidate)?;
+        let narrow = refine(&isolated, NARROW)?;
         let problem = Problem::Landmark { landmark, weight };
-        match problem.first_failure(narrow.configuration(), BITS) {
-            None => Ok(certified),
+        match problem.first_failure(narrow.configuration(), 64) {
+            None => Ok(Self { landmark, weight, isolated, narrow }),
             Some(condition) => Err(Undecided::new(condition.label())),
         }
     }
@@ -126,7 +129,16 @@ impl CertifiedLandmark {
     /// An enclosure of all variables to about `bits` bits (and never fewer than 256);
     /// undecided if the proof fails at that precision.
     pub fn enclosure(&self, bits: u32) -> Result<Refined, Undecided> {
-        refine(&self.isolated, bits)
+        self.enclosure_with(bits, &|| ())
+    }
+
+    /// The same, calling `tick` [`stages`] times on the way.
+    fn enclosure_with(&self, bits: u32, tick: &(dyn Fn() + Sync)) -> Result<Refined, Undecided> {
+        if bits > NARROW {
+            return refine_watched(&self.isolated, bits, tick);
+        }
+        (0..stages(self.isolated.system())).for_each(|_| tick());
+        Ok(self.narrow.clone())
     }
 
     /// The exact value of a quantity, where it has one.
@@ -199,7 +211,7 @@ impl CertifiedLandmark {
         }
         let most = asked.iter().map(|(_, digits)| *digits).max();
         let mut precision = Precision::new(most.unwrap_or(1))?;
-        let mut refined = refine_watched(&self.isolated, precision.bits, tick)?;
+        let mut refined = self.enclosure_with(precision.bits, tick)?;
         let mut found: Vec<((Quantity, usize), Option<Constant>)> =
             asked.iter().map(|&asked| (asked, None)).collect();
         loop {

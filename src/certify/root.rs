@@ -152,27 +152,61 @@ const SHAPES: usize = 4;
 /// shape is first in proportion to the values of the unknowns; then the radii of the image of the
 /// largest box become the next shape, since they tell how much room each unknown needs. No radius exceeds
 /// its value.
+///
+/// `seems` is a quick test that is nearly always right, and only tells where the search begins.
 pub(crate) fn largest_boxes(
     values: &[Magnitude],
     ladder: Ladder,
+    seems: impl Fn(&[Magnitude]) -> bool,
     prove: impl Fn(&[Magnitude]) -> Option<Vec<Ball>>,
 ) -> Vec<(Vec<Magnitude>, Vec<Ball>)> {
     let mut found = Vec::new();
     let mut shape = values.to_vec();
     for _ in 0..SHAPES {
-        let largest = (0..ladder.trials).find_map(|trial| {
+        let radii = |trial: i32| -> Vec<Magnitude> {
             let scale = Magnitude::upper(&Float::with_val(53, ladder.step.powi(trial)));
-            let radii: Vec<Magnitude> = shape.iter().map(|s| s.times(scale)).collect();
-            let image = prove(&radii)?;
-            Some((radii, image))
-        });
-        let Some((radii, image)) = largest else { break };
+            shape.iter().map(|s| s.times(scale)).collect()
+        };
+        let proved = |trial| prove(&radii(trial)).map(|image| (trial, image));
+        let Some((trial, image)) = first(ladder.trials, |trial| seems(&radii(trial)), proved)
+        else {
+            break;
+        };
         let widths: Vec<Magnitude> = image.iter().map(Ball::rad).collect();
-        found.push((radii, image));
+        found.push((radii(trial), image));
         let Some(widest) = widths.iter().zip(values).map(|(w, v)| w.over(*v)).max() else { break };
         shape = widths.iter().map(|w| w.over(widest)).collect();
     }
     found
+}
+
+/// The first success of `proved` among some trials, which fail up to somewhere and succeed from there on, at first at
+/// least: what a box contains is contracted too, until it is as small as the roundings.
+///
+/// The first trial that `seems` to succeed is found by doubling and halving. From there the search goes up and down
+/// by `proved` alone, so that a wrong guess costs time and nothing else.
+fn first<P>(
+    trials: i32,
+    seems: impl Fn(i32) -> bool,
+    proved: impl Fn(i32) -> Option<(i32, P)>,
+) -> Option<(i32, P)> {
+    let powers = std::iter::successors(Some(1), |k| Some(2 * k)).take_while(|k| *k <= trials);
+    // Trials begin with the largest box, which has number zero.
+    let guess = powers.map(|k| k - 1).find(|k| seems(*k)).map_or(0, |success| {
+        let (mut failure, mut success) = ((success + 1) / 2 - 1, success);
+        while success - failure > 1 {
+            let middle = failure + (success - failure) / 2;
+            if seems(middle) { success = middle } else { failure = middle }
+        }
+        success
+    });
+    let mut best = (guess..trials).find_map(&proved)?;
+    // Usually the one before is tried and fails.
+    while best.0 > 0 && best.0 <= guess {
+        let Some(better) = proved(best.0 - 1) else { break };
+        best = better;
+    }
+    Some(best)
 }
 
 /// Up to this precision all cost about the same.
@@ -271,4 +305,35 @@ pub(crate) fn inflated<S: Equations<E>, E: Engine>(
         let radii: Vec<Magnitude> = corrections.iter().map(|r| r.shifted(inflation)).collect();
         operator.image(&radii)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The trials from 17 up to 130 succeed. Whatever seems to, the first of them is found.
+    #[test]
+    fn a_wrong_guess_changes_nothing() {
+        let proved = |k: i32| (17..130).contains(&k).then_some((k, ()));
+        let guesses: [fn(i32) -> bool; 6] =
+            [|k| k >= 17, |k| k >= 15, |k| k >= 25, |_| false, |_| true, |k| k >= 90];
+        for (number, seems) in guesses.iter().enumerate() {
+            assert_eq!(first(200, seems, proved), Some((17, ())), "guess {number}");
+        }
+        assert_eq!(first(200, |k| k >= 17, |_| None::<(i32, ())>), None);
+        assert_eq!(first(17, |k| k >= 17, proved), None, "too few trials");
+        assert_eq!(first(200, |k| k >= 0, |k| Some((k, ()))), Some((0, ())));
+    }
+
+    /// A good guess costs few proofs: the one that succeeds and the one before.
+    #[test]
+    fn a_good_guess_saves_the_walk() {
+        let count = std::cell::Cell::new(0);
+        let proved = |k: i32| {
+            count.set(count.get() + 1);
+            (k >= 100).then_some((k, ()))
+        };
+        assert_eq!(first(200, |k| k >= 100, proved), Some((100, ())));
+        assert_eq!(count.get(), 2);
+    }
 }

@@ -169,7 +169,7 @@ fn rotation_if_any(query: &Query, asked: Asked) -> Result<Option<Rotation>, Unde
     {
         return Ok(Some(rotation));
     }
-    let [end, _] = limits(query.weight, query.bits);
+    let end = limit(Landmark::RotationEnd, query.weight, query.bits);
     let rotates = decide(
         &(end - &query.given.half_opening.rad),
         "whether the half opening is below that of the end of rotation",
@@ -217,9 +217,9 @@ fn shoulder_sliding(query: &Query, rotational: Option<Ball>) -> Result<Found, Un
 
 /// The purely overturning state, where there is one.
 fn overturning(query: &Query) -> Result<Found, Undecided> {
-    let [_, limit] = limits(query.weight, query.bits);
+    let end = limit(Landmark::OverturningEnd, query.weight, query.bits);
     if !decide(
-        &(limit - &query.given.half_opening.rad),
+        &(end - &query.given.half_opening.rad),
         "whether the half opening is below that of the end of overturning",
         &[Mode::Overturning],
     )? {
@@ -276,22 +276,26 @@ pub(super) fn prove(
         .try_for_each(|condition| require_condition(condition, &state.margin(condition), mode))
 }
 
-/// The half openings of `l` and `L`, to at least `bits` bits.
-fn limits(weight: SelfWeight, bits: u32) -> [Ball; 2] {
-    static CACHED: PerWeight<OnceLock<[Ball; 2]>> =
-        PerWeight { heyman: OnceLock::new(), milankovitch: OnceLock::new() };
-    const ENOUGH: u32 = 1024;
+/// The half opening of `l` or of `L`, to at least `bits` bits.
+fn limit(landmark: Landmark, weight: SelfWeight, bits: u32) -> Ball {
+    /// The bits of what is kept: the first are enough but for what is next to the limit.
+    const KEPT: [u32; 2] = [256, 1024];
+    type Kept = PerWeight<OnceLock<Ball>>;
+    static ROTATION: [Kept; 2] = [const { none_kept() }; 2];
+    static OVERTURNING: [Kept; 2] = [const { none_kept() }; 2];
+    const fn none_kept() -> Kept {
+        PerWeight { heyman: OnceLock::new(), milankovitch: OnceLock::new() }
+    }
     tally::landmark();
     let at = |bits: u32| {
-        [Landmark::RotationEnd, Landmark::OverturningEnd].map(|landmark| {
-            let opening = |point: CertifiedLandmark| -> Result<Ball, Undecided> {
-                Ok(point.enclosure(bits)?.configuration().half_opening.rad.clone())
-            };
-            CertifiedLandmark::new(landmark, weight).and_then(opening).unwrap_or(Ball::whole(bits))
-        })
+        let opening = |point: CertifiedLandmark| -> Result<Ball, Undecided> {
+            Ok(point.enclosure(bits)?.configuration().half_opening.rad.clone())
+        };
+        CertifiedLandmark::new(landmark, weight).and_then(opening).unwrap_or(Ball::whole(bits))
     };
-    if bits > ENOUGH {
-        return at(bits);
+    let kept = if landmark == Landmark::RotationEnd { &ROTATION } else { &OVERTURNING };
+    match KEPT.iter().zip(kept).find(|(kept, _)| bits <= **kept) {
+        Some((most, kept)) => kept.get(weight).get_or_init(|| at(*most)).with_precision(bits),
+        None => at(bits),
     }
-    CACHED.get(weight).get_or_init(|| at(ENOUGH)).clone().map(|x| x.with_precision(bits))
 }
