@@ -18,6 +18,14 @@ pub enum End {
     Circle,
 }
 
+impl End {
+    /// Whether its friction is unlimited.
+    pub fn is_unlimited(self) -> bool {
+        use Landmark::{OverturningEnd, RotationEnd};
+        matches!(self, Self::Circle | Self::Landmark(RotationEnd | OverturningEnd))
+    }
+}
+
 impl fmt::Display for End {
     /// The symbol of the landmark, `0` or `pi`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -177,6 +177,11 @@ impl Form {
         }
     }
 
+    /// Whether the rotational joint is a joint of its own, not the crown or without meaning.
+    pub(super) fn has_haunch(&self) -> bool {
+        self.knows(Variable::JointSquare) || self.joint == Joint::Sliding
+    }
+
     /// Whether the thickness is the physical limit, 2: a form that turns about the shoulder and knows no thickness.
     pub(super) fn fixes_limit(&self) -> bool {
         !self.knows(Variable::Thickness) && self.laws.contains(&Law::Upper)

@@ -15,16 +15,20 @@
 
 mod cubic;
 mod curve;
+mod domain;
 mod end;
 mod form;
 mod place;
+mod point;
 mod search;
 mod trace;
 mod tube;
 mod walk;
 
 pub use curve::Curve;
+pub use domain::{Corner, Side, boundary};
 pub use end::End;
 pub use form::Variable;
 pub use place::Place;
+pub use point::{NoPoint, point};
 pub use trace::{LEAST_TOLERANCE, Piece, Point, Trace};

@@ -1,6 +1,6 @@
 //! The quantities of a point of a curve.
 
-use super::form::{Form, Joint, Thrust, Variable};
+use super::form::{Form, Thrust, Variable};
 use crate::arch::cycloid;
 use crate::number::{Ball, Field, Real};
 
@@ -14,6 +14,8 @@ pub struct Place {
     pub friction_angle: Option<Ball>,
     /// `mu = tan phi`; the whole line where the friction angle may be a right one.
     pub friction: Option<Ball>,
+    /// Whether the friction is unlimited, exactly.
+    pub is_unlimited: bool,
     /// `eta`.
     pub thickness: Option<Ball>,
     /// `h`.
@@ -38,15 +40,15 @@ impl Place {
             let (sin, cos) = phi.sin_cos();
             sin / cos
         });
-        let has_joint = form.knows(Variable::JointSquare) || form.joint == Joint::Sliding;
         let slides_inside = form.thrust == Thrust::Sliding;
         Self {
             half_opening: Some(at.half_opening),
             friction_angle,
             friction,
+            is_unlimited: is_overturning,
             thickness: (!slides_purely).then_some(at.thickness),
             thrust: Some(at.thrust),
-            rotation_joint: match has_joint {
+            rotation_joint: match form.has_haunch() {
                 true => Some(root_of_square(&at.joint_square)),
                 false => (!slides_purely).then(|| s.int(0)),
             },

@@ -27,6 +27,7 @@ pub struct Trace {
     /// The self-weight model.
     pub weight: SelfWeight,
     ends: [Place; 2],
+    parameters: [Ball; 2],
     legs: Vec<(Form, Walk)>,
 }
 
@@ -61,7 +62,8 @@ impl Trace {
         for Leg { form, from, to } in curve.legs(weight) {
             let at_start = start.value(form.parameter).lower().to_f64_round(Round::Down);
             let at_end = end.value(form.parameter).upper().to_f64_round(Round::Up);
-            let (from, to) = (from.unwrap_or(at_start), to.unwrap_or(at_end));
+            // Rounding downward makes a zero negative.
+            let (from, to) = (from.unwrap_or(at_start + 0.0), to.unwrap_or(at_end));
             let guess = |variable: &Variable| match legs.last() {
                 Some((before, walk)) => last_value(before, walk, *variable),
                 None => start.value(*variable).mid().to_f64(),
@@ -89,14 +91,33 @@ impl Trace {
                 return Err(about(&format!("it is not proved to reach {name}")));
             }
         }
-        let at_end = |values: &EndValues, leg: Option<&(Form, Walk)>| {
-            leg.map_or_else(Place::default, |(form, _)| {
-                let root: Vec<Ball> = form.unknowns.iter().map(|u| values.value(*u)).collect();
-                Place::new(form, &values.value(form.parameter), &root)
-            })
+        let at_end = |name: End, values: &EndValues, leg: Option<&(Form, Walk)>| {
+            let (form, _) = leg?;
+            let root: Vec<Ball> = form.unknowns.iter().map(|u| values.value(*u)).collect();
+            let place = Place::new(form, &values.value(form.parameter), &root);
+            let has_friction = place.friction.is_some();
+            let is_unlimited = place.is_unlimited || (has_friction && name.is_unlimited());
+            Some(Place { is_unlimited, ..place })
         };
-        let ends = [at_end(&start, legs.first()), at_end(&end, legs.last())];
-        Ok(Self { curve, weight, ends, legs })
+        let ends = [at_end(first, &start, legs.first()), at_end(last, &end, legs.last())];
+        let ends = ends.map(Option::unwrap_or_default);
+        let parameters = [&start, &end].map(|values| values.value(curve.parameter()));
+        Ok(Self { curve, weight, ends, parameters, legs })
+    }
+
+    /// The parameters of the ends.
+    pub fn parameters(&self) -> &[Ball; 2] {
+        &self.parameters
+    }
+
+    /// The tube over a parameter, with its form.
+    pub(super) fn tube_at(&self, s: &Ball) -> Option<(&Form, &Tube)> {
+        let is_over = |piece: &Piece| {
+            let [low, high] = piece.range().map(exact);
+            low.lower() <= s.lower() && s.upper() <= high.upper()
+        };
+        let piece = self.pieces().find(is_over)?;
+        Some((piece.form, piece.tube?))
     }
 
     /// The pieces in order, gaps among them.

@@ -4,6 +4,7 @@ use super::answers::Answers;
 use super::audit::{self, Audit};
 use super::claims::{self, Claims, Index};
 use super::judged::{self, JudgeSummary, JudgedLines};
+use super::map::{self, Map, MapPoints};
 use super::rows::Rows;
 use super::sampled::{self, SampledLines};
 use super::words::list;
@@ -27,6 +28,10 @@ pub enum Content {
     Judged,
     /// Arches that were drawn.
     Samples,
+    /// Curves of the map.
+    Map,
+    /// A point of a curve of the map.
+    MapPoint,
 }
 
 /// Writes all at once.
@@ -55,6 +60,8 @@ pub struct Format {
     pub(crate) judged: Option<Writer<JudgeSummary>>,
     pub(crate) judged_lines: Option<JudgedLines>,
     pub(crate) samples: Option<SampledLines>,
+    pub(super) map: Option<Writer<Map>>,
+    pub(super) map_points: Option<Writer<MapPoints>>,
 }
 
 const fn text(name: &'static str, extension: &'static str) -> Format {
@@ -72,6 +79,8 @@ const fn text(name: &'static str, extension: &'static str) -> Format {
         judged: None,
         judged_lines: None,
         samples: None,
+        map: None,
+        map_points: None,
     }
 }
 
@@ -85,6 +94,8 @@ static FORMATS: [Format; 15] = [
         answers: Some(table::answers),
         audit: Some(audit::table),
         judged: Some(judged::table),
+        map: Some(map::table),
+        map_points: Some(map::point_table),
         ..text("table", "txt")
     },
     Format { claims: Some(claims::text), index: Some(claims::index_text), ..text("text", "txt") },
@@ -94,6 +105,8 @@ static FORMATS: [Format; 15] = [
         claims: Some(claims::json),
         index: Some(claims::index_json),
         judged: Some(judged::json),
+        map: Some(map::json),
+        map_points: Some(map::point_json),
         ..language("json", "json", json::answers)
     },
     Format {
@@ -102,6 +115,8 @@ static FORMATS: [Format; 15] = [
         audit: Some(audit::csv),
         judged_lines: Some(judged::CSV),
         samples: Some(sampled::CSV),
+        map: Some(map::csv),
+        map_points: Some(map::point_csv),
         ..text("csv", "csv")
     },
     Format {
@@ -125,6 +140,7 @@ static FORMATS: [Format; 15] = [
 const PARQUET: Format = Format {
     is_binary: true,
     rows: Some(super::parquet::rows),
+    map: Some(map::parquet),
     ..language("parquet", "parquet", super::parquet::answers)
 };
 
@@ -134,6 +150,7 @@ const PARQUET: Format = Format {
     is_binary: true,
     missing: Some("parquet"),
     rows: Some(|_| Err(io::ErrorKind::Unsupported.into())),
+    map: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
     ..language("parquet", "parquet", |_, _| Err(io::ErrorKind::Unsupported.into()))
 };
 
@@ -148,6 +165,8 @@ impl Format {
             Content::Index => format.index.is_some(),
             Content::Judged => format.judged.is_some() || format.judged_lines.is_some(),
             Content::Samples => format.samples.is_some(),
+            Content::Map => format.map.is_some(),
+            Content::MapPoint => format.map_points.is_some(),
         })
     }
 

@@ -39,6 +39,7 @@ pub(crate) mod judged;
 mod julia;
 mod latex;
 mod listing;
+mod map;
 mod matlab;
 mod names;
 #[cfg(feature = "parquet")]
@@ -61,6 +62,7 @@ pub use audit::Audit;
 pub use claims::{Claims, Index};
 pub use format::{Content, Format};
 pub use given::GivenDoubles;
+pub use map::{Map, MapPoint, MapPoints};
 pub use rows::Rows;
 pub use value::Value;
 
@@ -77,6 +79,10 @@ pub enum Report {
     Claims(Claims),
     /// The paper, place by place.
     Index(Index),
+    /// Curves of the map.
+    Map(Map),
+    /// A point of a curve of the map, for each weight.
+    MapPoints(MapPoints),
 }
 
 impl Report {
@@ -87,6 +93,8 @@ impl Report {
             Self::Audit(audit) => format.audit.map(|write| write(audit, out)),
             Self::Claims(claims) => format.claims.map(|write| write(claims, out)),
             Self::Index(index) => format.index.map(|write| write(index, out)),
+            Self::Map(map) => format.map.map(|write| write(map, out)),
+            Self::MapPoints(points) => format.map_points.map(|write| write(points, out)),
         };
         written.unwrap_or_else(|| Err(io::ErrorKind::Unsupported.into()))
     }

@@ -39,6 +39,8 @@ mod identities;
 mod judge;
 #[cfg(feature = "mpfr")]
 mod landmarks;
+#[cfg(all(feature = "mpfr", feature = "cli"))]
+mod map;
 #[cfg(feature = "mpfr")]
 mod number_suite;
 #[cfg(all(unix, feature = "study", feature = "cli"))]

@@ -83,6 +83,8 @@ outputs! {
     constants_matlab: export("matlab");
     constants_fortran: export("fortran");
 
+    map: run("couplet map --curve rrr/srr --weight both --at 80deg --digits 12");
+
     state: formats("state", ARCH);
     state_at_a_landmark: run("couplet state --at T --weight heyman --digits 12");
     state_that_falls: each(&[
@@ -157,6 +159,7 @@ outputs! {
     help_state: run("couplet state --help");
     help_assess: run("couplet assess --help");
     help_find: run("couplet find --help");
+    help_map: run("couplet map --help");
     help_states: run("couplet states --help");
     help_sample: run("couplet sample --help");
     help_judge: run("couplet judge --help");

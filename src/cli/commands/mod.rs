@@ -8,6 +8,7 @@ mod constants;
 mod find;
 mod folder;
 mod judge;
+mod map;
 mod output;
 mod parse;
 mod progress;
@@ -30,6 +31,7 @@ pub(super) enum Command {
     State(state::Arguments),
     Assess(assess::Arguments),
     Find(find::Arguments),
+    Map(map::Arguments),
     States(states::Arguments),
     Sample(sample::Arguments),
     Judge(judge::Arguments),
@@ -57,6 +59,7 @@ impl Command {
             Self::State(arguments) => state::run(arguments),
             Self::Assess(arguments) => assess::run(arguments),
             Self::Find(arguments) => find::run(arguments),
+            Self::Map(arguments) => map::run(arguments),
             Self::States(arguments) => states::run(arguments),
             Self::Sample(arguments) => sample::run(arguments),
             Self::Judge(arguments) => judge::run(arguments),

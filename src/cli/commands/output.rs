@@ -78,6 +78,11 @@ impl OutputFile {
         self.open()
     }
 
+    /// Whether it is not standard output.
+    pub(super) fn is_file(&self) -> bool {
+        self.output.as_deref().is_some_and(|path| !is_standard(path))
+    }
+
     /// Whether it is a file that is there.
     pub(super) fn is_same_file(&self, other: &Path) -> bool {
         self.output.as_ref().is_some_and(|output| is_same_file(output, other))

@@ -35,6 +35,8 @@ fn every_column_is_on_the_page() {
         header(&["states"], states),
         header(&["judge", "-", "--format", "csv"], results),
         header(&["sample", "--count", "0"], ""),
+        header(&["map", "--curve", "limit", "--format", "csv"], ""),
+        header(&["map", "--curve", "limit", "--at", "1.5", "--format", "csv"], ""),
     ]
     .concat()
     {

@@ -1,0 +1,163 @@
+//! A point of a curve at an exact parameter, to any number of digits.
+
+use super::form::{Form, Thrust, Variable};
+use super::place::Place;
+use super::trace::Trace;
+use crate::certify::Undecided;
+use crate::certify::root::{self, root_near};
+use crate::number::{Ball, Enclosure, ExactNumber, Real, Rounded, Stumpff, bits_of};
+use crate::problem::Quantity;
+use rug::Float;
+
+/// Why there is no point at a parameter.
+#[derive(Clone, Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoPoint {
+    /// The parameter is not strictly between those of the ends.
+    #[error("{name} {parameter} is not on the curve, where it is between {low:.6} and {high:.6}")]
+    Outside {
+        /// The name of the parameter.
+        name: &'static str,
+        /// What was asked for.
+        parameter: String,
+        /// About where the curve begins.
+        low: f64,
+        /// About where it ends.
+        high: f64,
+    },
+    /// The proof fails, or a rounding stays open.
+    #[error(transparent)]
+    Undecided(#[from] Undecided),
+}
+
+/// The equations of a form at a parameter.
+struct AtParameter<'a> {
+    form: &'a Form,
+    s: Ball,
+}
+
+impl root::Form for AtParameter<'_> {
+    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
+        self.form.residuals(&number, &number(&self.s), x)
+    }
+
+    fn is_regular(&self, x: &[Ball]) -> bool {
+        self.form.divisors(&Ball::clone, &self.s, x).iter().all(Enclosure::excludes_zero)
+    }
+}
+
+/// Bits beyond the digits asked for, doubled as often as a rounding stays open.
+const GUARD: u32 = 48;
+const ATTEMPTS: u32 = 6;
+
+/// The quantities of the point of a curve at an exact parameter, strictly between those of its ends, each correctly
+/// rounded to `digits` significant digits. What the curve fixes, as the thickness 2 of its limit, is left out, as is
+/// what was given. That the point is on the curve, and not on another branch, is proved by the tube around it.
+pub fn point(
+    trace: &Trace,
+    parameter: &ExactNumber,
+    digits: usize,
+) -> Result<Vec<(Quantity, Rounded)>, NoPoint> {
+    let exactly = |bits: u32| parameter.enclosure::<Ball>(bits);
+    let s = exactly(256);
+    let [low, high] = trace.parameters();
+    if !low.is_less_than(&s).and(s.is_less_than(high)).is_proved() {
+        let [low, high] = [low, high].map(|end| end.mid().to_f64());
+        let name = trace.curve.parameter().name();
+        return Err(NoPoint::Outside { name, parameter: parameter.to_string(), low, high });
+    }
+    let gap = || Undecided::new("the curve is not proved at this parameter");
+    let (form, tube) = trace.tube_at(&s).ok_or_else(gap)?;
+    for attempt in 0..ATTEMPTS {
+        let bits = bits_of(digits) + (GUARD << attempt);
+        let s = exactly(bits);
+        let start: Vec<Float> =
+            tube.enclosure(&s).iter().map(|x| Float::with_val(bits, x.mid())).collect();
+        let root = root_near(&AtParameter { form, s: s.clone() }, bits, start)?;
+        if !tube.holds(&s, &root) {
+            return Err(Undecided::new("the point found is on another branch").into());
+        }
+        let place = Place::new(form, &s, &root);
+        let rounded = asked(form, &place)
+            .into_iter()
+            .map(|(quantity, ball)| Some((quantity, Rounded::from_ball(&ball, digits)?)));
+        if let Some(all) = rounded.collect() {
+            return Ok(all);
+        }
+    }
+    Err(Undecided::new("a rounding is not decided").into())
+}
+
+/// The quantities that are neither given nor fixed.
+fn asked(form: &Form, place: &Place) -> Vec<(Quantity, Ball)> {
+    let is_found = |variable| form.unknowns.contains(&variable);
+    let slides_inside = form.thrust == Thrust::Sliding;
+    let all = [
+        (Quantity::HalfOpening, &place.half_opening, is_found(Variable::HalfOpening)),
+        (Quantity::FrictionAngle, &place.friction_angle, is_found(Variable::FrictionAngle)),
+        (Quantity::Friction, &place.friction, is_found(Variable::FrictionAngle)),
+        (Quantity::Thickness, &place.thickness, is_found(Variable::Thickness)),
+        (Quantity::Thrust, &place.thrust, form.thrust != Thrust::Zero),
+        (Quantity::RotationJoint, &place.rotation_joint, form.has_haunch()),
+        (Quantity::SlidingJoint, &place.sliding_joint, slides_inside),
+    ];
+    let known = all.into_iter().filter(|(.., is_found)| *is_found);
+    known.filter_map(|(quantity, value, _)| Some((quantity, value.clone()?))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::curve::Curve;
+    use super::*;
+    use crate::arch::SelfWeight;
+
+    fn at(
+        curve: &str,
+        parameter: &str,
+        digits: usize,
+    ) -> Result<Vec<(Quantity, Rounded)>, NoPoint> {
+        let trace = Trace::new(Curve::named(curve).unwrap(), SelfWeight::Milankovitch, 1e-2)?;
+        point(&trace, &parameter.parse().unwrap(), digits)
+    }
+
+    #[test]
+    fn a_point_of_rotation_is_the_state_of_its_arch() {
+        use crate::prelude::{Arch, Certify};
+        let arch = Arch::parse("milankovitch", "80deg", "inf").unwrap();
+        let state = arch.least(40).unwrap();
+        let found = at("rotation", "80deg", 40).unwrap();
+        let of = |quantity| found.iter().find(|(q, _)| *q == quantity).unwrap().1.value.to_string();
+        assert_eq!(of(Quantity::Thickness), state.thickness.to_string());
+        assert!(
+            found.iter().all(|(quantity, _)| *quantity != Quantity::HalfOpening),
+            "it is given"
+        );
+    }
+
+    #[test]
+    fn every_curve_has_points() {
+        for curve in Curve::ALL {
+            let trace = Trace::new(curve, SelfWeight::Heyman, 1e-2).unwrap();
+            let [low, high] = trace.parameters().clone().map(|end| end.mid().to_f64());
+            let middle: ExactNumber = format!("{:.3}", (low + high) / 2.0).parse().unwrap();
+            let few = point(&trace, &middle, 10).unwrap();
+            let many = point(&trace, &middle, 50).unwrap();
+            assert!(!few.is_empty(), "{curve}");
+            for ((quantity, few), (_, many)) in few.iter().zip(&many) {
+                let (few, many) = (few.value.to_string(), many.value.to_string());
+                let [few, many] = [few, many].map(|text| text.parse::<f64>().unwrap());
+                approx::assert_relative_eq!(few, many, max_relative = 1e-9);
+                assert!(few > 0.0, "{curve} {quantity:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn outside_there_is_no_point() {
+        for parameter in ["0", "-1", "2.9", "pi"] {
+            let error = at("rotation", parameter, 10).unwrap_err();
+            assert!(matches!(error, NoPoint::Outside { .. }), "{parameter}: {error}");
+        }
+        assert!(matches!(at("limit", "pi/2", 10), Err(NoPoint::Outside { .. })), "an end");
+    }
+}

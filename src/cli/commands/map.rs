@@ -1,0 +1,163 @@
+//! `couplet map`.
+
+use super::output::{Output, OutputFile};
+use super::parse::{self, Weights};
+use crate::arch::SelfWeight;
+use crate::atlas::{Curve, LEAST_TOLERANCE, NoPoint, Trace, point};
+use crate::certify::{MAX_DIGITS, Undecided};
+use crate::cli::failure::Failure;
+use crate::number::{ExactNumber, ParseExactError};
+use crate::report::{Content, Format, Map, MapPoint, MapPoints, Report};
+use clap::Args;
+use rayon::prelude::*;
+
+/// The curves of the map, each proved for every value of its parameter, from landmark to landmark.
+///
+/// A curve is a chain of pieces. On each, for each value of the parameter, exactly one solution lies in a tube about the cubic
+/// through its two nodes; neighbours join, and the ends are the landmarks. Without a format of data the curves are
+/// summed up: pieces, the widest tube, and from where to where.
+///
+/// Curves: rotation, overturning, sliding; two modes that meet (rrr/srr, [r,s,r]/[r,s]); limit, where the thickness
+/// reaches 2.
+#[derive(Args)]
+pub(crate) struct Arguments {
+    /// Curves, with commas between several; all if none is named.
+    #[arg(long = "curve", value_name = "NAME", value_parser = curves)]
+    curves: Vec<Curves>,
+
+    /// Self-weight model: heyman, milankovitch or both.
+    #[arg(long, default_value = "milankovitch", value_parser = parse::weights)]
+    weight: Weights,
+
+    /// Largest half-width of a tube, in rad and in thicknesses, from 1e-12 to 1.
+    #[arg(long, default_value = "1e-4", value_name = "WIDTH", value_parser = tolerance, allow_negative_numbers = true)]
+    tolerance: f64,
+
+    /// Instead, the point of one curve at this value of its parameter (80deg, 1.2, 3/2).
+    #[arg(long, value_name = "PARAMETER", allow_hyphen_values = true)]
+    at: Option<String>,
+
+    /// With --at, significant digits, 1 to 1000000.
+    #[arg(long, default_value = "30", value_parser = parse::digits, requires = "at", allow_negative_numbers = true)]
+    digits: usize,
+
+    #[arg(long, default_value = "table", value_parser = parse::format(Content::Map), help = parse::format_help(Content::Map))]
+    format: &'static Format,
+
+    #[command(flatten)]
+    file: OutputFile,
+}
+
+/// Curves named together.
+#[derive(Clone, Debug)]
+struct Curves(Vec<Curve>);
+
+/// Names with commas between them; those of modes in brackets separate nothing.
+fn curves(text: &str) -> Result<Curves, String> {
+    let mut depth = 0;
+    let is_between = |c: char| {
+        depth += i32::from(c == '[') - i32::from(c == ']');
+        c == ',' && depth == 0
+    };
+    text.split(is_between).map(curve).collect::<Result<_, _>>().map(Curves)
+}
+
+fn curve(text: &str) -> Result<Curve, String> {
+    let names: Vec<String> = Curve::ALL.iter().map(ToString::to_string).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    Curve::named(text).ok_or_else(|| parse::unknown("a curve", text, &names))
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    let tolerance = text.parse().ok().filter(|width| (LEAST_TOLERANCE..=1.0).contains(width));
+    tolerance.ok_or_else(|| format!("a tolerance is a number from {LEAST_TOLERANCE:e} to 1"))
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    match &arguments.at {
+        Some(parameter) => one_point(arguments, parameter),
+        None => all_curves(arguments),
+    }
+}
+
+impl Arguments {
+    fn curves(&self) -> Vec<Curve> {
+        self.curves.iter().flat_map(|Curves(curves)| curves).copied().collect()
+    }
+}
+
+fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
+    let file = arguments.file.open_for(arguments.format)?;
+    let curves = arguments.curves();
+    let is_asked = |curve: &Curve| curves.is_empty() || curves.contains(curve);
+    let first = arguments.weight.all()[0];
+    let asked: Vec<(SelfWeight, Curve)> = arguments
+        .weight
+        .all()
+        .into_iter()
+        .flat_map(|weight| Curve::ALL.into_iter().map(move |curve| (weight, curve)))
+        .filter(|(weight, curve)| is_asked(curve) && !(curve.is_weightless() && *weight != first))
+        .collect();
+    let traced: Vec<Result<Trace, Undecided>> = asked
+        .into_par_iter()
+        .map(|(weight, curve)| Trace::new(curve, weight, arguments.tolerance))
+        .collect();
+    let (mut traces, mut open) = (Vec::new(), Vec::new());
+    for trace in traced {
+        match trace {
+            Ok(trace) => traces.push(trace),
+            Err(undecided) => open.push(undecided.to_string()),
+        }
+    }
+    open.extend(traces.iter().filter(|trace| trace.gaps().next().is_some()).map(|trace| {
+        format!("{}, {}: not every piece is proved", trace.curve, trace.weight.name())
+    }));
+    let report = Report::Map(Map { tolerance: arguments.tolerance, traces });
+    file.write(|out| report.write(arguments.format, out))?;
+    if arguments.file.is_file() {
+        summary(&report)?;
+    }
+    match open.is_empty() {
+        true => Ok(()),
+        false => Err(Failure::Undecided(open.join("; "))),
+    }
+}
+
+/// What was proved, on standard output beside a file of data.
+fn summary(report: &Report) -> Result<(), Failure> {
+    match Format::named(Content::Map, "table") {
+        Some(table) => Output::open(None)?.write(|out| report.write(table, out)),
+        None => Ok(()),
+    }
+}
+
+/// A tolerance at which the tubes tell one branch from another.
+const COARSE: f64 = 1e-2;
+
+fn one_point(arguments: &Arguments, parameter: &str) -> Result<(), Failure> {
+    let [curve] = arguments.curves()[..] else {
+        let message = "--at needs one --curve; for example: couplet map --curve rrr/srr --at 80deg";
+        return Err(Failure::Input(message.into()));
+    };
+    let formats: Vec<&str> = Format::all(Content::MapPoint).map(|format| format.name).collect();
+    if !formats.contains(&arguments.format.name) {
+        return Err(Failure::Input(format!("a point is written only as {}", formats.join(", "))));
+    }
+    let wrong = |error: ParseExactError| Failure::Input(error.to_string());
+    let exact: ExactNumber = parameter.parse().map_err(wrong)?;
+    let digits = arguments.digits.min(MAX_DIGITS);
+    let weights = arguments.weight.all();
+    let weights = if curve.is_weightless() { &weights[..1] } else { &weights[..] };
+    let points = weights.iter().map(|&weight| {
+        let undecided = |undecided: Undecided| Failure::Undecided(undecided.to_string());
+        let trace = Trace::new(curve, weight, COARSE).map_err(undecided)?;
+        let values = point(&trace, &exact, digits).map_err(|error| match error {
+            NoPoint::Undecided(_) => Failure::Undecided(error.to_string()),
+            _ => Failure::Input(error.to_string()),
+        })?;
+        Ok(MapPoint { curve, weight, given: parameter.to_owned(), values })
+    });
+    let points: Vec<MapPoint> = points.collect::<Result<_, Failure>>()?;
+    let file = arguments.file.open_for(arguments.format)?;
+    file.write(|out| Report::MapPoints(MapPoints(points)).write(arguments.format, out))
+}

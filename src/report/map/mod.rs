@@ -1,0 +1,30 @@
+//! The curves of the map: a summary for a person, and their nodes as JSON (`couplet.map/1`), CSV or Parquet. Fields may be
+//! added, none changes its meaning.
+
+mod domains;
+mod json;
+#[cfg(feature = "parquet")]
+mod parquet;
+mod point;
+mod rows;
+mod table;
+
+pub use point::{MapPoint, MapPoints};
+
+pub(super) use json::json;
+#[cfg(feature = "parquet")]
+pub(super) use parquet::parquet;
+pub(super) use point::{csv as point_csv, json as point_json, table as point_table};
+pub(super) use rows::csv;
+pub(super) use table::table;
+
+use crate::atlas::Trace;
+
+/// The curves of the map, each proved piece by piece.
+#[derive(Debug)]
+pub struct Map {
+    /// The half-width of a tube that was asked for.
+    pub tolerance: f64,
+    /// The curves.
+    pub traces: Vec<Trace>,
+}

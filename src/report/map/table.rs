@@ -1,0 +1,49 @@
+//! What was proved, curve by curve, for a person.
+
+use super::Map;
+use super::rows::weight_of;
+use crate::atlas::Trace;
+use crate::report::words::count;
+use std::io;
+
+pub(in crate::report) fn table(report: &Map, out: &mut dyn io::Write) -> io::Result<()> {
+    writeln!(
+        out,
+        "The curves of the map, in tubes of a half-width of at most {:?}\n",
+        report.tolerance
+    )?;
+    let titles = ["curve", "weight", "parameter", "from", "to"];
+    let line = |trace: &Trace| {
+        let [from, to] = trace.curve.ends().map(|end| end.to_string());
+        let weight = weight_of(trace).unwrap_or("any").to_owned();
+        let parameter = trace.curve.parameter().name().to_owned();
+        [trace.curve.to_string(), weight, parameter, from, to]
+    };
+    let lines: Vec<[String; 5]> = report.traces.iter().map(line).collect();
+    let width = |column: usize| {
+        let longest = lines.iter().map(|line| line[column].len()).max().unwrap_or(0);
+        longest.max(titles[column].len())
+    };
+    let widths = [0, 1, 2, 3, 4].map(width);
+    let row = |cells: [&str; 5]| -> String {
+        let padded = cells.iter().zip(widths).map(|(cell, width)| format!("{cell:<width$}  "));
+        padded.collect()
+    };
+    writeln!(out, "{}pieces  widest", row(titles))?;
+    for (line, trace) in lines.iter().zip(&report.traces) {
+        let cells = line.each_ref().map(String::as_str);
+        writeln!(out, "{}{:<6}  {:.1e}", row(cells), trace.pieces().count(), trace.width())?;
+        for gap in trace.gaps() {
+            let [from, to] = gap.range();
+            writeln!(out, "   not proved between {from} and {to}")?;
+        }
+    }
+    let gaps: usize = report.traces.iter().map(|trace| trace.gaps().count()).sum();
+    match gaps {
+        0 => writeln!(
+            out,
+            "\nproved: for each value of the parameter exactly one solution in the tube, from end to end"
+        ),
+        n => writeln!(out, "\n{} not proved", count(n as u64, "piece is", "pieces are")),
+    }
+}

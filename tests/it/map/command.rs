@@ -1,0 +1,130 @@
+//! `couplet map`: what it writes, and what it refuses.
+
+use crate::program::{Scratch, couplet, json, refused, said, text};
+use serde_json::Value;
+
+/// The cells of a table by the names in its header.
+fn cells(table: &str) -> Vec<Vec<(String, String)>> {
+    let mut lines = table.lines().map(|line| line.split(',').map(str::to_owned));
+    let names: Vec<String> = lines.next().unwrap().collect();
+    lines.map(|line| names.iter().cloned().zip(line).collect()).collect()
+}
+
+#[test]
+fn every_curve_is_summed_up() {
+    let (code, output, error) = said(&couplet(&["map", "--weight", "both", "--tolerance", "1e-3"]));
+    assert_eq!((code, &error[..]), (Some(0), ""));
+    // Eleven of each weight, and sliding.
+    let lines: Vec<&str> = output.lines().skip(3).take_while(|line| !line.is_empty()).collect();
+    assert_eq!(lines.len(), 23, "{output}");
+    assert!(output.ends_with("exactly one solution in the tube, from end to end\n"));
+}
+
+#[test]
+fn csv_and_json_say_the_same() {
+    let line = ["map", "--curve", "rrr/srr,limit", "--weight", "heyman", "--format"];
+    let table = text(&couplet(&[&line[..], &["csv"]].concat()).stdout);
+    let document = json(&[&line[..], &["json"]].concat());
+    let curves = document["curves"].as_array().unwrap();
+    let nodes: Vec<(&Value, &Value)> = curves
+        .iter()
+        .flat_map(|curve| curve["nodes"].as_array().unwrap().iter().map(move |n| (curve, n)))
+        .collect();
+    let rows = cells(&table);
+    assert_eq!(rows.len(), nodes.len());
+    for (row, (curve, node)) in rows.iter().zip(nodes) {
+        for (name, cell) in row {
+            let value = match &name[..] {
+                "weight" | "curve" => &curve[name],
+                "node" => continue,
+                _ => &node[name],
+            };
+            let said = match value {
+                Value::Null => String::new(),
+                Value::String(text) => text.clone(),
+                Value::Number(number) => {
+                    let (number, cell) = (number.as_f64().unwrap(), cell.parse::<f64>());
+                    assert_eq!(number, cell.unwrap(), "{name}");
+                    continue;
+                }
+                other => other.to_string(),
+            };
+            assert_eq!(&said, cell, "{name}");
+        }
+    }
+}
+
+/// Bounds of the ends are those of the landmark.
+#[test]
+fn the_ends_are_the_landmarks() {
+    let table = text(&couplet(&["map", "--curve", "rrr/rrs", "--format", "csv"]).stdout);
+    let rows = cells(&table);
+    let of = |row: usize, name: &str| -> String {
+        rows[row].iter().find(|(n, _)| n == name).unwrap().1.clone()
+    };
+    let last = rows.len() - 1;
+    assert_eq!((&of(0, "end")[..], &of(last, "end")[..]), ("T", "l"));
+    // As `couplet constants T` has it, to the precision of a double.
+    let eta: f64 = "0.618318241074323446374432256517".parse().unwrap();
+    let [low, high] = ["thickness_lower", "thickness_upper"].map(|name| of(0, name));
+    assert!(low.parse::<f64>().unwrap() <= eta && eta <= high.parse::<f64>().unwrap());
+    assert_eq!((&of(last, "friction_lower")[..], &of(last, "friction_upper")[..]), ("inf", "inf"));
+    assert_eq!(of(last, "tube"), "", "no piece begins at the end");
+}
+
+/// A point of a line is what `find boundary` finds there.
+#[test]
+fn a_point_is_on_the_boundary() {
+    let at = ["map", "--curve", "rrr/srr", "--at", "80deg", "--digits", "25", "--format", "json"];
+    let point = json(&at);
+    let find =
+        ["find", "boundary", "rrr/srr", "--alpha", "80deg", "--digits", "25", "--format", "json"];
+    let found = json(&find);
+    for name in ["friction", "thickness", "thrust", "rotation_joint"] {
+        let value = &point["values"][name]["value"];
+        assert!(value.is_string() && *value == found[name]["value"], "{name}");
+    }
+}
+
+#[test]
+fn a_file_of_data_comes_with_a_summary() {
+    let scratch = Scratch::new();
+    let file = scratch.path("map.csv");
+    let line = ["map", "--curve", "limit", "--format", "csv", "-o", &file];
+    let (code, output, _) = said(&couplet(&line));
+    assert_eq!(code, Some(0));
+    assert!(output.contains("limit") && output.contains("proved: "), "{output}");
+    assert!(scratch.read("map.csv").starts_with("weight,curve,node,end,parameter,"));
+}
+
+#[test]
+fn what_makes_no_sense_is_refused() {
+    for (arguments, words) in [
+        (&["--curve", "rrr"][..], "a curve is one of rotation, overturning, sliding, rrr/srr"),
+        (&["--curve", "limits"], "did you mean \"limit\"?"),
+        (&["--tolerance", "0"], "a tolerance is a number from 1e-12 to 1"),
+        (&["--tolerance", "1e-13"], "a tolerance is a number from 1e-12 to 1"),
+        (&["--tolerance", "-1"], "a tolerance is a number from 1e-12 to 1"),
+        (&["--tolerance", "NaN"], "a tolerance is a number from 1e-12 to 1"),
+        (&["--weight", "mine"], "a weight is one of"),
+        (&["--at", "1"], "--at needs one --curve"),
+        (&["--at", "1", "--curve", "limit,rotation"], "--at needs one --curve"),
+        (&["--at", "3", "--curve", "rotation"], "half_opening 3 is not on the curve"),
+        (&["--at", "2", "--curve", "rs/ss"], "thickness 2 is not on the curve"),
+        (&["--at", "x", "--curve", "rotation"], "'x' is not a number"),
+        (&["--at", "inf", "--curve", "rotation"], "is not a number"),
+        (&["--at", "1", "--curve", "rotation", "--digits", "0"], "digits are a whole number"),
+        (&["--digits", "5"], "--at"),
+        (&["--format", "svgz"], "a format is one of"),
+    ] {
+        refused(&[&["map"], arguments].concat(), "", words);
+    }
+}
+
+#[cfg(feature = "parquet")]
+#[test]
+fn a_point_has_no_parquet() {
+    let line =
+        ["map", "--curve", "limit", "--at", "1.5", "--format", "parquet", "-o", "no.parquet"];
+    refused(&line, "", "a point is written only as table, json, csv");
+}

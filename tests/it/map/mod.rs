@@ -1,0 +1,4 @@
+//! The curves of the map: beside the states of arches on both sides of each, in every format, and refused.
+
+mod command;
+mod states;
