@@ -99,7 +99,7 @@ exporters: m4
 bench: m4
 	cargo bench --locked
 
-# The same job by Arb, PARI, mpmath, ... beside couplet; about 20 minutes.
+# The same job by Arb, PARI, mpmath, ... beside couplet; about 40 minutes.
 peers: m4
 	benches/peers/run.py
 

@@ -3,6 +3,7 @@
 newton   The balls' radii are dropped at every step: approximate, nothing is proved.
 proof    The last step encloses: m the approximation, X a box about it, Y an inverse of the Jacobian,
          K = m - Y F(m) + (I - Y F'(X)) (X - m). K inside X proves that X holds one root and K holds it.
+quantities  The same, and from it the 13 quantities that couplet gives, as decimals.
 bare     The yardstick: sines and cosines of the three angles.
 """
 
@@ -91,6 +92,21 @@ def proof(digits):
     return job, decimals(digits)
 
 
+def quantities(digits):
+    """The proof, and the decimals of what follows from it."""
+    enclose, strings = proof(digits)
+
+    def job():
+        alpha, beta, beta_s, eta, h, mu = enclose()
+        phi = mu.atan()
+        degrees = 180 / arb.pi()
+        derived = [phi, eta * h, alpha * (alpha / 2).cot()]
+        derived += [degrees * angle for angle in (phi, alpha, beta, beta_s)]
+        return strings([alpha, beta, beta_s, eta, h, mu, *derived])
+
+    return job, lambda decimals: decimals[:6]
+
+
 def is_admissible(box):
     """The physical range, and no denominator that the equations have lost contains zero."""
     ctx.prec = 53
@@ -108,4 +124,4 @@ def bare(digits):
 
 
 if __name__ == "__main__":
-    harness.main({"newton": newton, "proof": proof, "bare": bare})
+    harness.main({"newton": newton, "proof": proof, "quantities": quantities, "bare": bare})

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """couplet beside what else one would use for the triple point; see README.md in this folder.
 
-    run.py            50 to 100,000 digits, writes RESULTS.md (about 20 minutes)
+    run.py            50 to 1,000,000 digits, writes RESULTS.md (about 40 minutes)
     run.py --quick    up to 1,000 digits, writes to standard output
 
 Installs what is missing: wheels from PyPI into target/peers, and, as root, the Debian package pari-gp.
@@ -26,6 +26,7 @@ VENV = ROOT / "target" / "peers"
 PYTHON = VENV / "bin" / "python"
 
 LIMIT = 300  # seconds of CPU time for one computation
+GROWTH = 10  # of the time from ten times fewer digits, at least: what would take longer than the limit is not tried
 ROUNDS = 3
 ONCE = 10.0  # what takes longer is not repeated in a further round
 
@@ -40,7 +41,8 @@ INSIDE = [
     ("mpmath, `findroot`", "mpmath_peer.py", "findroot"),
     ("SymPy, `nsolve`", "float64.py", "nsolve"),
     ("couplet, 13 quantities, correctly rounded decimals, **proved**", "couplet", "constants"),
-    ("couplet, the same and the proof in the large box before it", "couplet", "everything"),
+    ("Arb, 13 quantities, decimals not always correctly rounded, **proved**", "arb.py", "quantities"),
+    ("couplet, the same as above and the proof in the large box before it", "couplet", "everything"),
 ]
 COMMANDS = [
     ("`couplet constants T`, 13 quantities, correctly rounded, **proved**", "command", ""),
@@ -75,7 +77,7 @@ def main():
     arguments = parser.parse_args()
     missing = install()
     programs = build()
-    sizes = [50, 1_000] if arguments.quick else [50, 1_000, 10_000, 100_000]
+    sizes = [50, 1_000] if arguments.quick else [50, 1_000, 10_000, 100_000, 1_000_000]
     cells = {}  # (kind, program, method, digits) -> list of seconds, or an apology
     wanted = [("inside", *row[1:], n) for n in sizes for row in INSIDE + BARE]
     wanted += [("inside", *row[1:], 15) for row in DOUBLES]
@@ -85,8 +87,11 @@ def main():
     for number in range(ROUNDS):
         for kind, program, method, digits in wanted:
             cell = cells.setdefault((kind, program, method, digits), [])
+            before = cells.get((kind, program, method, digits // 10))
             if program in missing:
                 cells[kind, program, method, digits] = "not installed"
+            elif isinstance(before, str) or (before and min(before) > LIMIT / GROWTH):
+                cells[kind, program, method, digits] = "not tried"
             elif not isinstance(cell, str) and not (cell and max(cell) > ONCE):
                 print(f"{number + 1}/{ROUNDS} {kind} {program} {method} {digits}", file=sys.stderr)
                 seconds, numbers = run(programs, kind, program, method, digits)

@@ -99,6 +99,16 @@ impl<T> Configuration<T> {
         }
     }
 
+    /// A variable that is an angle, with its sine and cosine.
+    pub fn angle(&self, unknown: Unknown) -> Option<&Angle<T>> {
+        match unknown {
+            Unknown::HalfOpening => Some(&self.half_opening),
+            Unknown::RotationJoint => Some(&self.rotation_joint),
+            Unknown::SlidingJoint => Some(&self.sliding_joint),
+            Unknown::Thickness | Unknown::Thrust | Unknown::Friction => None,
+        }
+    }
+
     /// The configuration with its values in another number.
     pub fn map<U>(self, f: impl Fn(T) -> U) -> Configuration<U> {
         self.map_each(|_, angle| angle.map(&f), |_, value| f(value))

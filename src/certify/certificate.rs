@@ -5,7 +5,7 @@
 //! does not accept.
 
 use super::root::{Equations, Ladder, Operator, inverse_jacobian, largest_boxes};
-use super::{CertifiedLandmark, Undecided, Value};
+use super::{CertifiedLandmark, Constant, Undecided, Value};
 use crate::arch::{SelfWeight, Unknown};
 use crate::check::{
     Certificate, ClaimFile, EXTRA_BITS, Refusal, SCHEMA, ValueFile, WITNESS_BITS, Witness,
@@ -47,17 +47,16 @@ pub(super) fn landmark_certificate(
     digits: usize,
 ) -> Result<Certificate, Undecided> {
     let problem = Problem::Landmark { landmark: point.landmark(), weight: point.weight() };
-    let values: Vec<ValueFile> = point
-        .constants(digits)?
-        .into_iter()
-        .map(|constant| value_file(constant.quantity, &constant.value))
-        .collect();
     attempt(digits, 0, |bits| {
         let refined = point.enclosure(bits)?;
+        let constants = point.constants_at(&refined, digits);
+        let constants = constants.ok_or_else(|| Undecided::new("a rounding is not decided"))?;
+        let file = |constant: &Constant| value_file(constant.quantity, &constant.value);
         let at = refined.configuration();
         let centre =
             problem.system().unknowns.iter().map(|&unknown| at.value(unknown).mid().clone());
-        Ok(Root { problem: problem.clone(), centre: centre.collect(), values: values.clone() })
+        let values = constants.iter().map(file).collect();
+        Ok(Root { problem: problem.clone(), centre: centre.collect(), values })
     })
 }
 

@@ -232,6 +232,12 @@ impl CertifiedLandmark {
         Ok(found.into_iter().filter_map(|(_, constant)| constant).collect())
     }
 
+    /// All quantities of the landmark from enclosures of its variables; `None` if a rounding stays open.
+    pub(super) fn constants_at(&self, refined: &Refined, digits: usize) -> Option<Vec<Constant>> {
+        let all: Vec<Quantity> = quantities(self.landmark).collect();
+        all.into_par_iter().map(|quantity| self.rounded(refined, quantity, digits)).collect()
+    }
+
     /// How often [`CertifiedLandmark::constants`] reports progress for a landmark.
     pub fn ticks(landmark: Landmark) -> u64 {
         Self::ticks_of(landmark, quantities(landmark).count())

@@ -12,12 +12,12 @@
 //!    meets there; for another verdict, what decides it.
 //! 4. **The decimals** are the correct rounding of everything in the small box.
 
+use super::decimals::Decimals;
 use super::format::{Certificate, Witness};
 use super::krawczyk;
 use super::refusal::Refusal;
-use super::visible::shortened;
 use crate::arch::{Configuration, Unknown};
-use crate::number::{AstroInterval, Dual, Dyadic, Enclosure, Engine, Written};
+use crate::number::{Angle, AstroInterval, Dual, Dyadic, Enclosure, Engine};
 use crate::problem::{Problem, Quantity, System, Verdict};
 
 /// The verdict of a successful check.
@@ -98,15 +98,21 @@ pub fn check_certificate<E: Engine>(
         return Err(Refusal::Denominator("unique"));
     }
     let slopes: Vec<Dual<E>> = system.residuals(&system.variables(&at));
-    let contracts = |place, given: &Configuration<E>, centre: &[E], domain: &[E]| {
-        let residuals = system.residuals(&system.place(given.clone(), centre));
-        let image = krawczyk::image(centre, &residuals, &slopes, &inverse, domain);
-        let fails = (0..image.len()).find(|&k| !image[k].lies_inside(&domain[k]));
+    // The operator is applied to distances from the centre, which have few bits, as have residuals near a root.
+    let contracts = |place, centre: &Configuration<E>, radius: &[Dyadic]| {
+        let residuals = system.residuals(centre);
+        let residuals: Vec<E> = residuals.iter().map(|x| x.with_bits(wide)).collect();
+        let origin = vec![E::zero(wide); radius.len()];
+        let around = |radius| E::zero(wide).widened_by(radius);
+        let distances: Vec<E> = radius.iter().map(around).collect();
+        let image = krawczyk::image(&origin, &residuals, &slopes, &inverse, &distances);
+        let fails = (0..image.len()).find(|&k| !image[k].lies_inside(&distances[k]));
         fails.map_or(Ok(()), |k| {
             Err(Refusal::Contraction { place, unknown: system.unknowns[k].name() })
         })
     };
-    contracts("unique", &given, &exact(&certificate.unique.centre, wide), &domain)?;
+    let centre = system.place(given, &exact(&certificate.unique.centre, wide));
+    contracts("unique", &centre, &certificate.unique.radius)?;
 
     let small = boxed::<E>(&certificate.root, bits);
     let outside = (0..small.len()).find(|&k| !small[k].lies_inside(&domain[k]));
@@ -114,44 +120,24 @@ pub fn check_certificate<E: Engine>(
         return Err(Refusal::Outside(system.unknowns[k].name()));
     }
     let given = problem.given::<E>(bits as u32);
-    contracts("root", &given, &exact(&certificate.root.centre, bits), &small)?;
+    let centre = system.place(given.clone(), &exact(&certificate.root.centre, bits));
+    contracts("root", &centre, &certificate.root.radius)?;
 
-    let at = system.place(given, &small);
-    if let Some(condition) = problem.first_failure(&at, bits as u32) {
+    // On the small box sine and cosine differ from those at its centre by its radius at most.
+    let at = system.place_with(given, &small, |k, rad| {
+        let Some(Angle { sin, cos, .. }) = centre.angle(system.unknowns[k]) else {
+            return Angle::new(rad.clone());
+        };
+        let radius = &certificate.root.radius[k];
+        Angle { rad: rad.clone(), sin: sin.widened_by(radius), cos: cos.widened_by(radius) }
+    });
+    // Few bits tell most signs.
+    let holds = |at: &Configuration<E>, bits| problem.first_failure(at, bits as u32);
+    let near = at.map_ref(|x| x.with_bits(wide));
+    if let Some(condition) = holds(&near, wide).and_then(|_| holds(&at, bits)) {
         return Err(Refusal::Condition(condition.label()));
     }
-    let mut values: Vec<(Quantity, String)> = Vec::new();
-    for value in &certificate.values {
-        let unknown = || Refusal::Quantity(shortened(&value.quantity));
-        let quantity = Quantity::LANDMARK
-            .into_iter()
-            .find(|quantity| quantity.name() == value.quantity)
-            .filter(|quantity| problem.has(*quantity))
-            .filter(|quantity| values.iter().all(|(known, _)| known != quantity))
-            .ok_or_else(unknown)?;
-        let known = problem.known(quantity, &at).ok_or_else(unknown)?;
-        let refused = Refusal::Rounding(quantity.name());
-        let text = if value.value == "inf" {
-            if !known.is_infinite() {
-                return Err(refused);
-            }
-            value.value.clone()
-        } else {
-            let decimal = || Refusal::Decimal(quantity.name());
-            let written = Written::parse(&value.value).ok_or_else(decimal)?;
-            let proved = if written.is_zero() {
-                known.is_zero()
-            } else {
-                let bounds = written.bounds(digits, &at.thrust).ok_or_else(decimal)?;
-                known.lies_between(&bounds, quantity.in_radians().is_some()).is_proved()
-            };
-            if !proved {
-                return Err(refused);
-            }
-            written.to_string()
-        };
-        values.push((quantity, text));
-    }
+    let values = Decimals::new(&problem, &at, digits, bits).accept(&certificate.values)?;
     // What stands needs no value.
     let stands = matches!(&problem, Problem::Verdict { verdict: Verdict::Stands(_), .. });
     if values.is_empty() && !stands {

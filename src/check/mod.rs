@@ -5,6 +5,7 @@
 
 mod checker;
 mod claim;
+mod decimals;
 mod format;
 mod given;
 pub mod krawczyk;

@@ -36,9 +36,17 @@ impl AstroInterval {
         Self { low: value.clone(), high: value, prec: prec.max(WORD_BIT_SIZE) }
     }
 
-    /// The same set with results to be rounded to `prec` bits (whole words).
+    /// The same set, its ends rounded outward if they have more bits, with results to be rounded to `prec` bits (whole
+    /// words).
     pub fn with_precision(&self, prec: usize) -> Self {
-        Self { prec, ..self.clone() }
+        let mut set = Self { prec, ..self.clone() };
+        for (end, round) in [(&mut set.low, DOWN), (&mut set.high, UP)] {
+            let is_longer = end.mantissa_max_bit_len().is_some_and(|bits| bits > prec);
+            if is_longer && end.set_precision(prec, round).is_err() {
+                return Self::whole(prec);
+            }
+        }
+        set
     }
 
     /// The number `± mantissa * 2^exponent`, exactly; the mantissa in words of 64 bits, the least

@@ -65,6 +65,8 @@ mod gmp;
 mod jet;
 mod shown;
 mod stumpff;
+#[cfg(feature = "check")]
+mod tens;
 mod ternary;
 #[cfg(feature = "check")]
 mod unit;
@@ -97,6 +99,8 @@ pub use shown::{shown, visible};
 pub use stumpff::Stumpff;
 #[cfg(feature = "mpfr")]
 pub(crate) use stumpff::terms as stumpff_terms;
+#[cfg(feature = "check")]
+pub use tens::Tens;
 pub use ternary::Ternary;
 #[cfg(feature = "check")]
 pub(crate) use unit::is_angle;

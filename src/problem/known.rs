@@ -1,6 +1,6 @@
 //! What is known of a quantity, and how it compares with a bound.
 
-use crate::number::{Enclosure, Ternary};
+use crate::number::{Dyadic, Enclosure, Engine, Ternary};
 
 /// What is known of a quantity.
 pub enum Known<E> {
@@ -12,30 +12,48 @@ pub enum Known<E> {
     Infinite,
 }
 
-impl<E: Enclosure> Known<E> {
-    /// Whether the quantity, in degrees if `degrees`, lies between two bounds. `True` is a proof.
-    pub fn lies_between(&self, [low, high]: &[E; 2], degrees: bool) -> Ternary {
-        let in_radians = |bound: &E| {
-            if degrees { bound.clone() * bound.pi() / bound.int(180) } else { bound.clone() }
-        };
-        let (low, high) = (in_radians(low), in_radians(high));
-        match self {
-            Self::Enclosed(x) => low.is_less_than(x).and(x.is_less_than(&high)),
-            // For angles between 0 and a right angle the tangent grows: no arctangent is needed.
-            Self::AngleOfTangent(tangent) => {
-                let ((sin, cos), (other_sin, other_cos)) = (low.sin_cos(), high.sin_cos());
-                let in_quadrant =
-                    low.is_positive().and(high.is_less_than(&(high.pi() / high.int(2))));
-                in_quadrant
-                    .and(cos.is_positive())
-                    .and(other_cos.is_positive())
-                    .and(sin.is_less_than(&(cos * tangent)))
-                    .and((other_cos * tangent).is_less_than(&other_sin))
-            }
-            Self::Infinite => Ternary::False,
-        }
-    }
+/// Bits of a correction, which is small: what it lacks is smaller still.
+const FEW: usize = 128;
+/// How often an angle is corrected at most.
+const CORRECTIONS: usize = 4;
 
+impl<E: Engine> Known<E> {
+    /// An enclosure, in numbers of `bits` bits; of an angle known by its tangent, from a number `near` it: the nearer, the
+    /// cheaper. `None` for infinity, and where `near` is not between 0 and a right angle.
+    ///
+    /// With sine `s` and cosine `c` of `near`, the tangent `T` is that of `near + atan t`, `t = (T c - s) / (c + T s)`,
+    /// as the two angles are less than a right angle apart where the divisor is positive; and
+    /// `|atan t - t| <= |t|³`.
+    pub fn enclosed(&self, near: &E, bits: usize) -> Option<E> {
+        let tangent = match self {
+            Self::Enclosed(x) => return Some(x.clone()),
+            Self::AngleOfTangent(tangent) => tangent,
+            Self::Infinite => return None,
+        };
+        let up_to = |exponent| E::zero(FEW).widened_by(&Dyadic::new(false, vec![1], exponent));
+        let (unit, small) = (up_to(0), up_to(-((bits / 3) as i32)));
+        let mut angle = near.clone();
+        for _ in 0..CORRECTIONS {
+            let near = angle.midpoint();
+            let (sin, cos) = near.sin_cos();
+            let across = (tangent.clone() * &cos - &sin).with_bits(FEW);
+            let along = tangent.with_bits(FEW) * sin.with_bits(FEW) + cos.with_bits(FEW);
+            let in_quadrant =
+                near.is_positive().and(near.is_less_than(&near.int(2))).and(cos.is_positive());
+            if !in_quadrant.and(along.is_positive()).is_proved() {
+                return None;
+            }
+            let t = across / along;
+            angle = near + &t + t.square() * &t * &unit;
+            if t.lies_inside(&small) {
+                break;
+            }
+        }
+        Some(angle)
+    }
+}
+
+impl<E: Enclosure> Known<E> {
     /// Whether the quantity is exactly zero: nothing above it, nothing below.
     pub fn is_zero(&self) -> bool {
         match self {

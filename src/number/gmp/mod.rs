@@ -7,6 +7,7 @@ mod binary;
 mod burst;
 #[cfg(feature = "study")]
 mod complex;
+mod expansion;
 mod hexadecimal;
 mod magnitude;
 mod mpfr;

@@ -1,6 +1,6 @@
 //! Decimal output in which every digit is proved.
 
-use super::{Ball, Enclosure};
+use super::{Ball, Enclosure, expansion};
 use crate::number::Decimal;
 use rug::float::Round;
 use rug::ops::{Pow, PowAssignRound};
@@ -17,6 +17,9 @@ pub struct Rounded {
     /// Not below the true value.
     pub upper: Decimal,
 }
+
+/// From so many digits on they are found by splitting.
+const MANY: usize = 2_000;
 
 /// The bits that hold `digits` decimal digits: `digits log2(10)`, rounded up.
 pub fn bits_of(digits: usize) -> u32 {
@@ -45,24 +48,10 @@ impl Rounded {
         if negative {
             (low, high) = (-high, -low);
         }
-        // One digit more than asked for tells the halves of a unit apart.
-        let mut exponent = decimal_magnitude(&low) - digits as i64 - 1;
-        // Binary places kept behind that grid: all that the number has.
-        let fraction = low.prec().saturating_sub(bits_of(digits)).max(64);
-        let mut scaled = scaled(&low, exponent, fraction)?;
-        let mut text = Integer::from(&scaled >> fraction).to_string_radix(10);
-        // The estimate of the magnitude may be off by one either way.
-        while text.len() != digits + 1 {
-            exponent += text.len() as i64 - digits as i64 - 1;
-            scaled = self::scaled(&low, exponent, fraction)?;
-            text = Integer::from(&scaled >> fraction).to_string_radix(10);
-        }
-        // All numbers of the ball have to lie strictly inside one cell of the finer grid.
-        let start = scaled.keep_bits(fraction);
-        let end = Integer::from(&start + 1) + scaled_width(&low, &high, exponent, fraction)?;
-        if start.is_zero() || end.significant_bits() > fraction {
-            return None;
-        }
+        let (mut text, exponent) = match digits {
+            MANY.. => by_splitting(&low, &high, digits).or_else(|| at_once(&low, &high, digits)),
+            _ => at_once(&low, &high, digits),
+        }?;
         let last = text.pop()?;
         let below = Decimal::new(negative, text, exponent + 1);
         let above = below.neighbour(true);
@@ -137,6 +126,44 @@ fn decimal_magnitude(x: &Float) -> i64 {
     ((head.log2() + f64::from(exponent)) * std::f64::consts::LOG10_2).floor() as i64 + 1
 }
 
+/// The cell of the decimal grid in which all numbers from `low` to `high` lie strictly, as `digits + 1` digits and the power
+/// of ten of the last: one digit more than asked for tells the halves of a unit apart. `None` if they lie in more than
+/// one.
+fn at_once(low: &Float, high: &Float, digits: usize) -> Option<(String, i64)> {
+    let mut exponent = decimal_magnitude(low) - digits as i64 - 1;
+    // Binary places kept behind that grid: all that the number has.
+    let fraction = low.prec().saturating_sub(bits_of(digits)).max(64);
+    let mut scaled = scaled(low, exponent, fraction)?;
+    let mut text = Integer::from(&scaled >> fraction).to_string_radix(10);
+    // The estimate of the magnitude may be off by one either way.
+    while text.len() != digits + 1 {
+        exponent += text.len() as i64 - digits as i64 - 1;
+        scaled = self::scaled(low, exponent, fraction)?;
+        text = Integer::from(&scaled >> fraction).to_string_radix(10);
+    }
+    let start = scaled.keep_bits(fraction);
+    let end = Integer::from(&start + 1) + scaled_width(low, high, exponent, fraction)?;
+    (!start.is_zero() && end.significant_bits() <= fraction).then_some((text, exponent))
+}
+
+/// The same where it can be told by splitting the digits, which is fast.
+fn by_splitting(low: &Float, high: &Float, digits: usize) -> Option<(String, i64)> {
+    let count = digits + 1;
+    let bits = expansion::width(count);
+    let estimate = decimal_magnitude(low);
+    let fraction = |magnitude| {
+        let x = scaled(low, magnitude, bits)?;
+        let tenfold = Integer::from(&x >> (bits - 8)) * 10;
+        (x.significant_bits() <= bits && tenfold >> 8 > 0).then_some((x, magnitude))
+    };
+    let (x, magnitude) = (estimate - 1..=estimate + 1).find_map(fraction)?;
+    let found = expansion::expansion(&x, bits, count)?;
+    let exponent = magnitude - count as i64;
+    let end = scaled_width(low, high, exponent, expansion::MARGIN)? + found.rest + 2u32;
+    (found.rest > 0 && end.significant_bits() <= expansion::MARGIN)
+        .then_some((found.digits, exponent))
+}
+
 /// `floor(x / 10^exponent * 2^fraction)` for a non-negative `x`; `None` if `x` is not finite.
 fn scaled(x: &Float, exponent: i64, fraction: u32) -> Option<Integer> {
     let (mantissa, shift) = x.to_integer_exp()?;
@@ -205,6 +232,30 @@ mod tests {
         assert!(Rounded::from_ball(&half.int(0), 5).is_none());
         let tie = Ball::enclosing(&Rational::from((5, 4)), 64);
         assert!(Rounded::from_ball(&tie, 2).is_none(), "1.25 to two digits is a tie");
+    }
+
+    /// Both ways find the same cell, for numbers of many sizes, and for none that is not decided.
+    #[test]
+    fn splitting_finds_the_same() {
+        for (digits, size) in [(MANY, -3), (MANY, 0), (MANY + 1, 2), (5000, 40), (MANY, -700)] {
+            let prec = bits_of(digits) + 96;
+            let x: Float = Float::with_val(prec, 2).sqrt() * Float::with_val(prec, 10).pow(size);
+            let next: Float = x.clone() * (1 + (Float::with_val(prec, 1) >> (prec - 40)));
+            let found = by_splitting(&x, &next, digits).expect("decided");
+            assert_eq!(found, at_once(&x, &next, digits).unwrap());
+            assert_eq!(found.0.len(), digits + 1);
+            let wide: Float = x.clone() * (1 + (Float::with_val(prec, 1) >> bits_of(digits - 1)));
+            assert!(by_splitting(&x, &wide, digits).is_none(), "two cells");
+            assert!(at_once(&x, &wide, digits).is_none(), "two cells");
+        }
+        // 1/4 and a hair more lies next to the grid: splitting cannot tell, and the other way does.
+        let prec = bits_of(MANY) + 200;
+        let quarter = Float::with_val(prec, 0.25);
+        let hair = Float::with_val(prec, 1) >> (prec - 10);
+        let (low, high) = (quarter.clone() + &hair, quarter.clone() + hair * 2u32);
+        assert!(by_splitting(&low, &high, MANY).is_none());
+        assert_eq!(at_once(&low, &high, MANY).unwrap().0, format!("25{}", "0".repeat(MANY - 1)));
+        assert_eq!(at_once(&quarter, &high, MANY), None, "on the grid");
     }
 
     #[test]
