@@ -11,6 +11,7 @@
 //! | their trends, Fig. 3, with both weights | `trends.rs` |
 //! | how rotation and overturning join | `joining.rs` |
 //! | sliding: (17), (18) | `sliding.rs` |
+//! | (2)–(5), (17), (18) in forms that are regular everywhere | `regular.rs` |
 //! | series for small openings and about `l` | `asymptotics.rs` |
 //! | the landmarks | `landmarks.rs` |
 //! | values of few digits, frictions that suffice | `rounded.rs` |
@@ -23,6 +24,7 @@
 //! | why there are seven modes | `modes.rs` |
 //! | where on the map the modes are | `domains.rs` |
 //! | why they fill it | `tiling.rs` |
+//! | its lines as curves without gaps | `lines.rs` |
 //! | the landmarks as states of the whole arch | `admissible.rs` |
 //! | one least thickness, one half opening | `uniqueness.rs` |
 //! | signs by algebra | `sign.rs` |
@@ -50,11 +52,13 @@ mod index;
 mod joining;
 mod landmarks;
 mod letters;
+mod lines;
 mod map_of_weights;
 mod measured;
 mod modes;
 mod moments;
 mod overturning;
+mod regular;
 mod rounded;
 mod same_opening;
 mod sentence;
@@ -159,6 +163,7 @@ pub fn claims() -> Vec<Claim> {
         trends::CLAIMS,
         joining::CLAIMS,
         sliding::CLAIMS,
+        regular::CLAIMS,
         asymptotics::CLAIMS,
         landmarks::CLAIMS,
         rounded::CLAIMS,
@@ -172,6 +177,7 @@ pub fn claims() -> Vec<Claim> {
         modes::CLAIMS,
         domains::CLAIMS,
         tiling::CLAIMS,
+        lines::CLAIMS,
         admissible::CLAIMS,
         uniqueness::CLAIMS,
     ]
