@@ -3,12 +3,14 @@
 use super::Undecided;
 use super::posed::Posed;
 use super::root::{Equations, Ladder, Operator, inverse_jacobian, largest_boxes, root_near};
+use super::short::Approach;
 use crate::arch::SelfWeight;
 use crate::number::{Ball, DoubleBall, Magnitude};
 use crate::problem::{Landmark, Problem, System};
 use crate::solve::Candidate;
 use rug::Float;
 use rug::float::Round;
+use std::sync::OnceLock;
 
 /// A root of a system, proved to exist and to be the only one in a box.
 ///
@@ -20,6 +22,7 @@ pub struct Isolated {
     system: System,
     domain: Vec<Ball>,
     image: Vec<Ball>,
+    approach: OnceLock<Option<Approach>>,
 }
 
 impl Isolated {
@@ -36,6 +39,17 @@ impl Isolated {
     /// A smaller box that holds the root.
     pub fn image(&self) -> &[Ball] {
         &self.image
+    }
+
+    /// How to get to some hundred bits quickly, if there is a way; found out when first asked for.
+    pub(super) fn approach(&self) -> Option<&Approach> {
+        self.approach.get_or_init(|| Approach::new(&self.system, &self.domain)).as_ref()
+    }
+
+    /// As if there were no quick way.
+    #[cfg(test)]
+    pub(super) fn without_approach(self) -> Self {
+        Self { approach: OnceLock::from(None), ..self }
     }
 
     /// The radii of the box relative to its centre, rounded down: the proof covers as much.
@@ -105,7 +119,7 @@ fn isolated_where(
         .into_iter()
         .map(|(radii, image)| {
             let system = problem.system();
-            Isolated { system, domain: operator.domain(&radii), image }
+            Isolated { system, domain: operator.domain(&radii), image, approach: OnceLock::new() }
         })
         .max_by(|a, b| a.size().total_cmp(&b.size()))
         .ok_or_else(|| Undecided::new("no box around the candidate is mapped into itself"))

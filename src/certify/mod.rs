@@ -12,6 +12,7 @@ mod landmark;
 mod posed;
 mod refine;
 pub(crate) mod root;
+mod short;
 pub mod state;
 mod undecided;
 mod verdict;

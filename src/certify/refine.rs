@@ -14,7 +14,7 @@
 //! encloses in one. The box has to lie in the one where the root is known to be unique.
 
 use super::root::inverse_jacobian;
-use super::{Isolated, Undecided};
+use super::{Isolated, Undecided, short};
 use crate::arch::{Configuration, Unknown};
 use crate::check::krawczyk;
 use crate::number::{Anchor, Angle, Ball, Dual, Enclosure, Magnitude, arctangent};
@@ -79,6 +79,12 @@ pub fn refine_watched(
     let system = *isolated.system();
     let bits = bits.max(FLOOR);
     tally::working_bits(bits + GUARD);
+    if bits <= short::MOST
+        && let Some(at) = isolated.approach().and_then(|way| way.enclose(bits))
+    {
+        (0..stages(&system)).for_each(|_| tick());
+        return Ok(Refined { system, at, friction_angle: OnceLock::new() });
+    }
     let mut start: Vec<Float> = isolated.image().iter().map(|x| x.mid().clone()).collect();
     start = newton(&system, start, FLOOR)?;
     let level = Level::new(&system, start, bits, tick)?;

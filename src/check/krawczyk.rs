@@ -15,26 +15,32 @@
 
 use crate::number::{Dual, Enclosure, Field};
 
-/// The last term of `K(X)`, `(I - Y F'(X)) (X - m)`. `preconditioner` is `Y`; `slopes` are the
-/// residuals as dual numbers on a box that holds `X`, of which only the gradients are used; `offsets` is
-/// `X - m`.
-pub fn spread<E: Enclosure>(
-    slopes: &[Dual<E>],
-    preconditioner: &[Vec<E>],
-    offsets: &[E],
-) -> Vec<E> {
-    let n = offsets.len();
-    let contraction = |row: &[E], i: usize, k: usize| {
+/// `I - Y F'(X)`, row by row. `preconditioner` is `Y`; `slopes` are the residuals as dual numbers on a box that holds
+/// `X`, of which only the gradients are used.
+pub fn contraction<E: Enclosure>(slopes: &[Dual<E>], preconditioner: &[Vec<E>]) -> Vec<Vec<E>> {
+    let entry = |row: &[E], i: usize, k: usize| {
         let products = row
             .iter()
             .zip(slopes)
             .filter_map(|(y, slope)| slope.slope(k).map(|slope| y.clone() * slope));
         row[k].int(i32::from(i == k)) - sum(&row[k], products)
     };
-    let component = |(i, row): (usize, &Vec<E>)| {
-        sum(&row[i], (0..n).map(|k| contraction(row, i, k) * &offsets[k]))
+    let rows = preconditioner.iter().enumerate();
+    rows.map(|(i, row)| (0..row.len()).map(|k| entry(row, i, k)).collect()).collect()
+}
+
+/// The last term of `K(X)`, `(I - Y F'(X)) (X - m)`; `offsets` is `X - m`, the rest as for [`contraction`].
+pub fn spread<E: Enclosure>(
+    slopes: &[Dual<E>],
+    preconditioner: &[Vec<E>],
+    offsets: &[E],
+) -> Vec<E> {
+    let rows = contraction(slopes, preconditioner).into_iter();
+    let component = |row: Vec<E>| {
+        let zero = row[0].int(0);
+        row.into_iter().zip(offsets).fold(zero, |sum, (entry, offset)| sum + entry * offset)
     };
-    preconditioner.iter().enumerate().map(component).collect()
+    rows.map(component).collect()
 }
 
 /// `K(X)` on the box `domain`, from enclosures of the residuals at `centre` and of the slopes on the box.

@@ -27,7 +27,7 @@ pub struct DoubleBall {
 }
 
 /// `2^exponent`, within the range of normal doubles.
-pub(super) const fn power_of_two(exponent: i32) -> f64 {
+pub(crate) const fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(((1023 + exponent) as u64) << 52)
 }
 

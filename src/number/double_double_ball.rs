@@ -9,7 +9,7 @@
 
 #[cfg(feature = "mpfr")]
 use super::double_ball::SMALLEST;
-use super::double_ball::{DOWN, UP, settled};
+use super::double_ball::{DOWN, UP, power_of_two, settled};
 use super::double_sine::{self, sin_cos};
 use super::stumpff::{from_series, terms};
 #[cfg(feature = "mpfr")]
@@ -46,6 +46,37 @@ impl DoubleDoubleBall {
         Self::new(mid, 0.0)
     }
 
+    /// `± mantissa 2^exponent`, the mantissa in words of 64 bits, the least significant first: exactly if it has at
+    /// most 106 bits, else with a bound of what is left.
+    pub fn of_words(is_negative: bool, mantissa: &[u64], exponent: i64) -> Self {
+        let zeros = mantissa.iter().rev().take_while(|word| **word == 0).count();
+        let Some((top, rest)) = mantissa[..mantissa.len() - zeros].split_last() else {
+            return Self::exact(DoubleDouble::ZERO);
+        };
+        // The leading 126 bits, from three words of which the first begins with its highest bit.
+        let word = |i: usize| u128::from(rest.len().checked_sub(i).map_or(0, |at| rest[at]));
+        let shift = top.leading_zeros();
+        let below = if shift > 0 { word(2) >> (64 - shift) } else { 0 };
+        let head = (u128::from(*top) << 64 | word(1)) << shift | below;
+        let is_cut = head & 3 != 0
+            || (word(2) << shift) as u64 != 0
+            || rest.iter().rev().skip(2).any(|word| *word != 0);
+        let leading = (head >> 2) as i128;
+        let exponent = exponent + 64 * (rest.len() as i64 + 1) - i64::from(shift) - 126;
+        if exponent > 200 {
+            return Self::WHOLE;
+        }
+        // Smaller ones are out of the range of a ball, and become a part of the radius.
+        let unit = power_of_two(exponent.max(-700) as i32);
+        // Both conversions round to nearest, and what they leave is an integer.
+        let hi = leading as f64;
+        let low = leading - hi as i128;
+        let lo = low as f64;
+        let left = (low - lo as i128).unsigned_abs() + u128::from(is_cut);
+        let sign = if is_negative { -unit } else { unit };
+        Self::new(DoubleDouble::sum(sign * hi, sign * lo), unit * left as f64)
+    }
+
     /// The result of an operation of [`DoubleDouble`], with what its radius is but for the error of that.
     #[inline(always)]
     fn rounded(mid: DoubleDouble, rad: f64) -> Self {
@@ -71,7 +102,7 @@ impl DoubleDoubleBall {
     }
 
     /// An upper bound of the size of all numbers of the ball.
-    fn size(&self) -> f64 {
+    pub fn size(&self) -> f64 {
         (self.mid.hi().abs() + self.rad) * UP
     }
 

@@ -1,8 +1,7 @@
 //! The arithmetic a certificate is checked in.
 
 use super::Dyadic;
-use super::double_ball::power_of_two;
-use crate::number::{AstroInterval, DoubleBall, DoubleDouble, DoubleDoubleBall, Enclosure};
+use crate::number::{AstroInterval, DoubleBall, DoubleDoubleBall, Enclosure};
 
 /// Enclosures that can be made from exact binary numbers.
 ///
@@ -45,21 +44,7 @@ impl Engine for AstroInterval {
 impl Engine for DoubleDoubleBall {
     /// The two leading parts, and a bound of what is left as radius.
     fn exact(value: &Dyadic, _bits: usize) -> Self {
-        let Some((mantissa, is_cut, exponent)) = leading(value) else {
-            return Self::exact(DoubleDouble::ZERO);
-        };
-        // Both conversions round to nearest, and what they leave is an integer.
-        let hi = mantissa as f64;
-        let low = mantissa - hi as i128;
-        let lo = low as f64;
-        let rest = (low - lo as i128).unsigned_abs() + u128::from(is_cut);
-        // The leading bits are 126: more than these exponents is out of the range of a ball.
-        if exponent > 200 {
-            return Self::WHOLE;
-        }
-        let unit = power_of_two(exponent.max(-700));
-        let sign = if value.is_negative() { -unit } else { unit };
-        Self::new(DoubleDouble::sum(sign * hi, sign * lo), unit * rest as f64)
+        Self::of_words(value.is_negative(), value.words(), value.exponent().into())
     }
 
     fn with_bits(&self, _bits: usize) -> Self {
@@ -85,25 +70,6 @@ impl Engine for DoubleBall {
         let radius = <Self as Engine>::exact(radius, 0);
         self.widened(radius.mid().abs()).widened(radius.rad())
     }
-}
-
-/// The size of a number but zero as `mantissa 2^exponent` with a mantissa of 126 bits, and whether it is above that
-/// because bits were cut off.
-fn leading(value: &Dyadic) -> Option<(i128, bool, i32)> {
-    let words = value.words();
-    let (top, rest) = words.split_last()?;
-    let word = |i: usize| u128::from(rest.len().checked_sub(i).map_or(0, |at| rest[at]));
-    // Three words from the top, of which the first begins with its highest bit.
-    let shift = top.leading_zeros();
-    let below = if shift > 0 { word(2) >> (64 - shift) } else { 0 };
-    let head = (u128::from(*top) << 64 | word(1)) << shift | below;
-    let is_cut = head & 3 != 0
-        || (word(2) << shift) as u64 != 0
-        || rest.iter().rev().skip(2).any(|word| *word != 0);
-    let bits = 64 * words.len() as i64 - i64::from(shift);
-    let exponent = i64::from(value.exponent()) + bits - 126;
-    let exponent = exponent.clamp(i64::from(i32::MIN), i64::from(i32::MAX));
-    Some(((head >> 2) as i128, is_cut, exponent as i32))
 }
 
 #[cfg(feature = "mpfr")]

@@ -5,6 +5,7 @@
 //! | [`f64`] | a quick look | [`Field`], [`Real`] |
 //! | [`DoubleDouble`] | the sum of two doubles, each operation with a proved bound of its error | [`Field`] |
 //! | [`DoubleBall`], [`DoubleDoubleBall`] | one or two doubles and a radius: quick enclosures | [`Field`], [`Real`], [`Enclosure`] |
+//! | [`ShortBall`] | fixed point of a few words on the stack, with a radius | [`Field`] |
 //! | [`rug::Float`] | MPFR, round to nearest: candidates | [`Field`], [`Real`] |
 //! | [`Ball`] | MPFR midpoint and radius: enclosures | [`Field`], [`Real`], [`Enclosure`] |
 //! | [`AstroInterval`] | two astro-float ends, rounded outward: the second arithmetic | [`Field`], [`Real`], [`Enclosure`] |
@@ -63,6 +64,8 @@ mod exact;
 #[cfg(feature = "mpfr")]
 mod gmp;
 mod jet;
+#[cfg(feature = "mpfr")]
+mod short_ball;
 mod shown;
 mod stumpff;
 #[cfg(feature = "check")]
@@ -78,6 +81,8 @@ pub use astro::AstroInterval;
 #[cfg(feature = "check")]
 pub use decimal::{Decimal, ParseDecimalError};
 pub use double_ball::DoubleBall;
+#[cfg(feature = "mpfr")]
+pub(crate) use double_ball::power_of_two;
 pub use double_double::DoubleDouble;
 pub use double_double_ball::DoubleDoubleBall;
 pub use dual::Dual;
@@ -95,6 +100,8 @@ pub use gmp::{
     rational_like, terminating,
 };
 pub use jet::Jet;
+#[cfg(feature = "mpfr")]
+pub use short_ball::ShortBall;
 pub use shown::{shown, visible};
 pub use stumpff::Stumpff;
 #[cfg(feature = "mpfr")]
