@@ -11,7 +11,7 @@
 //! The first is a cycloid, `(2 phi, 2 (1 - h)) = (t - sin t, 1 - cos t)` with `t = 2 chi`. Neither has a root
 //! or a quotient that vanishes, and both are analytic at unlimited friction, `phi = chi = pi/2`, `h = 0`.
 
-use crate::number::{Angle, Field, Stumpff};
+use crate::number::{Angle, Field, Real, Stumpff};
 
 /// (18): the thrust `h = cos² chi` at which an inner joint slides, by the inclination of the force there.
 pub fn thrust<T: Field>(inclination: &Angle<T>) -> T {
@@ -33,6 +33,12 @@ pub fn friction_angle<T: Field>(inclination: &Angle<T>) -> T {
 /// the force on the shoulder, `alpha - phi`.
 pub fn shoulder<T: Field>(half_opening: &T, inclination: &Angle<T>, thrust: &T) -> T {
     thrust.clone() * &inclination.sin - half_opening.clone() * &inclination.cos
+}
+
+/// (17) solved for the thrust, `h = alpha cot(alpha - phi)`: the largest that the shoulder can bear.
+pub fn shoulder_thrust<T: Real>(half_opening: &T, friction_angle: &T) -> T {
+    let inclination = Angle::new(half_opening.clone() - friction_angle);
+    half_opening.clone() * inclination.cos / inclination.sin
 }
 
 /// (17) of the purely sliding states over `chi³`, regular where the arch is flat: with `q = (alpha - phi)/chi`,
@@ -73,6 +79,13 @@ mod tests {
             let mu = sliding::inner(&beta, &h).value();
             approx::assert_relative_eq!(mu, friction_angle(&chi).tan(), max_relative = 1e-10);
         }
+    }
+
+    #[test]
+    fn the_thrust_of_a_shoulder_that_slides_is_the_printed_one() {
+        let (alpha, phi) = (Angle::new(1.3f64), 0.4f64);
+        let printed = sliding::shoulder_thrust(&alpha, &phi.tan()).value();
+        approx::assert_relative_eq!(shoulder_thrust(&1.3, &phi), printed, max_relative = 1e-13);
     }
 
     #[test]

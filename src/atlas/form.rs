@@ -79,6 +79,8 @@ pub(super) enum Thrust {
     Sliding,
     /// The line of thrust touches the intrados: (5).
     Tangent,
+    /// The shoulder slides: (17).
+    Shoulder,
 }
 
 /// Where the rotational joint is, if it is no unknown.
@@ -157,17 +159,20 @@ impl Form {
             true => s.int(2),
             false => value(Variable::Thickness),
         };
+        let half_opening = given.unwrap_or_else(|| value(Variable::HalfOpening));
+        let friction_angle = value(Variable::FrictionAngle);
         let thrust = match self.thrust {
             Thrust::Zero => zero.clone(),
             Thrust::Sliding => cycloid::thrust(&inclination),
+            Thrust::Shoulder => cycloid::shoulder_thrust(&half_opening, &friction_angle),
             Thrust::Tangent => {
                 let ring = Ring::new(self.weight, &thickness);
                 thrust::tangency(&haunch.times_cotangent, &ring).value()
             }
         };
         Spot {
-            half_opening: given.unwrap_or_else(|| value(Variable::HalfOpening)),
-            friction_angle: value(Variable::FrictionAngle),
+            half_opening,
+            friction_angle,
             inclination,
             joint_square,
             haunch,

@@ -1,7 +1,8 @@
 //! The map as data: its curves from end to end, each proved for every value of a parameter.
 //!
 //! A [`Curve`] is followed by [`Trace::new`] in pieces. On each a [tube](Trace) about a cubic holds exactly one solution
-//! for every parameter; neighbouring tubes join; the ends are landmarks.
+//! for every parameter; neighbouring tubes join; the ends are landmarks. A [`Level`] is the line of one half opening, mode
+//! by mode; [`boundary`] has the domains of the modes as loops of curves.
 //!
 //! ```
 //! use couplet::arch::SelfWeight;
@@ -18,6 +19,7 @@ mod curve;
 mod domain;
 mod end;
 mod form;
+mod level;
 mod place;
 mod point;
 mod search;
@@ -29,6 +31,7 @@ pub use curve::Curve;
 pub use domain::{Corner, Side, boundary};
 pub use end::End;
 pub use form::Variable;
+pub use level::{Level, NoLevel, Part};
 pub use place::Place;
 pub use point::{NoPoint, point};
 pub use trace::{LEAST_TOLERANCE, Piece, Point, Trace};

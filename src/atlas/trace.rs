@@ -122,30 +122,16 @@ impl Trace {
 
     /// The pieces in order, gaps among them.
     pub fn pieces(&self) -> impl Iterator<Item = Piece<'_>> {
-        self.legs.iter().flat_map(|(form, walk)| {
-            let nodes = walk.nodes.windows(2).zip(&walk.tubes);
-            nodes.map(move |(pair, tube)| Piece {
-                form,
-                from: &pair[0],
-                to: &pair[1],
-                tube: tube.as_ref(),
-            })
-        })
+        self.legs.iter().flat_map(|(form, walk)| pieces_of(form, walk))
     }
 
     /// The nodes in order, from end to end.
     pub fn points(&self) -> Vec<Point> {
         let [first, last] = self.curve.ends();
-        let node = |form: &Form, node: &Node| Point {
-            parameter: node.sketch.s,
-            end: None,
-            place: Place::new(form, &exact(node.sketch.s), &node.root),
-        };
         let mut points: Vec<Point> = Vec::new();
         for (index, (form, walk)) in self.legs.iter().enumerate() {
             // The last node of a part is the first one of the next.
-            let new = walk.nodes.iter().skip(usize::from(index > 0));
-            points.extend(new.map(|n| node(form, n)));
+            points.extend(points_of(form, walk).into_iter().skip(usize::from(index > 0)));
         }
         let [at_first, at_last] = self.ends.clone();
         if let Some(point) = points.first_mut() {
@@ -171,6 +157,22 @@ impl Trace {
     pub fn width(&self) -> f64 {
         self.pieces().filter_map(|piece| piece.width()).fold(0.0, f64::max)
     }
+}
+
+/// The pieces of a walk.
+pub(super) fn pieces_of<'a>(form: &'a Form, walk: &'a Walk) -> impl Iterator<Item = Piece<'a>> {
+    let nodes = walk.nodes.windows(2).zip(&walk.tubes);
+    nodes.map(move |(pair, tube)| Piece { form, from: &pair[0], to: &pair[1], tube: tube.as_ref() })
+}
+
+/// The nodes of a walk.
+pub(super) fn points_of(form: &Form, walk: &Walk) -> Vec<Point> {
+    let point = |node: &Node| Point {
+        parameter: node.sketch.s,
+        end: None,
+        place: Place::new(form, &exact(node.sketch.s), &node.root),
+    };
+    walk.nodes.iter().map(point).collect()
 }
 
 /// The value of a variable at the last node of a part.

@@ -3,7 +3,7 @@
 use super::output::{Output, OutputFile};
 use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
-use crate::atlas::{Curve, LEAST_TOLERANCE, NoPoint, Trace, point};
+use crate::atlas::{Curve, LEAST_TOLERANCE, Level, NoLevel, NoPoint, Part, Trace, point};
 use crate::certify::{MAX_DIGITS, Undecided};
 use crate::cli::failure::Failure;
 use crate::number::{ExactNumber, ParseExactError};
@@ -25,6 +25,17 @@ pub(crate) struct Arguments {
     #[arg(long = "curve", value_name = "NAME", value_parser = curves)]
     curves: Vec<Curves>,
 
+    /// The lines of these half openings (80deg, 2.5), mode by mode, with commas between several; without --curve only
+    /// these.
+    #[arg(
+        long = "half-opening",
+        visible_alias = "alpha",
+        value_name = "ANGLE",
+        value_delimiter = ',',
+        allow_hyphen_values = true
+    )]
+    half_openings: Vec<ExactNumber>,
+
     /// Self-weight model: heyman, milankovitch or both.
     #[arg(long, default_value = "milankovitch", value_parser = parse::weights)]
     weight: Weights,
@@ -34,7 +45,12 @@ pub(crate) struct Arguments {
     tolerance: f64,
 
     /// Instead, the point of one curve at this value of its parameter (80deg, 1.2, 3/2).
-    #[arg(long, value_name = "PARAMETER", allow_hyphen_values = true)]
+    #[arg(
+        long,
+        value_name = "PARAMETER",
+        allow_hyphen_values = true,
+        conflicts_with = "half_openings"
+    )]
     at: Option<String>,
 
     /// With --at, significant digits, 1 to 1000000.
@@ -89,7 +105,8 @@ impl Arguments {
 fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.file.open_for(arguments.format)?;
     let curves = arguments.curves();
-    let is_asked = |curve: &Curve| curves.is_empty() || curves.contains(curve);
+    let is_whole = curves.is_empty() && arguments.half_openings.is_empty();
+    let is_asked = |curve: &Curve| is_whole || curves.contains(curve);
     let first = arguments.weight.all()[0];
     let asked: Vec<(SelfWeight, Curve)> = arguments
         .weight
@@ -112,7 +129,8 @@ fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
     open.extend(traces.iter().filter(|trace| trace.gaps().next().is_some()).map(|trace| {
         format!("{}, {}: not every piece is proved", trace.curve, trace.weight.name())
     }));
-    let report = Report::Map(Map { tolerance: arguments.tolerance, traces });
+    let levels = levels(arguments, &mut open)?;
+    let report = Report::Map(Map { tolerance: arguments.tolerance, traces, levels });
     file.write(|out| report.write(arguments.format, out))?;
     if arguments.file.is_file() {
         summary(&report)?;
@@ -121,6 +139,36 @@ fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
         true => Ok(()),
         false => Err(Failure::Undecided(open.join("; "))),
     }
+}
+
+/// The lines of half openings; what is not proved of them is added to what stays open.
+fn levels(arguments: &Arguments, open: &mut Vec<String>) -> Result<Vec<Level>, Failure> {
+    let weights = arguments.weight.all();
+    let asked: Vec<(SelfWeight, &ExactNumber)> = weights
+        .iter()
+        .flat_map(|weight| arguments.half_openings.iter().map(|alpha| (*weight, alpha)))
+        .collect();
+    let found: Vec<Result<Level, NoLevel>> = asked
+        .into_par_iter()
+        .map(|(weight, alpha)| Level::new(weight, alpha, arguments.tolerance))
+        .collect();
+    let mut levels = Vec::new();
+    for level in found {
+        match level {
+            Ok(level) => levels.push(level),
+            Err(NoLevel::Undecided(undecided)) => open.push(undecided.to_string()),
+            Err(outside) => return Err(Failure::Input(outside.to_string())),
+        }
+    }
+    let has_gap =
+        |level: &&Level| level.parts.iter().flat_map(Part::pieces).any(|piece| !piece.is_proved());
+    open.extend(
+        levels
+            .iter()
+            .filter(has_gap)
+            .map(|level| format!("half opening {}: not every piece is proved", level.half_opening)),
+    );
+    Ok(levels)
 }
 
 /// What was proved, on standard output beside a file of data.

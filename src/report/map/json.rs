@@ -3,7 +3,7 @@
 use super::Map;
 use super::domains::domains;
 use super::rows::{COLUMNS, Column, Row, weight_of};
-use crate::atlas::Trace;
+use crate::atlas::{Level, Part, Trace, Variable};
 use crate::report::fields::Fields;
 use crate::report::json;
 use serde::Serialize;
@@ -15,6 +15,7 @@ struct MapFile {
     schema: &'static str,
     tolerance: f64,
     curves: Vec<CurveEntry>,
+    levels: Vec<LevelEntry>,
     domains: Vec<Fields>,
 }
 
@@ -43,7 +44,36 @@ impl CurveEntry {
             pieces: trace.pieces().count(),
             widest_tube: trace.width(),
             gaps: trace.gaps().map(|gap| gap.range()).collect(),
-            nodes: Row::all(trace).iter().map(node).collect(),
+            nodes: Row::of_trace(trace).iter().map(node).collect(),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct LevelEntry {
+    weight: &'static str,
+    half_opening: String,
+    parts: Vec<PartEntry>,
+}
+
+#[derive(Serialize)]
+struct PartEntry {
+    mode: &'static str,
+    parameter: Option<&'static str>,
+    nodes: Vec<Fields>,
+}
+
+impl LevelEntry {
+    fn new(level: &Level) -> Self {
+        let part = |part: &Part| PartEntry {
+            mode: part.mode.label(),
+            parameter: part.parameter().map(Variable::name),
+            nodes: Row::of_part(level, part).iter().map(node).collect(),
+        };
+        Self {
+            weight: level.weight.name(),
+            half_opening: level.half_opening.to_string(),
+            parts: level.parts.iter().map(part).collect(),
         }
     }
 }
@@ -55,7 +85,8 @@ fn number(x: f64) -> Json {
 
 /// What the rows say of a node, without what the curve says.
 fn node(row: &Row) -> Fields {
-    let of_node = COLUMNS.iter().filter(|(name, _)| !["weight", "curve", "node"].contains(name));
+    let of_node =
+        COLUMNS.iter().filter(|(name, _)| !["weight", "curve", "mode", "node"].contains(name));
     let field = |(name, column): &(&'static str, Column)| {
         let value: Option<Json> = match column {
             Column::Text(cell) => cell(row).map(Json::from),
@@ -74,6 +105,7 @@ pub(in crate::report) fn json(report: &Map, out: &mut dyn io::Write) -> io::Resu
         schema: "couplet.map/1",
         tolerance: report.tolerance,
         curves: report.traces.iter().map(CurveEntry::new).collect(),
+        levels: report.levels.iter().map(LevelEntry::new).collect(),
         domains: domains(),
     };
     json::write(&file, out)

@@ -18,7 +18,7 @@ pub(super) use point::{csv as point_csv, json as point_json, table as point_tabl
 pub(super) use rows::csv;
 pub(super) use table::table;
 
-use crate::atlas::Trace;
+use crate::atlas::{Level, Trace};
 
 /// The curves of the map, each proved piece by piece.
 #[derive(Debug)]
@@ -27,4 +27,6 @@ pub struct Map {
     pub tolerance: f64,
     /// The curves.
     pub traces: Vec<Trace>,
+    /// The lines of half openings.
+    pub levels: Vec<Level>,
 }

@@ -15,7 +15,7 @@ use std::io;
 use std::sync::Arc;
 
 pub(in crate::report) fn parquet(report: &Map, out: &mut dyn io::Write) -> io::Result<()> {
-    let rows: Vec<Row> = report.traces.iter().flat_map(Row::all).collect();
+    let rows = Row::of_map(report);
     out.write_all(&file(report, &rows).map_err(io::Error::other)?)
 }
 

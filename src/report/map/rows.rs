@@ -1,8 +1,9 @@
 //! A row for each node of a curve, in the columns that every format of data has.
 
 use super::Map;
-use crate::atlas::{Curve, Piece, Place, Point, Trace, Variable};
+use crate::atlas::{Level, Part, Piece, Place, Point, Trace, Variable};
 use crate::number::{Ball, Enclosure};
+use crate::problem::Mode;
 use crate::report::csv;
 use rug::Float;
 use rug::float::Round;
@@ -10,8 +11,10 @@ use std::io;
 
 /// A node with the piece that begins there; behind the last node there is none.
 pub(super) struct Row<'a> {
-    pub index: usize,
-    trace: &'a Trace,
+    index: usize,
+    weight: Option<&'static str>,
+    curve: String,
+    mode: Option<Mode>,
     point: Point,
     piece: Option<Piece<'a>>,
     /// The piece whose cubic ends here, for the last node.
@@ -31,12 +34,13 @@ use Column::{Double, Integer, Text, Truth};
 /// The columns. Bounds are rounded outward, as decimals and as doubles. Between two nodes the curve is as near as `tube`, in half
 /// opening, friction angle and thickness, to the cubic in the parameter that goes through `…_node` with the
 /// slopes `…_rate`.
-pub(super) const COLUMNS: [(&str, Column); 29] = [
-    ("weight", Text(|row| Some(row.weight()?.to_owned()))),
-    ("curve", Text(|row| Some(row.trace.curve.to_string()))),
+pub(super) const COLUMNS: [(&str, Column); 30] = [
+    ("weight", Text(|row| Some(row.weight?.to_owned()))),
+    ("curve", Text(|row| Some(row.curve.clone()))),
+    ("mode", Text(|row| Some(row.mode?.to_string()))),
     ("node", Integer(|row| Some(row.index as u64))),
     ("end", Text(|row| Some(row.point.end?.to_string()))),
-    ("parameter", Double(|row| Some(row.point.parameter))),
+    ("parameter", Double(|row| Some(row.point.parameter).filter(|s| s.is_finite()))),
     ("half_opening_lower", Double(|row| lower(row.place().half_opening.as_ref()))),
     ("half_opening_upper", Double(|row| upper(row.place().half_opening.as_ref()))),
     ("friction_angle_lower", Double(|row| lower(row.place().friction_angle.as_ref()))),
@@ -65,23 +69,46 @@ pub(super) const COLUMNS: [(&str, Column); 29] = [
 
 /// Whose weight a curve belongs to; sliding is the same for both.
 pub(super) fn weight_of(trace: &Trace) -> Option<&'static str> {
-    (trace.curve != Curve::Sliding).then(|| trace.weight.name())
+    (!trace.curve.is_weightless()).then(|| trace.weight.name())
 }
 
 impl<'a> Row<'a> {
     /// The rows of a curve.
-    pub(super) fn all(trace: &'a Trace) -> Vec<Self> {
-        let pieces: Vec<Piece> = trace.pieces().collect();
-        let row = |(index, point): (usize, Point)| {
-            let piece = pieces.get(index).copied();
-            let before = index.checked_sub(1).and_then(|i| pieces.get(i)).copied();
-            Self { index, trace, point, piece, before }
-        };
-        trace.points().into_iter().enumerate().map(row).collect()
+    pub(super) fn of_trace(trace: &'a Trace) -> Vec<Self> {
+        let named = (weight_of(trace), trace.curve.to_string(), None);
+        Self::all(&named, trace.points(), &trace.pieces().collect::<Vec<_>>())
     }
 
-    fn weight(&self) -> Option<&'static str> {
-        weight_of(self.trace)
+    /// The rows of a part of the line of a half opening, whose name it has.
+    pub(super) fn of_part(level: &Level, part: &'a Part) -> Vec<Self> {
+        let named = (Some(level.weight.name()), level.half_opening.to_string(), Some(part.mode));
+        Self::all(&named, part.points(), &part.pieces().collect::<Vec<_>>())
+    }
+
+    fn all(
+        (weight, curve, mode): &(Option<&'static str>, String, Option<Mode>),
+        points: Vec<Point>,
+        pieces: &[Piece<'a>],
+    ) -> Vec<Self> {
+        let row = |(index, point): (usize, Point)| Self {
+            index,
+            weight: *weight,
+            curve: curve.clone(),
+            mode: *mode,
+            point,
+            piece: pieces.get(index).copied(),
+            before: index.checked_sub(1).and_then(|i| pieces.get(i)).copied(),
+        };
+        points.into_iter().enumerate().map(row).collect()
+    }
+
+    /// The rows of all that a report has.
+    pub(super) fn of_map(report: &'a Map) -> Vec<Self> {
+        let levels = report
+            .levels
+            .iter()
+            .flat_map(|level| level.parts.iter().flat_map(move |part| Self::of_part(level, part)));
+        report.traces.iter().flat_map(Self::of_trace).chain(levels).collect()
     }
 
     fn place(&self) -> &Place {
@@ -136,7 +163,7 @@ pub(super) fn upper(ball: Option<&Ball>) -> Option<f64> {
 /// A row for each node, with a header.
 pub(in crate::report) fn csv(report: &Map, out: &mut dyn io::Write) -> io::Result<()> {
     let header = COLUMNS.iter().map(|(name, _)| (*name).to_owned()).collect();
-    let rows = report.traces.iter().flat_map(Row::all).map(|row| {
+    let rows = Row::of_map(report).into_iter().map(|row| {
         let cell = |(_, column): &(&str, Column)| {
             let text = match column {
                 Text(cell) => cell(&row),

@@ -2,7 +2,7 @@
 
 use super::Map;
 use super::rows::weight_of;
-use crate::atlas::Trace;
+use crate::atlas::{Part, Piece, Trace};
 use crate::report::words::count;
 use std::io;
 
@@ -29,21 +29,44 @@ pub(in crate::report) fn table(report: &Map, out: &mut dyn io::Write) -> io::Res
         let padded = cells.iter().zip(widths).map(|(cell, width)| format!("{cell:<width$}  "));
         padded.collect()
     };
-    writeln!(out, "{}pieces  widest", row(titles))?;
+    if !lines.is_empty() {
+        writeln!(out, "{}pieces  widest", row(titles))?;
+    }
     for (line, trace) in lines.iter().zip(&report.traces) {
         let cells = line.each_ref().map(String::as_str);
         writeln!(out, "{}{:<6}  {:.1e}", row(cells), trace.pieces().count(), trace.width())?;
-        for gap in trace.gaps() {
-            let [from, to] = gap.range();
-            writeln!(out, "   not proved between {from} and {to}")?;
-        }
+        gaps(trace.gaps(), out)?;
     }
-    let gaps: usize = report.traces.iter().map(|trace| trace.gaps().count()).sum();
-    match gaps {
+    if !lines.is_empty() && !report.levels.is_empty() {
+        writeln!(out)?;
+    }
+    for level in &report.levels {
+        let modes: Vec<&str> = level.parts.iter().map(|part| part.mode.label()).collect();
+        let (weight, modes) = (level.weight.name(), modes.join(" "));
+        writeln!(out, "half opening {}, {weight}: {modes}", level.half_opening)?;
+        level
+            .parts
+            .iter()
+            .try_for_each(|part| gaps(part.pieces().filter(|piece| !piece.is_proved()), out))?;
+    }
+    let of_levels = report.levels.iter().flat_map(|level| &level.parts).flat_map(Part::pieces);
+    let all = report.traces.iter().flat_map(Trace::pieces).chain(of_levels);
+    match all.filter(|piece| !piece.is_proved()).count() {
         0 => writeln!(
             out,
             "\nproved: for each value of the parameter exactly one solution in the tube, from end to end"
         ),
         n => writeln!(out, "\n{} not proved", count(n as u64, "piece is", "pieces are")),
     }
+}
+
+/// The pieces that are not proved.
+fn gaps<'a>(
+    mut pieces: impl Iterator<Item = Piece<'a>>,
+    out: &mut dyn io::Write,
+) -> io::Result<()> {
+    pieces.try_for_each(|gap| {
+        let [from, to] = gap.range();
+        writeln!(out, "   not proved between {from} and {to}")
+    })
 }

@@ -146,6 +146,7 @@ fn what_is_written_is_as_the_schemas_say() {
         &["assess", "--alpha", "1/2", "--mu", &open, "--eta", "0.6", "--format", "json"],
         &["state", "--at", "T", "--format", "json"],
         &["map", "--weight", "both", "--tolerance", "1e-3", "--format", "json"],
+        &["map", "--alpha", "80deg,2.58", "--format", "json"],
         &["map", "--curve", "sliding", "--at", "1.2", "--digits", "5", "--format", "json"],
         &["audit", "--format", "json"],
         &["constants", "--digits", "20", "--format", "json"],

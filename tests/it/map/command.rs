@@ -5,9 +5,12 @@ use serde_json::Value;
 
 /// The cells of a table by the names in its header.
 fn cells(table: &str) -> Vec<Vec<(String, String)>> {
-    let mut lines = table.lines().map(|line| line.split(',').map(str::to_owned));
-    let names: Vec<String> = lines.next().unwrap().collect();
-    lines.map(|line| names.iter().cloned().zip(line).collect()).collect()
+    let mut reader = csv::Reader::from_reader(table.as_bytes());
+    let names: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+    let row =
+        |row: csv::StringRecord| names.iter().cloned().zip(row.iter().map(str::to_owned)).collect();
+    let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
+    rows.into_iter().map(row).collect()
 }
 
 #[test]
@@ -37,6 +40,7 @@ fn csv_and_json_say_the_same() {
             let value = match &name[..] {
                 "weight" | "curve" => &curve[name],
                 "node" => continue,
+                "mode" => &Value::Null,
                 _ => &node[name],
             };
             let said = match value {
@@ -94,7 +98,31 @@ fn a_file_of_data_comes_with_a_summary() {
     let (code, output, _) = said(&couplet(&line));
     assert_eq!(code, Some(0));
     assert!(output.contains("limit") && output.contains("proved: "), "{output}");
-    assert!(scratch.read("map.csv").starts_with("weight,curve,node,end,parameter,"));
+    assert!(scratch.read("map.csv").starts_with("weight,curve,mode,node,end,parameter,"));
+}
+
+/// The least thickness on the line of a half opening is that of its arch at each friction.
+#[test]
+fn a_half_opening_has_its_line() {
+    let line = ["map", "--half-opening", "2.58", "--tolerance", "1e-6", "--format", "csv"];
+    let table = text(&couplet(&line).stdout);
+    let rows = cells(&table);
+    let of = |row: &[(String, String)], name: &str| -> String {
+        row.iter().find(|(n, _)| n == name).unwrap().1.clone()
+    };
+    let mut modes: Vec<String> = rows.iter().map(|row| of(row, "mode")).collect();
+    modes.dedup();
+    assert_eq!(modes, ["[s,s]", "[r,s]", "[r,s,r]", "[r,r,s]", "[r,r,r]"]);
+    for row in rows.iter().filter(|row| of(row, "proved") == "true").step_by(4).skip(1) {
+        let [mu, low, high] =
+            ["friction_lower", "thickness_lower", "thickness_upper"].map(|name| of(row, name));
+        let state = ["state", "--alpha", "2.58", "--mu", &mu, "--digits", "14", "--format", "json"];
+        let state = json(&state);
+        assert_eq!(state["mode"], of(row, "mode"), "{mu}");
+        let eta: f64 = state["thickness"]["value"].as_str().unwrap().parse().unwrap();
+        let [low, high] = [low, high].map(|bound| bound.parse::<f64>().unwrap());
+        assert!(low - 1e-12 < eta && eta < high + 1e-12, "{mu}: {low} {eta} {high}");
+    }
 }
 
 #[test]
@@ -114,6 +142,10 @@ fn what_makes_no_sense_is_refused() {
         (&["--at", "x", "--curve", "rotation"], "'x' is not a number"),
         (&["--at", "inf", "--curve", "rotation"], "is not a number"),
         (&["--at", "1", "--curve", "rotation", "--digits", "0"], "digits are a whole number"),
+        (&["--alpha", "3"], "no arch of the half opening 3 stands at a thickness up to 2"),
+        (&["--alpha", "0"], "no arch of the half opening 0 stands at a thickness up to 2"),
+        (&["--alpha", "x"], "'x' is not a number"),
+        (&["--alpha", "1", "--at", "1", "--curve", "limit"], "cannot be used with"),
         (&["--digits", "5"], "--at"),
         (&["--format", "svgz"], "a format is one of"),
     ] {
