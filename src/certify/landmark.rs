@@ -3,7 +3,7 @@
 use super::closed_value::{Exact, exact};
 use super::{Isolated, Refined, Undecided, isolate, refine, refine_watched, stages};
 use crate::arch::{SelfWeight, Unknown, thrust};
-use crate::number::{Ball, Binary, Field, Real, Rounded, bits_of};
+use crate::number::{Ball, Binary, Real, Rounded, bits_of, degrees};
 use crate::problem::{Landmark, Problem, Quantity};
 use crate::solve::{newton, start};
 use rayon::prelude::*;
@@ -150,9 +150,7 @@ impl CertifiedLandmark {
     /// exist or is infinite.
     pub fn quantity(&self, refined: &Refined, quantity: Quantity) -> Option<Ball> {
         if let Some(angle) = quantity.in_radians() {
-            let radians = self.quantity(refined, angle)?;
-            let degrees = radians.int(180) * &radians;
-            return Some(degrees / radians.pi());
+            return Some(degrees(&self.quantity(refined, angle)?));
         }
         if let Some(Exact::Pi(factor)) = self.exact(quantity) {
             let pi = refined.value(Unknown::HalfOpening)?.pi();
@@ -308,6 +306,7 @@ impl Precision {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::Field;
     use crate::problem::{Condition, Examined};
     use rug::Rational;
 

@@ -3,14 +3,15 @@
 //! Sine and cosine are what costs; everything else in a system is algebraic in an angle, its sine and
 //! its cosine. So each level of the ladder evaluates them **once**, at a short argument:
 //!
-//! 1. the root to a sixteenth of the bits comes from the level below;
+//! 1. the root to a hundredth of the bits comes from the level below;
 //! 2. it becomes the [`Anchor`] of each angle: sine and cosine to full precision there;
-//! 3. Newton steps double the bits up to a quarter, sine and cosine moved along from the anchor;
-//! 4. the anchors move to that quarter, and the Jacobian is inverted once more; with that fixed inverse
-//!    each further step gains a quarter, at the precision it reaches.
+//! 3. Newton steps double the bits up to a third, sine and cosine moved along from the anchor, which moves
+//!    too when the root is known better;
+//! 4. the Jacobian is inverted once more; with that fixed inverse each further step gains a third, at the
+//!    precision it reaches.
 //!
 //! On the last level the last step is not a plain Newton step but the Krawczyk operator: with the
-//! residual at full precision and the slopes over a box of a quarter of the bits less, it refines and
+//! residual at full precision and the slopes over a box of a third of the bits less, it refines and
 //! encloses in one. The box has to lie in the one where the root is known to be unique.
 
 use super::root::inverse_jacobian;
@@ -21,12 +22,14 @@ use crate::number::{Anchor, Angle, Ball, Dual, Enclosure, Magnitude, arctangent}
 use crate::problem::{Fixed, System, tally};
 use rayon::prelude::*;
 use rug::Float;
+use std::iter;
 use std::sync::OnceLock;
 
-/// Newton steps with the last Jacobian, each of which gains this part of the bits.
-const SPAN: u32 = 4;
-/// The bits of a level over those of the level below, whose root is the anchor.
-const STRETCH: u32 = 16;
+/// Steps with the last Jacobian, and the one to its accuracy: each gains this part of the bits.
+const SPAN: u32 = 3;
+/// The anchors move once the root is known to this part of the bits, and again at this many times as many.
+const NEAR: u32 = 12;
+const NEARER: u32 = 4;
 /// Bits of a level beyond its share, so that the condition of the system eats no digits.
 const GUARD: u32 = 32;
 /// Below this, angles are computed one after the other: faster, and it avoids a deadlock when a thread
@@ -76,20 +79,37 @@ pub fn refine_watched(
     bits: u32,
     tick: &(dyn Fn() + Sync),
 ) -> Result<Refined, Undecided> {
-    let system = *isolated.system();
-    let bits = bits.max(FLOOR);
-    tally::working_bits(bits + GUARD);
     if bits <= short::MOST
-        && let Some(at) = isolated.approach().and_then(|way| way.enclose(bits))
+        && let Some(at) = isolated.approach().and_then(|way| way.enclose(bits.max(FLOOR)))
     {
+        let system = *isolated.system();
+        tally::working_bits(bits.max(FLOOR) + GUARD);
         (0..stages(&system)).for_each(|_| tick());
         return Ok(Refined { system, at, friction_angle: OnceLock::new() });
     }
-    let mut start: Vec<Float> = isolated.image().iter().map(|x| x.mid().clone()).collect();
-    start = newton(&system, start, FLOOR)?;
-    let level = Level::new(&system, start, bits, tick)?;
-    let values = level.enclose(isolated)?;
-    let at = level.place(&values, level.bits);
+    refine_by(isolated, bits, tick, |system, start, bits| Level::new(system, start, bits, tick))
+}
+
+/// The same by a ladder that is given: where it leads astray, Newton's method at all bits is asked.
+fn refine_by(
+    isolated: &Isolated,
+    bits: u32,
+    tick: &(dyn Fn() + Sync),
+    ladder: impl Fn(&System, Vec<Float>, u32) -> Result<Level, Undecided>,
+) -> Result<Refined, Undecided> {
+    let system = *isolated.system();
+    let bits = bits.max(FLOOR);
+    tally::working_bits(bits + GUARD);
+    let start = || isolated.image().iter().map(|x| x.mid().clone()).collect();
+    let prove = |level: Level| {
+        let values = level.enclose(isolated)?;
+        Ok(level.place(&values, level.bits))
+    };
+    let climbed = newton(&system, start(), FLOOR)
+        .and_then(|start| ladder(&system, start, bits))
+        .and_then(prove);
+    let at =
+        climbed.or_else(|_: Undecided| Level::plain(&system, start(), bits).and_then(prove))?;
     tick();
     Ok(Refined { system, at, friction_angle: OnceLock::new() })
 }
@@ -107,26 +127,43 @@ fn newton(system: &System, start: Vec<Float>, bits: u32) -> Result<Vec<Float>, U
         .ok_or_else(|| Undecided::new("Newton's method leaves the isolated root"))
 }
 
+/// The bits of the anchors of a level.
+fn anchor_bits(bits: u32) -> u32 {
+    (bits / if bits < 8_000 { 32 } else { 100 }).max(100)
+}
+
+/// The bits to which the Jacobian is inverted on the way from some bits to a goal: each time up to [`SPAN`] times
+/// as many.
+fn climb(start: u32, goal: u32) -> Vec<u32> {
+    let below = |bits: &u32| (*bits > SPAN * start).then(|| bits / SPAN + GUARD / 2);
+    let mut bits: Vec<u32> = iter::successors(Some(goal), below).collect();
+    bits.reverse();
+    bits
+}
+
 /// One level of the ladder.
-struct Level<'a> {
-    system: &'a System,
+struct Level {
+    system: System,
     bits: u32,
     anchors: Vec<Option<Anchor>>,
     centre: Vec<Float>,
-    /// The bits to which `inverse` is known: what a step with it gains.
+    /// The bits to which the centre was known when the slopes were taken: what a step with them gains.
     step: u32,
+    /// A box about the root, the residuals with their slopes on it, and the inverse of the slopes' midpoints.
+    around: Vec<Ball>,
+    slopes: Vec<Dual<Ball>>,
     inverse: Vec<Vec<Ball>>,
 }
 
-impl<'a> Level<'a> {
+impl Level {
     /// Everything but the last step: the centre is known to all bits but those of one step.
     fn new(
-        system: &'a System,
+        system: &System,
         start: Vec<Float>,
         bits: u32,
         tick: &(dyn Fn() + Sync),
     ) -> Result<Self, Undecided> {
-        let step = bits / STRETCH + GUARD;
+        let step = anchor_bits(bits);
         let bits = bits + GUARD;
         tally::working_bits(bits);
         let centre = approximate(system, start, step)?;
@@ -139,23 +176,56 @@ impl<'a> Level<'a> {
         };
         let anchors = match bits < WORTH_THREADS {
             true => (0..centre.len()).map(anchor).collect(),
-            false => (0..centre.len()).into_par_iter().map(anchor).collect(),
+            false => {
+                Anchor::prepare(bits);
+                (0..centre.len()).into_par_iter().map(anchor).collect()
+            }
         };
-        let mut level = Self { system, bits, anchors, centre, step, inverse: Vec::new() };
-        level.inverse = level.inverse()?;
-        while level.step * SPAN < bits {
-            level.advance(2 * level.step);
-            level.step *= 2;
-            level.inverse = level.inverse()?;
+        let mut level = Self::at(system, centre, anchors, step, bits);
+        let mut near = bits / NEAR;
+        for goal in climb(step, bits / SPAN + GUARD) {
+            level.linearise()?;
+            let mut known = level.step;
+            while known < goal {
+                known = goal.min(known + level.step - GUARD / 4);
+                level.advance(known);
+            }
+            level.step = goal;
+            if goal >= near {
+                // What follows is expensive: from nearer anchors it sums fewer terms.
+                for (anchor, x) in level.anchors.iter_mut().zip(&level.centre) {
+                    *anchor = anchor.take().map(|anchor| anchor.moved(x));
+                }
+                near *= NEARER;
+            }
         }
-        // The remaining steps are expensive: from nearer anchors they sum fewer terms.
-        for (anchor, x) in level.anchors.iter_mut().zip(&level.centre) {
-            *anchor = anchor.take().map(|anchor| anchor.moved(x));
-        }
-        for quarters in 2..SPAN {
-            level.advance(quarters * level.step);
+        level.linearise()?;
+        for part in 2..SPAN {
+            level.advance(part * level.step);
         }
         Ok(level)
+    }
+
+    /// The same without anchors, by Newton's method at all bits: what the ladder finds, at any price.
+    fn plain(system: &System, start: Vec<Float>, bits: u32) -> Result<Self, Undecided> {
+        let bits = bits + GUARD;
+        let centre = newton(system, start, bits)?;
+        let anchors = vec![None; centre.len()];
+        let mut level = Self::at(system, centre, anchors, bits, bits);
+        level.linearise()?;
+        Ok(level)
+    }
+
+    /// A level without slopes.
+    fn at(
+        system: &System,
+        centre: Vec<Float>,
+        anchors: Vec<Option<Anchor>>,
+        step: u32,
+        bits: u32,
+    ) -> Self {
+        let (around, slopes, inverse) = (Vec::new(), Vec::new(), Vec::new());
+        Self { system: *system, bits, anchors, centre, step, around, slopes, inverse }
     }
 
     /// A Newton step to `bits` bits.
@@ -176,19 +246,23 @@ impl<'a> Level<'a> {
         })
     }
 
-    /// The residuals with their slopes.
-    fn slopes(&self, values: &[Ball]) -> Vec<Dual<Ball>> {
-        self.system.residuals(&self.system.variables(&self.place(values, self.step)))
+    /// The residuals with their slopes on a box, with numbers as long as the centre was known.
+    fn slopes_on(&self, domain: &[Ball]) -> Vec<Dual<Ball>> {
+        let domain: Vec<Ball> = domain.iter().map(|x| x.with_precision(self.step)).collect();
+        self.system.residuals(&self.system.variables(&self.place(&domain, self.step)))
     }
 
-    /// The inverse of the Jacobian at the centre, to the accuracy of the centre.
-    fn inverse(&self) -> Result<Vec<Vec<Ball>>, Undecided> {
-        let values: Vec<Ball> =
-            self.centre.iter().map(|x| Ball::exact(x.clone(), self.step)).collect();
-        let inverse = inverse_jacobian(&self.slopes(&values), self.step)
+    /// Takes the slopes on a box that is wide enough to hold the root, and inverts their midpoints.
+    fn linearise(&mut self) -> Result<(), Undecided> {
+        let radius = Magnitude::power_of_two(i64::from(GUARD) - i64::from(self.step));
+        let box_about = |x: &Float| Ball::new(x.clone(), radius, self.step);
+        self.around = self.centre.iter().map(box_about).collect();
+        self.slopes = self.slopes_on(&self.around);
+        let inverse = inverse_jacobian(&self.slopes, self.step)
             .ok_or_else(|| Undecided::new("the Jacobian at the root is singular"))?;
         let exact = |row: Vec<Float>| row.into_iter().map(|y| Ball::exact(y, self.step)).collect();
-        Ok(inverse.into_iter().map(exact).collect())
+        self.inverse = inverse.into_iter().map(exact).collect();
+        Ok(())
     }
 
     /// The Newton corrections `Y F(centre)` from residuals at `bits` bits, each with a bound of the
@@ -219,19 +293,21 @@ impl<'a> Level<'a> {
         let corrections = self.corrections(self.bits);
         let centre: Vec<Ball> =
             self.centre.iter().map(|x| Ball::exact(x.clone(), self.bits)).collect();
-        // The box must hold the corrected centre and the spread about it.
-        let noise = Magnitude::power_of_two(-i64::from(self.bits));
-        let radii = corrections.iter().map(|(_, size)| size.plus(noise).shifted(1));
+        // The box must hold the corrected centre, which is rounded, and the spread about it.
+        let noise = |x: &Ball| Magnitude::upper(x.mid()).shifted(1 - i64::from(self.bits));
+        let radii = centre.iter().zip(&corrections);
+        let radii = radii.map(|(x, (_, size))| size.plus(noise(x)).shifted(1));
         let domain: Vec<Ball> =
             centre.iter().zip(radii).map(|(x, radius)| x.clone().widened(radius)).collect();
         if !domain.iter().zip(isolated.domain()).all(|(x, whole)| x.lies_inside(whole)) {
             return Err(Undecided::new("the refined box leaves the box of uniqueness"));
         }
-        // The slopes need only the accuracy of the inverse: a wider box with shorter numbers.
-        let coarse: Vec<Ball> = domain.iter().map(|x| x.with_precision(self.step)).collect();
-        let slopes = self.slopes(&coarse);
+        // The slopes need only the accuracy of the inverse, so that those on the wider box do.
+        let wider = domain.iter().zip(&self.around).all(|(x, around)| x.lies_inside(around));
+        let fresh = (!wider).then(|| self.slopes_on(&domain));
+        let slopes = fresh.as_ref().unwrap_or(&self.slopes);
         let offsets: Vec<Ball> = domain.iter().map(Ball::centred).collect();
-        let spread = krawczyk::spread(&slopes, &self.inverse, &offsets);
+        let spread = krawczyk::spread(slopes, &self.inverse, &offsets);
         let image: Vec<Ball> = centre
             .iter()
             .zip(corrections.iter().zip(spread))
@@ -260,24 +336,85 @@ mod tests {
     use super::*;
     use crate::arch::SelfWeight;
     use crate::certify::isolate;
+    use crate::number::Field;
     use crate::problem::Landmark;
     use crate::solve::start;
 
+    fn isolated(landmark: Landmark, weight: SelfWeight) -> Isolated {
+        let system = landmark.system(weight);
+        let candidate = crate::solve::newton(&system, start::landmark(landmark, weight), 64);
+        isolate(landmark, weight, &candidate.unwrap()).unwrap()
+    }
+
+    fn all() -> impl Iterator<Item = Isolated> {
+        Landmark::ALL.into_iter().flat_map(|landmark| {
+            SelfWeight::ALL.into_iter().map(move |weight| isolated(landmark, weight))
+        })
+    }
+
+    fn overlap(isolated: &Isolated, a: &Refined, b: &Refined) {
+        for &unknown in isolated.system().unknowns {
+            let (a, b) = (a.value(unknown).unwrap(), b.value(unknown).unwrap());
+            assert!(a.overlaps(&b), "{unknown:?} {a:?} {b:?}");
+        }
+        let (a, b) = (a.friction_angle(), b.friction_angle());
+        assert!(a.zip(b).is_none_or(|(a, b)| a.overlaps(&b)));
+    }
+
     #[test]
-    fn two_precisions_overlap_and_have_the_bits_asked_for() {
-        for landmark in Landmark::ALL {
-            let system = landmark.system(SelfWeight::Milankovitch);
-            let candidate =
-                crate::solve::newton(&system, start::landmark(landmark, system.weight), 64)
-                    .unwrap();
-            let isolated = isolate(landmark, system.weight, &candidate).unwrap();
-            let [coarse, fine] = [700, 5000].map(|bits| refine(&isolated, bits).unwrap());
-            for &unknown in system.unknowns {
-                let (coarse, fine) = (coarse.value(unknown).unwrap(), fine.value(unknown).unwrap());
-                assert!(coarse.overlaps(&fine), "{landmark:?} {unknown:?}");
-                assert!(coarse.rad() < Magnitude::power_of_two(-700), "{landmark:?} {coarse:?}");
-                assert!(fine.rad() < Magnitude::power_of_two(-5000), "{landmark:?} {fine:?}");
+    fn precisions_overlap_and_have_the_bits_asked_for() {
+        for isolated in all() {
+            let sizes = [256, 700, 1061, 5000, 12_000];
+            let refined = sizes.map(|bits| refine(&isolated, bits).unwrap());
+            for (bits, one) in sizes.into_iter().zip(&refined) {
+                overlap(&isolated, one, &refined[4]);
+                for &unknown in isolated.system().unknowns {
+                    let value = one.value(unknown).unwrap();
+                    assert!(value.rad() < Magnitude::power_of_two(-i64::from(bits)), "{value:?}");
+                }
             }
+        }
+    }
+
+    /// By MPFR's sines and the Jacobian at all bits: another way to the same root.
+    #[test]
+    fn the_ladder_and_plain_newton_overlap() {
+        for isolated in all() {
+            let astray = |_: &System, _: Vec<Float>, _: u32| Err(Undecided::new("forced"));
+            for bits in [300, 2500] {
+                let plain = refine_by(&isolated, bits, &|| (), astray).unwrap();
+                overlap(&isolated, &plain, &refine(&isolated, bits).unwrap());
+                let thickness = plain.configuration().half_opening.rad.rad();
+                assert!(thickness < Magnitude::power_of_two(-i64::from(bits)));
+            }
+        }
+    }
+
+    /// With a matrix that is no inverse nothing is contracted: then Newton's method at all bits proves the root.
+    #[test]
+    fn a_last_step_that_proves_nothing_is_repeated_plainly() {
+        let isolated = isolated(Landmark::Triple, SelfWeight::Milankovitch);
+        let spoiled = |system: &System, start: Vec<Float>, bits: u32| {
+            let mut level = Level::new(system, start, bits, &|| ())?;
+            level.inverse.iter_mut().flatten().for_each(|y| *y = y.int(0));
+            Ok(level)
+        };
+        let system = *isolated.system();
+        let start: Vec<Float> = isolated.image().iter().map(|x| x.mid().clone()).collect();
+        let level = spoiled(&system, newton(&system, start, FLOOR).unwrap(), 600).unwrap();
+        assert!(level.enclose(&isolated).is_err());
+        let refined = refine_by(&isolated, 600, &|| (), spoiled).unwrap();
+        overlap(&isolated, &refined, &refine(&isolated, 2000).unwrap());
+    }
+
+    #[test]
+    fn a_climb_ends_at_its_goal_in_few_stages() {
+        for (start, goal) in
+            [(100, 112), (100, 300), (100, 301), (333, 11_000), (33_000, 1_100_000)]
+        {
+            let bits = climb(start, goal);
+            assert!(bits[0] <= SPAN * start && bits.last() == Some(&goal));
+            assert!(bits.windows(2).all(|pair| pair[0] < pair[1] && pair[1] <= SPAN * pair[0]));
         }
     }
 }

@@ -96,7 +96,7 @@ pub(crate) use exact::nearest_double;
 pub use exact::{ExactNumber, ParseExactError};
 #[cfg(feature = "mpfr")]
 pub use gmp::{
-    Anchor, Ball, Binary, Magnitude, Rounded, Surd, arctangent, bits_of, hexadecimal,
+    Anchor, Ball, Binary, Magnitude, Rounded, Surd, arctangent, bits_of, degrees, hexadecimal,
     rational_like, terminating,
 };
 pub use jet::Jet;

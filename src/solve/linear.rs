@@ -9,6 +9,11 @@ use std::cmp::Ordering;
 pub trait Approximate: Field + PartialOrd {
     /// The exponent of its size in base two; very small for zero.
     fn exponent(&self) -> i64;
+
+    /// Whether it is so long that several quotients by it take longer than products with its reciprocal.
+    fn is_long(&self) -> bool {
+        false
+    }
 }
 
 impl Approximate for f64 {
@@ -20,6 +25,10 @@ impl Approximate for f64 {
 impl Approximate for Float {
     fn exponent(&self) -> i64 {
         self.get_exp().map_or(i64::MIN, i64::from)
+    }
+
+    fn is_long(&self) -> bool {
+        self.prec() > 2_000
     }
 }
 
@@ -56,8 +65,13 @@ fn eliminate<T: Approximate>(mut rows: Vec<Vec<T>>) -> Option<Vec<Vec<T>>> {
         rows.swap(column, pivot);
         let head = rows[column][column].clone();
         let pivot_row = std::mem::take(&mut rows[column]).into_iter();
+        let reciprocal = head.is_long().then(|| head.int(1) / &head);
+        let over_head = |x: T| match &reciprocal {
+            Some(reciprocal) => x * reciprocal,
+            None => x / &head,
+        };
         let pivot_row: Vec<T> =
-            pivot_row.map(|x| if is_zero(&x) { x } else { x / &head }).collect();
+            pivot_row.map(|x| if is_zero(&x) { x } else { over_head(x) }).collect();
         for row in rows.iter_mut().filter(|row| !row.is_empty()) {
             let zero = head.int(0);
             let factor = std::mem::replace(&mut row[column], zero);

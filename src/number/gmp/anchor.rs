@@ -1,153 +1,144 @@
-//! Sine and cosine near a point where they are known, and the arctangent that follows.
+//! Sine and cosine near a point where they are known.
 //!
 //! Sine and cosine of a full-length argument are the most expensive part of a landmark. An [`Anchor`]
-//! holds them at one **short** argument, which is cheaper, and reaches every argument nearby by a
-//! few multiplications: with `d = x - anchor`,
+//! holds them at a point where they are cheap, and reaches every argument nearby by a few
+//! multiplications. The point is
 //!
 //! ```text
-//! sin x = s - (s vers d - c sin d)      cos x = c - (c vers d + s sin d)      vers d = 1 - cos d
+//! 2 sum c_j theta_j + y        e^(i point) = e^(iy) u²/|u|²,    u = prod z_j^(c_j)
 //! ```
 //!
-//! `sin d` and `vers d` are alternating series, summed from the innermost term outwards. The
-//! innermost factor is replaced by the interval `[0, 1]`, in which the rest of an alternating series
-//! with falling terms lies: that is the whole truncation error. A term of relative size `2^-k` is
-//! computed with `k` bits fewer.
+//! with the arguments `theta_j` of Gaussian primes `z_j`, known once and for all, small integers `c_j` that
+//! bring it near the point asked for, and a rest `y` that is small and **short** (Johansson 2022,
+//! arXiv:2207.02501). A step `d` from there is a short series, the shorter the nearer.
 
-use super::burst::{sine_and_cosine, turn};
-use super::{Angle, Ball, Enclosure, Field, Magnitude, Real};
-use rug::Float;
+use super::arctangents::Arguments;
+use super::ball::fixed;
+use super::burst;
+use super::gaussian::Gaussian;
+use super::lattice;
+use super::turn::Turn;
+use super::{Angle, Ball, Magnitude, Real};
+use rug::{Float, Integer};
 
 /// Sine and cosine at one point, to the precision given, ready to be moved to points nearby.
 #[derive(Clone, Debug)]
 pub struct Anchor {
     at: Ball,
-    sin: Ball,
-    cos: Ball,
+    turn: Turn,
 }
 
 /// Series are used up to this distance, `2^-8`; beyond it sine and cosine are computed afresh.
 const REACH: i64 = -8;
-/// Bits kept beyond those a term can contribute.
-const GUARD: i64 = 16;
+/// Bits kept beyond those of the result.
+const GUARD: u32 = 24;
+/// Below this many bits MPFR's own sine is faster.
+const THRESHOLD: u32 = 1_000;
 
 impl Anchor {
-    /// Computes sine and cosine next to `near` to `prec` bits. The fewer bits `near` has, the cheaper.
-    ///
-    /// A short number is only cheap where no multiple of pi/2 has to be taken off first, which would
-    /// make it long. So the anchor is `k pi/2 + y` with `y` short and at most pi/4 in size: not quite
-    /// `near`, but as close to it as its own last bit.
+    /// Computes sine and cosine next to `near` to `prec` bits: not quite there, but as close as its own last bit.
+    /// The fewer bits `near` has, the cheaper.
     pub fn new(near: &Float, prec: u32) -> Self {
-        let short = near.prec();
-        let right_angle = Ball::integer(1, prec).pi() / Ball::integer(2, prec);
-        let quarters = Float::with_val(short, near / right_angle.mid()).round();
-        let rest = Float::with_val(short, near - right_angle.mid() * quarters.clone());
-        let quarters = quarters.to_i32_saturating().unwrap_or_default();
-        let (sin, cos) = sine_and_cosine(&rest, prec);
-        let rest = Ball::exact(rest, prec);
-        let (sin, cos) = match quarters.rem_euclid(4) {
-            0 => (sin, cos),
-            1 => (cos, -sin),
-            2 => (-sin, -cos),
-            _ => (-cos, sin),
-        };
-        let at = rest + right_angle * Ball::integer(quarters, prec);
-        Self { at, sin, cos }
+        // A small angle has a small sine, which deserves the same relative accuracy.
+        let depth = near.get_exp().map_or(0, |e| e.min(0).unsigned_abs()).min(prec);
+        let places = prec + depth + GUARD;
+        Self::reduced(near, prec, places).unwrap_or_else(|| {
+            let at = Ball::exact(near.clone(), places);
+            Self { turn: Turn::new(at.sin_cos(), places), at: at.with_precision(prec) }
+        })
     }
 
-    /// The anchor moved to the exact number `at` nearby, at its full precision.
-    pub fn moved(&self, at: &Float) -> Self {
-        let Angle { rad, sin, cos } = self.angle(&Ball::exact(at.clone(), self.sin.prec()));
-        Self { at: rad, sin, cos }
+    /// Computes what anchors of `prec` bits share, once for all threads.
+    pub fn prepare(prec: u32) {
+        Arguments::to(prec + 2 * GUARD);
+    }
+
+    /// By Gaussian primes; `None` where this is not worth it, or where no small rest is found.
+    fn reduced(near: &Float, prec: u32, places: u32) -> Option<Self> {
+        let exponent = near.get_exp().filter(|exponent| (-64..=4).contains(exponent))?;
+        let short = near.prec().checked_add_signed(-exponent)?;
+        if prec < THRESHOLD || short > places / 2 {
+            return None;
+        }
+        let c = lattice::close(&fixed(near, lattice::PLACES - 1), relations_to(places));
+        let (sum, error) = Arguments::to(places).combination(&c, places);
+        let y = fixed(near, short) - Integer::from(&sum >> (places - short));
+        if y.significant_bits() + 16 > short {
+            return None;
+        }
+        let turn =
+            burst::turn(&y, short, places).by_twice(&Gaussian::odd(&c)).by_right_angles(c[0]);
+        let at = Ball::fixed(&(sum + (y << (places - short))), places, places).widened(error);
+        Some(Self { at, turn })
+    }
+
+    /// The anchor moved next to `near`, as close as the last of the binary places of `near`, at its full precision.
+    pub fn moved(&self, near: &Float) -> Self {
+        let last = near.get_exp().map_or(0, |e| i64::from(near.prec()) - i64::from(e));
+        let last = u32::try_from(last).unwrap_or(0).min(self.turn.places);
+        let d = fixed(&Float::with_val(near.prec(), near - self.at.mid()), last);
+        let step = d << (self.turn.places - last);
+        let at = self.at.clone() + Ball::fixed(&step, self.turn.places, self.turn.places);
+        match self.turn.moved(&step) {
+            Some(turn) => Self { at, turn },
+            None => Self::new(near, self.turn.places - GUARD),
+        }
     }
 
     /// The anchor rounded to a lower precision.
     pub fn with_precision(&self, prec: u32) -> Self {
-        let [at, sin, cos] = [&self.at, &self.sin, &self.cos].map(|x| x.with_precision(prec));
-        Self { at, sin, cos }
+        let lost = self.at.prec().saturating_sub(prec + 2 * GUARD);
+        Self {
+            at: self.at.with_precision(prec + 2 * GUARD),
+            turn: self.turn.cut(self.turn.places - lost),
+        }
+    }
+
+    /// The point itself, to `prec` bits.
+    pub(super) fn here(&self, prec: u32) -> Angle<Ball> {
+        let (sin, cos) = self.turn.balls(prec);
+        Angle { rad: self.at.with_precision(prec), sin, cos }
     }
 
     /// The angle `rad` with its sine and cosine, to the precision of `rad`.
     pub fn angle(&self, rad: &Ball) -> Angle<Ball> {
-        let distance = (rad.clone() - &self.at).with_precision(rad.prec());
-        let Some(exponent) = size_exponent(&distance).filter(|&e| e <= REACH) else {
+        let prec = rad.prec();
+        let depth = size_exponent(&self.at).map_or(0, |e| -e.min(0)).unsigned_abs();
+        let places = self.turn.places.min(prec.saturating_add(depth as u32).saturating_add(GUARD));
+        let distance = (rad.clone() - &self.at.with_precision(places + GUARD)).trimmed();
+        let is_near = size_exponent(&distance).is_some_and(|e| e <= REACH);
+        let step = fixed(distance.mid(), places);
+        let Some(turn) = self.turn.cut(places).moved(&step).filter(|_| is_near) else {
             return Angle::new(rad.clone());
         };
-        // A small angle has a small sine, which deserves the same relative accuracy.
-        let smallness = size_exponent(&self.at).unwrap_or(0).min(0);
-        let prec = i64::from(rad.prec()) - smallness;
-        let (sine, versine) = small_sine_and_versine(&distance, exponent, prec);
-        let (sin, cos) = turn((&self.sin, &self.cos), &sine, &versine, bits(prec - GUARD));
-        let [sin, cos] = [sin, cos].map(|x| x.with_precision(rad.prec()));
-        Angle { rad: rad.clone(), sin, cos }
+        let unit = Magnitude::power_of_two(-i64::from(places));
+        let (sin, cos) = turn.balls(prec);
+        let spread = distance.rad().plus(unit);
+        // For |d| <= r, sine and cosine change by at most r, and by r |slope| + r²/2.
+        let change = |slope: &Ball| {
+            let slope = Magnitude::upper(slope.mid()).plus(slope.rad());
+            spread.min(slope.times(spread).plus(spread.times(spread).shifted(-1)))
+        };
+        let (of_sin, of_cos) = (change(&cos), change(&sin));
+        Angle { rad: rad.clone(), sin: sin.widened(of_sin), cos: cos.widened(of_cos) }
     }
 }
 
-/// `sin d` and `1 - cos d`, to `2^-prec`, for a ball `d` within `2^exponent < 1` of zero.
-fn small_sine_and_versine(d: &Ball, exponent: i64, prec: i64) -> (Ball, Ball) {
-    let d = d.clone().trimmed().with_precision(bits(prec + exponent));
-    let square = d.with_precision(bits(prec + 2 * exponent)).square();
-    // vers d = d²/2 (1 - d²/12 (1 - d²/30 (…))): factors d²/((2k+1)(2k+2))
-    let versine =
-        alternating(&square, prec + 2 * exponent, exponent, |k| (2 * k + 1) * (2 * k + 2));
-    let versine = square.clone() * &versine / square.int(2);
-    // sin d = d (1 - d²/6 (1 - d²/20 (…))): factors d²/(2k (2k+1))
-    let sine = alternating(&square, prec + exponent, exponent, |k| 2 * k * (2 * k + 1));
-    (d * &sine, versine)
-}
-
-/// `1 - x/q(1) (1 - x/q(2) (1 - …))` to `prec` bits, for `x` in `[0, 1)` below `2^(2 exponent)`.
-fn alternating(x: &Ball, prec: i64, exponent: i64, divisor: impl Fn(i32) -> i32) -> Ball {
-    let terms = (prec + GUARD).max(0) / (-2 * exponent) + 1;
-    let half = Ball::new(Float::with_val(32, 0.5), Magnitude::power_of_two(-1), 32);
-    (1..=terms).rev().fold(half, |rest, k| {
-        let bits = bits(prec + 2 * exponent * (k - 1));
-        let x = x.with_precision(bits);
-        let term = x * rest.with_precision(bits) / Ball::integer(divisor(k as i32), bits);
-        term.int(1) - term
-    })
-}
-
-/// The arctangent, to the precision of `x`, by one sine and cosine at a short argument:
-/// with `a` near it, `atan x = a + atan t`, `t = (x cos a - sin a) / (cos a + x sin a)`.
-///
-/// `x` must be positive and bounded; otherwise the answer is the whole line.
-pub fn arctangent(x: &Ball) -> Ball {
-    let prec = x.prec();
-    if !x.is_positive().is_proved() || !x.is_bounded() {
-        return Ball::whole(prec);
+/// How near the Gaussian primes bring an anchor of as many places, as a power of two; measured.
+fn relations_to(places: u32) -> u32 {
+    match places {
+        0..4_000 => 36,
+        4_000..12_000 => 48,
+        12_000..60_000 => 80,
+        60_000..600_000 => 120,
+        _ => 160,
     }
-    let short = (prec / 16).max(64);
-    let near = Float::with_val(short, x.mid()).atan();
-    let anchor = Anchor::new(&near, prec);
-    let t =
-        (x.clone() * &anchor.cos - &anchor.sin) / (anchor.cos.clone() + x.clone() * &anchor.sin);
-    let Some(exponent) = size_exponent(&t).filter(|&e| e <= REACH) else {
-        return Ball::whole(prec);
-    };
-    // atan t = t (1 - t²/3 + t⁴/5 - …): the same alternating form with the factors k-th over
-    // (k-1)-th term, t² (2k-1)/(2k+1).
-    let width = i64::from(prec);
-    let t = t.trimmed().with_precision(bits(width + exponent));
-    let square = t.with_precision(bits(width + 2 * exponent)).square();
-    let terms = (width + exponent + GUARD).max(0) / (-2 * exponent) + 1;
-    let half = Ball::new(Float::with_val(32, 0.5), Magnitude::power_of_two(-1), 32);
-    let series = (1..=terms).rev().fold(half, |rest, k| {
-        let bits = bits(width + exponent + 2 * exponent * (k - 1));
-        let factor = Ball::integer(2 * k as i32 - 1, bits) / Ball::integer(2 * k as i32 + 1, bits);
-        let term = square.with_precision(bits) * rest.with_precision(bits) * factor;
-        term.int(1) - term
-    });
-    (t * series).with_precision(prec) + &anchor.at
 }
 
 /// Some `e` with every number of the ball below `2^e` in size.
 fn size_exponent(x: &Ball) -> Option<i64> {
     let bound = Magnitude::upper(x.mid()).plus(x.rad());
-    if bound.is_zero() { Some(-i64::from(x.prec()) - GUARD) } else { bound.exponent() }
-}
-
-fn bits(wanted: i64) -> u32 {
-    (wanted + GUARD).clamp(32, i64::from(u32::MAX)) as u32
+    if bound.is_zero() { Some(-i64::from(x.prec())) } else { bound.exponent() }
 }
 
 #[cfg(test)]
@@ -187,19 +178,5 @@ mod tests {
             prop_assert!(angle.cos.lower() <= cos.lower() && cos.upper() <= angle.cos.upper());
         }
 
-        #[test]
-        fn the_arctangent_holds_the_true_one(x in prop_oneof![1e-6f64..10.0, 10.0f64..1e12], prec in 64u32..3000) {
-            let x = Float::with_val(53, x);
-            let ours = arctangent(&Ball::exact(x.clone(), prec));
-            let truth = Float::with_val(6000, &x).atan();
-            prop_assert!(ours.lower() <= truth && truth <= ours.upper());
-            prop_assert!(ours.rad() < Magnitude::power_of_two(-i64::from(prec) + 16), "wide: {ours:?}");
-        }
-    }
-
-    #[test]
-    fn the_arctangent_refuses_what_it_cannot_do() {
-        assert!(!arctangent(&Ball::integer(-1, 64)).is_bounded());
-        assert!(!arctangent(&Ball::whole(64)).is_bounded());
     }
 }

@@ -55,6 +55,14 @@ impl Ball {
         Self::rounded(mid, direction, Magnitude::ZERO, prec)
     }
 
+    /// A ball of `prec` bits that holds `value 2^-places`.
+    pub(super) fn fixed(value: &Integer, places: u32, prec: u32) -> Self {
+        let (mut mid, direction) = Float::with_val_round(prec, value, Round::Nearest);
+        // Exact: exponents reach far beyond any number of places.
+        mid >>= places;
+        Self::rounded(mid, direction, Magnitude::ZERO, prec)
+    }
+
     /// The ball times `2^power`.
     pub fn scaled(&self, power: i64) -> Self {
         let Ok(shift) = i32::try_from(power) else { return Self::whole(self.prec) };
@@ -168,6 +176,15 @@ impl Ball {
 
     fn common(&self, other: &Self) -> u32 {
         self.prec.max(other.prec)
+    }
+}
+
+/// `x` in units of `2^-places`, rounded down.
+pub(super) fn fixed(x: &Float, places: u32) -> Integer {
+    let Some((mantissa, exponent)) = x.to_integer_exp() else { return Integer::new() };
+    match i64::from(exponent) + i64::from(places) {
+        up if up >= 0 => mantissa << up as u32,
+        down => mantissa >> down.unsigned_abs().min(u64::from(u32::MAX)) as u32,
     }
 }
 

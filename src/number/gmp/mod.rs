@@ -1,24 +1,37 @@
 //! The numbers over GMP and MPFR: everything that needs a C compiler to build.
 
 mod anchor;
+mod arctangent;
+mod arctangents;
 mod astro;
 mod ball;
 mod binary;
 mod burst;
 #[cfg(feature = "study")]
 mod complex;
+mod degrees;
 mod expansion;
+mod gaussian;
 mod hexadecimal;
+mod lattice;
 mod magnitude;
 mod mpfr;
+mod product;
 mod rational;
+mod rectangular;
+mod relations;
 mod rounded;
+mod small_angle;
+mod splitting;
 mod stumpff;
 mod surd;
+mod turn;
 
-pub use anchor::{Anchor, arctangent};
+pub use anchor::Anchor;
+pub use arctangent::arctangent;
 pub use ball::Ball;
 pub use binary::Binary;
+pub use degrees::degrees;
 pub use hexadecimal::hexadecimal;
 pub use magnitude::Magnitude;
 pub use rational::rational_like;

@@ -1,0 +1,106 @@
+//! The arctangent, from sine and cosine at a point nearby.
+
+use super::{Anchor, Angle, Ball, Enclosure, Field, Magnitude};
+
+/// At this size MPFR's arctangent is taken for the first point.
+const FLOOR: u32 = 512;
+/// The bits of the result over those of the first point, and of the second.
+const FIRST: u32 = 100;
+const SECOND: u32 = 9;
+/// Bits kept beyond those a term can contribute.
+const GUARD: i64 = 16;
+
+/// The arctangent, to the precision of `x`.
+///
+/// A first point near it has a sine and a cosine that cost little; from there it is found to more bits, and
+/// the point is moved: then the rest is a short series.
+///
+/// `x` must be positive and bounded; otherwise the answer is the whole line.
+pub fn arctangent(x: &Ball) -> Ball {
+    let prec = x.prec();
+    if !x.is_positive().is_proved() || !x.is_bounded() {
+        return Ball::whole(prec);
+    }
+    let near = |bits: u32| match bits <= FLOOR {
+        true => rug::Float::with_val(bits, x.mid()).atan(),
+        false => rug::Float::with_val(bits, arctangent(&x.with_precision(bits)).mid()),
+    };
+    let mut anchor = Anchor::new(&near((prec / FIRST).max(64)), prec);
+    let middle = prec / SECOND + GUARD as u32;
+    if prec > FLOOR {
+        let short = x.with_precision(middle);
+        let nearer = from(&anchor.with_precision(middle).here(middle), &short);
+        anchor = anchor.moved(&rug::Float::with_val(prec / SECOND, nearer.mid()));
+    }
+    from(&anchor.here(prec), x)
+}
+
+/// `atan x = a + atan t`, `t = (x cos a - sin a)/(cos a + x sin a)`, for a point `a` near it.
+///
+/// `atan t = t (1 - t²/3 + t⁴/5 - …)` is summed from the innermost term outwards, as `1 - q(1) t² (1 - q(2) t² (…))` with
+/// `q(k) = (2k-1)/(2k+1)`. The innermost factor is replaced by the interval `[0, 1]`, in which the rest of an alternating
+/// series with falling terms lies. A term of relative size `2^-k` is computed with `k` bits fewer.
+fn from(a: &Angle<Ball>, x: &Ball) -> Ball {
+    let prec = x.prec();
+    let rise = (x.clone() * &a.cos - &a.sin).trimmed();
+    let Some(exponent) = exponent(&rise).filter(|&e| e <= -8) else { return Ball::whole(prec) };
+    let bits = |lost: i64| (i64::from(prec) - lost + GUARD).max(32) as u32;
+    let width = bits(-exponent);
+    let run = a.cos.with_precision(width) + x.with_precision(width) * a.sin.with_precision(width);
+    let t = (rise.with_precision(width) / run).with_precision(width);
+    let Some(exponent) = self::exponent(&t).filter(|&e| e <= -4) else { return Ball::whole(prec) };
+    let square = t.with_precision(bits(-2 * exponent)).square();
+    let terms = (i64::from(prec) + GUARD).max(0) / (-2 * exponent) + 1;
+    let half = Ball::new(rug::Float::with_val(32, 0.5), Magnitude::power_of_two(-1), 32);
+    let series = (1..=terms).rev().fold(half, |rest, k| {
+        let bits = bits(-(2 * k - 1) * exponent);
+        let term = square.with_precision(bits) * rest.with_precision(bits);
+        let term =
+            term * Ball::integer(2 * k as i32 - 1, bits) / Ball::integer(2 * k as i32 + 1, bits);
+        term.int(1) - term
+    });
+    (t * series).with_precision(prec) + &a.rad
+}
+
+/// Some `e` with every number of the ball below `2^e` in size.
+fn exponent(x: &Ball) -> Option<i64> {
+    let size = Magnitude::upper(x.mid()).plus(x.rad());
+    if size.is_zero() { Some(-i64::from(x.prec())) } else { size.exponent() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use rug::Float;
+
+    proptest! {
+        #![proptest_config(crate::number::test_config::config(64))]
+        #[test]
+        fn the_arctangent_holds_the_true_one(
+            x in prop_oneof![1e-6f64..10.0, 10.0f64..1e12], prec in prop_oneof![64u32..3000, 3000u32..40_000],
+        ) {
+            let x = Float::with_val(53, x);
+            let ours = arctangent(&Ball::exact(x.clone(), prec));
+            let truth = Float::with_val(prec + 3000, &x).atan();
+            prop_assert!(ours.lower() <= truth && truth <= ours.upper());
+            prop_assert!(ours.rad() < Magnitude::power_of_two(-i64::from(prec) + 16), "wide: {ours:?}");
+        }
+
+        #[test]
+        fn a_wide_argument_keeps_its_image(x in 0.01f64..10.0, width in 20i64..400, inside in -1.0f64..1.0) {
+            let x = Float::with_val(53, x);
+            let ours = arctangent(&Ball::new(x.clone(), Magnitude::power_of_two(-width), 500));
+            let offset = Float::with_val(60, inside) >> i32::try_from(width).unwrap();
+            let truth = Float::with_val(1000, &x + &offset).atan();
+            prop_assert!(ours.lower() <= truth && truth <= ours.upper());
+            prop_assert!(ours.rad() < Magnitude::power_of_two(4 - width));
+        }
+    }
+
+    #[test]
+    fn the_arctangent_refuses_what_it_cannot_do() {
+        assert!(!arctangent(&Ball::integer(-1, 64)).is_bounded());
+        assert!(!arctangent(&Ball::whole(64)).is_bounded());
+    }
+}
