@@ -5,9 +5,10 @@
 //! direction). Two enclosures of one number, one from each, have to overlap.
 //!
 //! astro-float rounds precisions up to whole 64-bit words and reports failures as NaN; a NaN, or an
-//! end on the wrong side, becomes the whole line here. Of its functions only `+ - * / sqrt sin cos`
-//! and pi are used; its logarithm is known not to return for some exact arguments.
+//! end on the wrong side, becomes the whole line here. Of its functions only `+ - * / sqrt`
+//! and pi are used, and sine and cosine for few bits; its logarithm is known not to return for some exact arguments.
 
+use super::halving::Halving;
 use super::{Enclosure, Field, Real, Ternary};
 use astro_float::{BigFloat, Consts, INF_NEG, INF_POS, RoundingMode, Sign, WORD_BIT_SIZE, Word};
 use std::cell::RefCell;
@@ -17,6 +18,9 @@ thread_local! {
     /// astro-float's cache of constants; `None` only if its first allocation failed.
     static CONSTANTS: RefCell<Option<Consts>> = RefCell::new(Consts::new().ok());
 }
+
+/// From so many bits on sines are computed by products: each end of astro-float's own costs as much as some hundred.
+const HALVED: usize = 512;
 
 const DOWN: RoundingMode = RoundingMode::Down;
 const UP: RoundingMode = RoundingMode::Up;
@@ -105,6 +109,28 @@ impl AstroInterval {
         self.high.is_zero() || self.high.is_negative()
     }
 
+    /// Sine and cosine of an exact number from 1/8 to 3, by products; `None` for others and next to a right angle, where
+    /// one of them may be small, and for few bits.
+    fn by_halving(&self) -> Option<(Self, Self)> {
+        let negative = self.high.is_negative();
+        let size = if negative { -self.clone() } else { self.clone() };
+        let is_within = size.ratio(1, 8).is_less_than(&size).and(size.is_less_than(&size.int(3)));
+        if self.prec < HALVED || !is_within.is_proved() {
+            return None;
+        }
+        let plan = Halving::new(self.prec)?;
+        let scaled = |exponent: usize| Self::dyadic(false, &[1], -(exponent as i32), plan.bits);
+        let y = size * scaled(plan.halvings);
+        let (sin, cos) = plan.sin_cos(&y, &scaled(plan.tail).symmetric());
+        // A cosine that is nearly zero has lost too many bits.
+        let (size, least) = (cos.square(), scaled(32));
+        if !least.is_less_than(&size).is_proved() {
+            return None;
+        }
+        let sin = if negative { -sin } else { sin };
+        Some((sin.with_precision(self.prec), cos.with_precision(self.prec)))
+    }
+
     fn corners(&self, other: &Self) -> Self {
         let prec = self.prec;
         let ends = [
@@ -161,22 +187,29 @@ impl Real for AstroInterval {
     /// Sine and cosine at the lower end, widened by the width: neither has a slope above one.
     fn sin_cos(&self) -> (Self, Self) {
         let prec = self.prec;
-        let one = BigFloat::from_i32(1, WORD_BIT_SIZE);
-        let unit = Self { low: BigFloat::from_i32(-1, WORD_BIT_SIZE), high: one, prec };
+        let unit = Self::integer(1, prec).symmetric();
         let reducible = self.low.exponent().is_some_and(|e| i64::from(e) <= prec as i64 + 64);
         if !self.is_bounded() || !reducible {
             return (unit.clone(), unit);
         }
+        let at = &self.low;
+        let (sin, cos) = Self::point(at, prec).by_halving().unwrap_or_else(|| {
+            let image = |at: &dyn Fn(RoundingMode, &mut Consts) -> BigFloat| {
+                let ends = with_constants(|cc| (at(DOWN, cc), at(UP, cc)));
+                ends.map_or(unit.clone(), |(low, high)| Self { low, high, prec }.checked())
+            };
+            (
+                image(&|round, cc| at.sin(prec, round, cc)),
+                image(&|round, cc| at.cos(prec, round, cc)),
+            )
+        });
         let width = self.high.sub(&self.low, prec, UP);
-        let image = |at: &dyn Fn(RoundingMode, &mut Consts) -> BigFloat| {
-            let ends = with_constants(|cc| (at(DOWN, cc), at(UP, cc)));
-            let Some((low, high)) = ends else { return unit.clone() };
-            let low = low.sub(&width, prec, DOWN).max(&unit.low);
-            let high = high.add(&width, prec, UP).min(&unit.high);
+        let widened = |set: Self| {
+            let low = set.low.sub(&width, prec, DOWN).max(&unit.low);
+            let high = set.high.add(&width, prec, UP).min(&unit.high);
             Self { low, high, prec }.checked()
         };
-        let at = &self.low;
-        (image(&|round, cc| at.sin(prec, round, cc)), image(&|round, cc| at.cos(prec, round, cc)))
+        (widened(sin), widened(cos))
     }
 }
 

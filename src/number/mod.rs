@@ -63,6 +63,7 @@ mod engine;
 mod exact;
 #[cfg(feature = "mpfr")]
 mod gmp;
+mod halving;
 mod jet;
 #[cfg(feature = "mpfr")]
 mod short_ball;

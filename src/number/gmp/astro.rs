@@ -68,4 +68,28 @@ mod tests {
         assert!(!(AstroInterval::integer(1, 64) / &straddles).is_bounded());
         assert!(!straddles.sqrt().is_bounded());
     }
+
+    /// Where sine or cosine is tiny, next to one, or zero, by all lengths of the argument.
+    #[test]
+    fn sine_and_cosine_hold_the_true_ones() {
+        let pi = Float::with_val(400, rug::float::Constant::Pi);
+        let near = |prec: u32, part: f64| Float::with_val(prec, pi.clone() * part);
+        let mut arguments: Vec<Float> = (1..7).map(|k| near(40 * k, 0.25 * f64::from(k))).collect();
+        arguments.extend([near(300, 0.5), near(53, 1.0), near(130, -1.0), near(64, 1e-40)]);
+        arguments.extend(
+            [0.0, 1.0, -0.7, 3.0, 1e-300, 0.126, 2.999, -2.0].map(|x| Float::with_val(53, x)),
+        );
+        for (x, prec) in
+            arguments.iter().flat_map(|x| [64, 100, 128, 320, 600, 900].map(|prec| (x, prec)))
+        {
+            let (sin, cos) = AstroInterval::between(x, x, prec).sin_cos();
+            let truth = (Float::with_val(2000, x).sin(), Float::with_val(2000, x).cos());
+            for (ours, truth) in [(sin, truth.0), (cos, truth.1)] {
+                let (low, high) = ours.ends().unwrap();
+                assert!(low <= truth && truth <= high, "{x} {prec}");
+                let width = Float::with_val(64, &high - &low);
+                assert!(width <= truth.abs() >> (prec as u32 - 2), "{x} {prec}");
+            }
+        }
+    }
 }
