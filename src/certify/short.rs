@@ -23,7 +23,7 @@ use crate::problem::{System, tally};
 use crate::solve::inverse;
 
 /// Up to this many bits it pays.
-pub(super) const MOST: u32 = 512;
+pub(super) const MOST: u32 = 928;
 /// Bits of a result beyond those asked for, so that the condition of the system eats no digits.
 const GUARD: u32 = 32;
 /// How many times as wide as the corrections ask for `X` is.
@@ -105,7 +105,10 @@ impl Approach {
         match bits + GUARD {
             0..=320 => self.in_words::<6>(bits),
             321..=448 => self.in_words::<8>(bits),
-            _ => self.in_words::<10>(bits),
+            449..=576 => self.in_words::<10>(bits),
+            577..=704 => self.in_words::<12>(bits),
+            705..=832 => self.in_words::<14>(bits),
+            _ => self.in_words::<16>(bits),
         }
     }
 
@@ -293,10 +296,10 @@ mod tests {
             Landmark::ALL.into_iter().flat_map(|l| SelfWeight::ALL.map(|w| (l, w)))
         {
             let isolated = isolated(landmark, weight);
-            let long = refine(&isolated, 3 * MOST).unwrap();
+            let long = refine(&isolated, 2 * MOST).unwrap();
             let way = isolated.approach().unwrap();
             assert!(way.gain > 60 && way.known > 80, "{} {}", way.gain, way.known);
-            for bits in [64, 100, 256, 333, MOST] {
+            for bits in [64, 100, 256, 333, 512, 640, 780, MOST] {
                 let short = way.enclose(bits).unwrap();
                 for &unknown in way.system.unknowns {
                     let (x, truth) = (short.value(unknown), long.value(unknown).unwrap());

@@ -74,6 +74,8 @@ mod tens;
 mod ternary;
 #[cfg(feature = "check")]
 mod unit;
+#[cfg(feature = "mpfr")]
+mod words;
 #[cfg(feature = "check")]
 mod written;
 

@@ -8,6 +8,7 @@
 //! on any path, each of which takes away less than a part `2^-53`; the last factor is [`UP`] `= 1 + 2^-48`. It is zero or at
 //! least one, and at most `2^64(N-1) < 2^1000`, so that nothing underflows or overflows; what is beyond, or NaN, becomes the whole line.
 
+use super::words;
 use super::{Ball, DoubleDouble, DoubleDoubleBall, Field, Magnitude, power_of_two};
 use rug::float::Round;
 use rug::integer::Order;
@@ -152,20 +153,12 @@ impl<const N: usize> ShortBall<N> {
     }
 
     fn times_integer(&self, n: u64, negative: bool) -> Self {
-        let (mut words, mut carry) = ([0; N], 0u64);
-        for (word, from) in words.iter_mut().zip(self.words) {
-            let product = u128::from(from) * u128::from(n) + u128::from(carry);
-            (*word, carry) = (product as u64, (product >> 64) as u64);
-        }
-        Self::settled(self.negative != negative, words, self.rad * n as f64 * UP)
+        let rad = self.rad * n as f64 * UP;
+        Self::settled(self.negative != negative, words::multiple(&self.words, n), rad)
     }
 
     fn over_integer(&self, n: u64, negative: bool) -> Self {
-        let (mut words, mut rest) = ([0; N], 0u64);
-        for (word, from) in words.iter_mut().zip(self.words).rev() {
-            let above = u128::from(rest) << 64 | u128::from(from);
-            (*word, rest) = ((above / u128::from(n)) as u64, (above % u128::from(n)) as u64);
-        }
+        let (words, rest) = words::quotient(&self.words, n);
         let negative = self.negative != negative;
         match rest == 0 && self.rad == 0.0 {
             true => Self::settled(negative, words, 0.0),
@@ -175,50 +168,6 @@ impl<const N: usize> ShortBall<N> {
 }
 
 const TWO_TO_64: f64 = 18_446_744_073_709_551_616.0;
-
-/// The order of two sizes.
-fn compare<const N: usize>(a: &[u64; N], b: &[u64; N]) -> Ordering {
-    a.iter().rev().cmp(b.iter().rev())
-}
-
-/// `a + b`, with whole parts that leave room for it.
-#[inline]
-fn sum<const N: usize>(a: &[u64; N], b: &[u64; N]) -> [u64; N] {
-    let mut carry = false;
-    std::array::from_fn(|i| {
-        let (word, first) = a[i].overflowing_add(b[i]);
-        let (word, second) = word.overflowing_add(u64::from(carry));
-        carry = first | second;
-        word
-    })
-}
-
-/// `a - b` for `a >= b`.
-#[inline]
-fn difference<const N: usize>(a: &[u64; N], b: &[u64; N]) -> [u64; N] {
-    let mut borrow = false;
-    std::array::from_fn(|i| {
-        let (word, first) = a[i].overflowing_sub(b[i]);
-        let (word, second) = word.overflowing_sub(u64::from(borrow));
-        borrow = first | second;
-        word
-    })
-}
-
-/// The words of `a b` from the units on; whole parts below `2^31` leave room for it.
-#[inline]
-fn product<const N: usize>(a: &[u64; N], b: &[u64; N]) -> [u64; N] {
-    let mut all = [0u64; 32];
-    for (i, x) in a.iter().enumerate() {
-        let mut carry = 0;
-        for (j, y) in b.iter().enumerate() {
-            let term = u128::from(*x) * u128::from(*y) + u128::from(all[i + j]) + u128::from(carry);
-            (all[i + j], carry) = (term as u64, (term >> 64) as u64);
-        }
-        all[i + N] = carry;
-    }
-    std::array::from_fn(|i| all[i + N - 1])
-}
 
 impl<const N: usize> Field for ShortBall<N> {
     fn int(&self, n: i32) -> Self {
@@ -240,13 +189,13 @@ impl<const N: usize> Add<&ShortBall<N>> for ShortBall<N> {
     fn add(self, other: &Self) -> Self {
         let rad = (self.rad + other.rad) * UP;
         if self.negative == other.negative {
-            return Self::settled(self.negative, sum(&self.words, &other.words), rad);
+            return Self::settled(self.negative, words::sum(&self.words, &other.words), rad);
         }
-        match compare(&self.words, &other.words) {
+        match words::compare(&self.words, &other.words) {
             Ordering::Less => {
-                Self::settled(other.negative, difference(&other.words, &self.words), rad)
+                Self::settled(other.negative, words::difference(&other.words, &self.words), rad)
             }
-            _ => Self::settled(self.negative, difference(&self.words, &other.words), rad),
+            _ => Self::settled(self.negative, words::difference(&self.words, &other.words), rad),
         }
     }
 }
@@ -272,7 +221,7 @@ impl<const N: usize> Mul<&ShortBall<N>> for ShortBall<N> {
             true => 0.0,
             false => self.size() * other.rad + (other.size() + other.rad / Self::UNITS) * self.rad,
         };
-        Self::cut(self.negative != other.negative, product(&self.words, &other.words), rad)
+        Self::cut(self.negative != other.negative, words::product(&self.words, &other.words), rad)
     }
 }
 

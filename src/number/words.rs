@@ -1,0 +1,104 @@
+//! Numbers of a few words on the stack, the least significant first: what a fixed point is made of.
+
+use std::cmp::Ordering;
+
+/// The order of two sizes.
+pub(super) fn compare<const N: usize>(a: &[u64; N], b: &[u64; N]) -> Ordering {
+    a.iter().rev().cmp(b.iter().rev())
+}
+
+/// `a + b`, where the topmost words have room for it.
+#[inline]
+pub(super) fn sum<const N: usize>(a: &[u64; N], b: &[u64; N]) -> [u64; N] {
+    let mut carry = false;
+    std::array::from_fn(|i| {
+        let (word, first) = a[i].overflowing_add(b[i]);
+        let (word, second) = word.overflowing_add(u64::from(carry));
+        carry = first | second;
+        word
+    })
+}
+
+/// `a - b` for `a >= b`.
+#[inline]
+pub(super) fn difference<const N: usize>(a: &[u64; N], b: &[u64; N]) -> [u64; N] {
+    let mut borrow = false;
+    std::array::from_fn(|i| {
+        let (word, first) = a[i].overflowing_sub(b[i]);
+        let (word, second) = word.overflowing_sub(u64::from(borrow));
+        borrow = first | second;
+        word
+    })
+}
+
+/// `a b 2^-64(N-1)`, cut off, for at most 16 words; the topmost have room for it.
+#[inline]
+pub(super) fn product<const N: usize>(a: &[u64; N], b: &[u64; N]) -> [u64; N] {
+    let mut all = [0u64; 32];
+    for (i, x) in a.iter().enumerate() {
+        let mut carry = 0;
+        for (j, y) in b.iter().enumerate() {
+            let term = u128::from(*x) * u128::from(*y) + u128::from(all[i + j]) + u128::from(carry);
+            (all[i + j], carry) = (term as u64, (term >> 64) as u64);
+        }
+        all[i + N] = carry;
+    }
+    std::array::from_fn(|i| all[i + N - 1])
+}
+
+/// `a n`, where the topmost word has room for it.
+pub(super) fn multiple<const N: usize>(a: &[u64; N], n: u64) -> [u64; N] {
+    let mut carry = 0;
+    a.map(|word| {
+        let term = u128::from(word) * u128::from(n) + u128::from(carry);
+        carry = (term >> 64) as u64;
+        term as u64
+    })
+}
+
+/// `a / n`, cut off, and what it leaves; `n` is not zero.
+pub(super) fn quotient<const N: usize>(a: &[u64; N], n: u64) -> ([u64; N], u64) {
+    let (mut words, mut rest) = ([0; N], 0);
+    for (word, from) in words.iter_mut().zip(a).rev() {
+        let above = u128::from(rest) << 64 | u128::from(*from);
+        (*word, rest) = ((above / u128::from(n)) as u64, (above % u128::from(n)) as u64);
+    }
+    (words, rest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::test_config::config;
+    use proptest::prelude::*;
+    use rug::Integer;
+    use rug::integer::Order;
+
+    fn integer(words: &[u64]) -> Integer {
+        Integer::from_digits(words, Order::Lsf)
+    }
+
+    proptest! {
+        #![proptest_config(config(1000))]
+
+        /// Carries through words of ones, borrows through words of zeros.
+        #[test]
+        fn they_are_those_of_gmp(
+            a in prop::array::uniform5(prop_oneof![Just(0u64), Just(u64::MAX), any::<u64>()]),
+            b in prop::array::uniform5(prop_oneof![Just(0u64), Just(u64::MAX), any::<u64>()]),
+            n in 1u64..1 << 31,
+        ) {
+            let small = |mut words: [u64; 5]| { words[4] %= 1 << 31; words };
+            let (a, b) = (small(a), small(b));
+            let (x, y) = (integer(&a), integer(&b));
+            prop_assert_eq!(integer(&sum(&a, &b)), Integer::from(&x + &y));
+            prop_assert_eq!(compare(&a, &b), x.cmp(&y));
+            let (large, less) = if x >= y { (&a, &b) } else { (&b, &a) };
+            prop_assert_eq!(integer(&difference(large, less)), Integer::from(&x - &y).abs());
+            prop_assert_eq!(integer(&product(&a, &b)), Integer::from(&x * &y) >> 256);
+            prop_assert_eq!(integer(&multiple(&a, n)), Integer::from(&x * n));
+            let (words, rest) = quotient(&a, n);
+            prop_assert_eq!((integer(&words), rest), (Integer::from(&x / n), Integer::from(&x % n).to_u64().unwrap()));
+        }
+    }
+}
