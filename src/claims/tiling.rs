@@ -5,20 +5,22 @@
 //! thrust stays between crown and haunch, and at least `h_s` of the friction, so that no inner joint slides. The
 //! shoulder ends the arch where it is on the extrados or where it slides, and does so the later the smaller the thrust.
 
+use super::along::landmark;
 use super::contacts::{CONTACTS, Contact};
 use super::curve::STATES_IN_ORDER;
-use super::domains::INNER_SLIDING_BEYOND_T;
+use super::domains::{INNER_SLIDING_BEYOND_T, NO_SHOULDER_SLIDING_BEYOND_T};
 use super::frictions::{
     FRICTION_FOR_ROTATION_GROWS, FRICTION_OF_SMALL_THRUST, ROTATION_MEETS_SLIDING,
-    SLOPES_OF_FRICTION,
+    SLIDING_STATES_IN_ORDER, SLOPES_OF_FRICTION,
 };
 use super::letters::{ring, variables};
 use super::modes::SEVEN_MODES;
 use super::uniqueness::{MECHANISM_BOUNDS, ONE_HALF_OPENING, ONE_THICKNESS, THICKER_HAS_ROOM};
-use super::{Claim, Derivation, Finding};
-use crate::arch::{Ring, SelfWeight, overturning, sliding, statics, thrust};
+use super::{Claim, Derivation, Finding, Support};
+use crate::arch::{Ring, SelfWeight, contact, overturning, sliding, statics, thrust};
 use crate::certify::Undecided;
-use crate::number::{Angle, Field, Surd};
+use crate::number::{Angle, Enclosure, Field, Surd};
+use crate::problem::Landmark;
 use crate::symbolic::{Letters, Relations, Symbol, along_the_joint};
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -29,6 +31,14 @@ pub(super) const CLAIMS: &[Claim] = &[
                     grows, in the order [r,r,r], [s,r,r], [r,r,s], [r,s,r], [r,s], [s,s], each on an \
                     interval or not at all; the second is left of T, the next three are right of it",
         decide: columns,
+    },
+    Claim {
+        id: "map-rows",
+        place: "Sec. 3, Fig. 5, 6",
+        statement: "at a given half opening the modes follow each other as the friction grows: before T [s,s], \
+                    [s,r,r], [r,r,r], beyond T [s,s], [r,s], [r,s,r], [r,r,s], [r,r,r], each on an interval or not \
+                    at all, so that the line of a half opening meets each domain at most once",
+        decide: rows,
     },
     Claim {
         id: "map-T-frictions",
@@ -98,12 +108,7 @@ fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
          an inner joint that slides h = h_s: below one thickness h_R > h_s, and the mode has the first, above it \
          the second.",
     );
-    let rest = two.clone() * &ring.centroid_factor / ring.intrados();
-    let slope = rest.partial(Symbol::Thickness);
-    let expected = (two.clone() * &ring.centroid_factor
-        + Symbol::Flag.number() * &ring.thickness * ring.intrados() / two.int(3))
-        / ring.intrados().square();
-    d.identity("2 fac/(2 - eta), by which beta_r falls in (5), grows", &slope, &expected, &free)?;
+    falls_with_the_thickness(d)?;
     d.conclude(
         "Below it h = h_R, and the haunch is that of the rotational state of half opening alpha_0(eta), which grows: \
          [r,r,r] as long as M(alpha_0) <= mu, [s,r,r] from there on. Above it h = h_s: let alpha_P be the half opening that \
@@ -116,6 +121,65 @@ fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
          and then [s,s], as no inner joint slides with a hinge at the shoulder left of T. For mu >= mu_T, M <= m: [s,r,r] is left out.",
     );
     Ok(Finding::AsPrinted)
+}
+
+/// By (5) the rotational joint falls as the thickness grows.
+fn falls_with_the_thickness(d: &mut Derivation) -> Result<(), Undecided> {
+    let (ring, two) = (ring(), Symbol::Thickness.number().int(2));
+    let rest = two.clone() * &ring.centroid_factor / ring.intrados();
+    let slope = rest.partial(Symbol::Thickness);
+    let expected = (two.clone() * &ring.centroid_factor
+        + Symbol::Flag.number() * &ring.thickness * ring.intrados() / two.int(3))
+        / ring.intrados().square();
+    let words = "2 fac/(2 - eta), by which beta_r falls in (5), grows";
+    d.identity(words, &slope, &expected, &Relations::none())
+}
+
+fn rows(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.assume("0 < mu < inf, and the arch stands at a thickness up to 2");
+    d.lemma(&SEVEN_MODES)?;
+    d.lemma(&ONE_THICKNESS)?;
+    d.lemma(&SLOPES_OF_FRICTION)?;
+    d.lemma(&SLIDING_STATES_IN_ORDER)?;
+    d.lemma(&FRICTION_FOR_ROTATION_GROWS)?;
+    d.lemma(&INNER_SLIDING_BEYOND_T)?;
+    d.lemma(&NO_SHOULDER_SLIDING_BEYOND_T)?;
+    let (at, free) = (variables(), Relations::none());
+    falls_with_the_thickness(d)?;
+    for weight in SelfWeight::ALL {
+        let (h, ring) = (&at.thrust, Ring::new(weight, &at.thickness));
+        let side = h.int(2) * &ring.centroid_factor / ring.intrados() + h - h.int(1);
+        let slope = contact::crown_slope(weight, &at) * h.int(2) / ring.intrados();
+        let words = format!(
+            "the slope at the crown, up to a factor: h - 1 + 2 fac/(2 - eta), of (5), less 1, {}",
+            weight.name()
+        );
+        d.identity(words, &slope, &(side - h.int(1)), &free)?;
+        let thrust = landmark(Landmark::Triple, weight)?.thrust;
+        let half = thrust.ratio(1, 2);
+        let words = format!("h_T < 1/2, {}", weight.name());
+        d.certain(Support::Balls, words, thrust.is_less_than(&half))?;
+    }
+    let square = (at.thrust.int(1) - &at.thrust) * &at.thrust;
+    let slope = at.thrust.int(1) - at.thrust.int(2) * &at.thrust;
+    let words = "d beta_s²/dh, positive below 1/2";
+    d.identity(words, &square.partial(Symbol::Thrust), &slope, &free)?;
+    d.conclude(
+        "A state of pure rotation does not see the friction, from which on it is admissible: [r,r,r] holds from some \
+         friction on, or never. [s,s] holds at one friction, the least. What is admissible stays so with more friction, so \
+         that the thickness does not grow with it.",
+    );
+    d.conclude(
+        "With an inner joint that slides mu >= mu_T, and h < 1/2 falls strictly as mu grows. So, as mu falls, h - 1 + 2 fac/(2 - eta) \
+         grows strictly: beta_r falls while beta_s grows, until the slope at the crown is not negative. [r,r,s] with beta_r > \
+         beta_s, [r,s,r] with beta_r < beta_s and [r,s] are passed in this order, each once.",
+    );
+    d.conclude(
+        "In [s,r,r] alpha <= alpha_T and mu <= mu_T. There M <= mu_T and m <= mu_T, as both grow with alpha and meet at T: \
+         from mu_T on the arch is [r,r,r], and no inner joint slides with a hinge. So before T [s,r,r] alone is between [s,s] and \
+         [r,r,r], and beyond T it is not there.",
+    );
+    Ok(Finding::Implicit)
 }
 
 fn frictions_beyond_t(d: &mut Derivation) -> Result<Finding, Undecided> {
