@@ -2,6 +2,9 @@
 
 use std::fmt;
 
+/// A coordinate of a path is written to this of the unit.
+pub const ROUNDED: f64 = 0.001;
+
 /// To the right and down, in units of the picture.
 pub type Point = (f64, f64);
 
@@ -76,12 +79,12 @@ impl fmt::Display for Path {
     }
 }
 
-/// A length to the nearest hundredth, as short as it goes.
+/// A length to the nearest thousandth, as short as it goes.
 pub(super) struct Short(pub(super) f64);
 
 impl fmt::Display for Short {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let text = format!("{:.2}", self.0);
+        let text = format!("{:.3}", self.0);
         let text = text.trim_end_matches('0').trim_end_matches('.');
         f.write_str(if text == "-0" { "0" } else { text })
     }
@@ -94,7 +97,7 @@ mod tests {
     #[test]
     fn lengths_are_short() {
         let texts = [0.0, -0.001, 100.0, 12.5, -7.257, 1e-9].map(|x| Short(x).to_string());
-        assert_eq!(texts, ["0", "0", "100", "12.5", "-7.26", "0"]);
+        assert_eq!(texts, ["0", "-0.001", "100", "12.5", "-7.257", "0"]);
     }
 
     #[test]

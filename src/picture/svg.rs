@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 const FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
 /// From the middle of small letters to the line on which they stand, in sizes of the font.
 const MIDDLE: f64 = 0.28;
-/// The white around a text that stands on lines, in sizes of the font.
+/// What is around a text that stands on lines, in sizes of the font.
 const HALO: f64 = 0.25;
 
 /// Which end of a text is at its place.
@@ -64,14 +64,14 @@ pub struct Type {
     pub anchor: Anchor,
     /// Degrees, clockwise about its place; -90 reads upwards.
     pub turn: f64,
-    /// White around the letters, where they stand on lines.
-    pub halo: bool,
+    /// The colour around the letters, where they stand on lines.
+    pub halo: Option<Color>,
 }
 
 impl Type {
     /// A text along its line that begins at its place.
     pub const fn new(size: f64, color: Color) -> Self {
-        Self { size, color, anchor: Anchor::Start, turn: 0.0, halo: false }
+        Self { size, color, anchor: Anchor::Start, turn: 0.0, halo: None }
     }
 
     /// With another end at its place.
@@ -84,9 +84,9 @@ impl Type {
         Self { turn, ..self }
     }
 
-    /// With white around the letters.
-    pub const fn on_lines(self) -> Self {
-        Self { halo: true, ..self }
+    /// With a colour around the letters.
+    pub const fn on(self, ground: Color) -> Self {
+        Self { halo: Some(ground), ..self }
     }
 }
 
@@ -214,9 +214,10 @@ impl Svg {
         if turn != 0.0 {
             more += &format!(" transform=\"rotate({} {x} {y})\"", Short(turn));
         }
-        if halo {
+        if let Some(ground) = halo {
             let width = Short(HALO * size);
-            more += &format!(" paint-order=\"stroke\" stroke=\"{WHITE}\" stroke-width=\"{width}\"");
+            more +=
+                &format!(" paint-order=\"stroke\" stroke=\"{ground}\" stroke-width=\"{width}\"");
         }
         self.write(format_args!(
             "<text x=\"{x}\" y=\"{y}\" font-size=\"{}\" fill=\"{color}\"{more}>{}</text>",
@@ -267,7 +268,7 @@ mod tests {
     fn a_turned_text_has_its_middle_at_its_place() {
         let mut svg = Svg::new((9.0, 9.0), "", "");
         let style = Type::new(100.0, WHITE).at(Anchor::Middle);
-        svg.text("up", (50.0, 50.0), style.turned(-90.0).on_lines());
+        svg.text("up", (50.0, 50.0), style.turned(-90.0).on(WHITE));
         svg.text("along", (50.0, 50.0), style);
         let text = svg.finish();
         assert!(text.contains("x=\"78\" y=\"50\" ") && text.contains("rotate(-90 78 50)"));

@@ -89,7 +89,7 @@ const fn language(name: &'static str, extension: &'static str, answers: Writer<A
     Format { has_certificates: true, answers: Some(answers), ..text(name, extension) }
 }
 
-static FORMATS: [Format; 15] = [
+static FORMATS: [Format; 17] = [
     Format {
         answers: Some(table::answers),
         audit: Some(audit::table),
@@ -134,6 +134,8 @@ static FORMATS: [Format; 15] = [
     language("matlab", "m", matlab::answers),
     language("fortran", "f90", fortran::answers),
     PARQUET,
+    Format { map: Some(map::svg), ..text("svg", "svg") },
+    PNG,
 ];
 
 #[cfg(feature = "parquet")]
@@ -152,6 +154,18 @@ const PARQUET: Format = Format {
     rows: Some(|_| Err(io::ErrorKind::Unsupported.into())),
     map: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
     ..language("parquet", "parquet", |_, _| Err(io::ErrorKind::Unsupported.into()))
+};
+
+#[cfg(feature = "plots")]
+const PNG: Format = Format { is_binary: true, map: Some(map::png), ..text("png", "png") };
+
+/// A stand-in that names the missing feature.
+#[cfg(not(feature = "plots"))]
+const PNG: Format = Format {
+    is_binary: true,
+    missing: Some("plots"),
+    map: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
+    ..text("png", "png")
 };
 
 impl Format {

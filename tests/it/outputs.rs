@@ -160,6 +160,7 @@ outputs! {
     help_assess: run("couplet assess --help");
     help_find: run("couplet find --help");
     help_map: run("couplet map --help");
+    help_figure: run("couplet figure --help");
     help_states: run("couplet states --help");
     help_sample: run("couplet sample --help");
     help_judge: run("couplet judge --help");

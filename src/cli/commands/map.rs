@@ -1,13 +1,13 @@
 //! `couplet map`.
 
-use super::output::{Output, OutputFile};
+use super::output::{Output, OutputFile, typed};
 use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
 use crate::atlas::{Curve, LEAST_TOLERANCE, Level, NoLevel, NoPoint, Part, Trace, point};
 use crate::certify::{MAX_DIGITS, Undecided};
 use crate::cli::failure::Failure;
 use crate::number::{ExactNumber, ParseExactError};
-use crate::report::{Content, Format, Map, MapPoint, MapPoints, Report};
+use crate::report::{Content, Drawing, Format, Map, MapPoint, MapPoints, Plane, Report, View};
 use clap::Args;
 use rayon::prelude::*;
 
@@ -19,6 +19,9 @@ use rayon::prelude::*;
 ///
 /// Curves: rotation, overturning, sliding; two modes that meet (rrr/srr, [r,s,r]/[r,s]); limit, where the thickness
 /// reaches 2.
+///
+/// Formats of pictures, svg and png, draw the map: the domains of the modes in a --plane, or --lines alone. If no format is
+/// given, what the name of the file ends with tells it; without a file it is table.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Curves, with commas between several; all if none is named.
@@ -57,8 +60,16 @@ pub(crate) struct Arguments {
     #[arg(long, default_value = "30", value_parser = parse::digits, requires = "at", allow_negative_numbers = true)]
     digits: usize,
 
-    #[arg(long, default_value = "table", value_parser = parse::format(Content::Map), help = parse::format_help(Content::Map))]
-    format: &'static Format,
+    /// For a picture, what lies along its axes: thickness-friction, opening-friction or opening-thickness.
+    #[arg(long, default_value = "thickness-friction", value_parser = plane)]
+    plane: Plane,
+
+    /// For a picture, only the lines, of both weights if so asked; over thickness and friction.
+    #[arg(long)]
+    lines: bool,
+
+    #[arg(long, value_parser = parse::format(Content::Map), help = parse::format_help(Content::Map))]
+    format: Option<&'static Format>,
 
     #[command(flatten)]
     file: OutputFile,
@@ -84,7 +95,7 @@ fn curve(text: &str) -> Result<Curve, String> {
     Curve::named(text).ok_or_else(|| parse::unknown("a curve", text, &names))
 }
 
-fn tolerance(text: &str) -> Result<f64, String> {
+pub(super) fn tolerance(text: &str) -> Result<f64, String> {
     let tolerance = text.parse().ok().filter(|width| (LEAST_TOLERANCE..=1.0).contains(width));
     tolerance.ok_or_else(|| format!("a tolerance is a number from {LEAST_TOLERANCE:e} to 1"))
 }
@@ -96,14 +107,63 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
+fn plane(text: &str) -> Result<Plane, String> {
+    let names = Plane::ALL.map(Plane::name);
+    Plane::named(text).ok_or_else(|| parse::unknown("a plane", text, &names))
+}
+
 impl Arguments {
+    /// The format asked for; else a summary.
+    fn format(&self) -> Result<&'static Format, Failure> {
+        self.file.format(self.format, Content::Map, "table")
+    }
+
+    /// What a picture shows.
+    fn drawing(&self, format: &Format) -> Result<Drawing, Failure> {
+        let is_picture = ["svg", "png"].contains(&format.name);
+        if self.lines && self.plane != Plane::ThicknessFriction {
+            let message = "--lines are drawn over thickness and friction; leave out --plane";
+            return Err(Failure::Input(message.into()));
+        }
+        if is_picture && !self.lines && self.weight.all().len() > 1 {
+            let message = "a map shows one --weight; --lines shows the lines of both";
+            return Err(Failure::Input(message.into()));
+        }
+        if is_picture && !self.half_openings.is_empty() {
+            let message =
+                "the lines of half openings are not drawn: write them as json, csv or parquet";
+            return Err(Failure::Input(message.into()));
+        }
+        let view = if self.lines { View::Lines } else { View::Map(self.plane) };
+        Ok(Drawing { view, command: typed() })
+    }
+
     fn curves(&self) -> Vec<Curve> {
         self.curves.iter().flat_map(|Curves(curves)| curves).copied().collect()
     }
 }
 
+/// Curves on all cores, and what of them is not proved.
+pub(super) fn traced(asked: Vec<(SelfWeight, Curve)>, tolerance: f64) -> (Vec<Trace>, Vec<String>) {
+    let traced: Vec<Result<Trace, Undecided>> =
+        asked.into_par_iter().map(|(weight, curve)| Trace::new(curve, weight, tolerance)).collect();
+    let (mut traces, mut open) = (Vec::new(), Vec::new());
+    for trace in traced {
+        match trace {
+            Ok(trace) => traces.push(trace),
+            Err(undecided) => open.push(undecided.to_string()),
+        }
+    }
+    open.extend(traces.iter().filter(|trace| trace.gaps().next().is_some()).map(|trace| {
+        format!("{}, {}: not every piece is proved", trace.curve, trace.weight.name())
+    }));
+    (traces, open)
+}
+
 fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
-    let file = arguments.file.open_for(arguments.format)?;
+    let format = arguments.format()?;
+    let drawing = arguments.drawing(format)?;
+    let file = arguments.file.open_for(format)?;
     let curves = arguments.curves();
     let is_whole = curves.is_empty() && arguments.half_openings.is_empty();
     let is_asked = |curve: &Curve| is_whole || curves.contains(curve);
@@ -115,23 +175,10 @@ fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
         .flat_map(|weight| Curve::ALL.into_iter().map(move |curve| (weight, curve)))
         .filter(|(weight, curve)| is_asked(curve) && !(curve.is_weightless() && *weight != first))
         .collect();
-    let traced: Vec<Result<Trace, Undecided>> = asked
-        .into_par_iter()
-        .map(|(weight, curve)| Trace::new(curve, weight, arguments.tolerance))
-        .collect();
-    let (mut traces, mut open) = (Vec::new(), Vec::new());
-    for trace in traced {
-        match trace {
-            Ok(trace) => traces.push(trace),
-            Err(undecided) => open.push(undecided.to_string()),
-        }
-    }
-    open.extend(traces.iter().filter(|trace| trace.gaps().next().is_some()).map(|trace| {
-        format!("{}, {}: not every piece is proved", trace.curve, trace.weight.name())
-    }));
+    let (traces, mut open) = traced(asked, arguments.tolerance);
     let levels = levels(arguments, &mut open)?;
-    let report = Report::Map(Map { tolerance: arguments.tolerance, traces, levels });
-    file.write(|out| report.write(arguments.format, out))?;
+    let report = Report::Map(Map { tolerance: arguments.tolerance, traces, levels, drawing });
+    file.write(|out| report.write(format, out))?;
     if arguments.file.is_file() {
         summary(&report)?;
     }
@@ -187,8 +234,9 @@ fn one_point(arguments: &Arguments, parameter: &str) -> Result<(), Failure> {
         let message = "--at needs one --curve; for example: couplet map --curve rrr/srr --at 80deg";
         return Err(Failure::Input(message.into()));
     };
+    let format = arguments.format()?;
     let formats: Vec<&str> = Format::all(Content::MapPoint).map(|format| format.name).collect();
-    if !formats.contains(&arguments.format.name) {
+    if !formats.contains(&format.name) {
         return Err(Failure::Input(format!("a point is written only as {}", formats.join(", "))));
     }
     let wrong = |error: ParseExactError| Failure::Input(error.to_string());
@@ -206,6 +254,6 @@ fn one_point(arguments: &Arguments, parameter: &str) -> Result<(), Failure> {
         Ok(MapPoint { curve, weight, given: parameter.to_owned(), values })
     });
     let points: Vec<MapPoint> = points.collect::<Result<_, Failure>>()?;
-    let file = arguments.file.open_for(arguments.format)?;
-    file.write(|out| Report::MapPoints(MapPoints(points)).write(arguments.format, out))
+    let file = arguments.file.open_for(format)?;
+    file.write(|out| Report::MapPoints(MapPoints(points)).write(format, out))
 }

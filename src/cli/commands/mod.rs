@@ -5,6 +5,7 @@ mod assess;
 mod audit;
 mod certify;
 mod constants;
+mod figure;
 mod find;
 mod folder;
 mod judge;
@@ -32,6 +33,7 @@ pub(super) enum Command {
     Assess(assess::Arguments),
     Find(find::Arguments),
     Map(map::Arguments),
+    Figure(figure::Arguments),
     States(states::Arguments),
     Sample(sample::Arguments),
     Judge(judge::Arguments),
@@ -60,6 +62,7 @@ impl Command {
             Self::Assess(arguments) => assess::run(arguments),
             Self::Find(arguments) => find::run(arguments),
             Self::Map(arguments) => map::run(arguments),
+            Self::Figure(arguments) => figure::run(arguments),
             Self::States(arguments) => states::run(arguments),
             Self::Sample(arguments) => sample::run(arguments),
             Self::Judge(arguments) => judge::run(arguments),

@@ -64,6 +64,12 @@ impl AnswerOutput {
     }
 }
 
+/// The command as it was typed, for a file that says how it was made.
+pub(super) fn typed() -> String {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    format!("couplet {}", words.join(" "))
+}
+
 impl OutputFile {
     /// Opens the destination, before any work is done.
     pub(super) fn open(&self) -> Result<Output, Failure> {
@@ -76,6 +82,23 @@ impl OutputFile {
             fits_standard_output(format)?;
         }
         self.open()
+    }
+
+    /// The format given; else that of the file's name, else the usual one.
+    pub(super) fn format(
+        &self,
+        given: Option<&'static Format>,
+        content: Content,
+        usual: &str,
+    ) -> Result<&'static Format, Failure> {
+        let extension = || self.output.as_deref()?.extension()?.to_str();
+        let by_name = || Format::of_extension(content, extension()?);
+        let format = given.or_else(by_name).or_else(|| Format::named(content, usual));
+        let format = format.ok_or_else(|| Failure::Input(format!("{usual} is no format")))?;
+        match format.missing() {
+            Some(missing) => Err(Failure::Input(missing)),
+            None => Ok(format),
+        }
     }
 
     /// Whether it is not standard output.

@@ -1,6 +1,6 @@
 //! `couplet study`.
 
-use super::output::Output;
+use super::output::{Output, typed};
 use super::progress::styled;
 use crate::cli::failure::Failure;
 use crate::report::study::{StudyFiles, accuracy_table, stability_table};
@@ -80,7 +80,7 @@ fn accuracy(options: &Options) -> Result<(), Failure> {
     }
     bar.finish_and_clear();
     Output::open(None)?.write(|out| accuracy_table(&rows, out))?;
-    folder.write(&StudyFiles::accuracy(&rows, &command()))
+    folder.write(&StudyFiles::accuracy(&rows, &typed()))
 }
 
 fn stability(options: &Options) -> Result<(), Failure> {
@@ -102,13 +102,7 @@ fn stability(options: &Options) -> Result<(), Failure> {
     }
     bar.finish_and_clear();
     Output::open(None)?.write(|out| stability_table(&rungs, out))?;
-    folder.write(&StudyFiles::stability(&rungs, &command()))
-}
-
-/// The command as it was typed.
-fn command() -> String {
-    let words: Vec<String> = std::env::args().skip(1).collect();
-    format!("couplet {}", words.join(" "))
+    folder.write(&StudyFiles::stability(&rungs, &typed()))
 }
 
 /// Where the files go, if anywhere; made before any work is done.

@@ -5,6 +5,7 @@ mod domains;
 mod json;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod picture;
 mod point;
 mod rows;
 mod table;
@@ -14,10 +15,14 @@ pub use point::{MapPoint, MapPoints};
 pub(super) use json::json;
 #[cfg(feature = "parquet")]
 pub(super) use parquet::parquet;
+#[cfg(feature = "plots")]
+pub(super) use picture::png;
+pub(super) use picture::svg;
 pub(super) use point::{csv as point_csv, json as point_json, table as point_table};
 pub(super) use rows::csv;
 pub(super) use table::table;
 
+use super::drawn::Drawing;
 use crate::atlas::{Level, Trace};
 
 /// The curves of the map, each proved piece by piece.
@@ -29,4 +34,6 @@ pub struct Map {
     pub traces: Vec<Trace>,
     /// The lines of half openings.
     pub levels: Vec<Level>,
+    /// How a picture shows them.
+    pub drawing: Drawing,
 }

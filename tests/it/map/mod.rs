@@ -1,4 +1,5 @@
 //! The curves of the map: beside the states of arches on both sides of each, in every format, and refused.
 
 mod command;
+mod pictures;
 mod states;

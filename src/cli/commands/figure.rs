@@ -1,0 +1,85 @@
+//! `couplet figure`.
+
+use super::map::{tolerance, traced};
+use super::output::{OutputFile, typed};
+use super::parse::{self, Weights};
+use crate::arch::SelfWeight;
+use crate::atlas::Curve;
+use crate::cli::failure::Failure;
+use crate::report::{Branches, Content, Drawing, Format, Map, Plane, Report, View};
+use clap::Args;
+
+/// A figure of the paper, drawn from proved curves.
+///
+/// 2: rotational joint, thickness and thrust over the half opening. 3: the thickness over A = alpha cot(alpha/2). 4: the
+/// thickness over the half opening. 5: the lines between the modes, both weights. 6: the map of one weight. Figures 2 to 5
+/// show both weights unless one is named. Other planes and the curves as data: couplet map.
+#[derive(Args)]
+pub(crate) struct Arguments {
+    /// Its number in the paper, 2 to 6.
+    #[arg(value_name = "NUMBER", value_parser = number)]
+    number: u8,
+
+    /// Self-weight model: heyman, milankovitch or, but for figure 6, both.
+    #[arg(long, value_parser = parse::weights)]
+    weight: Option<Weights>,
+
+    /// Largest half-width of a tube, in rad and in thicknesses, from 1e-12 to 1.
+    #[arg(long, default_value = "1e-4", value_name = "WIDTH", value_parser = tolerance, allow_negative_numbers = true)]
+    tolerance: f64,
+
+    /// Format: svg or png. If none is given, what the name of the file ends with tells it.
+    #[arg(long, value_parser = format)]
+    format: Option<&'static Format>,
+
+    #[command(flatten)]
+    file: OutputFile,
+}
+
+fn number(text: &str) -> Result<u8, String> {
+    let number = text.parse().ok().filter(|number| (2..=6).contains(number));
+    number.ok_or_else(|| "a figure is a number from 2 to 6".to_owned())
+}
+
+fn format(name: &str) -> Result<&'static Format, String> {
+    let format = Format::named(Content::Map, name).filter(|format| is_picture(format));
+    format.ok_or_else(|| parse::unknown("a format", name, &["svg", "png"]))
+}
+
+fn is_picture(format: &Format) -> bool {
+    ["svg", "png"].contains(&format.name)
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let format = arguments.file.format(arguments.format, Content::Map, "svg")?;
+    if !is_picture(format) {
+        return Err(Failure::Input(format!("a figure is svg or png, not {}", format.name)));
+    }
+    let view = match arguments.number {
+        2 => View::Branches(Branches::Rotation),
+        3 => View::Branches(Branches::OpeningVariable),
+        4 => View::Branches(Branches::Opening),
+        5 => View::Lines,
+        _ => View::Map(Plane::ThicknessFriction),
+    };
+    let usual = match view {
+        View::Map(_) => Weights::One(SelfWeight::Milankovitch),
+        _ => Weights::Both,
+    };
+    let weights = arguments.weight.unwrap_or(usual).all();
+    if weights.len() > 1 && matches!(view, View::Map(_)) {
+        return Err(Failure::Input("figure 6 shows one --weight".into()));
+    }
+    let file = arguments.file.open_for(format)?;
+    let curves = |weight| Curve::ALL.into_iter().map(move |curve| (weight, curve));
+    let asked = weights.into_iter().flat_map(curves).collect();
+    let (traces, open) = traced(asked, arguments.tolerance);
+    let drawing = Drawing { view, command: typed() };
+    let report =
+        Report::Map(Map { tolerance: arguments.tolerance, traces, levels: Vec::new(), drawing });
+    file.write(|out| report.write(format, out))?;
+    match open.is_empty() {
+        true => Ok(()),
+        false => Err(Failure::Undecided(open.join("; "))),
+    }
+}

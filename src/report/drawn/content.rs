@@ -1,0 +1,83 @@
+//! What a map shows, in its frame or in an inset.
+
+use super::chain::Chain;
+use super::plane::Plane;
+use super::sheet::Sheet;
+use super::{domain, look};
+use crate::atlas::Curve;
+use crate::picture::{Frame, Path, Point, Svg};
+use crate::problem::{Landmark, Line, Mode};
+
+/// The domains, lines and landmarks of one weight in a plane.
+pub(super) struct Content {
+    /// The domains that are areas, with the way around each.
+    pub areas: Vec<(Mode, Chain)>,
+    /// The lines around them.
+    pub lines: Vec<(Curve, Chain)>,
+    /// Overturning, at unlimited friction.
+    pub edge: Option<Chain>,
+    /// The landmarks.
+    pub landmarks: Vec<(Landmark, Point)>,
+    plane: Plane,
+}
+
+/// The lines between domains, and the limit.
+pub(super) const LINES: [Curve; 9] = [
+    Curve::Line(Line::RotationShoulder),
+    Curve::Line(Line::ShoulderEnd),
+    Curve::Line(Line::RotationInner),
+    Curve::Line(Line::AboveHaunchEnd),
+    Curve::Line(Line::BelowHaunchEnd),
+    Curve::Line(Line::CrownEnd),
+    Curve::Line(Line::Joints),
+    Curve::Line(Line::Crown),
+    Curve::Limit,
+];
+
+impl Content {
+    /// What the curves of a weight are in a plane.
+    pub(super) fn new(sheet: &Sheet, plane: Plane) -> Self {
+        let chain = |curve| sheet.chain(curve, plane);
+        let area = |mode| Some((mode, domain::around(mode, plane, chain)?));
+        // Below these nothing stands.
+        let ends: &[Curve] = match plane {
+            Plane::OpeningThickness => &[Curve::Rotation, Curve::Overturning],
+            _ => &[],
+        };
+        let lines = LINES.iter().chain(ends);
+        Self {
+            areas: Mode::ALL.into_iter().filter_map(area).collect(),
+            lines: lines.filter_map(|curve| Some((*curve, chain(*curve)?))).collect(),
+            edge: chain(Curve::Overturning),
+            landmarks: sheet.landmarks(plane),
+            plane,
+        }
+    }
+
+    /// Where a landmark is.
+    pub(super) fn of(&self, landmark: Landmark) -> Option<Point> {
+        self.landmarks.iter().find(|(of, _)| *of == landmark).map(|(_, at)| *at)
+    }
+
+    /// Areas and lines; `of` sets the names of the groups of an inset apart.
+    pub(super) fn draw(&self, svg: &mut Svg, frame: &Frame, of: &str) {
+        for (mode, way) in &self.areas {
+            let id = format!("{of}domain-{}", look::code(*mode));
+            svg.group(&id, |svg| look::fill(svg, *mode, &domain::area(way, frame)));
+        }
+        for (curve, chain) in &self.lines {
+            let id = format!("{of}line-{}", curve.to_string().replace('/', "-"));
+            svg.group(&id, |svg| {
+                let [proved, open] = chain.paths(frame);
+                svg.stroke(&proved, look::DIVIDE);
+                if open != Path::default() {
+                    svg.stroke(&open, look::OPEN);
+                }
+            });
+        }
+        if let (Some(edge), true) = (&self.edge, self.plane != Plane::OpeningThickness) {
+            let id = format!("{of}domain-r");
+            svg.group(&id, |svg| svg.stroke(&edge.paths(frame)[0], look::EDGE));
+        }
+    }
+}

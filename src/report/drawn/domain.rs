@@ -1,0 +1,118 @@
+//! The domains of the modes, by the curves around them.
+
+use super::chain::Chain;
+use super::plane::Plane;
+use crate::atlas::{Corner, Curve, Side, boundary};
+use crate::picture::{Frame, Path, Point};
+use crate::problem::Mode;
+
+/// A part of the way around a domain.
+enum Part {
+    Along(Curve),
+    Back(Curve),
+    Corner(Point),
+}
+
+/// Whether a mode has an area in a plane, and not only a line.
+fn is_area(mode: Mode, plane: Plane) -> bool {
+    match mode {
+        Mode::Overturning => false,
+        Mode::Rotational => plane != Plane::OpeningThickness,
+        Mode::Sliding => plane != Plane::OpeningFriction,
+        _ => true,
+    }
+}
+
+/// What a side is in a plane. Of an edge this is its end, where that is a corner of the plane; those along which the
+/// half opening changes are curves.
+fn part(side: Side, plane: Plane) -> Option<Part> {
+    match side {
+        Side::Along(curve) => Some(Part::Along(curve)),
+        Side::Back(curve) => Some(Part::Back(curve)),
+        Side::Edge(_, Corner::RightTop) => Some(Part::Along(Curve::Overturning)),
+        Side::Edge(Corner::RightTop, _) => Some(Part::Back(Curve::Limit)),
+        Side::Edge(_, corner) => {
+            // Friction angle, thickness and half opening there.
+            let (friction, thickness, opening) = match corner {
+                Corner::RightBottom => (90.0, 0.0, 0.0),
+                Corner::LeftTop => (0.0, 2.0, 0.0),
+                _ => return None,
+            };
+            Some(Part::Corner(match plane {
+                Plane::ThicknessFriction => (friction, thickness),
+                Plane::OpeningFriction => (opening, friction),
+                Plane::OpeningThickness => (opening, thickness),
+            }))
+        }
+    }
+}
+
+fn parts(mode: Mode, plane: Plane) -> Vec<Part> {
+    boundary(mode).into_iter().filter_map(|side| part(side, plane)).collect()
+}
+
+/// The way around the domain of a mode, if it is an area and all its curves are there.
+pub(super) fn around(
+    mode: Mode,
+    plane: Plane,
+    chain: impl Fn(Curve) -> Option<Chain>,
+) -> Option<Chain> {
+    let mut way = Chain::default();
+    for part in parts(mode, plane).iter().filter(|_| is_area(mode, plane)) {
+        let next = match *part {
+            Part::Along(curve) => chain(curve)?,
+            Part::Back(curve) => chain(curve)?.reversed(),
+            Part::Corner(point) => Chain::straight(point, point),
+        };
+        // Straight from where the last part ends: along an edge, or not at all.
+        if let (Some([_, from]), Some([to, _])) = (way.ends(), next.ends()) {
+            way.0.extend(Chain::straight(from, to).0);
+        }
+        way.0.extend(next.0);
+    }
+    (!way.0.is_empty()).then_some(way)
+}
+
+/// Once round, in a frame.
+pub(super) fn area(way: &Chain, frame: &Frame) -> Path {
+    let mut path = Path::default();
+    if let Some([start, _]) = way.ends() {
+        path.start(frame.at(start));
+    }
+    way.0.iter().for_each(|arc| arc.draw(&mut path, frame));
+    path.close();
+    path
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arch::SelfWeight;
+    use crate::atlas::Trace;
+
+    /// Neighbouring parts meet, but where an edge of the plane is between them.
+    #[test]
+    fn the_curves_around_a_domain_meet() {
+        for weight in SelfWeight::ALL {
+            for plane in Plane::ALL {
+                for mode in Mode::ALL.into_iter().filter(|mode| is_area(*mode, plane)) {
+                    let chain =
+                        |curve| Chain::new(&Trace::new(curve, weight, 1e-2).unwrap(), plane);
+                    let ends = |part: &Part| match *part {
+                        Part::Along(curve) => chain(curve).unwrap().ends().unwrap(),
+                        Part::Back(curve) => chain(curve).unwrap().reversed().ends().unwrap(),
+                        Part::Corner(point) => [point, point],
+                    };
+                    let parts = parts(mode, plane);
+                    let all: Vec<[Point; 2]> = parts.iter().map(ends).collect();
+                    for (one, next) in all.iter().zip(all.iter().cycle().skip(1)) {
+                        let (from, to) = (one[1], next[0]);
+                        let along = |a: f64, b: f64| (a - b).abs() < 1e-9;
+                        let is_edge = along(from.0, to.0) || along(from.1, to.1);
+                        assert!(is_edge, "{mode:?}, {plane:?}: {from:?} to {to:?}");
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! Graphs below each other over one axis.
+
+use super::plane::Axis;
+use super::spot::disc;
+use crate::picture::color::{GRID, INK, WHITE};
+use crate::picture::{Anchor, Color, Frame, Path, Point, Side, Stroke, Svg, Type, text};
+
+/// Graphs with a common horizontal axis, a legend in one of them, and paragraphs below.
+pub(super) struct Graphs {
+    pub title: &'static str,
+    pub x: Axis,
+    pub panels: Vec<Panel>,
+    /// Names of lines, and where they stand: in which panel, and how far from its left edge.
+    pub legend: Vec<(String, Stroke)>,
+    pub legend_at: (usize, f64),
+    pub words: Vec<String>,
+}
+
+/// One graph.
+pub(super) struct Panel {
+    pub y: Axis,
+    pub lines: Vec<Line>,
+    pub marks: Vec<Mark>,
+}
+
+/// A line, in unbroken runs.
+pub(super) struct Line {
+    pub id: String,
+    pub runs: Vec<Vec<Point>>,
+    pub stroke: Stroke,
+}
+
+/// A point with a name, which stands so far from it on the page.
+pub(super) struct Mark {
+    pub name: String,
+    pub at: Point,
+    pub away: Point,
+    pub color: Color,
+}
+
+const WIDTH: f64 = 700.0;
+const LEFT: f64 = 92.0;
+const TOP: f64 = 24.0;
+const RIGHT: f64 = 40.0;
+const BETWEEN: f64 = 26.0;
+const BELOW: f64 = 80.0;
+const MARGIN: f64 = 20.0;
+const LABEL: f64 = 18.0;
+const TICK: f64 = 16.0;
+const SMALL: f64 = 15.0;
+/// Of a sample in the legend.
+const SAMPLE: f64 = 48.0;
+
+impl Graphs {
+    /// The picture as SVG.
+    pub(super) fn svg(&self) -> String {
+        let height = if self.panels.len() > 1 { 250.0 } else { 440.0 };
+        let frames: Vec<Frame> = (0..self.panels.len())
+            .map(|k| Frame {
+                corner: (LEFT, TOP + k as f64 * (height + BETWEEN)),
+                size: (WIDTH, height),
+                x: self.x.range,
+                y: self.panels[k].y.range,
+            })
+            .collect();
+        let bottom = frames.last().map_or(TOP, Frame::bottom);
+        let width = LEFT + WIDTH + RIGHT;
+        let wrapped = |words: &String| text::wrap(words, SMALL, width - 2.0 * MARGIN);
+        let lines: Vec<String> = self.words.iter().flat_map(wrapped).collect();
+        let all = bottom + BELOW + lines.len() as f64 * SMALL * text::LEADING + MARGIN;
+        let mut svg = Svg::new((width, all), self.title, &self.words.join(" "));
+        for (k, (panel, frame)) in self.panels.iter().zip(&frames).enumerate() {
+            let is_last = k + 1 == self.panels.len();
+            let letter = b"abcdefgh".get(k).filter(|_| self.panels.len() > 1);
+            svg.group(&format!("panel-{k}"), |svg| self.panel(svg, panel, frame, is_last));
+            if let Some(letter) = letter {
+                let name = format!("({})", char::from(*letter));
+                let at = (frame.corner.0 + 12.0, frame.corner.1 + 18.0);
+                svg.text(&name, at, Type::new(LABEL, INK).on(WHITE));
+            }
+        }
+        if let Some(frame) = frames.get(self.legend_at.0) {
+            svg.group("legend", |svg| self.legend(svg, frame));
+        }
+        svg.group("caption", |svg| {
+            svg.lines(&lines, (MARGIN, bottom + BELOW), Type::new(SMALL, INK));
+        });
+        svg.finish()
+    }
+
+    fn panel(&self, svg: &mut Svg, panel: &Panel, frame: &Frame, is_last: bool) {
+        let (x, y) = (self.x.ticks(self.x.range, None), panel.y.ticks(panel.y.range, None));
+        for tick in &x {
+            let (x, _) = frame.at((tick.place, 0.0));
+            let line = Path::through([(x, frame.corner.1), (x, frame.bottom())]);
+            svg.stroke(&line, Stroke::new(GRID, 1.0));
+        }
+        for tick in &y {
+            let (_, y) = frame.at((0.0, tick.place));
+            let line = Path::through([(frame.corner.0, y), (frame.right(), y)]);
+            svg.stroke(&line, Stroke::new(GRID, 1.0));
+        }
+        svg.clipped(&frame.outline(), |svg| {
+            for line in &panel.lines {
+                svg.group(&line.id, |svg| {
+                    for run in &line.runs {
+                        let points = run.iter().map(|point| frame.at(*point));
+                        svg.stroke(&Path::through(points), line.stroke);
+                    }
+                });
+            }
+        });
+        svg.stroke(&frame.outline(), Stroke::new(INK, 1.2));
+        frame.ticks(svg, Side::Left, &y, TICK);
+        let middle = Type::new(LABEL, INK).at(Anchor::Middle);
+        let up = frame.corner.1 + frame.size.1 / 2.0;
+        svg.text(panel.y.label, (frame.corner.0 - 64.0, up), middle.turned(-90.0));
+        if is_last {
+            frame.ticks(svg, Side::Bottom, &x, TICK);
+            let across = frame.corner.0 + WIDTH / 2.0;
+            svg.text(self.x.label, (across, frame.bottom() + 49.0), middle);
+        }
+        for mark in &panel.marks {
+            let at = frame.at(mark.at);
+            disc(svg, at);
+            let anchor = if mark.away.0 < 0.0 { Anchor::End } else { Anchor::Start };
+            let style = Type::new(LABEL, mark.color).at(anchor).on(WHITE);
+            svg.text(&mark.name, (at.0 + mark.away.0, at.1 + mark.away.1), style);
+        }
+    }
+
+    fn legend(&self, svg: &mut Svg, frame: &Frame) {
+        for (k, (name, stroke)) in self.legend.iter().enumerate() {
+            let (x, y) =
+                (frame.corner.0 + self.legend_at.1, frame.corner.1 + 20.0 + 24.0 * k as f64);
+            svg.stroke(&Path::through([(x, y), (x + SAMPLE, y)]), *stroke);
+            svg.text(name, (x + SAMPLE + 10.0, y), Type::new(TICK, INK).on(WHITE));
+        }
+    }
+}

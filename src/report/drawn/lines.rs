@@ -1,0 +1,125 @@
+//! The lines of both weights in one plane.
+
+use super::caption::caption;
+use super::content::LINES;
+use super::inset::Inset;
+use super::look;
+use super::page::Page;
+use super::plane::Plane;
+use super::sheet::Sheet;
+use super::spot::{disc, symbol};
+use crate::arch::SelfWeight;
+use crate::picture::color::{INK, WHITE};
+use crate::picture::{Anchor, Frame, Path, Point, Svg, Type};
+use crate::problem::Landmark;
+use crate::report::words;
+
+/// The lines of both weights, as a picture.
+pub(super) struct LinesPicture<'a> {
+    /// The curves of each weight.
+    pub sheets: &'a [Sheet<'a>],
+    /// The command that makes it.
+    pub command: &'a str,
+}
+
+const NAME: f64 = 18.0;
+/// The only plane in which they can be told apart.
+const PLANE: Plane = Plane::ThicknessFriction;
+const SHOWS: &str = "The lines between the domains of the collapse modes";
+
+impl LinesPicture<'_> {
+    /// The picture as SVG.
+    pub(super) fn svg(&self) -> String {
+        let sheets: Vec<&Sheet> = self.sheets.iter().collect();
+        let words = caption(SHOWS, &sheets, PLANE, self.command);
+        let (page, mut svg) = Page::new(PLANE, SHOWS, &words, 0.0);
+        let frame = &page.frame;
+        svg.clipped(&frame.outline(), |svg| self.draw(svg, frame, ""));
+        page.draw(&mut svg);
+        let of = |landmark| {
+            let points = self.sheets.iter().filter_map(move |sheet| {
+                let landmarks = sheet.landmarks(PLANE);
+                landmarks.into_iter().find(|(of, _)| *of == landmark).map(|(_, at)| at)
+            });
+            points.collect::<Vec<Point>>()
+        };
+        let insets = Inset::of_both(of, frame.corner);
+        insets.iter().for_each(|inset| inset.draw_guides(&mut svg, frame));
+        for inset in &insets {
+            inset.draw(&mut svg, PLANE, |svg, id| self.draw(svg, &inset.frame, id));
+            self.landmarks(&mut svg, &inset.frame, true);
+        }
+        self.landmarks(&mut svg, frame, false);
+        self.legend(&mut svg, frame);
+        svg.finish()
+    }
+
+    fn draw(&self, svg: &mut Svg, frame: &Frame, of: &str) {
+        for sheet in self.sheets {
+            let weight = sheet.weight.name();
+            for curve in LINES {
+                let Some(chain) = sheet.chain(curve, PLANE) else { continue };
+                let id = format!("{of}{weight}-line-{}", curve.to_string().replace('/', "-"));
+                svg.group(&id, |svg| {
+                    let [proved, open] = chain.paths(frame);
+                    svg.stroke(&proved, look::of_weight(sheet.weight));
+                    if open != Path::default() {
+                        svg.stroke(&open, look::OPEN);
+                    }
+                });
+            }
+        }
+    }
+
+    fn landmarks(&self, svg: &mut Svg, frame: &Frame, is_inset: bool) {
+        for sheet in self.sheets {
+            for (landmark, at) in sheet.landmarks(PLANE) {
+                if !frame.shows(at) {
+                    continue;
+                }
+                disc(svg, frame.at(at));
+                let is_close = matches!(landmark, Landmark::Shift | Landmark::Junction);
+                let name = match landmark {
+                    Landmark::OverturningEnd if sheet.weight != SelfWeight::Heyman => continue,
+                    Landmark::OverturningEnd => "L".to_owned(),
+                    _ if is_close && !is_inset => continue,
+                    _ => format!("{}{}", symbol(landmark), mark(sheet.weight)),
+                };
+                // Milankovitch's to the left of their lines, Heyman's to the right.
+                let (across, up, anchor) = match (landmark, sheet.weight) {
+                    (Landmark::OverturningEnd, _) => (-10.0, 16.0, Anchor::End),
+                    (Landmark::RotationEnd, SelfWeight::Heyman) => (-9.0, -15.0, Anchor::End),
+                    (Landmark::RotationEnd, _) => (-7.0, 17.0, Anchor::End),
+                    (Landmark::Border, SelfWeight::Milankovitch) => (-9.0, 15.0, Anchor::End),
+                    (Landmark::Shift, _) => (9.0, 13.0, Anchor::Start),
+                    (Landmark::Junction, _) | (_, SelfWeight::Milankovitch) => {
+                        (-9.0, -7.0, Anchor::End)
+                    }
+                    (_, SelfWeight::Heyman) => (9.0, 12.0, Anchor::Start),
+                };
+                let (x, y) = frame.at(at);
+                let style = Type::new(NAME, look::of_weight(sheet.weight).color);
+                svg.text(&name, (x + across, y + up), style.at(anchor).on(WHITE));
+            }
+        }
+    }
+
+    fn legend(&self, svg: &mut Svg, frame: &Frame) {
+        svg.group("legend", |svg| {
+            for (k, sheet) in self.sheets.iter().enumerate() {
+                let (x, y) = (frame.corner.0 + 250.0, frame.bottom() - 24.0 - 26.0 * k as f64);
+                let sample = Path::through([(x + 110.0, y), (x + 164.0, y)]);
+                svg.stroke(&sample, look::of_weight(sheet.weight));
+                svg.text(&words::model(sheet.weight), (x + 174.0, y), Type::new(NAME, INK));
+            }
+        });
+    }
+}
+
+/// Behind the symbol of a landmark.
+fn mark(weight: SelfWeight) -> char {
+    match weight {
+        SelfWeight::Heyman => 'ₕ',
+        SelfWeight::Milankovitch => 'ₘ',
+    }
+}

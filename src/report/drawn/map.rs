@@ -1,0 +1,88 @@
+//! The map of one weight: domains, lines, landmarks, and insets where they are close.
+
+use super::caption::caption;
+use super::content::Content;
+use super::inset::Inset;
+use super::names::Names;
+use super::page::Page;
+use super::plane::Plane;
+use super::sheet::Sheet;
+use crate::picture::color::INK;
+use crate::picture::{Anchor, Frame, Svg, Type};
+use crate::problem::Mode;
+
+/// The map of one weight, as a picture.
+pub(super) struct MapPicture<'a> {
+    /// Its curves.
+    pub sheet: &'a Sheet<'a>,
+    /// What lies along the axes.
+    pub plane: Plane,
+    /// The command that makes it.
+    pub command: &'a str,
+}
+
+/// Sizes of fonts for modes and for landmarks.
+const NAMES: [f64; 2] = [20.0, 19.0];
+const INSET_NAMES: [f64; 2] = [16.0, 17.0];
+const NOTHING: f64 = 17.0;
+
+impl MapPicture<'_> {
+    /// The picture as SVG.
+    pub(super) fn svg(&self) -> String {
+        let content = Content::new(self.sheet, self.plane);
+        let words = caption(self.shows(), &[self.sheet], self.plane, self.command);
+        let (page, mut svg) = Page::new(self.plane, self.shows(), &words, 0.0);
+        let frame = &page.frame;
+        svg.clipped(&frame.outline(), |svg| content.draw(svg, frame, ""));
+        page.draw(&mut svg);
+        let insets = Inset::all(&content, self.plane, frame.corner);
+        insets.iter().for_each(|inset| inset.draw_guides(&mut svg, frame));
+        let mut named = Vec::new();
+        for inset in &insets {
+            inset.draw(&mut svg, self.plane, |svg, id| content.draw(svg, &inset.frame, id));
+            let mut names = self.names(&content, &inset.frame, INSET_NAMES);
+            names.landmarks(&mut svg, inset.is_close());
+            names.overturning(&mut svg);
+            // This one is seen better in the map.
+            let elsewhere = [&named[..], &[Mode::SlidingRotational]].concat();
+            named.extend(names.modes(&mut svg, &elsewhere));
+        }
+        let mut names = self.names(&content, frame, NAMES);
+        names.taken = insets.iter().map(Inset::taken).collect();
+        names.landmarks(&mut svg, false);
+        if self.plane == Plane::ThicknessFriction {
+            names.overturning(&mut svg);
+        }
+        names.modes(&mut svg, &named);
+        self.say_where_nothing_stands(&mut svg, frame);
+        svg.finish()
+    }
+
+    fn shows(&self) -> &'static str {
+        match self.plane {
+            Plane::ThicknessFriction => {
+                "The domains of the collapse modes over thickness and friction"
+            }
+            Plane::OpeningFriction => {
+                "The collapse mode of an arch at its least thickness, by half opening and friction"
+            }
+            Plane::OpeningThickness => {
+                "The collapse mode of an arch at its least friction, by half opening and thickness"
+            }
+        }
+    }
+
+    fn names<'a>(&self, content: &'a Content, frame: &'a Frame, sizes: [f64; 2]) -> Names<'a> {
+        Names { content, plane: self.plane, frame, sizes, taken: Vec::new() }
+    }
+
+    fn say_where_nothing_stands(&self, svg: &mut Svg, frame: &Frame) {
+        let (at, turn) = match self.plane {
+            Plane::ThicknessFriction => return,
+            Plane::OpeningFriction => ((140.0, 12.0), 0.0),
+            Plane::OpeningThickness => ((161.0, 1.0), -90.0),
+        };
+        let style = Type::new(NOTHING, INK).at(Anchor::Middle).turned(turn);
+        svg.text("nothing stands", frame.at(at), style);
+    }
+}

@@ -1,0 +1,47 @@
+//! The map as pictures.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `drawing` | which picture is asked for, and its file |
+//! | `plane` | what lies along the axes |
+//! | `chain` | a proved curve as Bézier arcs in a plane |
+//! | `domain` | the domains of the modes, by the curves around them |
+//! | `look` | how the modes and the weights look |
+//! | `sheet` | what a picture is drawn from: proved curves of one weight |
+//! | `spot` | where the names of landmarks stand |
+//! | `names` | the names of landmarks and modes |
+//! | `content` | what a map shows, in its frame or in an inset |
+//! | `inset` | small frames that show a part of the map larger |
+//! | `page` | the page of a map: its frame with the axes, and what is said below |
+//! | `map` | the map of one weight |
+//! | `lines` | the lines of both weights |
+//! | `branches`, `graph` | the pure states along the half opening, as graphs |
+//! | `caption` | what is said below |
+//!
+//! A piece of a curve is proved to lie in a tube about a cubic of the parameter, and the drawn Bézier arc is that
+//! cubic: the line in the picture is nowhere further from the true one than the tube is wide, but for the hundredth of
+//! a unit to which the file is rounded.
+
+mod branches;
+mod caption;
+mod chain;
+mod content;
+mod domain;
+mod drawing;
+mod graph;
+mod inset;
+mod lines;
+mod look;
+mod map;
+mod names;
+mod page;
+mod plane;
+mod sheet;
+mod spot;
+
+pub use branches::Branches;
+pub use drawing::{Drawing, View};
+pub use plane::Plane;
+
+#[cfg(test)]
+mod tests;

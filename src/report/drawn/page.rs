@@ -1,0 +1,70 @@
+//! The page of a map: its frame with the axes, and what is said below.
+
+use super::plane::{FRICTION_LABEL, Plane, friction_ticks};
+use crate::atlas::Variable;
+use crate::picture::color::INK;
+use crate::picture::{Anchor, Frame, Point, Side, Stroke, Svg, Type, text};
+
+/// The frame of a map, and the lines below it.
+pub(super) struct Page {
+    pub frame: Frame,
+    plane: Plane,
+    lines: Vec<String>,
+}
+
+/// The frame on the page, and the page around it.
+pub(super) const SIZE: Point = (760.0, 610.0);
+const LEFT: f64 = 88.0;
+const BELOW: f64 = 80.0;
+const MARGIN: f64 = 20.0;
+/// Where there is an axis of friction, and where there is none.
+const AXIS: f64 = 76.0;
+const NO_AXIS: f64 = 40.0;
+/// Sizes of fonts.
+const LABEL: f64 = 18.0;
+const TICK: f64 = 16.0;
+const SMALL: f64 = 15.0;
+
+impl Page {
+    /// An empty page with a title for those who do not see it, and paragraphs to stand below; `right` of the frame
+    /// there is this much room.
+    pub(super) fn new(plane: Plane, title: &str, words: &[String], right: f64) -> (Self, Svg) {
+        let [x, y] = plane.axes();
+        let room = |is_friction| if is_friction { AXIS } else { NO_AXIS };
+        let top = room(x.variable == Variable::FrictionAngle);
+        let frame = Frame { corner: (LEFT, top), size: SIZE, x: x.range, y: y.range };
+        let right = right.max(room(y.variable == Variable::FrictionAngle) + MARGIN);
+        let width = frame.right() + right;
+        let wrapped = |words: &String| text::wrap(words, SMALL, width - 2.0 * MARGIN);
+        let lines: Vec<String> = words.iter().flat_map(wrapped).collect();
+        let height = frame.bottom() + BELOW + lines.len() as f64 * SMALL * text::LEADING + MARGIN;
+        let svg = Svg::new((width, height), title, &words.join(" "));
+        (Self { frame, plane, lines }, svg)
+    }
+
+    /// The frame with its axes and the words below.
+    pub(super) fn draw(&self, svg: &mut Svg) {
+        svg.stroke(&self.frame.outline(), Stroke::new(INK, 1.4));
+        svg.group("axes", |svg| self.axes(svg));
+        let below = (MARGIN, self.frame.bottom() + BELOW);
+        svg.group("caption", |svg| svg.lines(&self.lines, below, Type::new(SMALL, INK)));
+    }
+
+    fn axes(&self, svg: &mut Svg) {
+        let (frame, [x, y]) = (&self.frame, self.plane.axes());
+        let style = Type::new(LABEL, INK).at(Anchor::Middle);
+        let (across, up) = (frame.corner.0 + SIZE.0 / 2.0, frame.corner.1 + SIZE.1 / 2.0);
+        frame.ticks(svg, Side::Bottom, &x.ticks(x.range, None), TICK);
+        frame.ticks(svg, Side::Left, &y.ticks(y.range, None), TICK);
+        svg.text(x.label, (across, frame.bottom() + 49.0), style);
+        svg.text(y.label, (frame.corner.0 - 58.0, up), style.turned(-90.0));
+        if x.variable == Variable::FrictionAngle {
+            frame.ticks(svg, Side::Top, &friction_ticks(), TICK);
+            svg.text(FRICTION_LABEL, (across, frame.corner.1 - 46.0), style);
+        }
+        if y.variable == Variable::FrictionAngle {
+            frame.ticks(svg, Side::Right, &friction_ticks(), TICK);
+            svg.text(FRICTION_LABEL, (frame.right() + 70.0, up), style.turned(-90.0));
+        }
+    }
+}

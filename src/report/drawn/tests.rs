@@ -1,0 +1,129 @@
+use super::*;
+use crate::arch::SelfWeight;
+use crate::atlas::{Curve, Trace};
+use crate::picture::reading::texts;
+use crate::problem::Mode;
+use std::sync::OnceLock;
+
+/// A picture of some curves.
+fn picture(weights: &[SelfWeight], view: View, tolerance: f64) -> String {
+    let curves = weights.iter().flat_map(|w| Curve::ALL.map(|curve| (*w, curve)));
+    let trace = |(weight, curve)| Trace::new(curve, weight, tolerance).unwrap();
+    let drawing = Drawing { view, command: "couplet map -o map.svg".into() };
+    drawing.svg(&curves.map(trace).collect::<Vec<_>>()).unwrap()
+}
+
+/// All kinds of pictures, by name.
+fn pictures() -> &'static [(String, String)] {
+    static PICTURES: OnceLock<Vec<(String, String)>> = OnceLock::new();
+    PICTURES.get_or_init(|| {
+        let both = |name: &str, view| (name.to_owned(), picture(&SelfWeight::ALL, view, 1e-3));
+        let mut pictures = vec![
+            both("figure-2", View::Branches(Branches::Rotation)),
+            both("figure-3", View::Branches(Branches::OpeningVariable)),
+            both("figure-4", View::Branches(Branches::Opening)),
+            both("figure-5", View::Lines),
+        ];
+        for weight in SelfWeight::ALL {
+            for plane in Plane::ALL {
+                let name = format!("{}-{}", weight.name(), plane.name());
+                pictures.push((name, picture(&[weight], View::Map(plane), 1e-3)));
+            }
+        }
+        pictures
+    })
+}
+
+#[test]
+fn pictures_are_well_formed_and_finite() {
+    for (name, svg) in pictures() {
+        assert!(texts(svg).is_some(), "{name}");
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{name}");
+    }
+}
+
+#[test]
+fn a_picture_is_always_drawn_alike() {
+    let again = || picture(&[SelfWeight::Heyman], View::Map(Plane::OpeningFriction), 1e-3);
+    assert_eq!(again(), again());
+}
+
+/// Each mode is named, and has its domain where it is an area; each line has its path.
+#[test]
+fn a_map_has_every_domain_line_and_name() {
+    for (name, svg) in pictures().iter().filter(|(name, _)| !name.starts_with("figure")) {
+        let words = texts(svg).unwrap();
+        let is_there = |id: String| svg.contains(&format!("<g id=\"{id}\">"));
+        for mode in Mode::ALL {
+            let is_line = match mode {
+                Mode::Rotational => name.ends_with("opening-thickness"),
+                Mode::Sliding => name.ends_with("opening-friction"),
+                Mode::Overturning => name.ends_with("opening-thickness"),
+                _ => false,
+            };
+            assert!(is_line || is_there(format!("domain-{}", look::code(mode))), "{name} {mode}");
+            let is_named = words.iter().any(|word| word == mode.label());
+            assert!(is_named || (is_line && mode != Mode::Overturning), "{name} {mode}");
+        }
+        for curve in Curve::ALL.into_iter().filter(|c| matches!(c, Curve::Line(_))) {
+            assert!(is_there(format!("line-{}", curve.to_string().replace('/', "-"))), "{curve}");
+        }
+        for landmark in ["T", "B", "ℓ", "L", "S", "J"] {
+            assert!(words.iter().any(|word| word == landmark), "{name} {landmark}");
+        }
+    }
+}
+
+#[test]
+fn a_caption_says_what_is_proved_and_how_it_is_made() {
+    for (name, svg) in pictures() {
+        let words = texts(svg).unwrap().join(" ");
+        for said in ["proved", "nothing is left open", "self-weight", "Command: couplet map"] {
+            assert!(words.contains(said), "{name}: {said}");
+        }
+        assert!(words.contains("10⁻⁴") || words.contains("×10⁻³"), "{name}: {words}");
+    }
+}
+
+#[test]
+fn nothing_is_no_picture() {
+    let drawing = Drawing { view: View::Map(Plane::OpeningFriction), command: String::new() };
+    assert!(drawing.svg(&[]).is_err());
+}
+
+/// Some curves alone are drawn as they are, without domains.
+#[test]
+fn a_line_alone_is_drawn() {
+    let curve = Curve::named("rrr/srr").unwrap();
+    let traces = [Trace::new(curve, SelfWeight::Heyman, 1e-3).unwrap()];
+    for view in [View::Map(Plane::ThicknessFriction), View::Lines] {
+        let drawing = Drawing { view, command: "couplet".into() };
+        let text = drawing.svg(&traces).unwrap();
+        assert!(text.contains("line-rrr-srr") && !text.contains("domain-"));
+    }
+}
+
+#[cfg(feature = "plots")]
+mod pixels {
+    use super::*;
+    use crate::picture::png::render;
+    use crate::picture::reading::boxes::trouble;
+
+    #[test]
+    fn no_name_lies_on_another() {
+        for (name, svg) in pictures() {
+            assert_eq!(trouble(svg), None, "{name}");
+        }
+    }
+
+    #[test]
+    #[ignore = "writes pictures to look at"]
+    fn pictures_to_look_at() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/target/figures");
+        std::fs::create_dir_all(folder).unwrap();
+        for (name, svg) in pictures() {
+            std::fs::write(format!("{folder}/{name}.png"), render(svg)).unwrap();
+            std::fs::write(format!("{folder}/{name}.svg"), svg).unwrap();
+        }
+    }
+}

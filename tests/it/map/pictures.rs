@@ -1,0 +1,81 @@
+//! `couplet map` and `couplet figure` as pictures: what is in them, and what is refused.
+
+use crate::program::{Scratch, couplet, refused, said, text};
+
+#[test]
+fn the_name_of_the_file_tells_the_format() {
+    let scratch = Scratch::new();
+    let file = scratch.path("map.svg");
+    let (code, output, error) = said(&couplet(&["map", "--tolerance", "1e-3", "-o", &file]));
+    assert_eq!((code, &error[..]), (Some(0), ""));
+    assert!(output.contains("proved: "), "the curves are summed up: {output}");
+    let svg = scratch.read("map.svg");
+    for mode in ["rrr", "srr", "rrs", "rsr", "rs", "r", "ss"] {
+        assert!(svg.contains(&format!("<g id=\"domain-{mode}\">")), "{mode}");
+    }
+    for said in ["Milankovitch-like self-weight", "is proved to lie within", "--tolerance 1e-3"] {
+        assert!(svg.contains(said), "{said}");
+    }
+    assert!(!svg.contains("line-rotation"), "it has no place in this plane");
+}
+
+#[test]
+fn standard_output_takes_a_picture() {
+    let figure = text(&couplet(&["figure", "5", "--tolerance", "1e-2"]).stdout);
+    let lines = ["map", "--lines", "--weight", "both", "--tolerance", "1e-2", "--format", "svg"];
+    let map = text(&couplet(&lines).stdout);
+    // But for the command they are one.
+    let drawn = |svg: &str| svg.split("<g id=\"caption\">").next().unwrap().to_owned();
+    let body = |svg: &str| drawn(svg).lines().skip(3).collect::<Vec<_>>().join("\n");
+    assert!(figure.starts_with("<svg ") && body(&figure).len() > 10_000);
+    assert_eq!(body(&figure), body(&map));
+}
+
+#[test]
+fn each_figure_has_its_curves() {
+    for (number, groups) in [
+        ("2", &["panel-2", "heyman-rotation", "sliding-beyond"][..]),
+        ("3", &["panel-0", "heyman-overturning"]),
+        ("4", &["milankovitch-rotation", "milankovitch-overturning"]),
+        ("6", &["domain-ss", "inset-sj-line-rsr-rs"]),
+    ] {
+        let svg = text(&couplet(&["figure", number, "--tolerance", "1e-2"]).stdout);
+        for group in groups {
+            assert!(svg.contains(&format!("<g id=\"{group}\">")), "{number} {group}");
+        }
+    }
+}
+
+#[cfg(feature = "plots")]
+#[test]
+fn pixels_are_a_png_file() {
+    let scratch = Scratch::new();
+    let file = scratch.path("map.png");
+    let line = ["figure", "4", "--tolerance", "1e-2", "-o", &file];
+    assert_eq!(said(&couplet(&line)).0, Some(0));
+    assert!(std::fs::read(&file).unwrap().starts_with(b"\x89PNG"));
+}
+
+#[cfg(not(feature = "plots"))]
+#[test]
+fn pixels_need_their_feature() {
+    refused(&["map", "-o", "map.png"], "", "without the feature plots");
+}
+
+#[test]
+fn what_makes_no_picture_is_refused() {
+    for (arguments, words) in [
+        (&["map", "--plane", "eta-mu"][..], "a plane is one of thickness-friction"),
+        (&["map", "--lines", "--plane", "opening-friction"], "leave out --plane"),
+        (&["map", "--weight", "both", "--format", "svg"], "a map shows one --weight"),
+        (&["map", "--half-opening", "80deg", "-o", "map.svg"], "half openings are not drawn"),
+        (&["figure", "1"], "a figure is a number from 2 to 6"),
+        (&["figure", "7"], "a figure is a number from 2 to 6"),
+        (&["figure", "6", "--weight", "both"], "figure 6 shows one --weight"),
+        (&["figure", "5", "--format", "csv"], "a format is one of svg, png"),
+        (&["figure", "5", "-o", "figure.csv"], "a figure is svg or png, not csv"),
+        (&["figure", "5", "--tolerance", "0"], "a tolerance is a number from 1e-12 to 1"),
+    ] {
+        refused(arguments, "", words);
+    }
+}
