@@ -205,14 +205,13 @@ fn part(
     if !meets(from, true) || !to.is_none_or(|to| meets(to, false)) {
         return Err(failed("it is not proved to meet the next line"));
     }
-    let at_end = match (to, walk.nodes.last()) {
+    let at_end = match (to, walk.tubes.last()) {
         (Some(to), _) => to.place(),
-        // At unlimited friction the root is that of the double next to a right angle.
-        (None, Some(node)) => {
-            let place = Place::new(&form, &end, &node.root);
+        (None, Some(Some(tube))) => {
+            let place = Place::new(&form, &end, &tube.enclosure(&end));
             Place { is_unlimited: true, ..place }
         }
-        (None, None) => Place::default(),
+        (None, _) => Place::default(),
     };
     Ok(Part { mode, ends: [from.place(), at_end], chain: Some((form, walk)) })
 }

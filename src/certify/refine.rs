@@ -3,15 +3,15 @@
 //! Sine and cosine are what costs; everything else in a system is algebraic in an angle, its sine and
 //! its cosine. So each level of the ladder evaluates them **once**, at a short argument:
 //!
-//! 1. the root to a hundredth of the bits comes from the level below;
+//! 1. the root to a hundredth of the bits, or a little more, comes from the level below;
 //! 2. it becomes the [`Anchor`] of each angle: sine and cosine to full precision there;
-//! 3. Newton steps double the bits up to a third, sine and cosine moved along from the anchor, which moves
+//! 3. Newton steps triple the bits, two with one inverse, up to a third, sine and cosine moved along from the anchor, which moves
 //!    too when the root is known better;
 //! 4. the Jacobian is inverted once more; with that fixed inverse each further step gains a third, at the
 //!    precision it reaches.
 //!
 //! On the last level the last step is not a plain Newton step but the Krawczyk operator: with the
-//! residual at full precision and the slopes over a box of a third of the bits less, it refines and
+//! residual at full precision and slopes of a third of the bits, over a box about as narrow, it refines and
 //! encloses in one. The box has to lie in the one where the root is known to be unique.
 
 use super::root::inverse_jacobian;

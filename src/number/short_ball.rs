@@ -45,7 +45,7 @@ impl<const N: usize> ShortBall<N> {
 
     #[inline]
     fn settled(negative: bool, words: [u64; N], rad: f64) -> Self {
-        if words[N - 1] < WHOLE_PART && rad <= Self::UNITS {
+        if words[N - 1] < WHOLE_PART && (0.0..=Self::UNITS).contains(&rad) {
             Self { negative, words, rad }
         } else {
             Self::WHOLE
@@ -59,7 +59,7 @@ impl<const N: usize> ShortBall<N> {
     }
 
     /// The number `x 2^-shift`, cut off where it has further digits.
-    pub fn scaled(x: DoubleDouble, shift: u32) -> Self {
+    pub(crate) fn scaled(x: DoubleDouble, shift: u32) -> Self {
         Self::part(x.hi(), shift) + Self::part(x.lo(), shift)
     }
 
@@ -92,8 +92,8 @@ impl<const N: usize> ShortBall<N> {
         Self::settled(x < 0.0, words, f64::from(u8::from(rest)))
     }
 
-    /// A ball of double-doubles times `2^-shift`.
-    pub fn of(ball: &DoubleDoubleBall, shift: u32) -> Self {
+    /// A ball of double-doubles times `2^-shift`, for a `shift` up to 960: the radius stays a normal double.
+    pub(crate) fn of(ball: &DoubleDoubleBall, shift: u32) -> Self {
         let mid = Self::scaled(ball.mid(), shift);
         let units = power_of_two(64 * (N as i32 - 1) - shift as i32);
         match ball.rad() == 0.0 {
@@ -102,8 +102,8 @@ impl<const N: usize> ShortBall<N> {
         }
     }
 
-    /// The number times `2^shift`, as a ball of double-doubles.
-    pub fn leading(&self, shift: u32) -> DoubleDoubleBall {
+    /// The number times `2^shift`, for a `shift` up to 960, as a ball of double-doubles.
+    pub(crate) fn leading(&self, shift: u32) -> DoubleDoubleBall {
         let exponent = shift as i32 - 64 * (N as i32 - 1);
         let mid = DoubleDoubleBall::of_words(self.negative, &self.words, i64::from(exponent));
         mid.widened(self.rad * power_of_two(exponent))
@@ -126,6 +126,7 @@ impl<const N: usize> ShortBall<N> {
 
     /// The same midpoint with `more` added to the radius, a number that is not negative.
     pub fn widened(&self, more: f64) -> Self {
+        let more = if more >= 0.0 { more } else { f64::INFINITY };
         Self::settled(self.negative, self.words, (self.rad + (more * Self::UNITS).max(1.0)) * UP)
     }
 

@@ -42,7 +42,7 @@ impl Anchor {
         // A small angle has a small sine, which deserves the same relative accuracy.
         let depth = near.get_exp().map_or(0, |e| e.min(0).unsigned_abs()).min(prec);
         let places = prec + depth + GUARD;
-        Self::reduced(near, prec, places).unwrap_or_else(|| {
+        Self::reduced(near, prec, places, relations_to(places)).unwrap_or_else(|| {
             let at = Ball::exact(near.clone(), places);
             Self { turn: Turn::new(at.sin_cos(), places), at: at.with_precision(prec) }
         })
@@ -53,14 +53,20 @@ impl Anchor {
         Arguments::to(prec + 2 * GUARD);
     }
 
-    /// By Gaussian primes; `None` where this is not worth it, or where no small rest is found.
-    fn reduced(near: &Float, prec: u32, places: u32) -> Option<Self> {
+    /// By Gaussian primes with relations up to `rho`; `None` where this is not worth it, or where no small rest or
+    /// no small powers are found.
+    fn reduced(near: &Float, prec: u32, places: u32, rho: u32) -> Option<Self> {
         let exponent = near.get_exp().filter(|exponent| (-64..=4).contains(exponent))?;
         let short = near.prec().checked_add_signed(-exponent)?;
         if prec < THRESHOLD || short > places / 2 {
             return None;
         }
-        let c = lattice::close(&fixed(near, lattice::PLACES - 1), relations_to(places));
+        let c = lattice::close(&fixed(near, lattice::PLACES - 1), rho);
+        // No prime has a norm of more than seven bits.
+        let norm: u64 = c.iter().skip(1).map(|c| 7 * u64::from(c.unsigned_abs())).sum();
+        if norm > u64::from(places) {
+            return None;
+        }
         let (sum, error) = Arguments::to(places).combination(&c, places);
         let y = fixed(near, short) - Integer::from(&sum >> (places - short));
         if y.significant_bits() + 16 > short {
@@ -87,14 +93,20 @@ impl Anchor {
 
     /// The anchor rounded to a lower precision.
     pub fn with_precision(&self, prec: u32) -> Self {
-        let lost = self.at.prec().saturating_sub(prec + 2 * GUARD);
+        let prec = prec.saturating_add(2 * GUARD);
         Self {
-            at: self.at.with_precision(prec + 2 * GUARD),
-            turn: self.turn.cut(self.turn.places - lost),
+            at: self.at.with_precision(prec),
+            turn: self.turn.cut(prec.saturating_add(self.depth())),
         }
     }
 
-    /// The point itself, to `prec` bits.
+    /// Binary zeros before a small angle.
+    fn depth(&self) -> u32 {
+        let zeros = size_exponent(&self.at).map_or(0, |e| e.min(0).unsigned_abs());
+        u32::try_from(zeros).unwrap_or(u32::MAX)
+    }
+
+    /// The point itself, to `prec` bits: its sine and cosine are enclosed, not those of all numbers of `rad`.
     pub(super) fn here(&self, prec: u32) -> Angle<Ball> {
         let (sin, cos) = self.turn.balls(prec);
         Angle { rad: self.at.with_precision(prec), sin, cos }
@@ -103,12 +115,12 @@ impl Anchor {
     /// The angle `rad` with its sine and cosine, to the precision of `rad`.
     pub fn angle(&self, rad: &Ball) -> Angle<Ball> {
         let prec = rad.prec();
-        let depth = size_exponent(&self.at).map_or(0, |e| -e.min(0)).unsigned_abs();
-        let places = self.turn.places.min(prec.saturating_add(depth as u32).saturating_add(GUARD));
+        let wanted = prec.saturating_add(self.depth()).saturating_add(GUARD);
+        let places = self.turn.places.min(wanted);
         let distance = (rad.clone() - &self.at.with_precision(places + GUARD)).trimmed();
         let is_near = size_exponent(&distance).is_some_and(|e| e <= REACH);
-        let step = fixed(distance.mid(), places);
-        let Some(turn) = self.turn.cut(places).moved(&step).filter(|_| is_near) else {
+        let moved = || self.turn.cut(places).moved(&fixed(distance.mid(), places));
+        let Some(turn) = is_near.then(moved).flatten() else {
             return Angle::new(rad.clone());
         };
         let unit = Magnitude::power_of_two(-i64::from(places));
@@ -144,6 +156,7 @@ fn size_exponent(x: &Ball) -> Option<i64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::Enclosure;
     use proptest::prelude::*;
 
     fn high(x: &Float) -> (Ball, Ball) {
@@ -178,5 +191,68 @@ mod tests {
             prop_assert!(angle.cos.lower() <= cos.lower() && cos.upper() <= angle.cos.upper());
         }
 
+        /// Every list of relations, angles of both signs beyond a turn and of all sizes, and moved once more.
+        #[test]
+        fn anchors_by_gaussian_primes_hold_the_true_values(
+            rho in prop::sample::select(vec![36u32, 48, 80, 120, 160]), start in -15.99f64..15.99,
+            small in prop_oneof![3 => Just(0u32), 1 => 1u32..60], short in 30u32..250, extra in 0u32..3000,
+        ) {
+            let near = Float::with_val(short, start) >> small;
+            prop_assume!(near.get_exp().is_some_and(|e| e >= -64));
+            let prec = extra + match rho { 36..=80 => 1500, 120 => 25_000, _ => 150_000 };
+            let depth = near.get_exp().map_or(0, |e| e.min(0).unsigned_abs());
+            let places = prec + depth + GUARD;
+            let anchor = Anchor::reduced(&near, prec, places, rho).unwrap();
+            let nearer = Float::with_val(short + 200, &near + (near.clone() / 1000u32 >> 20));
+            for (anchor, prec) in [
+                (anchor.moved(&nearer), prec),
+                (anchor.with_precision(prec / 2), prec / 2),
+                (anchor, prec),
+            ] {
+                let angle = anchor.here(prec);
+                let (sin, cos) = angle.rad.with_precision(prec + 200).sin_cos();
+                for (ours, truth) in [(&angle.sin, &sin), (&angle.cos, &cos)] {
+                    prop_assert!(ours.overlaps(truth), "{near} {prec}");
+                    let size = ours.mid().get_exp().map_or(0, |e| i64::from(e).min(0));
+                    prop_assert!(ours.rad() < Magnitude::power_of_two(size - i64::from(prec) + 8), "{near} {prec}: {ours:?}");
+                }
+            }
+        }
+    }
+
+    /// Where Gaussian primes are of no use MPFR is asked.
+    #[test]
+    fn what_is_short_of_bits_or_too_long_is_not_reduced() {
+        let is_reduced = |near: &Float, prec: u32| {
+            let anchor = Anchor::new(near, prec);
+            let (sin, _) = anchor.here(prec).rad.sin_cos();
+            assert!(anchor.here(prec).sin.overlaps(&sin));
+            Anchor::reduced(near, prec, prec + GUARD, 36).is_some()
+        };
+        let float = |bits: u32, x: f64| Float::with_val(bits, x);
+        assert!(is_reduced(&float(100, 0.7), 2000));
+        assert!(!is_reduced(&float(100, 0.7), 900), "few bits");
+        assert!(!is_reduced(&float(1100, 0.7), 2000), "a long argument");
+        assert!(!is_reduced(&float(60, 17.0), 2000), "far away");
+        assert!(!is_reduced(&(float(60, 0.7) >> 70), 2000), "tiny");
+        assert!(!is_reduced(&Float::new(60), 2000), "zero");
+        assert!(Anchor::reduced(&float(100, 0.7), 2000, 2024, 160).is_none(), "large powers");
+    }
+
+    #[test]
+    fn a_point_out_of_reach_is_computed_afresh() {
+        let (here, there) = (Float::with_val(60, 0.5), Float::with_val(60, 2.5));
+        for prec in [300, 2000] {
+            let anchor = Anchor::new(&here, prec);
+            let angles = [
+                anchor.moved(&there).here(prec),
+                anchor.angle(&Ball::exact(there.clone(), prec)),
+                anchor.with_precision(5 * prec).with_precision(prec / 2).moved(&there).here(60),
+            ];
+            for angle in angles {
+                let (sin, cos) = angle.rad.sin_cos();
+                assert!(angle.sin.overlaps(&sin) && angle.cos.overlaps(&cos));
+            }
+        }
     }
 }

@@ -35,7 +35,8 @@ pub fn arctangent(x: &Ball) -> Ball {
     from(&anchor.here(prec), x)
 }
 
-/// `atan x = a + atan t`, `t = (x cos a - sin a)/(cos a + x sin a)`, for a point `a` near it.
+/// `atan x = a + atan t`, `t = (x cos a - sin a)/(cos a + x sin a)`, for a point `a` in `(-1, 3)` near it. For a positive `x` the
+/// divisor is positive exactly if `x` is less than a right angle from `a`.
 ///
 /// `atan t = t (1 - t²/3 + t⁴/5 - …)` is summed from the innermost term outwards, as `1 - q(1) t² (1 - q(2) t² (…))` with
 /// `q(k) = (2k-1)/(2k+1)`. The innermost factor is replaced by the interval `[0, 1]`, in which the rest of an alternating
@@ -43,10 +44,15 @@ pub fn arctangent(x: &Ball) -> Ball {
 fn from(a: &Angle<Ball>, x: &Ball) -> Ball {
     let prec = x.prec();
     let rise = (x.clone() * &a.cos - &a.sin).trimmed();
-    let Some(exponent) = exponent(&rise).filter(|&e| e <= -8) else { return Ball::whole(prec) };
+    let Some(exponent) = exponent(&rise) else { return Ball::whole(prec) };
     let bits = |lost: i64| (i64::from(prec) - lost + GUARD).max(32) as u32;
-    let width = bits(-exponent);
+    let width = bits(-exponent.min(0));
     let run = a.cos.with_precision(width) + x.with_precision(width) * a.sin.with_precision(width);
+    // Only so is it this arctangent and not another: then x and a are less than a right angle apart.
+    let branch = [run.clone(), a.rad.int(1) + &a.rad, a.rad.int(3) - &a.rad];
+    if !branch.iter().all(|sign| sign.is_positive().is_proved()) {
+        return Ball::whole(prec);
+    }
     let t = (rise.with_precision(width) / run).with_precision(width);
     let Some(exponent) = self::exponent(&t).filter(|&e| e <= -4) else { return Ball::whole(prec) };
     let square = t.with_precision(bits(-2 * exponent)).square();
@@ -71,6 +77,7 @@ fn exponent(x: &Ball) -> Option<i64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::Real;
     use proptest::prelude::*;
     use rug::Float;
 
@@ -78,7 +85,7 @@ mod tests {
         #![proptest_config(crate::number::test_config::config(64))]
         #[test]
         fn the_arctangent_holds_the_true_one(
-            x in prop_oneof![1e-6f64..10.0, 10.0f64..1e12], prec in prop_oneof![64u32..3000, 3000u32..40_000],
+            x in prop_oneof![1e-6f64..10.0, 10.0f64..1e12, 1e12f64..1e60], prec in prop_oneof![64u32..3000, 3000u32..40_000],
         ) {
             let x = Float::with_val(53, x);
             let ours = arctangent(&Ball::exact(x.clone(), prec));
@@ -95,6 +102,36 @@ mod tests {
             let truth = Float::with_val(1000, &x + &offset).atan();
             prop_assert!(ours.lower() <= truth && truth <= ours.upper());
             prop_assert!(ours.rad() < Magnitude::power_of_two(4 - width));
+        }
+    }
+
+    /// The numerator of `t` is not small there, but `t` is.
+    #[test]
+    fn large_and_wide_arguments_keep_a_narrow_image() {
+        for (x, rad, bits) in [(100, 1, 12), (1000, 5, 17), (10, 0, 60)] {
+            let x = Ball::integer(x, 64).widened(Magnitude::from_integer(rad));
+            assert!(arctangent(&x).rad() < Magnitude::power_of_two(-bits));
+        }
+        let power = |exponent: u32| Ball::exact(Float::with_val(64, 1) << exponent, 64);
+        for exponent in [60, 70, 1000, 1 << 28] {
+            let found = arctangent(&power(exponent));
+            assert!(found.rad() < Magnitude::power_of_two(-60), "{found:?}");
+            let truth = found.pi() / found.int(2) - found.int(1) / power(exponent);
+            assert!(found.overlaps(&truth), "{found:?}");
+        }
+    }
+
+    /// A point on another branch of the tangent, or no point at all.
+    #[test]
+    fn another_branch_is_not_taken() {
+        let x = Ball::integer(1, 64);
+        let (right, wrong) = (0.8f64, 0.8 - std::f64::consts::PI);
+        for (point, is_right) in [(right, true), (wrong, false), (2.5, true), (-0.9, false)] {
+            let angle = Angle::new(Ball::exact(Float::with_val(64, point), 64));
+            let found = from(&angle, &x);
+            let truth = found.pi() / found.int(4);
+            assert!(found.overlaps(&truth), "{point}");
+            assert!(is_right && point < 1.0 || !found.is_bounded(), "{point}");
         }
     }
 

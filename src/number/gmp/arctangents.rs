@@ -12,7 +12,7 @@ use rug::Integer;
 use std::collections::BTreeMap;
 use std::sync::{Arc, PoisonError, RwLock};
 
-/// The largest independent `x` up to 4·10^8 with `x² + 1` free of prime factors beyond 109.
+/// Large independent `x` up to 4·10^8 with `x² + 1` free of prime factors beyond 109.
 const INVERSES: [u32; COUNT] = [
     284_862_638,
     201_229_582,
@@ -30,8 +30,8 @@ const INVERSES: [u32; COUNT] = [
     1_984_933,
 ];
 
-/// Twice the argument of each prime in multiples of the arctangents of the inverses: the inverse of the matrix
-/// of exponents, which the test below computes.
+/// Twice the argument of each prime in multiples of the arctangents of the inverses: twice the inverse of
+/// the matrix of exponents, as the test below shows.
 const MULTIPLES: [[i32; COUNT]; COUNT] = [
     [
         -893758, -127448, -721484, -461142, 863336, 664110, 1482900, 789210, 212214, 36462, 738156,
@@ -94,7 +94,7 @@ const MULTIPLES: [[i32; COUNT]; COUNT] = [
 /// Bits by which the arctangents are longer than the arguments: above the sum of the multiples of a row.
 const GUARD: u32 = 40;
 
-/// The arguments of the Gaussian primes, rounded down, in units of `2^-places`: less than two units off.
+/// The arguments of the Gaussian primes in units of `2^-places`, less than two units off.
 pub(super) struct Arguments {
     pub places: u32,
     pub values: Vec<Integer>,
@@ -147,7 +147,7 @@ impl Arguments {
 ///
 /// Error: `sum (-1)^k/((2k+1) x^(2k+1))` alternates and falls; the first term left out is less than a unit. The
 /// numerator and the denominator are cut so that the denominator has 64 bits more than the places: that
-/// changes a value below one by less than `2^-62` units. The quotient is rounded down.
+/// changes a value below one by less than `2^-62` units. The quotient loses less than a unit.
 fn arctangent_of_inverse(x: u32, places: u32) -> Integer {
     let terms = places / (2 * x.ilog2()) + 1;
     let square = square(&Integer::from(x));
@@ -203,8 +203,7 @@ mod tests {
             .sum();
         let quarters = (sum / std::f64::consts::FRAC_PI_4).round() as i64;
         exponents[0] -= quarters;
-        let unit = (quarters - quarters.rem_euclid(2)) % 2;
-        assert_eq!(unit, 0, "only powers of i are left");
+        assert_eq!(quarters.rem_euclid(2), 0, "only powers of i are left");
         exponents
     }
 

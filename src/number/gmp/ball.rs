@@ -179,7 +179,7 @@ impl Ball {
     }
 }
 
-/// `x` in units of `2^-places`, rounded down.
+/// A finite `x` in units of `2^-places`, rounded down.
 pub(super) fn fixed(x: &Float, places: u32) -> Integer {
     let Some((mantissa, exponent)) = x.to_integer_exp() else { return Integer::new() };
     match i64::from(exponent) + i64::from(places) {

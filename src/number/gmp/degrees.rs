@@ -14,7 +14,10 @@ pub fn degrees(radians: &Ball) -> Ball {
     let factor = known.filter(|factor| factor.prec() >= prec).unwrap_or_else(|| {
         let like = Ball::integer(180, prec);
         let factor = like.clone() / like.pi();
-        *KNOWN.write().unwrap_or_else(PoisonError::into_inner) = Some(factor.clone());
+        let mut known = KNOWN.write().unwrap_or_else(PoisonError::into_inner);
+        if known.as_ref().is_none_or(|known| known.prec() < prec) {
+            *known = Some(factor.clone());
+        }
         factor
     });
     (radians.clone() * factor.with_precision(prec)).with_precision(radians.prec())

@@ -57,7 +57,7 @@ impl Turn {
 
     /// `2 arg u` further.
     ///
-    /// Error: the product with `u²/|u|²`, exact and of modulus one, keeps it; each part is rounded down.
+    /// Error: the product with `u²/|u|²`, exact and of modulus one, keeps it; each part loses less than a unit.
     pub(super) fn by_twice(self, u: &Gaussian) -> Self {
         let (square, norm) = (u.squared(), u.norm());
         let (a, b) = (product(&self.cos, &square.im), product(&self.sin, &square.re));
