@@ -42,7 +42,7 @@ const GUARD: usize = 64;
 pub const MAX_DIGITS: usize = 1_000_000;
 
 /// The digits up to which a certificate is checked in the second arithmetic, astro-float, by default: at
-/// this size that takes about a minute.
+/// this size that takes some seconds.
 pub const ASTRO_DIGITS: usize = 50_000;
 
 /// Checks the bytes of a file in pure Rust, up to [`ASTRO_DIGITS`] digits.

@@ -2,8 +2,8 @@
 //!
 //! A fraction times `10^a` is the integer of its first `a` digits and the fraction of the others; so the digits
 //! are found by splitting them in halves, each from as many bits as it has digits, down to [`LEAF`] of them. All
-//! values of one number of digits are split alike and share the powers of five, and nothing is divided: three times as
-//! fast as a conversion of the integer from a hundred thousand digits on.
+//! values of one number of digits are split alike and share the powers of five, and nothing is divided: 1.2 to 1.6 times as
+//! fast as a conversion of the integer, from five thousand to a million digits.
 //!
 //! **Error.** Let a part of `d` digits be computed from `x`, with `w >= d log2(10) + 64` bits behind the point, and belong
 //! to the true fraction `X` in `[x, x + e 2^-w)`. Its first half is that of the same `X`, cut to fewer bits, so that `e` grows
