@@ -1,11 +1,14 @@
-//! What a state costs: proved to 16 digits and as a quick look in doubles, by mode and over a random mix.
+//! What a state costs: proved to 16 digits, in balls of doubles, and as a quick look in doubles, by mode and over a
+//! random mix; and beside balls of MPFR alone, in turns.
 
 use couplet::arch::SelfWeight;
-use couplet::certify::state::{Answer, Certify};
+use couplet::certify::state::{Answer, Certify, Inquiry, Outcome};
 use couplet::number::ExactNumber;
-use couplet::problem::{Arch, Friction};
+use couplet::problem::{Arch, Friction, tally};
 use couplet::solve::start::quick_state;
+use cpu_time::ThreadTime;
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use std::collections::BTreeMap;
 use std::hint::black_box;
 
 const M: SelfWeight = SelfWeight::Milankovitch;
@@ -39,6 +42,16 @@ fn mix(count: usize) -> Vec<(f64, f64)> {
         .collect()
 }
 
+/// The same as they are typed.
+fn mix_of_texts() -> Vec<(String, String)> {
+    let text = |(alpha, mu)| (format!("{alpha:.15}"), format!("{mu:.15}"));
+    mix(1000).into_iter().map(text).collect()
+}
+
+fn mix_of_arches() -> Vec<Arch> {
+    mix_of_texts().iter().map(|(alpha, mu)| arch(M, alpha, mu)).collect()
+}
+
 fn states(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("state, 16 digits");
     for (mode, half_opening, friction) in CASES {
@@ -47,10 +60,7 @@ fn states(criterion: &mut Criterion) {
             b.iter(|| arch.certify(16).unwrap());
         });
     }
-    let queries: Vec<Arch> = mix(1000)
-        .into_iter()
-        .map(|(alpha, mu)| arch(M, &format!("{alpha:.15}"), &format!("{mu:.15}")))
-        .collect();
+    let queries = mix_of_arches();
     group.sample_size(10).throughput(Throughput::Elements(queries.len() as u64));
     group.bench_function("proved, mix", |b| {
         b.iter(|| {
@@ -63,7 +73,69 @@ fn states(criterion: &mut Criterion) {
             queries.iter().filter(stands).count()
         });
     });
+    group.bench_function("in balls of doubles, mix", |b| {
+        b.iter(|| {
+            let stands = |q: &&Arch| matches!(q.state_in_doubles(), Ok(Outcome::Stands(_)));
+            queries.iter().filter(stands).count()
+        });
+    });
+    let texts = mix_of_texts();
+    group.bench_function("read, mix", |b| {
+        b.iter(|| {
+            texts.iter().for_each(|(alpha, mu)| drop(black_box(arch(M, alpha, mu))));
+        });
+    });
     group.finish();
+    beside_mpfr(&queries);
+}
+
+/// The mode, or why nothing stands.
+fn name(answer: &Answer) -> String {
+    match answer {
+        Answer::Stands(state) => state.mode.to_string(),
+        Answer::Falls { fall, .. } => format!("falls, {fall:?}").to_lowercase(),
+    }
+}
+
+/// The mix in turns with balls of MPFR alone: the least CPU time of several rounds of each query, and how many are
+/// decided without MPFR.
+fn beside_mpfr(queries: &[Arch]) {
+    const ROUNDS: usize = 5;
+    // So many digits ask for more bits of MPFR than a double-double has, which tells the two apart.
+    const TOLD: usize = 18;
+    fn least(times: &mut f64, job: impl FnOnce()) {
+        let start = ThreadTime::now();
+        job();
+        *times = times.min(start.elapsed().as_secs_f64());
+    }
+    let mut rows: BTreeMap<String, (usize, usize, [f64; 3])> = BTreeMap::new();
+    for arch in queries {
+        let mut times = [f64::INFINITY; 3];
+        for _ in 0..ROUNDS {
+            least(&mut times[0], || drop(black_box(arch.certify(16))));
+            least(&mut times[1], || drop(black_box(Inquiry::new(arch, 16, true).state(16, true))));
+            least(&mut times[2], || drop(black_box(arch.state_in_doubles())));
+        }
+        let (_, cost) = tally::measure(|| arch.certify(TOLD).unwrap());
+        let quickly = usize::from(cost.working_bits <= 106);
+        let of = [name(&arch.certify(16).unwrap()), "all".into()];
+        for name in of {
+            let row = rows.entry(name).or_default();
+            row.0 += 1;
+            row.1 += quickly;
+            row.2.iter_mut().zip(times).for_each(|(sum, time)| *sum += time);
+        }
+    }
+    println!(
+        "mix, microseconds of CPU        number  without MPFR  16 digits   MPFR  ratio  doubles"
+    );
+    for (name, (count, quickly, times)) in rows {
+        let [quick, mpfr, doubles] = times.map(|time| 1e6 * time / count as f64);
+        let ratio = mpfr / quick;
+        println!(
+            "{name:30} {count:7} {quickly:13} {quick:10.2} {mpfr:6.0} {ratio:6.1} {doubles:8.2}"
+        );
+    }
 }
 
 fn quick(criterion: &mut Criterion) {

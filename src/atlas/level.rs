@@ -88,7 +88,7 @@ struct AtOpening<'a> {
     half_opening: &'a Ball,
 }
 
-impl root::Form for AtOpening<'_> {
+impl root::Form<Ball> for AtOpening<'_> {
     fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
         let (s, unknowns) = (&x[0], &x[1..]);
         let alpha = self.form.spot(&number, s, unknowns).half_opening;
@@ -97,8 +97,8 @@ impl root::Form for AtOpening<'_> {
         residuals
     }
 
-    fn is_regular(&self, x: &[Ball]) -> bool {
-        self.form.divisors(&Ball::clone, &x[0], &x[1..]).iter().all(Enclosure::excludes_zero)
+    fn is_regular<T: Enclosure + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> bool {
+        self.form.divisors(&number, &x[0], &x[1..]).iter().all(Enclosure::excludes_zero)
     }
 }
 

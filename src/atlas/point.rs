@@ -36,13 +36,13 @@ struct AtParameter<'a> {
     s: Ball,
 }
 
-impl root::Form for AtParameter<'_> {
+impl root::Form<Ball> for AtParameter<'_> {
     fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
         self.form.residuals(&number, &number(&self.s), x)
     }
 
-    fn is_regular(&self, x: &[Ball]) -> bool {
-        self.form.divisors(&Ball::clone, &self.s, x).iter().all(Enclosure::excludes_zero)
+    fn is_regular<T: Enclosure + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> bool {
+        self.form.divisors(&number, &number(&self.s), x).iter().all(Enclosure::excludes_zero)
     }
 }
 

@@ -3,10 +3,13 @@
 //! The operator that proves is in [`check::krawczyk`](crate::check::krawczyk).
 //! A proof either succeeds or says why nothing is known ([`Undecided`]); nothing in between.
 
+mod arithmetic;
 mod certificate;
 mod closed_value;
 mod cover;
+mod decide;
 mod fingerprint;
+mod in_doubles;
 mod isolate;
 mod landmark;
 mod posed;

@@ -2,22 +2,22 @@
 
 use super::root::Form;
 use crate::arch::Configuration;
-use crate::number::{Ball, Enclosure, Real, Stumpff};
+use crate::number::{Enclosure, Real, Stumpff};
 use crate::problem::System;
 
 /// A system with what is given.
-pub(super) struct Posed<'a> {
+pub(super) struct Posed<'a, E> {
     pub system: &'a System,
-    pub given: &'a Configuration<Ball>,
+    pub given: &'a Configuration<E>,
 }
 
-impl Form for Posed<'_> {
-    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
+impl<E> Form<E> for Posed<'_, E> {
+    fn at<T: Real + Stumpff>(&self, number: impl Fn(&E) -> T, x: &[T]) -> Vec<T> {
         self.system.residuals(&self.system.place(self.given.map_ref(number), x))
     }
 
-    fn is_regular(&self, x: &[Ball]) -> bool {
-        let at = self.system.place(self.given.clone(), x);
+    fn is_regular<T: Enclosure + Stumpff>(&self, number: impl Fn(&E) -> T, x: &[T]) -> bool {
+        let at = self.system.place(self.given.map_ref(number), x);
         self.system.denominators(&at).iter().all(Enclosure::excludes_zero)
     }
 }

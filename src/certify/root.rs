@@ -6,7 +6,7 @@
 
 use super::Undecided;
 use crate::check::krawczyk;
-use crate::number::{Ball, Dual, Dyadic, Enclosure, Engine, Magnitude, Real, Stumpff};
+use crate::number::{Ball, Dual, Dyadic, Enclosure, Engine, Magnitude, Real, Slopes, Stumpff};
 use crate::problem::Problem;
 use crate::solve::{inverse, settle};
 use rug::Float;
@@ -42,16 +42,16 @@ impl<E: Engine> Equations<E> for Problem {
 }
 
 /// A form of the equations of an arch, over candidates too: as printed, or in variables in which nothing
-/// cancels.
-pub(crate) trait Form {
+/// cancels. What is given is given in numbers `E`.
+pub(crate) trait Form<E> {
     /// The residuals; `number` makes a number like those of `x` of what is given.
-    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T>;
+    fn at<T: Real + Stumpff>(&self, number: impl Fn(&E) -> T, x: &[T]) -> Vec<T>;
 
-    /// Whether nothing that was divided by or cleared vanishes anywhere in a box.
-    fn is_regular(&self, x: &[Ball]) -> bool;
+    /// Whether nothing that was divided by or cleared vanishes anywhere in a box; `number` as before.
+    fn is_regular<T: Enclosure + Stumpff>(&self, number: impl Fn(&E) -> T, x: &[T]) -> bool;
 }
 
-impl<F: Form> Equations<Ball> for F {
+impl<F: Form<Ball>> Equations<Ball> for F {
     fn residuals(&self, bits: u32, x: &[Ball]) -> Vec<Ball> {
         self.at(|given| given.with_precision(bits), x)
     }
@@ -61,7 +61,7 @@ impl<F: Form> Equations<Ball> for F {
     }
 
     fn is_regular(&self, _bits: u32, x: &[Ball]) -> bool {
-        Form::is_regular(self, x)
+        Form::is_regular(self, Ball::clone, x)
     }
 }
 
@@ -216,7 +216,7 @@ const INFLATIONS: [i64; 3] = [2, 8, 20];
 
 /// Encloses the root of equations next to a start value, proved to exist and to be unique in a box on which
 /// the equations are regular.
-pub(crate) fn root_near<S: Form>(
+pub(crate) fn root_near<S: Form<Ball>>(
     equations: &S,
     bits: u32,
     start: Vec<Float>,
@@ -232,12 +232,12 @@ pub(crate) fn root_near<S: Form>(
 }
 
 /// What is undecided where there is nothing to prove.
-fn no_candidate() -> Undecided {
+pub(super) fn no_candidate() -> Undecided {
     Undecided::new("no candidate is found")
 }
 
 /// Newton's method with more and more bits: at each precision it starts from the root to half of it.
-fn climb(form: &impl Form, bits: u32, start: Vec<Float>) -> Option<Vec<Float>> {
+fn climb(form: &impl Form<Ball>, bits: u32, start: Vec<Float>) -> Option<Vec<Float>> {
     let halves =
         std::iter::successors(Some(bits), |bits| (*bits > SHORT).then(|| bits.div_ceil(2)));
     let precisions: Vec<u32> = halves.collect();

@@ -2,10 +2,10 @@
 //! thickness, or that it stands or does not at one that is given.
 
 use super::certificate::{Root, attempt, value_file};
+use super::decide::decide;
 use super::posed::Posed;
 use super::root::root_near;
 use super::state::{Certify, Fall, Figure, Outcome, State, bits_lost};
-use super::undecided::decide;
 use super::{Undecided, Value};
 use crate::arch::Unknown;
 use crate::check::{Certificate, EXTRA_BITS, ValueFile};

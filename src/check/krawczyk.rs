@@ -13,11 +13,14 @@
 //! vanish in `X`) makes `K(X)` unbounded, so that the test fails; hence a success also proves that
 //! `F` is smooth on `X`.
 
-use crate::number::{Dual, Enclosure, Field};
+use crate::number::{Enclosure, Field, Slopes};
 
-/// `I - Y F'(X)`, row by row. `preconditioner` is `Y`; `slopes` are the residuals as dual numbers on a box that holds
-/// `X`, of which only the gradients are used.
-pub fn contraction<E: Enclosure>(slopes: &[Dual<E>], preconditioner: &[Vec<E>]) -> Vec<Vec<E>> {
+/// `I - Y F'(X)`, row by row. `preconditioner` is `Y`; `slopes` are the residuals with their derivatives on a box
+/// that holds `X`, of which only these are used.
+pub fn contraction<E: Enclosure>(
+    slopes: &[impl Slopes<E>],
+    preconditioner: &[impl AsRef<[E]>],
+) -> Vec<Vec<E>> {
     let entry = |row: &[E], i: usize, k: usize| {
         let products = row
             .iter()
@@ -25,14 +28,14 @@ pub fn contraction<E: Enclosure>(slopes: &[Dual<E>], preconditioner: &[Vec<E>]) 
             .filter_map(|(y, slope)| slope.slope(k).map(|slope| y.clone() * slope));
         row[k].int(i32::from(i == k)) - sum(&row[k], products)
     };
-    let rows = preconditioner.iter().enumerate();
+    let rows = preconditioner.iter().map(AsRef::as_ref).enumerate();
     rows.map(|(i, row)| (0..row.len()).map(|k| entry(row, i, k)).collect()).collect()
 }
 
 /// The last term of `K(X)`, `(I - Y F'(X)) (X - m)`; `offsets` is `X - m`, the rest as for [`contraction`].
 pub fn spread<E: Enclosure>(
-    slopes: &[Dual<E>],
-    preconditioner: &[Vec<E>],
+    slopes: &[impl Slopes<E>],
+    preconditioner: &[impl AsRef<[E]>],
     offsets: &[E],
 ) -> Vec<E> {
     let rows = contraction(slopes, preconditioner).into_iter();
@@ -49,12 +52,13 @@ pub fn spread<E: Enclosure>(
 pub fn image<E: Enclosure>(
     centre: &[E],
     residuals: &[E],
-    slopes: &[Dual<E>],
-    preconditioner: &[Vec<E>],
+    slopes: &[impl Slopes<E>],
+    preconditioner: &[impl AsRef<[E]>],
     domain: &[E],
 ) -> Vec<E> {
     let newton = preconditioner
         .iter()
+        .map(AsRef::as_ref)
         .map(|row| sum(&row[0], row.iter().zip(residuals).map(|(y, r)| y.clone() * r)));
     let offsets: Vec<E> = domain.iter().zip(centre).map(|(x, m)| x.clone() - m).collect();
     let spread = spread(slopes, preconditioner, &offsets);
@@ -74,7 +78,7 @@ pub fn is_contracted<E: Enclosure>(image: &[E], domain: &[E]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::AstroInterval;
+    use crate::number::{AstroInterval, Dual};
 
     /// `F(x) = x/8`, `Y = 1`: `K` is `7/8 x`, whatever the point from which the sides are measured.
     #[test]

@@ -5,7 +5,9 @@ use super::claim::Claim;
 use super::number::{CorrectDigits, Judged, compared_digits};
 use super::truth::Proved;
 use crate::certify::Undecided;
-use crate::certify::state::{Assessment, Certify, Fall, Outcome, raised};
+use crate::certify::state::{
+    Assessment, Fall, Outcome, assessment_enclosed, raised, sliding_enclosed, state_enclosed,
+};
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Mode};
 use std::cmp::Ordering;
@@ -183,11 +185,11 @@ pub fn judge(arch: &Arch, claim: &Claim, demand: Demand) -> Judgement {
 /// What the row speaks of, in numbers of `bits` bits.
 fn proved(arch: &Arch, claim: &Claim, bits: u32) -> Result<Proved, Undecided> {
     let frictions = claim.numbers.iter().any(|number| number.quantity.is_friction());
-    let outcome = if frictions { arch.state(bits)? } else { arch.state_alone(bits)? };
+    let outcome = state_enclosed(arch, bits, frictions)?;
     let falls = matches!(outcome, Outcome::Falls(_));
     Ok(Proved {
         sliding_friction: match frictions && falls {
-            true => Some(arch.sliding_friction(bits)?),
+            true => Some(sliding_enclosed(arch, bits)?),
             false => None,
         },
         assessment: match &claim.thickness {
@@ -205,7 +207,7 @@ fn assessed(
     claim: &Claim,
     bits: u32,
 ) -> Result<Assessment, Undecided> {
-    let found = arch.assess(thickness, bits)?;
+    let found = assessment_enclosed(arch, thickness, bits)?;
     if claim.stands.is_some() {
         found.stands.clone()?;
     }

@@ -122,7 +122,7 @@ impl DoubleBall {
     }
 
     /// An upper bound of the size of all numbers of the ball.
-    fn size(&self) -> f64 {
+    pub fn size(&self) -> f64 {
         (self.mid.abs() + self.rad) * UP
     }
 }

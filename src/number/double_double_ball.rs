@@ -101,6 +101,20 @@ impl DoubleDoubleBall {
         Self::new(self.mid, (self.rad + more) * UP)
     }
 
+    /// The double nearest to every number of the ball, ties to even; `None` if they may differ, and outside
+    /// `2^±200`.
+    pub fn nearest_double(&self) -> Option<f64> {
+        let (double, rest) = (self.mid.hi(), self.mid.lo());
+        let size = double.abs();
+        // A sum of two doubles is normalised so that its first part is the nearest double.
+        let is_exact = self.rad == 0.0;
+        let is_near = (rest.abs() + self.rad) * UP < 0.5 * (size - size.next_down());
+        let in_range =
+            size == 0.0 && is_exact || (power_of_two(-200)..power_of_two(200)).contains(&size);
+        // Adding zero makes a negative zero positive.
+        (in_range && (is_exact || is_near)).then_some(double + 0.0)
+    }
+
     /// An upper bound of the size of all numbers of the ball.
     pub fn size(&self) -> f64 {
         (self.mid.hi().abs() + self.rad) * UP

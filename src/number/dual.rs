@@ -1,6 +1,6 @@
 //! Dual numbers: a value with its gradient. Nobody types a derivative.
 
-use super::{Field, Real};
+use super::{Field, Real, Slopes};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A value and its partial derivatives. A missing derivative is exactly zero and costs nothing,
@@ -58,11 +58,6 @@ impl<T: Field> Dual<T> {
         self.slope(index).cloned().unwrap_or_else(|| self.value.int(0))
     }
 
-    /// The derivative to unknown `index`, or `None` where it is exactly zero.
-    pub fn slope(&self, index: usize) -> Option<&T> {
-        self.gradient.get(index).and_then(Option::as_ref)
-    }
-
     /// The dual number with `value` and the gradient of `self` scaled by `factor`.
     pub(super) fn chain(&self, value: T, factor: &T) -> Self {
         let gradient = self.gradient.iter().map(|g| g.clone().map(|g| g * factor)).collect();
@@ -84,6 +79,12 @@ impl<T: Field> Dual<T> {
                 (Some(a), Some(b)) => Some(left(a) + right(b)),
             })
             .collect()
+    }
+}
+
+impl<T> Slopes<T> for Dual<T> {
+    fn slope(&self, index: usize) -> Option<&T> {
+        self.gradient.get(index).and_then(Option::as_ref)
     }
 }
 

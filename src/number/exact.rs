@@ -112,7 +112,7 @@ impl ExactNumber {
     /// `None` beyond the largest double.
     #[cfg(feature = "mpfr")]
     pub fn nearest_double(&self) -> Option<f64> {
-        nearest_double(|bits| self.enclosure(bits))
+        nearest_double(self.enclosure(0), |bits| self.enclosure(bits))
     }
 
     /// An enclosure in numbers of `bits` bits, at least one.
@@ -234,17 +234,23 @@ impl ExactNumber {
     }
 }
 
-/// The double nearest to a number that has an enclosure of any number of bits, ties to even; `None` beyond the largest
-/// double.
+/// The double nearest to a number that has a short enclosure and one of any number of bits, ties to even; `None` beyond
+/// the largest double.
 #[cfg(feature = "mpfr")]
-pub(crate) fn nearest_double(enclosure: impl Fn(u32) -> super::Ball) -> Option<f64> {
+pub(crate) fn nearest_double(
+    short: super::DoubleDoubleBall,
+    enclosure: impl Fn(u32) -> super::Ball,
+) -> Option<f64> {
     // Few bits decide nearly always; a tie is rational, and exact in the bits of a long number.
-    let found = [128, 4096, 80_000].into_iter().find_map(|bits| enclosure(bits).nearest_double());
-    found.filter(|x| x.is_finite())
+    let long = || [128, 4096, 80_000].into_iter().find_map(|bits| enclosure(bits).nearest_double());
+    short.nearest_double().or_else(long).filter(|x| x.is_finite())
 }
 
 /// The exact value of a decimal.
 fn rational(decimal: &Decimal) -> BigRational {
+    if let Some(short) = short_rational(decimal) {
+        return short;
+    }
     let Some(digits) = integer(decimal.digits()) else { return BigInt::ZERO.into() };
     let digits = if decimal.is_negative() { -digits } else { digits };
     let scale = BigInt::from(10).pow(decimal.exponent().unsigned_abs() as u32);
@@ -252,6 +258,25 @@ fn rational(decimal: &Decimal) -> BigRational {
         true => BigRational::new(digits, scale),
         false => (digits * scale).into(),
     }
+}
+
+/// The same of a decimal fraction that fits words: what it has in common with its power of ten is found by counting
+/// twos and fives, which is much cheaper than a common divisor of long integers.
+fn short_rational(decimal: &Decimal) -> Option<BigRational> {
+    let places = u32::try_from(-decimal.exponent()).ok().filter(|places| *places < 19)?;
+    let mut numerator: u64 = decimal.digits().parse().ok()?;
+    let twos = numerator.trailing_zeros().min(places);
+    numerator >>= twos;
+    let mut denominator = 5u64.pow(places) << (places - twos);
+    for _ in 0..places {
+        if !numerator.is_multiple_of(5) {
+            break;
+        }
+        (numerator, denominator) = (numerator / 5, denominator / 5);
+    }
+    let sign = if decimal.is_negative() { Sign::Minus } else { Sign::Plus };
+    let numerator = BigInt::from_biguint(sign, numerator.into());
+    Some(BigRational::new_raw(numerator, denominator.into()))
 }
 
 /// An integer of decimal digits and nothing else.
@@ -285,6 +310,36 @@ mod tests {
         let hundred = format!("0.{}1", "0".repeat(99));
         assert_eq!(factor(&hundred), factor("1e-100"));
         assert_eq!(factor("45deg"), quotient(1, 4));
+    }
+
+    #[test]
+    fn short_decimals_are_in_lowest_terms_like_long_ones() {
+        for (digits, exponent) in [
+            ("1", 0),
+            ("10", -1),
+            ("5", -1),
+            ("125", -3),
+            ("1024", -10),
+            ("97656250", -8),
+            ("25", -18),
+            ("18446744073709551615", -18),
+            ("18446744073709551616", -18),
+            ("9223372036854775808", -18),
+            ("7", -19),
+            ("1", 3),
+        ] {
+            for sign in ["", "-"] {
+                let decimal: Decimal = format!("{sign}{digits}e{exponent}").parse().unwrap();
+                let scale = BigInt::from(10).pow(i32::unsigned_abs(exponent));
+                let whole: BigInt = format!("{sign}{digits}").parse().unwrap();
+                let expected = match exponent < 0 {
+                    true => BigRational::new(whole, scale),
+                    false => (whole * scale).into(),
+                };
+                let found = rational(&decimal);
+                assert_eq!((found.numer(), found.denom()), (expected.numer(), expected.denom()));
+            }
+        }
     }
 
     #[test]

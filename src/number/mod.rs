@@ -13,6 +13,7 @@
 //! | [`Surd`] | `a + b√d`, exact | [`Field`] |
 //! | [`symbolic::Fraction`](crate::symbolic::Fraction) | a formula, exact | [`Field`] |
 //! | [`Dual`] | a value and its gradient | as its component, up to [`Real`] |
+//! | [`Gradient`] | the same without a heap | as its component, up to [`Real`] |
 //! | [`Jet`] | the first terms of a Taylor series | as its component, up to [`Real`] |
 //!
 //! Precision travels inside a value: `x.int(3)` is a three "like `x`", so an equation needs no
@@ -63,11 +64,13 @@ mod engine;
 mod exact;
 #[cfg(feature = "mpfr")]
 mod gmp;
+mod gradient;
 mod halving;
 mod jet;
 #[cfg(feature = "mpfr")]
 mod short_ball;
 mod shown;
+mod slopes;
 mod stumpff;
 #[cfg(feature = "check")]
 mod tens;
@@ -100,12 +103,14 @@ pub use exact::{ExactNumber, ParseExactError};
 #[cfg(feature = "mpfr")]
 pub use gmp::{
     Anchor, Ball, Binary, Magnitude, Rounded, Surd, arctangent, bits_of, degrees, hexadecimal,
-    rational_like, terminating,
+    rational_like, rounded_double, terminating,
 };
+pub use gradient::Gradient;
 pub use jet::Jet;
 #[cfg(feature = "mpfr")]
 pub use short_ball::ShortBall;
 pub use shown::{shown, visible};
+pub use slopes::Slopes;
 pub use stumpff::Stumpff;
 #[cfg(feature = "mpfr")]
 pub(crate) use stumpff::terms as stumpff_terms;

@@ -2,9 +2,9 @@
 
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::number::{
-    AstroInterval, Enclosure, Engine, ExactNumber, Field, ParseExactError, Real, Ternary, is_angle,
-    shown,
+    AstroInterval, DoubleBall, Engine, ExactNumber, ParseExactError, Ternary, is_angle, shown,
 };
+use num_bigint::Sign;
 use num_rational::BigRational;
 use std::fmt;
 use std::str::FromStr;
@@ -110,7 +110,7 @@ impl Arch {
             return Err(ArchError::HalfOpening(half_opening));
         }
         let friction = match friction {
-            Friction::Coefficient(mu) if *mu.factor() < ratio(0, 1) => {
+            Friction::Coefficient(mu) if sign(&mu) == Sign::Minus => {
                 return Err(ArchError::Friction(mu.to_string()));
             }
             Friction::Angle(phi) if !phi.is_rational() && *phi.factor() == ratio(1, 2) => {
@@ -196,20 +196,39 @@ fn ratio(numerator: i32, denominator: i32) -> BigRational {
     BigRational::new(numerator.into(), denominator.into())
 }
 
+/// The sign of a number, whose denominator may be negative.
+fn sign(x: &ExactNumber) -> Sign {
+    x.factor().numer().sign() * x.factor().denom().sign()
+}
+
 /// Whether an angle is above zero (or is zero, if that is allowed) and below `pi / divisor`.
 fn is_between(x: &ExactNumber, zero_is_in: bool, divisor: i32) -> bool {
-    let zero = ratio(0, 1);
-    let positive = *x.factor() > zero || (zero_is_in && *x.factor() == zero);
+    let positive = match sign(x) {
+        Sign::Plus => true,
+        Sign::NoSign => zero_is_in,
+        Sign::Minus => false,
+    };
     // A multiple of pi is compared exactly.
     if !x.is_rational() {
         return positive && *x.factor() < ratio(1, divisor);
     }
-    // Few bits decide nearly always; the last are more than the longest number that is read has.
-    let mut below = [128, 80_000].into_iter().map(|bits| {
-        let x: AstroInterval = x.enclosure(bits);
-        x.is_less_than(&(x.pi() / x.int(divisor)))
-    });
-    positive && below.find(|below| *below != Ternary::Undecided) == Some(Ternary::True)
+    // Doubles decide nearly always; the last bits are more than the longest number that is read has.
+    let long = || {
+        let below =
+            [128, 80_000].into_iter().map(|bits| is_below::<AstroInterval>(x, divisor, bits));
+        below.into_iter().find(|below| *below != Ternary::Undecided)
+    };
+    let below = match is_below::<DoubleBall>(x, divisor, 0) {
+        Ternary::Undecided => long().unwrap_or(Ternary::Undecided),
+        decided => decided,
+    };
+    positive && below.is_proved()
+}
+
+/// Whether a rational number is below `pi / divisor`.
+fn is_below<E: Engine>(x: &ExactNumber, divisor: i32, bits: u32) -> Ternary {
+    let x: E = x.enclosure(bits);
+    x.is_less_than(&(x.pi() / x.int(divisor)))
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! What is given of an arch, as numbers that every program reads.
 
-use crate::number::{Ball, ExactNumber, Field, Real, nearest_double};
+use crate::number::{Ball, DoubleDoubleBall, Engine, ExactNumber, nearest_double};
 use crate::problem::{Arch, Friction};
 use num_bigint::BigInt;
 
@@ -26,7 +26,10 @@ impl GivenDoubles {
             half_opening_deg: degrees(half_opening),
             friction: match arch.friction() {
                 Friction::Coefficient(mu) => mu.nearest_double(),
-                Friction::Angle(_) => nearest_double(|bits| arch.given::<Ball>(bits).friction),
+                Friction::Angle(_) => {
+                    let short = arch.given::<DoubleDoubleBall>(0).friction;
+                    nearest_double(short, |bits| arch.given::<Ball>(bits).friction)
+                }
                 Friction::Infinite => Some(f64::INFINITY),
             },
             thickness: thickness.and_then(ExactNumber::nearest_double),
@@ -38,10 +41,13 @@ fn degrees(angle: &ExactNumber) -> Option<f64> {
     if !angle.is_rational() {
         return ExactNumber::rational(angle.factor() * BigInt::from(180)).nearest_double();
     }
-    nearest_double(|bits| {
-        let x: Ball = angle.enclosure(bits);
-        x.int(180) * &x / x.pi()
-    })
+    nearest_double(in_degrees(angle, 0), |bits| in_degrees(angle, bits))
+}
+
+/// A rational number of radians in degrees.
+fn in_degrees<E: Engine>(angle: &ExactNumber, bits: u32) -> E {
+    let x: E = angle.enclosure(bits);
+    x.int(180) * &x / x.pi()
 }
 
 #[cfg(test)]

@@ -42,6 +42,34 @@ pub fn inverse<T: Approximate>(mut matrix: Vec<Vec<T>>) -> Option<Vec<Vec<T>>> {
     eliminate(matrix)
 }
 
+/// The approximate inverse of a small square matrix of doubles, without a heap. `None` where no pivot is left.
+pub fn invert<const N: usize>(mut matrix: [[f64; N]; N]) -> Option<[[f64; N]; N]> {
+    let mut inverse = [[0.0; N]; N];
+    inverse.iter_mut().enumerate().for_each(|(i, row)| row[i] = 1.0);
+    for column in 0..N {
+        let size = |row: usize, matrix: &[[f64; N]; N]| matrix[row][column].abs();
+        let larger = |a, b| if size(b, &matrix) > size(a, &matrix) { b } else { a };
+        let pivot = (column..N).reduce(larger)?;
+        matrix.swap(column, pivot);
+        inverse.swap(column, pivot);
+        let head = 1.0 / matrix[column][column];
+        if !head.is_finite() {
+            return None;
+        }
+        let (pivot_row, pivot_inverse) =
+            (matrix[column].map(|x| x * head), inverse[column].map(|x| x * head));
+        for row in 0..N {
+            let factor = matrix[row][column];
+            for k in 0..N {
+                matrix[row][k] -= factor * pivot_row[k];
+                inverse[row][k] -= factor * pivot_inverse[k];
+            }
+        }
+        (matrix[column], inverse[column]) = (pivot_row, pivot_inverse);
+    }
+    Some(inverse)
+}
+
 /// The step of Newton's method, the inverse of the Jacobian times the residuals. `None` where no pivot is left.
 pub fn newton_step<T: Approximate>(residuals: &[Dual<T>]) -> Option<Vec<T>> {
     let row = |r: &Dual<T>| {

@@ -7,7 +7,7 @@ mod standing;
 pub mod start;
 mod zero;
 
-pub use linear::{Approximate, inverse, newton_step};
+pub use linear::{Approximate, inverse, invert, newton_step};
 pub use newton::{newton, settle};
 pub use standing::{StandingCandidate, standing};
 

@@ -11,8 +11,9 @@ use super::thrust_range::{
 };
 use crate::arch::Unknown;
 use crate::certify::Undecided;
-use crate::certify::undecided::{decide, require};
-use crate::number::{Ball, Enclosure, ExactNumber, Ternary};
+use crate::certify::arithmetic::Arithmetic;
+use crate::certify::decide::{decide, require};
+use crate::number::{Ball, ExactNumber, Ternary};
 use crate::problem::{
     Arch, Quantity, friction_angle_is_half_opening, has_no_arm_at_crown, is_thickness,
 };
@@ -20,24 +21,38 @@ use crate::problem::{
 /// What is certain of an arch of a given thickness, each answer with a reason where it stays open.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
-pub struct Assessment {
+pub struct Assessment<T = Ball> {
     /// Whether it stands.
     pub stands: Result<bool, Undecided>,
     /// Why no thickness is enough, if none is.
     pub fall: Option<Fall>,
     /// The least thickness of the arch with this friction; `None` if there is none.
-    pub least_thickness: Result<Option<Ball>, Undecided>,
+    pub least_thickness: Result<Option<T>, Undecided>,
     /// The thickness over the least thickness.
-    pub geometric_safety: Result<Option<Ball>, Undecided>,
+    pub geometric_safety: Result<Option<T>, Undecided>,
     /// The least friction with which the arch of this thickness stands; `None` if none is enough.
-    pub required_friction: Result<Option<Ball>, Undecided>,
+    pub required_friction: Result<Option<T>, Undecided>,
     /// The friction over the required one; `None` if either is unbounded.
-    pub friction_safety: Result<Option<Ball>, Undecided>,
+    pub friction_safety: Result<Option<T>, Undecided>,
     /// The least and the largest admissible thrust; `None` if the arch does not stand.
-    pub thrust: [Result<Option<Limit>, Undecided>; 2],
+    pub thrust: [Result<Option<Limit<T>>, Undecided>; 2],
 }
 
-impl Assessment {
+impl<T> Assessment<T> {
+    /// The same in other numbers.
+    pub(super) fn map<U>(self, f: impl Fn(T) -> U) -> Assessment<U> {
+        let value = |x: Result<Option<T>, Undecided>| x.map(|x| x.map(&f));
+        Assessment {
+            stands: self.stands,
+            fall: self.fall,
+            least_thickness: value(self.least_thickness),
+            geometric_safety: value(self.geometric_safety),
+            required_friction: value(self.required_friction),
+            friction_safety: value(self.friction_safety),
+            thrust: self.thrust.map(|end| end.map(|limit| limit.map(|limit| limit.map(&f)))),
+        }
+    }
+
     /// Why a quantity of [`Quantity::ASSESSMENT`] stays open, if it does.
     pub fn why_open(&self, quantity: Quantity) -> Option<&Undecided> {
         match quantity {
@@ -64,18 +79,18 @@ pub enum Wanted {
 /// Proves what holds for an arch with a given thickness in `(0, 2]`, as far as it is wanted, with numbers of
 /// `bits` bits. `state` proves the state of the arch, with its own friction if told so, or with unlimited
 /// friction.
-pub(super) fn assessment(
+pub(super) fn assessment<E: Arithmetic>(
     arch: &Arch,
     thickness: &ExactNumber,
     bits: u32,
     wanted: Wanted,
-    mut state: impl FnMut(bool) -> Result<Outcome, Undecided>,
-) -> Result<Assessment, Undecided> {
+    mut state: impl FnMut(bool) -> Result<Outcome<E>, Undecided>,
+) -> Result<Assessment<E>, Undecided> {
     if !is_thickness(thickness) {
         return Err(Undecided::new("the thickness is not between 0 and 2"));
     }
-    let eta: Ball = thickness.enclosure(bits);
-    let enough = |least: &Ball, question| decide(&(eta.clone() - least), question, &[]);
+    let eta: E = thickness.enclosure(bits);
+    let enough = |least: &E, question| decide(&(eta.clone() - least), question, &[]);
     let own = state(true);
     let (fall, least_thickness) = match own {
         Ok(Outcome::Falls(fall)) => (Some(fall), Ok(None)),
@@ -96,7 +111,7 @@ pub(super) fn assessment(
             thrust: [Ok(None), Ok(None)],
         });
     }
-    let mut query = Query::new(arch, bits);
+    let mut query: Query<E> = Query::new(arch, bits);
     query.given = query.given.with(Unknown::Thickness, eta.clone());
     // With unlimited friction the arch stands if a line of thrust lies inside it at all.
     let line_fits = match state(false) {
@@ -147,7 +162,9 @@ pub(super) fn assessment(
 }
 
 /// The range of an arch that stands: the two routes have to agree.
-fn not_empty(ends: [Result<Option<Limit>, Undecided>; 2]) -> [Result<Option<Limit>, Undecided>; 2] {
+fn not_empty<E: Arithmetic>(
+    ends: [Result<Option<Limit<E>>, Undecided>; 2],
+) -> [Result<Option<Limit<E>>, Undecided>; 2] {
     let [least, largest] = ends.each_ref().map(|end| end.as_ref().ok()?.as_ref()?.thrust.as_ref());
     let Some((least, largest)) = least.zip(largest) else { return ends };
     let question = "a range of thrusts that is not empty";

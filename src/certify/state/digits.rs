@@ -2,11 +2,11 @@
 
 use super::assess::Assessment;
 use super::enough::Enough;
-use super::figure::Figure;
+use super::figure::{Figure, Figured};
 use super::state::{Fall, Frictions, State};
 use super::thrust_range::Limit;
 use crate::certify::Undecided;
-use crate::number::Ball;
+use crate::certify::arithmetic::Arithmetic;
 use crate::problem::{Mode, Quantity};
 
 /// A proved state with its digits, or why nothing stands.
@@ -95,9 +95,9 @@ impl Digits {
     }
 
     /// Every value rounded to `digits` significant digits, if the enclosures decide all of them.
-    pub(super) fn new(state: &State, digits: usize) -> Option<Self> {
-        let rounded = |x: &Ball| Figure::new(x, digits);
-        let optional = |x: &Option<Ball>| match x {
+    pub(super) fn new<E: Arithmetic + Figured>(state: &State<E>, digits: usize) -> Option<Self> {
+        let rounded = |x: &E| x.figure(digits);
+        let optional = |x: &Option<E>| match x {
             Some(x) => rounded(x).map(Some),
             None => Some(None),
         };
@@ -177,11 +177,11 @@ impl AssessmentDigits {
     }
 
     /// Every value rounded to `digits` significant digits; one that the enclosures do not decide is open.
-    pub(super) fn new(assessment: Assessment, digits: usize) -> Self {
+    pub(super) fn new<E: Figured>(assessment: Assessment<E>, digits: usize) -> Self {
         let rounding = || Undecided::new("the rounding");
-        let round = |x: &Ball| Figure::new(x, digits).ok_or_else(rounding);
-        let rounded = |x: Result<Option<Ball>, Undecided>| x?.as_ref().map(round).transpose();
-        let limit = |limit: Limit| {
+        let round = |x: &E| x.figure(digits).ok_or_else(rounding);
+        let rounded = |x: Result<Option<E>, Undecided>| x?.as_ref().map(round).transpose();
+        let limit = |limit: Limit<E>| {
             Ok(LimitDigits {
                 thrust: limit.thrust.as_ref().map(round).transpose()?,
                 limited_by: limit.touch.name(),

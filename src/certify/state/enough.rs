@@ -1,13 +1,14 @@
 //! What would be enough for an arch that stands at no thickness.
 
 use super::assess::{Wanted, assessment};
-use super::figure::Figure;
+use super::figure::{Figure, Figured};
 use super::find;
 use super::mode::{Asked, outcome, pure_sliding};
-use super::query::Query;
+use super::query::{DOUBLE_DOUBLE, Query};
 use super::raise::{GUARD, raise, raised};
 use crate::certify::Undecided;
-use crate::number::{Ball, ExactNumber, bits_of};
+use crate::certify::arithmetic::Arithmetic;
+use crate::number::{Ball, DoubleDoubleBall, ExactNumber, bits_of};
 use crate::problem::Arch;
 use rug::Rational;
 
@@ -24,31 +25,64 @@ pub struct Enough {
     pub half_opening: Option<Figure>,
 }
 
-/// What would be enough: an arch stands at some thickness exactly if it stands at the physical limit.
-pub(super) fn enough(arch: &Arch, digits: usize) -> Enough {
-    let limit = ExactNumber::from(&Rational::from(2));
-    let figure = |value: Option<Ball>| match value {
-        Some(value) => Figure::new(&value, digits).map(Some),
-        None => Some(None),
-    };
-    let rounded = |proof: &dyn Fn(u32) -> Result<Option<Ball>, Undecided>| {
-        raised(arch, digits, |bits| Ok(figure(proof(bits)?))).ok().flatten()
-    };
-    let at_limit = |bits| find::at_thickness(arch, &limit, bits);
+/// What would be enough: an arch stands at some thickness exactly if it stands at the physical limit. `quickly` asks
+/// balls of double-doubles first.
+pub(super) fn enough(arch: &Arch, digits: usize, quickly: bool) -> Enough {
+    let limit = &ExactNumber::from(&Rational::from(2));
     let first = bits_of(digits) + GUARD;
-    let half_opening = raise(first.saturating_add(find::bits_lost(&at_limit(first))), |bits| {
-        let (_, at) = find::widest(&at_limit(bits), true)?;
-        Ok(figure(Some(at.half_opening.rad)))
+    let quick = |proof: &dyn Fn(u32) -> Option<Option<Figure>>| match quickly {
+        true => proof(DOUBLE_DOUBLE),
+        false => None,
+    };
+    let raised = |proof: &dyn Fn(u32) -> Result<Option<Option<Figure>>, Undecided>| {
+        raised(arch, digits, proof).ok()
+    };
+    let sliding_friction =
+        quick(&|bits| figure(Some(sliding::<DoubleDoubleBall>(arch, bits).ok()?), digits))
+            .or_else(|| raised(&|bits| Ok(figure(Some(sliding::<Ball>(arch, bits)?), digits))));
+    let friction =
+        quick(&|bits| figure(required::<DoubleDoubleBall>(arch, limit, bits).ok()?, digits))
+            .or_else(|| raised(&|bits| Ok(figure(required::<Ball>(arch, limit, bits)?, digits))));
+    let half_opening =
+        quick(&|bits| figure(Some(widest::<DoubleDoubleBall>(arch, limit, bits).ok()?), digits));
+    let half_opening = half_opening.or_else(|| {
+        let lost = find::bits_lost(&find::at_thickness(arch, limit, first));
+        let proof = |bits| Ok(figure(Some(widest::<Ball>(arch, limit, bits)?), digits));
+        raise(first.saturating_add(lost), proof).ok()
     });
-    let unlimited = arch.unlimited();
     Enough {
-        sliding_friction: rounded(&|bits| pure_sliding(&Query::new(arch, bits)).map(Some)),
-        friction: rounded(&|bits| {
-            let state = outcome(&Query::new(&unlimited, bits), Asked::Nothing);
-            let at_limit =
-                assessment(&unlimited, &limit, bits, Wanted::Everything, |_| state.clone())?;
-            at_limit.required_friction
-        }),
-        half_opening: half_opening.ok().flatten(),
+        sliding_friction: sliding_friction.flatten(),
+        friction: friction.flatten(),
+        half_opening: half_opening.flatten(),
     }
+}
+
+/// The figure of a value, if it is decided or there is no value.
+fn figure<E: Figured>(value: Option<E>, digits: usize) -> Option<Option<Figure>> {
+    match value {
+        Some(value) => value.figure(digits).map(Some),
+        None => Some(None),
+    }
+}
+
+/// The friction of the purely sliding state.
+fn sliding<E: Arithmetic>(arch: &Arch, bits: u32) -> Result<E, Undecided> {
+    pure_sliding(&Query::new(arch, bits))
+}
+
+/// The friction with which the half opening stands at the limit.
+fn required<E: Arithmetic>(
+    arch: &Arch,
+    limit: &ExactNumber,
+    bits: u32,
+) -> Result<Option<E>, Undecided> {
+    let unlimited = arch.unlimited();
+    let state = outcome::<E>(&Query::new(&unlimited, bits), Asked::Nothing);
+    assessment(&unlimited, limit, bits, Wanted::Everything, |_| state.clone())?.required_friction
+}
+
+/// The widest half opening that stands at the limit.
+fn widest<E: Arithmetic>(arch: &Arch, limit: &ExactNumber, bits: u32) -> Result<E, Undecided> {
+    let (_, at) = find::widest(&find::at_thickness(arch, limit, bits), true)?;
+    Ok(at.half_opening.rad)
 }

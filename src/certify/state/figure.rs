@@ -1,6 +1,6 @@
 //! A proved value with its digits.
 
-use crate::number::{Ball, Binary, Rounded};
+use crate::number::{Ball, Binary, DoubleDoubleBall, Rounded, rounded_double};
 use rug::Rational;
 use std::fmt;
 
@@ -12,7 +12,7 @@ pub struct Figure {
     pub decimal: Rounded,
     /// The correctly rounded double.
     pub double: f64,
-    /// What that double leaves open.
+    /// What that double leaves open; the quadruple is known from balls of MPFR alone.
     pub binary: Binary,
 }
 
@@ -26,6 +26,31 @@ impl Figure {
         };
         let double = x.nearest_double()?;
         Some(Self { decimal, double, binary: Binary::new(x, double) })
+    }
+}
+
+/// What has figures.
+pub(super) trait Figured {
+    /// The value to `digits` significant digits, at least one; `None` if the enclosure is too wide to decide them or
+    /// the double.
+    fn figure(&self, digits: usize) -> Option<Figure>;
+}
+
+impl Figured for Ball {
+    fn figure(&self, digits: usize) -> Option<Figure> {
+        Figure::new(self, digits)
+    }
+}
+
+impl Figured for DoubleDoubleBall {
+    fn figure(&self, digits: usize) -> Option<Figure> {
+        // Exactly zero, as a joint at the crown.
+        if self.mid().hi() == 0.0 {
+            return Figure::new(&self.to_ball(64), digits);
+        }
+        let decimal = rounded_double(self, digits)?;
+        let (double, binary) = Binary::of_double_double(self)?;
+        Some(Figure { decimal, double, binary })
     }
 }
 

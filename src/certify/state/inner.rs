@@ -8,24 +8,24 @@
 use super::query::Query;
 use crate::arch::{Configuration, Ring, Unknown, contact, thrust};
 use crate::certify::Undecided;
-use crate::certify::root::{Form, root_near};
-use crate::certify::undecided::decide;
-use crate::number::{Angle, Ball, Enclosure, Real, Stumpff};
+use crate::certify::arithmetic::Arithmetic;
+use crate::certify::decide::decide;
+use crate::certify::root::Form;
+use crate::number::{Angle, Enclosure, Field, Real, Stumpff};
 use crate::problem::{Equation, Mode, tally};
-use crate::solve::start;
-use rug::Float;
+use crate::solve::start::{self, Start};
 
 /// The state at the thrust and the sliding joint of `slid`, and its mode: parts 2 and 3 of the proof are left.
-pub(super) fn inner_state(
-    query: &Query,
-    slid: Configuration<Ball>,
-) -> Result<(Mode, Configuration<Ball>), Undecided> {
-    let (h, joint) = (slid.thrust.mid().clone(), slid.sliding_joint.rad.mid().clone());
-    let start = start::rotational_sliding(query.weight, query.alpha().to_f64(), h.to_f64());
-    let thickness = Float::with_val(query.bits, start.thickness);
+pub(super) fn inner_state<E: Arithmetic>(
+    query: &Query<E>,
+    slid: Configuration<E>,
+) -> Result<(Mode, Configuration<E>), Undecided> {
+    let (h, joint) = (slid.thrust.candidate(), slid.sliding_joint.rad.candidate());
+    let start = start::rotational_sliding(query.weight, query.alpha().to_double(), h.to_double());
+    let thickness = h.like(start.thickness);
     let at = match start.joint.filter(|_| !start.is_near_crown) {
         Some(beta) => {
-            let start = [Float::with_val(query.bits, beta), thickness, h, joint];
+            let start = [h.like(beta), thickness, h, joint];
             query.root(Mode::RotationalSliding.system(query.weight), &start)?
         }
         None => {
@@ -36,7 +36,7 @@ pub(super) fn inner_state(
             if decide(&slope, "whether the intrados is touched at the crown", &between)? {
                 return Ok((Mode::OverturningSliding, at));
             }
-            below_crown(query, slid, at.thickness.mid())?
+            below_crown(query, slid, at.thickness.candidate())?
         }
     };
     let above = at.rotation_joint.rad.clone() - &at.sliding_joint.rad;
@@ -46,23 +46,23 @@ pub(super) fn inner_state(
 }
 
 /// The root of (3) and (5) next to the crown, from the thickness there.
-fn below_crown(
-    query: &Query,
-    slid: Configuration<Ball>,
-    thickness: &Float,
-) -> Result<Configuration<Ball>, Undecided> {
+fn below_crown<E: Arithmetic>(
+    query: &Query<E>,
+    slid: Configuration<E>,
+    thickness: E::Candidate,
+) -> Result<Configuration<E>, Undecided> {
     let touching = Touching { query, slid: &slid };
     // From as good as zero one step of Newton's method leads next to the root.
-    let square = Float::with_val(query.bits, 1) >> query.bits;
-    let root = root_near(&touching, query.bits, vec![square, thickness.clone()])?;
+    let square = thickness.int(1).shifted(-i64::from(query.bits));
+    let root = E::root_near(&touching, query.bits, &[square, thickness])?;
     let at = slid.with(Unknown::RotationJoint, root[0].sqrt());
     Ok(at.with(Unknown::Thickness, root[1].clone()))
 }
 
 /// (3) and (5) for the square of the joint and the thickness, at a given thrust.
-struct Touching<'a> {
-    query: &'a Query,
-    slid: &'a Configuration<Ball>,
+struct Touching<'a, E> {
+    query: &'a Query<E>,
+    slid: &'a Configuration<E>,
 }
 
 /// A joint by its square, as (3) sees it: `rad sin` is `beta sin(beta)`; and `beta cot(beta)`.
@@ -72,8 +72,8 @@ fn by_square<T: Stumpff>(u: &T) -> (Angle<T>, T) {
     (joint, c[0].clone() / &c[1])
 }
 
-impl Form for Touching<'_> {
-    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
+impl<E> Form<E> for Touching<'_, E> {
+    fn at<T: Real + Stumpff>(&self, number: impl Fn(&E) -> T, x: &[T]) -> Vec<T> {
         [Equation::UpperThrust, Equation::Tangency].into_iter().for_each(tally::equation);
         let given = self.slid.map_ref(number);
         let ring = Ring::new(self.query.weight, &x[1]);
@@ -83,10 +83,11 @@ impl Form for Touching<'_> {
         [upper, tangency].map(|thrust| thrust.residual(&given.thrust)).into()
     }
 
-    fn is_regular(&self, x: &[Ball]) -> bool {
+    fn is_regular<T: Enclosure + Stumpff>(&self, number: impl Fn(&E) -> T, x: &[T]) -> bool {
         let ring = Ring::new(self.query.weight, &x[1]);
         let (joint, times_cotangent) = by_square(&x[0]);
-        let arm = thrust::upper(&self.slid.half_opening, &joint, &ring).denominator;
+        let given = self.slid.map_ref(number);
+        let arm = thrust::upper(&given.half_opening, &joint, &ring).denominator;
         times_cotangent.is_bounded() && [arm, ring.intrados()].iter().all(Enclosure::excludes_zero)
     }
 }

@@ -49,7 +49,7 @@ impl<'a> Inquiry<'a> {
         })?;
         Ok(match answer {
             Answer::Falls { fall, .. } if frictions => {
-                Answer::Falls { fall, enough: Some(Box::new(enough(self.arch, digits))) }
+                Answer::Falls { fall, enough: Some(Box::new(enough(self.arch, digits, false))) }
             }
             answer => answer,
         })

@@ -28,6 +28,7 @@
 //! | [`find`] | questions the other way round |
 //! | `raise` | raises the precision until everything is decided |
 //! | `inquiry` | several questions about one arch, which share its state |
+//! | `quick` | the same proofs in balls of double-doubles, where these are enough |
 
 mod assess;
 mod certify;
@@ -39,6 +40,7 @@ mod inner;
 mod inquiry;
 mod mode;
 mod query;
+mod quick;
 mod raise;
 mod rotation;
 mod small;
@@ -53,6 +55,7 @@ pub use enough::Enough;
 pub use figure::Figure;
 pub use inquiry::Inquiry;
 pub(crate) use query::bits_lost;
+pub(crate) use quick::{assessment_enclosed, sliding_enclosed, state_enclosed};
 pub(crate) use raise::raised;
 pub use state::{Fall, Frictions, Outcome, State};
 pub use thrust_range::{Limit, Touch};

@@ -6,15 +6,15 @@ use super::rotation::rotational_root;
 use super::small::Small;
 use super::state::{Fall, Frictions, Outcome, State};
 use crate::arch::{Configuration, PerWeight, SelfWeight, contact, overturning, sliding, thrust};
-use crate::certify::undecided::{decide, require, require_condition};
+use crate::certify::arithmetic::Arithmetic;
+use crate::certify::decide::{decide, require, require_condition};
 use crate::certify::{CertifiedLandmark, Undecided};
-use crate::number::{Angle, Ball, Enclosure, Ternary};
+use crate::number::{Angle, Ball, Ternary};
 use crate::problem::{
     Condition, Examined, Landmark, Mode, System, inner_friction, room_for_steepest,
     shoulder_friction, tally,
 };
-use crate::solve::start;
-use rug::Float;
+use crate::solve::start::{self, Start};
 use std::sync::OnceLock;
 
 /// What a question about a state asks beyond its thickness and its mode.
@@ -27,29 +27,29 @@ pub(super) enum Asked {
 }
 
 /// A purely rotational state.
-struct Rotation {
-    state: State,
+struct Rotation<E> {
+    state: State<E>,
     /// The frictions that the shoulder and an inner joint ask for, where friction matters.
-    frictions: Option<[Ball; 2]>,
+    frictions: Option<[E; 2]>,
 }
 
-impl Rotation {
+impl<E: Arithmetic> Rotation<E> {
     /// The friction from which collapse is purely rotational: the larger of the two.
-    fn friction(&self) -> Option<Ball> {
+    fn friction(&self) -> Option<E> {
         let [shoulder, inner] = self.frictions.as_ref()?;
         Some(match shoulder.is_less_than(inner) {
             Ternary::True => inner.clone(),
             Ternary::False => shoulder.clone(),
-            Ternary::Undecided => shoulder.hull(inner),
+            Ternary::Undecided => shoulder.hull_with(inner),
         })
     }
 }
 
 /// What is found where the friction is above the purely sliding one.
-enum Found {
+enum Found<E> {
     /// A state, and the friction from which collapse is purely rotational, if any is enough and it was
     /// asked for.
-    State(Box<State>, Option<Ball>),
+    State(Box<State<E>>, Option<E>),
     /// It would have to be thicker than twice the radius.
     Falls,
 }
@@ -59,7 +59,10 @@ enum Found {
 /// A state that is admissible and the thinnest is a proof by itself. Whether the friction is below
 /// the purely sliding one, and where the half opening is beside those of `l` and `L`, is proved where
 /// it is the answer, or where a candidate suggests that there is no state.
-pub(super) fn outcome(query: &Query, asked: Asked) -> Result<Outcome, Undecided> {
+pub(super) fn outcome<E: Arithmetic>(
+    query: &Query<E>,
+    asked: Asked,
+) -> Result<Outcome<E>, Undecided> {
     tally::working_bits(query.bits);
     let mut least_friction = None;
     if asked == Asked::Frictions || seems_to_slide(query) {
@@ -89,15 +92,15 @@ pub(super) fn outcome(query: &Query, asked: Asked) -> Result<Outcome, Undecided>
 }
 
 /// Whether the friction seems to be below the purely sliding one: a candidate.
-fn seems_to_slide(query: &Query) -> bool {
+fn seems_to_slide<E: Arithmetic>(query: &Query<E>) -> bool {
     query.friction().is_some_and(|friction| {
-        let [least, ..] = start::sliding(&Float::with_val(64, query.alpha()));
-        *friction.mid() < least * 1.001f64
+        let [least, ..] = start::sliding(&query.alpha().rough());
+        friction.candidate() / (least.like(1.001) * least) < 1.0
     })
 }
 
 /// The friction of the purely sliding state.
-pub(super) fn pure_sliding(query: &Query) -> Result<Ball, Undecided> {
+pub(super) fn pure_sliding<E: Arithmetic>(query: &Query<E>) -> Result<E, Undecided> {
     if let Some(small) = Small::of(query) {
         return Ok(small.pure_sliding()?.friction());
     }
@@ -108,7 +111,10 @@ pub(super) fn pure_sliding(query: &Query) -> Result<Ball, Undecided> {
     Ok(slides.friction)
 }
 
-fn falls_by_sliding(query: &Query, least_friction: &Ball) -> Result<bool, Undecided> {
+fn falls_by_sliding<E: Arithmetic>(
+    query: &Query<E>,
+    least_friction: &E,
+) -> Result<bool, Undecided> {
     let Some(friction) = query.friction() else { return Ok(false) };
     let margin = friction.clone() - least_friction;
     Ok(!decide(&margin, "whether the friction is enough to stand", &[Mode::Sliding])?)
@@ -116,7 +122,10 @@ fn falls_by_sliding(query: &Query, least_friction: &Ball) -> Result<bool, Undeci
 
 /// The state, if the friction is above the purely sliding one; below it the answer is not to be used
 /// unless it is a state.
-fn state_above_sliding(query: &Query, asked: Asked) -> Result<Found, Undecided> {
+fn state_above_sliding<E: Arithmetic>(
+    query: &Query<E>,
+    asked: Asked,
+) -> Result<Found<E>, Undecided> {
     let rotation = match rotation_if_any(query, asked) {
         Err(undecided) if query.is_limited => return beside_the_end(query, asked, undecided),
         rotation => rotation?,
@@ -131,7 +140,7 @@ fn state_above_sliding(query: &Query, asked: Asked) -> Result<Found, Undecided> 
     let (Some(friction), Some([shoulder, inner])) = (query.friction(), &rotation.frictions) else {
         return Ok(Found::State(Box::new(rotation.state), critical));
     };
-    let margin = |critical: &Ball, mode| {
+    let margin = |critical: &E, mode| {
         decide(
             &(friction.clone() - critical),
             "whether the friction is enough for pure rotation",
@@ -152,7 +161,11 @@ fn state_above_sliding(query: &Query, asked: Asked) -> Result<Found, Undecided> 
 /// The state where these bits prove no rotation and cannot exclude one either, as next to the end of
 /// rotation. A sliding state that is proved is the answer all the same; what stays open is then only
 /// which friction, if any, would be enough for rotation.
-fn beside_the_end(query: &Query, asked: Asked, undecided: Undecided) -> Result<Found, Undecided> {
+fn beside_the_end<E: Arithmetic>(
+    query: &Query<E>,
+    asked: Asked,
+    undecided: Undecided,
+) -> Result<Found<E>, Undecided> {
     match inner_sliding(query, None) {
         Ok(Found::State(state, _)) if asked == Asked::Frictions => {
             Err(undecided.between(&[state.mode]))
@@ -163,13 +176,16 @@ fn beside_the_end(query: &Query, asked: Asked, undecided: Undecided) -> Result<F
 }
 
 /// The purely rotational state, unless the half opening is beyond the end of rotation.
-fn rotation_if_any(query: &Query, asked: Asked) -> Result<Option<Rotation>, Undecided> {
+fn rotation_if_any<E: Arithmetic>(
+    query: &Query<E>,
+    asked: Asked,
+) -> Result<Option<Rotation<E>>, Undecided> {
     if start::seems_to_rotate(query.weight, &query.alpha())
         && let Ok(rotation) = rotation(query, asked)
     {
         return Ok(Some(rotation));
     }
-    let end = limit(Landmark::RotationEnd, query.weight, query.bits);
+    let end = limit::<E>(Landmark::RotationEnd, query.weight, query.bits);
     let rotates = decide(
         &(end - &query.given.half_opening.rad),
         "whether the half opening is below that of the end of rotation",
@@ -179,7 +195,7 @@ fn rotation_if_any(query: &Query, asked: Asked) -> Result<Option<Rotation>, Unde
 }
 
 /// The purely rotational state, proved for unlimited friction.
-fn rotation(query: &Query, asked: Asked) -> Result<Rotation, Undecided> {
+fn rotation<E: Arithmetic>(query: &Query<E>, asked: Asked) -> Result<Rotation<E>, Undecided> {
     let friction_matters = asked == Asked::Frictions || query.is_limited;
     if let Some(small) = Small::of(query) {
         let root = small.rotation()?;
@@ -197,14 +213,17 @@ fn rotation(query: &Query, asked: Asked) -> Result<Rotation, Undecided> {
     Ok(Rotation { state: State::new(Mode::Rotational, at), frictions })
 }
 
-fn shoulder_sliding(query: &Query, rotational: Option<Ball>) -> Result<Found, Undecided> {
+fn shoulder_sliding<E: Arithmetic>(
+    query: &Query<E>,
+    rotational: Option<E>,
+) -> Result<Found<E>, Undecided> {
     if let Some(small) = Small::of(query) {
         let state = small.shoulder_sliding()?.into_state(Mode::SlidingRotational);
         return Ok(Found::State(Box::new(state), rotational));
     }
     let bound = sliding::shoulder_thrust(&query.given.half_opening, &query.given.friction).value();
     let thrust = if bound.is_bounded() {
-        Float::with_val(query.bits, bound.mid())
+        bound.candidate()
     } else {
         // Near the purely sliding friction the two thrusts are close, and either is a good start.
         let [_, thrust, _] = start::sliding(&query.alpha());
@@ -216,8 +235,8 @@ fn shoulder_sliding(query: &Query, rotational: Option<Ball>) -> Result<Found, Un
 }
 
 /// The purely overturning state, where there is one.
-fn overturning(query: &Query) -> Result<Found, Undecided> {
-    let end = limit(Landmark::OverturningEnd, query.weight, query.bits);
+fn overturning<E: Arithmetic>(query: &Query<E>) -> Result<Found<E>, Undecided> {
+    let end = limit::<E>(Landmark::OverturningEnd, query.weight, query.bits);
     if !decide(
         &(end - &query.given.half_opening.rad),
         "whether the half opening is below that of the end of overturning",
@@ -229,9 +248,11 @@ fn overturning(query: &Query) -> Result<Found, Undecided> {
     proved(query, Mode::Overturning, at, None)
 }
 
-fn inner_sliding(query: &Query, rotational: Option<Ball>) -> Result<Found, Undecided> {
-    let friction = Float::with_val(query.bits, query.given.friction.mid());
-    let [h, joint] = start::inner_sliding(&friction);
+fn inner_sliding<E: Arithmetic>(
+    query: &Query<E>,
+    rotational: Option<E>,
+) -> Result<Found<E>, Undecided> {
+    let [h, joint] = start::inner_sliding(&query.given.friction.candidate());
     let slid = query.root(System::inner_sliding(query.weight), &[h, joint])?;
     let margin = contact::margin_at_physical_limit(query.weight, &slid);
     if !decide(
@@ -245,29 +266,29 @@ fn inner_sliding(query: &Query, rotational: Option<Ball>) -> Result<Found, Undec
     proved(query, mode, at, rotational)
 }
 
-fn overturning_start(query: &Query) -> Float {
-    let alpha = query.alpha().to_f64();
-    let a = thrust::opening_variable(&Angle::new(alpha)).value();
+fn overturning_start<E: Arithmetic>(query: &Query<E>) -> E::Candidate {
+    let alpha = query.alpha();
+    let a = thrust::opening_variable(&Angle::new(alpha.to_double())).value();
     let eta = overturning::thickness(query.weight, &a);
-    Float::with_val(query.bits, if eta.is_finite() { eta } else { 1.9 })
+    alpha.like(if eta.is_finite() { eta } else { 1.9 })
 }
 
 /// The state, with parts 2 and 3 of its proof.
-fn proved(
-    query: &Query,
+fn proved<E: Arithmetic>(
+    query: &Query<E>,
     mode: Mode,
-    at: Configuration<Ball>,
-    rotational: Option<Ball>,
-) -> Result<Found, Undecided> {
+    at: Configuration<E>,
+    rotational: Option<E>,
+) -> Result<Found<E>, Undecided> {
     prove(query, mode, &at, query.is_limited)?;
     Ok(Found::State(Box::new(State::new(mode, at)), rotational))
 }
 
 /// Parts 2 and 3 of the proof: the state is admissible, and none thinner is.
-pub(super) fn prove(
-    query: &Query,
+pub(super) fn prove<E: Arithmetic>(
+    query: &Query<E>,
     mode: Mode,
-    at: &Configuration<Ball>,
+    at: &Configuration<E>,
     is_limited: bool,
 ) -> Result<(), Undecided> {
     let state = Examined::new(query.weight, mode, at);
@@ -276,8 +297,8 @@ pub(super) fn prove(
         .try_for_each(|condition| require_condition(condition, &state.margin(condition), mode))
 }
 
-/// The half opening of `l` or of `L`, to at least `bits` bits.
-fn limit(landmark: Landmark, weight: SelfWeight, bits: u32) -> Ball {
+/// The half opening of `l` or of `L`, to at least `bits` bits where the numbers can have so many.
+fn limit<E: Arithmetic>(landmark: Landmark, weight: SelfWeight, bits: u32) -> E {
     /// The bits of what is kept: the first are enough but for what is next to the limit.
     const KEPT: [u32; 2] = [256, 1024];
     type Kept = PerWeight<OnceLock<Ball>>;
@@ -295,7 +316,7 @@ fn limit(landmark: Landmark, weight: SelfWeight, bits: u32) -> Ball {
     };
     let kept = if landmark == Landmark::RotationEnd { &ROTATION } else { &OVERTURNING };
     match KEPT.iter().zip(kept).find(|(kept, _)| bits <= **kept) {
-        Some((most, kept)) => kept.get(weight).get_or_init(|| at(*most)).with_precision(bits),
-        None => at(bits),
+        Some((most, kept)) => E::from_ball(kept.get(weight).get_or_init(|| at(*most)), bits),
+        None => E::from_ball(&at(bits), bits),
     }
 }

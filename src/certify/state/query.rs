@@ -2,60 +2,53 @@
 
 use crate::arch::{Configuration, SelfWeight};
 use crate::certify::Undecided;
+use crate::certify::arithmetic::Arithmetic;
 use crate::certify::posed::Posed;
-use crate::certify::root::root_near;
-use crate::number::{Ball, stumpff_terms};
+use crate::number::Ball;
 use crate::problem::{Arch, Friction, System};
-use rug::Float;
+
+/// The bits of a double-double.
+pub(super) const DOUBLE_DOUBLE: u32 = 106;
+/// The bits of a double.
+pub(super) const DOUBLE: u32 = 53;
 
 /// An arch in numbers of some bits.
 #[derive(Clone)]
-pub(super) struct Query {
+pub(super) struct Query<E = Ball> {
     pub weight: SelfWeight,
     pub bits: u32,
     /// What is given: the half opening and, if finite, the friction.
-    pub given: Configuration<Ball>,
+    pub given: Configuration<E>,
     pub is_limited: bool,
 }
 
-impl Query {
-    /// The arch in numbers of `bits` bits.
+impl<E: Arithmetic> Query<E> {
+    /// The arch in numbers of `bits` bits, where they can have so many.
     pub(super) fn new(arch: &Arch, bits: u32) -> Self {
         let is_limited = arch.is_limited();
         Self { weight: arch.weight(), bits, given: arch.given(bits), is_limited }
     }
 
     /// The friction, where it is limited.
-    pub(super) fn friction(&self) -> Option<&Ball> {
+    pub(super) fn friction(&self) -> Option<&E> {
         self.is_limited.then_some(&self.given.friction)
     }
 
     /// The half opening as a candidate.
-    pub(super) fn alpha(&self) -> Float {
-        Float::with_val(self.bits, self.given.half_opening.rad.mid())
+    pub(super) fn alpha(&self) -> E::Candidate {
+        self.given.half_opening.rad.candidate()
     }
 
     /// The root of a system next to a start value, proved to exist and to be unique in a box.
     pub(super) fn root(
         &self,
         system: System,
-        start: &[Float],
-    ) -> Result<Configuration<Ball>, Undecided> {
+        start: &[E::Candidate],
+    ) -> Result<Configuration<E>, Undecided> {
         let posed = Posed { system: &system, given: &self.given };
-        let root = root_near(&posed, self.bits, start.to_vec())?;
+        let root = E::root_near(&posed, self.bits, start)?;
         Ok(system.place(self.given.clone(), &root))
     }
-}
-
-/// More terms than this, and sines and cosines with a few more bits are cheaper.
-const MANY_TERMS: i32 = 24;
-/// `alpha²` is below two to this power: then the series of the start values hold.
-const SMALL: i64 = -4;
-
-/// Whether an angle is so small, at a precision of `bits` bits, that equations are used in variables in
-/// which nothing cancels; `2^exponent` bounds its square.
-pub(super) fn is_small(exponent: i64, bits: u32) -> bool {
-    exponent <= SMALL && stumpff_terms(bits, exponent) <= MANY_TERMS
 }
 
 /// Bits that the printed equations lose by cancellation: the thickness falls like the fourth power of a
@@ -73,7 +66,7 @@ pub(crate) fn bits_lost(arch: &Arch) -> u32 {
 /// bits.
 pub(super) fn bits_lost_unless_small(arch: &Arch, bits: u32) -> u32 {
     let opening: Ball = arch.half_opening().enclosure(64);
-    let is_small = opening.mid().get_exp().is_some_and(|e| is_small(2 * i64::from(e), bits));
+    let is_small = opening.mid().get_exp().is_some_and(|e| Ball::is_small(2 * i64::from(e), bits));
     if is_small { 0 } else { bits_lost(arch) }
 }
 

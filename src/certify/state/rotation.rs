@@ -4,13 +4,14 @@
 //! an unknown of its own the thrust would need twice the digits, and in the joint the equations have a
 //! double root: there the square of the joint is the unknown, in which they are smooth.
 
-use super::query::{Query, is_small};
+use super::query::Query;
 use crate::arch::{Configuration, Ring, SelfWeight, Unknown, thrust};
 use crate::certify::Undecided;
-use crate::certify::root::{Form, root_near};
-use crate::number::{Angle, Ball, Enclosure, Field, Real, Stumpff};
+use crate::certify::arithmetic::Arithmetic;
+use crate::certify::root::Form;
+use crate::number::{Angle, Enclosure, Field, Real, Stumpff};
 use crate::problem::{Equation, tally};
-use rug::Float;
+use crate::solve::start::Start;
 
 /// What the equations know of the rotational joint.
 struct Haunch<T> {
@@ -62,16 +63,16 @@ impl Joint {
 }
 
 /// The root of (2), (4) and (5) next to `beta_r`, `eta`, proved to exist and to be unique in a box.
-pub(super) fn rotational_root(
-    query: &Query,
-    [beta, eta]: [Float; 2],
-) -> Result<Configuration<Ball>, Undecided> {
-    let exponent = beta.get_exp().map_or(0, |exponent| 2 * i64::from(exponent));
-    let (joint, start) = match is_small(exponent, query.bits) {
-        true => (Joint::Square, vec![beta.square(), eta]),
-        false => (Joint::Angle, vec![beta, eta]),
+pub(super) fn rotational_root<E: Arithmetic>(
+    query: &Query<E>,
+    [beta, eta]: [E::Candidate; 2],
+) -> Result<Configuration<E>, Undecided> {
+    let exponent = beta.exponent_of_size().map_or(0, |exponent| 2 * exponent);
+    let (joint, start) = match E::is_small(exponent, query.bits) {
+        true => (Joint::Square, [beta.square(), eta]),
+        false => (Joint::Angle, [beta, eta]),
     };
-    let root = root_near(&Rotation { query, joint }, query.bits, start)?;
+    let root = E::root_near(&Rotation { query, joint }, query.bits, &start)?;
     let thrust = thrust_at(query.weight, &joint.haunch(root[0].clone()), &root[1]);
     let beta = match joint {
         Joint::Angle => root[0].clone(),
@@ -86,13 +87,13 @@ fn thrust_at<T: Field>(weight: SelfWeight, haunch: &Haunch<T>, eta: &T) -> T {
 }
 
 /// (4) and (5) for the joint or its square, and the thickness.
-struct Rotation<'a> {
-    query: &'a Query,
+struct Rotation<'a, E> {
+    query: &'a Query<E>,
     joint: Joint,
 }
 
-impl Form for Rotation<'_> {
-    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
+impl<E> Form<E> for Rotation<'_, E> {
+    fn at<T: Real + Stumpff>(&self, number: impl Fn(&E) -> T, x: &[T]) -> Vec<T> {
         let weight = self.query.weight;
         let [joint, eta] = [0, 1].map(|index| x[index].clone());
         let haunch = self.joint.haunch(joint);
@@ -108,7 +109,7 @@ impl Form for Rotation<'_> {
     }
 
     /// Then (2) follows: with the thrust that (2) and (5) have in common, it is a multiple of (5).
-    fn is_regular(&self, x: &[Ball]) -> bool {
+    fn is_regular<T: Enclosure + Stumpff>(&self, _number: impl Fn(&E) -> T, x: &[T]) -> bool {
         let ring = Ring::new(self.query.weight, &x[1]);
         let haunch = self.joint.haunch(x[0].clone());
         let lever = ring.extrados() - ring.intrados() * (x[1].int(1) - &haunch.versine);

@@ -3,43 +3,43 @@
 //! Three modes are met there: pure rotation, sliding of the shoulder, and pure sliding. The equations and
 //! margins are those of [`arch::small`], the printed ones divided by a power of the half opening.
 
-use super::query::{Query, is_small};
+use super::query::Query;
 use super::state::State;
 use crate::arch::small::{self, Scaled};
 use crate::arch::{SelfWeight, Unknown};
 use crate::certify::Undecided;
-use crate::certify::root::{Form, root_near};
-use crate::certify::undecided::{require, require_condition};
-use crate::number::{Ball, Enclosure, Field, Real, Stumpff};
+use crate::certify::arithmetic::Arithmetic;
+use crate::certify::decide::{require, require_condition};
+use crate::certify::root::Form;
+use crate::number::{Enclosure, Real, Stumpff};
 use crate::problem::{
     Condition, ExaminedSmall, Mode, scaled_inner_friction, scaled_room_for_steepest,
     scaled_shoulder_friction,
 };
-use crate::solve::start;
-use rug::Float;
+use crate::solve::start::{self, Start};
 
 /// An arch of a small half opening at one precision.
-pub(super) struct Small {
+pub(super) struct Small<E> {
     weight: SelfWeight,
     bits: u32,
-    alpha: Ball,
+    alpha: E,
     /// The half opening and, if finite, the friction.
-    given: Scaled<Ball>,
+    given: Scaled<E>,
     is_limited: bool,
 }
 
 /// The root of a mode's equations in scaled variables.
-pub(super) struct SmallRoot {
-    pub at: Scaled<Ball>,
-    alpha: Ball,
+pub(super) struct SmallRoot<E> {
+    pub at: Scaled<E>,
+    alpha: E,
 }
 
-impl Small {
+impl<E: Arithmetic> Small<E> {
     /// The arch in scaled variables, if its half opening is small.
-    pub(super) fn of(query: &Query) -> Option<Self> {
+    pub(super) fn of(query: &Query<E>) -> Option<Self> {
         let alpha = &query.given.half_opening.rad;
-        let exponent = 2 * i64::from(alpha.mid().get_exp()?);
-        if !is_small(exponent, query.bits) {
+        let exponent = 2 * alpha.candidate().exponent_of_size()?;
+        if !E::is_small(exponent, query.bits) {
             return None;
         }
         let y = alpha.square();
@@ -53,19 +53,19 @@ impl Small {
     }
 
     /// The purely rotational state, proved for unlimited friction.
-    pub(super) fn rotation(&self) -> Result<SmallRoot, Undecided> {
+    pub(super) fn rotation(&self) -> Result<SmallRoot<E>, Undecided> {
         let start = start::scaled_rotational(self.weight, &self.candidate().opening.square);
         self.state(Mode::Rotational, start, false)
     }
 
     /// The state in which the shoulder slides.
-    pub(super) fn shoulder_sliding(&self) -> Result<SmallRoot, Undecided> {
+    pub(super) fn shoulder_sliding(&self) -> Result<SmallRoot<E>, Undecided> {
         let start = start::scaled_shoulder_sliding(self.weight, &self.candidate());
         self.state(Mode::SlidingRotational, start, self.is_limited)
     }
 
     /// The purely sliding state.
-    pub(super) fn pure_sliding(&self) -> Result<SmallRoot, Undecided> {
+    pub(super) fn pure_sliding(&self) -> Result<SmallRoot<E>, Undecided> {
         let start = start::scaled_sliding(&self.candidate().opening.square);
         let slides = self.root(Mode::Sliding, start)?;
         require(&slides.at.friction, "a positive purely sliding friction")?;
@@ -74,16 +74,16 @@ impl Small {
         Ok(slides)
     }
 
-    fn candidate(&self) -> Scaled<Float> {
-        self.given.clone().map(|x| Float::with_val(self.bits, x.mid()))
+    fn candidate(&self) -> Scaled<E::Candidate> {
+        self.given.clone().map(|x| x.candidate())
     }
 
     fn state(
         &self,
         mode: Mode,
-        start: [Float; 3],
+        start: [E::Candidate; 3],
         is_limited: bool,
-    ) -> Result<SmallRoot, Undecided> {
+    ) -> Result<SmallRoot<E>, Undecided> {
         let root = self.root(mode, start)?;
         let no_form = || Undecided::new("the mode has no form for small half openings");
         let state = ExaminedSmall::new(self.weight, mode, &root.at).ok_or_else(no_form)?;
@@ -95,29 +95,29 @@ impl Small {
         Ok(root)
     }
 
-    fn root(&self, mode: Mode, start: [Float; 3]) -> Result<SmallRoot, Undecided> {
+    fn root(&self, mode: Mode, start: [E::Candidate; 3]) -> Result<SmallRoot<E>, Undecided> {
         let equations = ScaledEquations { small: self, mode };
-        let root = root_near(&equations, self.bits, start.to_vec())?;
+        let root = E::root_near(&equations, self.bits, &start)?;
         let at = equations.place(self.given.clone(), root);
         Ok(SmallRoot { at, alpha: self.alpha.clone() })
     }
 }
 
 /// The equations of a mode in scaled variables.
-struct ScaledEquations<'a> {
-    small: &'a Small,
+struct ScaledEquations<'a, E> {
+    small: &'a Small<E>,
     mode: Mode,
 }
 
-impl ScaledEquations<'_> {
+impl<E> ScaledEquations<'_, E> {
     fn place<T: Stumpff>(&self, given: Scaled<T>, x: Vec<T>) -> Scaled<T> {
         let unknowns = self.mode.system(self.small.weight).unknowns;
         unknowns.iter().zip(x).fold(given, |at, (&unknown, x)| at.with(unknown, x))
     }
 }
 
-impl Form for ScaledEquations<'_> {
-    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
+impl<E: Clone> Form<E> for ScaledEquations<'_, E> {
+    fn at<T: Real + Stumpff>(&self, number: impl Fn(&E) -> T, x: &[T]) -> Vec<T> {
         let system = self.mode.system(self.small.weight);
         let at = self.place(self.small.given.clone().map(|x| number(&x)), x.to_vec());
         // An equation without a scaled form would leave none, and nothing would be proved.
@@ -126,21 +126,21 @@ impl Form for ScaledEquations<'_> {
 
     /// (2), (4) and (5) have no denominator that can vanish for half openings below a right angle and
     /// thicknesses below 2; those of (17) and (18) are looked at.
-    fn is_regular(&self, x: &[Ball]) -> bool {
-        let at = self.place(self.small.given.clone(), x.to_vec());
+    fn is_regular<T: Enclosure + Stumpff>(&self, number: impl Fn(&E) -> T, x: &[T]) -> bool {
+        let at = self.place(self.small.given.clone().map(|x| number(&x)), x.to_vec());
         let inner = || small::inner(&at).denominator.excludes_zero();
         small::shoulder(&at).denominator.excludes_zero() && (self.mode != Mode::Sliding || inner())
     }
 }
 
-impl SmallRoot {
+impl<E: Arithmetic> SmallRoot<E> {
     /// `mu`.
-    pub(super) fn friction(&self) -> Ball {
+    pub(super) fn friction(&self) -> E {
         self.unscaled(&self.at.friction)
     }
 
     /// The frictions that the shoulder and an inner joint ask for.
-    pub(super) fn frictions(&self) -> Result<[Ball; 2], Undecided> {
+    pub(super) fn frictions(&self) -> Result<[E; 2], Undecided> {
         let room = scaled_room_for_steepest(&self.at);
         require(&room, Condition::SteepestAboveShoulder.label())?;
         let frictions = [scaled_shoulder_friction(&self.at), scaled_inner_friction(&self.at)];
@@ -148,22 +148,18 @@ impl SmallRoot {
     }
 
     /// The state, without the frictions at which its mode changes.
-    pub(super) fn into_state(self, mode: Mode) -> State {
-        let joint = self.at.rotation.square.sqrt() * &self.alpha;
-        // As many bits as the difference from one has: they cost nothing, and show that it is not one.
-        let rest = small::rest(&self.at);
-        let gap = rest.mid().get_exp().map_or(0, |exponent| exponent.min(0).unsigned_abs());
+    pub(super) fn into_state(self, mode: Mode) -> State<E> {
         State {
             mode,
             thickness: small::thickness(&self.at),
-            thrust: Ball::integer(1, joint.prec() + gap) - rest,
-            rotation_joint: joint,
+            thrust: small::rest(&self.at).rest_to_one(),
+            rotation_joint: self.at.rotation.square.sqrt() * &self.alpha,
             sliding_joint: None,
             frictions: None,
         }
     }
 
-    fn unscaled(&self, m: &Ball) -> Ball {
+    fn unscaled(&self, m: &E) -> E {
         m.clone() * &self.at.opening.square * &self.alpha
     }
 }
@@ -171,7 +167,7 @@ impl SmallRoot {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::Magnitude;
+    use crate::number::{Ball, Field, Magnitude};
     use crate::problem::{Arch, Examined};
 
     /// The power of the half opening by which a condition was divided.
@@ -196,7 +192,7 @@ mod tests {
                 [("1", Mode::Rotational), ("12/100000000", Mode::SlidingRotational)]
             {
                 let arch = Arch::parse(weight.name(), "1/100", friction).unwrap();
-                let query = Query::new(&arch, 256);
+                let query: Query = Query::new(&arch, 256);
                 let small = Small::of(&query).unwrap();
                 let root = match mode {
                     Mode::Rotational => small.rotation().unwrap(),

@@ -6,11 +6,21 @@ use crate::problem::Mode;
 
 /// What is certain of an arch.
 #[derive(Clone, Debug)]
-pub enum Outcome {
+pub enum Outcome<T = Ball> {
     /// It stands from a least thickness on.
-    Stands(Box<State>),
+    Stands(Box<State<T>>),
     /// It does not stand at any thickness up to the physical limit 2.
     Falls(Fall),
+}
+
+impl<T> Outcome<T> {
+    /// The same in other numbers.
+    pub(super) fn map<U>(self, f: impl Fn(T) -> U) -> Outcome<U> {
+        match self {
+            Self::Stands(state) => Outcome::Stands(Box::new(state.map(f))),
+            Self::Falls(fall) => Outcome::Falls(fall),
+        }
+    }
 }
 
 /// Why no thickness is enough.
@@ -35,19 +45,19 @@ impl Fall {
 /// The state at the least thickness: enclosures, all proved.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
-pub struct State {
+pub struct State<T = Ball> {
     /// How it collapses.
     pub mode: Mode,
     /// `eta`.
-    pub thickness: Ball,
+    pub thickness: T,
     /// `h`.
-    pub thrust: Ball,
+    pub thrust: T,
     /// `beta_r`, rad; exactly zero at the crown.
-    pub rotation_joint: Ball,
+    pub rotation_joint: T,
     /// `beta_s`, rad, if an inner joint slides.
-    pub sliding_joint: Option<Ball>,
+    pub sliding_joint: Option<T>,
     /// The frictions at which the mode changes, if they are asked for.
-    pub frictions: Option<Frictions<Ball>>,
+    pub frictions: Option<Frictions<T>>,
 }
 
 /// The frictions between which a half opening has states that slide.
@@ -59,9 +69,9 @@ pub struct Frictions<T> {
     pub rotational: Option<T>,
 }
 
-impl State {
+impl<T> State<T> {
     /// A state without the frictions at which its mode changes.
-    pub(super) fn new(mode: Mode, at: Configuration<Ball>) -> Self {
+    pub(super) fn new(mode: Mode, at: Configuration<T>) -> Self {
         Self {
             mode,
             thickness: at.thickness,
@@ -72,8 +82,22 @@ impl State {
         }
     }
 
+    fn map<U>(self, f: impl Fn(T) -> U) -> State<U> {
+        State {
+            mode: self.mode,
+            thickness: f(self.thickness),
+            thrust: f(self.thrust),
+            rotation_joint: f(self.rotation_joint),
+            sliding_joint: self.sliding_joint.map(&f),
+            frictions: self.frictions.map(|Frictions { sliding, rotational }| Frictions {
+                sliding: f(sliding),
+                rotational: rotational.map(&f),
+            }),
+        }
+    }
+
     /// The value of a variable that is solved for, where the state has it.
-    pub fn value(&self, unknown: Unknown) -> Option<&Ball> {
+    pub fn value(&self, unknown: Unknown) -> Option<&T> {
         match unknown {
             Unknown::RotationJoint => Some(&self.rotation_joint),
             Unknown::SlidingJoint => self.sliding_joint.as_ref(),

@@ -18,28 +18,46 @@
 use super::query::Query;
 use crate::arch::{Ring, Unknown, contact, sliding, thrust};
 use crate::certify::Undecided;
-use crate::certify::undecided::{decide, require};
-use crate::number::{Angle, Ball, Enclosure, Field, Real, Ternary};
+use crate::certify::arithmetic::Arithmetic;
+use crate::certify::decide::{decide, require};
+use crate::number::{Angle, Ball, Ternary};
 use crate::problem::{Condition, Mode, System, inner_friction, room_for_steepest};
-use crate::solve::start;
-use rug::Float;
+use crate::solve::start::{self, Start};
 
 /// An end of the range of admissible thrusts.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
-pub struct Limit {
+pub struct Limit<T = Ball> {
     /// The thrust; `None` if there is no bound.
-    pub thrust: Option<Ball>,
+    pub thrust: Option<T>,
     /// What limits it.
-    pub touch: Touch,
+    pub touch: Touch<T>,
+}
+
+impl<T> Limit<T> {
+    /// The same in other numbers.
+    pub(super) fn map<U>(self, f: impl Fn(T) -> U) -> Limit<U> {
+        let thrust = self.thrust.map(&f);
+        let touch = match self.touch {
+            Touch::Haunch(joint) => Touch::Haunch(f(joint)),
+            Touch::InnerSliding(joint) => Touch::InnerSliding(f(joint)),
+            Touch::Crown => Touch::Crown,
+            Touch::Shoulder => Touch::Shoulder,
+            Touch::AtShoulder => Touch::AtShoulder,
+            Touch::ShoulderSliding => Touch::ShoulderSliding,
+            Touch::ShoulderSlidingInwards => Touch::ShoulderSlidingInwards,
+            Touch::Nothing => Touch::Nothing,
+        };
+        Limit { thrust, touch }
+    }
 }
 
 /// What limits a thrust.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
-pub enum Touch {
+pub enum Touch<T = Ball> {
     /// The line of thrust touches the intrados at this joint.
-    Haunch(Ball),
+    Haunch(T),
     /// The line of thrust is on the intrados of the crown.
     Crown,
     /// The line of thrust is on the intrados of the shoulder.
@@ -47,7 +65,7 @@ pub enum Touch {
     /// It touches the intrados at the shoulder, or so near to it that the two cannot be told apart.
     AtShoulder,
     /// This inner joint slides.
-    InnerSliding(Ball),
+    InnerSliding(T),
     /// The shoulder slides outwards.
     ShoulderSliding,
     /// The shoulder slides inwards: in a shallow arch the steepest joint would lie beyond it.
@@ -56,7 +74,7 @@ pub enum Touch {
     Nothing,
 }
 
-impl Touch {
+impl<T> Touch<T> {
     /// The words used in files.
     pub fn name(&self) -> &'static str {
         match self {
@@ -72,7 +90,7 @@ impl Touch {
     }
 
     /// The joint, where it is not at an end of the half arch.
-    pub fn joint(&self) -> Option<&Ball> {
+    pub fn joint(&self) -> Option<&T> {
         match self {
             Self::Haunch(joint) | Self::InnerSliding(joint) => Some(joint),
             _ => None,
@@ -81,7 +99,7 @@ impl Touch {
 }
 
 /// The thrust below which the line of thrust leaves the arch.
-pub(super) fn least_thrust(query: &Query) -> Result<Limit, Undecided> {
+pub(super) fn least_thrust<E: Arithmetic>(query: &Query<E>) -> Result<Limit<E>, Undecided> {
     let given = &query.given;
     let ring = Ring::new(query.weight, &given.thickness);
     // Without thrust: (5) at the crown.
@@ -91,7 +109,7 @@ pub(super) fn least_thrust(query: &Query) -> Result<Limit, Undecided> {
         return Ok(Limit { thrust: Some(given.thrust.int(0)), touch: Touch::Nothing });
     }
     let system = System::touching(query.weight, true);
-    let eta = Float::with_val(query.bits, given.thickness.mid());
+    let eta = given.thickness.candidate();
     let at = query.root(system, &start::rotational_with_thickness(query.weight, &eta))?;
     let beta = &at.rotation_joint.rad;
     require(beta, "a touching joint below the crown")?;
@@ -105,7 +123,7 @@ pub(super) fn least_thrust(query: &Query) -> Result<Limit, Undecided> {
         }
         // The joint is the shoulder as far as can be told, and the two thrusts are as close.
         Ternary::Undecided => {
-            let thrust = Some(shoulder.hull(&at.thrust));
+            let thrust = Some(shoulder.hull_with(&at.thrust));
             return Ok(Limit { thrust, touch: Touch::AtShoulder });
         }
     }
@@ -117,7 +135,10 @@ pub(super) fn least_thrust(query: &Query) -> Result<Limit, Undecided> {
 
 /// The thrust above which the line of thrust leaves the arch; `has_no_arm` if its lever arm at the crown is
 /// exactly zero. Then the gap, which is concave, is constant in the end: it stays open.
-pub(super) fn largest_thrust(query: &Query, has_no_arm: bool) -> Result<Limit, Undecided> {
+pub(super) fn largest_thrust<E: Arithmetic>(
+    query: &Query<E>,
+    has_no_arm: bool,
+) -> Result<Limit<E>, Undecided> {
     let given = &query.given;
     let ring = Ring::new(query.weight, &given.thickness);
     let crown = thrust::upper(&given.half_opening, &Angle::zero(&given.thrust), &ring);
@@ -132,11 +153,11 @@ pub(super) fn largest_thrust(query: &Query, has_no_arm: bool) -> Result<Limit, U
         return Ok(Limit { thrust: Some(at_crown.thrust), touch: Touch::Crown });
     }
     let system = System::touching(query.weight, false);
-    let eta = given.thickness.mid();
+    let eta = given.thickness.candidate();
     let start = match query.alpha() {
-        alpha if alpha < 0.25 => start::scaled_largest_thrust(query.weight, &alpha, eta),
-        alpha => start::largest_thrust(query.weight, alpha.to_f64(), eta.to_f64())
-            .map(|x| Float::with_val(query.bits, x)),
+        alpha if alpha < 0.25 => start::scaled_largest_thrust(query.weight, &alpha, &eta),
+        alpha => start::largest_thrust(query.weight, alpha.to_double(), eta.to_double())
+            .map(|x| eta.like(x)),
     };
     let at = query.root(system, &start)?;
     let beta = &at.rotation_joint.rad;
@@ -153,14 +174,14 @@ pub(super) fn largest_thrust(query: &Query, has_no_arm: bool) -> Result<Limit, U
 /// The least friction for which some thrust of the range slides nowhere. The shoulder asks for more
 /// the larger the thrust, an inner joint the smaller: best is the thrust at which they ask for the
 /// same, or the end of the range next to it.
-pub(super) fn required_friction(
-    query: &Query,
-    [least, largest]: &[Result<Option<Limit>, Undecided>; 2],
-) -> Result<Ball, Undecided> {
+pub(super) fn required_friction<E: Arithmetic>(
+    query: &Query<E>,
+    [least, largest]: &[Result<Option<Limit<E>>, Undecided>; 2],
+) -> Result<E, Undecided> {
     let slides = query.root(Mode::Sliding.system(query.weight), &start::sliding(&query.alpha()))?;
     require(&slides.friction, "a positive purely sliding friction")?;
     let question = "which joint the friction is needed for";
-    let bound = |end: &Result<Option<Limit>, Undecided>| -> Result<Option<Ball>, Undecided> {
+    let bound = |end: &Result<Option<Limit<E>>, Undecided>| -> Result<Option<E>, Undecided> {
         Ok(end.clone()?.and_then(|limit| limit.thrust))
     };
     if let Some(least) = bound(least)?
@@ -182,9 +203,12 @@ pub(super) fn required_friction(
 const WHICH_LIMIT: &str = "whether sliding or the line of thrust limits the thrust";
 
 /// The least thrust of an arch that stands, where a joint may slide sooner.
-pub(super) fn cut_at_least(query: &Query, least: Limit) -> Result<Limit, Undecided> {
+pub(super) fn cut_at_least<E: Arithmetic>(
+    query: &Query<E>,
+    least: Limit<E>,
+) -> Result<Limit<E>, Undecided> {
     let Some(friction) = query.friction() else { return Ok(least) };
-    let [h, joint] = start::inner_sliding(&Float::with_val(query.bits, friction.mid()));
+    let [h, joint] = start::inner_sliding(&friction.candidate());
     let inner = query.root(System::inner_sliding(query.weight), &[h, joint])?;
     let (alpha, joint) = (&query.given.half_opening, inner.sliding_joint.rad);
     // T/N grows up to the steepest joint: if that lies beyond the shoulder, the shoulder counts.
@@ -204,11 +228,11 @@ pub(super) fn cut_at_least(query: &Query, least: Limit) -> Result<Limit, Undecid
 }
 
 /// The same at the largest thrust; `never_slides` if the friction angle is exactly the half opening.
-pub(super) fn cut_at_largest(
-    query: &Query,
-    largest: Limit,
+pub(super) fn cut_at_largest<E: Arithmetic>(
+    query: &Query<E>,
+    largest: Limit<E>,
     never_slides: bool,
-) -> Result<Limit, Undecided> {
+) -> Result<Limit<E>, Undecided> {
     let Some(friction) = query.friction().filter(|_| !never_slides) else { return Ok(largest) };
     let shoulder = sliding::shoulder_thrust(&query.given.half_opening, friction);
     let slides_first = match &largest.thrust {

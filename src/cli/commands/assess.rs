@@ -3,7 +3,7 @@
 use super::arch::{ArchArguments, Needs, thickness};
 use super::output::AnswerOutput;
 use super::state::print;
-use crate::certify::state::Certify;
+use crate::certify::state::{Inquiry, Wanted};
 use crate::cli::failure::Failure;
 use crate::problem::{Arch, Quantity};
 use crate::report::Answer;
@@ -38,7 +38,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let digits = arguments.arch.digits;
     print(&arguments.output, digits, quantities, || {
         let answer = |(line, arch): (u64, Arch)| {
-            Answer::assessment(line, (&arch, &eta), &arch.certify_thickness(&eta, digits))
+            // Some formats have quadruples, which take more bits than the digits.
+            let mut inquiry = Inquiry::new(&arch, digits, false);
+            let found = inquiry.assess(&eta, digits, Wanted::Everything);
+            Answer::assessment(line, (&arch, &eta), &found)
         };
         (1..).zip(arches).map(answer).collect()
     })

@@ -3,7 +3,7 @@
 use super::arch::{ArchArguments, Needs};
 use super::output::AnswerOutput;
 use super::parse;
-use crate::certify::state::Certify;
+use crate::certify::state::Inquiry;
 use crate::certify::{CertifiedLandmark, Undecided, quantities as quantities_of};
 use crate::cli::failure::Failure;
 use crate::problem::{Arch, Landmark, Quantity};
@@ -44,7 +44,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let frictions = quantities.iter().any(|quantity| quantity.is_friction());
     print(&arguments.output, digits, quantities, || {
         let answer = |(line, arch): (u64, Arch)| {
-            let found = if frictions { arch.certify(digits) } else { arch.certify_alone(digits) };
+            // Some formats have quadruples, which take more bits than the digits.
+            let found = Inquiry::new(&arch, digits, frictions).state(digits, frictions);
             Answer::state(line, &arch, &found)
         };
         (1..).zip(arches).map(answer).collect()

@@ -8,7 +8,7 @@ use super::rows::{
     Syntax, Table, Together, in_order, objects,
 };
 use crate::arch::SelfWeight;
-use crate::certify::state::Certify;
+use crate::certify::state::{Certify, Inquiry, Wanted};
 use crate::check::visible_name;
 use crate::cli::failure::Failure;
 use crate::report::{Answer, Answers, Content, Format, Status};
@@ -107,7 +107,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let together = if format.is_binary { Together::Chunk } else { Together::WhatIsThere };
     output.write(|out| {
         out.write_all(&file.begin()?)?;
-        let answer = |line| answer(&reader, line, digits);
+        let answer = |line| answer(&reader, line, digits, format.is_binary);
         let rows = in_order(rows, (&progress, together), answer, |answers: Vec<Answer>| {
             let count =
                 |is: fn(&Answer) -> bool| answers.iter().filter(|answer| is(answer)).count();
@@ -138,23 +138,38 @@ fn unwritten(error: io::Error) -> Failure {
 }
 
 /// The answer to a query, or its error.
-fn answer(reader: &Reader, (line, query): Line<Row>, digits: usize) -> Answer {
+fn answer(reader: &Reader, (line, query): Line<Row>, digits: usize, is_binary: bool) -> Answer {
     let (answer, kept) = match query {
-        Ok(query) => (asked(reader, line, &query.cells, digits), query.kept),
+        Ok(query) => (asked(reader, line, &query.cells, digits, is_binary), query.kept),
         Err(error) => (Err(error), Vec::new()),
     };
     let answer = answer.unwrap_or_else(|error| Answer::refused(line, error));
     Answer { kept, ..answer }
 }
 
-/// A row is asked what it asks: about its thickness if it has one.
-fn asked(reader: &Reader, line: u64, cells: &Cells, digits: usize) -> Result<Answer, String> {
+/// A row is asked what it asks: about its thickness if it has one. A binary format has the error of each double, of
+/// which more is known with more bits.
+fn asked(
+    reader: &Reader,
+    line: u64,
+    cells: &Cells,
+    digits: usize,
+    is_binary: bool,
+) -> Result<Answer, String> {
     let arch = reader.arch(cells)?;
     let Some((text, _)) = reader.given(cells, Role::GivenThickness) else {
-        return Ok(Answer::state(line, &arch, &arch.certify(digits)));
+        let found = match is_binary {
+            true => Inquiry::new(&arch, digits, true).state(digits, true),
+            false => arch.certify(digits),
+        };
+        return Ok(Answer::state(line, &arch, &found));
     };
     let eta = thickness(&reader.spelling.exact(text))?;
-    Ok(Answer::assessment(line, (&arch, &eta), &arch.certify_thickness(&eta, digits)))
+    let found = match is_binary {
+        true => Inquiry::new(&arch, digits, false).assess(&eta, digits, Wanted::Everything),
+        false => arch.certify_thickness(&eta, digits),
+    };
+    Ok(Answer::assessment(line, (&arch, &eta), &found))
 }
 
 /// Of a table.

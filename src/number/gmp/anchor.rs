@@ -203,7 +203,7 @@ mod tests {
             let depth = near.get_exp().map_or(0, |e| e.min(0).unsigned_abs());
             let places = prec + depth + GUARD;
             let anchor = Anchor::reduced(&near, prec, places, rho).unwrap();
-            let nearer = Float::with_val(short + 200, &near + (near.clone() / 1000u32 >> 20));
+            let nearer = Float::with_val(short + 200, &near + ((near.clone() / 1000u32) >> 20));
             for (anchor, prec) in [
                 (anchor.moved(&nearer), prec),
                 (anchor.with_precision(prec / 2), prec / 2),

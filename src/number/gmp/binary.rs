@@ -1,6 +1,7 @@
 //! A real number in the binary formats of hardware: what a double leaves open of it.
 
 use super::{Ball, Enclosure};
+use crate::number::DoubleDoubleBall;
 use rug::Float;
 use rug::float::Round;
 
@@ -48,6 +49,23 @@ impl Binary {
             error: error.to_f64_round(Round::Up),
             quad: nearest_quad(&low, &high),
         }
+    }
+
+    /// Of the number enclosed by a ball of double-doubles, with its nearest double: the same bounds as of a ball of
+    /// MPFR, an error that holds the radius, and no quadruple. `None` if the ball is too wide, and for zero and sizes
+    /// far from one.
+    pub fn of_double_double(ball: &DoubleDoubleBall) -> Option<(f64, Self)> {
+        let (double, rest, rad) = (ball.nearest_double()?, ball.mid().lo(), ball.rad());
+        // On which side of the double the number lies.
+        if rad >= rest.abs() {
+            return None;
+        }
+        let error = (rest.abs() + rad).next_up();
+        let (lower, upper) = match rest > 0.0 {
+            true => (double, double.next_up()),
+            false => (double.next_down(), double),
+        };
+        Some((double, Self { lower, upper, error, quad: None }))
     }
 
     /// Of infinity.

@@ -21,6 +21,7 @@ mod rational;
 mod rectangular;
 mod relations;
 mod rounded;
+mod rounded_double;
 mod small_angle;
 mod splitting;
 mod stumpff;
@@ -36,6 +37,7 @@ pub use hexadecimal::hexadecimal;
 pub use magnitude::Magnitude;
 pub use rational::rational_like;
 pub use rounded::{Rounded, bits_of, terminating};
+pub use rounded_double::rounded_double;
 pub use surd::Surd;
 
-use super::{Angle, AstroInterval, Enclosure, ExactField, Field, Real, Ternary};
+use super::{Angle, AstroInterval, Decimal, Enclosure, ExactField, Field, Real, Ternary};

@@ -11,6 +11,7 @@ mod landmark;
 mod line;
 mod quick;
 mod rotation;
+mod scale;
 mod scaled;
 mod sliding;
 mod touch;
@@ -23,6 +24,7 @@ pub use rotation::{
     rotational, rotational_with_thickness, rotational_with_thrust, scaled_rotational,
     seems_to_rotate,
 };
+pub use scale::Start;
 pub use scaled::{scaled_largest_thrust, scaled_shoulder_sliding, scaled_sliding};
 pub use sliding::{inner_sliding, sliding};
 pub use touch::{InnerStart, largest_thrust, rotational_sliding};

@@ -4,10 +4,10 @@
 //! end `l`: a half opening, a thrust or a thickness fixes the state. In doubles it is the zero of one function
 //! of the joint; towards the two ends, where that loses digits, it is expanded.
 
+use super::scale::Start;
 use super::touch::{LEAST_JOINT, joint_where, touched_ring, touching_square};
 use crate::arch::{Quotient, Ring, SelfWeight, overturning, thrust};
 use crate::number::{Angle, Real};
-use rug::{Float, Rational};
 
 /// Below this half opening the series in `alpha²` are used.
 const SMALL: f64 = 0.1;
@@ -28,27 +28,22 @@ fn end<T: Real>(weight: SelfWeight, like: &T) -> Ring<T> {
 }
 
 /// Whether a half opening seems to be below that of `l`, by its first digits.
-pub fn seems_to_rotate(weight: SelfWeight, alpha: &Float) -> bool {
-    before_end(weight, alpha.to_f64()) > 0.0
+pub fn seems_to_rotate(weight: SelfWeight, alpha: &impl Start) -> bool {
+    before_end(weight, alpha.to_double()) > 0.0
 }
 
 /// A candidate: `beta_r` (rad), `eta`, `h` of the purely rotational state at a half opening (rad) above
 /// zero and below that of `l`.
-pub fn rotational(weight: SelfWeight, alpha: &Float) -> [Float; 3] {
-    let bits = alpha.prec();
+pub fn rotational<T: Start>(weight: SelfWeight, alpha: &T) -> [T; 3] {
     if *alpha < SMALL {
-        let y = Float::with_val(bits, alpha.square_ref());
+        let y = alpha.square();
         let [ratio, thickness, deficit] = series(&y);
-        return [
-            ratio.sqrt() * alpha,
-            thickness * Float::with_val(bits, y.square_ref()),
-            1 - deficit * y,
-        ];
+        return [ratio.sqrt() * alpha, thickness * y.square(), y.int(1) - deficit * y];
     }
-    if before_end(weight, alpha.to_f64()) < NEAR {
+    if before_end(weight, alpha.to_double()) < NEAR {
         return near_end(weight, alpha);
     }
-    rotational_in_doubles(weight, alpha.to_f64()).map(|x| Float::with_val(bits, x))
+    rotational_in_doubles(weight, alpha.to_double()).map(|x| alpha.like(x))
 }
 
 /// The same for half openings that are neither small nor next to the end.
@@ -78,31 +73,30 @@ fn touching(joint: &Angle<f64>, ring: &Ring<f64>) -> Quotient<f64> {
 
 /// Next to the end `beta_r²` and `eta - eta_l` grow like `x = A - A_l`, and `h` like its square: they are in
 /// proportion to those at `x = NEAR`, to three digits.
-fn near_end(weight: SelfWeight, alpha: &Float) -> [Float; 3] {
-    let float = |x: f64| Float::with_val(alpha.prec(), x);
+fn near_end<T: Start>(weight: SelfWeight, alpha: &T) -> [T; 3] {
+    let float = |x: f64| alpha.like(x);
     let at_end = end(weight, &1.0);
     let a = overturning::opening_variable(&at_end).value() + NEAR;
     let (joint, ring) = with_opening_variable(weight, a);
-    let part = before_end(weight, alpha.clone()) / NEAR;
+    let part = before_end(weight, alpha.clone()) / float(NEAR);
     let gap = float(ring.thickness - at_end.thickness) * &part;
     let thickness = end(weight, alpha).thickness + gap;
-    if part <= 0 {
+    if part <= 0.0 {
         return [float(LEAST_JOINT), thickness, float(LEAST_JOINT)];
     }
-    let thrust = touching(&joint, &ring).value();
-    [part.clone().sqrt() * joint.rad, thickness, part.square() * thrust]
+    let thrust = float(touching(&joint, &ring).value());
+    [part.sqrt() * float(joint.rad), thickness, part.square() * thrust]
 }
 
 /// A candidate: `beta_r`, `eta`, `h` where the curve of rotational states has the thrust `h`.
-pub fn rotational_with_thrust(weight: SelfWeight, h: &Float) -> [Float; 3] {
-    let bits = h.prec();
+pub fn rotational_with_thrust<T: Start>(weight: SelfWeight, h: &T) -> [T; 3] {
     // 1 - h = alpha²/6 for small openings.
-    let alpha = (Float::with_val(bits, 1 - h) * 6u32).sqrt();
+    let alpha = ((h.int(1) - h) * h.int(6)).sqrt();
     let [beta, eta] = if alpha < SMALL {
         let [beta, eta, _] = rotational(weight, &alpha);
         [beta, eta]
     } else {
-        with_thrust(weight, h.to_f64()).map(|x| Float::with_val(bits, x))
+        with_thrust(weight, h.to_double()).map(|x| h.like(x))
     };
     [beta, eta, h.clone()]
 }
@@ -116,31 +110,30 @@ pub(super) fn with_thrust(weight: SelfWeight, h: f64) -> [f64; 2] {
 }
 
 /// A candidate: `beta_r`, `h` where the curve of rotational states has the thickness `eta`, below that of `l`.
-pub fn rotational_with_thickness(weight: SelfWeight, eta: &Float) -> [Float; 2] {
-    let bits = eta.prec();
+pub fn rotational_with_thickness<T: Start>(weight: SelfWeight, eta: &T) -> [T; 2] {
     // eta = alpha⁴/48 for small openings.
-    let alpha = Float::with_val(bits, eta * 48u32).sqrt().sqrt();
+    let alpha = (eta.int(48) * eta).sqrt().sqrt();
     if alpha < SMALL {
         let [beta, _, h] = rotational(weight, &alpha);
         return [beta, h];
     }
-    let ring = Ring::new(weight, &eta.to_f64());
+    let ring = Ring::new(weight, &eta.to_double());
     let joint = joint_where(touching_square(0.0), |joint| {
         let tangency = thrust::tangency(&joint.times_cotangent(), &ring);
         tangency.residual(&touching(joint, &ring).value())
     });
-    [joint.rad, touching(&joint, &ring).value()].map(|x| Float::with_val(bits, x))
+    [joint.rad, touching(&joint, &ring).value()].map(|x| eta.like(x))
 }
 
 /// A candidate: `p = (beta_r/alpha)²`, `q = eta/alpha⁴` and `r = (1 - h)/alpha²` of the purely rotational
 /// state at `y = alpha²`.
-pub fn scaled_rotational(weight: SelfWeight, y: &Float) -> [Float; 3] {
+pub fn scaled_rotational<T: Start>(weight: SelfWeight, y: &T) -> [T; 3] {
     if *y < SMALL * SMALL {
         return series(y);
     }
-    let y_in_doubles = y.to_f64();
+    let y_in_doubles = y.to_double();
     let [beta, eta, h] = rotational_in_doubles(weight, y_in_doubles.sqrt());
-    [beta * beta, eta / y_in_doubles, 1.0 - h].map(|x| Float::with_val(y.prec(), x / y_in_doubles))
+    [beta * beta, eta / y_in_doubles, 1.0 - h].map(|x| y.like(x / y_in_doubles))
 }
 
 /// The coefficients of the powers of `y` in `p`, `q` and `r`, as far as they are the same for both weights. A
@@ -151,10 +144,9 @@ const SERIES: [[(i32, i32); 3]; 3] = [
     [(1, 6), (-11, 1440), (67, 60480)],
 ];
 
-fn series(y: &Float) -> [Float; 3] {
+fn series<T: Start>(y: &T) -> [T; 3] {
     SERIES.map(|coefficients| {
-        let zero = Float::new(y.prec());
-        coefficients.iter().rev().fold(zero, |sum, &c| sum * y + Rational::from(c))
+        coefficients.iter().rev().fold(y.int(0), |sum, &(n, d)| sum * y + y.ratio(n, d))
     })
 }
 
@@ -166,6 +158,7 @@ mod tests {
     use crate::problem::Mode;
     use crate::solve::expansion::by_opening;
     use crate::solve::settle;
+    use rug::{Float, Rational};
 
     #[test]
     fn the_series_are_those_of_both_weights() {

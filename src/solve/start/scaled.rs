@@ -2,20 +2,20 @@
 //! [`arch::small`](crate::arch::small).
 
 use super::rotation::scaled_rotational;
+use super::scale::Start;
 use crate::arch::small::{self, Scaled};
 use crate::arch::{SelfWeight, Unknown};
 use crate::solve::zero::{linear_zero, zero};
-use rug::Float;
 
 /// `p`, `q`, `r` where the shoulder slides, from (17), which is linear in `r`, and from the rotational
 /// state with that thrust, which has the half opening `alpha √(6r)` and `r = 1/6` nearly.
-pub fn scaled_shoulder_sliding(weight: SelfWeight, at: &Scaled<Float>) -> [Float; 3] {
+pub fn scaled_shoulder_sliding<T: Start>(weight: SelfWeight, at: &Scaled<T>) -> [T; 3] {
     let y = &at.opening.square;
     let r = linear_zero(y, |r| {
         small::shoulder(&at.clone().with(Unknown::Thrust, r)).residual(&at.friction)
     });
-    let wider = Float::with_val(y.prec(), &r * 6u32);
-    let [p, q, _] = scaled_rotational(weight, &Float::with_val(y.prec(), y * &wider));
+    let wider = y.int(6) * &r;
+    let [p, q, _] = scaled_rotational(weight, &(y.clone() * &wider));
     [p * &wider, q * wider.square(), r]
 }
 
@@ -23,11 +23,10 @@ pub fn scaled_shoulder_sliding(weight: SelfWeight, at: &Scaled<Float>) -> [Float
 /// below the crown, for a half opening below 1/2: the same as [`largest_thrust`](super::largest_thrust).
 ///
 /// The gap is the margin at the shoulder's extrados and that at the joint's intrados, for one crown moment.
-pub fn scaled_largest_thrust(weight: SelfWeight, alpha: &Float, eta: &Float) -> [Float; 2] {
-    let bits = alpha.prec();
-    let square = Float::with_val(bits, alpha.square_ref());
-    let q = (Float::with_val(bits, eta) / Float::with_val(bits, square.square_ref())).to_f64();
-    let given = Scaled::new(&square.to_f64()).with(Unknown::Thickness, q);
+pub fn scaled_largest_thrust<T: Start>(weight: SelfWeight, alpha: &T, eta: &T) -> [T; 2] {
+    let square = alpha.square();
+    let q = (eta.clone() / square.square()).to_double();
+    let given = Scaled::new(&square.to_double()).with(Unknown::Thickness, q);
     // (5) is linear in the deficit.
     let touching = |p: f64| {
         let at = given.clone().with(Unknown::RotationJoint, p);
@@ -39,19 +38,20 @@ pub fn scaled_largest_thrust(weight: SelfWeight, alpha: &Float, eta: &Float) -> 
     };
     let arm = |p: f64| small::arms(&given.clone().with(Unknown::RotationJoint, p)).1;
     let p = zero(0.0, zero(0.0, 1.0, arm), |p| gap(&touching(p)));
-    let beta = Float::with_val(bits, p).sqrt() * alpha;
-    [beta, 1 - square * touching(p).deficit]
+    let beta = alpha.like(p).sqrt() * alpha;
+    [beta, alpha.int(1) - square * alpha.like(touching(p).deficit)]
 }
 
 /// `m`, `r`, `z` of the purely sliding state: the leading terms.
-pub fn scaled_sliding(y: &Float) -> [Float; 3] {
-    [12u32, 4, 2].map(|n| Float::with_val(y.prec(), n).recip())
+pub fn scaled_sliding<T: Start>(y: &T) -> [T; 3] {
+    [12, 4, 2].map(|n| y.ratio(1, n))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::solve::start::largest_thrust;
+    use rug::Float;
 
     #[test]
     fn the_largest_thrust_is_that_of_the_printed_equations() {

@@ -3,11 +3,11 @@
 //! At the thrust `h = sin²θ` the steepest joint is `beta_s = sin θ cos θ`. The friction that it asks for
 //! falls from infinity to zero as `θ` grows from 0 to a right angle.
 
+use super::scale::Start;
 use super::scaled::scaled_sliding;
 use crate::arch::{Quotient, sliding};
 use crate::number::Angle;
 use crate::solve::zero::zero;
-use rug::Float;
 use std::f64::consts::FRAC_PI_2;
 
 /// Below this half opening the leading terms are used.
@@ -19,21 +19,21 @@ const STEEP: f64 = 1e-3;
 
 /// A candidate for a positive friction: the thrust and the sliding joint (rad) at which an inner joint just
 /// slides.
-pub fn inner_sliding(friction: &Float) -> [Float; 2] {
-    let bits = friction.prec();
+pub fn inner_sliding<T: Start>(friction: &T) -> [T; 2] {
+    let one = friction.int(1);
     if *friction < SLIPPERY {
         // (1 - h)³ = (3/2 mu)², the leading term.
-        let rest = (Float::with_val(bits, friction * 3u32) / 2u32).cbrt().square();
-        let h = Float::with_val(bits, 1 - &rest);
+        let rest = (one.ratio(3, 2) * friction).cube_root().square();
+        let h = one - &rest;
         return [h.clone(), (rest * h).sqrt()];
     }
-    let target = Float::with_val(bits, friction.recip_ref()).atan();
-    let theta = match target.to_f64() {
-        moderate if moderate > STEEP => Float::with_val(bits, slope_angle(moderate)),
-        _ => target / 2u32,
+    let target = (one / friction).arctangent();
+    let theta = match target.to_double() {
+        moderate if moderate > STEEP => target.like(slope_angle(moderate)),
+        _ => target.ratio(1, 2) * target,
     };
-    let (sin, cos) = theta.sin_cos(Float::new(bits));
-    [Float::with_val(bits, sin.square_ref()), sin * cos]
+    let (sin, cos) = theta.sin_cos();
+    [sin.square(), sin * cos]
 }
 
 /// `h` and `beta_s` at which an inner joint just slides, in doubles.
@@ -66,16 +66,15 @@ pub(super) fn inverse_tangent(friction: &Quotient<f64>) -> f64 {
 }
 
 /// A candidate: `mu`, `h`, `beta_s` (rad) of the purely sliding state at a half opening in `(0, pi)`, rad.
-pub fn sliding(alpha: &Float) -> [Float; 3] {
-    let bits = alpha.prec();
+pub fn sliding<T: Start>(alpha: &T) -> [T; 3] {
     if *alpha < SMALL {
-        let y = Float::with_val(bits, alpha.square_ref());
+        let y = alpha.square();
         let [m, r, z] = scaled_sliding(&y);
-        return [m * &y * alpha, 1 - r * y, z * alpha];
+        return [m * &y * alpha, y.int(1) - r * y, z * alpha];
     }
     // Next to pi the sine needs the digits of the half opening.
-    let opening = Angle::new(alpha.clone()).map(|x| x.to_f64());
-    sliding_in_doubles(&opening).map(|x| Float::with_val(bits, x))
+    let opening = Angle::new(alpha.clone()).map(|x| x.to_double());
+    sliding_in_doubles(&opening).map(|x| alpha.like(x))
 }
 
 /// The same in doubles.
@@ -93,6 +92,7 @@ pub(super) fn sliding_in_doubles(opening: &Angle<f64>) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use rug::Float;
 
     #[test]
     fn the_least_frictions_have_a_start() {

@@ -5,11 +5,11 @@
 //! at the shoulder's extrados first grows with the half opening and then falls, and so does what friction has
 //! to spare: the widest half opening is the one zero of what falls.
 
+use super::scale::Start;
 use super::sliding::{inner_sliding, inverse_tangent};
 use crate::arch::{Configuration, Ring, SelfWeight, Unknown, contact, sliding};
 use crate::number::Angle;
 use crate::solve::zero::zero;
-use rug::Float;
 use std::f64::consts::PI;
 
 /// Below this thickness, and below this friction, and for a thrust as near to one, the leading terms are used:
@@ -19,14 +19,14 @@ const SLIPPERY: f64 = 1e-5;
 const NEARLY_ONE: f64 = 1e-4;
 
 /// A candidate: the half opening of the purely rotational state with a thickness and a thrust.
-pub fn widest_rotational(weight: SelfWeight, eta: &Float, h: &Float) -> Float {
+pub fn widest_rotational<T: Start>(weight: SelfWeight, eta: &T, h: &T) -> T {
     if *eta < THIN {
         // eta = alpha⁴/48.
-        return Float::with_val(eta.prec(), eta * 48u32).sqrt().sqrt();
+        return (eta.int(48) * eta).sqrt().sqrt();
     }
-    let at = in_doubles(eta.to_f64(), h.to_f64());
+    let at = in_doubles(eta.to_double(), h.to_double());
     let moment = contact::crown_moment(&at);
-    Float::with_val(eta.prec(), widest_inside(weight, at, moment))
+    eta.like(widest_inside(weight, at, moment))
 }
 
 /// A candidate: the half opening at which the line of thrust that touches the intrados at a joint (rad)
@@ -55,32 +55,30 @@ fn widest_inside(weight: SelfWeight, at: Configuration<f64>, moment: f64) -> f64
 }
 
 /// A candidate: the half opening at which the shoulder just slides at a thrust; the friction is not zero.
-pub fn widest_without_sliding(h: &Float, friction: &Float) -> Float {
-    let bits = h.prec();
-    let rest = Float::with_val(bits, 1 - h);
+pub fn widest_without_sliding<T: Start>(h: &T, friction: &T) -> T {
+    let rest = h.int(1) - h;
     if rest < NEARLY_ONE {
         // mu = alpha³/3 - (1 - h) alpha, in units of √(1 - h).
-        let unit = rest.clone().sqrt();
-        let scaled = (Float::with_val(bits, friction / rest) / &unit).to_f64();
+        let unit = rest.sqrt();
+        let scaled = (friction.clone() / rest / &unit).to_double();
         let part = zero(1.0, (3.0 * scaled).cbrt() + 2.0, |x| x * x * x / 3.0 - x - scaled);
-        return unit * part;
+        return h.like(part) * unit;
     }
-    let (h, inverse) = (h.to_f64(), friction.to_f64().recip().atan());
+    let (thrust, inverse) = (h.to_double(), friction.to_double().recip().atan());
     // The shoulder asks for the least where it is the steepest joint.
-    let found = zero(sliding::steepest_joint(&h), PI, |x| {
-        inverse - inverse_tangent(&sliding::shoulder(&Angle::new(x), &h))
+    let found = zero(sliding::steepest_joint(&thrust), PI, |x| {
+        inverse - inverse_tangent(&sliding::shoulder(&Angle::new(x), &thrust))
     });
-    Float::with_val(bits, found)
+    h.like(found)
 }
 
 /// A candidate: `alpha`, `h`, `beta_s` (rad) of the purely sliding state of a friction that is not zero.
-pub fn widest_sliding(friction: &Float) -> [Float; 3] {
-    let bits = friction.prec();
+pub fn widest_sliding<T: Start>(friction: &T) -> [T; 3] {
     if *friction < SLIPPERY {
         // mu = alpha³/12, 1 - h = alpha²/4, beta_s = alpha/2.
-        let alpha = Float::with_val(bits, friction * 12u32).cbrt();
-        let joint = Float::with_val(bits, &alpha / 2u32);
-        return [alpha, 1 - Float::with_val(bits, joint.square_ref()), joint];
+        let alpha = (friction.int(12) * friction).cube_root();
+        let joint = alpha.ratio(1, 2) * &alpha;
+        return [alpha, joint.int(1) - joint.square(), joint];
     }
     let [h, joint] = inner_sliding(friction);
     [widest_without_sliding(&h, friction), h, joint]
@@ -88,14 +86,13 @@ pub fn widest_sliding(friction: &Float) -> [Float; 3] {
 
 /// A candidate: the joint (rad) at which the line of thrust is tangent to the intrados, for `beta cot(beta)` below
 /// one.
-pub fn tangent_joint(times_cotangent: &Float) -> Float {
-    let bits = times_cotangent.prec();
-    let rest = Float::with_val(bits, 1 - times_cotangent);
+pub fn tangent_joint<T: Start>(times_cotangent: &T) -> T {
+    let rest = times_cotangent.int(1) - times_cotangent;
     if rest < NEARLY_ONE {
         // 1 - beta²/3.
-        return (rest * 3u32).sqrt();
+        return (rest.int(3) * rest).sqrt();
     }
-    Float::with_val(bits, tangent_in_doubles(times_cotangent.to_f64()))
+    times_cotangent.like(tangent_in_doubles(times_cotangent.to_double()))
 }
 
 /// The joint (rad) with a `beta cot(beta)`, which falls.
@@ -107,6 +104,7 @@ fn tangent_in_doubles(times_cotangent: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::solve::start::{rotational, sliding as purely_sliding};
+    use rug::Float;
 
     #[test]
     fn the_half_opening_is_found_again() {

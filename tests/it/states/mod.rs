@@ -7,6 +7,7 @@ mod cost;
 mod crown;
 mod found;
 mod known;
+mod quick;
 mod random;
 mod small;
 

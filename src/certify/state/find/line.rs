@@ -2,8 +2,8 @@
 
 use crate::arch::{Configuration, Unknown};
 use crate::certify::Undecided;
+use crate::certify::decide::{require, require_condition};
 use crate::certify::state::query::Query;
-use crate::certify::undecided::{require, require_condition};
 use crate::number::{Ball, Field, Real};
 use crate::problem::{Condition, Examined, Landmark, Line, Mode, Sought};
 use crate::solve::start;

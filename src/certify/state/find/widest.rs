@@ -6,28 +6,31 @@
 
 use crate::arch::{Configuration, Ring, Unknown, contact, thrust};
 use crate::certify::Undecided;
+use crate::certify::arithmetic::Arithmetic;
+use crate::certify::decide::{decide, require, require_condition};
 use crate::certify::state::mode::prove;
 use crate::certify::state::query::Query;
-use crate::certify::undecided::{decide, require, require_condition};
-use crate::number::{Angle, Ball, ExactNumber, Field, Real};
+use crate::number::{Angle, Ball, ExactNumber, Field};
 use crate::problem::{Arch, Condition, Examined, Mode, System, room_for_steepest};
-use crate::solve::start;
-use rug::Float;
+use crate::solve::start::{self, Start};
 
 /// A mode, and where its equations hold.
-pub(in crate::certify::state) type Place = (Mode, Configuration<Ball>);
+pub(in crate::certify::state) type Place<E> = (Mode, Configuration<E>);
+
+/// A mode, and where the search for the unknowns of its equations starts.
+type Candidate<E> = (Mode, Vec<<E as Arithmetic>::Candidate>);
 
 /// Above this friction no thickness in the range is limited by sliding at both places: a start only.
 const ROUGH: f64 = 10.0;
 
 /// What is given of an arch at a thickness; its half opening is asked for.
-pub(in crate::certify::state) fn at_thickness(
+pub(in crate::certify::state) fn at_thickness<E: Arithmetic>(
     arch: &Arch,
     thickness: &ExactNumber,
     bits: u32,
-) -> Query {
-    let query = Query::new(arch, bits);
-    let zero = Ball::integer(0, bits);
+) -> Query<E> {
+    let query: Query<E> = Query::new(arch, bits);
+    let zero = query.given.thrust.clone();
     let given = query.given.clone().with(Unknown::HalfOpening, zero);
     Query { given: given.with(Unknown::Thickness, thickness.enclosure(bits)), ..query }
 }
@@ -50,9 +53,12 @@ pub(in crate::certify::state) fn bits_lost(query: &Query) -> u32 {
 
 /// The widest half opening for the thickness and the friction of `query`, which has no half opening;
 /// `is_limit` if the thickness is exactly 2.
-pub(in crate::certify::state) fn widest(query: &Query, is_limit: bool) -> Result<Place, Undecided> {
+pub(in crate::certify::state) fn widest<E: Arithmetic>(
+    query: &Query<E>,
+    is_limit: bool,
+) -> Result<Place<E>, Undecided> {
     let slides = match query.friction() {
-        Some(friction) if *friction.mid() < ROUGH => where_both_slide(query),
+        Some(friction) if friction.candidate() < ROUGH => where_both_slide(query),
         _ => Ok(None),
     };
     if let Ok(Some(found)) = slides {
@@ -67,7 +73,7 @@ pub(in crate::certify::state) fn widest(query: &Query, is_limit: bool) -> Result
 }
 
 /// The purely sliding state of the friction, if a line of thrust lies inside the thickness there.
-fn where_both_slide(query: &Query) -> Result<Option<Place>, Undecided> {
+fn where_both_slide<E: Arithmetic>(query: &Query<E>) -> Result<Option<Place<E>>, Undecided> {
     let start = start::widest_sliding(&friction(query));
     let at = query.root(Mode::Sliding.system_for_half_opening(query.weight), &start)?;
     in_range(&at)?;
@@ -80,7 +86,7 @@ fn where_both_slide(query: &Query) -> Result<Option<Place>, Undecided> {
 }
 
 /// The half opening has to be in its range, in which alone the lemma holds.
-fn in_range(at: &Configuration<Ball>) -> Result<(), Undecided> {
+fn in_range<E: Arithmetic>(at: &Configuration<E>) -> Result<(), Undecided> {
     let alpha = &at.half_opening.rad;
     require(alpha, Condition::Above(Unknown::HalfOpening).label())?;
     require(&(alpha.pi() - alpha), Condition::Below(Unknown::HalfOpening).label())
@@ -88,7 +94,7 @@ fn in_range(at: &Configuration<Ball>) -> Result<(), Undecided> {
 
 /// Whether the crown moment that puts the line of thrust on the intrados, at the thrust of `at`, leaves room at
 /// the extrados of the crown and of the shoulder.
-fn has_room(query: &Query, at: &Configuration<Ball>) -> Result<bool, Undecided> {
+fn has_room<E: Arithmetic>(query: &Query<E>, at: &Configuration<E>) -> Result<bool, Undecided> {
     let joint = touched_joint(query, at)?;
     let question = "whether sliding or the thickness limits the half opening";
     // Beyond the shoulder nothing touches: the shoulder itself comes nearest.
@@ -103,7 +109,10 @@ fn has_room(query: &Query, at: &Configuration<Ball>) -> Result<bool, Undecided> 
 }
 
 /// Where the line of thrust comes nearest to the intrados: the crown, or the joint where (5) holds.
-fn touched_joint(query: &Query, at: &Configuration<Ball>) -> Result<Angle<Ball>, Undecided> {
+fn touched_joint<E: Arithmetic>(
+    query: &Query<E>,
+    at: &Configuration<E>,
+) -> Result<Angle<E>, Undecided> {
     let slope = contact::crown_slope(query.weight, at);
     let between = [Mode::OverturningSliding, Mode::RotationalSlidingRotational];
     if decide(&slope, "whether the intrados is touched at the crown", &between)? {
@@ -119,26 +128,26 @@ fn touched_joint(query: &Query, at: &Configuration<Ball>) -> Result<Angle<Ball>,
 }
 
 /// `beta_r` by (5), a candidate.
-fn tangent_start(query: &Query, at: &Configuration<Ball>) -> Float {
+fn tangent_start<E: Arithmetic>(query: &Query<E>, at: &Configuration<E>) -> E::Candidate {
     let ring = Ring::new(query.weight, &at.thickness);
     // (5) is linear in beta cot(beta), with the slope one.
     let without = thrust::tangency(&at.thrust.int(0), &ring).value();
-    start::tangent_joint(&Float::with_val(query.bits, (at.thrust.clone() - without).mid()))
+    start::tangent_joint(&(at.thrust.clone() - without).candidate())
 }
 
 /// The half opening whose least thickness is the one given, below 2.
-fn where_the_shoulder_ends(query: &Query) -> Result<Place, Undecided> {
+fn where_the_shoulder_ends<E: Arithmetic>(query: &Query<E>) -> Result<Place<E>, Undecided> {
     let beyond = contact::crown_slope(query.weight, &query.given);
     let question = "whether the arch is thicker than at the end of rotation";
     let rotates = decide(&-beyond, question, &[Mode::Rotational, Mode::Overturning])?;
     let slid = match query.friction() {
         Some(mu) => {
-            let start = start::inner_sliding(&Float::with_val(query.bits, mu.mid()));
+            let start = start::inner_sliding(&mu.candidate());
             Some(query.root(System::inner_sliding(query.weight), &start)?)
         }
         None => None,
     };
-    let eta = Float::with_val(query.bits, query.given.thickness.mid());
+    let eta = query.given.thickness.candidate();
     let least = match rotates {
         true => {
             let start = start::rotational_with_thickness(query.weight, &eta);
@@ -148,8 +157,8 @@ fn where_the_shoulder_ends(query: &Query) -> Result<Place, Undecided> {
     };
     let candidates = match (&least, &slid) {
         (None, None) => {
-            let a = start::widest_touching(query.weight, eta.to_f64(), 0.0, 0.0);
-            vec![(Mode::Overturning, vec![Float::with_val(query.bits, a)])]
+            let a = start::widest_touching(query.weight, eta.to_double(), 0.0, 0.0);
+            vec![(Mode::Overturning, vec![eta.like(a)])]
         }
         (Some(least), Some(slid))
             if !decide(
@@ -176,7 +185,11 @@ fn where_the_shoulder_ends(query: &Query) -> Result<Place, Undecided> {
 }
 
 /// The root next to a start, proved to be the state of its arch.
-fn proved(query: &Query, mode: Mode, start: &[Float]) -> Result<Place, Undecided> {
+fn proved<E: Arithmetic>(
+    query: &Query<E>,
+    mode: Mode,
+    start: &[E::Candidate],
+) -> Result<Place<E>, Undecided> {
     let at = query.root(mode.system_for_half_opening(query.weight), start)?;
     let mode = match mode {
         Mode::RotationalSliding => {
@@ -194,16 +207,15 @@ fn proved(query: &Query, mode: Mode, start: &[Float]) -> Result<Place, Undecided
 
 /// Hinges at haunch and crown fix the thrust: the shoulder is on its extrados or slides, whichever is sooner;
 /// what seems so comes first.
-fn rotating(
-    query: &Query,
-    least: &Configuration<Ball>,
-    friction: Option<Float>,
-) -> Vec<(Mode, Vec<Float>)> {
-    let float = |x: &Ball| Float::with_val(query.bits, x.mid());
-    let (beta, h) = (float(&least.rotation_joint.rad), float(&least.thrust));
-    let inside = start::widest_rotational(query.weight, &float(&least.thickness), &h);
+fn rotating<E: Arithmetic>(
+    query: &Query<E>,
+    least: &Configuration<E>,
+    friction: Option<E::Candidate>,
+) -> Vec<Candidate<E>> {
+    let (beta, h) = (least.rotation_joint.rad.candidate(), least.thrust.candidate());
+    let inside = start::widest_rotational(query.weight, &least.thickness.candidate(), &h);
     let slid = friction.map(|mu| start::widest_without_sliding(&h, &mu));
-    let slides_first = slid.as_ref().is_some_and(|slid| *slid < inside);
+    let slides_first = slid.as_ref().is_some_and(|slid| slid.clone() - &inside < 0.0);
     let start = |alpha| vec![beta.clone(), alpha, h.clone()];
     let slid = slid.map(|slid| (Mode::SlidingRotational, start(slid)));
     let mut both: Vec<_> = slid.into_iter().chain([(Mode::Rotational, start(inside))]).collect();
@@ -214,21 +226,21 @@ fn rotating(
 }
 
 /// A sliding inner joint fixes the thrust: the intrados is touched at the crown or below.
-fn sliding_inside(
-    query: &Query,
-    slid: &Configuration<Ball>,
-) -> Result<(Mode, Vec<Float>), Undecided> {
-    let (h, joint) = (slid.thrust.mid().clone(), slid.sliding_joint.rad.mid().clone());
+fn sliding_inside<E: Arithmetic>(
+    query: &Query<E>,
+    slid: &Configuration<E>,
+) -> Result<Candidate<E>, Undecided> {
+    let (h, joint) = (slid.thrust.candidate(), slid.sliding_joint.rad.candidate());
     let slope = contact::crown_slope(query.weight, slid);
     let between = [Mode::OverturningSliding, Mode::RotationalSlidingRotational];
     let at_crown = decide(&slope, "whether the intrados is touched at the crown", &between)?;
     let beta = match at_crown {
-        true => Float::new(query.bits),
+        true => h.int(0),
         false => tangent_start(query, slid),
     };
-    let eta = slid.thickness.mid().to_f64();
-    let alpha = start::widest_touching(query.weight, eta, h.to_f64(), beta.to_f64());
-    let alpha = Float::with_val(query.bits, alpha);
+    let eta = slid.thickness.candidate().to_double();
+    let alpha = start::widest_touching(query.weight, eta, h.to_double(), beta.to_double());
+    let alpha = h.like(alpha);
     Ok(match at_crown {
         true => (Mode::OverturningSliding, vec![alpha, h, joint]),
         false => (Mode::RotationalSliding, vec![beta, alpha, h, joint]),
@@ -236,7 +248,7 @@ fn sliding_inside(
 }
 
 /// The half opening from which no thickness up to 2 is enough.
-fn at_physical_limit(query: &Query) -> Result<Place, Undecided> {
+fn at_physical_limit<E: Arithmetic>(query: &Query<E>) -> Result<Place<E>, Undecided> {
     let (mode, start) = match query.friction() {
         Some(_) => {
             let start = start::inner_sliding(&friction(query));
@@ -245,7 +257,7 @@ fn at_physical_limit(query: &Query) -> Result<Place, Undecided> {
         }
         None => {
             let a = start::widest_touching(query.weight, 2.0, 0.0, 0.0);
-            (Mode::Overturning, vec![Float::with_val(query.bits, a)])
+            (Mode::Overturning, vec![query.alpha().like(a)])
         }
     };
     let at = query.root(mode.system_for_half_opening(query.weight), &start)?;
@@ -268,6 +280,6 @@ fn at_physical_limit(query: &Query) -> Result<Place, Undecided> {
 }
 
 /// The friction, a candidate.
-fn friction(query: &Query) -> Float {
-    Float::with_val(query.bits, query.given.friction.mid())
+fn friction<E: Arithmetic>(query: &Query<E>) -> E::Candidate {
+    query.given.friction.candidate()
 }

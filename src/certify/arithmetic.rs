@@ -1,0 +1,135 @@
+//! The numbers in which a proof about an arch runs.
+
+use super::Undecided;
+use super::in_doubles::{self, Doubles};
+use super::root::{self, Form};
+use crate::number::{
+    Ball, DoubleBall, DoubleDoubleBall, Engine, Field, Magnitude, Stumpff, stumpff_terms,
+};
+use crate::solve::start::Start;
+use rug::Float;
+use rug::float::Round;
+
+/// Enclosures in which a proof about an arch runs: balls of as many bits as it takes, or of doubles, which cost a
+/// tenth where they are enough.
+pub(crate) trait Arithmetic: Engine + Stumpff {
+    /// The numbers in which candidates are found.
+    type Candidate: Start;
+
+    /// A ball of MPFR in these numbers, to at least `bits` bits where they can have so many.
+    fn from_ball(ball: &Ball, bits: u32) -> Self;
+
+    /// The midpoint, as a candidate.
+    fn candidate(&self) -> Self::Candidate;
+
+    /// An enclosure of this one and another; tight where they differ by little.
+    fn hull_with(&self, other: &Self) -> Self;
+
+    /// A bound of the size of all its numbers, rounded up.
+    fn bound(&self) -> f64;
+
+    /// `1 - x`, with as many bits as these numbers can have.
+    fn rest_to_one(&self) -> Self;
+
+    /// Whether an angle is so small, in numbers of `bits` bits, that equations are used in variables in which
+    /// nothing cancels; `2^exponent` bounds its square.
+    fn is_small(exponent: i64, bits: u32) -> bool;
+
+    /// Encloses the root of equations next to a start value, proved to exist and to be unique in a box on which
+    /// the equations are regular.
+    fn root_near(
+        equations: &impl Form<Self>,
+        bits: u32,
+        start: &[Self::Candidate],
+    ) -> Result<Vec<Self>, Undecided>;
+}
+
+/// The square of an angle is below two to this power: then the series of the start values hold.
+const SMALL: i64 = -4;
+/// More terms than this, and sines and cosines with a few more bits are cheaper.
+const MANY_TERMS: i32 = 24;
+
+impl Arithmetic for Ball {
+    type Candidate = Float;
+
+    fn from_ball(ball: &Ball, bits: u32) -> Self {
+        ball.with_precision(bits)
+    }
+
+    fn candidate(&self) -> Float {
+        Float::with_val(self.prec(), self.mid())
+    }
+
+    fn hull_with(&self, other: &Self) -> Self {
+        self.hull(other)
+    }
+
+    fn bound(&self) -> f64 {
+        Magnitude::upper(self.mid()).plus(self.rad()).to_float().to_f64_round(Round::Up)
+    }
+
+    fn rest_to_one(&self) -> Self {
+        // As many bits as the difference from one has: they cost nothing.
+        let gap = self.mid().get_exp().map_or(0, |exponent| exponent.min(0).unsigned_abs());
+        Self::integer(1, self.prec() + gap) - self
+    }
+
+    fn is_small(exponent: i64, bits: u32) -> bool {
+        exponent <= SMALL && stumpff_terms(bits, exponent) <= MANY_TERMS
+    }
+
+    fn root_near(
+        equations: &impl Form<Self>,
+        bits: u32,
+        start: &[Float],
+    ) -> Result<Vec<Self>, Undecided> {
+        root::root_near(equations, bits, start.to_vec())
+    }
+}
+
+/// In balls of doubles the square of an angle is below two to this power where sines and cosines lose more digits than
+/// can be spared: until then they are much cheaper.
+const SMALL_IN_DOUBLES: i64 = -6;
+
+/// Balls of doubles of both kinds.
+macro_rules! in_doubles {
+    ($ball:ty) => {
+        impl Arithmetic for $ball {
+            type Candidate = f64;
+
+            fn from_ball(ball: &Ball, _bits: u32) -> Self {
+                DoubleDoubleBall::from(ball).into()
+            }
+
+            fn candidate(&self) -> f64 {
+                Doubles::nearest(self)
+            }
+
+            fn hull_with(&self, other: &Self) -> Self {
+                self.widened((*self - other).size()).widened(other.rad())
+            }
+
+            fn bound(&self) -> f64 {
+                self.size()
+            }
+
+            fn rest_to_one(&self) -> Self {
+                self.int(1) - self
+            }
+
+            fn is_small(exponent: i64, _bits: u32) -> bool {
+                exponent <= SMALL_IN_DOUBLES
+            }
+
+            fn root_near(
+                equations: &impl Form<Self>,
+                _bits: u32,
+                start: &[f64],
+            ) -> Result<Vec<Self>, Undecided> {
+                in_doubles::root_near(equations, start)
+            }
+        }
+    };
+}
+in_doubles!(DoubleBall);
+in_doubles!(DoubleDoubleBall);

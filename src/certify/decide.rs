@@ -1,0 +1,48 @@
+//! Signs: what is decided, and what is required for a proof to go on.
+
+use super::Undecided;
+use super::arithmetic::Arithmetic;
+use crate::number::Ternary;
+use crate::problem::{Condition, Mode};
+
+/// Whether a margin is positive, if that can be told.
+pub(crate) fn decide<E: Arithmetic>(
+    margin: &E,
+    question: &'static str,
+    between: &[Mode],
+) -> Result<bool, Undecided> {
+    match margin.is_positive() {
+        Ternary::True => Ok(true),
+        Ternary::False => Ok(false),
+        Ternary::Undecided => {
+            // A margin without bound is no difference that is nearly zero.
+            let gap = Some(margin.bound()).filter(|gap| gap.is_finite());
+            let between = if gap.is_some() { between } else { &[] };
+            Err(Undecided { gap, ..Undecided::new(question).between(between) })
+        }
+    }
+}
+
+/// Requires a margin to be positive for a proof to go on; where it is not, nothing is known.
+pub(crate) fn require<E: Arithmetic>(margin: &E, question: &'static str) -> Result<(), Undecided> {
+    match decide(margin, question, &[])? {
+        true => Ok(()),
+        false => Err(Undecided::new(question)),
+    }
+}
+
+/// Requires a condition of a mode. A candidate that is proved to fail it is not the state of the arch: then it
+/// is beside the point, not on a boundary.
+pub(crate) fn require_condition<E: Arithmetic>(
+    condition: Condition,
+    margin: &E,
+    mode: Mode,
+) -> Result<(), Undecided> {
+    match decide(margin, condition.label(), &[mode])? {
+        true => Ok(()),
+        false => Err(Undecided::new(format!(
+            "the root found for {mode} is not the state of the arch, as this fails: {}",
+            condition.label()
+        ))),
+    }
+}

@@ -1,0 +1,192 @@
+//! Exactly one root in a box, in balls of doubles: search in doubles, and one step that proves.
+//!
+//! Newton's method settles in doubles `m`, with an approximate inverse `Y` of the Jacobian. The residuals at `m`
+//! are then enclosed in the numbers of the result, and the slopes in balls of doubles on a box just
+//! wide enough. In the operator of [`check::krawczyk`](crate::check::krawczyk),
+//!
+//! ```text
+//! K(X) = m - Y F(m) + (I - Y F'(X)) (X - m)
+//! ```
+//!
+//! the last term is a product of two small numbers, so that double-doubles gain nearly all their digits in this one
+//! step; where they do not, it is repeated from the middle of `K(X)`. Any matrix `Y` and any point `m` will do: what
+//! the search finds is trusted for nothing.
+
+use super::Undecided;
+use super::root::{Form, no_candidate};
+use crate::check::krawczyk;
+use crate::number::{DoubleBall, DoubleDouble, DoubleDoubleBall, Enclosure, Gradient, Stumpff};
+use crate::problem::tally;
+use crate::solve::invert;
+use std::array;
+
+/// Balls of doubles, or of double-doubles.
+pub(super) trait Doubles:
+    Enclosure + Stumpff + Copy + From<DoubleBall> + Into<DoubleBall>
+{
+    /// The relative radius that is as good as these numbers have.
+    const NARROW: f64;
+
+    /// The double nearest to the midpoint.
+    fn nearest(&self) -> f64;
+
+    /// A bound of the size of all its numbers.
+    fn bound(&self) -> f64;
+
+    /// All numbers within a radius of a midpoint, that of this one.
+    fn around(&self, radius: f64) -> Self;
+
+    /// The radius.
+    fn radius(&self) -> f64;
+}
+
+impl Doubles for DoubleBall {
+    const NARROW: f64 = f64::INFINITY;
+
+    fn nearest(&self) -> f64 {
+        self.mid()
+    }
+
+    fn bound(&self) -> f64 {
+        self.size()
+    }
+
+    fn around(&self, radius: f64) -> Self {
+        Self::new(self.mid(), radius)
+    }
+
+    fn radius(&self) -> f64 {
+        self.rad()
+    }
+}
+
+impl Doubles for DoubleDoubleBall {
+    const NARROW: f64 = (1u64 << 20) as f64 * DoubleDouble::UNIT;
+
+    fn nearest(&self) -> f64 {
+        self.mid().hi()
+    }
+
+    fn bound(&self) -> f64 {
+        self.size()
+    }
+
+    fn around(&self, radius: f64) -> Self {
+        Self::new(self.mid(), radius)
+    }
+
+    fn radius(&self) -> f64 {
+        self.rad()
+    }
+}
+
+/// Steps of Newton's method after which no candidate is found.
+const STEPS: usize = 12;
+/// A relative step after which a candidate is as good as doubles have it, and the inverse with it.
+const LAST_STEP: f64 = 1.0 / (1u64 << 40) as f64;
+/// Relative steps below this one that do not get shorter are the rounding of doubles.
+const SHORT_STEP: f64 = 1.0 / (1u64 << 24) as f64;
+/// Boxes that are tried, each about the middle of the image of the one before.
+const BOXES: usize = 3;
+/// How many times as wide a box is as the correction that the residuals ask for.
+const INFLATION: f64 = 4.0;
+
+/// Encloses the root of at most four equations next to a start value, proved to exist and to be unique in a box on
+/// which the equations are regular.
+pub(super) fn root_near<E: Doubles>(
+    equations: &impl Form<E>,
+    start: &[f64],
+) -> Result<Vec<E>, Undecided> {
+    match *start {
+        [a] => root(equations, [a]).map(Vec::from),
+        [a, b] => root(equations, [a, b]).map(Vec::from),
+        [a, b, c] => root(equations, [a, b, c]).map(Vec::from),
+        [a, b, c, d] => root(equations, [a, b, c, d]).map(Vec::from),
+        _ => Err(no_candidate()),
+    }
+}
+
+fn root<E: Doubles, const N: usize>(
+    equations: &impl Form<E>,
+    start: [f64; N],
+) -> Result<[E; N], Undecided> {
+    let (candidate, inverse) = settle(equations, start).ok_or_else(no_candidate)?;
+    let mut centre = candidate.map(|x| E::from(DoubleBall::exact(x)));
+    let mut found = None;
+    for _ in 0..BOXES {
+        let Image { middle, proved } = image(equations, &centre, &inverse);
+        let is_narrow = |x: &E| x.radius() <= E::NARROW * x.nearest().abs();
+        found = proved.or(found);
+        if found.is_some_and(|image| image.iter().all(is_narrow)) {
+            break;
+        }
+        centre = middle;
+    }
+    found.ok_or_else(|| Undecided::new("no box around the candidate is mapped into itself"))
+}
+
+/// Newton's method in doubles for positive unknowns: a candidate, and an approximate inverse of the Jacobian there.
+fn settle<E: Doubles, const N: usize>(
+    equations: &impl Form<E>,
+    mut x: [f64; N],
+) -> Option<([f64; N], [[f64; N]; N])> {
+    let mut last = f64::INFINITY;
+    for _ in 0..STEPS {
+        tally::newton_step();
+        let number = |given: &E| Gradient::<f64, N>::constant(given.nearest());
+        let residuals = equations.at(number, &Gradient::variables(&x));
+        let inverse = invert(array::from_fn(|e| residuals[e].slopes))?;
+        let mut longest = 0.0f64;
+        for (x, row) in x.iter_mut().zip(&inverse) {
+            let step: f64 = row.iter().zip(&residuals).map(|(y, r)| y * r.value).sum();
+            // A variable never crosses zero: a longer step stops half-way there.
+            let next = if *x - step > 0.0 { *x - step } else { *x / 2.0 };
+            longest = longest.max(((*x - next) / next).abs());
+            *x = next;
+        }
+        if longest <= LAST_STEP || (longest <= SHORT_STEP && longest >= last) {
+            return Some((x, inverse));
+        }
+        last = longest;
+    }
+    None
+}
+
+/// What a step of the operator finds.
+struct Image<E, const N: usize> {
+    /// A better centre.
+    middle: [E; N],
+    /// The image, if it is proved to hold the only root in the box.
+    proved: Option<[E; N]>,
+}
+
+/// The image of a box about a centre, just wide enough for what the residuals there ask for.
+fn image<E: Doubles, const N: usize>(
+    equations: &impl Form<E>,
+    centre: &[E; N],
+    inverse: &[[f64; N]; N],
+) -> Image<E, N> {
+    let residuals = equations.at(|given| *given, centre);
+    let exact = |x: f64| DoubleBall::exact(x);
+    let newton: [E; N] = array::from_fn(|k| {
+        let terms = inverse[k].iter().zip(&residuals).map(|(y, r)| E::from(exact(*y)) * r);
+        terms.fold(centre[k].int(0), |sum, term| sum + term)
+    });
+    // Any radii will do: these are not rounded.
+    let radii: [f64; N] = array::from_fn(|k| {
+        let terms = inverse[k].iter().zip(&residuals).map(|(y, r)| y.abs() * r.bound());
+        INFLATION * terms.sum::<f64>()
+    });
+    let domain: [E; N] = array::from_fn(|k| centre[k].around(radii[k]));
+    let coarse = domain.map(Into::into);
+    let middle = array::from_fn(|k| (centre[k] - newton[k]).midpoint());
+    if !equations.is_regular(|given| (*given).into(), &coarse) {
+        return Image { middle, proved: None };
+    }
+    let variables = Gradient::<DoubleBall, N>::variables(&coarse);
+    let slopes = equations.at(|given| Gradient::constant((*given).into()), &variables);
+    let offsets: [DoubleBall; N] = array::from_fn(|k| (domain[k] - centre[k]).into());
+    let spread = krawczyk::spread(&slopes, &inverse.map(|row| row.map(exact)), &offsets);
+    let image: [E; N] = array::from_fn(|k| centre[k] - newton[k] + E::from(spread[k]));
+    Image { middle, proved: krawczyk::is_contracted(&image, &domain).then_some(image) }
+}

@@ -1,0 +1,216 @@
+//! Decimal output of a ball of double-doubles, in which every digit is proved: [`Rounded::from_ball`] in integers of
+//! fixed length, without a heap.
+
+use super::{Decimal, Rounded};
+use crate::number::DoubleDoubleBall;
+
+/// Digits beyond this are left to balls of MPFR.
+const MOST_DIGITS: usize = 28;
+/// Sizes of the midpoint: `2^±EXPONENTS`.
+const EXPONENTS: i32 = 60;
+/// The bits of the midpoint as an integer.
+const BITS: i32 = 119;
+
+/// The true value of `ball` rounded to `digits` significant digits, in the sense of [`Rounded::from_ball`]: the same
+/// answer, or none. There is none for zero, beyond 28 digits, and for sizes outside `2^±60`.
+pub fn rounded_double(ball: &DoubleDoubleBall, digits: usize) -> Option<Rounded> {
+    let is_negative = ball.mid().hi() < 0.0;
+    let middle = if is_negative { -ball.mid() } else { ball.mid() };
+    let exponent = exponent(middle.hi());
+    if !(1..=MOST_DIGITS).contains(&digits) || !(-EXPONENTS..=EXPONENTS).contains(&exponent) {
+        return None;
+    }
+    // In units of 2^-scale the first part is an integer, and the second is rounded down.
+    let scale = BITS - 1 - exponent;
+    let floor = shifted(middle.hi(), scale)? + shifted(middle.lo(), scale)?;
+    let radius = (ball.rad() * f64::powi(2.0, scale)).ceil() + 1.0;
+    if !(0.0..(1u64 << 60) as f64).contains(&radius) {
+        return None;
+    }
+    // All numbers of the ball lie between `low` and `low + width`.
+    let low = u128::try_from(floor - radius as i128).ok()?;
+    let width = 2 * radius as u128 + 1;
+    // One digit more than asked for tells the halves of a unit apart; the estimate may be off by one either way.
+    let mut places = digits as i32 - middle.hi().log10().floor() as i32;
+    let (cell, exponent) = [0; 3].into_iter().find_map(|_| {
+        let cell = cell(low, width, u32::try_from(places).ok()?, scale)?;
+        let length = length(cell.number) as i32;
+        let found = (length == digits as i32 + 1).then_some((cell, 1 - places));
+        places += digits as i32 + 1 - length;
+        found
+    })?;
+    if !cell.holds_all {
+        return None;
+    }
+    let (below, last) = (cell.number / 10, cell.number % 10);
+    let decimal = |number: u128| {
+        // 999 becomes 100 and a higher power of ten: the number of digits stays.
+        let (number, exponent) = match length(number) > digits {
+            true => (number / 10, exponent + 1),
+            false => (number, exponent),
+        };
+        let text = u64::try_from(number).map_or_else(|_| number.to_string(), |n| n.to_string());
+        Decimal::new(is_negative, text, exponent.into())
+    };
+    let (below, above) = (decimal(below), decimal(below + 1));
+    let value = if last >= 5 { above.clone() } else { below.clone() };
+    let (lower, upper) = if is_negative { (above, below) } else { (below, above) };
+    Some(Rounded { value, lower, upper })
+}
+
+/// The `e` with `2^e <= x < 2^(e+1)`, for normal positive doubles.
+fn exponent(x: f64) -> i32 {
+    (x.to_bits() >> 52) as i32 - 1023
+}
+
+/// `floor(x 2^scale)`; `None` for a subnormal number, or where the result does not fit.
+fn shifted(x: f64, scale: i32) -> Option<i128> {
+    const MANTISSA: u64 = (1 << 52) - 1;
+    if x == 0.0 {
+        return Some(0);
+    }
+    if !x.is_normal() {
+        return None;
+    }
+    let mantissa = i128::from(x.to_bits() & MANTISSA | (MANTISSA + 1));
+    let mantissa = if x < 0.0 { -mantissa } else { mantissa };
+    let shift = exponent(x.abs()) - 52 + scale;
+    match u32::try_from(shift) {
+        Ok(left) => (left < 70).then(|| mantissa << left),
+        // The shift of a negative number rounds down too.
+        Err(_) => Some(mantissa >> shift.unsigned_abs().min(127)),
+    }
+}
+
+/// A cell of the decimal grid.
+struct Cell {
+    /// Its lower end in units of the grid.
+    number: u128,
+    /// Whether all numbers lie strictly inside.
+    holds_all: bool,
+}
+
+/// The cell of the grid of `10^-places` in which `low 2^-scale` lies; `None` out of range.
+fn cell(low: u128, width: u128, places: u32, scale: i32) -> Option<Cell> {
+    let power = 5u128.checked_pow(places)?;
+    let shift = u32::try_from(scale - places as i32).ok()?;
+    let start = Wide::product(low, power);
+    let number = start.shifted_down(shift)?;
+    let end = start.plus(Wide::product(width, power))?;
+    let is_inside = !start.is_multiple_of_power(shift) && end.shifted_down(shift)? == number;
+    Some(Cell { number, holds_all: is_inside })
+}
+
+/// How many decimal digits a number has.
+fn length(number: u128) -> usize {
+    number.checked_ilog10().map_or(1, |log| log as usize + 1)
+}
+
+/// An integer of 256 bits: the upper half first.
+#[derive(Clone, Copy)]
+struct Wide(u128, u128);
+
+impl Wide {
+    fn product(a: u128, b: u128) -> Self {
+        const LOW: u128 = u64::MAX as u128;
+        let (a1, a0, b1, b0) = (a >> 64, a & LOW, b >> 64, b & LOW);
+        let (low, high) = (a0 * b0, a1 * b1);
+        let (middle, carry) = (a1 * b0).overflowing_add(a0 * b1);
+        let (low, more) = low.overflowing_add(middle << 64);
+        Self(high + (middle >> 64) + (u128::from(carry) << 64) + u128::from(more), low)
+    }
+
+    fn plus(self, other: Self) -> Option<Self> {
+        let (low, carry) = self.1.overflowing_add(other.1);
+        Some(Self(self.0.checked_add(other.0)?.checked_add(carry.into())?, low))
+    }
+
+    /// `floor(self / 2^shift)`; `None` if that has more than 128 bits.
+    fn shifted_down(self, shift: u32) -> Option<u128> {
+        match shift {
+            0 => (self.0 == 0).then_some(self.1),
+            1..128 => (self.0 >> shift == 0).then(|| self.0 << (128 - shift) | self.1 >> shift),
+            128..256 => Some(self.0 >> (shift - 128)),
+            _ => Some(0),
+        }
+    }
+
+    fn is_multiple_of_power(self, shift: u32) -> bool {
+        let zeros =
+            if self.1 == 0 { 128 + self.0.trailing_zeros() } else { self.1.trailing_zeros() };
+        zeros >= shift
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::test_config::config;
+    use crate::number::{Ball, DoubleDouble};
+    use proptest::prelude::*;
+    use rug::{Integer, Rational};
+
+    fn same(ball: &DoubleDoubleBall, digits: usize) -> Option<Rounded> {
+        let found = rounded_double(ball, digits);
+        let by_mpfr = Rounded::from_ball(&ball.to_ball(256), digits);
+        if let Some(found) = &found {
+            assert_eq!(Some(found), by_mpfr.as_ref(), "{ball:?} to {digits}");
+        }
+        found
+    }
+
+    proptest! {
+        #![proptest_config(config(4000))]
+
+        /// Of any numbers the digits are those that balls of MPFR have.
+        #[test]
+        fn digits_are_those_of_balls_of_mpfr(
+            mantissa in 1u64..1 << 53, low in any::<i64>(), shift in -50i32..50, gap in 53i32..120,
+            radius in 80i32..140, negative in any::<bool>(), digits in 1usize..26,
+        ) {
+            let hi = mantissa as f64 * f64::powi(2.0, shift - 52);
+            let hi = if negative { -hi } else { hi };
+            let mid = DoubleDouble::sum(hi, low as f64 * f64::powi(2.0, shift - 62 - gap));
+            let ball = DoubleDoubleBall::new(mid, hi.abs() * f64::powi(2.0, -radius));
+            let found = same(&ball, digits);
+            // Most are decided.
+            let is_easy = radius > 100 && shift < 0 && digits < 12 && low != 0 && gap < 60 && mantissa > 1 << 50;
+            prop_assert!(found.is_some() || !is_easy, "{ball:?} to {digits}");
+        }
+
+        /// Values made to lie next to a rounding boundary.
+        #[test]
+        fn next_to_a_boundary_too(
+            head in 1u64..u64::MAX, five in any::<bool>(), up in any::<bool>(), hair in 1u32..16,
+            places in 0i32..24, digits in 3usize..18, radius in 90i32..108,
+        ) {
+            let text = format!("{head:0<20}");
+            let grid = format!("{}{}", &text[..digits], if five { "5" } else { "0" });
+            let scale = Rational::from(Integer::from(Integer::u_pow_u(10, (digits as i32 + places) as u32)));
+            let grid = Rational::from(grid.parse::<Integer>().unwrap()) / scale;
+            let step = grid.clone() / Integer::from(Integer::u_pow_u(10, digits as u32 + hair));
+            let x = if up { grid + step } else { grid - step };
+            let near = DoubleDoubleBall::from(&Ball::enclosing(&x, 256));
+            let ball = near.widened(near.mid().hi() * f64::powi(2.0, -radius));
+            same(&ball, digits);
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_decided_is_not() {
+        let of = |x: f64, rad: f64, digits| {
+            rounded_double(&DoubleDoubleBall::new(DoubleDouble::exact(x), rad), digits)
+        };
+        assert!(of(0.0, 0.0, 5).is_none() && of(1.25, 0.0, 2).is_none(), "zero, a tie");
+        assert!(of(0.3, f64::INFINITY, 5).is_none() && of(0.3, 1.0, 5).is_none());
+        assert!(of(f64::NAN, 1.0, 5).is_none() && of(1e30, 1e-9, 5).is_none());
+        assert!(of(0.3, 1e-30, 29).is_none() && of(0.3, 1e-30, 0).is_none());
+        assert_eq!(of(0.99996, 1e-20, 4).unwrap().value.to_string(), "1.000");
+        // Within the radius of a boundary, and just outside of it.
+        let near = |rad| {
+            let mid = DoubleDouble::sum(0.5, 1e-25);
+            rounded_double(&DoubleDoubleBall::new(mid, rad), 16)
+        };
+        assert!(near(1.1e-25).is_none() && near(0.9e-25).is_some());
+    }
+}
