@@ -24,6 +24,7 @@ mod condition;
 mod equation;
 mod examined;
 mod examined_small;
+#[cfg(feature = "check")]
 mod known;
 mod landmark;
 #[cfg(feature = "check")]
@@ -51,6 +52,7 @@ pub use examined::{
 pub use examined_small::{
     ExaminedSmall, scaled_inner_friction, scaled_room_for_steepest, scaled_shoulder_friction,
 };
+#[cfg(feature = "check")]
 pub use known::Known;
 pub use landmark::Landmark;
 #[cfg(feature = "check")]
