@@ -135,6 +135,10 @@ fn settle<E: Doubles, const N: usize>(
         tally::newton_step();
         let number = |given: &E| Gradient::<f64, N>::constant(given.nearest());
         let residuals = equations.at(number, &Gradient::variables(&x));
+        // Only a square system has a Jacobian, and a root to prove.
+        if residuals.len() != N {
+            return None;
+        }
         let inverse = invert(array::from_fn(|e| residuals[e].slopes))?;
         let mut longest = 0.0f64;
         for (x, row) in x.iter_mut().zip(&inverse) {

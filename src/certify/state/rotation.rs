@@ -5,6 +5,7 @@
 //! double root: there the square of the joint is the unknown, in which they are smooth.
 
 use super::query::Query;
+use crate::arch::haunch::Haunch;
 use crate::arch::{Configuration, Ring, SelfWeight, Unknown, thrust};
 use crate::certify::Undecided;
 use crate::certify::arithmetic::Arithmetic;
@@ -12,39 +13,6 @@ use crate::certify::root::Form;
 use crate::number::{Angle, Enclosure, Field, Real, Stumpff};
 use crate::problem::{Equation, tally};
 use crate::solve::start::Start;
-
-/// What the equations know of the rotational joint.
-struct Haunch<T> {
-    /// `beta cot(beta)`.
-    times_cotangent: T,
-    /// `1 - cos(beta)`.
-    versine: T,
-    /// `beta/sin(beta) - 1`.
-    excess: T,
-}
-
-impl<T: Real> Haunch<T> {
-    fn at_angle(joint: T) -> Self {
-        let joint = Angle::new(joint);
-        Self {
-            times_cotangent: joint.times_cotangent(),
-            versine: joint.versine(),
-            excess: (joint.rad.clone() - &joint.sin) / &joint.sin,
-        }
-    }
-}
-
-impl<T: Stumpff> Haunch<T> {
-    /// The same by the square of the joint.
-    fn at_square(u: T) -> Self {
-        let c = u.stumpff(4);
-        Self {
-            times_cotangent: u.int(1) - (c[2].clone() - &c[3]) * &u / &c[1],
-            versine: u.clone() * &c[2],
-            excess: u * &c[3] / &c[1],
-        }
-    }
-}
 
 /// The joint itself as the unknown, or its square.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -56,8 +24,8 @@ enum Joint {
 impl Joint {
     fn haunch<T: Real + Stumpff>(self, unknown: T) -> Haunch<T> {
         match self {
-            Self::Angle => Haunch::at_angle(unknown),
-            Self::Square => Haunch::at_square(unknown),
+            Self::Angle => Haunch::from(&Angle::new(unknown)),
+            Self::Square => Haunch::at_square(&unknown),
         }
     }
 }

@@ -73,7 +73,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.file.open_for(format)?;
     let curves = |weight| Curve::ALL.into_iter().map(move |curve| (weight, curve));
     let asked = weights.into_iter().flat_map(curves).collect();
-    let (traces, open) = traced(asked, arguments.tolerance);
+    let (traces, open) = traced(asked, arguments.tolerance, format)?;
     let drawing = Drawing { view, command: typed() };
     let report =
         Report::Map(Map { tolerance: arguments.tolerance, traces, levels: Vec::new(), drawing });

@@ -120,7 +120,7 @@ impl Arguments {
 
     /// What a picture shows.
     fn drawing(&self, format: &Format) -> Result<Drawing, Failure> {
-        let is_picture = ["svg", "png"].contains(&format.name);
+        let is_picture = is_picture(format);
         if self.lines && self.plane != Plane::ThicknessFriction {
             let message = "--lines are drawn over thickness and friction; leave out --plane";
             return Err(Failure::Input(message.into()));
@@ -143,8 +143,12 @@ impl Arguments {
     }
 }
 
-/// Curves on all cores, and what of them is not proved.
-pub(super) fn traced(asked: Vec<(SelfWeight, Curve)>, tolerance: f64) -> (Vec<Trace>, Vec<String>) {
+/// Curves on all cores, and what of them is not proved. A picture needs all: without one it would show other domains.
+pub(super) fn traced(
+    asked: Vec<(SelfWeight, Curve)>,
+    tolerance: f64,
+    format: &Format,
+) -> Result<(Vec<Trace>, Vec<String>), Failure> {
     let traced: Vec<Result<Trace, Undecided>> =
         asked.into_par_iter().map(|(weight, curve)| Trace::new(curve, weight, tolerance)).collect();
     let (mut traces, mut open) = (Vec::new(), Vec::new());
@@ -154,10 +158,17 @@ pub(super) fn traced(asked: Vec<(SelfWeight, Curve)>, tolerance: f64) -> (Vec<Tr
             Err(undecided) => open.push(undecided.to_string()),
         }
     }
+    if is_picture(format) && !open.is_empty() {
+        return Err(Failure::Undecided(open.join("; ")));
+    }
     open.extend(traces.iter().filter(|trace| trace.gaps().next().is_some()).map(|trace| {
         format!("{}, {}: not every piece is proved", trace.curve, trace.weight.name())
     }));
-    (traces, open)
+    Ok((traces, open))
+}
+
+fn is_picture(format: &Format) -> bool {
+    ["svg", "png"].contains(&format.name)
 }
 
 fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
@@ -175,7 +186,7 @@ fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
         .flat_map(|weight| Curve::ALL.into_iter().map(move |curve| (weight, curve)))
         .filter(|(weight, curve)| is_asked(curve) && !(curve.is_weightless() && *weight != first))
         .collect();
-    let (traces, mut open) = traced(asked, arguments.tolerance);
+    let (traces, mut open) = traced(asked, arguments.tolerance, format)?;
     let levels = levels(arguments, &mut open)?;
     let report = Report::Map(Map { tolerance: arguments.tolerance, traces, levels, drawing });
     file.write(|out| report.write(format, out))?;

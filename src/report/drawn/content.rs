@@ -6,7 +6,7 @@ use super::sheet::Sheet;
 use super::{domain, look};
 use crate::atlas::Curve;
 use crate::picture::{Frame, Path, Point, Svg};
-use crate::problem::{Landmark, Line, Mode};
+use crate::problem::{Landmark, Mode};
 
 /// The domains, lines and landmarks of one weight in a plane.
 pub(super) struct Content {
@@ -22,17 +22,10 @@ pub(super) struct Content {
 }
 
 /// The lines between domains, and the limit.
-pub(super) const LINES: [Curve; 9] = [
-    Curve::Line(Line::RotationShoulder),
-    Curve::Line(Line::ShoulderEnd),
-    Curve::Line(Line::RotationInner),
-    Curve::Line(Line::AboveHaunchEnd),
-    Curve::Line(Line::BelowHaunchEnd),
-    Curve::Line(Line::CrownEnd),
-    Curve::Line(Line::Joints),
-    Curve::Line(Line::Crown),
-    Curve::Limit,
-];
+pub(super) fn lines() -> impl Iterator<Item = Curve> {
+    let is_line = |curve: &Curve| matches!(curve, Curve::Line(_) | Curve::Limit);
+    Curve::ALL.into_iter().filter(is_line)
+}
 
 impl Content {
     /// What the curves of a weight are in a plane.
@@ -44,10 +37,10 @@ impl Content {
             Plane::OpeningThickness => &[Curve::Rotation, Curve::Overturning],
             _ => &[],
         };
-        let lines = LINES.iter().chain(ends);
+        let lines = lines().chain(ends.iter().copied());
         Self {
             areas: Mode::ALL.into_iter().filter_map(area).collect(),
-            lines: lines.filter_map(|curve| Some((*curve, chain(*curve)?))).collect(),
+            lines: lines.filter_map(|curve| Some((curve, chain(curve)?))).collect(),
             edge: chain(Curve::Overturning),
             landmarks: sheet.landmarks(plane),
             plane,

@@ -1,7 +1,7 @@
 //! The lines of both weights in one plane.
 
 use super::caption::caption;
-use super::content::LINES;
+use super::content::lines;
 use super::inset::Inset;
 use super::look;
 use super::page::Page;
@@ -57,7 +57,7 @@ impl LinesPicture<'_> {
     fn draw(&self, svg: &mut Svg, frame: &Frame, of: &str) {
         for sheet in self.sheets {
             let weight = sheet.weight.name();
-            for curve in LINES {
+            for curve in lines() {
                 let Some(chain) = sheet.chain(curve, PLANE) else { continue };
                 let id = format!("{of}{weight}-line-{}", curve.to_string().replace('/', "-"));
                 svg.group(&id, |svg| {
