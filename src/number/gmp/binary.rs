@@ -85,7 +85,38 @@ fn nearest_quad(low: &Float, high: &Float) -> Option<Float> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::DoubleDouble;
+    use crate::number::test_config::config;
+    use proptest::prelude::*;
     use rug::Rational;
+
+    proptest! {
+        #![proptest_config(config(4000))]
+
+        /// Powers of two, both signs, low parts next to a tie and to zero: the bounds are those of a ball of MPFR.
+        #[test]
+        fn a_ball_of_double_doubles_has_the_bounds_of_one_of_mpfr(
+            mantissa in prop_oneof![Just(1u64), 1u64..1 << 53], low in -1.0f64..=1.0, gap in 53i32..110,
+            shift in -60i32..60, radius in 60i32..140, negative in any::<bool>(),
+        ) {
+            let hi = mantissa as f64 * 2f64.powi(shift);
+            let hi = if negative { -hi } else { hi };
+            let mid = DoubleDouble::sum(hi, low * hi * 2f64.powi(-gap));
+            let ball = DoubleDoubleBall::new(mid, hi.abs() * 2f64.powi(-radius));
+            let found = Binary::of_double_double(&ball);
+            let is_easy = radius > gap + 12 && (1e-3..0.49).contains(&low.abs());
+            prop_assert!(found.is_some() || !is_easy, "{ball:?}");
+            if let Some((double, found)) = found {
+                let by_mpfr = Binary::new(&ball.to_ball(300), double);
+                prop_assert_eq!(ball.to_ball(300).nearest_double(), Some(double));
+                prop_assert_eq!((found.lower, found.upper), (by_mpfr.lower, by_mpfr.upper));
+                let exact = |x: f64| Rational::from_f64(x).unwrap();
+                let farthest = exact(ball.mid().lo().abs()) + exact(ball.rad());
+                prop_assert!(exact(found.error) >= farthest, "{ball:?}");
+                prop_assert!(found.error <= farthest.to_f64() * 1.001, "{ball:?}");
+            }
+        }
+    }
 
     fn of(ball: &Ball) -> (f64, Binary) {
         let double = ball.nearest_double().unwrap();
