@@ -89,7 +89,7 @@ const fn language(name: &'static str, extension: &'static str, answers: Writer<A
     Format { has_certificates: true, answers: Some(answers), ..text(name, extension) }
 }
 
-static FORMATS: [Format; 17] = [
+static FORMATS: [Format; 18] = [
     Format {
         answers: Some(table::answers),
         audit: Some(audit::table),
@@ -135,6 +135,7 @@ static FORMATS: [Format; 17] = [
     language("fortran", "f90", fortran::answers),
     PARQUET,
     Format { map: Some(map::svg), ..text("svg", "svg") },
+    Format { map: Some(map::html), ..text("html", "html") },
     PNG,
 ];
 

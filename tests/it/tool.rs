@@ -7,6 +7,7 @@ use std::process::Command;
 /// The Debian package of a program; the tests ask for no other programs.
 fn package(program: &str) -> &'static str {
     match program {
+        "chromium" => "chromium",
         "gcc" => "gcc",
         "g++" => "g++",
         "gfortran" => "gfortran",

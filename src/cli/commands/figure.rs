@@ -75,8 +75,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let asked = weights.into_iter().flat_map(curves).collect();
     let (traces, open) = traced(asked, arguments.tolerance, format)?;
     let drawing = Drawing { view, command: typed() };
+    let (levels, landmarks) = (Vec::new(), Vec::new());
     let report =
-        Report::Map(Map { tolerance: arguments.tolerance, traces, levels: Vec::new(), drawing });
+        Report::Map(Map { tolerance: arguments.tolerance, traces, levels, landmarks, drawing });
     file.write(|out| report.write(format, out))?;
     match open.is_empty() {
         true => Ok(()),

@@ -4,10 +4,13 @@ use super::output::{Output, OutputFile, typed};
 use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
 use crate::atlas::{Curve, LEAST_TOLERANCE, Level, NoLevel, NoPoint, Part, Trace, point};
-use crate::certify::{MAX_DIGITS, Undecided};
+use crate::certify::{CertifiedLandmark, MAX_DIGITS, Undecided, quantities};
 use crate::cli::failure::Failure;
 use crate::number::{ExactNumber, ParseExactError};
-use crate::report::{Content, Drawing, Format, Map, MapPoint, MapPoints, Plane, Report, View};
+use crate::problem::Landmark;
+use crate::report::{
+    Answer, Content, Drawing, Format, Map, MapPoint, MapPoints, Plane, Report, View,
+};
 use clap::Args;
 use rayon::prelude::*;
 
@@ -20,8 +23,9 @@ use rayon::prelude::*;
 /// Curves: rotation, overturning, sliding; two modes that meet (rrr/srr, [r,s,r]/[r,s]); limit, where the thickness
 /// reaches 2.
 ///
-/// Formats of pictures, svg and png, draw the map: the domains of the modes in a --plane, or --lines alone. If no format is
-/// given, what the name of the file ends with tells it; without a file it is table.
+/// Formats of pictures, svg and png, draw the map: the domains of the modes in a --plane, or --lines alone. html is a page
+/// with the map, of both weights unless one is named, that says what lies under the pointer. If no format is given, what
+/// the name of the file ends with tells it; without a file it is table.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Curves, with commas between several; all if none is named.
@@ -39,9 +43,9 @@ pub(crate) struct Arguments {
     )]
     half_openings: Vec<ExactNumber>,
 
-    /// Self-weight model: heyman, milankovitch or both.
-    #[arg(long, default_value = "milankovitch", value_parser = parse::weights)]
-    weight: Weights,
+    /// Self-weight model: heyman, milankovitch or both; milankovitch if none is named, but for html both.
+    #[arg(long, value_parser = parse::weights)]
+    weight: Option<Weights>,
 
     /// Largest half-width of a tube, in rad and in thicknesses, from 1e-12 to 1.
     #[arg(long, default_value = "1e-4", value_name = "WIDTH", value_parser = tolerance, allow_negative_numbers = true)]
@@ -118,14 +122,29 @@ impl Arguments {
         self.file.format(self.format, Content::Map, "table")
     }
 
+    /// The weights asked for.
+    fn weights(&self, format: &Format) -> Vec<SelfWeight> {
+        let usual = match is_page(format) {
+            true => Weights::Both,
+            false => Weights::One(SelfWeight::Milankovitch),
+        };
+        self.weight.unwrap_or(usual).all()
+    }
+
     /// What a picture shows.
     fn drawing(&self, format: &Format) -> Result<Drawing, Failure> {
-        let is_picture = is_picture(format);
+        let is_whole = self.curves.is_empty() && self.half_openings.is_empty();
+        let is_usual = !self.lines && self.plane == Plane::ThicknessFriction;
+        if is_page(format) && !(is_whole && is_usual) {
+            let message = "a page shows the whole map; leave out --curve, --half-opening, --plane and --lines";
+            return Err(Failure::Input(message.into()));
+        }
+        let is_picture = is_picture(format) && !is_page(format);
         if self.lines && self.plane != Plane::ThicknessFriction {
             let message = "--lines are drawn over thickness and friction; leave out --plane";
             return Err(Failure::Input(message.into()));
         }
-        if is_picture && !self.lines && self.weight.all().len() > 1 {
+        if is_picture && !self.lines && self.weights(format).len() > 1 {
             let message = "a map shows one --weight; --lines shows the lines of both";
             return Err(Failure::Input(message.into()));
         }
@@ -168,7 +187,11 @@ pub(super) fn traced(
 }
 
 fn is_picture(format: &Format) -> bool {
-    ["svg", "png"].contains(&format.name)
+    ["svg", "png"].contains(&format.name) || is_page(format)
+}
+
+fn is_page(format: &Format) -> bool {
+    format.name == "html"
 }
 
 fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
@@ -178,17 +201,23 @@ fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
     let curves = arguments.curves();
     let is_whole = curves.is_empty() && arguments.half_openings.is_empty();
     let is_asked = |curve: &Curve| is_whole || curves.contains(curve);
-    let first = arguments.weight.all()[0];
-    let asked: Vec<(SelfWeight, Curve)> = arguments
-        .weight
-        .all()
-        .into_iter()
+    let weights = arguments.weights(format);
+    let first = weights[0];
+    let asked: Vec<(SelfWeight, Curve)> = weights
+        .iter()
+        .copied()
         .flat_map(|weight| Curve::ALL.into_iter().map(move |curve| (weight, curve)))
         .filter(|(weight, curve)| is_asked(curve) && !(curve.is_weightless() && *weight != first))
         .collect();
     let (traces, mut open) = traced(asked, arguments.tolerance, format)?;
-    let levels = levels(arguments, &mut open)?;
-    let report = Report::Map(Map { tolerance: arguments.tolerance, traces, levels, drawing });
+    let levels = levels(arguments, &weights, &mut open)?;
+    let landmarks = if is_page(format) { landmarks(&weights) } else { Vec::new() };
+    let undecided = landmarks.iter().filter(|answer| answer.is_undecided());
+    open.extend(
+        undecided.filter_map(|answer| Some(answer.subject.landmark()?.symbol().to_owned())),
+    );
+    let report =
+        Report::Map(Map { tolerance: arguments.tolerance, traces, levels, landmarks, drawing });
     file.write(|out| report.write(format, out))?;
     if arguments.file.is_file() {
         summary(&report)?;
@@ -199,9 +228,30 @@ fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
+/// Digits of the landmarks on a page.
+const LANDMARK_DIGITS: usize = 15;
+
+/// The landmarks of a page.
+fn landmarks(weights: &[SelfWeight]) -> Vec<Answer> {
+    let points =
+        weights.iter().flat_map(|&weight| Landmark::ALL.map(|landmark| (landmark, weight)));
+    let answer = |point: (Landmark, SelfWeight)| {
+        let asked: Vec<_> = quantities(point.0).map(|of| (of, LANDMARK_DIGITS)).collect();
+        let proved = CertifiedLandmark::new(point.0, point.1).and_then(|landmark| {
+            let constants = landmark.constants_of(&asked)?;
+            Ok(Answer::landmark(point, Ok((&landmark, constants))))
+        });
+        proved.unwrap_or_else(|undecided| Answer::landmark(point, Err(&undecided)))
+    };
+    points.map(answer).collect()
+}
+
 /// The lines of half openings; what is not proved of them is added to what stays open.
-fn levels(arguments: &Arguments, open: &mut Vec<String>) -> Result<Vec<Level>, Failure> {
-    let weights = arguments.weight.all();
+fn levels(
+    arguments: &Arguments,
+    weights: &[SelfWeight],
+    open: &mut Vec<String>,
+) -> Result<Vec<Level>, Failure> {
     let asked: Vec<(SelfWeight, &ExactNumber)> = weights
         .iter()
         .flat_map(|weight| arguments.half_openings.iter().map(|alpha| (*weight, alpha)))
@@ -253,7 +303,7 @@ fn one_point(arguments: &Arguments, parameter: &str) -> Result<(), Failure> {
     let wrong = |error: ParseExactError| Failure::Input(error.to_string());
     let exact: ExactNumber = parameter.parse().map_err(wrong)?;
     let digits = arguments.digits.min(MAX_DIGITS);
-    let weights = arguments.weight.all();
+    let weights = arguments.weights(format);
     let weights = if curve.is_weightless() { &weights[..1] } else { &weights[..] };
     let points = weights.iter().map(|&weight| {
         let undecided = |undecided: Undecided| Failure::Undecided(undecided.to_string());

@@ -5,7 +5,9 @@ use super::lines::LinesPicture;
 use super::map::MapPicture;
 use super::plane::Plane;
 use super::sheet::Sheet;
+use crate::arch::SelfWeight;
 use crate::atlas::Trace;
+use crate::picture::Frame;
 use std::io;
 
 /// The picture that some curves are drawn as.
@@ -28,7 +30,27 @@ pub enum View {
     Branches(Branches),
 }
 
+/// The map of one weight for a page that knows where on it a point is.
+pub(in crate::report) struct FramedMap {
+    /// The weight.
+    pub weight: SelfWeight,
+    /// The picture as SVG.
+    pub svg: String,
+    /// Where it shows friction angles in degrees and thicknesses: its insets, then the map itself.
+    pub frames: Vec<Frame>,
+}
+
 impl Drawing {
+    /// The map of each weight over thickness and friction.
+    pub(in crate::report) fn framed_maps(&self, traces: &[Trace]) -> Vec<FramedMap> {
+        let framed = |sheet: &Sheet| {
+            let plane = Plane::ThicknessFriction;
+            let picture = MapPicture { sheet, plane, command: &self.command };
+            FramedMap { weight: sheet.weight, svg: picture.svg(), frames: picture.frames() }
+        };
+        Sheet::all(traces).iter().map(framed).collect()
+    }
+
     /// The picture of some curves as SVG; nothing to draw is an error.
     pub(in crate::report) fn svg(&self, traces: &[Trace]) -> io::Result<String> {
         let sheets = Sheet::all(traces);

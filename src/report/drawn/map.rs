@@ -58,6 +58,14 @@ impl MapPicture<'_> {
         svg.finish()
     }
 
+    /// Where it shows points of the plane: its insets, then the map itself.
+    pub(super) fn frames(&self) -> Vec<Frame> {
+        let content = Content::new(self.sheet, self.plane);
+        let (page, _) = Page::new(self.plane, "", &[], 0.0);
+        let insets = Inset::all(&content, self.plane, page.frame.corner);
+        insets.iter().map(|inset| inset.frame).chain([page.frame]).collect()
+    }
+
     fn shows(&self) -> &'static str {
         match self.plane {
             Plane::ThicknessFriction => {

@@ -40,6 +40,7 @@ mod sheet;
 mod spot;
 
 pub use branches::Branches;
+pub(super) use drawing::FramedMap;
 pub use drawing::{Drawing, View};
 pub use plane::Plane;
 

@@ -1,18 +1,21 @@
-//! The curves of the map: a summary for a person, and their nodes as JSON (`couplet.map/1`), CSV or Parquet. Fields may be
-//! added, none changes its meaning.
+//! The curves of the map: a summary for a person, their nodes as JSON (`couplet.map/1`), CSV or Parquet, and a page to
+//! point at. Fields may be added, none changes its meaning.
 
 mod domains;
 mod json;
+mod page;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod picture;
 mod point;
+mod policy;
 mod rows;
 mod table;
 
 pub use point::{MapPoint, MapPoints};
 
 pub(super) use json::json;
+pub(super) use page::html;
 #[cfg(feature = "parquet")]
 pub(super) use parquet::parquet;
 #[cfg(feature = "plots")]
@@ -22,6 +25,7 @@ pub(super) use point::{csv as point_csv, json as point_json, table as point_tabl
 pub(super) use rows::csv;
 pub(super) use table::table;
 
+use super::answer::Answer;
 use super::drawn::Drawing;
 use crate::atlas::{Level, Trace};
 
@@ -34,6 +38,8 @@ pub struct Map {
     pub traces: Vec<Trace>,
     /// The lines of half openings.
     pub levels: Vec<Level>,
+    /// The landmarks, for a page.
+    pub landmarks: Vec<Answer>,
     /// How a picture shows them.
     pub drawing: Drawing,
 }

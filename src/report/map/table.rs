@@ -6,23 +6,26 @@ use crate::atlas::{Part, Piece, Trace};
 use crate::report::words::count;
 use std::io;
 
+/// What names a curve.
+pub(super) const TITLES: [&str; 5] = ["curve", "weight", "parameter", "from", "to"];
+
+pub(super) fn names(trace: &Trace) -> [String; 5] {
+    let [from, to] = trace.curve.ends().map(|end| end.to_string());
+    let weight = weight_of(trace).unwrap_or("any").to_owned();
+    let parameter = trace.curve.parameter().name().to_owned();
+    [trace.curve.to_string(), weight, parameter, from, to]
+}
+
 pub(in crate::report) fn table(report: &Map, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(
         out,
         "The curves of the map, in tubes of a half-width of at most {:?}\n",
         report.tolerance
     )?;
-    let titles = ["curve", "weight", "parameter", "from", "to"];
-    let line = |trace: &Trace| {
-        let [from, to] = trace.curve.ends().map(|end| end.to_string());
-        let weight = weight_of(trace).unwrap_or("any").to_owned();
-        let parameter = trace.curve.parameter().name().to_owned();
-        [trace.curve.to_string(), weight, parameter, from, to]
-    };
-    let lines: Vec<[String; 5]> = report.traces.iter().map(line).collect();
+    let lines: Vec<[String; 5]> = report.traces.iter().map(names).collect();
     let width = |column: usize| {
         let longest = lines.iter().map(|line| line[column].len()).max().unwrap_or(0);
-        longest.max(titles[column].len())
+        longest.max(TITLES[column].len())
     };
     let widths = [0, 1, 2, 3, 4].map(width);
     let row = |cells: [&str; 5]| -> String {
@@ -30,7 +33,7 @@ pub(in crate::report) fn table(report: &Map, out: &mut dyn io::Write) -> io::Res
         padded.collect()
     };
     if !lines.is_empty() {
-        writeln!(out, "{}pieces  widest", row(titles))?;
+        writeln!(out, "{}pieces  widest", row(TITLES))?;
     }
     for (line, trace) in lines.iter().zip(&report.traces) {
         let cells = line.each_ref().map(String::as_str);
@@ -49,14 +52,19 @@ pub(in crate::report) fn table(report: &Map, out: &mut dyn io::Write) -> io::Res
             .iter()
             .try_for_each(|part| gaps(part.pieces().filter(|piece| !piece.is_proved()), out))?;
     }
+    writeln!(out, "\n{}", verdict(report))
+}
+
+/// What is proved of all pieces, in words.
+pub(super) fn verdict(report: &Map) -> String {
     let of_levels = report.levels.iter().flat_map(|level| &level.parts).flat_map(Part::pieces);
     let all = report.traces.iter().flat_map(Trace::pieces).chain(of_levels);
     match all.filter(|piece| !piece.is_proved()).count() {
-        0 => writeln!(
-            out,
-            "\nproved: for each value of the parameter exactly one solution in the tube, from end to end"
-        ),
-        n => writeln!(out, "\n{} not proved", count(n as u64, "piece is", "pieces are")),
+        0 => {
+            "proved: for each value of the parameter exactly one solution in the tube, from end to end"
+                .to_owned()
+        }
+        n => format!("{} not proved", count(n as u64, "piece is", "pieces are")),
     }
 }
 

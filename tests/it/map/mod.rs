@@ -1,5 +1,6 @@
 //! The curves of the map: beside the states of arches on both sides of each, in every format, and refused.
 
 mod command;
+mod page;
 mod pictures;
 mod states;
