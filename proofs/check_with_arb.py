@@ -143,10 +143,13 @@ def fields(thing, where, **types):
 
 
 def exact_ratio(text):
-    parts = re.fullmatch(r"([0-9]+)/([0-9]+)( pi)?", text)
-    need(parts and max(len(parts[1]), len(parts[2])) <= MAX_GIVEN and fmpz(parts[2]) != 0,
-         f"{text[:40]!a} is no exact number")
-    return lambda v: arb(fmpz(parts[1])) / fmpz(parts[2]) * (arb.pi() if parts[3] else 1)
+    parts = re.fullmatch(r"(2 atan )?([0-9]+)/([0-9]+)( pi)?", text)
+    need(parts and max(len(parts[2]), len(parts[3])) <= MAX_GIVEN and fmpz(parts[3]) != 0
+         and not (parts[1] and parts[4]), f"{text[:40]!a} is no exact number")
+    ratio = lambda: arb(fmpz(parts[2])) / fmpz(parts[3])
+    if parts[1]:
+        return lambda v: 2 * ratio().atan()
+    return lambda v: ratio() * (arb.pi() if parts[4] else 1)
 
 
 def exact_friction(text):
@@ -196,7 +199,7 @@ class Claim:
             need(self.name == "[r,r,r]" or unlimited == (self.name == "[r]"), "claim: not the friction of the mode")
         if "thickness" in thing:
             η = self.given["η"] = exact_ratio(thing["thickness"])
-            need("pi" not in thing["thickness"] and 0 < η({}) and η({}) <= 2, "claim: no thickness")
+            need(re.fullmatch("[0-9/]+", thing["thickness"]) and 0 < η({}) and η({}) <= 2, "claim: no thickness")
         if self.kind == "slides":
             need(not unlimited, "claim: unlimited friction that slides")
             return SLIDES

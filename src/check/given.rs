@@ -1,15 +1,22 @@
-//! How a certificate gives a number exactly: `49/20`, `1/2 pi`; a friction also as `tan 7/36 pi` or `inf`.
+//! How a certificate gives a number exactly: `49/20`, `1/2 pi`, `2 atan 3/5`; a friction also as `tan 7/36 pi` or `inf`.
 
-use crate::number::ExactNumber;
+use crate::number::{ExactNumber, Form};
 use crate::problem::Friction;
 
 /// Decimal digits of an integer that is given.
 const MAX_GIVEN: usize = 100_000;
+/// What stands behind a factor of pi, and before a tangent.
+const PI: &str = " pi";
+const ARCTANGENT: &str = "2 atan ";
 
-/// `49/20`, or `49/20 pi`.
+/// `49/20`, `49/20 pi`, or `2 atan 49/20`.
 pub(crate) fn given_text(x: &ExactNumber) -> String {
-    let pi = if x.is_rational() { "" } else { " pi" };
-    format!("{}/{}{pi}", x.factor().numer(), x.factor().denom())
+    let (numerator, denominator) = (x.factor().numer(), x.factor().denom());
+    match x.form() {
+        Form::Rational => format!("{numerator}/{denominator}"),
+        Form::TimesPi => format!("{numerator}/{denominator}{PI}"),
+        Form::TwiceArctangent => format!("{ARCTANGENT}{numerator}/{denominator}"),
+    }
 }
 
 /// A coefficient in that form, `tan` before an angle in that form, or `inf`.
@@ -21,11 +28,12 @@ pub(crate) fn friction_text(friction: &Friction) -> String {
     }
 }
 
-/// Reads a number: two integers in decimal digits, the second above zero, with or without pi.
+/// Reads a number: two integers in decimal digits, the second above zero, in one of the three forms.
 pub(super) fn read_given(text: &str) -> Option<ExactNumber> {
-    let (quotient, times_pi) = match text.strip_suffix(" pi") {
-        Some(quotient) => (quotient, true),
-        None => (text, false),
+    let (quotient, form) = match (text.strip_suffix(PI), text.strip_prefix(ARCTANGENT)) {
+        (Some(quotient), _) => (quotient, Form::TimesPi),
+        (None, Some(quotient)) => (quotient, Form::TwiceArctangent),
+        (None, None) => (text, Form::Rational),
     };
     let (numerator, denominator) = quotient.split_once('/')?;
     let is_integer = |text: &str| {
@@ -34,7 +42,7 @@ pub(super) fn read_given(text: &str) -> Option<ExactNumber> {
     if !is_integer(numerator) || !is_integer(denominator) {
         return None;
     }
-    ExactNumber::fraction(numerator.parse().ok()?, denominator.parse().ok()?, times_pi)
+    ExactNumber::fraction(numerator.parse().ok()?, denominator.parse().ok()?, form)
 }
 
 /// Reads a friction.

@@ -56,10 +56,10 @@ fn half_unit(x: &ExactNumber) -> Option<Rational> {
 
 /// The mode of the arch in which what is given is moved by a step; `None` if it falls or that is not certain.
 fn mode_beside(arch: &Arch, quantity: Quantity, step: &Rational) -> Option<Mode> {
-    let moved = |x: &ExactNumber| match x.is_rational() {
-        true => ExactNumber::from(&(x.to_rational() + step)),
-        // A multiple of pi that is a decimal is one of degrees.
-        false => ExactNumber::from(&(x.to_rational() * 180u32 + step)).degrees(),
+    let moved = |x: &ExactNumber| match x.is_in_degrees() {
+        true => ExactNumber::from(&(x.to_rational() * 180u32 + step)).degrees(),
+        // Of the others only a rational number has a decimal that can be moved.
+        false => ExactNumber::from(&(x.to_rational() + step)),
     };
     let (half_opening, friction) = match (quantity, arch.friction()) {
         (Quantity::HalfOpening, friction) => (moved(arch.half_opening()), friction.clone()),

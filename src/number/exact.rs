@@ -1,5 +1,6 @@
-//! Exact input: decimals, fractions and multiples of pi, read as text and never rounded.
+//! Exact input: decimals, fractions, multiples of pi and arctangents, read as text and never rounded.
 
+use super::tangent::angle_of_tangent;
 use super::unit::{Unit, unit};
 use super::{Decimal, Dyadic, Engine, ParseDecimalError, shown};
 use num_bigint::{BigInt, Sign};
@@ -10,11 +11,22 @@ use std::str::FromStr;
 /// A number given exactly.
 #[derive(Clone, Debug)]
 pub struct ExactNumber {
-    /// The rational number, or the rational factor of pi.
+    /// The rational number of its form.
     factor: BigRational,
-    times_pi: bool,
+    form: Form,
     /// As it was given.
     text: String,
+}
+
+/// What an exact number is, made of a rational number `q`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Form {
+    /// `q`.
+    Rational,
+    /// `q pi`.
+    TimesPi,
+    /// `2 atan(q)`: the half opening of an arch whose rise is `q` times half its span.
+    TwiceArctangent,
 }
 
 /// Texts longer than this are refused; it is far more than any number of digits worth giving.
@@ -60,26 +72,43 @@ impl ExactNumber {
     /// An exact rational number.
     pub fn rational(factor: BigRational) -> Self {
         let text = factor.to_string();
-        Self { factor, times_pi: false, text }
+        Self { factor, form: Form::Rational, text }
     }
 
-    /// The fraction `numerator/denominator`, or that part of pi; `None` if the denominator is zero.
-    pub fn fraction(numerator: BigInt, denominator: BigInt, times_pi: bool) -> Option<Self> {
+    /// `2 atan(q)` in radians; a right angle is [one part of pi](Form::TimesPi), as every angle is that is both.
+    pub fn twice_arctangent(q: BigRational) -> Self {
+        let text = format!("2atan({q})");
+        // Of the rational multiples of pi below it only this one has a rational tangent of its half (Niven).
+        match q == BigRational::from(BigInt::from(1)) {
+            true => Self { factor: q / BigInt::from(2), form: Form::TimesPi, text: "pi/2".into() },
+            false => Self { factor: q, form: Form::TwiceArctangent, text },
+        }
+    }
+
+    /// The number of this form of the fraction `numerator/denominator`; `None` if the denominator is zero.
+    pub fn fraction(numerator: BigInt, denominator: BigInt, form: Form) -> Option<Self> {
         if denominator == BigInt::ZERO {
             return None;
         }
         // Reducing costs far more than anything that is done with it.
         let factor = BigRational::new_raw(numerator, denominator);
-        let text =
-            format!("{}{}/{}", factor.numer(), if times_pi { "*pi" } else { "" }, factor.denom());
-        Some(Self { factor, times_pi, text })
+        let (above, below) = (factor.numer(), factor.denom());
+        let text = match form {
+            Form::Rational => format!("{above}/{below}"),
+            Form::TimesPi => format!("{above}*pi/{below}"),
+            Form::TwiceArctangent if above == below => {
+                return Some(Self::twice_arctangent(factor.reduced()));
+            }
+            Form::TwiceArctangent => format!("2atan({above}/{below})"),
+        };
+        Some(Self { factor, form, text })
     }
 
-    /// The angle of this number of degrees, in radians: `value pi / 180`. For a rational number; a multiple of
-    /// pi has its unit already.
+    /// The angle of this number of degrees, in radians: `value pi / 180`. For a rational number; every other form
+    /// has its unit already.
     pub fn degrees(&self) -> Self {
         let factor = &self.factor / BigInt::from(180);
-        Self { factor, times_pi: true, text: format!("{}deg", self.text) }
+        Self { factor, form: Form::TimesPi, text: format!("{}deg", self.text) }
     }
 
     /// Whether it was given in degrees.
@@ -87,12 +116,17 @@ impl ExactNumber {
         self.text.ends_with("deg")
     }
 
-    /// Whether this is a rational number, not a multiple of pi.
-    pub fn is_rational(&self) -> bool {
-        !self.times_pi
+    /// What it is, made of its [factor](Self::factor).
+    pub fn form(&self) -> Form {
+        self.form
     }
 
-    /// The rational number, or the rational factor of pi.
+    /// Whether it is its factor.
+    pub fn is_rational(&self) -> bool {
+        self.form == Form::Rational
+    }
+
+    /// The rational number of its [form](Self::form).
     pub fn factor(&self) -> &BigRational {
         &self.factor
     }
@@ -126,7 +160,11 @@ impl ExactNumber {
             true => numerator,
             false => numerator / integer(self.factor.denom()),
         };
-        if self.times_pi { factor.pi() * factor } else { factor }
+        match self.form {
+            Form::Rational => factor,
+            Form::TimesPi => factor.pi() * factor,
+            Form::TwiceArctangent => angle_of_tangent(&factor, bits as usize) * factor.int(2),
+        }
     }
 }
 
@@ -144,7 +182,7 @@ impl From<&rug::Rational> for ExactNumber {
 /// The text says which number it is; to compare the fractions themselves could take very long.
 impl PartialEq for ExactNumber {
     fn eq(&self, other: &Self) -> bool {
-        self.text == other.text && self.times_pi == other.times_pi
+        self.text == other.text && self.form == other.form
     }
 }
 
@@ -159,8 +197,8 @@ impl fmt::Display for ExactNumber {
 impl FromStr for ExactNumber {
     type Err = ParseExactError;
 
-    /// Reads `0.1`, `1e-30`, `1/3`, `pi`, `pi/2`, `2pi/3`, `0.8*pi`, radians by name, `1.5rad`, and degrees:
-    /// `80deg`, `80°`, `80 degrees`, all of which are shown as `80deg`.
+    /// Reads `0.1`, `1e-30`, `1/3`, `pi`, `pi/2`, `2pi/3`, `0.8*pi`, radians by name, `1.5rad`, degrees:
+    /// `80deg`, `80°`, `80 degrees`, all of which are shown as `80deg`, and `2atan(3/5)` with a number above zero.
     ///
     /// ```
     /// use couplet::number::ExactNumber;
@@ -174,7 +212,11 @@ impl FromStr for ExactNumber {
             return Err(ParseExactError::Length(text.len()));
         }
         let (number, unit) = unit(text);
-        let number = Self::without_unit(number, text)?;
+        let tangent = number.strip_prefix("2atan(").and_then(|rest| rest.strip_suffix(')'));
+        let number = match tangent {
+            Some(tangent) => Self::of_tangent(tangent, text)?,
+            None => Self::without_unit(number, text)?,
+        };
         match (unit, number.is_rational()) {
             (Unit::None, _) | (Unit::Radians, true) => Ok(number),
             (Unit::Degrees, true) => Ok(number.degrees()),
@@ -184,6 +226,16 @@ impl FromStr for ExactNumber {
 }
 
 impl ExactNumber {
+    /// Twice the arctangent of a rational number above zero; `given` is the whole text.
+    fn of_tangent(text: &str, given: &str) -> Result<Self, ParseExactError> {
+        let q = Self::without_unit(text, given)?;
+        let is_tangent = q.is_rational() && *q.factor() > BigInt::ZERO.into();
+        match is_tangent {
+            true => Ok(Self { text: given.trim().to_owned(), ..Self::twice_arctangent(q.factor) }),
+            false => Err(ParseExactError::Syntax(shown(given))),
+        }
+    }
+
     /// A number without its unit; `given` is the whole text.
     fn without_unit(text: &str, given: &str) -> Result<Self, ParseExactError> {
         let shown = || shown(given);
@@ -200,6 +252,7 @@ impl ExactNumber {
                 Some(rest) => (rest.strip_suffix('*').unwrap_or(rest), true),
                 None => (numerator, false),
             };
+        let form = if times_pi { Form::TimesPi } else { Form::Rational };
         let decimal = |text: &str| {
             let decimal: Decimal = text.parse().map_err(|error| match error {
                 ParseDecimalError::Exponent(_) => ParseExactError::Range(shown()),
@@ -230,7 +283,7 @@ impl ExactNumber {
         if above != 0 && above.abs_diff(below) > MAX_BITS {
             return Err(ParseExactError::Range(shown()));
         }
-        Ok(Self { factor, times_pi, text: text.to_owned() })
+        Ok(Self { factor, form, text: text.to_owned() })
     }
 }
 
@@ -339,6 +392,24 @@ mod tests {
                 let found = rational(&decimal);
                 assert_eq!((found.numer(), found.denom()), (expected.numer(), expected.denom()));
             }
+        }
+    }
+
+    #[test]
+    fn an_arctangent_is_read_and_a_right_angle_is_half_of_pi() {
+        let number = |text: &str| text.parse::<ExactNumber>().unwrap();
+        let q = number("2atan(0.6)");
+        assert_eq!((q.form(), q.factor()), (Form::TwiceArctangent, &quotient(3, 5)));
+        assert_eq!(q.to_string(), "2atan(0.6)");
+        assert_eq!(ExactNumber::twice_arctangent(quotient(3, 5)).to_string(), "2atan(3/5)");
+        let right = number("2atan(1)");
+        assert_eq!((right.form(), right.factor()), (Form::TimesPi, &quotient(1, 2)));
+        let raw = ExactNumber::fraction(3.into(), 3.into(), Form::TwiceArctangent).unwrap();
+        assert_eq!((raw.form(), raw.factor()), (Form::TimesPi, &quotient(1, 2)));
+        for text in
+            ["2atan(0)", "2atan(-1)", "2atan(pi)", "2atan(1deg)", "2atan()", "2atan(3/5)deg"]
+        {
+            assert!(text.parse::<ExactNumber>().is_err(), "{text}");
         }
     }
 

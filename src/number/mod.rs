@@ -73,6 +73,8 @@ mod shown;
 mod slopes;
 mod stumpff;
 #[cfg(feature = "check")]
+mod tangent;
+#[cfg(feature = "check")]
 mod tens;
 mod ternary;
 #[cfg(feature = "check")]
@@ -99,7 +101,7 @@ pub use engine::Engine;
 #[cfg(all(feature = "mpfr", feature = "cli"))]
 pub(crate) use exact::nearest_double;
 #[cfg(feature = "check")]
-pub use exact::{ExactNumber, ParseExactError};
+pub use exact::{ExactNumber, Form, ParseExactError};
 #[cfg(feature = "mpfr")]
 pub use gmp::{
     Anchor, Ball, Binary, Magnitude, Rounded, Surd, arctangent, bits_of, degrees, hexadecimal,

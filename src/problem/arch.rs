@@ -2,7 +2,7 @@
 
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::number::{
-    AstroInterval, DoubleBall, Engine, ExactNumber, ParseExactError, Ternary, is_angle, shown,
+    AstroInterval, DoubleBall, Engine, ExactNumber, Form, ParseExactError, Ternary, is_angle, shown,
 };
 use num_bigint::Sign;
 use num_rational::BigRational;
@@ -113,7 +113,7 @@ impl Arch {
             Friction::Coefficient(mu) if sign(&mu) == Sign::Minus => {
                 return Err(ArchError::Friction(mu.to_string()));
             }
-            Friction::Angle(phi) if !phi.is_rational() && *phi.factor() == ratio(1, 2) => {
+            Friction::Angle(phi) if phi.form() == Form::TimesPi && *phi.factor() == ratio(1, 2) => {
                 Friction::Infinite
             }
             Friction::Angle(phi) if !is_between(&phi, true, 2) => {
@@ -208,9 +208,12 @@ fn is_between(x: &ExactNumber, zero_is_in: bool, divisor: i32) -> bool {
         Sign::NoSign => zero_is_in,
         Sign::Minus => false,
     };
-    // A multiple of pi is compared exactly.
-    if !x.is_rational() {
-        return positive && *x.factor() < ratio(1, divisor);
+    match x.form() {
+        // A multiple of pi is compared exactly.
+        Form::TimesPi => return positive && *x.factor() < ratio(1, divisor),
+        // Below pi whatever its tangent.
+        Form::TwiceArctangent if divisor == 1 => return positive,
+        _ => {}
     }
     // Doubles decide nearly always; the last bits are more than the longest number that is read has.
     let long = || {
@@ -225,7 +228,7 @@ fn is_between(x: &ExactNumber, zero_is_in: bool, divisor: i32) -> bool {
     positive && below.is_proved()
 }
 
-/// Whether a rational number is below `pi / divisor`.
+/// Whether a number is below `pi / divisor`.
 fn is_below<E: Engine>(x: &ExactNumber, divisor: i32, bits: u32) -> Ternary {
     let x: E = x.enclosure(bits);
     x.is_less_than(&(x.pi() / x.int(divisor)))

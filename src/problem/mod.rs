@@ -8,6 +8,7 @@
 //! | `mode` | the seven collapse modes |
 //! | `line` | the lines of the map on which two of them meet |
 //! | `arch` | an arch: weight, half opening, friction |
+//! | [`measures`] | an arch in metres, and the weight of its material |
 //! | `ties` | what is exactly zero in an arch |
 //! | `problem` | a landmark or the state of an arch: system, what is given, conditions |
 //! | `condition` | what makes a state admissible, and the thinnest |
@@ -29,6 +30,8 @@ mod known;
 mod landmark;
 #[cfg(feature = "check")]
 mod line;
+#[cfg(feature = "check")]
+pub mod measures;
 mod mode;
 #[cfg(feature = "check")]
 #[allow(clippy::module_inception, reason = "the room is named after its statement")]

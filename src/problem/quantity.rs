@@ -52,6 +52,18 @@ pub enum Quantity {
     LargestThrust,
     /// The joint that limits it, rad.
     LargestThrustJoint,
+    /// The radius of the centreline, m.
+    Radius,
+    /// The least thickness, m.
+    ThicknessInMetres,
+    /// The weight of the whole arch, kN.
+    Weight,
+    /// The horizontal thrust, kN.
+    Force,
+    /// The least admissible one, kN.
+    LeastForce,
+    /// The largest admissible one, kN; infinite where it has no bound.
+    LargestForce,
 }
 
 /// What a quantity is called.
@@ -116,6 +128,26 @@ impl Quantity {
         Self::LargestThrust,
     ];
 
+    /// What is told besides of an arch that is [measured](super::measures), at its least thickness.
+    pub const MEASURED_STATE: [Self; 5] = [
+        Self::HalfOpeningDegrees,
+        Self::Radius,
+        Self::ThicknessInMetres,
+        Self::Weight,
+        Self::Force,
+    ];
+
+    /// The same at a given thickness: the radius and the weight are at that, the least thickness is of an arch with
+    /// the same measures.
+    pub const MEASURED_ASSESSMENT: [Self; 6] = [
+        Self::HalfOpeningDegrees,
+        Self::Radius,
+        Self::ThicknessInMetres,
+        Self::Weight,
+        Self::LeastForce,
+        Self::LargestForce,
+    ];
+
     /// The one place where a quantity gets its names.
     const fn row(self) -> Row {
         match self {
@@ -160,6 +192,12 @@ impl Quantity {
             Self::LargestThrustJoint => {
                 row("largest_thrust_joint", "its joint, rad", "its joint, rad")
             }
+            Self::Radius => row("radius_m", "r, m", r"$r$, m"),
+            Self::ThicknessInMetres => row("least_thickness_m", "least t, m", r"least $t$, m"),
+            Self::Weight => row("weight_kn", "2 w r alpha, kN", r"$2 w r \alpha$, kN"),
+            Self::Force => row("thrust_kn", "H, kN", r"$H$, kN"),
+            Self::LeastForce => row("least_thrust_kn", "least H, kN", r"least $H$, kN"),
+            Self::LargestForce => row("largest_thrust_kn", "largest H, kN", r"largest $H$, kN"),
         }
     }
 
@@ -184,7 +222,8 @@ impl Quantity {
 
     /// The quantity of a name or of a letter of the paper.
     pub fn named(name: &str) -> Option<Self> {
-        let mut all = Self::LANDMARK.into_iter().chain(Self::STATE).chain(Self::ASSESSMENT);
+        let all = Self::LANDMARK.into_iter().chain(Self::STATE).chain(Self::ASSESSMENT);
+        let mut all = all.chain(Self::MEASURED_STATE).chain(Self::MEASURED_ASSESSMENT);
         all.find(|quantity| quantity.name() == name || quantity.letter() == Some(name))
     }
 
@@ -222,6 +261,16 @@ impl Quantity {
         matches!(self, Self::SlidingFriction | Self::RotationalFriction)
     }
 
+    /// Whether it is of an arch that is measured.
+    pub fn is_measured(self) -> bool {
+        Self::MEASURED_STATE.contains(&self) || Self::MEASURED_ASSESSMENT.contains(&self)
+    }
+
+    /// Whether it is in kilonewtons.
+    pub fn is_force(self) -> bool {
+        matches!(self, Self::Weight | Self::Force | Self::LeastForce | Self::LargestForce)
+    }
+
     /// The joint that limits a thrust.
     pub fn joint(self) -> Option<Self> {
         match self {
@@ -254,7 +303,13 @@ impl Quantity {
             | Self::LeastThrust
             | Self::LeastThrustJoint
             | Self::LargestThrust
-            | Self::LargestThrustJoint => None,
+            | Self::LargestThrustJoint
+            | Self::Radius
+            | Self::ThicknessInMetres
+            | Self::Weight
+            | Self::Force
+            | Self::LeastForce
+            | Self::LargestForce => None,
         }
     }
 }

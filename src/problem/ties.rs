@@ -2,10 +2,11 @@
 //!
 //! Sines, cosines and tangents of rational angles are irrational (Lambert, Lindemann), and among those of
 //! rational multiples of pi few are rational (Niven): a cosine only if it is 0, 1/2 or 1, a tangent only if it
-//! is 0 or 1, up to the sign. So an arch of exact numbers is on few of its ties, and they can be named.
+//! is 0 or 1, up to the sign. So an arch of exact numbers is on few of its ties, and they can be named; where the
+//! half opening is given by the tangent of its half, all are rational.
 
 use super::{Arch, Friction};
-use crate::number::ExactNumber;
+use crate::number::{ExactNumber, Form};
 use num_rational::BigRational;
 
 /// Whether `sin(alpha) = mu cos(alpha)`: the friction angle is the half opening, and the shoulder slides at no
@@ -13,11 +14,9 @@ use num_rational::BigRational;
 pub fn friction_angle_is_half_opening(arch: &Arch) -> bool {
     let alpha = arch.half_opening();
     match arch.friction() {
-        Friction::Angle(phi) => {
-            phi.is_rational() == alpha.is_rational() && phi.factor() == alpha.factor()
-        }
+        Friction::Angle(phi) => phi.form() == alpha.form() && phi.factor() == alpha.factor(),
         Friction::Coefficient(mu) => {
-            mu.is_rational() && *mu.factor() == ratio(1, 1) && is_part_of_pi(alpha, 4)
+            mu.is_rational() && tangent(alpha).as_ref() == Some(mu.factor())
         }
         Friction::Infinite => false,
     }
@@ -26,15 +25,31 @@ pub fn friction_angle_is_half_opening(arch: &Arch) -> bool {
 /// Whether `2 - eta = (2 + eta) cos(alpha)` for a rational thickness: about the crown's intrados the thrust at
 /// the shoulder's extrados has no lever arm.
 pub fn has_no_arm_at_crown(arch: &Arch, thickness: &ExactNumber) -> bool {
-    let is = |divisor, numerator, denominator| {
-        is_part_of_pi(arch.half_opening(), divisor)
-            && *thickness.factor() == ratio(numerator, denominator)
-    };
-    is(3, 2, 3) || is(2, 2, 1)
+    // `1 - cos = tan(alpha/2)² (1 + cos)`, so it says that `eta = 2 tan(alpha/2)²`.
+    squared_half_tangent(arch.half_opening())
+        .is_some_and(|q| q * ratio(2, 1) == *thickness.factor())
 }
 
-fn is_part_of_pi(x: &ExactNumber, divisor: i32) -> bool {
-    !x.is_rational() && *x.factor() == ratio(1, divisor)
+/// `tan(alpha)` where it is rational and not zero, below a right angle.
+fn tangent(alpha: &ExactNumber) -> Option<BigRational> {
+    let q = alpha.factor();
+    match alpha.form() {
+        Form::TimesPi => (*q == ratio(1, 4)).then(|| ratio(1, 1)),
+        Form::TwiceArctangent => Some(q * ratio(2, 1) / (ratio(1, 1) - q * q)),
+        Form::Rational => None,
+    }
+}
+
+/// `tan(alpha/2)²` where it is rational, for the angles of the ties.
+fn squared_half_tangent(alpha: &ExactNumber) -> Option<BigRational> {
+    let q = alpha.factor();
+    match alpha.form() {
+        Form::TimesPi if *q == ratio(1, 2) => Some(ratio(1, 1)),
+        Form::TimesPi if *q == ratio(1, 3) => Some(ratio(1, 3)),
+        Form::TimesPi => None,
+        Form::TwiceArctangent => Some(q * q),
+        Form::Rational => None,
+    }
 }
 
 fn ratio(numerator: i32, denominator: i32) -> BigRational {
@@ -69,6 +84,10 @@ mod tests {
             ("3pi/4", "1", false),
             ("1/2", "tan(0.5000000000000000000001)", false),
             ("pi/4", "inf", false),
+            ("2atan(1/3)", "3/4", true),
+            ("2atan(1/3)", "tan(2atan(1/3))", true),
+            ("2atan(1/3)", "0.7500000000000000000000001", false),
+            ("2atan(3)", "3/4", false),
         ] {
             assert_eq!(friction_angle_is_half_opening(&arch(alpha, mu)), tie, "{alpha} {mu}");
             if mu != "inf" {
@@ -88,6 +107,9 @@ mod tests {
             ("60deg", "0.66666666666666666666666666666", false),
             ("1.0471975511965977462", "2/3", false),
             ("pi/2", "2/3", false),
+            ("2atan(1/2)", "0.5", true),
+            ("2atan(1)", "2", true),
+            ("2atan(1/2)", "0.50000000000000000000000001", false),
         ] {
             assert_eq!(
                 has_no_arm_at_crown(&arch(alpha, "1"), &eta.parse().unwrap()),

@@ -276,6 +276,18 @@ impl Answer {
         answer
     }
 
+    /// The same with the sizes of an arch that is measured, or why they are not proved.
+    pub fn measured(mut self, found: Result<Vec<(Quantity, Option<Figure>)>, Undecided>) -> Self {
+        match found {
+            Ok(sizes) => {
+                self.values.extend(sizes.iter().map(|(of, x)| (*of, Value::figure(x.as_ref()))))
+            }
+            // All are made from one state; the first stands for them.
+            Err(undecided) => self.open.push((Quantity::Radius, undecided)),
+        }
+        self
+    }
+
     /// What was found the other way round.
     pub fn finding(
         line: u64,

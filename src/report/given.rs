@@ -1,6 +1,6 @@
 //! What is given of an arch, as numbers that every program reads.
 
-use crate::number::{Ball, DoubleDoubleBall, Engine, ExactNumber, nearest_double};
+use crate::number::{Ball, DoubleDoubleBall, Engine, ExactNumber, Form, nearest_double};
 use crate::problem::{Arch, Friction};
 use num_bigint::BigInt;
 
@@ -38,13 +38,13 @@ impl GivenDoubles {
 }
 
 fn degrees(angle: &ExactNumber) -> Option<f64> {
-    if !angle.is_rational() {
+    if angle.form() == Form::TimesPi {
         return ExactNumber::rational(angle.factor() * BigInt::from(180)).nearest_double();
     }
     nearest_double(in_degrees(angle, 0), |bits| in_degrees(angle, bits))
 }
 
-/// A rational number of radians in degrees.
+/// Radians in degrees.
 fn in_degrees<E: Engine>(angle: &ExactNumber, bits: u32) -> E {
     let x: E = angle.enclosure(bits);
     x.int(180) * &x / x.pi()

@@ -124,6 +124,11 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Fields {
         });
         fields.add_fields(quantity.name(), value.or(open).filter(|_| report.shows(quantity)));
     }
+    // Those of an arch that is measured are there if they are asked for.
+    for quantity in report.quantities.iter().filter(|of| of.is_measured()) {
+        let value = answer.value(*quantity).map(|value| figure(value, report.have_doubles()));
+        fields.add_fields(quantity.name(), value);
+    }
     fields.add("reason", answer.reason());
     if asked.state {
         let (between, gap) = match &answer.status {

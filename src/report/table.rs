@@ -108,8 +108,10 @@ fn state(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Re
     let mode = modes.join(" ");
     writeln!(out, "stands from the thickness below on; collapses there as {mode}")?;
     writeln!(out, "proved: one solution, admissible on the whole half arch, none thinner\n")?;
+    let (sizes, ratios): (Vec<Quantity>, Vec<Quantity>) =
+        asked.iter().partition(|quantity| quantity.is_measured());
     let (frictions, others): (Vec<Quantity>, Vec<Quantity>) =
-        asked.iter().partition(|quantity| quantity.is_friction());
+        ratios.iter().partition(|quantity| quantity.is_friction());
     for quantity in others {
         let value = answer.value(quantity).map_or("none inside".into(), |value| value.text());
         let (name, symbol) = (quantity.name(), quantity.symbol());
@@ -126,6 +128,18 @@ fn state(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Re
         };
         writeln!(out, "   {words:<39} {}", value.text())?;
     }
+    measured(&sizes, answer, out)
+}
+
+/// The sizes of an arch that is measured.
+fn measured(sizes: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
+    let found = sizes.iter().filter_map(|of| Some((of, answer.value(*of)?)));
+    for (index, (of, value)) in found.enumerate() {
+        if index == 0 {
+            writeln!(out, "\nas measured")?;
+        }
+        writeln!(out, "   {:<20} {:<18} {}", of.name(), of.symbol(), value.text())?;
+    }
     Ok(())
 }
 
@@ -135,7 +149,9 @@ fn assessment(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> i
         (_, Some(true)) => writeln!(out, "stands, proved\n")?,
         _ => writeln!(out, "collapses, proved\n")?,
     }
-    for &quantity in asked {
+    let (sizes, others): (Vec<Quantity>, Vec<Quantity>) =
+        asked.iter().partition(|quantity| quantity.is_measured());
+    for quantity in others {
         let value = answer.value(quantity);
         let finite = value.filter(|value| value.decimal.is_some()).map(|value| value.text());
         let open = answer.why_open(quantity).map(ToString::to_string);
@@ -166,7 +182,7 @@ fn assessment(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> i
             writeln!(out, "           limited by       {limit}{joint}")?;
         }
     }
-    Ok(())
+    measured(&sizes, answer, out)
 }
 
 fn arches(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {

@@ -6,7 +6,7 @@ use crate::arch::SelfWeight;
 use crate::certify::state::Wanted;
 use crate::certify::{CertifiedLandmark, quantities};
 use crate::claims::Claim;
-use crate::number::ExactNumber;
+use crate::number::{ExactNumber, Form};
 use crate::problem::{Arch, Friction};
 use crate::problem::{Landmark, Quantity};
 use rug::Rational;
@@ -98,10 +98,10 @@ const CLAIM: usize = 10_000;
 
 /// What makes two arches the same, however they are written.
 type ArchKey = (SelfWeight, Number, Option<(bool, Number)>);
-type Number = (Rational, bool);
+type Number = (Rational, Form);
 
 fn number(x: &ExactNumber) -> Number {
-    (x.to_rational(), x.is_rational())
+    (x.to_rational(), x.form())
 }
 
 fn arch_key(arch: &Arch) -> ArchKey {

@@ -3,7 +3,7 @@
 use super::schema::MAX_ARCHES;
 use super::value::{Reader, Value};
 use crate::arch::SelfWeight;
-use crate::number::{ExactNumber, ParseExactError, terminating};
+use crate::number::{ExactNumber, Form, ParseExactError, terminating};
 use crate::problem::{Arch, ArchError, Friction, Quantity, is_thickness};
 use crate::report::words::shortened;
 use rug::Rational;
@@ -151,10 +151,10 @@ pub(super) fn numbers(reader: &mut Reader, meaning: Meaning, value: &Value) -> O
     }
     let before = reader.faults.len();
     let mut found: Vec<SceneNumber> = Vec::new();
-    let mut seen: HashMap<Option<(Rational, bool)>, Range<usize>> = HashMap::new();
+    let mut seen: HashMap<Option<(Rational, Form)>, Range<usize>> = HashMap::new();
     for element in reader.elements(meaning.key(), value, meaning.allowed()) {
         let Some(given) = number(reader, meaning, element) else { continue };
-        let number = given.number.as_ref().map(|x| (x.to_rational(), x.is_rational()));
+        let number = given.number.as_ref().map(|x| (x.to_rational(), x.form()));
         if let Some(first) = seen.insert(number, element.span()) {
             let (text, at) =
                 (reader.source.shown(element.span()), reader.source.place(first.start));
@@ -215,7 +215,10 @@ fn range(reader: &mut Reader, meaning: Meaning, value: &Value, table: &DeTable) 
     let steps = table.get("steps").and_then(|steps| reader.whole("steps", steps, 2..=MAX_ARCHES));
     let [Some(from), Some(to)] = ends else { return None };
     let (Some((first, unit)), Some((last, unit_of_last))) = (scaled(&from), scaled(&to)) else {
-        reader.fault(value.span(), format!("{} has a range without end", meaning.key()));
+        let has_end = [&from, &to].iter().all(|end| end.number.is_some());
+        let why = if has_end { "of arctangents, which has no steps" } else { "without end" };
+        let message = format!("{} has a range {why}", meaning.key());
+        reader.fault(value.span(), message);
         return None;
     };
     let (key, from, to) = (meaning.key(), shortened(&from.text), shortened(&to.text));
@@ -239,15 +242,16 @@ fn range(reader: &mut Reader, meaning: Meaning, value: &Value, table: &DeTable) 
     Some(Numbers::Range { meaning, first, step, unit, steps })
 }
 
-/// A number in the unit in which it is written; none that is infinite has one.
+/// A number in the unit in which it is written; none that is infinite or an arctangent has one.
 fn scaled(given: &SceneNumber) -> Option<(Rational, Unit)> {
     let number = given.number.as_ref()?;
     let factor = number.to_rational();
-    Some(match (number.is_rational(), number.is_in_degrees()) {
-        (_, true) => (factor * 180, Unit::Degrees),
-        (true, false) => (factor, Unit::One),
-        (false, false) => (factor, Unit::Pi),
-    })
+    match number.form() {
+        Form::TimesPi if number.is_in_degrees() => Some((factor * 180, Unit::Degrees)),
+        Form::TimesPi => Some((factor, Unit::Pi)),
+        Form::Rational => Some((factor, Unit::One)),
+        Form::TwiceArctangent => None,
+    }
 }
 
 /// Decimals up to this length are written as such, others as fractions.

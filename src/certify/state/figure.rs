@@ -1,6 +1,6 @@
 //! A proved value with its digits.
 
-use crate::number::{Ball, Binary, DoubleDoubleBall, Rounded, rounded_double};
+use crate::number::{Ball, Binary, DoubleDoubleBall, ExactNumber, Rounded, rounded_double};
 use rug::Rational;
 use std::fmt;
 
@@ -16,6 +16,9 @@ pub struct Figure {
     pub binary: Binary,
 }
 
+/// Bits enough for a quadruple.
+const GUARDED: u32 = 256;
+
 impl Figure {
     /// The value of a ball to `digits` significant digits, at least one; `None` if the ball is too wide to
     /// decide them or the double.
@@ -26,6 +29,16 @@ impl Figure {
         };
         let double = x.nearest_double()?;
         Some(Self { decimal, double, binary: Binary::new(x, double) })
+    }
+}
+
+impl Figure {
+    /// A rational number to `digits` significant digits, at least one; ties to even.
+    pub(super) fn exact(x: &ExactNumber, digits: usize) -> Option<Self> {
+        let ball: Ball = x.enclosure(GUARDED);
+        let (decimal, double) =
+            (Rounded::from_rational(&x.to_rational(), digits)?, x.nearest_double()?);
+        Some(Self { decimal, double, binary: Binary::new(&ball, double) })
     }
 }
 

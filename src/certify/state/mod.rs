@@ -25,6 +25,7 @@
 //! | `thrust_range`, `assess` | an arch of a given thickness |
 //! | `enough` | what would be enough for an arch that falls |
 //! | `figure`, `digits` | the outcome in digits |
+//! | `measured` | the same in metres and kilonewtons |
 //! | [`find`] | questions the other way round |
 //! | `raise` | raises the precision until everything is decided |
 //! | `inquiry` | several questions about one arch, which share its state |
@@ -38,6 +39,7 @@ mod figure;
 pub mod find;
 mod inner;
 mod inquiry;
+mod measured;
 mod mode;
 mod query;
 mod quick;
@@ -54,6 +56,7 @@ pub use digits::{Answer, AssessmentDigits, Digits, LimitDigits};
 pub use enough::Enough;
 pub use figure::Figure;
 pub use inquiry::Inquiry;
+pub use measured::{measured_assessment, measured_state};
 pub(crate) use query::bits_lost;
 pub(crate) use quick::{assessment_enclosed, sliding_enclosed, state_enclosed};
 pub(crate) use raise::raised;

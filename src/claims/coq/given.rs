@@ -3,7 +3,7 @@
 use super::numeral::text;
 use super::symbol;
 use crate::arch::Unknown;
-use crate::number::ExactNumber;
+use crate::number::{ExactNumber, Form};
 use crate::problem::{Arch, Friction, System};
 
 /// Names and values of what a system is given.
@@ -27,8 +27,10 @@ pub(super) fn friction(arch: &Arch) -> Option<String> {
 
 fn number(x: &ExactNumber) -> String {
     let factor = x.to_rational();
-    if x.is_rational() {
-        return text(&factor);
+    match x.form() {
+        Form::Rational => return text(&factor),
+        Form::TwiceArctangent => return format!("2 * atan ({})", text(&factor)),
+        Form::TimesPi => {}
     }
     let above = match factor.numer() {
         one if *one == 1 => "PI".into(),

@@ -1,5 +1,6 @@
 //! The arguments that describe an arch.
 
+use super::measures::Measured;
 use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
 use crate::cli::failure::Failure;
@@ -24,7 +25,7 @@ pub(super) struct ArchArguments {
 }
 
 /// An arch without its self-weight.
-#[derive(Args)]
+#[derive(Args, Clone)]
 pub(super) struct ShapeArguments {
     /// Half opening in radians (2.45, 1/3, pi/2) or degrees (80deg, 80°), between 0 and pi.
     #[arg(long, visible_alias = "alpha", value_name = "ANGLE", allow_hyphen_values = true)]
@@ -46,9 +47,20 @@ pub(super) struct ShapeArguments {
 }
 
 impl ArchArguments {
-    /// The arch described, with each self-weight asked for.
-    pub(super) fn arches(&self, needs: &Needs) -> Result<Vec<Arch>, Failure> {
-        self.weight.all().into_iter().map(|weight| self.shape.arch(weight, needs)).collect()
+    /// The arch described, with each self-weight asked for; its half opening may be known from its measures.
+    pub(super) fn arches(
+        &self,
+        needs: &Needs,
+        measured: Option<&Measured>,
+    ) -> Result<Vec<Arch>, Failure> {
+        let made = measured.and_then(|measured| measured.half_opening.as_ref());
+        let shape = match made {
+            Some(made) => {
+                &ShapeArguments { half_opening: Some(made.to_string()), ..self.shape.clone() }
+            }
+            None => &self.shape,
+        };
+        self.weight.all().into_iter().map(|weight| shape.arch(weight, needs)).collect()
     }
 }
 

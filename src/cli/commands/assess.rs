@@ -1,9 +1,10 @@
 //! `couplet assess`.
 
 use super::arch::{ArchArguments, Needs, thickness};
+use super::measures::{self, MeasureArguments, Measured};
 use super::output::AnswerOutput;
 use super::state::print;
-use crate::certify::state::{Inquiry, Wanted};
+use crate::certify::state::{Inquiry, Wanted, measured_assessment};
 use crate::cli::failure::Failure;
 use crate::problem::{Arch, Quantity};
 use crate::report::Answer;
@@ -18,9 +19,12 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     arch: ArchArguments,
 
-    /// Thickness-to-radius ratio, between 0 and 2 (0.12, 3/25).
+    /// Thickness-to-radius ratio, between 0 and 2 (0.12, 3/25); of an arch in metres also a length (60cm).
     #[arg(long, visible_alias = "eta", value_name = "ETA", allow_hyphen_values = true)]
     thickness: Option<String>,
+
+    #[command(flatten)]
+    measures: MeasureArguments,
 
     #[command(flatten)]
     output: AnswerOutput,
@@ -31,17 +35,33 @@ const EXAMPLE: &str = "couplet assess --half-opening 80deg --friction 0.6 --thic
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let missing = arguments.thickness.is_none().then_some("--thickness").into_iter().collect();
-    let arches = arguments.arch.arches(&Needs { missing, example: EXAMPLE })?;
-    let eta = thickness(arguments.thickness.as_deref().unwrap_or_default());
-    let eta = eta.map_err(Failure::Input)?;
-    let quantities = arguments.output.quantities(&Quantity::ASSESSMENT)?;
+    let measured = arguments.measures.measured()?;
+    let needs = Needs { missing, example: EXAMPLE };
+    let arches = arguments.arch.arches(&needs, measured.as_ref())?;
+    let eta = arguments.thickness.as_deref().unwrap_or_default();
+    let eta = match measured.as_ref().and_then(|measured| measured.thickness(eta)) {
+        Some(eta) => eta?,
+        None => thickness(eta).map_err(Failure::Input)?,
+    };
+    let all = measures::quantities(
+        &Quantity::ASSESSMENT,
+        &Quantity::MEASURED_ASSESSMENT,
+        measured.as_ref(),
+    );
+    let quantities = arguments.output.quantities(&all)?;
     let digits = arguments.arch.digits;
     print(&arguments.output, digits, quantities, || {
         let answer = |(line, arch): (u64, Arch)| {
             // Some formats have quadruples, which take more bits than the digits.
             let mut inquiry = Inquiry::new(&arch, digits, false);
             let found = inquiry.assess(&eta, digits, Wanted::Everything);
-            Answer::assessment(line, (&arch, &eta), &found)
+            let answer = Answer::assessment(line, (&arch, &eta), &found);
+            match &measured {
+                Some(Measured { measures, .. }) => {
+                    answer.measured(measured_assessment((&arch, &eta), measures, digits))
+                }
+                None => answer,
+            }
         };
         (1..).zip(arches).map(answer).collect()
     })

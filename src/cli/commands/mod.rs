@@ -10,6 +10,7 @@ mod find;
 mod folder;
 mod judge;
 mod map;
+mod measures;
 mod output;
 mod parse;
 mod progress;

@@ -1,9 +1,10 @@
 //! `couplet state`.
 
 use super::arch::{ArchArguments, Needs};
+use super::measures::{self, MeasureArguments, Measured};
 use super::output::AnswerOutput;
 use super::parse;
-use crate::certify::state::Inquiry;
+use crate::certify::state::{Inquiry, measured_state};
 use crate::certify::{CertifiedLandmark, Undecided, quantities as quantities_of};
 use crate::cli::failure::Failure;
 use crate::problem::{Arch, Landmark, Quantity};
@@ -24,8 +25,11 @@ pub(crate) struct Arguments {
     arch: ArchArguments,
 
     /// A landmark instead of an arch, by symbol or name (T, triple), with all modes that meet there.
-    #[arg(long, value_name = "LANDMARK", value_parser = parse::landmark, conflicts_with_all = ["half_opening", "friction", "friction_angle"])]
+    #[arg(long, value_name = "LANDMARK", value_parser = parse::landmark, conflicts_with_all = ["half_opening", "friction", "friction_angle", "span", "radius", "density"])]
     at: Option<Landmark>,
+
+    #[command(flatten)]
+    measures: MeasureArguments,
 
     #[command(flatten)]
     output: AnswerOutput,
@@ -38,15 +42,24 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(landmark) = arguments.at {
         return at_landmark(landmark, arguments);
     }
-    let arches = arguments.arch.arches(&Needs { missing: Vec::new(), example: EXAMPLE })?;
-    let quantities = arguments.output.quantities(&Quantity::STATE)?;
+    let measured = arguments.measures.measured()?;
+    let needs = Needs { missing: Vec::new(), example: EXAMPLE };
+    let arches = arguments.arch.arches(&needs, measured.as_ref())?;
+    let all = measures::quantities(&Quantity::STATE, &Quantity::MEASURED_STATE, measured.as_ref());
+    let quantities = arguments.output.quantities(&all)?;
     let digits = arguments.arch.digits;
     let frictions = quantities.iter().any(|quantity| quantity.is_friction());
     print(&arguments.output, digits, quantities, || {
         let answer = |(line, arch): (u64, Arch)| {
             // Some formats have quadruples, which take more bits than the digits.
             let found = Inquiry::new(&arch, digits, frictions).state(digits, frictions);
-            Answer::state(line, &arch, &found)
+            let answer = Answer::state(line, &arch, &found);
+            match &measured {
+                Some(Measured { measures, .. }) => {
+                    answer.measured(measured_state(&arch, measures, digits))
+                }
+                None => answer,
+            }
         };
         (1..).zip(arches).map(answer).collect()
     })

@@ -4,6 +4,7 @@ mod claims;
 mod constants;
 mod files;
 mod language;
+mod measured;
 #[cfg(unix)]
 mod owners;
 mod rows;

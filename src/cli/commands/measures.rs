@@ -1,0 +1,97 @@
+//! The arguments of an arch that is measured in metres.
+
+use crate::cli::failure::Failure;
+use crate::number::ExactNumber;
+use crate::problem::Quantity;
+use crate::problem::measures::{
+    Circle, Length, MeasureError, Measures, UnitWeight, of_span_and_rise,
+};
+use clap::Args;
+
+/// An arch as it is measured; all lengths with their unit (10m, 60cm, 600mm, 33ft, 7in).
+#[derive(Args)]
+#[command(next_help_heading = "In metres")]
+pub(super) struct MeasureArguments {
+    /// Span, with --rise instead of the half opening.
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        requires = "rise",
+        conflicts_with = "half_opening",
+        allow_hyphen_values = true
+    )]
+    span: Option<Length>,
+
+    /// Rise, from the springing joints' height to the crown.
+    #[arg(long, value_name = "LENGTH", requires = "span", allow_hyphen_values = true)]
+    rise: Option<Length>,
+
+    /// Radius, with --half-opening.
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    radius: Option<Length>,
+
+    /// Circle at which these are measured: intrados, centreline or extrados.
+    #[arg(long, value_name = "CIRCLE", default_value = "centreline")]
+    measured_at: Circle,
+
+    /// Density of the material (2400kg/m3, 24kN/m3); with --depth, forces are told in kN.
+    #[arg(long, value_name = "DENSITY", requires = "depth", allow_hyphen_values = true)]
+    density: Option<UnitWeight>,
+
+    /// Depth of the arch, across its span.
+    #[arg(long, value_name = "LENGTH", requires = "density", allow_hyphen_values = true)]
+    depth: Option<Length>,
+}
+
+/// What is measured of an arch.
+pub(super) struct Measured {
+    /// The half opening, where it follows.
+    pub half_opening: Option<ExactNumber>,
+    /// The sizes.
+    pub measures: Measures,
+}
+
+impl Measured {
+    /// The thickness-to-radius ratio of a thickness that is a length; `None` for another text.
+    pub(super) fn thickness(&self, text: &str) -> Option<Result<ExactNumber, Failure>> {
+        let length: Length = text.parse().ok()?;
+        let eta = self.measures.thickness(&length);
+        Some(eta.map_err(|error| Failure::Input(error.to_string())))
+    }
+}
+
+/// What can be asked of an arch, and of one that is measured.
+pub(super) fn quantities(
+    usual: &[Quantity],
+    of_measured: &[Quantity],
+    measured: Option<&Measured>,
+) -> Vec<Quantity> {
+    let Some(Measured { measures, .. }) = measured else { return usual.to_vec() };
+    let told = |of: &&Quantity| measures.has_forces() || !of.is_force();
+    usual.iter().chain(of_measured.iter().filter(told)).copied().collect()
+}
+
+impl MeasureArguments {
+    /// The sizes, if any is given.
+    pub(super) fn measured(&self) -> Result<Option<Measured>, Failure> {
+        let made = self.span.as_ref().zip(self.rise.as_ref());
+        let made = made.map(|(span, rise)| of_span_and_rise(span, rise));
+        let (half_opening, radius) = match (made, &self.radius) {
+            (Some((_, made)), Some(given)) if made != *given => {
+                let error =
+                    MeasureError::Radius { given: given.to_string(), made: made.to_string() };
+                return Err(Failure::Input(error.to_string()));
+            }
+            (Some((half_opening, radius)), _) => (Some(half_opening), radius),
+            (None, Some(radius)) => (None, radius.clone()),
+            (None, None) if self.density.is_some() => {
+                let message = "forces need a size: give --span and --rise, or --radius";
+                return Err(Failure::Input(message.to_owned()));
+            }
+            (None, None) => return Ok(None),
+        };
+        let loaded = self.density.clone().zip(self.depth.clone());
+        let measures = Measures::new(self.measured_at, radius, loaded);
+        Ok(Some(Measured { half_opening, measures }))
+    }
+}

@@ -1,0 +1,316 @@
+//! An arch as it is measured: in metres, at one of its circles, with the weight of its material.
+//!
+//! Angles are the same at all circles, so the half opening needs no thickness:
+//!
+//! ```text
+//! tan(alpha/2) = rise / (span/2)        R = (span²/4 + rise²) / (2 rise)
+//! ```
+//!
+//! The centreline is half a thickness from the intrados and from the extrados. With `c` = 1, 0, -1 where the circle of
+//! radius `R` is the intrados, the centreline, the extrados:
+//!
+//! ```text
+//! r = R + c t/2        eta = t/r        and back: r = R / (1 - c eta/2), t = eta r
+//! ```
+//!
+//! Everything given is rational, and so is `eta`.
+
+use crate::number::{Engine, ExactNumber, shown};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use std::fmt;
+use std::str::FromStr;
+
+/// The circle at which an arch is measured.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Circle {
+    /// The inner face.
+    Intrados,
+    /// Half a thickness from both faces: the radius `r` of the paper.
+    #[default]
+    Centreline,
+    /// The outer face.
+    Extrados,
+}
+
+/// A length above zero, in metres.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Length(BigRational);
+
+/// The weight of a volume, in kN/m³, above zero.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnitWeight(BigRational);
+
+/// The size of an arch.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Measures {
+    circle: Circle,
+    radius: Length,
+    loaded: Option<(UnitWeight, Length)>,
+}
+
+/// Why measures are refused.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MeasureError {
+    /// No number, or no unit behind it.
+    #[error("'{0}' is not a length: give a number and its unit, m, cm, mm, ft or in (10m, 60cm)")]
+    Length(String),
+    /// No number, or no unit behind it.
+    #[error("'{0}' is not a density: give a number and its unit, kg/m3 or kN/m3 (2400kg/m3)")]
+    Density(String),
+    /// The intrados would have no radius.
+    #[error("the thickness {thickness} is too large for this {circle}: at most {most}, its {rule}")]
+    Thickness {
+        /// As given.
+        thickness: String,
+        /// The circle that is measured.
+        circle: &'static str,
+        /// The thickness at which the intrados is a point.
+        most: String,
+        /// What that is.
+        rule: &'static str,
+    },
+    /// Three measures of which two say the third.
+    #[error("the radius {given} contradicts the span and the rise, which make it {made}")]
+    Radius {
+        /// As given.
+        given: String,
+        /// Of span and rise.
+        made: String,
+    },
+}
+
+/// Units of length in metres: the numerator over ten thousand.
+const LENGTHS: [(&str, i32); 5] =
+    [("cm", 100), ("mm", 10), ("m", 10_000), ("ft", 3_048), ("in", 254)];
+/// Units of density in kN/m³: the numerator over a hundred million. The standard acceleration of gravity is 9.80665 m/s²
+/// exactly (3rd General Conference on Weights and Measures, 1901).
+const DENSITIES: [(&str, i32); 4] =
+    [("kg/m3", 980_665), ("kg/m³", 980_665), ("kN/m3", 100_000_000), ("kN/m³", 100_000_000)];
+
+/// A rational number above zero with one of these units behind it, in the unit's base.
+fn with_unit(text: &str, units: &[(&str, i32)], base: i32) -> Option<BigRational> {
+    let text = text.trim();
+    let found = units.iter().find_map(|(unit, size)| Some((text.strip_suffix(unit)?, size)));
+    let (number, size) = found?;
+    let number: ExactNumber = number.trim_end().parse().ok()?;
+    let value = number.factor() * BigRational::new((*size).into(), base.into());
+    (number.is_rational() && value > BigInt::ZERO.into()).then_some(value)
+}
+
+impl FromStr for Length {
+    type Err = MeasureError;
+
+    /// Reads `10m`, `3.5 m`, `60cm`, `600mm`, `33ft`, `7in`, with a decimal or a fraction.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let length = with_unit(text, &LENGTHS, 10_000);
+        length.map(Self).ok_or_else(|| MeasureError::Length(shown(text)))
+    }
+}
+
+impl FromStr for UnitWeight {
+    type Err = MeasureError;
+
+    /// Reads `24kN/m3`, or a density, `2400kg/m3`, in standard gravity.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let weight = with_unit(text, &DENSITIES, 100_000_000);
+        weight.map(Self).ok_or_else(|| MeasureError::Density(shown(text)))
+    }
+}
+
+impl FromStr for Circle {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let all = [Self::Intrados, Self::Centreline, Self::Extrados];
+        let found = all.into_iter().find(|circle| circle.name() == text);
+        found.ok_or_else(|| "one of intrados, centreline, extrados".to_owned())
+    }
+}
+
+impl fmt::Display for Length {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} m", self.0)
+    }
+}
+
+impl Circle {
+    /// Its name in files and on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Intrados => "intrados",
+            Self::Centreline => "centreline",
+            Self::Extrados => "extrados",
+        }
+    }
+
+    /// Half thicknesses from it to the centreline, outwards.
+    const fn to_centreline(self) -> i32 {
+        match self {
+            Self::Intrados => 1,
+            Self::Centreline => 0,
+            Self::Extrados => -1,
+        }
+    }
+}
+
+/// The half opening of an arch of this span and rise, and the radius of the circle at which both are measured.
+pub fn of_span_and_rise(span: &Length, rise: &Length) -> (ExactNumber, Length) {
+    let (half, rise) = (&span.0 / BigInt::from(2), &rise.0);
+    let radius = (&half * &half + rise * rise) / (rise * BigInt::from(2));
+    (ExactNumber::twice_arctangent(rise / half), Length(radius))
+}
+
+impl Measures {
+    /// The radius of a circle of the arch; with the weight of its material and its depth there are forces too.
+    pub fn new(circle: Circle, radius: Length, loaded: Option<(UnitWeight, Length)>) -> Self {
+        Self { circle, radius, loaded }
+    }
+
+    /// Whether forces can be told.
+    pub fn has_forces(&self) -> bool {
+        self.loaded.is_some()
+    }
+
+    /// `eta = t/r`, at most 2: there the intrados is a point.
+    pub fn thickness(&self, thickness: &Length) -> Result<ExactNumber, MeasureError> {
+        let (t, radius) = (&thickness.0, &self.radius.0);
+        // At twice the radius of the centreline the intrados has none.
+        let most = match self.circle {
+            Circle::Intrados => None,
+            Circle::Centreline => Some((radius * BigInt::from(2), "diameter")),
+            Circle::Extrados => Some((radius.clone(), "radius")),
+        };
+        match most.filter(|(most, _)| t > most) {
+            Some((most, rule)) => Err(MeasureError::Thickness {
+                thickness: thickness.to_string(),
+                circle: self.circle.name(),
+                most: Length(most).to_string(),
+                rule,
+            }),
+            None => {
+                let half = BigRational::new(self.circle.to_centreline().into(), 2.into());
+                Ok(ExactNumber::rational(t / (radius + t * half)))
+            }
+        }
+    }
+
+    /// The radius of the centreline in metres, where it is known exactly: of a given thickness `eta`, or measured itself.
+    pub fn exact_radius(&self, eta: Option<&ExactNumber>) -> Option<ExactNumber> {
+        let one = || BigRational::from(BigInt::from(1));
+        let half = BigRational::new(self.circle.to_centreline().into(), 2.into());
+        let outwards = match (self.circle, eta) {
+            (Circle::Centreline, _) => one(),
+            (_, Some(eta)) => one() - half * eta.factor(),
+            (_, None) => return None,
+        };
+        Some(ExactNumber::rational(&self.radius.0 / outwards))
+    }
+
+    /// The sizes of an arch of thickness `eta` and half opening `alpha` (rad), in numbers of `bits` bits.
+    pub fn sizes<E: Engine>(&self, eta: &E, alpha: &E, bits: u32) -> Sizes<E> {
+        let number = |x: &BigRational| ExactNumber::rational(x.clone()).enclosure::<E>(bits);
+        let outwards = eta.int(1) - eta.ratio(self.circle.to_centreline(), 2) * eta;
+        let radius = number(&self.radius.0) / outwards;
+        let thickness = eta.clone() * &radius;
+        let loaded = self.loaded.as_ref();
+        let unit = |(weight, depth): &(UnitWeight, Length)| {
+            number(&weight.0) * number(&depth.0) * &thickness * &radius
+        };
+        let force = loaded.map(unit);
+        let weight = force.clone().map(|force| force * alpha.int(2) * alpha);
+        Sizes { radius, thickness, force, weight }
+    }
+}
+
+/// What an arch measures.
+#[derive(Clone, Debug)]
+pub struct Sizes<E> {
+    /// The radius of the centreline, m.
+    pub radius: E,
+    /// The thickness, m.
+    pub thickness: E,
+    /// `w r`, kN: the unit of the thrust `h`.
+    pub force: Option<E>,
+    /// The weight of the whole arch, kN.
+    pub weight: Option<E>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::{AstroInterval, Enclosure, Field, Form, Real};
+
+    fn length(text: &str) -> Length {
+        text.parse().unwrap()
+    }
+
+    #[test]
+    fn lengths_and_densities_are_read_with_their_units() {
+        let quotient = |n: i32, d: i32| BigRational::new(n.into(), d.into());
+        for (text, n, d) in [
+            ("10m", 10, 1),
+            ("60 cm", 3, 5),
+            ("600mm", 3, 5),
+            ("1/3 m", 1, 3),
+            ("10ft", 381, 125),
+            ("1in", 127, 5000),
+        ] {
+            assert_eq!(length(text).0, quotient(n, d), "{text}");
+        }
+        for text in
+            ["10", "m", "0m", "-1m", "1e2000m", "10 miles", "10deg", "pi m", "inf m", "1,5m"]
+        {
+            let error = text.parse::<Length>().unwrap_err().to_string();
+            assert!(error.contains("60cm"), "{error}");
+        }
+        let weight = |text: &str| text.parse::<UnitWeight>().unwrap().0;
+        assert_eq!(weight("24kN/m3"), quotient(24, 1));
+        assert_eq!(weight("1000 kg/m³"), quotient(980_665, 100_000));
+        assert!("2400".parse::<UnitWeight>().is_err() && "24m".parse::<UnitWeight>().is_err());
+    }
+
+    #[test]
+    fn span_and_rise_are_those_of_the_arch() {
+        let (alpha, radius) = of_span_and_rise(&length("10m"), &length("3m"));
+        let alpha: AstroInterval = alpha.enclosure(200);
+        let (sin, cos) = alpha.sin_cos();
+        let radius: AstroInterval = ExactNumber::rational(radius.0).enclosure(200);
+        let ten = radius.clone() * sin * radius.int(2);
+        assert!(ten.overlaps(&ten.int(10)));
+        let three = radius.clone() - radius * cos;
+        assert!(three.overlaps(&three.int(3)));
+        let (half_turn, radius) = of_span_and_rise(&length("8m"), &length("400cm"));
+        assert_eq!((half_turn.form(), radius), (Form::TimesPi, length("4m")));
+    }
+
+    #[test]
+    fn the_thickness_goes_there_and_back() {
+        for circle in [Circle::Intrados, Circle::Centreline, Circle::Extrados] {
+            let loading = Some(("24kN/m3".parse().unwrap(), length("2m")));
+            let measures = Measures::new(circle, length("5m"), loading);
+            let eta: AstroInterval = measures.thickness(&length("60cm")).unwrap().enclosure(100);
+            let sizes = measures.sizes(&eta, &eta.int(1), 100);
+            let three_fifths = eta.ratio(3, 5);
+            assert!(sizes.thickness.overlaps(&three_fifths), "{circle:?}");
+            let half = three_fifths.clone() * three_fifths.ratio(circle.to_centreline(), 2);
+            assert!(sizes.radius.overlaps(&(half + three_fifths.int(5))), "{circle:?}");
+            // 24 kN/m3 x 2 m x 0.6 m x r, and twice the half opening of one radian.
+            let force = sizes.radius.clone() * sizes.radius.ratio(144, 5);
+            assert!(sizes.force.as_ref().unwrap().overlaps(&force));
+            assert!(sizes.weight.unwrap().overlaps(&(force.clone() + force)));
+        }
+    }
+
+    #[test]
+    fn a_thickness_that_is_not_possible_is_refused() {
+        let at = |circle, thickness: &str| {
+            Measures::new(circle, length("5m"), None).thickness(&length(thickness))
+        };
+        assert!(at(Circle::Centreline, "10m").is_ok() && at(Circle::Centreline, "10.1m").is_err());
+        assert!(at(Circle::Extrados, "5m").is_ok() && at(Circle::Extrados, "5001mm").is_err());
+        assert!(at(Circle::Extrados, "100m").unwrap_err().to_string().contains("extrados"));
+        assert!(at(Circle::Intrados, "1000m").is_ok(), "never twice its centreline");
+    }
+}

@@ -1,0 +1,168 @@
+//! Arches in metres: the numbers against those of a ring that is computed from its measures, and what is refused.
+
+use super::{exact, printed, stdout};
+use crate::program::couplet;
+use rug::{Float, Rational};
+use serde_json::Value;
+
+fn object(arguments: &str) -> Value {
+    let words: Vec<&str> = arguments.split(' ').chain(["--format", "json"]).collect();
+    serde_json::from_str(&printed(&words)).unwrap()
+}
+
+/// The two bounds of a value.
+fn bounds(value: &Value) -> [Float; 2] {
+    ["lower", "upper"].map(|end| Float::with_val(200, exact(&value[end])))
+}
+
+fn holds(value: &Value, truth: &Float) {
+    let [lower, upper] = bounds(value);
+    assert!(lower <= *truth && *truth <= upper, "{value} {truth}");
+}
+
+/// The same arch by span and rise, by radius and half opening, and by its ratios.
+#[test]
+fn measures_and_ratios_are_the_same_arch() {
+    let of_span = object("state --span 10m --rise 5m --friction 0.6");
+    let of_radius = object("state --radius 5m --half-opening 90deg --friction 0.6");
+    let of_ratios = object("state --half-opening pi/2 --friction 0.6");
+    for quantity in ["thickness", "thrust", "rotation_joint", "sliding_friction"] {
+        assert_eq!(of_span[quantity], of_ratios[quantity], "{quantity}");
+        assert_eq!(of_radius[quantity], of_ratios[quantity], "{quantity}");
+    }
+    assert_eq!(of_span["least_thickness_m"], of_radius["least_thickness_m"]);
+    assert_eq!(of_ratios.get("least_thickness_m"), None);
+    let [eta, _] = bounds(&of_ratios["thickness"]);
+    let [metres, _] = bounds(&of_span["least_thickness_m"]);
+    assert!(Float::with_val(200, eta * 5u32 - metres).abs() < 1e-28);
+}
+
+/// The half opening of a span and a rise is that of its sine and cosine; the neighbour's is not.
+#[test]
+fn the_half_opening_is_that_of_the_measures() {
+    for (span, rise) in [(10u32, 3u32), (10, 1), (3, 2), (7, 2)] {
+        let found = object(&format!("state --span {span}m --rise {rise}m --friction inf"));
+        let ratio = Float::with_val(300, Rational::from((2 * rise, span)));
+        let degrees = ratio.atan() * 360u32 / Float::with_val(300, rug::float::Constant::Pi);
+        holds(&found["half_opening_degrees"], &degrees);
+    }
+}
+
+/// At each circle: a thickness that is the least one is, and forces are those of the ring's area.
+#[test]
+fn thickness_and_forces_are_those_of_the_ring() {
+    for (circle, outwards) in [("intrados", 1i32), ("centreline", 0), ("extrados", -1)] {
+        let found = object(&format!(
+            "assess --span 10m --rise 3m --thickness 600mm --measured-at {circle} --friction 0.6 \
+             --density 24kN/m3 --depth 2m"
+        ));
+        let radius = Rational::from((17, 3)) + Rational::from((3 * outwards, 10));
+        holds(&found["radius_m"], &Float::with_val(300, &radius));
+        let alpha = Float::with_val(300, Rational::from((3, 5))).atan() * 2u32;
+        let force = radius * Rational::from((24 * 2 * 3, 5));
+        let weight = Float::with_val(300, &force) * 2u32 * alpha;
+        holds(&found["weight_kn"], &weight);
+        for end in ["least_thrust", "largest_thrust"] {
+            let [lower, upper] =
+                bounds(&found[end]["thrust"]).map(|x| x * Float::with_val(300, &force));
+            let [from, to] = bounds(&found[format!("{end}_kn")]);
+            assert!(from <= upper && lower <= to, "{circle} {end}");
+        }
+        // An arch as thick as its least thickness, a little more or less, at the same circle.
+        let [least, _] = bounds(&found["least_thickness_m"]);
+        for (factor, stands) in [(1.000_001, true), (0.999_999, false)] {
+            let thickness = Float::with_val(100, &least * factor).to_f64();
+            let beside = object(&format!(
+                "assess --span 10m --rise 3m --thickness {thickness}m --measured-at {circle} --friction 0.6"
+            ));
+            assert_eq!(beside["stands"], stands, "{circle} {factor}");
+        }
+    }
+}
+
+/// What is exact is rounded so, ties too.
+#[test]
+fn a_radius_is_rounded_to_even() {
+    let found = object("state --radius 5.125m --half-opening 1 --friction 1 --digits 3");
+    assert_eq!(found["radius_m"]["value"], "5.12");
+    let found = object(
+        "assess --radius 5m --half-opening 1 --friction 1 --thickness 25cm --measured-at intrados --digits 3",
+    );
+    assert_eq!(found["radius_m"]["value"], "5.12");
+}
+
+#[test]
+fn a_certificate_holds_a_half_opening_by_its_tangent() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("arch.json");
+    let file = file.to_str().unwrap();
+    let made = couplet(&[
+        "certify",
+        "state",
+        "--alpha",
+        "2atan(3/5)",
+        "--mu",
+        "0.6",
+        "--digits",
+        "40",
+        "-o",
+        file,
+    ]);
+    assert_eq!(made.status.code(), Some(0));
+    let text = std::fs::read_to_string(file).unwrap();
+    assert!(text.contains("\"2 atan 3/5\""), "{text}");
+    for engine in ["mpfr", "astro"] {
+        assert_eq!(
+            couplet(&["check", file, "--engine", engine]).status.code(),
+            Some(0),
+            "{engine}"
+        );
+    }
+    for wrong in ["2 atan 4/5", "2 atan 3/5 pi", "atan 3/5", "3/5"] {
+        std::fs::write(file, text.replace("2 atan 3/5", wrong)).unwrap();
+        assert_eq!(couplet(&["check", file]).status.code(), Some(1), "{wrong}");
+    }
+}
+
+#[test]
+fn wrong_measures_are_one_line() {
+    for (arguments, why) in [
+        ("--span 10 --rise 3m", "'10' is not a length"),
+        ("--span 10m", "--rise"),
+        ("--span 10m --rise -3m", "'-3m' is not a length"),
+        ("--span 10m --rise 3m --radius 5m", "contradicts"),
+        ("--span 10m --rise 3m --half-opening 1", "cannot be used"),
+        ("--span 10m --rise 3m --density 2400kg/m3", "--depth"),
+        ("--span 10m --rise 3m --density 2400 --depth 1m", "'2400' is not a density"),
+        ("--half-opening 1 --density 24kN/m3 --depth 1m", "need a size"),
+        ("--span 10m --rise 3m --measured-at middle", "intrados, centreline, extrados"),
+        ("--span 10m --rise 3m --quantity weight_kn", "there is no weight_kn here"),
+        ("--span 10m --rise 3m --at T", "cannot be used"),
+    ] {
+        let words: Vec<&str> = ["state"].into_iter().chain(arguments.split(' ')).collect();
+        let words = if arguments.ends_with('T') {
+            words
+        } else {
+            [words, vec!["--friction", "1"]].concat()
+        };
+        let output = couplet(&words);
+        let error = String::from_utf8(output.stderr.clone()).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{arguments}");
+        assert!(error.lines().count() == 1 && error.contains(why), "{arguments}: {error}");
+        assert!(stdout(&output).is_empty());
+    }
+    let too_thick = couplet(&[
+        "assess",
+        "--radius",
+        "5m",
+        "--half-opening",
+        "1",
+        "--friction",
+        "1",
+        "--thickness",
+        "6m",
+        "--measured-at",
+        "extrados",
+    ]);
+    assert_eq!(too_thick.status.code(), Some(2));
+}
