@@ -109,7 +109,7 @@ impl Curve {
             laws,
             thrust,
             joint,
-            half_opening: None,
+            given: None,
         };
         let whole = |unknowns, laws, thrust, joint| {
             vec![Leg { form: form(unknowns, laws, thrust, joint), from: None, to: None }]

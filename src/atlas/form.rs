@@ -101,8 +101,8 @@ pub(super) struct Form {
     pub laws: &'static [Law],
     pub thrust: Thrust,
     pub joint: Joint,
-    /// The half opening, where it is given.
-    pub half_opening: Option<Ball>,
+    /// The variable that is the same throughout, with its value.
+    pub given: Option<(Variable, Ball)>,
 }
 
 /// A value for each variable; one that a form does not know is zero and is read by none of its laws.
@@ -119,9 +119,13 @@ pub(super) struct Spot<T> {
 }
 
 impl Form {
-    /// Whether it is the parameter or an unknown.
+    /// Whether it is the parameter, an unknown or given.
     pub(super) fn knows(&self, variable: Variable) -> bool {
-        self.parameter == variable || self.unknowns.contains(&variable)
+        self.parameter == variable || self.unknowns.contains(&variable) || self.gives(variable)
+    }
+
+    fn gives(&self, variable: Variable) -> bool {
+        self.given.as_ref().is_some_and(|(given, _)| *given == variable)
     }
 
     /// The value of a variable among the parameter and the unknowns.
@@ -140,10 +144,13 @@ impl Form {
         s: &T,
         x: &[T],
     ) -> Spot<T> {
-        let known = |variable| self.value(variable, s, x).cloned();
+        let given = |variable| {
+            let given = self.given.as_ref().filter(|(given, _)| *given == variable);
+            given.map(|(_, value)| number(value))
+        };
+        let known = |variable| self.value(variable, s, x).cloned().or_else(|| given(variable));
         let zero = s.int(0);
         let value = |variable| known(variable).unwrap_or_else(|| zero.clone());
-        let given = self.half_opening.as_ref().map(number);
         let inclination = match known(Variable::Inclination) {
             Some(chi) => Angle::new(chi),
             None => Angle::zero(s),
@@ -159,7 +166,7 @@ impl Form {
             true => s.int(2),
             false => value(Variable::Thickness),
         };
-        let half_opening = given.unwrap_or_else(|| value(Variable::HalfOpening));
+        let half_opening = value(Variable::HalfOpening);
         let friction_angle = value(Variable::FrictionAngle);
         let thrust = match self.thrust {
             Thrust::Zero => zero.clone(),

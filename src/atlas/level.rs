@@ -1,44 +1,64 @@
-//! The lines of one half opening: how thick it has to be, over the friction.
+//! The lines of one half opening, of one least thickness, of one friction.
 //!
-//! In the plane of friction angle and thickness such a line comes down from the physical limit at the friction of pure
-//! sliding, `[s,s]`, or begins on the limit itself; it then runs through the domains in which the arch needs the less
-//! thickness the more friction there is, and ends level, `[r,r,r]`, or at unlimited friction, `[r]`. Each part is one
-//! chain of proved pieces, or straight; the parts meet on the lines between the modes, in points that are proved.
+//! In the plane of friction angle and thickness the line of a half opening comes down from the physical limit at the
+//! friction of pure sliding, `[s,s]`, or begins on the limit itself; it then runs through the domains in which the arch
+//! needs the less thickness the more friction there is, and ends level, `[r,r,r]`, or at unlimited friction, `[r]`. A line of one thickness
+//! runs across the same domains from the edge of `[s,s]` on, one of a friction up through them from the edge of `[r,r,r]`.
+//!
+//! Each part is one chain of proved pieces, or straight; the parts meet on the lines between the modes, in points that are
+//! proved. Each line between modes is proved to be met there only, and the others nowhere
+//! ([`Crossing`](super::crossing)), so that a part stays in the domain of its mode. A straight part is what an
+//! equation without the thickness or the friction leaves: `[s,s]` begins in a point in which (17) and (18) hold, which do not see the
+//! thickness, `[r,r,r]` in one in which (2), (4) and (5) hold, which do not see the friction. That the arch stands as far as
+//! the part is drawn are the claims `unique-thicker` and `map-rows` of `couplet prove`.
 
+use super::contour::Contour;
+use super::crossing::{BITS, Crossing};
 use super::curve::Curve;
-use super::end::{End, EndValues};
 use super::form::{Form, Joint, Law, Thrust, Variable};
 use super::place::Place;
 use super::trace::{Piece, Point, Trace, pieces_of, points_of};
 use super::walk::{Walk, walk};
 use crate::arch::SelfWeight;
 use crate::certify::Undecided;
-use crate::certify::root::{self, root_near};
-use crate::number::{Ball, Enclosure, ExactNumber, Field, Real, Stumpff, Ternary};
-use crate::problem::{Landmark, Line, Mode};
-use rug::Float;
+use crate::number::{Ball, Enclosure, Field, Real, Ternary};
+use crate::problem::{Line, Mode};
 use rug::float::Round;
 
-/// Why a half opening has no line.
+/// Why there is no line.
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoLevel {
-    /// It is not between 0 and that of the landmark `L`.
-    #[error("no arch of the half opening {0} stands at a thickness up to 2, or it is none")]
+    /// No arch has it.
+    #[error("{0}")]
     Outside(String),
     /// It is that of a landmark, or a proof fails.
-    #[error(transparent)]
-    Undecided(#[from] Undecided),
+    #[error("{0}: {1}")]
+    Undecided(String, Undecided),
 }
 
-/// The line of a half opening.
+fn no_arch(contour: &Contour) -> String {
+    match contour {
+        Contour::HalfOpening(alpha) => {
+            format!(
+                "no arch of the half opening {alpha} stands at a thickness up to 2, or it is none"
+            )
+        }
+        Contour::Thickness(eta) => format!("the thickness {eta} is not between 0 and 2"),
+        Contour::Friction(friction) => {
+            format!("the friction {friction} is not positive and finite")
+        }
+    }
+}
+
+/// The line of a half opening, a thickness or a friction.
 #[derive(Debug)]
 pub struct Level {
     /// The self-weight model.
     pub weight: SelfWeight,
-    /// The half opening.
-    pub half_opening: ExactNumber,
-    /// Its parts, from the least friction on.
+    /// What is the same on it.
+    pub contour: Contour,
+    /// Its parts, from the least friction on; of a friction from the least thickness on.
     pub parts: Vec<Part>,
 }
 
@@ -53,6 +73,11 @@ pub struct Part {
 }
 
 impl Part {
+    /// The quantities of its two ends.
+    pub fn ends(&self) -> &[Place; 2] {
+        &self.ends
+    }
+
     /// The nodes; of a straight part its two ends.
     pub fn points(&self) -> Vec<Point> {
         let end = |place: &Place| Point { parameter: f64::NAN, end: None, place: place.clone() };
@@ -75,125 +100,57 @@ impl Part {
     }
 }
 
-/// A point in which the line meets a curve of the map.
-struct Crossing {
-    form: Form,
-    s: Ball,
-    root: Vec<Ball>,
-}
+/// Half-width of the tubes in which the lines between modes are followed, to find where they are met.
+const FINE: f64 = 1e-4;
 
-/// The equations of a form with the half opening given: the parameter is the first unknown.
-struct AtOpening<'a> {
-    form: &'a Form,
-    half_opening: &'a Ball,
-}
-
-impl root::Form<Ball> for AtOpening<'_> {
-    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
-        let (s, unknowns) = (&x[0], &x[1..]);
-        let alpha = self.form.spot(&number, s, unknowns).half_opening;
-        let mut residuals = self.form.residuals(&number, s, unknowns);
-        residuals.push(alpha - number(self.half_opening));
-        residuals
-    }
-
-    fn is_regular<T: Enclosure + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> bool {
-        self.form.divisors(&number, &x[0], &x[1..]).iter().all(Enclosure::excludes_zero)
-    }
-}
-
-/// Bits in which crossings are enclosed.
-const BITS: u32 = 128;
-/// Half-width of the tubes in which crossings are looked for.
-const COARSE: f64 = 1e-2;
-
-impl Crossing {
-    /// Where a curve has a half opening, proved to be on it.
-    fn new(curve: Curve, weight: SelfWeight, half_opening: &Ball) -> Result<Self, Undecided> {
-        let nowhere = || Undecided::new(format!("{curve} is not proved to have this half opening"));
-        let trace = Trace::new(curve, weight, COARSE)?;
-        let alpha = half_opening.mid().to_f64();
-        let is_here = |piece: &Piece| {
-            let [[from, to], _] = piece.cubic(Variable::HalfOpening)?;
-            ((from - alpha) * (to - alpha) <= 0.0).then_some([from, to])
-        };
-        let mut pieces = trace.pieces();
-        let (piece, [from, to]) =
-            pieces.find_map(|piece| Some((piece, is_here(&piece)?))).ok_or_else(nowhere)?;
-        let [low, high] = piece.range();
-        let s = low + (alpha - from) / (to - from) * (high - low);
-        let about = Ball::exact(Float::with_val(53, s), BITS);
-        let (form, tube) = trace.tube_at(&about).ok_or_else(nowhere)?;
-        let number = |x: &Ball| Float::with_val(BITS, x.mid());
-        let start = [about.clone()].iter().chain(&tube.enclosure(&about)).map(number).collect();
-        let mut root = root_near(&AtOpening { form, half_opening }, BITS, start)?;
-        let s = root.remove(0);
-        match tube.holds(&s, &root) {
-            true => Ok(Self { form: form.clone(), s, root }),
-            false => Err(nowhere()),
-        }
-    }
-
-    fn place(&self) -> Place {
-        Place::new(&self.form, &self.s, &self.root)
-    }
-
-    fn value(&self, variable: Variable) -> Ball {
-        let at = self.form.spot(&Ball::clone, &self.s, &self.root);
-        match variable {
-            Variable::HalfOpening => at.half_opening,
-            Variable::FrictionAngle => at.friction_angle,
-            Variable::Inclination => at.inclination.rad,
-            Variable::JointSquare => at.joint_square,
-            Variable::Thickness => at.thickness,
-            Variable::Ratio => at.ratio,
-        }
-    }
-}
-
-/// The equations of a mode at a given half opening.
-fn form(mode: Mode, weight: SelfWeight, half_opening: &Ball) -> Form {
+/// The equations of a mode with what is given.
+fn form(mode: Mode, weight: SelfWeight, (fixed, value): (Variable, &Ball)) -> Form {
     use {Law as L, Variable as V};
-    let (parameter, unknowns, laws, thrust): (V, &[V], &[L], Thrust) = match mode {
-        Mode::SlidingRotational => (
-            V::FrictionAngle,
-            &[V::JointSquare, V::Thickness],
-            &[L::Tangency, L::Touching],
-            Thrust::Shoulder,
-        ),
-        Mode::OverturningSliding => (
-            V::Inclination,
-            &[V::FrictionAngle, V::Thickness],
-            &[L::Cycloid, L::Upper],
-            Thrust::Sliding,
-        ),
-        _ => (
-            V::Inclination,
-            &[V::FrictionAngle, V::JointSquare, V::Thickness],
-            &[L::Cycloid, L::Tangency, L::Upper],
-            Thrust::Sliding,
-        ),
+    let turns = matches!(mode, Mode::RotationalSliding | Mode::RotationalSlidingRotational);
+    let (laws, thrust): (&[L], Thrust) = match mode {
+        Mode::SlidingRotational => (&[L::Tangency, L::Touching], Thrust::Shoulder),
+        _ if turns => (&[L::Cycloid, L::Tangency, L::Upper], Thrust::Sliding),
+        _ => (&[L::Cycloid, L::Upper], Thrust::Sliding),
     };
-    let half_opening = Some(half_opening.clone());
-    Form { weight, parameter, unknowns, laws, thrust, joint: Joint::Crown, half_opening }
+    let (parameter, unknowns): (V, &[V]) = match (mode, fixed) {
+        (Mode::SlidingRotational, V::HalfOpening) => {
+            (V::FrictionAngle, &[V::JointSquare, V::Thickness])
+        }
+        (Mode::SlidingRotational, V::Thickness) => {
+            (V::FrictionAngle, &[V::JointSquare, V::HalfOpening])
+        }
+        (Mode::SlidingRotational, _) => (V::HalfOpening, &[V::JointSquare, V::Thickness]),
+        (_, V::HalfOpening) if turns => {
+            (V::Inclination, &[V::FrictionAngle, V::JointSquare, V::Thickness])
+        }
+        (_, V::HalfOpening) => (V::Inclination, &[V::FrictionAngle, V::Thickness]),
+        (_, V::Thickness) if turns => {
+            (V::Inclination, &[V::FrictionAngle, V::JointSquare, V::HalfOpening])
+        }
+        (_, V::Thickness) => (V::Inclination, &[V::FrictionAngle, V::HalfOpening]),
+        _ if turns => (V::Thickness, &[V::Inclination, V::JointSquare, V::HalfOpening]),
+        _ => (V::Thickness, &[V::Inclination, V::HalfOpening]),
+    };
+    let given = Some((fixed, value.clone()));
+    Form { weight, parameter, unknowns, laws, thrust, joint: Joint::Crown, given }
 }
 
 /// The chain of a mode from one crossing to another, or to unlimited friction.
 fn part(
     mode: Mode,
-    half_opening: &Ball,
+    given: (Variable, &Ball),
     from: &Crossing,
     to: Option<&Crossing>,
     tolerance: f64,
 ) -> Result<Part, Undecided> {
-    let form = form(mode, from.form.weight, half_opening);
-    let quarter_turn = half_opening.pi() / half_opening.int(2);
+    let form = form(mode, from.form.weight, given);
+    let quarter_turn = given.1.pi() / given.1.int(2);
     let start = from.value(form.parameter);
     let end = to.map_or(quarter_turn, |to| to.value(form.parameter));
     let guess = form.unknowns.iter().map(|u| from.value(*u).mid().to_f64()).collect();
     let [low, high] =
         [start.lower().to_f64_round(Round::Down), end.upper().to_f64_round(Round::Up)];
-    let failed = |what: &str| Undecided::new(format!("{mode} of this half opening: {what}"));
+    let failed = |what: &str| Undecided::new(format!("{mode}: {what}"));
     let walk = walk(&form, low, guess, high, tolerance)
         .ok_or_else(|| failed("a node cannot be proved"))?;
     let meets = |crossing: &Crossing, is_first: bool| {
@@ -227,7 +184,8 @@ fn upright(foot: &Crossing) -> Part {
 /// The line of pure rotation: from where it begins to unlimited friction.
 fn level(begin: &Crossing) -> Part {
     let from = Place { sliding_joint: None, ..begin.place() };
-    let right_angle = begin.s.pi() / begin.s.int(2);
+    let alpha = begin.value(Variable::HalfOpening);
+    let right_angle = alpha.pi() / alpha.int(2);
     let to = Place {
         friction_angle: Some(right_angle),
         friction: Some(Ball::whole(BITS)),
@@ -237,72 +195,145 @@ fn level(begin: &Crossing) -> Part {
     Part { mode: Mode::Rotational, ends: [from, to], chain: None }
 }
 
-impl Level {
-    /// Follows the line of a half opening between 0 and that of `L`, beyond which nothing stands, in tubes as
-    /// [`Trace::new`] has them. Undecided if the half opening is that of a landmark, or if a proof fails.
-    pub fn new(
+/// The lines between modes that are met, each once, and the limit.
+struct Met {
+    lines: Vec<(Line, Crossing)>,
+    limit: Option<Crossing>,
+}
+
+impl Met {
+    fn new(
+        traces: &[Trace],
         weight: SelfWeight,
-        half_opening: &ExactNumber,
+        (variable, value): (Variable, &Ball),
+    ) -> Result<Self, Undecided> {
+        let find = |curve: Curve| {
+            let is_it = |trace: &&Trace| trace.weight == weight && trace.curve == curve;
+            let missing = || Undecided::new(format!("{curve} is not proved"));
+            Crossing::find(traces.iter().find(is_it).ok_or_else(missing)?, variable, value)
+        };
+        let mut lines = Vec::new();
+        for line in Line::ALL {
+            lines.extend(find(Curve::Line(line))?.map(|crossing| (line, crossing)));
+        }
+        // Its thickness is 2 throughout.
+        let is_limit = variable == Variable::Thickness;
+        let limit = if is_limit { None } else { find(Curve::Limit)? };
+        Ok(Self { lines, limit })
+    }
+
+    /// The line of a mode that has not been used yet, with the mode behind it.
+    fn next(&mut self, mode: Mode) -> Option<(Mode, Crossing)> {
+        let index = self.lines.iter().position(|(line, _)| line.modes().contains(&mode))?;
+        let (line, crossing) = self.lines.remove(index);
+        line.modes().into_iter().find(|other| *other != mode).map(|other| (other, crossing))
+    }
+}
+
+impl Level {
+    /// The largest half-width of a tube.
+    pub fn width(&self) -> f64 {
+        let pieces = self.parts.iter().flat_map(Part::pieces);
+        pieces.filter_map(|piece| piece.width()).fold(0.0, f64::max)
+    }
+
+    /// Whether a piece is not proved.
+    pub fn has_gap(&self) -> bool {
+        self.parts.iter().flat_map(Part::pieces).any(|piece| !piece.is_proved())
+    }
+
+    /// The curves that [`Level::among`] needs.
+    pub fn curves() -> impl Iterator<Item = Curve> {
+        Line::ALL.into_iter().map(Curve::Line).chain([Curve::Limit])
+    }
+
+    /// These curves of a weight.
+    pub fn lines(weight: SelfWeight) -> Result<Vec<Trace>, Undecided> {
+        Self::curves().map(|curve| Trace::new(curve, weight, FINE)).collect()
+    }
+
+    /// Follows a line, in tubes as [`Trace::new`] has them: of a half opening between 0 and that of `L`, beyond which nothing stands,
+    /// of a thickness between 0 and 2, of a positive friction. Undecided if a landmark lies on it, or if a proof
+    /// fails.
+    pub fn new(weight: SelfWeight, contour: &Contour, tolerance: f64) -> Result<Self, NoLevel> {
+        let undecided = |error| NoLevel::Undecided(contour.to_string(), error);
+        Self::among(&Self::lines(weight).map_err(undecided)?, weight, contour, tolerance)
+    }
+
+    /// The same, with the lines between modes among some curves.
+    pub fn among(
+        traces: &[Trace],
+        weight: SelfWeight,
+        contour: &Contour,
         tolerance: f64,
     ) -> Result<Self, NoLevel> {
-        let alpha = half_opening.enclosure::<Ball>(BITS);
-        let is_below = |landmark: Landmark| -> Result<bool, Undecided> {
-            let end = EndValues::of(End::Landmark(landmark), weight)?;
-            match alpha.is_less_than(&end.value(Variable::HalfOpening)) {
-                Ternary::True => Ok(true),
-                Ternary::False => Ok(false),
-                Ternary::Undecided => Err(Undecided::new(format!(
-                    "the half opening may be that of {}",
-                    landmark.symbol()
-                ))),
-            }
+        let undecided = |error| NoLevel::Undecided(contour.to_string(), error);
+        let outside = || NoLevel::Outside(no_arch(contour));
+        let value = contour.value(BITS).ok_or_else(outside)?;
+        if value.is_positive() != Ternary::True {
+            return Err(outside());
+        }
+        let given = (contour.variable(), &value);
+        let mut met = Met::new(traces, weight, given).map_err(undecided)?;
+        if met.lines.is_empty() && met.limit.is_none() {
+            return Err(outside());
+        }
+        let parts = match contour {
+            Contour::Friction(_) => rising(&mut met, given, tolerance),
+            _ => falling(&mut met, given, tolerance),
         };
-        if !alpha.is_positive().is_proved() || !is_below(Landmark::OverturningEnd)? {
-            return Err(NoLevel::Outside(half_opening.to_string()));
-        }
-        let crossing = |line: Line| Crossing::new(Curve::Line(line), weight, &alpha);
-        let part =
-            |mode, from: &Crossing, to: Option<&Crossing>| part(mode, &alpha, from, to, tolerance);
-        let mut parts = Vec::new();
-        if is_below(Landmark::Triple)? {
-            let foot = crossing(Line::ShoulderEnd)?;
-            let end = crossing(Line::RotationShoulder)?;
-            parts.push(upright(&foot));
-            parts.push(part(Mode::SlidingRotational, &foot, Some(&end))?);
-            parts.push(level(&end));
-            return Ok(Self { weight, half_opening: half_opening.clone(), parts });
-        }
-        // The domains that follow each other from the foot on, each with the line behind it.
-        let domains = [
-            (Mode::OverturningSliding, Line::Crown),
-            (Mode::RotationalSlidingRotational, Line::Joints),
-            (Mode::RotationalSliding, Line::RotationInner),
-        ];
-        let (foot, passed) = if is_below(Landmark::Shift)? {
-            (crossing(Line::AboveHaunchEnd)?, 2)
-        } else if is_below(Landmark::Junction)? {
-            (crossing(Line::BelowHaunchEnd)?, 1)
-        } else if is_below(Landmark::Border)? {
-            (crossing(Line::CrownEnd)?, 0)
-        } else {
-            (Crossing::new(Curve::Limit, weight, &alpha)?, 0)
-        };
-        if foot.form.knows(Variable::Thickness) {
-            parts.push(upright(&foot));
-        }
-        let mut from = foot;
-        if !is_below(Landmark::RotationEnd)? {
-            parts.push(part(Mode::OverturningSliding, &from, None)?);
-            return Ok(Self { weight, half_opening: half_opening.clone(), parts });
-        }
-        for (mode, line) in &domains[passed..] {
-            let to = crossing(*line)?;
-            parts.push(part(*mode, &from, Some(&to))?);
-            from = to;
-        }
-        parts.push(level(&from));
-        Ok(Self { weight, half_opening: half_opening.clone(), parts })
+        let parts = parts.and_then(|parts| match met.lines.is_empty() {
+            true => Ok(parts),
+            false => Err(Undecided::new("it meets a line that is not next to it")),
+        });
+        Ok(Self { weight, contour: contour.clone(), parts: parts.map_err(undecided)? })
     }
+}
+
+/// From the edge of pure sliding, or from the limit, towards unlimited friction.
+fn falling(
+    met: &mut Met,
+    given: (Variable, &Ball),
+    tolerance: f64,
+) -> Result<Vec<Part>, Undecided> {
+    let mut parts = Vec::new();
+    let (mut mode, mut from) = match (met.next(Mode::Sliding), met.limit.take()) {
+        (Some(foot), None) => {
+            // A thickness has one point of pure sliding.
+            parts.extend((given.0 != Variable::Thickness).then(|| upright(&foot.1)));
+            foot
+        }
+        (None, Some(limit)) => (Mode::OverturningSliding, limit),
+        _ => return Err(Undecided::new("it does not begin once")),
+    };
+    while let Some((behind, to)) = met.next(mode) {
+        parts.push(part(mode, given, &from, Some(&to), tolerance)?);
+        (mode, from) = (behind, to);
+    }
+    parts.push(match mode {
+        Mode::Rotational => level(&from),
+        _ => part(mode, given, &from, None, tolerance)?,
+    });
+    Ok(parts)
+}
+
+/// From the edge of pure rotation to that of pure sliding, and up to the limit.
+fn rising(met: &mut Met, given: (Variable, &Ball), tolerance: f64) -> Result<Vec<Part>, Undecided> {
+    let mut parts = Vec::new();
+    let nowhere = || Undecided::new("it does not begin once");
+    let (mut mode, mut from) = met.next(Mode::Rotational).ok_or_else(nowhere)?;
+    while let Some((behind, to)) = met.next(mode) {
+        parts.push(part(mode, given, &from, Some(&to), tolerance)?);
+        (mode, from) = (behind, to);
+    }
+    parts.push(match (mode, met.limit.take()) {
+        (Mode::Sliding, None) => upright(&from),
+        (Mode::OverturningSliding, Some(limit)) => {
+            part(mode, given, &from, Some(&limit), tolerance)?
+        }
+        _ => return Err(nowhere()),
+    });
+    Ok(parts)
 }
 
 #[cfg(test)]
@@ -312,63 +343,139 @@ mod tests {
         OverturningSliding as Rs, Rotational as Rrr, RotationalSliding as Rrs,
         RotationalSlidingRotational as Rsr, Sliding as Ss, SlidingRotational as Srr,
     };
+    use std::sync::OnceLock;
 
-    fn of(weight: SelfWeight, alpha: &str) -> Level {
-        Level::new(weight, &alpha.parse().unwrap(), 1e-5).unwrap()
+    fn contour(quantity: &str, value: &str) -> Contour {
+        match quantity {
+            "alpha" => Contour::HalfOpening(value.parse().unwrap()),
+            "eta" => Contour::Thickness(value.parse().unwrap()),
+            _ => Contour::Friction(value.parse().unwrap()),
+        }
     }
 
-    /// Each half opening meets the domains in their order, each once.
+    fn lines(weight: SelfWeight) -> &'static [Trace] {
+        static LINES: [OnceLock<Vec<Trace>>; 2] = [OnceLock::new(), OnceLock::new()];
+        LINES[usize::from(weight == SelfWeight::Heyman)]
+            .get_or_init(|| Level::lines(weight).unwrap())
+    }
+
+    fn of(weight: SelfWeight, quantity: &str, value: &str) -> Level {
+        Level::among(lines(weight), weight, &contour(quantity, value), 1e-5).unwrap()
+    }
+
+    const CASES: [(&str, &str, &[Mode]); 25] = [
+        ("alpha", "1/100", &[Ss, Srr, Rrr]),
+        ("alpha", "80deg", &[Ss, Srr, Rrr]),
+        ("alpha", "2.4", &[Ss, Srr, Rrr]),
+        ("alpha", "2.47", &[Ss, Rrs, Rrr]),
+        ("alpha", "2.515", &[Ss, Rrs, Rrr]),
+        ("alpha", "2.533", &[Ss, Rsr, Rrs, Rrr]),
+        ("alpha", "2.58", &[Ss, Rs, Rsr, Rrs, Rrr]),
+        ("alpha", "2.62", &[Ss, Rs]),
+        ("alpha", "2.64", &[Rs]),
+        ("eta", "0.001", &[Srr, Rrr]),
+        ("eta", "0.1", &[Srr, Rrr]),
+        ("eta", "0.65", &[Rrs, Rrr]),
+        ("eta", "0.86", &[Rrs, Rrr]),
+        ("eta", "0.88", &[Rsr, Rrs, Rrr]),
+        ("eta", "0.92", &[Rs, Rsr, Rrs, Rrr]),
+        ("eta", "1", &[Rs]),
+        ("eta", "1.99", &[Rs]),
+        ("mu", "0.01", &[Srr, Ss]),
+        ("mu", "0.6", &[Srr, Ss]),
+        ("mu", "tan(50deg)", &[Srr, Ss]),
+        ("mu", "1.4", &[Rrs, Ss]),
+        ("mu", "1.54", &[Rrs, Rsr, Ss]),
+        ("mu", "1.6", &[Rrs, Rsr, Rs, Ss]),
+        ("mu", "3", &[Rrs, Rsr, Rs]),
+        ("mu", "100", &[Rrs, Rsr, Rs]),
+    ];
+
+    /// Each line meets the domains in their order, each once.
     #[test]
     fn a_line_meets_each_domain_once() {
-        let cases: [(&str, &[Mode]); 9] = [
-            ("1/100", &[Ss, Srr, Rrr]),
-            ("80deg", &[Ss, Srr, Rrr]),
-            ("2.4", &[Ss, Srr, Rrr]),
-            ("2.47", &[Ss, Rrs, Rrr]),
-            ("2.515", &[Ss, Rrs, Rrr]),
-            ("2.533", &[Ss, Rsr, Rrs, Rrr]),
-            ("2.58", &[Ss, Rs, Rsr, Rrs, Rrr]),
-            ("2.62", &[Ss, Rs]),
-            ("2.64", &[Rs]),
-        ];
-        for (alpha, modes) in cases {
-            let level = of(SelfWeight::Milankovitch, alpha);
+        for (quantity, value, modes) in CASES {
+            let level = of(SelfWeight::Milankovitch, quantity, value);
             let found: Vec<Mode> = level.parts.iter().map(|part| part.mode).collect();
-            assert_eq!(found, modes, "{alpha}");
+            assert_eq!(found, modes, "{quantity} {value}");
             for part in &level.parts {
-                assert!(part.pieces().all(|piece| piece.is_proved()), "{alpha} {}", part.mode);
+                assert!(part.pieces().all(|piece| piece.is_proved()), "{value} {}", part.mode);
             }
         }
     }
 
     #[test]
-    fn parts_meet_and_have_the_half_opening() {
+    fn parts_meet_and_have_what_is_given() {
         for weight in SelfWeight::ALL {
-            for alpha in ["0.3", "2.5", "2.56"] {
-                let level = of(weight, alpha);
-                let exact = level.half_opening.enclosure::<Ball>(64);
+            for (quantity, value) in
+                [("alpha", "0.3"), ("alpha", "2.5"), ("alpha", "2.56"), ("eta", "0.3"), ("mu", "2")]
+            {
+                let level = of(weight, quantity, value);
+                let exact = level.contour.value(64).unwrap();
+                let fixed = level.contour.variable();
                 let points: Vec<Vec<Point>> = level.parts.iter().map(Part::points).collect();
                 for pair in points.windows(2) {
-                    let is_upright = pair[0].len() == 2
-                        && pair[0][0].place.rotation_joint.is_some()
-                        && pair[0][1].place.rotation_joint.is_none();
-                    let (one, other) =
-                        (&pair[0][if is_upright { 0 } else { pair[0].len() - 1 }], &pair[1][0]);
-                    let eta = |point: &Point| point.place.thickness.clone().unwrap();
-                    assert!(eta(one).overlaps(&eta(other)), "{weight:?} {alpha}");
+                    // Pure sliding begins where the next part does.
+                    let is_upright =
+                        pair[0].len() == 2 && pair[0][1].place.rotation_joint.is_none();
+                    let one = &pair[0][if is_upright { 0 } else { pair[0].len() - 1 }];
+                    for variable in Variable::PLANE {
+                        let at = |point: &Point| point.place.coordinate(variable).unwrap().clone();
+                        assert!(
+                            at(one).overlaps(&at(&pair[1][0])),
+                            "{weight:?} {quantity} {value}"
+                        );
+                    }
                 }
                 for point in points.iter().flatten() {
-                    assert!(point.place.half_opening.as_ref().unwrap().overlaps(&exact));
+                    assert!(point.place.coordinate(fixed).unwrap().overlaps(&exact));
                 }
             }
         }
     }
 
+    /// A straight part has the friction of the purely sliding states, or the thickness of the purely rotational ones.
     #[test]
-    fn beyond_l_there_is_no_line() {
-        for alpha in ["0", "-1", "2.9", "pi"] {
-            let level = Level::new(SelfWeight::Heyman, &alpha.parse().unwrap(), 1e-3);
-            assert!(matches!(level, Err(NoLevel::Outside(_))), "{alpha}");
+    fn straight_parts_are_on_the_curves_of_the_pure_states() {
+        let straight = |curve, mode: Mode, same: Variable| {
+            let trace = Trace::new(curve, SelfWeight::Heyman, 1e-4).unwrap();
+            for alpha in ["0.1", "80deg", "2.47", "2.53"] {
+                let level = of(SelfWeight::Heyman, "alpha", alpha);
+                let exact = level.contour.value(BITS).unwrap();
+                let pure = Crossing::find(&trace, Variable::HalfOpening, &exact).unwrap().unwrap();
+                let part = level.parts.iter().find(|part| part.mode == mode).unwrap();
+                for place in part.ends() {
+                    assert!(place.coordinate(same).unwrap().overlaps(&pure.value(same)), "{alpha}");
+                }
+                let other = &level.parts[1].ends()[usize::from(mode == Mode::Sliding)];
+                assert!(!other.coordinate(same).unwrap().overlaps(&pure.value(same)), "false twin");
+            }
+        };
+        straight(Curve::Sliding, Mode::Sliding, Variable::FrictionAngle);
+        straight(Curve::Rotation, Mode::Rotational, Variable::Thickness);
+    }
+
+    #[test]
+    fn outside_there_is_no_line() {
+        let none = |quantity, value| {
+            let (weight, contour) = (SelfWeight::Heyman, contour(quantity, value));
+            Level::among(lines(weight), weight, &contour, 1e-3).unwrap_err()
+        };
+        for (quantity, value) in [
+            ("alpha", "0"),
+            ("alpha", "-1"),
+            ("alpha", "2.9"),
+            ("alpha", "pi"),
+            ("eta", "0"),
+            ("eta", "-0.1"),
+            ("eta", "2"),
+            ("eta", "2.1"),
+            ("mu", "0"),
+            ("mu", "-1"),
+            ("mu", "inf"),
+        ] {
+            let error = none(quantity, value);
+            assert!(matches!(error, NoLevel::Outside(_)), "{quantity} {value}: {error}");
         }
     }
 }

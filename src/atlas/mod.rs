@@ -1,8 +1,8 @@
 //! The map as data: its curves from end to end, each proved for every value of a parameter.
 //!
 //! A [`Curve`] is followed by [`Trace::new`] in pieces. On each a [tube](Trace) about a cubic holds exactly one solution
-//! for every parameter; neighbouring tubes join; the ends are landmarks. A [`Level`] is the line of one half opening, mode
-//! by mode; [`boundary`] has the domains of the modes as loops of curves.
+//! for every parameter; neighbouring tubes join; the ends are landmarks. A [`Level`] is the line of one half opening,
+//! thickness or friction, mode by mode; [`boundary`] has the domains of the modes as loops of curves.
 //!
 //! ```
 //! use couplet::arch::SelfWeight;
@@ -14,6 +14,8 @@
 //! # Ok::<(), couplet::certify::Undecided>(())
 //! ```
 
+mod contour;
+mod crossing;
 mod cubic;
 mod curve;
 mod domain;
@@ -27,6 +29,7 @@ mod trace;
 mod tube;
 mod walk;
 
+pub use contour::Contour;
 pub use curve::Curve;
 pub use domain::{Corner, Side, boundary};
 pub use end::End;

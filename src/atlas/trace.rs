@@ -110,6 +110,11 @@ impl Trace {
         &self.parameters
     }
 
+    /// The quantities of the ends.
+    pub(super) fn ends(&self) -> &[Place; 2] {
+        &self.ends
+    }
+
     /// The tube over a parameter, with its form.
     pub(super) fn tube_at(&self, s: &Ball) -> Option<(&Form, &Tube)> {
         let is_over = |piece: &Piece| {
@@ -193,7 +198,7 @@ fn joins((before, walk): &(Form, Walk), (after, next): &(Form, Walk)) -> bool {
     root.is_some_and(|root| tube.holds(&s, &root))
 }
 
-impl Piece<'_> {
+impl<'a> Piece<'a> {
     /// The parameters between which it runs.
     pub fn range(&self) -> [f64; 2] {
         [self.from.sketch.s, self.to.sketch.s]
@@ -234,6 +239,21 @@ impl Piece<'_> {
     pub fn slope_of(&self, y: Variable, x: Variable) -> Option<Ball> {
         let slope = self.slope(y)? / self.slope(x)?;
         slope.is_bounded().then_some(slope)
+    }
+
+    /// The equations.
+    pub(super) fn form(&self) -> &'a Form {
+        self.form
+    }
+
+    /// Its two nodes.
+    pub(super) fn nodes(&self) -> [&'a Node; 2] {
+        [self.from, self.to]
+    }
+
+    /// What lies between its nodes, if that is proved.
+    pub(super) fn tube(&self) -> Option<&'a Tube> {
+        self.tube
     }
 
     /// The quantities at a parameter of the piece.

@@ -1,6 +1,6 @@
 //! `couplet figure`.
 
-use super::map::{tolerance, traced};
+use super::map::{levels, tolerance, traced};
 use super::output::{OutputFile, typed};
 use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
@@ -72,12 +72,17 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let file = arguments.file.open_for(format)?;
     let curves = |weight| Curve::ALL.into_iter().map(move |curve| (weight, curve));
-    let asked = weights.into_iter().flat_map(curves).collect();
-    let (traces, open) = traced(asked, arguments.tolerance, format)?;
+    let asked = weights.iter().copied().flat_map(curves).collect();
+    let tolerance = arguments.tolerance;
+    let (traces, mut open) = traced(asked, tolerance, format)?;
+    let contours = match view {
+        View::Map(plane) => plane.contours(),
+        _ => Vec::new(),
+    };
+    let levels = levels(&contours, &weights, &traces, tolerance, &mut open)?;
     let drawing = Drawing { view, command: typed() };
-    let (levels, landmarks) = (Vec::new(), Vec::new());
-    let report =
-        Report::Map(Map { tolerance: arguments.tolerance, traces, levels, landmarks, drawing });
+    let landmarks = Vec::new();
+    let report = Report::Map(Map { tolerance, traces, levels, landmarks, drawing });
     file.write(|out| report.write(format, out))?;
     match open.is_empty() {
         true => Ok(()),

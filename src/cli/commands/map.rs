@@ -3,11 +3,11 @@
 use super::output::{Output, OutputFile, typed};
 use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
-use crate::atlas::{Curve, LEAST_TOLERANCE, Level, NoLevel, NoPoint, Part, Trace, point};
+use crate::atlas::{Contour, Curve, LEAST_TOLERANCE, Level, NoLevel, NoPoint, Trace, point};
 use crate::certify::{CertifiedLandmark, MAX_DIGITS, Undecided, quantities};
 use crate::cli::failure::Failure;
 use crate::number::{ExactNumber, ParseExactError};
-use crate::problem::Landmark;
+use crate::problem::{Friction, Landmark};
 use crate::report::{
     Answer, Content, Drawing, Format, Map, MapPoint, MapPoints, Plane, Report, View,
 };
@@ -43,6 +43,26 @@ pub(crate) struct Arguments {
     )]
     half_openings: Vec<ExactNumber>,
 
+    /// The lines of these least thicknesses over the half opening and the friction.
+    #[arg(
+        long = "thickness",
+        visible_alias = "eta",
+        value_name = "NUMBER",
+        value_delimiter = ',',
+        allow_hyphen_values = true
+    )]
+    thicknesses: Vec<ExactNumber>,
+
+    /// The lines of these frictions (0.6, 30deg) over the half opening and the least thickness.
+    #[arg(
+        long = "friction",
+        visible_alias = "mu",
+        value_name = "FRICTION",
+        value_delimiter = ',',
+        allow_hyphen_values = true
+    )]
+    frictions: Vec<Friction>,
+
     /// Self-weight model: heyman, milankovitch or both; milankovitch if none is named, but for html both.
     #[arg(long, value_parser = parse::weights)]
     weight: Option<Weights>,
@@ -56,7 +76,7 @@ pub(crate) struct Arguments {
         long,
         value_name = "PARAMETER",
         allow_hyphen_values = true,
-        conflicts_with = "half_openings"
+        conflicts_with_all = ["half_openings", "thicknesses", "frictions"]
     )]
     at: Option<String>,
 
@@ -71,6 +91,10 @@ pub(crate) struct Arguments {
     /// For a picture, only the lines, of both weights if so asked; over thickness and friction.
     #[arg(long)]
     lines: bool,
+
+    /// For a map, without lines of equal half opening, thickness or friction.
+    #[arg(long, conflicts_with_all = ["half_openings", "thicknesses", "frictions"])]
+    bare: bool,
 
     #[arg(long, value_parser = parse::format(Content::Map), help = parse::format_help(Content::Map))]
     format: Option<&'static Format>,
@@ -133,10 +157,11 @@ impl Arguments {
 
     /// What a picture shows.
     fn drawing(&self, format: &Format) -> Result<Drawing, Failure> {
-        let is_whole = self.curves.is_empty() && self.half_openings.is_empty();
+        let is_whole = self.curves.is_empty() && self.contours().is_empty();
         let is_usual = !self.lines && self.plane == Plane::ThicknessFriction;
         if is_page(format) && !(is_whole && is_usual) {
-            let message = "a page shows the whole map; leave out --curve, --half-opening, --plane and --lines";
+            let message =
+                "a page shows the whole map; leave out --curve, --plane, --lines and levels";
             return Err(Failure::Input(message.into()));
         }
         let is_picture = is_picture(format) && !is_page(format);
@@ -148,13 +173,28 @@ impl Arguments {
             let message = "a map shows one --weight; --lines shows the lines of both";
             return Err(Failure::Input(message.into()));
         }
-        if is_picture && !self.half_openings.is_empty() {
-            let message =
-                "the lines of half openings are not drawn: write them as json, csv or parquet";
-            return Err(Failure::Input(message.into()));
+        let fits = |contour: &Contour| !self.lines && self.plane.is_crossed_by(contour);
+        if is_picture && !self.contours().iter().all(fits) {
+            let message = match self.lines {
+                true => "--lines are drawn alone".to_owned(),
+                false => format!(
+                    "over {} lines of a {} are drawn",
+                    self.plane.name().replace('-', " and "),
+                    self.plane.contour_name()
+                ),
+            };
+            return Err(Failure::Input(message));
         }
         let view = if self.lines { View::Lines } else { View::Map(self.plane) };
         Ok(Drawing { view, command: typed() })
+    }
+
+    /// The levels asked for.
+    fn contours(&self) -> Vec<Contour> {
+        let openings = self.half_openings.iter().cloned().map(Contour::HalfOpening);
+        let thicknesses = self.thicknesses.iter().cloned().map(Contour::Thickness);
+        let frictions = self.frictions.iter().cloned().map(Contour::Friction);
+        openings.chain(thicknesses).chain(frictions).collect()
     }
 
     fn curves(&self) -> Vec<Curve> {
@@ -199,7 +239,8 @@ fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
     let drawing = arguments.drawing(format)?;
     let file = arguments.file.open_for(format)?;
     let curves = arguments.curves();
-    let is_whole = curves.is_empty() && arguments.half_openings.is_empty();
+    let contours = arguments.contours();
+    let is_whole = curves.is_empty() && (contours.is_empty() || is_picture(format));
     let is_asked = |curve: &Curve| is_whole || curves.contains(curve);
     let weights = arguments.weights(format);
     let first = weights[0];
@@ -210,12 +251,17 @@ fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
         .filter(|(weight, curve)| is_asked(curve) && !(curve.is_weightless() && *weight != first))
         .collect();
     let (traces, mut open) = traced(asked, arguments.tolerance, format)?;
-    let levels = levels(arguments, &weights, &mut open)?;
     let landmarks = if is_page(format) { landmarks(&weights) } else { Vec::new() };
     let undecided = landmarks.iter().filter(|answer| answer.is_undecided());
     open.extend(
         undecided.filter_map(|answer| Some(answer.subject.landmark()?.symbol().to_owned())),
     );
+    let is_map = is_picture(format) && !is_page(format) && is_whole && !arguments.lines;
+    let contours = match is_map && contours.is_empty() && !arguments.bare {
+        true => arguments.plane.contours(),
+        false => contours,
+    };
+    let levels = levels(&contours, &weights, &traces, arguments.tolerance, &mut open)?;
     let report =
         Report::Map(Map { tolerance: arguments.tolerance, traces, levels, landmarks, drawing });
     file.write(|out| report.write(format, out))?;
@@ -246,36 +292,39 @@ fn landmarks(weights: &[SelfWeight]) -> Vec<Answer> {
     points.map(answer).collect()
 }
 
-/// The lines of half openings; what is not proved of them is added to what stays open.
-fn levels(
-    arguments: &Arguments,
+/// Levels, by the curves that are there already or by others; what is not proved of them is added to what stays open.
+pub(super) fn levels(
+    contours: &[Contour],
     weights: &[SelfWeight],
+    traces: &[Trace],
+    tolerance: f64,
     open: &mut Vec<String>,
 ) -> Result<Vec<Level>, Failure> {
-    let asked: Vec<(SelfWeight, &ExactNumber)> = weights
-        .iter()
-        .flat_map(|weight| arguments.half_openings.iter().map(|alpha| (*weight, alpha)))
-        .collect();
-    let found: Vec<Result<Level, NoLevel>> = asked
-        .into_par_iter()
-        .map(|(weight, alpha)| Level::new(weight, alpha, arguments.tolerance))
-        .collect();
+    if contours.is_empty() {
+        return Ok(Vec::new());
+    }
     let mut levels = Vec::new();
-    for level in found {
-        match level {
-            Ok(level) => levels.push(level),
-            Err(NoLevel::Undecided(undecided)) => open.push(undecided.to_string()),
-            Err(outside) => return Err(Failure::Input(outside.to_string())),
+    for weight in weights {
+        let has_all = Level::curves().all(|curve| {
+            traces.iter().any(|trace| trace.curve == curve && trace.weight == *weight)
+        });
+        let undecided = |undecided: Undecided| Failure::Undecided(undecided.to_string());
+        let others = if has_all { Vec::new() } else { Level::lines(*weight).map_err(undecided)? };
+        let lines = if has_all { traces } else { &others[..] };
+        let found: Vec<Result<Level, NoLevel>> = contours
+            .par_iter()
+            .map(|contour| Level::among(lines, *weight, contour, tolerance))
+            .collect();
+        for level in found {
+            match level {
+                Ok(level) => levels.push(level),
+                Err(NoLevel::Outside(why)) => return Err(Failure::Input(why)),
+                Err(undecided) => open.push(undecided.to_string()),
+            }
         }
     }
-    let has_gap =
-        |level: &&Level| level.parts.iter().flat_map(Part::pieces).any(|piece| !piece.is_proved());
-    open.extend(
-        levels
-            .iter()
-            .filter(has_gap)
-            .map(|level| format!("half opening {}: not every piece is proved", level.half_opening)),
-    );
+    let gaps = levels.iter().filter(|level| level.has_gap());
+    open.extend(gaps.map(|level| format!("{}: not every piece is proved", level.contour)));
     Ok(levels)
 }
 

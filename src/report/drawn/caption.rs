@@ -12,7 +12,15 @@ pub(super) fn caption(shows: &str, sheets: &[&Sheet], plane: Plane, command: &st
     let weights: Vec<String> = sheets.iter().map(|sheet| words::model(sheet.weight)).collect();
     let weights = weights.join(" and ");
     let proved = proved(sheets, Some(rounding(plane)));
-    vec![format!("{shows}. {weights}. {proved}"), format!("Command: {command}")]
+    let levels = match sheets.iter().all(|sheet| sheet.levels.is_empty()) {
+        true => String::new(),
+        false => format!(
+            " Thin lines: equal {}; their straight parts rest on the claims unique-thicker and map-rows of \
+             couplet prove.",
+            plane.contour_name()
+        ),
+    };
+    vec![format!("{shows}. {weights}.{levels} {proved}"), format!("Command: {command}")]
 }
 
 /// How near the drawn lines are to the true ones if they are the cubics themselves, but for rounding, else how near

@@ -1,8 +1,9 @@
 //! A proved curve as Bézier arcs in a plane.
 
 use super::plane::{Axis, Plane};
-use crate::atlas::{Piece, Trace};
+use crate::atlas::{Level, Piece, Place, Trace};
 use crate::picture::{Frame, Path, Point};
+use crate::problem::Mode;
 
 /// Arcs end to end, in the units shown.
 #[derive(Clone, Debug, Default)]
@@ -22,9 +23,39 @@ const PARTS: u32 = 8;
 impl Chain {
     /// A curve in a plane; `None` if it has no place there.
     pub(super) fn new(trace: &Trace, plane: Plane) -> Option<Self> {
-        let axes = plane.axes();
-        // What the curve does not move along is the same at its start.
         let start = trace.points().swap_remove(0).place;
+        Self::of_pieces(trace.pieces(), &start, plane)
+    }
+
+    /// A level in a plane, to unlimited friction or to the physical limit.
+    pub(super) fn of_level(level: &Level, plane: Plane) -> Option<Self> {
+        let mut whole = Self::default();
+        for (k, part) in level.parts.iter().enumerate() {
+            let chain = match part.parameter() {
+                Some(_) => Self::of_pieces(part.pieces(), &part.ends()[0], plane)?,
+                None => {
+                    let at = |place: &Place| {
+                        let [x, y] = plane.axes().map(|axis| axis.place(place));
+                        Some((x?, y?))
+                    };
+                    let [from, to] = part.ends();
+                    Self::straight(at(from)?, at(to)?)
+                }
+            };
+            // Pure sliding comes down to where the next part begins.
+            let comes_down = k == 0 && part.mode == Mode::Sliding;
+            whole.0.extend(if comes_down { chain.reversed().0 } else { chain.0 });
+        }
+        (!whole.0.is_empty()).then_some(whole)
+    }
+
+    fn of_pieces<'a>(
+        pieces: impl Iterator<Item = Piece<'a>>,
+        start: &Place,
+        plane: Plane,
+    ) -> Option<Self> {
+        let axes = plane.axes();
+        // What a curve does not move along is the same at its start.
         let [still_x, still_y] =
             axes.map(|axis| start.coordinate(axis.variable).map(|value| value.mid().to_f64()));
         let arc = |piece: Piece| {
@@ -32,7 +63,7 @@ impl Chain {
             let corners = [0, 1, 2, 3].map(|k| (x[k], y[k]));
             Some(Arc { corners, is_proved: piece.is_proved() })
         };
-        let arcs: Option<Vec<Arc>> = trace.pieces().map(arc).collect();
+        let arcs: Option<Vec<Arc>> = pieces.map(arc).collect();
         arcs.filter(|arcs| !arcs.is_empty()).map(Self)
     }
 

@@ -4,7 +4,7 @@ use super::chain::Chain;
 use super::plane::Plane;
 use super::sheet::Sheet;
 use super::{domain, look};
-use crate::atlas::Curve;
+use crate::atlas::{Contour, Curve, Level};
 use crate::picture::{Frame, Path, Point, Svg};
 use crate::problem::{Landmark, Mode};
 
@@ -14,6 +14,8 @@ pub(super) struct Content {
     pub areas: Vec<(Mode, Chain)>,
     /// The lines around them.
     pub lines: Vec<(Curve, Chain)>,
+    /// The levels.
+    pub levels: Vec<(Contour, Chain)>,
     /// Overturning, at unlimited friction.
     pub edge: Option<Chain>,
     /// The landmarks.
@@ -38,9 +40,11 @@ impl Content {
             _ => &[],
         };
         let lines = lines().chain(ends.iter().copied());
+        let level = |level: &&Level| Some((level.contour.clone(), Chain::of_level(level, plane)?));
         Self {
             areas: Mode::ALL.into_iter().filter_map(area).collect(),
             lines: lines.filter_map(|curve| Some((curve, chain(curve)?))).collect(),
+            levels: sheet.levels.iter().filter_map(level).collect(),
             edge: chain(Curve::Overturning),
             landmarks: sheet.landmarks(plane),
             plane,
@@ -57,6 +61,16 @@ impl Content {
         for (mode, way) in &self.areas {
             let id = format!("{of}domain-{}", look::code(*mode));
             svg.group(&id, |svg| look::fill(svg, *mode, &domain::area(way, frame)));
+        }
+        for (contour, chain) in &self.levels {
+            let id = format!("{of}level-{}", contour.to_string().replace([' ', '/'], "-"));
+            svg.group(&id, |svg| {
+                let [proved, open] = chain.paths(frame);
+                svg.stroke(&proved, look::LEVEL);
+                if open != Path::default() {
+                    svg.stroke(&open, look::OPEN);
+                }
+            });
         }
         for (curve, chain) in &self.lines {
             let id = format!("{of}line-{}", curve.to_string().replace('/', "-"));

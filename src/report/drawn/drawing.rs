@@ -6,7 +6,7 @@ use super::map::MapPicture;
 use super::plane::Plane;
 use super::sheet::Sheet;
 use crate::arch::SelfWeight;
-use crate::atlas::Trace;
+use crate::atlas::{Level, Trace};
 use crate::picture::Frame;
 use std::io;
 
@@ -48,12 +48,12 @@ impl Drawing {
             let picture = MapPicture { sheet, plane, command: &self.command };
             FramedMap { weight: sheet.weight, svg: picture.svg(), frames: picture.frames() }
         };
-        Sheet::all(traces).iter().map(framed).collect()
+        Sheet::all(traces, &[]).iter().map(framed).collect()
     }
 
-    /// The picture of some curves as SVG; nothing to draw is an error.
-    pub(in crate::report) fn svg(&self, traces: &[Trace]) -> io::Result<String> {
-        let sheets = Sheet::all(traces);
+    /// The picture of some curves and levels as SVG; nothing to draw is an error.
+    pub(in crate::report) fn svg(&self, traces: &[Trace], levels: &[Level]) -> io::Result<String> {
+        let sheets = Sheet::all(traces, levels);
         let command = &self.command;
         Ok(match self.view {
             View::Map(plane) => {

@@ -32,7 +32,7 @@ impl LinesPicture<'_> {
     pub(super) fn svg(&self) -> String {
         let sheets: Vec<&Sheet> = self.sheets.iter().collect();
         let words = caption(SHOWS, &sheets, PLANE, self.command);
-        let (page, mut svg) = Page::new(PLANE, SHOWS, &words, 0.0);
+        let (page, mut svg) = Page::new(PLANE, SHOWS, &words, false);
         let frame = &page.frame;
         svg.clipped(&frame.outline(), |svg| self.draw(svg, frame, ""));
         page.draw(&mut svg);

@@ -32,6 +32,8 @@ pub(super) fn fill(svg: &mut Svg, mode: Mode, path: &Path) {
 
 /// A line between two modes.
 pub(super) const DIVIDE: Stroke = Stroke::new(INK, 2.0);
+/// A line of equal half opening, thickness or friction.
+pub(super) const LEVEL: Stroke = Stroke::new(Color(0x55, 0x55, 0x55), 1.0);
 /// Where a line is not proved.
 pub(super) const OPEN: Stroke = Stroke { color: INK, width: 2.0, dashes: &[2.0, 4.0] };
 /// Unlimited friction, where half arches overturn.

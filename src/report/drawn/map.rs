@@ -3,6 +3,7 @@
 use super::caption::caption;
 use super::content::Content;
 use super::inset::Inset;
+use super::margin;
 use super::names::Names;
 use super::page::Page;
 use super::plane::Plane;
@@ -31,10 +32,14 @@ impl MapPicture<'_> {
     pub(super) fn svg(&self) -> String {
         let content = Content::new(self.sheet, self.plane);
         let words = caption(self.shows(), &[self.sheet], self.plane, self.command);
-        let (page, mut svg) = Page::new(self.plane, self.shows(), &words, 0.0);
+        let has_levels = !content.levels.is_empty();
+        let (page, mut svg) = Page::new(self.plane, self.shows(), &words, has_levels);
         let frame = &page.frame;
         svg.clipped(&frame.outline(), |svg| content.draw(svg, frame, ""));
         page.draw(&mut svg);
+        if has_levels {
+            svg.group("levels", |svg| margin::levels(svg, frame, self.plane, &content.levels));
+        }
         let insets = Inset::all(&content, self.plane, frame.corner);
         insets.iter().for_each(|inset| inset.draw_guides(&mut svg, frame));
         let mut named = Vec::new();
@@ -61,7 +66,7 @@ impl MapPicture<'_> {
     /// Where it shows points of the plane: its insets, then the map itself.
     pub(super) fn frames(&self) -> Vec<Frame> {
         let content = Content::new(self.sheet, self.plane);
-        let (page, _) = Page::new(self.plane, "", &[], 0.0);
+        let (page, _) = Page::new(self.plane, "", &[], !content.levels.is_empty());
         let insets = Inset::all(&content, self.plane, page.frame.corner);
         insets.iter().map(|inset| inset.frame).chain([page.frame]).collect()
     }

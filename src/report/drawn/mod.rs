@@ -13,13 +13,14 @@
 //! | `content` | what a map shows, in its frame or in an inset |
 //! | `inset` | small frames that show a part of the map larger |
 //! | `page` | the page of a map: its frame with the axes, and what is said below |
+//! | `margin` | the values of levels, outside the frame |
 //! | `map` | the map of one weight |
 //! | `lines` | the lines of both weights |
 //! | `branches`, `graph` | the pure states along the half opening, as graphs |
 //! | `caption` | what is said below |
 //!
 //! A piece of a curve is proved to lie in a tube about a cubic of the parameter, and the drawn Bézier arc is that
-//! cubic: the line in the picture is nowhere further from the true one than the tube is wide, but for the hundredth of
+//! cubic: the line in the picture is nowhere further from the true one than the tube is wide, but for the thousandth of
 //! a unit to which the file is rounded.
 
 mod branches;
@@ -33,6 +34,7 @@ mod inset;
 mod lines;
 mod look;
 mod map;
+mod margin;
 mod names;
 mod page;
 mod plane;

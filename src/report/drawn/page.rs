@@ -20,20 +20,27 @@ const MARGIN: f64 = 20.0;
 /// Where there is an axis of friction, and where there is none.
 const AXIS: f64 = 76.0;
 const NO_AXIS: f64 = 40.0;
+/// Above, where levels end.
+const LEVELS: f64 = 92.0;
 /// Sizes of fonts.
 const LABEL: f64 = 18.0;
 const TICK: f64 = 16.0;
 const SMALL: f64 = 15.0;
 
 impl Page {
-    /// An empty page with a title for those who do not see it, and paragraphs to stand below; `right` of the frame
-    /// there is this much room.
-    pub(super) fn new(plane: Plane, title: &str, words: &[String], right: f64) -> (Self, Svg) {
+    /// An empty page with a title for those who do not see it, and paragraphs to stand below; there may be room for the
+    /// values of levels where these end.
+    pub(super) fn new(plane: Plane, title: &str, words: &[String], levels: bool) -> (Self, Svg) {
         let [x, y] = plane.axes();
         let room = |is_friction| if is_friction { AXIS } else { NO_AXIS };
-        let top = room(x.variable == Variable::FrictionAngle);
+        let ends_above = plane != Plane::ThicknessFriction;
+        let top = match levels && ends_above {
+            true => LEVELS,
+            false => room(x.variable == Variable::FrictionAngle),
+        };
         let frame = Frame { corner: (LEFT, top), size: SIZE, x: x.range, y: y.range };
-        let right = right.max(room(y.variable == Variable::FrictionAngle) + MARGIN);
+        let has_axis = y.variable == Variable::FrictionAngle || (levels && !ends_above);
+        let right = room(has_axis) + MARGIN;
         let width = frame.right() + right;
         let wrapped = |words: &String| text::wrap(words, SMALL, width - 2.0 * MARGIN);
         let lines: Vec<String> = words.iter().flat_map(wrapped).collect();

@@ -1,6 +1,6 @@
 //! What lies along the axes.
 
-use crate::atlas::Variable;
+use crate::atlas::{Contour, Place, Variable};
 use crate::picture::scale::Tick;
 
 /// A plane in which the map is drawn.
@@ -62,6 +62,11 @@ const FRICTIONS: [(f64, &str); 13] = [
     (10.0, "10"),
     (f64::INFINITY, "∞"),
 ];
+/// The levels of each plane: what both weights have.
+const OPENINGS: [&str; 9] =
+    ["40deg", "60deg", "80deg", "100deg", "120deg", "130deg", "140deg", "145deg", "150deg"];
+const THICKNESSES: [&str; 9] = ["0.01", "0.05", "0.1", "0.2", "0.3", "0.4", "0.6", "0.8", "1.4"];
+const FRICTION_LEVELS: [&str; 9] = ["0.1", "0.2", "0.3", "0.4", "0.6", "0.8", "1", "1.5", "3"];
 /// The label of their axis.
 pub(super) const FRICTION_LABEL: &str = "friction coefficient μ = tan φ";
 
@@ -84,6 +89,46 @@ impl Plane {
         Self::ALL.into_iter().find(|plane| plane.name().eq_ignore_ascii_case(name))
     }
 
+    /// The name of the quantity whose levels are lines in the plane.
+    pub fn contour_name(self) -> &'static str {
+        match self {
+            Self::ThicknessFriction => "half opening",
+            Self::OpeningFriction => "thickness",
+            Self::OpeningThickness => "friction",
+        }
+    }
+
+    /// What is written beside their values.
+    pub(super) fn contour_label(self) -> &'static str {
+        match self {
+            Self::ThicknessFriction => "lines of equal half opening α",
+            Self::OpeningFriction => "lines of equal least thickness η",
+            Self::OpeningThickness => "lines of equal least friction μ",
+        }
+    }
+
+    /// Whether the levels of a quantity are lines in the plane.
+    pub fn is_crossed_by(self, contour: &Contour) -> bool {
+        contour.name() == self.contour_name()
+    }
+
+    /// The levels that are drawn unless others are asked for.
+    pub fn contours(self) -> Vec<Contour> {
+        let values: &[&str] = match self {
+            Self::ThicknessFriction => &OPENINGS,
+            Self::OpeningFriction => &THICKNESSES,
+            Self::OpeningThickness => &FRICTION_LEVELS,
+        };
+        let contour = |text: &&str| {
+            Some(match self {
+                Self::ThicknessFriction => Contour::HalfOpening(text.parse().ok()?),
+                Self::OpeningFriction => Contour::Thickness(text.parse().ok()?),
+                Self::OpeningThickness => Contour::Friction(text.parse().ok()?),
+            })
+        };
+        values.iter().filter_map(contour).collect()
+    }
+
     /// To the right, and up.
     pub(super) fn axes(self) -> [Axis; 2] {
         match self {
@@ -98,6 +143,11 @@ impl Axis {
     /// A value in the unit shown.
     pub(super) fn shown(&self, value: f64) -> f64 {
         if self.variable == Variable::Thickness { value } else { value.to_degrees() }
+    }
+
+    /// Where a place is on it, in the unit shown.
+    pub(super) fn place(&self, place: &Place) -> Option<f64> {
+        Some(self.shown(place.coordinate(self.variable)?.mid().to_f64()))
     }
 
     /// Its ticks within a range.
@@ -121,6 +171,15 @@ pub(super) fn friction_ticks() -> Vec<Tick> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn each_plane_has_its_levels() {
+        for plane in Plane::ALL {
+            let contours = plane.contours();
+            assert_eq!(contours.len(), 9, "{plane:?}");
+            assert!(contours.iter().all(|contour| plane.is_crossed_by(contour)));
+        }
+    }
 
     #[test]
     fn ticks_are_round_and_end_with_the_range() {

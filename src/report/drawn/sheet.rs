@@ -3,7 +3,7 @@
 use super::chain::Chain;
 use super::plane::Plane;
 use crate::arch::SelfWeight;
-use crate::atlas::{Curve, End, Trace};
+use crate::atlas::{Curve, End, Level, Trace};
 use crate::picture::Point;
 use crate::problem::Landmark;
 
@@ -13,15 +13,18 @@ pub(super) struct Sheet<'a> {
     pub weight: SelfWeight,
     /// Its curves, some or all.
     pub traces: Vec<&'a Trace>,
+    /// Its levels.
+    pub levels: Vec<&'a Level>,
 }
 
 impl<'a> Sheet<'a> {
     /// One for each weight of some curves.
-    pub(super) fn all(traces: &'a [Trace]) -> Vec<Self> {
+    pub(super) fn all(traces: &'a [Trace], levels: &'a [Level]) -> Vec<Self> {
         let of = |weight| {
             let traces: Vec<&Trace> =
                 traces.iter().filter(|trace| trace.weight == weight).collect();
-            (!traces.is_empty()).then_some(Self { weight, traces })
+            let levels = levels.iter().filter(|level| level.weight == weight).collect();
+            (!traces.is_empty()).then_some(Self { weight, traces, levels })
         };
         SelfWeight::ALL.into_iter().filter_map(of).collect()
     }
@@ -42,10 +45,7 @@ impl<'a> Sheet<'a> {
         for trace in &self.traces {
             for point in trace.points() {
                 let Some(End::Landmark(landmark)) = point.end else { continue };
-                let value = |axis: super::plane::Axis| {
-                    Some(axis.shown(point.place.coordinate(axis.variable)?.mid().to_f64()))
-                };
-                let [x, y] = plane.axes().map(value);
+                let [x, y] = plane.axes().map(|axis| axis.place(&point.place));
                 if let (Some(x), Some(y)) = (x, y)
                     && found.iter().all(|(known, _)| *known != landmark)
                 {
@@ -58,12 +58,15 @@ impl<'a> Sheet<'a> {
 
     /// The largest half-width of a tube.
     pub(super) fn width(&self) -> f64 {
-        self.traces.iter().map(|trace| trace.width()).fold(0.0, f64::max)
+        let of_levels = self.levels.iter().map(|level| level.width());
+        self.traces.iter().map(|trace| trace.width()).chain(of_levels).fold(0.0, f64::max)
     }
 
-    /// The curves that have pieces which are not proved.
-    pub(super) fn open(&self) -> Vec<Curve> {
-        let open = self.traces.iter().filter(|trace| trace.gaps().next().is_some());
-        open.map(|trace| trace.curve).collect()
+    /// What has pieces that are not proved.
+    pub(super) fn open(&self) -> Vec<String> {
+        let traces = self.traces.iter().filter(|trace| trace.gaps().next().is_some());
+        let levels = self.levels.iter().filter(|level| level.has_gap());
+        let curves = traces.map(|trace| trace.curve.to_string());
+        curves.chain(levels.map(|level| level.contour.to_string())).collect()
     }
 }

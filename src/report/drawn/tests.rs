@@ -1,6 +1,6 @@
 use super::*;
 use crate::arch::SelfWeight;
-use crate::atlas::{Curve, Trace};
+use crate::atlas::{Contour, Curve, Level, Trace};
 use crate::picture::reading::texts;
 use crate::problem::Mode;
 use std::sync::OnceLock;
@@ -10,7 +10,14 @@ fn picture(weights: &[SelfWeight], view: View, tolerance: f64) -> String {
     let curves = weights.iter().flat_map(|w| Curve::ALL.map(|curve| (*w, curve)));
     let trace = |(weight, curve)| Trace::new(curve, weight, tolerance).unwrap();
     let drawing = Drawing { view, command: "couplet map -o map.svg".into() };
-    drawing.svg(&curves.map(trace).collect::<Vec<_>>()).unwrap()
+    let traces: Vec<Trace> = curves.map(trace).collect();
+    let contours = match view {
+        View::Map(plane) => plane.contours(),
+        _ => Vec::new(),
+    };
+    let level = |contour: &Contour| Level::among(&traces, weights[0], contour, tolerance).unwrap();
+    let levels: Vec<Level> = contours.iter().map(level).collect();
+    drawing.svg(&traces, &levels).unwrap()
 }
 
 /// All kinds of pictures, by name.
@@ -68,6 +75,16 @@ fn a_map_has_every_domain_line_and_name() {
         for curve in Curve::ALL.into_iter().filter(|c| matches!(c, Curve::Line(_))) {
             assert!(is_there(format!("line-{}", curve.to_string().replace('/', "-"))), "{curve}");
         }
+        let plane = Plane::ALL.into_iter().find(|plane| name.ends_with(plane.name())).unwrap();
+        for contour in plane.contours() {
+            assert!(
+                is_there(format!("level-{}", contour.to_string().replace(' ', "-"))),
+                "{contour}"
+            );
+            let value = contour.given().replace("deg", "°");
+            assert!(words.contains(&value), "{name} {value}");
+        }
+        assert!(words.iter().any(|word| word == plane.contour_label()), "{name}");
         for landmark in ["T", "B", "ℓ", "L", "S", "J"] {
             assert!(words.iter().any(|word| word == landmark), "{name} {landmark}");
         }
@@ -88,7 +105,7 @@ fn a_caption_says_what_is_proved_and_how_it_is_made() {
 #[test]
 fn nothing_is_no_picture() {
     let drawing = Drawing { view: View::Map(Plane::OpeningFriction), command: String::new() };
-    assert!(drawing.svg(&[]).is_err());
+    assert!(drawing.svg(&[], &[]).is_err());
 }
 
 /// Some curves alone are drawn as they are, without domains.
@@ -98,7 +115,7 @@ fn a_line_alone_is_drawn() {
     let traces = [Trace::new(curve, SelfWeight::Heyman, 1e-3).unwrap()];
     for view in [View::Map(Plane::ThicknessFriction), View::Lines] {
         let drawing = Drawing { view, command: "couplet".into() };
-        let text = drawing.svg(&traces).unwrap();
+        let text = drawing.svg(&traces, &[]).unwrap();
         assert!(text.contains("line-rrr-srr") && !text.contains("domain-"));
     }
 }

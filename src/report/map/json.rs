@@ -52,7 +52,9 @@ impl CurveEntry {
 #[derive(Serialize)]
 struct LevelEntry {
     weight: &'static str,
-    half_opening: String,
+    half_opening: Option<String>,
+    thickness: Option<String>,
+    friction: Option<String>,
     parts: Vec<PartEntry>,
 }
 
@@ -70,9 +72,13 @@ impl LevelEntry {
             parameter: part.parameter().map(Variable::name),
             nodes: Row::of_part(level, part).iter().map(node).collect(),
         };
+        let given =
+            |variable| (level.contour.variable() == variable).then(|| level.contour.given());
         Self {
             weight: level.weight.name(),
-            half_opening: level.half_opening.to_string(),
+            half_opening: given(Variable::HalfOpening),
+            thickness: given(Variable::Thickness),
+            friction: given(Variable::FrictionAngle),
             parts: level.parts.iter().map(part).collect(),
         }
     }

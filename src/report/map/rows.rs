@@ -79,9 +79,9 @@ impl<'a> Row<'a> {
         Self::all(&named, trace.points(), &trace.pieces().collect::<Vec<_>>())
     }
 
-    /// The rows of a part of the line of a half opening, whose name it has.
+    /// The rows of a part of a level, whose name it has.
     pub(super) fn of_part(level: &Level, part: &'a Part) -> Vec<Self> {
-        let named = (Some(level.weight.name()), level.half_opening.to_string(), Some(part.mode));
+        let named = (Some(level.weight.name()), level.contour.to_string(), Some(part.mode));
         Self::all(&named, part.points(), &part.pieces().collect::<Vec<_>>())
     }
 

@@ -46,7 +46,7 @@ pub(in crate::report) fn table(report: &Map, out: &mut dyn io::Write) -> io::Res
     for level in &report.levels {
         let modes: Vec<&str> = level.parts.iter().map(|part| part.mode.label()).collect();
         let (weight, modes) = (level.weight.name(), modes.join(" "));
-        writeln!(out, "half opening {}, {weight}: {modes}", level.half_opening)?;
+        writeln!(out, "{}, {weight}: {modes}", level.contour)?;
         level
             .parts
             .iter()

@@ -101,27 +101,46 @@ fn a_file_of_data_comes_with_a_summary() {
     assert!(scratch.read("map.csv").starts_with("weight,curve,mode,node,end,parameter,"));
 }
 
-/// The least thickness on the line of a half opening is that of its arch at each friction.
+/// On each line of a level the states of the arches have its modes, and what it is a line of.
 #[test]
-fn a_half_opening_has_its_line() {
-    let line = ["map", "--half-opening", "2.58", "--tolerance", "1e-6", "--format", "csv"];
-    let table = text(&couplet(&line).stdout);
-    let rows = cells(&table);
-    let of = |row: &[(String, String)], name: &str| -> String {
-        row.iter().find(|(n, _)| n == name).unwrap().1.clone()
-    };
-    let mut modes: Vec<String> = rows.iter().map(|row| of(row, "mode")).collect();
-    modes.dedup();
-    assert_eq!(modes, ["[s,s]", "[r,s]", "[r,s,r]", "[r,r,s]", "[r,r,r]"]);
-    for row in rows.iter().filter(|row| of(row, "proved") == "true").step_by(4).skip(1) {
-        let [mu, low, high] =
-            ["friction_lower", "thickness_lower", "thickness_upper"].map(|name| of(row, name));
-        let state = ["state", "--alpha", "2.58", "--mu", &mu, "--digits", "14", "--format", "json"];
-        let state = json(&state);
-        assert_eq!(state["mode"], of(row, "mode"), "{mu}");
-        let eta: f64 = state["thickness"]["value"].as_str().unwrap().parse().unwrap();
-        let [low, high] = [low, high].map(|bound| bound.parse::<f64>().unwrap());
-        assert!(low - 1e-12 < eta && eta < high + 1e-12, "{mu}: {low} {eta} {high}");
+fn levels_are_states_of_arches() {
+    for (option, value, expected) in [
+        ("--half-opening", "2.58", &["[s,s]", "[r,s]", "[r,s,r]", "[r,r,s]", "[r,r,r]"][..]),
+        ("--thickness", "0.92", &["[r,s]", "[r,s,r]", "[r,r,s]", "[r,r,r]"]),
+        ("--thickness", "0.1", &["[s,r,r]", "[r,r,r]"]),
+        ("--friction", "1.6", &["[r,r,s]", "[r,s,r]", "[r,s]", "[s,s]"]),
+        ("--friction", "tan(20deg)", &["[s,r,r]", "[s,s]"]),
+    ] {
+        let line = ["map", option, value, "--tolerance", "1e-6", "--format", "csv"];
+        let table = text(&couplet(&line).stdout);
+        let rows = cells(&table);
+        let of = |row: &[(String, String)], name: &str| -> String {
+            row.iter().find(|(n, _)| n == name).unwrap().1.clone()
+        };
+        let mut modes: Vec<String> = rows.iter().map(|row| of(row, "mode")).collect();
+        modes.dedup();
+        assert_eq!(modes, expected, "{value}");
+        let name = option.trim_start_matches('-').replace('-', " ");
+        assert!(rows.iter().all(|row| of(row, "curve") == format!("{name} {value}")));
+        for row in rows.iter().filter(|row| of(row, "proved") == "true").step_by(4).skip(1) {
+            let [alpha, mu, low, high] =
+                ["half_opening_lower", "friction_upper", "thickness_lower", "thickness_upper"]
+                    .map(|name| of(row, name));
+            let alpha = if option == "--half-opening" { value } else { &alpha };
+            let state =
+                ["state", "--alpha", alpha, "--mu", &mu, "--digits", "14", "--format", "json"];
+            let state = json(&state);
+            if state["mode"] != of(row, "mode") {
+                // The first node of a part lies on the line to the next mode.
+                assert!(
+                    modes.contains(&state["mode"].as_str().unwrap().to_owned()),
+                    "{value} {mu}"
+                );
+            }
+            let eta: f64 = state["thickness"]["value"].as_str().unwrap().parse().unwrap();
+            let [low, high] = [low, high].map(|bound| bound.parse::<f64>().unwrap());
+            assert!(low - 1e-11 < eta && eta < high + 1e-11, "{value}, {mu}: {low} {eta} {high}");
+        }
     }
 }
 
@@ -145,6 +164,11 @@ fn what_makes_no_sense_is_refused() {
         (&["--alpha", "3"], "no arch of the half opening 3 stands at a thickness up to 2"),
         (&["--alpha", "0"], "no arch of the half opening 0 stands at a thickness up to 2"),
         (&["--alpha", "x"], "'x' is not a number"),
+        (&["--thickness", "0"], "the thickness 0 is not between 0 and 2"),
+        (&["--eta", "2"], "the thickness 2 is not between 0 and 2"),
+        (&["--friction", "inf"], "the friction inf is not positive and finite"),
+        (&["--mu", "0.4,-1"], "the friction -1 is not positive and finite"),
+        (&["--mu", "0.4", "--at", "1", "--curve", "limit"], "cannot be used with"),
         (&["--alpha", "1", "--at", "1", "--curve", "limit"], "cannot be used with"),
         (&["--digits", "5"], "--at"),
         (&["--format", "svgz"], "a format is one of"),

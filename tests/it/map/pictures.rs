@@ -31,13 +31,33 @@ fn standard_output_takes_a_picture() {
     assert_eq!(body(&figure), body(&map));
 }
 
+/// The levels that are asked for, the usual ones, or none.
+#[test]
+fn a_map_has_the_levels_asked_for() {
+    let svg = |more: &[&str]| {
+        let line = ["map", "--tolerance", "1e-2", "--format", "svg"];
+        text(&couplet(&[&line[..], more].concat()).stdout)
+    };
+    let count = |svg: &str| svg.matches("<g id=\"level-").count();
+    let asked = svg(&["--half-opening", "80deg,5/2"]);
+    assert_eq!(count(&asked), 2);
+    for part in ["level-half-opening-80deg", ">80°</text>", ">5/2</text>", "Thin lines: equal half"]
+    {
+        assert!(asked.contains(part), "{part}");
+    }
+    assert!(asked.contains("domain-rrr"), "the map is there");
+    assert_eq!(count(&svg(&["--bare"])), 0);
+    let usual = svg(&["--plane", "opening-thickness"]);
+    assert!(count(&usual) > 5 && usual.contains("lines of equal least friction"));
+}
+
 #[test]
 fn each_figure_has_its_curves() {
     for (number, groups) in [
         ("2", &["panel-2", "heyman-rotation", "sliding-beyond"][..]),
         ("3", &["panel-0", "heyman-overturning"]),
         ("4", &["milankovitch-rotation", "milankovitch-overturning"]),
-        ("6", &["domain-ss", "inset-sj-line-rsr-rs"]),
+        ("6", &["domain-ss", "inset-sj-line-rsr-rs", "level-half-opening-80deg"]),
     ] {
         let svg = text(&couplet(&["figure", number, "--tolerance", "1e-2"]).stdout);
         for group in groups {
@@ -68,12 +88,21 @@ fn what_makes_no_picture_is_refused() {
         (&["map", "--plane", "eta-mu"][..], "a plane is one of thickness-friction"),
         (&["map", "--lines", "--plane", "opening-friction"], "leave out --plane"),
         (&["map", "--weight", "both", "--format", "svg"], "a map shows one --weight"),
-        (&["map", "--half-opening", "80deg", "-o", "map.svg"], "half openings are not drawn"),
         (&["map", "--plane", "opening-friction", "-o", "map.html"], "a page shows the whole map"),
         (&["map", "--curve", "limit", "--format", "html"], "a page shows the whole map"),
         (&["map", "--half-opening", "1", "--format", "html"], "a page shows the whole map"),
         (&["map", "--lines", "--format", "html"], "a page shows the whole map"),
         (&["figure", "6", "-o", "map.html"], "a figure is svg or png, not html"),
+        (
+            &["map", "--thickness", "1", "-o", "map.svg"],
+            "over thickness and friction lines of a half opening are drawn",
+        ),
+        (
+            &["map", "--plane", "opening-friction", "--mu", "1", "-o", "map.svg"],
+            "over opening and friction lines of a thickness are drawn",
+        ),
+        (&["map", "--lines", "--alpha", "80deg", "-o", "map.svg"], "--lines are drawn alone"),
+        (&["map", "--bare", "--alpha", "80deg", "-o", "map.svg"], "cannot be used with"),
         (&["figure", "1"], "a figure is a number from 2 to 6"),
         (&["figure", "7"], "a figure is a number from 2 to 6"),
         (&["figure", "6", "--weight", "both"], "figure 6 shows one --weight"),

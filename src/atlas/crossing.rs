@@ -1,0 +1,294 @@
+//! Where a curve of the map has a half opening, a thickness or a friction: once, or nowhere, either proved.
+
+use super::cubic::exact;
+use super::form::{Form, Variable};
+use super::place::Place;
+use super::search;
+use super::trace::{Piece, Trace};
+use super::tube::{Node, Tube};
+use crate::certify::Undecided;
+use crate::certify::root::{self, root_near};
+use crate::number::{Ball, Enclosure, Real, Stumpff, Ternary};
+use rug::Float;
+
+/// The one point of a curve in which a variable has a value.
+pub(super) struct Crossing {
+    pub form: Form,
+    s: Ball,
+    root: Vec<Ball>,
+}
+
+/// The equations of a form with a value of one of its variables: the parameter is the first unknown.
+struct AtValue<'a> {
+    form: &'a Form,
+    variable: Variable,
+    value: &'a Ball,
+}
+
+impl root::Form<Ball> for AtValue<'_> {
+    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
+        let (s, unknowns) = (&x[0], &x[1..]);
+        let mut residuals = self.form.residuals(&number, s, unknowns);
+        let known = self.form.value(self.variable, s, unknowns);
+        residuals.extend(known.map(|known| known.clone() - number(self.value)));
+        residuals
+    }
+
+    fn is_regular<T: Enclosure + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> bool {
+        self.form.divisors(&number, &x[0], &x[1..]).iter().all(Enclosure::excludes_zero)
+    }
+}
+
+/// Bits in which crossings are enclosed.
+pub(super) const BITS: u32 = 128;
+
+/// A part of a piece on which the value may be.
+struct Cell<'a> {
+    form: &'a Form,
+    nodes: [Node; 2],
+    tube: Tube,
+}
+
+impl<'a> Cell<'a> {
+    fn new(piece: &Piece<'a>) -> Option<Self> {
+        let nodes = piece.nodes().map(Node::clone);
+        Some(Self { form: piece.form(), nodes, tube: piece.tube()?.clone() })
+    }
+
+    fn range(&self) -> [f64; 2] {
+        self.nodes.each_ref().map(|node| node.sketch.s)
+    }
+
+    /// The values of a variable in its nodes.
+    fn ends(&self, variable: Variable) -> Option<[Ball; 2]> {
+        let [from, to] = self
+            .nodes
+            .each_ref()
+            .map(|node| self.form.value(variable, &exact(node.sketch.s), &node.root).cloned());
+        Some([from?, to?])
+    }
+
+    /// Whether the value may be on it.
+    fn may_have(&self, variable: Variable, value: &Ball) -> bool {
+        let [low, high] = self.range().map(exact);
+        let all = low.hull(&high);
+        let values = self.form.value(variable, &all, &self.tube.enclosure(&all)).cloned();
+        values.is_none_or(|values| values.overlaps(value))
+    }
+
+    /// Whether the variable rises on all of it, or falls.
+    fn rises(&self, variable: Variable) -> Option<bool> {
+        let one = exact(1.0);
+        let slope = self.form.value(variable, &one, &self.tube.slopes)?;
+        match (slope.is_positive(), slope.excludes_zero()) {
+            (Ternary::True, _) => Some(true),
+            (Ternary::False, true) => Some(false),
+            _ => None,
+        }
+    }
+
+    /// Its two halves, in tubes of their own, which hold the same branch: the root between them is in its tube.
+    fn halves(&self) -> Option<[Self; 2]> {
+        let [low, high] = self.range();
+        let middle = low + (high - low) / 2.0;
+        let s = exact(middle);
+        let start = self.tube.enclosure(&s).iter().map(|x| x.mid().to_f64()).collect();
+        let node = Node::prove(self.form, search::point(self.form, middle, start)?)?;
+        if !self.tube.holds(&s, &node.root) {
+            return None;
+        }
+        let half = |nodes: [Node; 2]| {
+            let tube = Tube::prove(self.form, &nodes[0], &nodes[1])?;
+            Some(Self { form: self.form, nodes, tube })
+        };
+        let [from, to] = self.nodes.clone();
+        Some([half([from, node.clone()])?, half([node, to])?])
+    }
+}
+
+/// How often a piece is halved.
+const DEPTH: u32 = 12;
+
+/// The parts of a cell, in order: nothing where the value is not, else with whether the variable rises. `None` if that
+/// stays open.
+fn cut<'a>(
+    cell: Cell<'a>,
+    variable: Variable,
+    value: &Ball,
+    depth: u32,
+    parts: &mut Vec<Option<(Cell<'a>, bool)>>,
+) -> Option<()> {
+    if !cell.may_have(variable, value) {
+        parts.push(None);
+        return Some(());
+    }
+    if let Some(rises) = cell.rises(variable) {
+        parts.push(Some((cell, rises)));
+        return Some(());
+    }
+    let depth = depth.checked_sub(1)?;
+    cell.halves()?.into_iter().try_for_each(|half| cut(half, variable, value, depth, parts))
+}
+
+/// Cells next to each other, on all of which the variable rises, or on all falls.
+struct Run<'a> {
+    /// The place of the first one on the curve.
+    first: usize,
+    rises: bool,
+    cells: Vec<Cell<'a>>,
+}
+
+impl Run<'_> {
+    /// Whether the value is on it, of so many parts of the curve.
+    fn has(&self, trace: &Trace, parts: usize, variable: Variable, value: &Ball) -> Ternary {
+        let of_curve = |place: &Place| place.coordinate(variable).cloned();
+        let inner = |cell: Option<&Cell>, which: usize| Some(cell?.ends(variable)?[which].clone());
+        let [start, end] = trace.ends();
+        let from = match self.first {
+            0 => of_curve(start),
+            _ => inner(self.cells.first(), 0),
+        };
+        let to = match self.first + self.cells.len() == parts {
+            true => of_curve(end),
+            false => inner(self.cells.last(), 1),
+        };
+        let (Some(from), Some(to)) = (from, to) else { return Ternary::Undecided };
+        let (low, high) = if self.rises { (from, to) } else { (to, from) };
+        low.is_less_than(value).and(value.is_less_than(&high))
+    }
+}
+
+impl Crossing {
+    /// Where a curve has the value; `None` where it is proved to have it nowhere.
+    ///
+    /// On each run of parts next to each other on which the value may be, the variable rises, or falls: so it is there once
+    /// if it lies between the values at the ends of the run, else nowhere. On one run only it is there.
+    pub(super) fn find(
+        trace: &Trace,
+        variable: Variable,
+        value: &Ball,
+    ) -> Result<Option<Self>, Undecided> {
+        let failed = |what: &str| Undecided::new(format!("{}: {what}", trace.curve));
+        let mut parts = Vec::new();
+        for piece in trace.pieces() {
+            Cell::new(&piece)
+                .and_then(|cell| cut(cell, variable, value, DEPTH, &mut parts))
+                .ok_or_else(|| failed("it is not proved to be there once at most"))?;
+        }
+        let count = parts.len();
+        let mut runs: Vec<Run> = Vec::new();
+        for (index, part) in parts.into_iter().enumerate() {
+            let Some((cell, rises)) = part else { continue };
+            match runs.last_mut() {
+                Some(run) if run.first + run.cells.len() == index => {
+                    if run.rises != rises {
+                        return Err(failed("it may be there more than once"));
+                    }
+                    run.cells.push(cell);
+                }
+                _ => runs.push(Run { first: index, rises, cells: vec![cell] }),
+            }
+        }
+        let mut found = None;
+        for run in runs {
+            match run.has(trace, count, variable, value) {
+                Ternary::True if found.is_some() => return Err(failed("it is there twice")),
+                Ternary::True => {
+                    let crossing = Self::on(&run.cells, variable, value);
+                    let crossing = crossing.ok_or_else(|| failed("the point is not proved"))?;
+                    found = Some(crossing);
+                }
+                Ternary::False => {}
+                Ternary::Undecided => return Err(failed("this may be the value at an end of it")),
+            }
+        }
+        Ok(found)
+    }
+
+    /// The root in cells that follow each other, if it is proved to be on the curve.
+    fn on(cells: &[Cell], variable: Variable, value: &Ball) -> Option<Self> {
+        let aim = value.mid().to_f64();
+        let ends = |cell: &Cell| Some(cell.ends(variable)?.map(|end| end.mid().to_f64()));
+        let off = |cell: &&Cell| {
+            let [from, to] = ends(cell).unwrap_or([f64::NAN; 2]);
+            (from.min(to) - aim).max(aim - from.max(to))
+        };
+        let cell = cells.iter().min_by(|a, b| off(a).total_cmp(&off(b)))?;
+        let ([from, to], [low, high]) = (ends(cell)?, cell.range());
+        let share = ((aim - from) / (to - from)).clamp(0.0, 1.0);
+        let about = Ball::exact(Float::with_val(53, low + share * (high - low)), BITS);
+        let number = |x: &Ball| Float::with_val(BITS, x.mid());
+        let start =
+            [about.clone()].iter().chain(&cell.tube.enclosure(&about)).map(number).collect();
+        let form = cell.form;
+        let mut root = root_near(&AtValue { form, variable, value }, BITS, start).ok()?;
+        let s = root.remove(0);
+        // In each cell that the parameter may be in the root is that of the curve; there is one, and no gap.
+        let may_be_in = |cell: &&Cell| {
+            let [low, high] = cell.range();
+            s.lower() <= high && s.upper() >= low && std::ptr::eq(cell.form, form)
+        };
+        let around: Vec<&Cell> = cells.iter().filter(may_be_in).collect();
+        let is_covered = s.lower() >= around.first()?.range()[0]
+            && s.upper() <= around.last()?.range()[1]
+            && around.iter().all(|cell| cell.tube.holds(&s, &root));
+        is_covered.then(|| Self { form: form.clone(), s, root })
+    }
+
+    pub(super) fn place(&self) -> Place {
+        Place::new(&self.form, &self.s, &self.root)
+    }
+
+    pub(super) fn value(&self, variable: Variable) -> Ball {
+        let at = self.form.spot(&Ball::clone, &self.s, &self.root);
+        match variable {
+            Variable::HalfOpening => at.half_opening,
+            Variable::FrictionAngle => at.friction_angle,
+            Variable::Inclination => at.inclination.rad,
+            Variable::JointSquare => at.joint_square,
+            Variable::Thickness => at.thickness,
+            Variable::Ratio => at.ratio,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::curve::Curve;
+    use super::*;
+    use crate::arch::SelfWeight;
+
+    fn find(curve: &str, variable: Variable, value: &str) -> Result<Option<Crossing>, Undecided> {
+        let curve = Curve::named(curve).unwrap();
+        let trace = Trace::new(curve, SelfWeight::Heyman, 1e-4).unwrap();
+        let value: crate::number::ExactNumber = value.parse().unwrap();
+        Crossing::find(&trace, variable, &value.enclosure(BITS))
+    }
+
+    #[test]
+    fn a_value_is_there_once_or_nowhere() {
+        for (curve, variable, value, is_there) in [
+            ("rrr/srr", Variable::HalfOpening, "80deg", true),
+            ("rrr/srr", Variable::HalfOpening, "2.6", false),
+            ("rrr/srr", Variable::Thickness, "1/10", true),
+            ("rrs/ss", Variable::FrictionAngle, "1", true),
+            ("rrs/ss", Variable::Thickness, "0.9", true),
+            ("rrs/ss", Variable::FrictionAngle, "0.5", false),
+            ("limit", Variable::FrictionAngle, "80deg", true),
+            ("rotation", Variable::HalfOpening, "1/2", true),
+        ] {
+            let found = find(curve, variable, value).unwrap();
+            assert_eq!(found.is_some(), is_there, "{curve} {variable:?} {value}");
+            let exact: crate::number::ExactNumber = value.parse().unwrap();
+            assert!(found.is_none_or(|at| at.value(variable).overlaps(&exact.enclosure(BITS))));
+        }
+    }
+
+    /// The rotational joint is widest at `sb`, so that some values are there twice.
+    #[test]
+    fn what_may_be_there_twice_is_undecided() {
+        assert!(find("rotation", Variable::JointSquare, "1.15").is_err());
+        // And what is at an end may be there or not: mu = 0, or no thickness.
+        assert!(find("rrr/srr", Variable::Thickness, "0").is_err());
+    }
+}

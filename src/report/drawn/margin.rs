@@ -1,0 +1,65 @@
+//! The values of levels, outside the frame where these end.
+
+use super::chain::Chain;
+use super::plane::Plane;
+use crate::atlas::Contour;
+use crate::picture::color::{GUIDE, INK};
+use crate::picture::spread::spread;
+use crate::picture::{Anchor, Frame, Path, Point, Stroke, Svg, Type, text};
+
+const SIZE: f64 = 15.0;
+const LABEL: f64 = 18.0;
+/// From the frame to the values, to which a leader goes, and to what they are; above it names of landmarks come first.
+const OFF: f64 = 18.0;
+const ABOVE: f64 = 40.0;
+const AWAY: f64 = 72.0;
+/// Between a leader and its value.
+const GAP: f64 = 4.0;
+/// Between two values, in sizes of the font.
+const APART: f64 = 1.1;
+
+/// A value as it is read: `80°`.
+fn shown(contour: &Contour) -> String {
+    contour.given().replace("deg", "°")
+}
+
+/// Values at the right edge, or above the upper one, with the name of their quantity.
+pub(super) fn levels(svg: &mut Svg, frame: &Frame, plane: Plane, levels: &[(Contour, Chain)]) {
+    let is_right = plane == Plane::ThicknessFriction;
+    let along = |(x, y): Point| if is_right { y } else { x };
+    let mut ends: Vec<(f64, String)> = levels
+        .iter()
+        .filter_map(|(contour, chain)| Some((chain.ends()?[1], shown(contour))))
+        .map(|(end, label)| (along(frame.at(end)), label))
+        .collect();
+    ends.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let wanted: Vec<f64> = ends.iter().map(|end| end.0).collect();
+    let widest = ends.iter().map(|end| text::width(&end.1, SIZE)).fold(0.0, f64::max);
+    let (gap, low, high) = match is_right {
+        true => (APART * SIZE, frame.corner.1, frame.bottom()),
+        false => (widest + 0.5 * SIZE, frame.corner.0, frame.right()),
+    };
+    for ((place, label), shifted) in ends.iter().zip(spread(&wanted, gap, low, high)) {
+        let (from, to, at, anchor) = match is_right {
+            true => {
+                let x = frame.right();
+                ((x, *place), (x + OFF - GAP, shifted), (x + OFF, shifted), Anchor::Start)
+            }
+            false => {
+                let y = frame.corner.1;
+                let at = (shifted, y - ABOVE - SIZE / 2.0);
+                ((*place, y), (shifted, y - ABOVE + GAP), at, Anchor::Middle)
+            }
+        };
+        svg.stroke(&Path::through([from, to]), Stroke::new(GUIDE, 1.0));
+        svg.text(label, at, Type::new(SIZE, INK).at(anchor));
+    }
+    let style = Type::new(LABEL, INK).at(Anchor::Middle);
+    let (across, up) = (frame.corner.0 + frame.size.0 / 2.0, frame.corner.1 + frame.size.1 / 2.0);
+    match is_right {
+        true => {
+            svg.text(plane.contour_label(), (frame.right() + AWAY, up), style.turned(-90.0));
+        }
+        false => svg.text(plane.contour_label(), (across, frame.corner.1 - AWAY), style),
+    }
+}
