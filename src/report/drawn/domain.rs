@@ -89,15 +89,17 @@ mod tests {
     use super::*;
     use crate::arch::SelfWeight;
     use crate::atlas::Trace;
+    use std::collections::HashMap;
 
     /// Neighbouring parts meet, but where an edge of the plane is between them.
     #[test]
     fn the_curves_around_a_domain_meet() {
         for weight in SelfWeight::ALL {
+            let trace = |curve| (curve, Trace::new(curve, weight, 1e-1).unwrap());
+            let traces: HashMap<Curve, Trace> = Curve::ALL.into_iter().map(trace).collect();
             for plane in Plane::ALL {
                 for mode in Mode::ALL.into_iter().filter(|mode| is_area(*mode, plane)) {
-                    let chain =
-                        |curve| Chain::new(&Trace::new(curve, weight, 1e-2).unwrap(), plane);
+                    let chain = |curve| Chain::new(&traces[&curve], plane);
                     let ends = |part: &Part| match *part {
                         Part::Along(curve) => chain(curve).unwrap().ends().unwrap(),
                         Part::Back(curve) => chain(curve).unwrap().reversed().ends().unwrap(),

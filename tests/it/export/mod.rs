@@ -4,7 +4,7 @@ mod documents;
 mod expected;
 mod languages;
 #[cfg(feature = "parquet")]
-mod parquet;
+pub(crate) mod parquet;
 mod readers;
 mod refused;
 mod schemas;

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
 
 /// The rows by column, and the metadata.
-fn read(file: Vec<u8>) -> (Vec<BTreeMap<String, Field>>, BTreeMap<String, String>) {
+pub(crate) fn read(file: Vec<u8>) -> (Vec<BTreeMap<String, Field>>, BTreeMap<String, String>) {
     let scratch = Scratch::new();
     scratch.write("table.parquet", file);
     let file = File::open(scratch.path("table.parquet")).unwrap();

@@ -2,5 +2,7 @@
 
 mod command;
 mod page;
+#[cfg(feature = "parquet")]
+mod parquet;
 mod pictures;
 mod states;
