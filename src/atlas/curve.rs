@@ -67,6 +67,17 @@ impl Curve {
         Self::Limit,
     ];
 
+    /// Each curve of some weights, once: one that is the same for every weight is of the first.
+    pub fn of_weights(weights: &[SelfWeight]) -> Vec<(SelfWeight, Self)> {
+        let is_new =
+            |weight, curve: Self| !curve.is_weightless() || weights.first() == Some(weight);
+        let of = |weight| {
+            let new = Self::ALL.into_iter().filter(move |curve| is_new(weight, *curve));
+            new.map(move |curve| (*weight, curve))
+        };
+        weights.iter().flat_map(of).collect()
+    }
+
     /// The curve of a name: `rotation`, or two modes that meet, as [`Line`] reads them.
     pub fn named(name: &str) -> Option<Self> {
         let named = |curve: &Self| curve.to_string().eq_ignore_ascii_case(name.trim());

@@ -52,7 +52,7 @@ fn no_arch(contour: &Contour) -> String {
 }
 
 /// The line of a half opening, a thickness or a friction.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Level {
     /// The self-weight model.
     pub weight: SelfWeight,
@@ -63,7 +63,7 @@ pub struct Level {
 }
 
 /// The part of a line in the domain of one mode.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Part {
     /// The mode.
     pub mode: Mode,

@@ -20,7 +20,7 @@ pub const LEAST_TOLERANCE: f64 = 1e-12;
 /// Guaranteed: on each piece there is, for **each** value of the parameter, exactly one solution in the tube about the
 /// cubic that has the values and slopes of its two nodes; the solutions of neighbouring pieces join; and both ends of the curve, which are
 /// proved on their own, lie on it. Not guaranteed: anything about a piece that is a gap.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Trace {
     /// The curve.
     pub curve: Curve,

@@ -5,7 +5,7 @@ use super::search::{self, Sketch};
 use super::tube::{Node, Tube};
 
 /// Nodes in order, and what lies between each and the next: a tube, or nothing where none is proved.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Walk {
     pub nodes: Vec<Node>,
     pub tubes: Vec<Option<Tube>>,

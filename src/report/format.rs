@@ -30,6 +30,8 @@ pub enum Content {
     Samples,
     /// Curves of the map.
     Map,
+    /// A figure of the paper.
+    Figure,
     /// A point of a curve of the map.
     MapPoint,
 }
@@ -48,6 +50,8 @@ pub struct Format {
     pub extension: &'static str,
     /// Whether it is not text.
     pub is_binary: bool,
+    /// Whether it is a picture, and nothing beside.
+    pub is_picture: bool,
     /// Whether it names the certificate of each landmark by its hash.
     pub has_certificates: bool,
     /// The feature without which it is not built in, where that is missing.
@@ -69,6 +73,7 @@ const fn text(name: &'static str, extension: &'static str) -> Format {
         name,
         extension,
         is_binary: false,
+        is_picture: false,
         has_certificates: false,
         missing: None,
         answers: None,
@@ -134,7 +139,7 @@ static FORMATS: [Format; 18] = [
     language("matlab", "m", matlab::answers),
     language("fortran", "f90", fortran::answers),
     PARQUET,
-    Format { map: Some(map::svg), ..text("svg", "svg") },
+    Format { is_picture: true, map: Some(map::svg), ..text("svg", "svg") },
     Format { map: Some(map::html), ..text("html", "html") },
     PNG,
 ];
@@ -158,12 +163,14 @@ const PARQUET: Format = Format {
 };
 
 #[cfg(feature = "plots")]
-const PNG: Format = Format { is_binary: true, map: Some(map::png), ..text("png", "png") };
+const PNG: Format =
+    Format { is_binary: true, is_picture: true, map: Some(map::png), ..text("png", "png") };
 
 /// A stand-in that names the missing feature.
 #[cfg(not(feature = "plots"))]
 const PNG: Format = Format {
     is_binary: true,
+    is_picture: true,
     missing: Some("plots"),
     map: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
     ..text("png", "png")
@@ -181,6 +188,7 @@ impl Format {
             Content::Judged => format.judged.is_some() || format.judged_lines.is_some(),
             Content::Samples => format.samples.is_some(),
             Content::Map => format.map.is_some(),
+            Content::Figure => format.is_picture,
             Content::MapPoint => format.map_points.is_some(),
         })
     }
@@ -199,6 +207,11 @@ impl Format {
     /// The format that the end of a file's name tells.
     pub fn of_extension(content: Content, extension: &str) -> Option<&'static Self> {
         Self::all(content).find(|format| format.extension.eq_ignore_ascii_case(extension))
+    }
+
+    /// Whether it is a page that holds the whole map.
+    pub fn is_page(&self) -> bool {
+        self.name == "html"
     }
 
     /// Why the format cannot be used, if it is not built in.

@@ -45,6 +45,7 @@ pub fn explain(plan: &Plan, costs: Option<&Costs>, out: &mut dyn io::Write) -> i
         (plan.landmarks.len(), "landmark", "landmarks"),
         (plan.arches.len(), "arch", "arches"),
         (plan.claims.len(), "claim", "claims"),
+        (plan.curves.len(), "curve", "curves"),
     ]
     .into_iter()
     .filter(|(n, ..)| *n > 0)
@@ -102,7 +103,43 @@ fn item(plan: &Plan, costs: Option<&Costs>, index: usize) -> Branch {
             }
         });
     }
+    branch.branches.extend(curves(plan, costs, index));
     branch
+}
+
+/// The curves that are computed for an item, and those that are for another.
+fn curves(plan: &Plan, costs: Option<&Costs>, index: usize) -> Vec<Branch> {
+    let places = &plan.needs[index].curves;
+    let is_mine = |place: &&usize| earlier(&plan.curves[**place].items, index).is_none();
+    let (mine, others): (Vec<&usize>, Vec<&usize>) = places.iter().partition(is_mine);
+    let own = |place: &usize| {
+        let node = &plan.curves[*place];
+        let cost = costs.and_then(|costs| costs.curves[*place]);
+        let name = format!("{}, in tubes of {:?}", node.name(), node.tolerance);
+        Branch::new(std::iter::once(name).chain(cost.as_ref().map(spent)))
+    };
+    let others = others.into_iter().filter_map(|place| earlier(&plan.curves[*place].items, index));
+    mine.into_iter().map(own).chain(from_others(plan, others, "curve", "curves")).collect()
+}
+
+/// What is computed for other items, counted by item.
+fn from_others(
+    plan: &Plan,
+    others: impl Iterator<Item = usize>,
+    one: &str,
+    many: &str,
+) -> Vec<Branch> {
+    let mut from: Vec<(usize, usize)> = Vec::new();
+    for other in others {
+        match from.iter_mut().find(|(item, _)| *item == other) {
+            Some((_, pieces)) => *pieces += 1,
+            None => from.push((other, 1)),
+        }
+    }
+    let branch = |(other, pieces): (usize, usize)| {
+        Branch::new([format!("{}: {}", count(pieces, one, many), computed_for(plan, other))])
+    };
+    from.into_iter().map(branch).collect()
 }
 
 fn heading(item: &Item) -> String {
@@ -166,17 +203,8 @@ fn arches(plan: &Plan, costs: Option<&Costs>, index: usize) -> Vec<Branch> {
         let words = format!("{} more", mine.len() - shown);
         branches.push(Branch::new(std::iter::once(words).chain(sum)));
     }
-    let mut from: Vec<(usize, usize)> = Vec::new();
-    for other in others.into_iter().filter_map(|place| earlier(&plan.arches[place].items, index)) {
-        match from.iter_mut().find(|(item, _)| *item == other) {
-            Some((_, arches)) => *arches += 1,
-            None => from.push((other, 1)),
-        }
-    }
-    branches.extend(from.into_iter().map(|(other, arches)| {
-        let arches = count(arches, "arch", "arches");
-        Branch::new([format!("{arches}: {}", computed_for(plan, other))])
-    }));
+    let others = others.into_iter().filter_map(|place| earlier(&plan.arches[place].items, index));
+    branches.extend(from_others(plan, others, "arch", "arches"));
     branches
 }
 

@@ -1,12 +1,12 @@
 //! What an item asked for, as a report.
 
-use super::pieces::Pieces;
-use super::plan::Plan;
-use super::schema::{SceneArch, What};
+use super::pieces::{CurvePiece, Pieces};
+use super::plan::{PAGE_DIGITS, Plan};
+use super::schema::{SceneArch, SceneMap, What};
 use crate::certify::Undecided;
 use crate::judge::{Enclosed, audit_of, compare_weights_of};
 use crate::problem::Quantity;
-use crate::report::{Answer, Answers, Audit, Claims, Format, Report};
+use crate::report::{Answer, Answers, Audit, Claims, Drawing, Format, Map, Report};
 use std::io;
 
 /// What an item asked for.
@@ -25,12 +25,7 @@ impl ItemReport {
         let (report, undecided) = match &item.what {
             What::Constants { quantities, digits, .. } => {
                 let list = constants(plan, pieces, index, (quantities, *digits));
-                let open = list.iter().filter(|answer| answer.is_undecided());
-                let names = open.filter_map(|answer| {
-                    let subject = &answer.subject;
-                    Some(format!("{} {}", subject.landmark()?.symbol(), subject.weight()?.name()))
-                });
-                let undecided = names.collect();
+                let undecided = undecided_landmarks(&list);
                 (Some(Report::Answers(Answers::constants(*digits, list))), undecided)
             }
             What::Arches { quantities, digits, with_thickness, .. } => {
@@ -52,6 +47,7 @@ impl ItemReport {
                 let claims = Claims { decisions, show: *show, timed: false };
                 (Some(Report::Claims(claims)), undecided)
             }
+            What::Map(asked) | What::Figure(asked) => map(plan, pieces, index, asked),
             What::Audit { .. } => match audit(plan, pieces, index) {
                 Ok(audit) => (Some(Report::Audit(audit)), Vec::new()),
                 Err(undecided) => (None, vec![undecided.to_string()]),
@@ -108,6 +104,43 @@ fn arches(plan: &Plan, pieces: &Pieces, index: usize, digits: usize) -> Vec<Answ
         })
     });
     answers.flatten().collect()
+}
+
+/// A map of what is proved; a picture needs all its curves, as without one it would show other domains.
+fn map(
+    plan: &Plan,
+    pieces: &Pieces,
+    index: usize,
+    asked: &SceneMap,
+) -> (Option<Report>, Vec<String>) {
+    let format = plan.scene.items[index].format;
+    let (mut traces, mut levels, mut open) = (Vec::new(), Vec::new(), Vec::new());
+    for place in &plan.needs[index].curves {
+        match &pieces.curves[*place] {
+            Some(Ok(CurvePiece::Curve(trace))) => traces.push((**trace).clone()),
+            Some(Ok(CurvePiece::Level(level))) => levels.push(level.clone()),
+            Some(Err(undecided)) => open.push(undecided.to_string()),
+            None => {}
+        }
+    }
+    if (format.is_picture || format.is_page()) && !open.is_empty() {
+        return (None, open);
+    }
+    let landmarks = constants(plan, pieces, index, (&Quantity::LANDMARK, PAGE_DIGITS));
+    let names = undecided_landmarks(&landmarks);
+    let drawing = Drawing { view: asked.view, command: asked.command.clone() };
+    let map = Map { tolerance: asked.tolerance, traces, levels, landmarks, drawing };
+    open.extend(map.open().into_iter().chain(names));
+    (Some(Report::Map(map)), open)
+}
+
+fn undecided_landmarks(list: &[Answer]) -> Vec<String> {
+    let open = list.iter().filter(|answer| answer.is_undecided());
+    let names = open.filter_map(|answer| {
+        let subject = &answer.subject;
+        Some(format!("{} {}", subject.landmark()?.symbol(), subject.weight()?.name()))
+    });
+    names.collect()
 }
 
 fn audit(plan: &Plan, pieces: &Pieces, index: usize) -> Result<Audit, Undecided> {

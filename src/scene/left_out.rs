@@ -3,6 +3,7 @@
 use super::plan::{ArchNode, Plan, RANGE_OF_THRUSTS};
 use super::run::Costs;
 use crate::arch::SelfWeight;
+use crate::atlas::Curve;
 use crate::certify::quantities;
 use crate::certify::state::Wanted;
 use crate::claims::claims;
@@ -56,6 +57,19 @@ pub(super) fn left_out(plan: &Plan, costs: Option<&Costs>) -> Vec<String> {
     let all = claims().len();
     if !plan.claims.is_empty() && plan.claims.len() < all {
         lines.push(not_asked(format!("{} of {all} claims", all - plan.claims.len())));
+    }
+    for weight in SelfWeight::ALL {
+        let asked = |curve: &Curve| {
+            plan.curves.iter().any(|node| (node.weight, node.curve()) == (weight, Some(*curve)))
+        };
+        let rest: Vec<String> =
+            Curve::ALL.iter().filter(|c| !asked(c)).map(ToString::to_string).collect();
+        // Sliding is the same for both.
+        let is_asked = Curve::ALL.iter().any(asked) && rest != [Curve::Sliding.to_string()];
+        if is_asked && !rest.is_empty() {
+            let names = list(rest.iter().map(String::as_str));
+            lines.push(not_asked(format!("curves {names} {}", weight.name())));
+        }
     }
     if let Some(costs) = costs {
         let total = costs.total();

@@ -1,12 +1,16 @@
 //! The pieces of a plan, computed: a landmark, an arch. Each answers whatever any item asks of it.
 
-use super::plan::{ArchNode, LandmarkNode, Plan};
+use super::plan::{ArchNode, CurveNode, LandmarkNode, Plan};
+use super::schema::MapLine;
+use crate::arch::SelfWeight;
+use crate::atlas::{Level, NoLevel, Trace};
 use crate::certify::state::{Answer, AssessmentDigits, Inquiry};
 use crate::certify::{CertifiedLandmark, Constant, Undecided, fingerprint};
 use crate::claims::Decision;
 use crate::judge::{Enclosed, enclosed};
 use crate::problem::Quantity;
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 /// The pieces of a plan, in its order; nothing for what is not computed yet.
 pub(super) struct Pieces {
@@ -16,6 +20,8 @@ pub(super) struct Pieces {
     pub arches: Vec<Option<ArchPiece>>,
     /// Claims.
     pub claims: Vec<Option<Decision>>,
+    /// Curves of the map.
+    pub curves: Vec<Option<Result<CurvePiece, NoLevel>>>,
 }
 
 /// A proved landmark.
@@ -28,6 +34,12 @@ pub(super) struct LandmarkPiece {
     pub certificates: BTreeMap<usize, Result<String, Undecided>>,
     /// For the printed numbers, if they are asked for.
     pub enclosed: Option<Enclosed>,
+}
+
+/// A proved curve, or a level.
+pub(super) enum CurvePiece {
+    Curve(Box<Trace>),
+    Level(Level),
 }
 
 /// What is certain of an arch.
@@ -50,6 +62,7 @@ impl Pieces {
             landmarks: none(&plan.landmarks),
             arches: none(&plan.arches),
             claims: none(&plan.claims),
+            curves: none(&plan.curves),
         }
     }
 }
@@ -80,6 +93,35 @@ impl LandmarkPiece {
         let mut constants: Vec<Constant> = mine.map(|(_, constant)| constant.clone()).collect();
         constants.sort_by_key(|one| Quantity::LANDMARK.iter().position(|of| *of == one.quantity));
         constants
+    }
+}
+
+/// The lines between modes, of each weight that has levels.
+#[derive(Default)]
+pub(super) struct Lines([OnceLock<Result<Vec<Trace>, Undecided>>; 2]);
+
+impl Lines {
+    fn of(&self, weight: SelfWeight) -> Result<&[Trace], Undecided> {
+        let found =
+            self.0[usize::from(weight == SelfWeight::Heyman)].get_or_init(|| Level::lines(weight));
+        found.as_deref().map_err(Clone::clone)
+    }
+}
+
+impl CurvePiece {
+    /// Follows it from end to end.
+    pub(super) fn new(node: &CurveNode, lines: &Lines) -> Result<Self, NoLevel> {
+        let undecided = |error| NoLevel::Undecided(node.name(), error);
+        Ok(match &node.line {
+            MapLine::Curve(curve) => {
+                let trace = Trace::new(*curve, node.weight, node.tolerance).map_err(undecided)?;
+                Self::Curve(Box::new(trace))
+            }
+            MapLine::Level(contour) => {
+                let lines = lines.of(node.weight).map_err(undecided)?;
+                Self::Level(Level::among(lines, node.weight, contour, node.tolerance)?)
+            }
+        })
     }
 }
 

@@ -1,8 +1,9 @@
 //! What a scene needs computed: each piece once, to the most digits that any item asks of it. The first
 //! item that needs a piece waits for all of its digits.
 
-use super::schema::{Scene, SceneArch, What};
+use super::schema::{MapLine, Scene, SceneArch, SceneMap, What};
 use crate::arch::SelfWeight;
+use crate::atlas::Curve;
 use crate::certify::state::Wanted;
 use crate::certify::{CertifiedLandmark, quantities};
 use crate::claims::Claim;
@@ -25,6 +26,8 @@ pub struct Plan<'s> {
     pub arches: Vec<ArchNode<'s>>,
     /// The claims, each once.
     pub claims: Vec<ClaimNode>,
+    /// The curves of the map, each once.
+    pub curves: Vec<CurveNode>,
     /// For each item, what it takes.
     pub needs: Vec<Needs>,
 }
@@ -80,6 +83,19 @@ pub struct ClaimNode {
     pub items: Vec<usize>,
 }
 
+/// A curve of the map, or a level.
+#[derive(Debug)]
+pub struct CurveNode {
+    /// Which.
+    pub line: MapLine,
+    /// The self-weight model.
+    pub weight: SelfWeight,
+    /// The largest half-width of a tube.
+    pub tolerance: f64,
+    /// The items that take it.
+    pub items: Vec<usize>,
+}
+
 /// What an item takes: places in the lists of the plan.
 #[derive(Debug, Default)]
 pub struct Needs {
@@ -89,12 +105,18 @@ pub struct Needs {
     pub arches: Vec<(usize, Option<usize>)>,
     /// Claims.
     pub claims: Vec<usize>,
+    /// Curves of the map.
+    pub curves: Vec<usize>,
 }
 
 /// An arch takes about as long as a landmark of this many digits.
 const ARCH: usize = 200;
 /// And a claim.
 const CLAIM: usize = 10_000;
+/// And a curve of the map.
+const CURVE: usize = 10_000;
+/// The digits of the landmarks on a page.
+pub(super) const PAGE_DIGITS: usize = 15;
 
 /// What makes two arches the same, however they are written.
 type ArchKey = (SelfWeight, Number, Option<(bool, Number)>);
@@ -130,6 +152,7 @@ impl<'s> Plan<'s> {
             landmarks: Vec::new(),
             arches: Vec::new(),
             claims: Vec::new(),
+            curves: Vec::new(),
             needs: Vec::new(),
         };
         let mut known = HashMap::new();
@@ -169,6 +192,18 @@ impl<'s> Plan<'s> {
                     }
                     What::Claims { claims, .. } => {
                         needs.claims.extend(claims.iter().map(|claim| plan.claim(*claim, index)));
+                    }
+                    What::Map(map) | What::Figure(map) => {
+                        for &point in &map.landmarks {
+                            let node = plan.landmark(point, index);
+                            plan.landmarks[node].ask(&Quantity::LANDMARK, PAGE_DIGITS);
+                            needs.landmarks.push(node);
+                        }
+                        needs.curves.extend(
+                            map.lines
+                                .iter()
+                                .map(|(weight, line)| plan.curve(*weight, line, map, index)),
+                        );
                     }
                 }
             }
@@ -226,17 +261,30 @@ impl<'s> Plan<'s> {
         place
     }
 
+    fn curve(&mut self, weight: SelfWeight, line: &MapLine, map: &SceneMap, item: usize) -> usize {
+        let is_it = |node: &CurveNode| {
+            (node.weight, node.tolerance, &node.line) == (weight, map.tolerance, line)
+        };
+        let place = self.curves.iter().position(is_it).unwrap_or_else(|| {
+            let (line, tolerance) = (line.clone(), map.tolerance);
+            self.curves.push(CurveNode { line, weight, tolerance, items: Vec::new() });
+            self.curves.len() - 1
+        });
+        self.curves[place].items.push(item);
+        place
+    }
+
     /// The work, in digits of landmarks that take as long.
     pub fn size(&self) -> usize {
         let landmarks: usize = self.landmarks.iter().map(LandmarkNode::digits).sum();
         let arches: usize = self.arches.iter().map(|node| ARCH.max(node.digits())).sum();
-        landmarks + arches + CLAIM * self.claims.len()
+        landmarks + arches + CLAIM * self.claims.len() + CURVE * self.curves.len()
     }
 
     /// How often the run reports progress.
     pub fn ticks(&self) -> u64 {
         let landmarks = self.landmarks.iter().map(LandmarkNode::ticks).sum::<u64>();
-        landmarks + (self.arches.len() + self.claims.len()) as u64
+        landmarks + (self.arches.len() + self.claims.len() + self.curves.len()) as u64
     }
 }
 
@@ -260,6 +308,22 @@ impl LandmarkNode {
     /// The most digits that are asked for.
     pub fn digits(&self) -> usize {
         self.asked.iter().map(|(_, digits)| *digits).max().unwrap_or(0)
+    }
+}
+
+impl CurveNode {
+    /// Its name, as in files.
+    pub fn name(&self) -> String {
+        let weight = self.weight.name();
+        match &self.line {
+            MapLine::Curve(curve) => format!("{curve} {weight}"),
+            MapLine::Level(contour) => format!("{contour} {weight}"),
+        }
+    }
+
+    /// The curve, if it is no level.
+    pub fn curve(&self) -> Option<Curve> {
+        if let MapLine::Curve(curve) = self.line { Some(curve) } else { None }
     }
 }
 

@@ -3,6 +3,7 @@
 use super::fault::{Fault, Source};
 use super::overall::Overall;
 use super::read_arches::arches;
+use super::read_map::{figure, map};
 use super::read_output::{Files, output};
 use super::schema::{Item, Kind, MAX_BYTES, MAX_ITEMS, SCENE_KEYS, SCHEMA, Scene, What};
 use super::value::{Reader, Value};
@@ -125,13 +126,16 @@ fn item(
     let before = reader.faults.len();
     let name = format!("[[{}]]", kind.name());
     reader.unknown_keys(table, &name, kind.keys(), &kind.letters());
+    let destination = output(reader, kind, table, &mut totals.files);
+    let format = destination.as_ref().map(|(_, format)| *format);
     let what = match kind {
         Kind::Constants => constants(reader, span, table, overall),
         Kind::Arches => arches(reader, span, table, overall, &mut totals.arches),
         Kind::Claims => some_claims(reader, table),
         Kind::Audit => points(reader, table, overall).map(|points| What::Audit { points }),
+        Kind::Map => map(reader, span, table, overall, format),
+        Kind::Figure => figure(reader, span, table, overall),
     };
-    let destination = output(reader, kind, table, &mut totals.files);
     let (output, format) = destination?;
     let place = reader.source.place(span.start);
     let item = Item { place, what: what?, format, output };

@@ -2,7 +2,7 @@
 
 use super::cost::{Cost, measured};
 use super::item_report::ItemReport;
-use super::pieces::{ArchPiece, LandmarkPiece, Pieces, none};
+use super::pieces::{ArchPiece, CurvePiece, LandmarkPiece, Lines, Pieces, none};
 use super::plan::Plan;
 
 /// A plan that is being carried out.
@@ -10,6 +10,7 @@ pub struct Run<'p> {
     plan: &'p Plan<'p>,
     pieces: Pieces,
     costs: Costs,
+    lines: Lines,
 }
 
 /// What each piece of a plan cost, in the order of the plan; nothing for what was not needed yet.
@@ -21,12 +22,15 @@ pub struct Costs {
     pub arches: Vec<Option<Cost>>,
     /// Claims.
     pub claims: Vec<Option<Cost>>,
+    /// Curves of the map.
+    pub curves: Vec<Option<Cost>>,
 }
 
 impl Costs {
     /// All of it.
     pub fn total(&self) -> Cost {
-        self.landmarks.iter().chain(&self.arches).chain(&self.claims).flatten().sum()
+        let all = self.landmarks.iter().chain(&self.arches).chain(&self.claims);
+        all.chain(&self.curves).flatten().sum()
     }
 }
 
@@ -37,8 +41,9 @@ impl<'p> Run<'p> {
             landmarks: none(&plan.landmarks),
             arches: none(&plan.arches),
             claims: none(&plan.claims),
+            curves: none(&plan.curves),
         };
-        Self { plan, pieces: Pieces::new(plan), costs }
+        Self { plan, pieces: Pieces::new(plan), costs, lines: Lines::default() }
     }
 
     /// What the pieces cost so far.
@@ -50,7 +55,7 @@ impl<'p> Run<'p> {
     /// called [`Plan::ticks`] times in all.
     pub fn item(&mut self, index: usize, tick: &(dyn Fn() + Sync)) -> ItemReport {
         let (plan, needs) = (self.plan, &self.plan.needs[index]);
-        let Self { pieces, costs, .. } = self;
+        let Self { pieces, costs, lines, .. } = self;
         for (node, piece) in plan.arches.iter().zip(&mut pieces.arches) {
             if node.items.last().is_some_and(|last| *last < index) {
                 *piece = None;
@@ -69,6 +74,11 @@ impl<'p> Run<'p> {
             let decision = plan.claims[place].claim.decide();
             tick();
             decision
+        });
+        fill(&needs.curves, &mut pieces.curves, &mut costs.curves, |place| {
+            let piece = CurvePiece::new(&plan.curves[place], lines);
+            tick();
+            piece
         });
         ItemReport::new(plan, pieces, index)
     }

@@ -2,11 +2,12 @@
 
 use super::fault::Position;
 use crate::arch::SelfWeight;
+use crate::atlas::{Contour, Curve};
 use crate::claims::Claim;
 use crate::number::ExactNumber;
 use crate::problem::Arch;
 use crate::problem::{Landmark, Quantity};
-use crate::report::{Content, Format};
+use crate::report::{Content, Format, View};
 use std::path::PathBuf;
 
 /// The name and the version of the schema, which every scene begins with.
@@ -81,6 +82,34 @@ pub enum What {
         /// The landmarks whose printed numbers are compared.
         points: Vec<(Landmark, SelfWeight)>,
     },
+    /// Curves of the map, as data or as a picture.
+    Map(SceneMap),
+    /// A figure of the paper.
+    Figure(SceneMap),
+}
+
+/// Curves that are asked for.
+#[derive(Clone, Debug)]
+pub struct SceneMap {
+    /// The curves and levels, each with its weight.
+    pub lines: Vec<(SelfWeight, MapLine)>,
+    /// The largest half-width of a tube.
+    pub tolerance: f64,
+    /// The landmarks that are shown beside.
+    pub landmarks: Vec<(Landmark, SelfWeight)>,
+    /// What a picture of them shows.
+    pub view: View,
+    /// The command that asks for the same.
+    pub command: String,
+}
+
+/// A line on the map.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MapLine {
+    /// A curve from landmark to landmark.
+    Curve(Curve),
+    /// The line of a half opening, a thickness or a friction.
+    Level(Contour),
 }
 
 /// An arch of a scene.
@@ -103,11 +132,16 @@ pub enum Kind {
     Claims,
     /// `[[audit]]`.
     Audit,
+    /// `[[map]]`.
+    Map,
+    /// `[[figure]]`.
+    Figure,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 4] = [Self::Constants, Self::Arches, Self::Claims, Self::Audit];
+    pub const ALL: [Self; 6] =
+        [Self::Constants, Self::Arches, Self::Claims, Self::Audit, Self::Map, Self::Figure];
 
     /// The name of the table.
     pub fn name(self) -> &'static str {
@@ -116,6 +150,8 @@ impl Kind {
             Self::Arches => "arches",
             Self::Claims => "claims",
             Self::Audit => "audit",
+            Self::Map => "map",
+            Self::Figure => "figure",
         }
     }
 
@@ -125,6 +161,8 @@ impl Kind {
             Self::Constants | Self::Arches => Content::Answers,
             Self::Claims => Content::Claims,
             Self::Audit => Content::Audit,
+            Self::Map => Content::Map,
+            Self::Figure => Content::Figure,
         }
     }
 
@@ -151,6 +189,20 @@ impl Kind {
             ],
             Self::Claims => &["prove", "show", "format", "output"],
             Self::Audit => &["landmarks", "weight", "format", "output"],
+            Self::Map => &[
+                "curves",
+                "half_opening",
+                "thickness",
+                "friction",
+                "weight",
+                "tolerance",
+                "plane",
+                "lines",
+                "bare",
+                "format",
+                "output",
+            ],
+            Self::Figure => &["number", "weight", "tolerance", "format", "output"],
         }
     }
 }
@@ -166,6 +218,8 @@ impl What {
             Self::Arches { .. } => Kind::Arches,
             Self::Claims { .. } => Kind::Claims,
             Self::Audit { .. } => Kind::Audit,
+            Self::Map(_) => Kind::Map,
+            Self::Figure(_) => Kind::Figure,
         }
     }
 }
@@ -198,6 +252,7 @@ impl Item {
                 format!(" {} show {show}", ids.join(" "))
             }
             What::Audit { points: at } => points(at),
+            What::Map(map) | What::Figure(map) => format!(" {}", map.command),
         };
         format!("{} format {}{what}", self.what.kind().name(), self.format.name)
     }

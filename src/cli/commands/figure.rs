@@ -6,7 +6,7 @@ use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
 use crate::atlas::Curve;
 use crate::cli::failure::Failure;
-use crate::report::{Branches, Content, Drawing, Format, Map, Plane, Report, View};
+use crate::report::{Content, Drawing, Format, Map, Report, View};
 use clap::Args;
 
 /// A figure of the paper, drawn from proved curves.
@@ -18,7 +18,7 @@ use clap::Args;
 pub(crate) struct Arguments {
     /// Its number in the paper, 2 to 6.
     #[arg(value_name = "NUMBER", value_parser = number)]
-    number: u8,
+    number: usize,
 
     /// Self-weight model: heyman, milankovitch or, but for figure 6, both.
     #[arg(long, value_parser = parse::weights)]
@@ -36,38 +36,28 @@ pub(crate) struct Arguments {
     file: OutputFile,
 }
 
-fn number(text: &str) -> Result<u8, String> {
-    let number = text.parse().ok().filter(|number| (2..=6).contains(number));
+fn number(text: &str) -> Result<usize, String> {
+    let number = text.parse().ok().filter(|number| View::of_figure(*number).is_some());
     number.ok_or_else(|| "a figure is a number from 2 to 6".to_owned())
 }
 
 fn format(name: &str) -> Result<&'static Format, String> {
-    let format = Format::named(Content::Map, name).filter(|format| is_picture(format));
+    let format = Format::named(Content::Figure, name);
     format.ok_or_else(|| parse::unknown("a format", name, &["svg", "png"]))
-}
-
-fn is_picture(format: &Format) -> bool {
-    ["svg", "png"].contains(&format.name)
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let format = arguments.file.format(arguments.format, Content::Map, "svg")?;
-    if !is_picture(format) {
+    if !format.is_picture {
         return Err(Failure::Input(format!("a figure is svg or png, not {}", format.name)));
     }
-    let view = match arguments.number {
-        2 => View::Branches(Branches::Rotation),
-        3 => View::Branches(Branches::OpeningVariable),
-        4 => View::Branches(Branches::Opening),
-        5 => View::Lines,
-        _ => View::Map(Plane::ThicknessFriction),
-    };
-    let usual = match view {
-        View::Map(_) => Weights::One(SelfWeight::Milankovitch),
-        _ => Weights::Both,
+    let view = View::of_figure(arguments.number).unwrap_or(View::Lines);
+    let usual = match view.is_of_one_weight() {
+        true => Weights::One(SelfWeight::Milankovitch),
+        false => Weights::Both,
     };
     let weights = arguments.weight.unwrap_or(usual).all();
-    if weights.len() > 1 && matches!(view, View::Map(_)) {
+    if weights.len() > 1 && view.is_of_one_weight() {
         return Err(Failure::Input("figure 6 shows one --weight".into()));
     }
     let file = arguments.file.open_for(format)?;
@@ -82,7 +72,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let levels = levels(&contours, &weights, &traces, tolerance, &mut open)?;
     let drawing = Drawing { view, command: typed() };
     let landmarks = Vec::new();
-    let report = Report::Map(Map { tolerance, traces, levels, landmarks, drawing });
+    let map = Map { tolerance, traces, levels, landmarks, drawing };
+    open.extend(map.open());
+    let report = Report::Map(map);
     file.write(|out| report.write(format, out))?;
     match open.is_empty() {
         true => Ok(()),

@@ -148,7 +148,7 @@ impl Arguments {
 
     /// The weights asked for.
     fn weights(&self, format: &Format) -> Vec<SelfWeight> {
-        let usual = match is_page(format) {
+        let usual = match format.is_page() {
             true => Weights::Both,
             false => Weights::One(SelfWeight::Milankovitch),
         };
@@ -159,12 +159,12 @@ impl Arguments {
     fn drawing(&self, format: &Format) -> Result<Drawing, Failure> {
         let is_whole = self.curves.is_empty() && self.contours().is_empty();
         let is_usual = !self.lines && self.plane == Plane::ThicknessFriction;
-        if is_page(format) && !(is_whole && is_usual) {
+        if format.is_page() && !(is_whole && is_usual) {
             let message =
                 "a page shows the whole map; leave out --curve, --plane, --lines and levels";
             return Err(Failure::Input(message.into()));
         }
-        let is_picture = is_picture(format) && !is_page(format);
+        let is_picture = format.is_picture;
         if self.lines && self.plane != Plane::ThicknessFriction {
             let message = "--lines are drawn over thickness and friction; leave out --plane";
             return Err(Failure::Input(message.into()));
@@ -217,21 +217,10 @@ pub(super) fn traced(
             Err(undecided) => open.push(undecided.to_string()),
         }
     }
-    if is_picture(format) && !open.is_empty() {
+    if (format.is_picture || format.is_page()) && !open.is_empty() {
         return Err(Failure::Undecided(open.join("; ")));
     }
-    open.extend(traces.iter().filter(|trace| trace.gaps().next().is_some()).map(|trace| {
-        format!("{}, {}: not every piece is proved", trace.curve, trace.weight.name())
-    }));
     Ok((traces, open))
-}
-
-fn is_picture(format: &Format) -> bool {
-    ["svg", "png"].contains(&format.name) || is_page(format)
-}
-
-fn is_page(format: &Format) -> bool {
-    format.name == "html"
 }
 
 fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
@@ -240,30 +229,26 @@ fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.file.open_for(format)?;
     let curves = arguments.curves();
     let contours = arguments.contours();
-    let is_whole = curves.is_empty() && (contours.is_empty() || is_picture(format));
+    let is_whole = curves.is_empty() && (contours.is_empty() || format.is_picture);
     let is_asked = |curve: &Curve| is_whole || curves.contains(curve);
     let weights = arguments.weights(format);
-    let first = weights[0];
-    let asked: Vec<(SelfWeight, Curve)> = weights
-        .iter()
-        .copied()
-        .flat_map(|weight| Curve::ALL.into_iter().map(move |curve| (weight, curve)))
-        .filter(|(weight, curve)| is_asked(curve) && !(curve.is_weightless() && *weight != first))
-        .collect();
+    let all = Curve::of_weights(&weights).into_iter();
+    let asked = all.filter(|(_, curve)| is_asked(curve)).collect();
     let (traces, mut open) = traced(asked, arguments.tolerance, format)?;
-    let landmarks = if is_page(format) { landmarks(&weights) } else { Vec::new() };
+    let landmarks = if format.is_page() { landmarks(&weights) } else { Vec::new() };
     let undecided = landmarks.iter().filter(|answer| answer.is_undecided());
     open.extend(
         undecided.filter_map(|answer| Some(answer.subject.landmark()?.symbol().to_owned())),
     );
-    let is_map = is_picture(format) && !is_page(format) && is_whole && !arguments.lines;
+    let is_map = format.is_picture && is_whole && !arguments.lines;
     let contours = match is_map && contours.is_empty() && !arguments.bare {
         true => arguments.plane.contours(),
         false => contours,
     };
     let levels = levels(&contours, &weights, &traces, arguments.tolerance, &mut open)?;
-    let report =
-        Report::Map(Map { tolerance: arguments.tolerance, traces, levels, landmarks, drawing });
+    let map = Map { tolerance: arguments.tolerance, traces, levels, landmarks, drawing };
+    open.extend(map.open());
+    let report = Report::Map(map);
     file.write(|out| report.write(format, out))?;
     if arguments.file.is_file() {
         summary(&report)?;
@@ -323,8 +308,6 @@ pub(super) fn levels(
             }
         }
     }
-    let gaps = levels.iter().filter(|level| level.has_gap());
-    open.extend(gaps.map(|level| format!("{}: not every piece is proved", level.contour)));
     Ok(levels)
 }
 

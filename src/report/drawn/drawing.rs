@@ -40,6 +40,25 @@ pub(in crate::report) struct FramedMap {
     pub frames: Vec<Frame>,
 }
 
+impl View {
+    /// What a figure of the paper shows; it has 2 to 6.
+    pub fn of_figure(number: usize) -> Option<Self> {
+        Some(match number {
+            2 => Self::Branches(Branches::Rotation),
+            3 => Self::Branches(Branches::OpeningVariable),
+            4 => Self::Branches(Branches::Opening),
+            5 => Self::Lines,
+            6 => Self::Map(Plane::ThicknessFriction),
+            _ => return None,
+        })
+    }
+
+    /// Whether it shows one weight.
+    pub fn is_of_one_weight(self) -> bool {
+        matches!(self, Self::Map(_))
+    }
+}
+
 impl Drawing {
     /// The map of each weight over thickness and friction.
     pub(in crate::report) fn framed_maps(&self, traces: &[Trace]) -> Vec<FramedMap> {

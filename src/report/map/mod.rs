@@ -43,3 +43,14 @@ pub struct Map {
     /// How a picture shows them.
     pub drawing: Drawing,
 }
+
+impl Map {
+    /// The curves and the levels of which not every piece is proved.
+    pub fn open(&self) -> Vec<String> {
+        let curves = self.traces.iter().filter(|trace| trace.gaps().next().is_some());
+        let curves = curves.map(|trace| format!("{}, {}", trace.curve, trace.weight.name()));
+        let levels = self.levels.iter().filter(|level| level.has_gap());
+        let levels = levels.map(|level| level.contour.to_string());
+        curves.chain(levels).map(|name| format!("{name}: not every piece is proved")).collect()
+    }
+}

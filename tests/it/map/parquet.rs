@@ -34,7 +34,8 @@ fn nodes(document: &Value) -> Vec<Value> {
         named(&curve["nodes"], [names[0], names[1], ("mode", &Value::Null)])
     };
     let of_level = |level: &Value| -> Vec<Value> {
-        let names = [("weight", &level["weight"]), ("curve", &level["half_opening"])];
+        let named_by = format!("half opening {}", level["half_opening"].as_str().unwrap()).into();
+        let names = [("weight", &level["weight"]), ("curve", &named_by)];
         let parts = array(&level["parts"]).into_iter();
         parts
             .flat_map(|part| named(&part["nodes"], [names[0], names[1], ("mode", &part["mode"])]))

@@ -5,6 +5,7 @@ mod cost;
 mod examples;
 mod faults;
 mod folder;
+mod map;
 mod outputs;
 mod plan;
 mod reading;

@@ -1,0 +1,220 @@
+//! From TOML to curves of the map, as data or as a picture.
+
+use super::overall::Overall;
+use super::read_numbers::{Meaning, numbers};
+use super::schema::{MAX_ITEMS, MapLine, SceneMap, What};
+use super::value::{Reader, Value};
+use crate::arch::SelfWeight;
+use crate::atlas::{Contour, Curve, LEAST_TOLERANCE};
+use crate::problem::{Friction, Landmark};
+use crate::report::words::{did_you_mean, list};
+use crate::report::{Format, Plane, View};
+use std::ops::Range;
+use toml::de::{DeTable, DeValue};
+
+/// Where a scene does not say how wide a tube may be.
+const TOLERANCE: f64 = 1e-4;
+
+/// The map, or curves of it.
+pub(super) fn map(
+    reader: &mut Reader,
+    span: &Range<usize>,
+    table: &DeTable,
+    overall: &Overall,
+    format: Option<&'static Format>,
+) -> Option<What> {
+    let is_page = format.is_some_and(Format::is_page);
+    let usual = if is_page { &SelfWeight::ALL[..] } else { &[SelfWeight::Milankovitch] };
+    let weights = overall.weights(reader, table, usual).map(in_order);
+    let curves = table.get("curves").map_or(Some(Vec::new()), |value| curves(reader, value));
+    let contours = contours(reader, table);
+    let tolerance = tolerance(reader, table);
+    let names = Plane::ALL.map(|plane| (plane.name(), plane));
+    let plane = match table.get("plane") {
+        Some(value) => {
+            reader.names("plane", value, &names).and_then(|all| only(reader, value, all))
+        }
+        None => Some(Plane::ThicknessFriction),
+    };
+    let lines = table.get("lines").map_or(Some(false), |value| reader.truth("lines", value));
+    let bare = table.get("bare").map_or(Some(false), |value| reader.truth("bare", value));
+    let (weights, curves, contours, bare) = (weights?, curves?, contours?, bare?);
+    let (tolerance, plane, lines, format) = (tolerance?, plane?, lines?, format?);
+    let is_usual = !lines && !bare && plane == Plane::ThicknessFriction;
+    let is_whole = curves.is_empty() && (contours.is_empty() || format.is_picture);
+    let wrong = if is_page && !(is_whole && is_usual) {
+        Some("a page shows the whole map; leave out curves, levels, plane, lines and bare")
+    } else if !format.is_picture {
+        (!is_usual && !is_page).then_some("plane, lines and bare are for a picture, svg or png")
+    } else if lines && plane != Plane::ThicknessFriction {
+        Some("lines are drawn over thickness and friction; leave out plane")
+    } else if !lines && weights.len() > 1 {
+        Some("a map shows one weight; with lines = true it shows the lines of both")
+    } else if lines && (bare || !contours.is_empty()) {
+        Some("lines are drawn alone; leave out bare, half_opening, thickness and friction")
+    } else if bare && !contours.is_empty() {
+        Some("a bare map has no half_opening, thickness or friction")
+    } else if !contours.iter().all(|contour| plane.is_crossed_by(contour)) {
+        Some(
+            "in a plane lines of the third quantity are drawn, half_opening unless plane says another",
+        )
+    } else {
+        None
+    };
+    if let Some(message) = wrong {
+        reader.fault(span.clone(), message.to_owned());
+        return None;
+    }
+    let mut command = command("map", &weights, tolerance);
+    let is_asked = |curve: &Curve| is_whole || curves.contains(curve);
+    let all = Curve::of_weights(&weights).into_iter().filter(|(_, curve)| is_asked(curve));
+    let all = all.map(|(weight, curve)| (weight, MapLine::Curve(curve)));
+    let names: Vec<String> = curves.iter().map(ToString::to_string).collect();
+    if !names.is_empty() {
+        command += &format!(" --curve {}", names.join(","));
+    }
+    for contour in &contours {
+        command += &format!(" --{} {}", contour.name().replace(' ', "-"), contour.given());
+    }
+    if bare {
+        command += " --bare";
+    }
+    let is_map = format.is_picture && is_whole && !lines;
+    let contours = match is_map && contours.is_empty() && !bare {
+        true => plane.contours(),
+        false => contours,
+    };
+    let levels = weights.iter().flat_map(|weight| {
+        contours.iter().map(|contour| (*weight, MapLine::Level(contour.clone())))
+    });
+    if lines {
+        command += " --lines";
+    } else if format.is_picture {
+        command += &format!(" --plane {}", plane.name());
+    }
+    let view = if lines { View::Lines } else { View::Map(plane) };
+    let shown = if is_page { &weights[..] } else { &[] };
+    let landmarks = shown.iter().flat_map(|w| Landmark::ALL.map(|landmark| (landmark, *w)));
+    let (lines, landmarks) = (all.chain(levels).collect(), landmarks.collect());
+    Some(What::Map(SceneMap { lines, tolerance, landmarks, view, command }))
+}
+
+/// A figure of the paper.
+pub(super) fn figure(
+    reader: &mut Reader,
+    span: &Range<usize>,
+    table: &DeTable,
+    overall: &Overall,
+) -> Option<What> {
+    let number = match table.get("number") {
+        Some(value) => reader.whole("number", value, 2..=6),
+        None => {
+            reader.fault(span.clone(), "number is missing; a figure is one of 2 to 6".to_owned());
+            None
+        }
+    };
+    let view = number.and_then(View::of_figure);
+    let is_of_one = view.is_some_and(View::is_of_one_weight);
+    let usual = if is_of_one { &[SelfWeight::Milankovitch] } else { &SelfWeight::ALL[..] };
+    let weights = overall.weights(reader, table, usual).map(in_order);
+    let tolerance = tolerance(reader, table);
+    let (number, view, weights, tolerance) = (number?, view?, weights?, tolerance?);
+    if is_of_one && weights.len() > 1 {
+        reader.fault(span.clone(), format!("figure {number} shows one weight"));
+        return None;
+    }
+    let command = command(&format!("figure {number}"), &weights, tolerance);
+    let contours = if let View::Map(plane) = view { plane.contours() } else { Vec::new() };
+    let lines = |weight: &SelfWeight| {
+        let curves = Curve::ALL.map(MapLine::Curve).into_iter();
+        let all = curves.chain(contours.iter().cloned().map(MapLine::Level));
+        all.map(|line| (*weight, line)).collect::<Vec<_>>()
+    };
+    let lines = weights.iter().flat_map(lines).collect();
+    Some(What::Figure(SceneMap { lines, tolerance, landmarks: Vec::new(), view, command }))
+}
+
+/// The command that asks for the same.
+fn command(name: &str, weights: &[SelfWeight], tolerance: f64) -> String {
+    let weight = match weights {
+        [one] => one.name(),
+        _ => "both",
+    };
+    format!("couplet {name} --weight {weight} --tolerance {tolerance:?}")
+}
+
+/// In the order in which they are always shown.
+fn in_order(weights: Vec<SelfWeight>) -> Vec<SelfWeight> {
+    SelfWeight::ALL.into_iter().filter(|weight| weights.contains(weight)).collect()
+}
+
+fn only<T: Copy>(reader: &mut Reader, value: &Value, all: Vec<T>) -> Option<T> {
+    if let [one] = all[..] {
+        return Some(one);
+    }
+    reader.is_not("plane", value, "one plane");
+    None
+}
+
+fn curves(reader: &mut Reader, value: &Value) -> Option<Vec<Curve>> {
+    let names: Vec<String> = Curve::ALL.iter().map(ToString::to_string).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let allowed = format!("one of {}", list(names.iter().copied()));
+    let before = reader.faults.len();
+    let mut found = Vec::new();
+    for element in reader.elements("curves", value, &allowed) {
+        let text = element.get_ref().as_str();
+        match text.and_then(Curve::named) {
+            Some(curve) if found.contains(&curve) => {
+                reader.fault(element.span(), format!("curves \"{curve}\" is listed twice"));
+            }
+            Some(curve) => found.push(curve),
+            None => {
+                let hint = text.map_or(String::new(), |text| did_you_mean(text, &names));
+                reader.is_not("curves", element, &format!("{allowed}{hint}"));
+            }
+        }
+    }
+    (reader.faults.len() == before).then_some(found)
+}
+
+/// The levels that a table names.
+fn contours(reader: &mut Reader, table: &DeTable) -> Option<Vec<Contour>> {
+    let before = reader.faults.len();
+    let mut found = Vec::new();
+    for meaning in [Meaning::HalfOpening, Meaning::Thickness, Meaning::Friction] {
+        let Some(value) = meaning.given(reader, table) else { continue };
+        let Some(all) = numbers(reader, meaning, value) else { continue };
+        if all.len() > MAX_ITEMS {
+            let message = format!("a map has at most {MAX_ITEMS} lines of one {}", meaning.key());
+            reader.fault(value.span(), message);
+            continue;
+        }
+        match all.all() {
+            Ok(all) => found.extend(all.into_iter().map(|one| match (meaning, one.number) {
+                (Meaning::HalfOpening, Some(x)) => Contour::HalfOpening(x),
+                (Meaning::Thickness, Some(x)) => Contour::Thickness(x),
+                (_, Some(x)) => Contour::Friction(Friction::Coefficient(x)),
+                (_, None) => Contour::Friction(Friction::Infinite),
+            })),
+            Err(error) => reader.fault(value.span(), format!("{}: {error}", meaning.key())),
+        }
+    }
+    (reader.faults.len() == before).then_some(found)
+}
+
+/// The largest half-width of a tube, a number as text or not.
+fn tolerance(reader: &mut Reader, table: &DeTable) -> Option<f64> {
+    let Some(value) = table.get("tolerance") else { return Some(TOLERANCE) };
+    let text = match value.get_ref() {
+        DeValue::String(text) => text.as_ref(),
+        DeValue::Float(float) => float.as_str(),
+        DeValue::Integer(integer) => integer.as_str(),
+        _ => "",
+    };
+    let tolerance = text.parse().ok().filter(|width| (LEAST_TOLERANCE..=1.0).contains(width));
+    if tolerance.is_none() {
+        reader.is_not("tolerance", value, &format!("a number from {LEAST_TOLERANCE:e} to 1"));
+    }
+    tolerance
+}
