@@ -61,7 +61,7 @@ pub use answer::{Answer, Fingerprint, Kept, Proof, Status, Subject};
 pub use answers::{Answers, Scope};
 pub use audit::Audit;
 pub use claims::{Claims, Index};
-pub use drawn::{Branches, Drawing, Plane, View};
+pub use drawn::{Branches, Drawing, Mark, Plane, View};
 pub use format::{Content, Format};
 pub use given::GivenDoubles;
 pub use map::{Map, MapPoint, MapPoints};

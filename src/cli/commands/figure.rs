@@ -70,7 +70,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         _ => Vec::new(),
     };
     let levels = levels(&contours, &weights, &traces, tolerance, &mut open)?;
-    let drawing = Drawing { view, command: typed() };
+    let drawing = Drawing { view, marks: Vec::new(), command: typed() };
     let landmarks = Vec::new();
     let map = Map { tolerance, traces, levels, landmarks, drawing };
     open.extend(map.open());

@@ -1,5 +1,6 @@
 //! `couplet map`.
 
+use super::arch::thickness;
 use super::output::{Output, OutputFile, typed};
 use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
@@ -7,9 +8,9 @@ use crate::atlas::{Contour, Curve, LEAST_TOLERANCE, Level, NoLevel, NoPoint, Tra
 use crate::certify::{CertifiedLandmark, MAX_DIGITS, Undecided, quantities};
 use crate::cli::failure::Failure;
 use crate::number::{ExactNumber, ParseExactError};
-use crate::problem::{Friction, Landmark};
+use crate::problem::{Arch, ArchError, Friction, Landmark};
 use crate::report::{
-    Answer, Content, Drawing, Format, Map, MapPoint, MapPoints, Plane, Report, View,
+    Answer, Content, Drawing, Format, Map, MapPoint, MapPoints, Mark, Plane, Report, View,
 };
 use clap::Args;
 use rayon::prelude::*;
@@ -92,6 +93,16 @@ pub(crate) struct Arguments {
     #[arg(long)]
     lines: bool,
 
+    /// For a map, an arch to mark, with its proved state: half opening, friction and, if it has one, thickness
+    /// (80deg,0.6,0.15). May be repeated.
+    #[arg(
+        long = "mark",
+        value_name = "ALPHA,MU[,ETA]",
+        value_parser = marked,
+        allow_hyphen_values = true
+    )]
+    marks: Vec<Marked>,
+
     /// For a map, without lines of equal half opening, thickness or friction.
     #[arg(long, conflicts_with_all = ["half_openings", "thicknesses", "frictions"])]
     bare: bool,
@@ -101,6 +112,50 @@ pub(crate) struct Arguments {
 
     #[command(flatten)]
     file: OutputFile,
+}
+
+/// An arch to mark, but for its weight.
+#[derive(Clone, Debug)]
+struct Marked {
+    half_opening: ExactNumber,
+    friction: Friction,
+    thickness: Option<ExactNumber>,
+}
+
+fn marked(text: &str) -> Result<Marked, String> {
+    let wrong = |error: ParseExactError| error.to_string();
+    let parts: Vec<&str> = text.split(',').collect();
+    let (half_opening, friction, eta) = match parts[..] {
+        [alpha, mu] => (alpha, mu, None),
+        [alpha, mu, eta] => (alpha, mu, Some(eta)),
+        _ => {
+            return Err(
+                "a mark is a half opening, a friction and perhaps a thickness: 80deg,0.6,0.15"
+                    .into(),
+            );
+        }
+    };
+    let marked = Marked {
+        half_opening: half_opening.parse().map_err(wrong)?,
+        friction: friction.parse().map_err(wrong)?,
+        thickness: eta.map(thickness).transpose()?,
+    };
+    // Any weight will do to see whether it is an arch.
+    marked.arch(SelfWeight::Heyman).map_err(|error| error.to_string())?;
+    Ok(marked)
+}
+
+impl Marked {
+    fn arch(&self, weight: SelfWeight) -> Result<Arch, ArchError> {
+        Arch::new(weight, self.half_opening.clone(), self.friction.clone())
+    }
+
+    /// With what is proved of it.
+    fn proved(&self, weight: SelfWeight) -> Result<Mark, Failure> {
+        let arch = self.arch(weight).map_err(|error| Failure::Input(error.to_string()))?;
+        Mark::new(&arch, self.thickness.as_ref())
+            .map_err(|undecided| Failure::Undecided(format!("{arch}: {undecided}")))
+    }
 }
 
 /// Curves named together.
@@ -185,8 +240,14 @@ impl Arguments {
             };
             return Err(Failure::Input(message));
         }
+        if !self.marks.is_empty() && (!is_picture || self.lines) {
+            let message = "a --mark is for a map as svg or png, without --lines";
+            return Err(Failure::Input(message.into()));
+        }
         let view = if self.lines { View::Lines } else { View::Map(self.plane) };
-        Ok(Drawing { view, command: typed() })
+        let weight = self.weights(format)[0];
+        let marks = self.marks.iter().map(|mark| mark.proved(weight)).collect::<Result<_, _>>()?;
+        Ok(Drawing { view, marks, command: typed() })
     }
 
     /// The levels asked for.

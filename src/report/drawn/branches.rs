@@ -29,6 +29,8 @@ pub enum Branches {
 /// The purely sliding states, and those beyond the border point.
 const SLIDING: Stroke = Stroke::new(INK, 1.6);
 const BEYOND: Stroke = Stroke { color: INK, width: 1.6, dashes: &[3.0, 4.0] };
+/// What is no further from the foot of a panel is on it.
+const FOOT: f64 = 1e-9;
 /// Points on each piece.
 const PARTS: u32 = 12;
 
@@ -235,7 +237,7 @@ fn named(landmark: Landmark, weight: SelfWeight, at: Point, course: Course) -> M
             (SelfWeight::Heyman, Course::Falls)
             | (SelfWeight::Milankovitch, Course::FallsOpposite) => (8.0, -12.0),
         };
-    // At the foot of a panel there is room above only.
-    let away = if at.1 == 0.0 { (away.0, -14.0) } else { away };
+    // At the foot of a panel, a hair above or below it, there is room above only.
+    let away = if at.1.abs() < FOOT { (away.0, -14.0) } else { away };
     Mark { name: symbol(landmark).to_owned(), at, away, color: look::of_weight(weight).color }
 }

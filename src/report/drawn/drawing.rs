@@ -3,6 +3,7 @@
 use super::branches::Branches;
 use super::lines::LinesPicture;
 use super::map::MapPicture;
+use super::mark::Mark;
 use super::plane::Plane;
 use super::sheet::Sheet;
 use crate::arch::SelfWeight;
@@ -15,6 +16,8 @@ use std::io;
 pub struct Drawing {
     /// What it shows.
     pub view: View,
+    /// The arches that are marked in a map.
+    pub marks: Vec<Mark>,
     /// The command that makes it, for its caption.
     pub command: String,
 }
@@ -64,7 +67,7 @@ impl Drawing {
     pub(in crate::report) fn framed_maps(&self, traces: &[Trace]) -> Vec<FramedMap> {
         let framed = |sheet: &Sheet| {
             let plane = Plane::ThicknessFriction;
-            let picture = MapPicture { sheet, plane, command: &self.command };
+            let picture = MapPicture { sheet, plane, marks: &self.marks, command: &self.command };
             FramedMap { weight: sheet.weight, svg: picture.svg(), frames: picture.frames() }
         };
         Sheet::all(traces, &[]).iter().map(framed).collect()
@@ -78,7 +81,7 @@ impl Drawing {
             View::Map(plane) => {
                 let first = sheets.first();
                 let sheet = first.ok_or_else(|| io::Error::other("there is nothing to draw"))?;
-                MapPicture { sheet, plane, command }.svg()
+                MapPicture { sheet, plane, marks: &self.marks, command }.svg()
             }
             View::Lines => LinesPicture { sheets: &sheets, command }.svg(),
             View::Branches(branches) => branches.svg(&sheets, command),

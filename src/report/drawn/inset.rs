@@ -85,6 +85,17 @@ impl Inset {
         self.name == JOINTS
     }
 
+    /// The beginning of the names of its groups.
+    pub(super) fn id(&self) -> &'static str {
+        self.name
+    }
+
+    /// Whether it lies over a point of the page, or nearly.
+    pub(super) fn covers(&self, (x, y): Point) -> bool {
+        let [low, high] = self.taken();
+        (low.0..=high.0).contains(&x) && (low.1..=high.1).contains(&y)
+    }
+
     /// What it takes of the page.
     pub(super) fn taken(&self) -> Rectangle {
         let (left, top) = self.frame.corner;

@@ -4,6 +4,7 @@ use super::caption::caption;
 use super::content::Content;
 use super::inset::Inset;
 use super::margin;
+use super::mark::{self, Mark};
 use super::names::Names;
 use super::page::Page;
 use super::plane::Plane;
@@ -18,6 +19,8 @@ pub(super) struct MapPicture<'a> {
     pub sheet: &'a Sheet<'a>,
     /// What lies along the axes.
     pub plane: Plane,
+    /// Arches that are marked in it.
+    pub marks: &'a [Mark],
     /// The command that makes it.
     pub command: &'a str,
 }
@@ -31,7 +34,8 @@ impl MapPicture<'_> {
     /// The picture as SVG.
     pub(super) fn svg(&self) -> String {
         let content = Content::new(self.sheet, self.plane);
-        let words = caption(self.shows(), &[self.sheet], self.plane, self.command);
+        let mut words = caption(self.shows(), &[self.sheet], self.plane, self.command);
+        words.splice(1..1, mark::words(self.marks));
         let has_levels = !content.levels.is_empty();
         let (page, mut svg) = Page::new(self.plane, self.shows(), &words, has_levels);
         let frame = &page.frame;
@@ -40,26 +44,34 @@ impl MapPicture<'_> {
         if has_levels {
             svg.group("levels", |svg| margin::levels(svg, frame, self.plane, &content.levels));
         }
-        let insets = Inset::all(&content, self.plane, frame.corner);
+        let marks = mark::places(self.marks, self.plane, frame);
+        let mut insets = Inset::all(&content, self.plane, frame.corner);
+        // No inset covers a mark.
+        insets.retain(|inset| !marks.iter().any(|(_, at)| inset.covers(*at)));
         insets.iter().for_each(|inset| inset.draw_guides(&mut svg, frame));
         let mut named = Vec::new();
         for inset in &insets {
             inset.draw(&mut svg, self.plane, |svg, id| content.draw(svg, &inset.frame, id));
             let mut names = self.names(&content, &inset.frame, INSET_NAMES);
+            let larger = mark::places(self.marks, self.plane, &inset.frame);
+            names.taken = larger.iter().map(|(_, at)| mark::taken(*at)).collect();
             names.landmarks(&mut svg, inset.is_close());
             names.overturning(&mut svg);
             // This one is seen better in the map.
             let elsewhere = [&named[..], &[Mode::SlidingRotational]].concat();
             named.extend(names.modes(&mut svg, &elsewhere));
+            mark::draw(&mut svg, &larger, inset.id());
         }
         let mut names = self.names(&content, frame, NAMES);
-        names.taken = insets.iter().map(Inset::taken).collect();
+        let of_marks = marks.iter().map(|(_, at)| mark::taken(*at));
+        names.taken = insets.iter().map(Inset::taken).chain(of_marks).collect();
         names.landmarks(&mut svg, false);
         if self.plane == Plane::ThicknessFriction {
             names.overturning(&mut svg);
         }
         names.modes(&mut svg, &named);
         self.say_where_nothing_stands(&mut svg, frame);
+        mark::draw(&mut svg, &marks, "");
         svg.finish()
     }
 

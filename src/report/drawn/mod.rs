@@ -14,6 +14,7 @@
 //! | `inset` | small frames that show a part of the map larger |
 //! | `page` | the page of a map: its frame with the axes, and what is said below |
 //! | `margin` | the values of levels, outside the frame |
+//! | `mark` | arches that are marked in a map |
 //! | `map` | the map of one weight |
 //! | `lines` | the lines of both weights |
 //! | `branches`, `graph` | the pure states along the half opening, as graphs |
@@ -35,6 +36,7 @@ mod lines;
 mod look;
 mod map;
 mod margin;
+mod mark;
 mod names;
 mod page;
 mod plane;
@@ -44,6 +46,7 @@ mod spot;
 pub use branches::Branches;
 pub(super) use drawing::FramedMap;
 pub use drawing::{Drawing, View};
+pub use mark::Mark;
 pub use plane::Plane;
 
 #[cfg(test)]

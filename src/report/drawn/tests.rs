@@ -1,15 +1,16 @@
 use super::*;
 use crate::arch::SelfWeight;
 use crate::atlas::{Contour, Curve, Level, Trace};
+use crate::number::ExactNumber;
 use crate::picture::reading::texts;
-use crate::problem::Mode;
+use crate::problem::{Arch, Mode};
 use std::sync::OnceLock;
 
 /// A picture of some curves.
 fn picture(weights: &[SelfWeight], view: View, tolerance: f64) -> String {
     let curves = weights.iter().flat_map(|w| Curve::ALL.map(|curve| (*w, curve)));
     let trace = |(weight, curve)| Trace::new(curve, weight, tolerance).unwrap();
-    let drawing = Drawing { view, command: "couplet map -o map.svg".into() };
+    let drawing = Drawing { view, marks: Vec::new(), command: "couplet map -o map.svg".into() };
     let traces: Vec<Trace> = curves.map(trace).collect();
     let contours = match view {
         View::Map(plane) => plane.contours(),
@@ -18,6 +19,37 @@ fn picture(weights: &[SelfWeight], view: View, tolerance: f64) -> String {
     let level = |contour: &Contour| Level::among(&traces, weights[0], contour, tolerance).unwrap();
     let levels: Vec<Level> = contours.iter().map(level).collect();
     drawing.svg(&traces, &levels).unwrap()
+}
+
+/// The same as `picture`, with marks.
+fn marked(plane: Plane) -> String {
+    let weight = SelfWeight::Milankovitch;
+    let traces: Vec<Trace> =
+        Curve::ALL.map(|curve| Trace::new(curve, weight, 1e-3).unwrap()).into();
+    let mark = |(alpha, mu, eta): (&str, &str, Option<&str>)| {
+        let eta: Option<ExactNumber> = eta.map(|eta| eta.parse().unwrap());
+        Mark::new(&Arch::parse(weight.name(), alpha, mu).unwrap(), eta.as_ref()).unwrap()
+    };
+    let arches =
+        [("80deg", "0.6", Some("0.15")), ("145.1deg", "1.6", None), ("150deg", "inf", None)];
+    let marks = arches.map(mark).into();
+    let drawing = Drawing { view: View::Map(plane), marks, command: "couplet map".into() };
+    drawing.svg(&traces, &[]).unwrap()
+}
+
+/// Each mark is there once in the map or in an inset, and is explained once.
+#[test]
+fn marks_are_numbered_and_explained() {
+    for plane in Plane::ALL {
+        let svg = marked(plane);
+        let words = texts(&svg).unwrap().join(" ");
+        for (number, said) in
+            [(1, "(1) α = 80°, μ = 0.6, η = 0.15: stands"), (2, "(2) α"), (3, "μ = ∞")]
+        {
+            assert!(svg.contains(&format!("mark-{number}\">")), "{plane:?} {number}");
+            assert!(words.contains(said), "{plane:?}: {words}");
+        }
+    }
 }
 
 /// All kinds of pictures, by name.
@@ -36,6 +68,9 @@ fn pictures() -> &'static [(String, String)] {
                 let name = format!("{}-{}", weight.name(), plane.name());
                 pictures.push((name, picture(&[weight], View::Map(plane), 1e-3)));
             }
+        }
+        for plane in Plane::ALL {
+            pictures.push((format!("figure-marked-{}", plane.name()), marked(plane)));
         }
         pictures
     })
@@ -104,7 +139,11 @@ fn a_caption_says_what_is_proved_and_how_it_is_made() {
 
 #[test]
 fn nothing_is_no_picture() {
-    let drawing = Drawing { view: View::Map(Plane::OpeningFriction), command: String::new() };
+    let drawing = Drawing {
+        view: View::Map(Plane::OpeningFriction),
+        marks: Vec::new(),
+        command: String::new(),
+    };
     assert!(drawing.svg(&[], &[]).is_err());
 }
 
@@ -114,7 +153,7 @@ fn a_line_alone_is_drawn() {
     let curve = Curve::named("rrr/srr").unwrap();
     let traces = [Trace::new(curve, SelfWeight::Heyman, 1e-3).unwrap()];
     for view in [View::Map(Plane::ThicknessFriction), View::Lines] {
-        let drawing = Drawing { view, command: "couplet".into() };
+        let drawing = Drawing { view, marks: Vec::new(), command: "couplet".into() };
         let text = drawing.svg(&traces, &[]).unwrap();
         assert!(text.contains("line-rrr-srr") && !text.contains("domain-"));
     }

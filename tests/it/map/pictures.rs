@@ -52,6 +52,20 @@ fn a_map_has_the_levels_asked_for() {
 }
 
 #[test]
+fn an_arch_is_marked_with_its_state() {
+    let line = ["map", "--tolerance", "1e-2", "--format", "svg", "--bare"];
+    let marks = ["--mark", "80deg,0.6,0.15", "--mark", "100deg,30deg"];
+    let svg = text(&couplet(&[&line[..], &marks].concat()).stdout);
+    assert_eq!(svg.matches("<g id=\"mark-").count(), 2);
+    for part in [
+        "(1) α = 80°, μ = 0.6, η = 0.15: stands; least thickness 0.0686505, [r,r,r]",
+        "(2) α = 100°, μ = tan(30°)",
+    ] {
+        assert!(svg.contains(part), "{part}");
+    }
+}
+
+#[test]
 fn each_figure_has_its_curves() {
     for (number, groups) in [
         ("2", &["panel-2", "heyman-rotation", "sliding-beyond"][..]),
@@ -103,6 +117,23 @@ fn what_makes_no_picture_is_refused() {
         ),
         (&["map", "--lines", "--alpha", "80deg", "-o", "map.svg"], "--lines are drawn alone"),
         (&["map", "--bare", "--alpha", "80deg", "-o", "map.svg"], "cannot be used with"),
+        (&["map", "--mark", "80deg", "-o", "map.svg"], "a mark is a half opening, a friction"),
+        (
+            &["map", "--mark", "80deg,1,2,3", "-o", "map.svg"],
+            "a mark is a half opening, a friction",
+        ),
+        (&["map", "--mark", "200deg,1", "-o", "map.svg"], "is not between 0 and pi"),
+        (&["map", "--mark", "80deg,-1", "-o", "map.svg"], "the friction -1 is negative"),
+        (
+            &["map", "--mark", "80deg,1,3", "-o", "map.svg"],
+            "the thickness 3 is not between 0 and 2",
+        ),
+        (&["map", "--mark", "80deg,x", "-o", "map.svg"], "'x' is not a friction"),
+        (&["map", "--mark", "80deg,1", "-o", "map.csv"], "a --mark is for a map as svg or png"),
+        (
+            &["map", "--mark", "80deg,1", "--lines", "-o", "map.svg"],
+            "a --mark is for a map as svg or png",
+        ),
         (&["figure", "1"], "a figure is a number from 2 to 6"),
         (&["figure", "7"], "a figure is a number from 2 to 6"),
         (&["figure", "6", "--weight", "both"], "figure 6 shows one --weight"),
