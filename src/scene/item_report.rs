@@ -128,7 +128,7 @@ fn map(
     }
     let landmarks = constants(plan, pieces, index, (&Quantity::LANDMARK, PAGE_DIGITS));
     let names = undecided_landmarks(&landmarks);
-    let drawing = Drawing { view: asked.view, command: asked.command.clone() };
+    let drawing = Drawing { view: asked.view, marks: Vec::new(), command: asked.command.clone() };
     let map = Map { tolerance: asked.tolerance, traces, levels, landmarks, drawing };
     open.extend(map.open().into_iter().chain(names));
     (Some(Report::Map(map)), open)
