@@ -12,6 +12,7 @@ mod fingerprint;
 mod in_doubles;
 mod isolate;
 mod landmark;
+mod linear;
 mod posed;
 mod refine;
 pub(crate) mod root;

@@ -3,22 +3,31 @@
 //! Sine and cosine are what costs; everything else in a system is algebraic in an angle, its sine and
 //! its cosine. So each level of the ladder evaluates them **once**, at a short argument:
 //!
-//! 1. the root to a hundredth of the bits, or a little more, comes from the level below;
+//! 1. the root to a hundredth of the bits, or a little more, comes from the level below, the first bits by [`short`];
 //! 2. it becomes the [`Anchor`] of each angle: sine and cosine to full precision there;
-//! 3. Newton steps triple the bits, two with one inverse, up to a third, sine and cosine moved along from the anchor, which moves
+//! 3. Newton steps triple the bits, two with one Jacobian, up to a third, sine and cosine moved along from the anchor, which moves
 //!    too when the root is known better;
-//! 4. the Jacobian is inverted once more; with that fixed inverse each further step gains a third, at the
+//! 4. the Jacobian is taken once more; with that each further step gains a third, at the
 //!    precision it reaches.
 //!
-//! On the last level the last step is not a plain Newton step but the Krawczyk operator: with the
-//! residual at full precision and slopes of a third of the bits, over a box about as narrow, it refines and
-//! encloses in one. The box has to lie in the one where the root is known to be unique.
+//! On the last level the last step is the interval Newton operator. Let `A` enclose the Jacobian on a box `X` and `m` be a
+//! point of it. If elimination shows each matrix in `A` to be regular, and
+//!
+//! ```text
+//! N(X) = m - A⁻¹ F(m)
+//! ```
+//!
+//! lies in `X`, then `X` holds a root, and `N(X)` holds it (Moore 1966; Neumaier 1990, chapter 5): for each `x` of `X` there is
+//! `A(x)` in `A`, the mean of the Jacobian from `m` to `x`, with `F(x) = F(m) + A(x) (x - m)`, and `x -> m - A(x)⁻¹ F(m)` maps
+//! `X` into itself, so that it has a fixed point. `X` is the box on which the Jacobian was taken, to a third of the bits; with
+//! the residual at full precision the step refines and encloses in one. The box has to lie in the one where the root is known to
+//! be unique.
 
-use super::root::inverse_jacobian;
+use super::linear::Eliminated;
 use super::{Isolated, Undecided, short};
 use crate::arch::{Configuration, Unknown};
 use crate::check::krawczyk;
-use crate::number::{Anchor, Angle, Ball, Dual, Enclosure, Magnitude, arctangent};
+use crate::number::{Anchor, Angle, Ball, Enclosure, Magnitude, arctangent};
 use crate::problem::{Fixed, System, tally};
 use rayon::prelude::*;
 use rug::Float;
@@ -35,8 +44,10 @@ const GUARD: u32 = 32;
 /// Below this, angles are computed one after the other: faster, and it avoids a deadlock when a thread
 /// that fills a `OnceLock` steals a job that waits for it.
 const WORTH_THREADS: u32 = 1 << 14;
-/// At this size a level is one plain Newton iteration.
+/// A result has at least so many bits.
 const FLOOR: u32 = 256;
+/// So many bits of the root are cheaper without a level than with one, though anchors have fewer.
+const EASY: u32 = 400;
 
 /// The root of a system in a box of many digits.
 #[derive(Clone, Debug)]
@@ -87,7 +98,7 @@ pub fn refine_watched(
         (0..stages(&system)).for_each(|_| tick());
         return Ok(Refined { system, at, friction_angle: OnceLock::new() });
     }
-    refine_by(isolated, bits, tick, |system, start, bits| Level::new(system, start, bits, tick))
+    refine_by(isolated, bits, tick, |bits| Level::new(isolated, bits, tick))
 }
 
 /// The same by a ladder that is given: where it leads astray, Newton's method at all bits is asked.
@@ -95,23 +106,16 @@ fn refine_by(
     isolated: &Isolated,
     bits: u32,
     tick: &(dyn Fn() + Sync),
-    ladder: impl Fn(&System, Vec<Float>, u32) -> Result<Level, Undecided>,
+    ladder: impl Fn(u32) -> Result<Level, Undecided>,
 ) -> Result<Refined, Undecided> {
-    let system = *isolated.system();
     let bits = bits.max(FLOOR);
     tally::working_bits(bits + GUARD);
-    let start = || isolated.image().iter().map(|x| x.mid().clone()).collect();
-    let prove = |level: Level| {
-        let values = level.enclose(isolated)?;
-        Ok(level.place(&values, level.bits))
-    };
-    let climbed = newton(&system, start(), FLOOR)
-        .and_then(|start| ladder(&system, start, bits))
-        .and_then(prove);
-    let at =
-        climbed.or_else(|_: Undecided| Level::plain(&system, start(), bits).and_then(prove))?;
+    let prove = |level: Level| level.enclose(isolated);
+    let at = ladder(bits)
+        .and_then(prove)
+        .or_else(|_: Undecided| Level::plain(isolated, bits).and_then(prove))?;
     tick();
-    Ok(Refined { system, at, friction_angle: OnceLock::new() })
+    Ok(Refined { system: *isolated.system(), at, friction_angle: OnceLock::new() })
 }
 
 /// How often [`refine_watched`] reports progress: once for each angle and once at the end.
@@ -119,24 +123,25 @@ pub fn stages(system: &System) -> u64 {
     system.unknowns.iter().filter(|unknown| unknown.is_angle()).count() as u64 + 1
 }
 
-/// Newton's method up to a small number of bits.
-fn newton(system: &System, start: Vec<Float>, bits: u32) -> Result<Vec<Float>, Undecided> {
-    let start: Vec<f64> = start.iter().map(Float::to_f64).collect();
-    crate::solve::newton(system, &start, bits)
+/// Newton's method at all bits.
+fn newton(isolated: &Isolated, bits: u32) -> Result<Vec<Float>, Undecided> {
+    let start: Vec<f64> = isolated.image().iter().map(|x| x.mid().to_f64()).collect();
+    crate::solve::newton(isolated.system(), &start, bits)
         .map(|candidate| candidate.0)
         .ok_or_else(|| Undecided::new("Newton's method leaves the isolated root"))
 }
 
 /// The bits of the anchors of a level.
 fn anchor_bits(bits: u32) -> u32 {
-    (bits / if bits < 8_000 { 32 } else { 100 }).max(100)
+    (bits / if bits < 8_000 { 16 } else { 100 }).max(100)
 }
 
-/// The bits to which the Jacobian is inverted on the way from some bits to a goal: each time up to [`SPAN`] times
+/// The bits to which the Jacobian is taken on the way from some bits to a goal: each time up to [`SPAN`] times
 /// as many.
 fn climb(start: u32, goal: u32) -> Vec<u32> {
     let below = |bits: &u32| (*bits > SPAN * start).then(|| bits / SPAN + GUARD / 2);
-    let mut bits: Vec<u32> = iter::successors(Some(goal), below).collect();
+    let goal = (goal > start).then_some(goal);
+    let mut bits: Vec<u32> = iter::successors(goal, below).collect();
     bits.reverse();
     bits
 }
@@ -147,59 +152,53 @@ struct Level {
     bits: u32,
     anchors: Vec<Option<Anchor>>,
     centre: Vec<Float>,
-    /// The bits to which the centre was known when the slopes were taken: what a step with them gains.
+    /// The bits to which the centre was known when the Jacobian was taken: what a step with it gains.
     step: u32,
-    /// A box about the root, the residuals with their slopes on it, and the inverse of the slopes' midpoints.
+    /// A box about the root, and the Jacobian on it.
     around: Vec<Ball>,
-    slopes: Vec<Dual<Ball>>,
-    inverse: Vec<Vec<Ball>>,
+    jacobian: Eliminated,
 }
 
 impl Level {
     /// Everything but the last step: the centre is known to all bits but those of one step.
-    fn new(
-        system: &System,
-        start: Vec<Float>,
-        bits: u32,
-        tick: &(dyn Fn() + Sync),
-    ) -> Result<Self, Undecided> {
-        let step = anchor_bits(bits);
+    fn new(isolated: &Isolated, bits: u32, tick: &(dyn Fn() + Sync)) -> Result<Self, Undecided> {
+        let near = anchor_bits(bits);
         let bits = bits + GUARD;
+        let goal = bits / SPAN + GUARD;
         tally::working_bits(bits);
-        let centre = approximate(system, start, step)?;
+        let mut step = near.max(EASY.min(goal));
+        let mut centre = approximate(isolated, step)?;
         let anchor = |index: usize| {
-            system.unknowns[index].is_angle().then(|| {
-                let anchor = Anchor::new(&centre[index], bits);
+            isolated.system().unknowns[index].is_angle().then(|| {
+                let anchor = Anchor::new(&Float::with_val(near, &centre[index]), bits);
                 tick();
                 anchor
             })
         };
-        let anchors = match bits < WORTH_THREADS {
+        let mut anchors: Vec<Option<Anchor>> = match bits < WORTH_THREADS {
             true => (0..centre.len()).map(anchor).collect(),
             false => {
                 Anchor::prepare(bits);
                 (0..centre.len()).into_par_iter().map(anchor).collect()
             }
         };
-        let mut level = Self::at(system, centre, anchors, step, bits);
-        let mut near = bits / NEAR;
-        for goal in climb(step, bits / SPAN + GUARD) {
-            level.linearise()?;
-            let mut known = level.step;
-            while known < goal {
-                known = goal.min(known + level.step - GUARD / 4);
-                level.advance(known);
+        let mut far = bits / NEAR;
+        for goal in climb(step, goal) {
+            let mut level = Self::at(isolated, centre, anchors, step, bits)?;
+            while step < goal {
+                step = goal.min(step + level.step - GUARD / 4);
+                level.advance(step);
             }
-            level.step = goal;
-            if goal >= near {
+            (centre, anchors) = (level.centre, level.anchors);
+            if goal >= far {
                 // What follows is expensive: from nearer anchors it sums fewer terms.
-                for (anchor, x) in level.anchors.iter_mut().zip(&level.centre) {
+                for (anchor, x) in anchors.iter_mut().zip(&centre) {
                     *anchor = anchor.take().map(|anchor| anchor.moved(x));
                 }
-                near *= NEARER;
+                far = far.saturating_mul(NEARER);
             }
         }
-        level.linearise()?;
+        let mut level = Self::at(isolated, centre, anchors, step, bits)?;
         for part in 2..SPAN {
             level.advance(part * level.step);
         }
@@ -207,128 +206,116 @@ impl Level {
     }
 
     /// The same without anchors, by Newton's method at all bits: what the ladder finds, at any price.
-    fn plain(system: &System, start: Vec<Float>, bits: u32) -> Result<Self, Undecided> {
+    fn plain(isolated: &Isolated, bits: u32) -> Result<Self, Undecided> {
         let bits = bits + GUARD;
-        let centre = newton(system, start, bits)?;
+        let centre = newton(isolated, bits)?;
         let anchors = vec![None; centre.len()];
-        let mut level = Self::at(system, centre, anchors, bits, bits);
-        level.linearise()?;
-        Ok(level)
+        Self::at(isolated, centre, anchors, bits, bits)
     }
 
-    /// A level without slopes.
+    /// A level at a centre that is known to `step` bits, with the Jacobian on a box that is wide enough to hold the root.
     fn at(
-        system: &System,
+        isolated: &Isolated,
         centre: Vec<Float>,
         anchors: Vec<Option<Anchor>>,
         step: u32,
         bits: u32,
-    ) -> Self {
-        let (around, slopes, inverse) = (Vec::new(), Vec::new(), Vec::new());
-        Self { system: *system, bits, anchors, centre, step, around, slopes, inverse }
+    ) -> Result<Self, Undecided> {
+        let system = *isolated.system();
+        let radius = Magnitude::power_of_two(i64::from(GUARD) - i64::from(step));
+        let around = centre.iter().map(|x| Ball::new(x.clone(), radius, step).with_precision(step));
+        let around: Vec<Ball> = around.collect();
+        let at = place(&system, &anchors, &around, step);
+        let slopes = system.residuals(&system.variables(&at));
+        let jacobian = Eliminated::new(&slopes)
+            .ok_or_else(|| Undecided::new("the Jacobian at the root is singular"))?;
+        Ok(Self { system, bits, anchors, centre, step, around, jacobian })
     }
 
     /// A Newton step to `bits` bits.
     fn advance(&mut self, bits: u32) {
         tally::newton_step();
-        let corrections = self.corrections(bits);
-        for (x, (dx, _)) in self.centre.iter_mut().zip(corrections) {
+        let (_, corrections) = self.corrections(bits);
+        for (x, dx) in self.centre.iter_mut().zip(corrections) {
             *x = Float::with_val(bits, &*x - dx.mid());
         }
     }
 
-    /// The values with their angles, moved from the anchors, at a precision.
-    fn place(&self, values: &[Ball], bits: u32) -> Configuration<Ball> {
-        let given = Configuration::zero(&Ball::integer(0, bits));
-        self.system.place_with(given, values, |index, rad| match &self.anchors[index] {
-            Some(anchor) => anchor.with_precision(bits).angle(rad),
-            None => Angle::new(rad.clone()),
-        })
-    }
-
-    /// The residuals with their slopes on a box, with numbers as long as the centre was known.
-    fn slopes_on(&self, domain: &[Ball]) -> Vec<Dual<Ball>> {
-        let domain: Vec<Ball> = domain.iter().map(|x| x.with_precision(self.step)).collect();
-        self.system.residuals(&self.system.variables(&self.place(&domain, self.step)))
-    }
-
-    /// Takes the slopes on a box that is wide enough to hold the root, and inverts their midpoints.
-    fn linearise(&mut self) -> Result<(), Undecided> {
-        let radius = Magnitude::power_of_two(i64::from(GUARD) - i64::from(self.step));
-        let box_about = |x: &Float| Ball::new(x.clone(), radius, self.step);
-        self.around = self.centre.iter().map(box_about).collect();
-        self.slopes = self.slopes_on(&self.around);
-        let inverse = inverse_jacobian(&self.slopes, self.step)
-            .ok_or_else(|| Undecided::new("the Jacobian at the root is singular"))?;
-        let exact = |row: Vec<Float>| row.into_iter().map(|y| Ball::exact(y, self.step)).collect();
-        self.inverse = inverse.into_iter().map(exact).collect();
-        Ok(())
-    }
-
-    /// The Newton corrections `Y F(centre)` from residuals at `bits` bits, each with a bound of the
-    /// sum of its terms' sizes.
-    fn corrections(&self, bits: u32) -> Vec<(Ball, Magnitude)> {
+    /// All variables at the centre and the Newton corrections `A⁻¹ F`, from residuals at `bits` bits.
+    fn corrections(&self, bits: u32) -> (Configuration<Ball>, Vec<Ball>) {
         tally::newton_step();
         let values: Vec<Ball> = self.centre.iter().map(|x| Ball::exact(x.clone(), bits)).collect();
-        let residuals = self.system.residuals(&self.place(&values, bits));
-        // Residuals are small and have few bits that mean anything; so have the products.
-        let residuals: Vec<Ball> =
-            residuals.into_iter().map(|r| r.trimmed().with_precision(self.step)).collect();
-        let start = (Ball::integer(0, self.step), Magnitude::ZERO);
-        let correction = |row: &Vec<Ball>| {
-            row.iter().zip(&residuals).filter(|(y, _)| !y.mid().is_zero()).fold(
-                start.clone(),
-                |(sum, size), (y, residual)| {
-                    let term = y.clone() * residual;
-                    let size = size.plus(Magnitude::upper(term.mid())).plus(term.rad());
-                    (sum + term, size)
-                },
-            )
-        };
-        self.inverse.iter().map(correction).collect()
+        let at = place(&self.system, &self.anchors, &values, bits);
+        let residuals = self.system.residuals(&at).into_iter();
+        // Residuals are small and have few bits that mean anything.
+        let short = residuals.map(|r| r.trimmed().with_precision(self.step));
+        let corrections = self.jacobian.solve(short.collect());
+        (at, corrections)
     }
 
-    /// The last step: the Krawczyk operator on a box just wide enough to hold its image.
-    fn enclose(&self, isolated: &Isolated) -> Result<Vec<Ball>, Undecided> {
-        let corrections = self.corrections(self.bits);
-        let centre: Vec<Ball> =
-            self.centre.iter().map(|x| Ball::exact(x.clone(), self.bits)).collect();
-        // The box must hold the corrected centre, which is rounded, and the spread about it.
-        let noise = |x: &Ball| Magnitude::upper(x.mid()).shifted(1 - i64::from(self.bits));
-        let radii = centre.iter().zip(&corrections);
-        let radii = radii.map(|(x, (_, size))| size.plus(noise(x)).shifted(1));
-        let domain: Vec<Ball> =
-            centre.iter().zip(radii).map(|(x, radius)| x.clone().widened(radius)).collect();
-        if !domain.iter().zip(isolated.domain()).all(|(x, whole)| x.lies_inside(whole)) {
+    /// The last step, with the proof.
+    fn enclose(&self, isolated: &Isolated) -> Result<Configuration<Ball>, Undecided> {
+        if !self.around.iter().zip(isolated.domain()).all(|(x, whole)| x.lies_inside(whole)) {
             return Err(Undecided::new("the refined box leaves the box of uniqueness"));
         }
-        // The slopes need only the accuracy of the inverse, so that those on the wider box do.
-        let wider = domain.iter().zip(&self.around).all(|(x, around)| x.lies_inside(around));
-        let fresh = (!wider).then(|| self.slopes_on(&domain));
-        let slopes = fresh.as_ref().unwrap_or(&self.slopes);
-        let offsets: Vec<Ball> = domain.iter().map(Ball::centred).collect();
-        let spread = krawczyk::spread(slopes, &self.inverse, &offsets);
-        let image: Vec<Ball> = centre
-            .iter()
-            .zip(corrections.iter().zip(spread))
-            .map(|(x, ((dx, _), spread))| (x.clone() - dx) + spread)
-            .collect();
-        if !krawczyk::is_contracted(&image, &domain) {
+        let (at, corrections) = self.corrections(self.bits);
+        let centre = self.system.values(&at);
+        let image = centre.iter().zip(&corrections).map(|(x, dx)| x.clone() - dx);
+        let image: Vec<Ball> = image.collect();
+        let is_within = |x: &[Ball]| krawczyk::is_contracted(x, &self.around);
+        if !(is_within(&centre) && is_within(&image)) {
             return Err(Undecided::new("the refined box is not mapped into itself"));
         }
-        Ok(image)
+        let given = Configuration::zero(&Ball::integer(0, self.bits));
+        Ok(self.system.place_with(given, &image, |index, rad| {
+            match at.angle(self.system.unknowns[index]) {
+                Some(angle) => back(angle, &corrections[index], rad),
+                None => Angle::new(rad.clone()),
+            }
+        }))
     }
 }
 
+/// Values with their angles, moved from the anchors, at a precision.
+fn place(
+    system: &System,
+    anchors: &[Option<Anchor>],
+    values: &[Ball],
+    bits: u32,
+) -> Configuration<Ball> {
+    let given = Configuration::zero(&Ball::integer(0, bits));
+    system.place_with(given, values, |index, rad| match &anchors[index] {
+        Some(anchor) => anchor.with_precision(bits).angle(rad),
+        None => Angle::new(rad.clone()),
+    })
+}
+
+/// The angle `rad`, which is `d` below another: to the second order in `d`, which is small.
+fn back(from: &Angle<Ball>, d: &Ball, rad: &Ball) -> Angle<Ball> {
+    let by = |slope: &Ball| slope.with_precision(d.prec()) * d;
+    let size = Magnitude::upper(d.mid()).plus(d.rad());
+    let rest = size.times(size).shifted(-1);
+    let sin = (from.sin.clone() - by(&from.cos)).widened(rest);
+    let cos = (from.cos.clone() + by(&from.sin)).widened(rest);
+    Angle { rad: rad.clone(), sin, cos }
+}
+
 /// The root to about `bits` bits: a candidate, nothing is proved.
-fn approximate(system: &System, start: Vec<Float>, bits: u32) -> Result<Vec<Float>, Undecided> {
-    if bits <= FLOOR {
-        return newton(system, start, bits);
+fn approximate(isolated: &Isolated, bits: u32) -> Result<Vec<Float>, Undecided> {
+    if bits <= short::MOST {
+        let found = isolated.approach().and_then(|way| way.enclose(bits));
+        return match found {
+            Some(at) => {
+                let values = isolated.system().values(&at);
+                Ok(values.iter().map(|x| Float::with_val(bits, x.mid())).collect())
+            }
+            None => newton(isolated, bits),
+        };
     }
-    let level = Level::new(system, start, bits, &|| ())?;
-    let corrections = level.corrections(level.bits);
+    let level = Level::new(isolated, bits, &|| ())?;
+    let (_, corrections) = level.corrections(level.bits);
     let corrected = level.centre.iter().zip(corrections);
-    Ok(corrected.map(|(x, (dx, _))| Float::with_val(bits, x - dx.mid())).collect())
+    Ok(corrected.map(|(x, dx)| Float::with_val(bits, x - dx.mid())).collect())
 }
 
 #[cfg(test)]
@@ -336,7 +323,7 @@ mod tests {
     use super::*;
     use crate::arch::SelfWeight;
     use crate::certify::isolate;
-    use crate::number::Field;
+    use crate::number::Dual;
     use crate::problem::Landmark;
     use crate::solve::start;
 
@@ -380,7 +367,7 @@ mod tests {
     #[test]
     fn the_ladder_and_plain_newton_overlap() {
         for isolated in all() {
-            let astray = |_: &System, _: Vec<Float>, _: u32| Err(Undecided::new("forced"));
+            let astray = |_| Err(Undecided::new("forced"));
             for bits in [300, 2500] {
                 let plain = refine_by(&isolated, bits, &|| (), astray).unwrap();
                 overlap(&isolated, &plain, &refine(&isolated, bits).unwrap());
@@ -390,21 +377,65 @@ mod tests {
         }
     }
 
-    /// With a matrix that is no inverse nothing is contracted: then Newton's method at all bits proves the root.
+    /// Without the steps on the stack the first bits are Newton's.
+    #[test]
+    fn the_ladder_stands_without_its_quick_start() {
+        let quick = isolated(Landmark::Triple, SelfWeight::Milankovitch);
+        let slow = quick.clone().without_approach();
+        for bits in [300, 2500] {
+            overlap(&quick, &refine(&slow, bits).unwrap(), &refine(&quick, bits).unwrap());
+            Level::new(&slow, bits, &|| ()).unwrap().enclose(&slow).unwrap();
+        }
+    }
+
+    /// A box that does not hold the image proves nothing, nor does one beyond the box of uniqueness: then Newton's method
+    /// at all bits proves the root.
     #[test]
     fn a_last_step_that_proves_nothing_is_repeated_plainly() {
         let isolated = isolated(Landmark::Triple, SelfWeight::Milankovitch);
-        let spoiled = |system: &System, start: Vec<Float>, bits: u32| {
-            let mut level = Level::new(system, start, bits, &|| ())?;
-            level.inverse.iter_mut().flatten().for_each(|y| *y = y.int(0));
-            Ok(level)
-        };
-        let system = *isolated.system();
-        let start: Vec<Float> = isolated.image().iter().map(|x| x.mid().clone()).collect();
-        let level = spoiled(&system, newton(&system, start, FLOOR).unwrap(), 600).unwrap();
-        assert!(level.enclose(&isolated).is_err());
-        let refined = refine_by(&isolated, 600, &|| (), spoiled).unwrap();
-        overlap(&isolated, &refined, &refine(&isolated, 2000).unwrap());
+        type Spoil = fn(&mut Level);
+        let cases: [(Spoil, &str); 4] = [
+            (|level| level.around[1] = level.around[1].midpoint(), "not mapped into itself"),
+            (|level| level.centre[2] += 1e-9, "not mapped into itself"),
+            (|level| level.around[0] = Ball::whole(64), "leaves the box of uniqueness"),
+            (
+                |level| {
+                    // Slopes that say nothing.
+                    let wide = level.around.iter().map(|x| x.clone() * Ball::integer(9, 64));
+                    let wide: Vec<Ball> = wide.collect();
+                    level.jacobian = Eliminated::new(&Dual::variables(&wide)).unwrap();
+                    level.centre[0] += 1e-30;
+                },
+                "not mapped into itself",
+            ),
+        ];
+        for (spoil, reason) in cases {
+            let spoiled = |bits| {
+                let mut level = Level::new(&isolated, bits, &|| ())?;
+                spoil(&mut level);
+                Ok(level)
+            };
+            let undecided = spoiled(600).unwrap().enclose(&isolated).unwrap_err();
+            assert!(undecided.to_string().contains(reason), "{undecided}");
+            let refined = refine_by(&isolated, 600, &|| (), spoiled).unwrap();
+            overlap(&isolated, &refined, &refine(&isolated, 2000).unwrap());
+        }
+    }
+
+    /// To the second order: what is left out shows where the way is long.
+    #[test]
+    fn angles_moved_back_hold_the_true_ones() {
+        let from = Angle::new(Ball::exact(Float::with_val(300, 1.25), 300));
+        for far in [3i32, 40, 140, 200] {
+            for side in [-1.0, 1.0] {
+                let d = Ball::exact(Float::with_val(300, 1.1 * side) >> far, 300);
+                let there = back(&from, &d, &(from.rad.clone() - &d));
+                let truth = Float::with_val(900, from.rad.mid() - d.mid());
+                let truth = Angle::new(Ball::exact(truth, 900));
+                assert!(truth.sin.lies_inside(&there.sin) && truth.cos.lies_inside(&there.cos));
+                assert!(there.sin.rad() < Magnitude::power_of_two(i64::from(-2 * far).max(-298)));
+            }
+        }
     }
 
     #[test]
@@ -416,5 +447,6 @@ mod tests {
             assert!(bits[0] <= SPAN * start && bits.last() == Some(&goal));
             assert!(bits.windows(2).all(|pair| pair[0] < pair[1] && pair[1] <= SPAN * pair[0]));
         }
+        assert!(climb(128, 128).is_empty());
     }
 }

@@ -12,7 +12,9 @@
 
 use super::{Enclosure, Field, Magnitude, Real, Ternary};
 use rug::float::{Constant, Round};
-use rug::ops::{AssignRound, NegAssign};
+use rug::ops::{
+    AddAssignRound, AssignRound, DivAssignRound, MulAssignRound, NegAssign, SubAssignRound,
+};
 use rug::{Assign, Float, Integer, Rational};
 use std::cmp::Ordering;
 use std::fmt;
@@ -317,11 +319,25 @@ impl Neg for Ball {
     }
 }
 
+/// `x op y` rounded to `prec` bits and the direction of the rounding; in the place of `x` where that has as many, as
+/// memory costs as much as the arithmetic of a few words.
+macro_rules! rounded {
+    ($x:expr, $op:tt, $assign:ident, $y:expr, $prec:expr) => {{
+        let mut x = $x;
+        if x.prec() == $prec {
+            let direction = x.$assign($y, Round::Nearest);
+            (x, direction)
+        } else {
+            Float::with_val_round($prec, &x $op $y, Round::Nearest)
+        }
+    }};
+}
+
 impl Add<&Ball> for Ball {
     type Output = Self;
     fn add(self, other: &Self) -> Self {
         let prec = self.common(other);
-        let (mid, direction) = Float::with_val_round(prec, &self.mid + &other.mid, Round::Nearest);
+        let (mid, direction) = rounded!(self.mid, +, add_assign_round, &other.mid, prec);
         Self::rounded(mid, direction, self.rad.plus(other.rad), prec)
     }
 }
@@ -330,7 +346,7 @@ impl Sub<&Ball> for Ball {
     type Output = Self;
     fn sub(self, other: &Self) -> Self {
         let prec = self.common(other);
-        let (mid, direction) = Float::with_val_round(prec, &self.mid - &other.mid, Round::Nearest);
+        let (mid, direction) = rounded!(self.mid, -, sub_assign_round, &other.mid, prec);
         Self::rounded(mid, direction, self.rad.plus(other.rad), prec)
     }
 }
@@ -339,7 +355,6 @@ impl Mul<&Ball> for Ball {
     type Output = Self;
     fn mul(self, other: &Self) -> Self {
         let prec = self.common(other);
-        let (mid, direction) = Float::with_val_round(prec, &self.mid * &other.mid, Round::Nearest);
         let rad = if self.rad.is_zero() && other.rad.is_zero() {
             Magnitude::ZERO
         } else {
@@ -347,6 +362,7 @@ impl Mul<&Ball> for Ball {
                 .times(other.rad)
                 .plus(Magnitude::upper(&other.mid).plus(other.rad).times(self.rad))
         };
+        let (mid, direction) = rounded!(self.mid, *, mul_assign_round, &other.mid, prec);
         Self::rounded(mid, direction, rad, prec)
     }
 }
@@ -363,7 +379,7 @@ impl Div<&Ball> for Ball {
         if self.mid.is_zero() && self.rad.is_zero() {
             return Self { prec, ..self };
         }
-        let (mid, direction) = Float::with_val_round(prec, &self.mid / &other.mid, Round::Nearest);
+        let (mid, direction) = rounded!(self.mid, /, div_assign_round, &other.mid, prec);
         let rad = if self.rad.is_zero() && other.rad.is_zero() {
             Magnitude::ZERO
         } else {
