@@ -11,6 +11,7 @@
 //! | (17), (18) | [`sliding`] |
 //! | the same in angles, without roots | [`cycloid`] |
 //! | (2)–(5) by the square of the joint | [`haunch`] |
+//! | (19), (20), the conditions at one joint | [`joint`] |
 //! | the same equations where the half opening is small | [`small`] |
 //!
 //! Lengths are in units of the centreline radius `r`, forces in units of `w r` (weight per unit
@@ -23,6 +24,7 @@ pub mod contact;
 pub mod cubic;
 pub mod cycloid;
 pub mod haunch;
+pub mod joint;
 pub mod overturning;
 mod quotient;
 pub mod sliding;

@@ -20,6 +20,7 @@ mod short;
 pub mod state;
 mod undecided;
 mod verdict;
+mod voussoirs;
 
 pub use certificate::certify_landmark;
 pub use closed_value::Exact;
@@ -31,3 +32,4 @@ pub use landmark::{CertifiedLandmark, Constant, MAX_DIGITS, Value, quantities};
 pub use refine::{Refined, refine, refine_watched, stages};
 pub use undecided::Undecided;
 pub use verdict::certify_arch;
+pub use voussoirs::{VoussoirDigits, Voussoirs, voussoirs};

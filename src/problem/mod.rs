@@ -9,6 +9,7 @@
 //! | `line` | the lines of the map on which two of them meet |
 //! | `arch` | an arch: weight, half opening, friction |
 //! | [`measures`] | an arch in metres, and the weight of its material |
+//! | [`stones`] | the joints of an arch of voussoirs |
 //! | `ties` | what is exactly zero in an arch |
 //! | `problem` | a landmark or the state of an arch: system, what is given, conditions |
 //! | `condition` | what makes a state admissible, and the thinnest |
@@ -38,6 +39,8 @@ mod mode;
 mod problem;
 pub mod published;
 mod quantity;
+#[cfg(feature = "check")]
+pub mod stones;
 mod system;
 pub mod tally;
 #[cfg(feature = "check")]

@@ -7,6 +7,7 @@ use super::judged::{self, JudgeSummary, JudgedLines};
 use super::map::{self, Map, MapPoints};
 use super::rows::Rows;
 use super::sampled::{self, SampledLines};
+use super::voussoirs::{self, VoussoirArches};
 use super::words::list;
 use super::{c, csv, fortran, json, julia, latex, matlab, plain, python, rust, table, toml};
 use std::io;
@@ -34,6 +35,8 @@ pub enum Content {
     Figure,
     /// A point of a curve of the map.
     MapPoint,
+    /// Arches of voussoirs.
+    Voussoirs,
 }
 
 /// Writes all at once.
@@ -66,6 +69,7 @@ pub struct Format {
     pub(crate) samples: Option<SampledLines>,
     pub(super) map: Option<Writer<Map>>,
     pub(super) map_points: Option<Writer<MapPoints>>,
+    pub(super) voussoirs: Option<Writer<VoussoirArches>>,
 }
 
 const fn text(name: &'static str, extension: &'static str) -> Format {
@@ -86,6 +90,7 @@ const fn text(name: &'static str, extension: &'static str) -> Format {
         samples: None,
         map: None,
         map_points: None,
+        voussoirs: None,
     }
 }
 
@@ -101,6 +106,7 @@ static FORMATS: [Format; 18] = [
         judged: Some(judged::table),
         map: Some(map::table),
         map_points: Some(map::point_table),
+        voussoirs: Some(voussoirs::table),
         ..text("table", "txt")
     },
     Format { claims: Some(claims::text), index: Some(claims::index_text), ..text("text", "txt") },
@@ -112,6 +118,7 @@ static FORMATS: [Format; 18] = [
         judged: Some(judged::json),
         map: Some(map::json),
         map_points: Some(map::point_json),
+        voussoirs: Some(voussoirs::json),
         ..language("json", "json", json::answers)
     },
     Format {
@@ -122,6 +129,7 @@ static FORMATS: [Format; 18] = [
         samples: Some(sampled::CSV),
         map: Some(map::csv),
         map_points: Some(map::point_csv),
+        voussoirs: Some(voussoirs::csv),
         ..text("csv", "csv")
     },
     Format {
@@ -190,6 +198,7 @@ impl Format {
             Content::Map => format.map.is_some(),
             Content::Figure => format.is_picture,
             Content::MapPoint => format.map_points.is_some(),
+            Content::Voussoirs => format.voussoirs.is_some(),
         })
     }
 

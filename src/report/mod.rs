@@ -55,6 +55,7 @@ pub(crate) mod study;
 mod table;
 mod toml;
 mod value;
+mod voussoirs;
 pub(crate) mod words;
 
 pub use answer::{Answer, Fingerprint, Kept, Proof, Status, Subject};
@@ -67,6 +68,7 @@ pub use given::GivenDoubles;
 pub use map::{Map, MapPoint, MapPoints};
 pub use rows::Rows;
 pub use value::Value;
+pub use voussoirs::{VoussoirArch, VoussoirArches};
 
 use std::io;
 
@@ -85,6 +87,8 @@ pub enum Report {
     Map(Map),
     /// A point of a curve of the map, for each weight.
     MapPoints(MapPoints),
+    /// Arches of voussoirs.
+    Voussoirs(VoussoirArches),
 }
 
 impl Report {
@@ -97,6 +101,7 @@ impl Report {
             Self::Index(index) => format.index.map(|write| write(index, out)),
             Self::Map(map) => format.map.map(|write| write(map, out)),
             Self::MapPoints(points) => format.map_points.map(|write| write(points, out)),
+            Self::Voussoirs(arches) => format.voussoirs.map(|write| write(arches, out)),
         };
         written.unwrap_or_else(|| Err(io::ErrorKind::Unsupported.into()))
     }

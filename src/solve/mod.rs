@@ -5,6 +5,7 @@ mod linear;
 mod newton;
 mod standing;
 pub mod start;
+pub mod voussoirs;
 mod zero;
 
 pub use linear::{Approximate, inverse, invert, newton_step};

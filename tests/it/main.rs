@@ -54,3 +54,5 @@ mod states;
 mod static_programme;
 #[cfg(feature = "proptest")]
 mod strategies;
+#[cfg(all(feature = "mpfr", feature = "cli"))]
+mod voussoirs;

@@ -34,7 +34,7 @@ impl Figure {
 
 impl Figure {
     /// A rational number to `digits` significant digits, at least one; ties to even.
-    pub(super) fn exact(x: &ExactNumber, digits: usize) -> Option<Self> {
+    pub(crate) fn exact(x: &ExactNumber, digits: usize) -> Option<Self> {
         let ball: Ball = x.enclosure(GUARDED);
         let (decimal, double) =
             (Rounded::from_rational(&x.to_rational(), digits)?, x.nearest_double()?);

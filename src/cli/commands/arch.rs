@@ -1,6 +1,5 @@
 //! The arguments that describe an arch.
 
-use super::measures::Measured;
 use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
 use crate::cli::failure::Failure;
@@ -47,13 +46,12 @@ pub(super) struct ShapeArguments {
 }
 
 impl ArchArguments {
-    /// The arch described, with each self-weight asked for; its half opening may be known from its measures.
+    /// The arch described, with each self-weight asked for; its half opening may follow from other arguments.
     pub(super) fn arches(
         &self,
         needs: &Needs,
-        measured: Option<&Measured>,
+        made: Option<&ExactNumber>,
     ) -> Result<Vec<Arch>, Failure> {
-        let made = measured.and_then(|measured| measured.half_opening.as_ref());
         let shape = match made {
             Some(made) => {
                 &ShapeArguments { half_opening: Some(made.to_string()), ..self.shape.clone() }

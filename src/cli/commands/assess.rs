@@ -37,7 +37,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let missing = arguments.thickness.is_none().then_some("--thickness").into_iter().collect();
     let measured = arguments.measures.measured()?;
     let needs = Needs { missing, example: EXAMPLE };
-    let arches = arguments.arch.arches(&needs, measured.as_ref())?;
+    let arches = arguments.arch.arches(&needs, measures::half_opening(measured.as_ref()))?;
     let eta = arguments.thickness.as_deref().unwrap_or_default();
     let eta = match measured.as_ref().and_then(|measured| measured.thickness(eta)) {
         Some(eta) => eta?,

@@ -60,6 +60,11 @@ impl Measured {
     }
 }
 
+/// The half opening of an arch that is measured, where it follows.
+pub(super) fn half_opening(measured: Option<&Measured>) -> Option<&ExactNumber> {
+    measured?.half_opening.as_ref()
+}
+
 /// What can be asked of an arch, and of one that is measured.
 pub(super) fn quantities(
     usual: &[Quantity],

@@ -22,6 +22,7 @@ mod state;
 mod states;
 #[cfg(feature = "study")]
 mod study;
+mod voussoirs;
 
 use super::failure::Failure;
 use super::{check, completions, man};
@@ -33,6 +34,7 @@ pub(super) enum Command {
     State(state::Arguments),
     Assess(assess::Arguments),
     Find(find::Arguments),
+    Voussoirs(voussoirs::Arguments),
     Map(map::Arguments),
     Figure(figure::Arguments),
     States(states::Arguments),
@@ -62,6 +64,7 @@ impl Command {
             Self::State(arguments) => state::run(arguments),
             Self::Assess(arguments) => assess::run(arguments),
             Self::Find(arguments) => find::run(arguments),
+            Self::Voussoirs(arguments) => voussoirs::run(arguments),
             Self::Map(arguments) => map::run(arguments),
             Self::Figure(arguments) => figure::run(arguments),
             Self::States(arguments) => states::run(arguments),

@@ -44,7 +44,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let measured = arguments.measures.measured()?;
     let needs = Needs { missing: Vec::new(), example: EXAMPLE };
-    let arches = arguments.arch.arches(&needs, measured.as_ref())?;
+    let arches = arguments.arch.arches(&needs, measures::half_opening(measured.as_ref()))?;
     let all = measures::quantities(&Quantity::STATE, &Quantity::MEASURED_STATE, measured.as_ref());
     let quantities = arguments.output.quantities(&all)?;
     let digits = arguments.arch.digits;

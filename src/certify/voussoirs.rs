@@ -1,0 +1,457 @@
+//! The least thickness of an arch of voussoirs, proved.
+//!
+//! Three conditions hold with equality; their multipliers leave a polynomial `W` in the thickness
+//! ([`combination`]). The proof, in balls:
+//!
+//! 1. **None thinner stands.** The multipliers are positive from 0 to the thickness, and so is `W` below it: by the coefficients
+//!    of Bernstein's form, which bound a polynomial on an interval. Any admissible thrust and moment would make the
+//!    combination zero or negative.
+//! 2. **One thickness.** `W` changes its sign between two numbers next to each other: there is the root, and the thrust and the
+//!    moment follow.
+//! 3. **Admissible at every joint**, by signs at a few. On `(0, pi)`, at any thrust, the distance from the
+//!    extrados first grows and then falls, that from the intrados falls and then grows, and where `N > 0` so does the room for inward
+//!    sliding ([`contact`](crate::arch::contact)). So the joints beside the one that touches the intrados, or that slides,
+//!    speak for all, and the first and the last joint for the extrados, for outward sliding and for `N`. The cost does not depend on
+//!    the number of stones.
+//!
+//! The search is in [`solve`](crate::solve::voussoirs), and nothing here rests on it.
+
+use super::Undecided;
+use super::state::Figure;
+use crate::arch::joint::{Grip, Row, combination, multipliers};
+use crate::arch::{Ring, SelfWeight};
+use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Jet, bits_of};
+use crate::problem::stones::{Contact, Stones};
+use crate::problem::{Friction, Mode};
+use crate::solve::voussoirs::{DEGREE, Search, VoussoirCandidate};
+use rug::Float;
+
+/// The least thickness of an arch of voussoirs, with its thrust and the joints of its mechanism, correctly rounded.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct VoussoirDigits {
+    /// How it collapses.
+    pub mode: Mode,
+    /// The conditions that hold with equality.
+    pub contacts: [Contact; 3],
+    /// `eta`.
+    pub thickness: Figure,
+    /// `h`.
+    pub thrust: Figure,
+    /// The joint with the hinge at the intrados, rad; zero at the crown.
+    pub rotation_joint: Figure,
+    /// The inner joint that slides, rad.
+    pub sliding_joint: Option<Figure>,
+}
+
+/// What is proved of an arch of voussoirs.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub enum Voussoirs {
+    /// It stands from a least thickness on.
+    Stands(Box<VoussoirDigits>),
+    /// It stands at every thickness up to 2: it has no joint inside its halves.
+    AnyThickness,
+    /// It stands at none: an inner joint slides at a smaller thrust than the shoulder, or the shoulder before it.
+    Slides,
+    /// It stands at none up to 2.
+    TooThick,
+}
+
+/// More bits than this are not tried for a comparison, or four times those of the digits.
+const ENOUGH: u32 = 8192;
+/// Bits of the search.
+const SEARCH: u32 = 192;
+/// Bits beyond those of the digits.
+const GUARD: u32 = 64;
+
+/// The least thickness of an arch of voussoirs with this self-weight and friction, to `digits` significant digits.
+pub fn voussoirs(
+    stones: &Stones,
+    weight: SelfWeight,
+    friction: &Friction,
+    digits: usize,
+) -> Result<Voussoirs, Undecided> {
+    let first = bits_of(digits) + GUARD;
+    let mut bits = first;
+    let mut last = Undecided::new("the rounding");
+    while bits <= ENOUGH.max(4 * first) {
+        let search = Search::new(
+            stones,
+            weight,
+            grip(friction, bits.max(SEARCH)).map(midpoint),
+            bits.max(SEARCH),
+        );
+        let arch = Proof {
+            stones,
+            weight,
+            grip: grip(friction, bits),
+            bits,
+            is_limited: *friction != Friction::Infinite,
+        };
+        match arch.proved(search.candidate(), digits) {
+            Ok(Some(found)) => return Ok(found),
+            Ok(None) => {}
+            Err(undecided) => last = undecided,
+        }
+        bits *= 2;
+    }
+    Err(last)
+}
+
+fn midpoint(x: Ball) -> Float {
+    Float::with_val(x.prec(), x.mid())
+}
+
+/// Friction as the ratio that a joint asks for.
+fn grip(friction: &Friction, bits: u32) -> Grip<Ball> {
+    let number = |x: &ExactNumber| x.enclosure::<Ball>(bits);
+    let one = Ball::integer(1, bits);
+    match friction {
+        Friction::Coefficient(mu) => Grip { shear: one, normal: number(mu) },
+        Friction::Angle(phi) => {
+            let angle = Angle::new(number(phi));
+            Grip { shear: angle.cos, normal: angle.sin }
+        }
+        Friction::Infinite => Grip { shear: one.int(0), normal: one },
+    }
+}
+
+/// An arch of voussoirs in balls of some bits.
+struct Proof<'a> {
+    stones: &'a Stones,
+    weight: SelfWeight,
+    grip: Grip<Ball>,
+    bits: u32,
+    is_limited: bool,
+}
+
+/// A statement that has to be proved.
+fn require(is_proved: bool, question: &'static str) -> Result<(), Undecided> {
+    if is_proved { Ok(()) } else { Err(Undecided::new(question)) }
+}
+
+fn is_positive(x: &Ball) -> bool {
+    x.is_positive().is_proved()
+}
+
+impl Proof<'_> {
+    fn angle(&self, index: u64) -> Angle<Ball> {
+        let crown = index == 0 && self.stones.has_joint_at_crown();
+        let like = Ball::integer(0, self.bits);
+        if crown { Angle::zero(&like) } else { Angle::new(self.stones.joint(index, self.bits)) }
+    }
+
+    fn last(&self) -> u64 {
+        self.stones.count() - 1
+    }
+
+    /// The conditions as polynomials in the thickness.
+    fn polynomial_rows(&self, contacts: &[Contact; 3]) -> [Row<Jet<Ball>>; 3] {
+        let like = Ball::integer(0, self.bits);
+        let thickness = Jet::new(vec![like.clone(), like.int(1)], DEGREE);
+        let ring = Ring::new(self.weight, &thickness);
+        let grip = self.grip.clone().map(|x| Jet::constant(x, DEGREE));
+        contacts.map(|contact| {
+            let angle = self.angle(contact.joint()).map(|x| Jet::constant(x, DEGREE));
+            contact.row(&angle, &ring, &grip)
+        })
+    }
+
+    /// A condition at a thickness.
+    fn row(&self, contact: Contact, ring: &Ring<Ball>) -> Row<Ball> {
+        contact.row(&self.angle(contact.joint()), ring, &self.grip)
+    }
+
+    /// What a candidate says, proved; `None` if the rounding is not decided.
+    fn proved(
+        &self,
+        candidate: VoussoirCandidate,
+        digits: usize,
+    ) -> Result<Option<Voussoirs>, Undecided> {
+        match candidate {
+            VoussoirCandidate::Slides { inner } => self.slides(inner),
+            VoussoirCandidate::TooThick { contacts } => {
+                self.contradiction(&contacts, &Ball::integer(2, self.bits))?;
+                Ok(Some(Voussoirs::TooThick))
+            }
+            VoussoirCandidate::AnyThickness => self.any_thickness(),
+            VoussoirCandidate::Collapses { contacts, thickness } => {
+                self.collapses(contacts, &thickness, digits)
+            }
+        }
+    }
+
+    /// No thrust is at the same time large enough for an inner joint and small enough for the shoulder.
+    fn slides(&self, inner: u64) -> Result<Option<Voussoirs>, Undecided> {
+        let ring = Ring::new(self.weight, &Ball::integer(1, self.bits));
+        let inner = self.row(Contact::Inwards(inner), &ring);
+        let shoulder = self.row(Contact::Outwards(self.last()), &ring);
+        require(is_positive(&-inner.thrust.clone()), "whether a joint slides inwards")?;
+        require(is_positive(&shoulder.thrust), "whether the shoulder slides")?;
+        // The two, each times the other's coefficient.
+        let sum = inner.load * &shoulder.thrust - inner.thrust * &shoulder.load;
+        require(is_positive(&sum), "whether everything slides")?;
+        Ok(Some(Voussoirs::Slides))
+    }
+
+    /// Nothing stands from 0 to `most`: multipliers and combination are positive there.
+    fn contradiction(&self, contacts: &[Contact; 3], most: &Ball) -> Result<(), Undecided> {
+        let rows = self.polynomial_rows(contacts);
+        for rate in multipliers(&rows) {
+            require(is_positive_up_to(&rate, most), "the rates of the mechanism")?;
+        }
+        require(is_positive_up_to(&combination(&rows), most), "whether a thinner arch stands")
+    }
+
+    /// Arches of two or three stones, whose two joints a line of thrust can pass in the middle.
+    fn any_thickness(&self) -> Result<Option<Voussoirs>, Undecided> {
+        require(self.stones.count() == 2, "whether every thickness is enough")?;
+        // `fac` of all thicknesses up to 2 is between 1 and 4/3, and a hull is about its first part.
+        let sixth = Ball::integer(1, self.bits).ratio(self.weight.flag(), 6);
+        let middle = sixth.int(1) + &sixth;
+        let ring = Ring {
+            thickness: sixth.int(0),
+            centroid_factor: middle.hull(&(middle.clone() + sixth)),
+        };
+        let (thrust, moment) =
+            self.row(Contact::Extrados(0), &ring).meeting(&self.row(Contact::Extrados(1), &ring));
+        self.friction_holds(&[], &thrust, &moment, &ring)?;
+        Ok(Some(Voussoirs::AnyThickness))
+    }
+
+    /// The thickness, if it is the least; `None` if the rounding is not decided.
+    fn collapses(
+        &self,
+        contacts: [Contact; 3],
+        near: &Float,
+        digits: usize,
+    ) -> Result<Option<Voussoirs>, Undecided> {
+        let mode = self.stones.mode(&contacts, self.is_limited);
+        let mode = mode.ok_or_else(|| Undecided::new("how the arch collapses"))?;
+        let polynomial = combination(&self.polynomial_rows(&contacts));
+        let [low, high] = bracket(&polynomial, near, self.bits);
+        require(is_positive(&-value(&polynomial, &high)), "whether there is a least thickness")?;
+        self.contradiction(&contacts, &low)?;
+        let two = Ball::integer(2, self.bits);
+        require(is_positive(&(two - &high)), "whether the physical limit is enough")?;
+        let thickness = low.hull(&high);
+        let ring = Ring::new(self.weight, &thickness);
+        let rows = contacts.map(|contact| self.row(contact, &ring));
+        let rates = self.polynomial_rows(&contacts);
+        for rate in multipliers(&rates) {
+            require(is_positive_up_to(&rate, &high), "the rates of the mechanism")?;
+        }
+        let (thrust, moment) = rows[0].meeting(&rows[2]);
+        self.friction_holds(&contacts, &thrust, &moment, &ring)?;
+        self.line_is_inside(&contacts, &thrust, &moment, &ring)?;
+        // A rational joint may be a tie, which no ball decides.
+        let joint = |contact: Contact| match self.stones.exact_joint(contact.joint()) {
+            Some(exact) => Figure::exact(&exact, digits),
+            None => Figure::new(&self.angle(contact.joint()).rad, digits),
+        };
+        let slides = matches!(contacts[0], Contact::Inwards(_)) && self.is_limited;
+        let rounded = || {
+            Some(VoussoirDigits {
+                mode,
+                contacts,
+                thickness: Figure::new(&thickness, digits)?,
+                thrust: Figure::new(&thrust, digits)?,
+                rotation_joint: joint(contacts[1])?,
+                sliding_joint: match slides {
+                    true => Some(joint(contacts[0])?),
+                    false => None,
+                },
+            })
+        };
+        Ok(rounded().map(|digits| Voussoirs::Stands(Box::new(digits))))
+    }
+
+    /// The line of thrust is inside the arch at all joints.
+    fn line_is_inside(
+        &self,
+        contacts: &[Contact],
+        thrust: &Ball,
+        moment: &Ball,
+        ring: &Ring<Ball>,
+    ) -> Result<(), Undecided> {
+        let haunch = contacts[1].joint();
+        let ends = [0, self.last()].map(Contact::Extrados);
+        let above = haunch.checked_sub(1);
+        let below = Some(haunch + 1).filter(|below| *below <= self.last());
+        let beside = above.into_iter().chain(below).map(Contact::Intrados);
+        // Without limit the joint may be open: then no force is in it, and no moment.
+        let is_open = !self.is_limited && contacts[0] == Contact::Inwards(haunch);
+        let ends = ends.into_iter().filter(|end| !(is_open && end.joint() == haunch));
+        for contact in ends.into_iter().chain(beside).filter(|contact| !contacts.contains(contact))
+        {
+            let margin = -self.row(contact, ring).at(thrust, moment);
+            require(is_positive(&margin), "whether the line of thrust is inside the arch")?;
+        }
+        Ok(())
+    }
+
+    /// Nothing slides, and every normal force is positive.
+    fn friction_holds(
+        &self,
+        contacts: &[Contact],
+        thrust: &Ball,
+        moment: &Ball,
+        ring: &Ring<Ball>,
+    ) -> Result<(), Undecided> {
+        let last = self.last();
+        let holds = |contact: Contact| -> bool {
+            contacts.contains(&contact) || is_positive(&-self.row(contact, ring).at(thrust, moment))
+        };
+        let open = Grip { shear: thrust.int(0), normal: thrust.int(1) };
+        for joint in [0, last] {
+            // Without limit a joint that opens is one that slides.
+            let contact = Contact::Inwards(joint);
+            let normal = -contact.row(&self.angle(joint), ring, &open).at(thrust, moment);
+            let is_open = !self.is_limited && contacts.contains(&contact);
+            require(is_open || is_positive(&normal), "whether a joint opens")?;
+        }
+        if !self.is_limited {
+            return Ok(());
+        }
+        for contact in [0, last].map(Contact::Outwards) {
+            require(holds(contact), "whether the shoulder slides")?;
+        }
+        let slides = contacts.iter().find_map(|contact| match contact {
+            Contact::Inwards(joint) => Some(*joint),
+            _ => None,
+        });
+        // The shear over the normal force is largest beside this joint, or at it.
+        let [from, to] = match slides {
+            Some(joint) => [joint.saturating_sub(1), joint + 1],
+            None => self.around_steepest(thrust)?,
+        };
+        for joint in from..=to.min(last) {
+            require(holds(Contact::Inwards(joint)), "whether an inner joint slides")?;
+        }
+        Ok(())
+    }
+
+    /// Two joints next to each other, or one, that have between them `sqrt(h (1 - h))`, where the shear over the normal force is
+    /// largest; at `h` outside `(0, 1)` it falls from the crown on.
+    fn around_steepest(&self, thrust: &Ball) -> Result<[u64; 2], Undecided> {
+        let square = (thrust.int(1) - thrust) * thrust;
+        let is_below = |joint: u64| {
+            let rad = self.angle(joint).rad;
+            is_positive(&(square.clone() - rad.square()))
+        };
+        let is_above = |joint: u64| {
+            let rad = self.angle(joint).rad;
+            is_positive(&(rad.square() - &square))
+        };
+        let (mut low, mut high) = (0, self.last());
+        if is_above(low) {
+            return Ok([low, low]);
+        }
+        if !is_below(low) {
+            high = 1;
+        }
+        if is_below(high) {
+            return Ok([high, high]);
+        }
+        while high - low > 1 {
+            let middle = low + (high - low) / 2;
+            match is_below(middle) {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        require(is_above(high), "where the joints slide most easily")?;
+        Ok([low, high])
+    }
+}
+
+fn value(polynomial: &Jet<Ball>, x: &Ball) -> Ball {
+    let terms = polynomial.coefficients().iter().rev();
+    terms.fold(x.int(0), |sum, term| sum * x + term)
+}
+
+/// Two numbers about a root of a polynomial, as near to each other as the bits allow: a candidate that is refined.
+fn bracket(polynomial: &Jet<Ball>, near: &Float, bits: u32) -> [Ball; 2] {
+    let mut x = Float::with_val(bits, near);
+    let derivative = |x: &Float| {
+        let terms = polynomial.coefficients().iter().enumerate().skip(1).rev();
+        terms.fold(Float::with_val(bits, 0), |sum, (k, term)| {
+            sum * x + Float::with_val(bits, term.mid() * k as u32)
+        })
+    };
+    let steps = 2 + bits.ilog2();
+    for _ in 0..steps {
+        let at = value(polynomial, &Ball::exact(x.clone(), bits));
+        let step = Float::with_val(bits, at.mid()) / derivative(&x);
+        if step.is_finite() {
+            x -= step;
+        }
+    }
+    // What the coefficients leave open, and a little more.
+    let at = value(polynomial, &Ball::exact(x.clone(), bits));
+    let room = Float::with_val(64, at.rad().to_float() / derivative(&x).abs()) * 4u32;
+    let least = Float::with_val(64, x.abs_ref()) >> (bits - 4);
+    let room = if room.is_finite() && room > least { room } else { least };
+    let beside = |offset: Float| Ball::exact(Float::with_val(bits + 64, &x + &offset), bits);
+    [beside(-room.clone()), beside(room)]
+}
+
+/// Whether a polynomial of at most [`DEGREE`] is positive from 0 to `most`, by the coefficients of its Bernstein form:
+/// `b_i = sum over k <= i of C(i,k)/C(n,k) c_k most^k`.
+fn is_positive_up_to(polynomial: &Jet<Ball>, most: &Ball) -> bool {
+    const BINOMIALS: [[i32; DEGREE + 1]; DEGREE + 1] =
+        [[1, 0, 0, 0], [1, 1, 0, 0], [1, 2, 1, 0], [1, 3, 3, 1]];
+    let mut power = most.int(1);
+    let mut scaled = Vec::new();
+    for k in 0..=DEGREE {
+        scaled.push(polynomial.coefficient(k) * &power / most.int(BINOMIALS[DEGREE][k]));
+        power = power * most;
+    }
+    BINOMIALS.iter().all(|row| {
+        let terms = scaled.iter().zip(row).filter(|(_, count)| **count > 0);
+        let sum = terms.fold(most.int(0), |sum, (term, count)| sum + most.int(*count) * term);
+        is_positive(&sum)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(weight: &str, alpha: &str, stones: u64, mu: &str) -> Voussoirs {
+        let stones = Stones::equal(stones, alpha.parse().unwrap()).unwrap();
+        voussoirs(&stones, SelfWeight::named(weight).unwrap(), &mu.parse().unwrap(), 14).unwrap()
+    }
+
+    /// Values of an exact linear programme over the same joints.
+    #[test]
+    fn known_values() {
+        let of = |alpha: &str, stones, mu: &str| match found("milankovitch", alpha, stones, mu) {
+            Voussoirs::Stands(state) => (state.mode.label(), state.thickness.to_string()),
+            other => panic!("{other:?}"),
+        };
+        for (stones, eta) in [
+            (7, "0.0962450310810"),
+            (8, "0.100861491132"),
+            (10, "0.107460109892"),
+            (20, "0.107460109892"),
+            (11, "0.104910343045"),
+            (21, "0.106789938671"),
+            (51, "0.107373698432"),
+        ] {
+            let (mode, found) = of("pi/2", stones, "inf");
+            assert!(mode == "[r,r,r]" && found.starts_with(&eta[..13]), "{stones}: {found} {eta}");
+        }
+        for (alpha, mu, mode, stones, eta) in [
+            ("pi/2", "0.35", "[s,r,r]", 20, "0.15025383190821"),
+            ("pi/2", "0.35", "[s,r,r]", 21, "0.14950633689283"),
+            ("pi/2", "0.35", "[s,r,r]", 200_000, "0.15185797140251"),
+            ("2.45", "1.35", "[r,r,s]", 20, "0.64485493060826"),
+            ("2.45", "1.35", "[r,r,s]", 2000, "0.65024288568029"),
+            ("2.57", "2.2", "[r,s]", 200, "0.97572237870073"),
+        ] {
+            assert_eq!(of(alpha, stones, mu), (mode, eta.to_owned()), "{alpha} {mu} {stones}");
+        }
+    }
+}

@@ -1,0 +1,199 @@
+//! A candidate for the least thickness of an arch of voussoirs: which conditions hold with equality there.
+//!
+//! For three conditions, one of them a hinge at the intrados, the thickness is the root of a polynomial. The hinge is moved to the
+//! joint where the line of thrust passes the intrados farthest, until there is none: every step is a lower bound, and a few are
+//! enough. On the joints each condition rises and then falls ([`contact`](crate::arch::contact)), so that its largest value
+//! is found by halving.
+
+use crate::arch::joint::{Grip, Row, combination};
+use crate::arch::{Ring, SelfWeight};
+use crate::number::{Angle, Ball, Field, Jet};
+use crate::problem::stones::{Contact, Stones};
+use rug::Float;
+
+/// What is probably true of an arch of voussoirs.
+#[derive(Clone, Debug)]
+pub enum VoussoirCandidate {
+    /// The conditions that hold with equality at the least thickness.
+    Collapses {
+        /// The conditions.
+        contacts: [Contact; 3],
+        /// The thickness.
+        thickness: Float,
+    },
+    /// It stands however thin it is.
+    AnyThickness,
+    /// Nothing stands: an inner joint slides, or the shoulder.
+    Slides {
+        /// The inner joint.
+        inner: u64,
+    },
+    /// Nothing up to the physical limit stands, as these conditions contradict each other.
+    TooThick {
+        /// The conditions.
+        contacts: [Contact; 3],
+    },
+}
+
+/// The polynomials in the thickness have at most this degree.
+pub const DEGREE: usize = 3;
+/// Rounds of moving the hinge; each climbs, and there are only so many joints near the best.
+const ROUNDS: usize = 100;
+
+/// An arch of voussoirs in numbers of some bits.
+pub struct Search<'a> {
+    stones: &'a Stones,
+    weight: SelfWeight,
+    grip: Grip<Float>,
+    bits: u32,
+}
+
+impl<'a> Search<'a> {
+    /// An arch, and its friction as a [`Grip`], in numbers of `bits` bits.
+    pub fn new(stones: &'a Stones, weight: SelfWeight, grip: Grip<Float>, bits: u32) -> Self {
+        Self { stones, weight, grip, bits }
+    }
+
+    fn last(&self) -> u64 {
+        self.stones.count() - 1
+    }
+
+    fn angle(&self, index: u64) -> Angle<Float> {
+        let rad: Ball = self.stones.joint(index, self.bits);
+        Angle::new(Float::with_val(self.bits, rad.mid()))
+    }
+
+    fn row(&self, contact: Contact, thickness: &Float) -> Row<Float> {
+        contact.row(&self.angle(contact.joint()), &Ring::new(self.weight, thickness), &self.grip)
+    }
+
+    /// The thrust at which a joint slides; `None` if no thrust is too small, or none too large.
+    fn sliding_thrust(&self, contact: Contact) -> Option<Float> {
+        let row = self.row(contact, &Float::with_val(self.bits, 1));
+        let bounds = match contact {
+            Contact::Inwards(_) => row.thrust < 0,
+            _ => row.thrust > 0,
+        };
+        bounds.then(|| -row.load / row.thrust)
+    }
+
+    /// The joint that asks for the largest thrust.
+    fn inner(&self) -> u64 {
+        let thrust = |index| self.sliding_thrust(Contact::Inwards(index));
+        // Without friction the crown asks for nothing.
+        let first = u64::from(self.stones.has_joint_at_crown() && thrust(0).is_none());
+        peak(first, self.last(), |index| {
+            thrust(index).unwrap_or(Float::with_val(self.bits, rug::float::Special::NegInfinity))
+        })
+    }
+
+    /// The joint where the intrados is passed farthest.
+    fn haunch(&self, thrust: &Float, thickness: &Float) -> u64 {
+        let zero = Float::with_val(self.bits, 0);
+        let depth = |index| self.row(Contact::Intrados(index), thickness).at(thrust, &zero);
+        peak(0, self.last(), depth)
+    }
+
+    /// The least thickness with a thrust between the two at which something slides.
+    pub fn candidate(&self) -> VoussoirCandidate {
+        let (inner, last) = (self.inner(), self.last());
+        let least = self.sliding_thrust(Contact::Inwards(inner));
+        let most = self.sliding_thrust(Contact::Outwards(last));
+        let hinges =
+            |haunch| [Contact::Extrados(0), Contact::Intrados(haunch), Contact::Extrados(last)];
+        let shoulder =
+            |haunch| [Contact::Extrados(0), Contact::Intrados(haunch), Contact::Outwards(last)];
+        let inside =
+            |haunch| [Contact::Inwards(inner), Contact::Intrados(haunch), Contact::Extrados(last)];
+        if let (Some(least), Some(most)) = (&least, &most)
+            && least > most
+        {
+            return VoussoirCandidate::Slides { inner };
+        }
+        let (rotation, thrust) = self.climb(&hinges);
+        match (least, most) {
+            (Some(least), _) if thrust < least => self.climb(&inside).0,
+            (_, Some(most)) if thrust > most => self.climb(&shoulder).0,
+            _ => rotation,
+        }
+    }
+
+    /// The thickness of three conditions with the hinge at the intrados where it has to be, and the thrust there.
+    fn climb(&self, contacts: &impl Fn(u64) -> [Contact; 3]) -> (VoussoirCandidate, Float) {
+        let mut haunch = self.last() / 2;
+        let mut found = (VoussoirCandidate::AnyThickness, Float::with_val(self.bits, 1));
+        for _ in 0..ROUNDS {
+            let three = contacts(haunch);
+            let root = self.root(&three);
+            let thickness = root.clone().unwrap_or(Float::with_val(self.bits, 2));
+            let rows = three.map(|contact| self.row(contact, &thickness));
+            // Two whose coefficients are farthest from being multiples.
+            let (thrust, _) = rows[0].meeting(&rows[2]);
+            found.0 = match root {
+                None => VoussoirCandidate::TooThick { contacts: three },
+                Some(thickness) if thickness == 0 => VoussoirCandidate::AnyThickness,
+                Some(thickness) => VoussoirCandidate::Collapses { contacts: three, thickness },
+            };
+            let next = self.haunch(&thrust, &thickness);
+            found.1 = thrust;
+            if next == haunch {
+                break;
+            }
+            haunch = next;
+        }
+        found
+    }
+
+    /// The thickness at which three conditions stop contradicting each other: zero if they never do, `None` if they
+    /// do up to 2.
+    fn root(&self, contacts: &[Contact; 3]) -> Option<Float> {
+        let like = Float::with_val(self.bits, 0);
+        // Both faces of one joint contradict nothing.
+        if contacts.contains(&Contact::Extrados(contacts[1].joint())) {
+            return Some(like);
+        }
+        let thickness = Jet::new(vec![like.clone(), like.int(1)], DEGREE);
+        let ring = Ring::new(self.weight, &thickness);
+        let grip = self.grip.clone().map(|x| Jet::constant(x, DEGREE));
+        let rows = contacts.map(|contact| {
+            let angle = self.angle(contact.joint()).map(|x| Jet::constant(x, DEGREE));
+            contact.row(&angle, &ring, &grip)
+        });
+        let polynomial = combination(&rows);
+        let value = |x: &Float| {
+            let terms = polynomial.coefficients().iter().rev();
+            terms.fold(like.clone(), |sum, term| sum * x + term)
+        };
+        if value(&like) <= 0 {
+            return Some(like);
+        }
+        let (mut low, mut high) = (like.clone(), like.int(2));
+        if value(&high) > 0 {
+            return None;
+        }
+        // A thin arch has its root near zero: what counts are its own digits.
+        for _ in 0..20 * self.bits {
+            let middle = Float::with_val(self.bits, &low + &high) / 2u32;
+            if middle == low || middle == high {
+                break;
+            }
+            match value(&middle) > 0 {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        Some(high)
+    }
+}
+
+/// Where a function that rises and then falls is largest.
+fn peak(mut first: u64, mut last: u64, value: impl Fn(u64) -> Float) -> u64 {
+    while first < last {
+        let middle = first + (last - first) / 2;
+        match value(middle) < value(middle + 1) {
+            true => first = middle + 1,
+            false => last = middle,
+        }
+    }
+    first
+}

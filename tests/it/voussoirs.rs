@@ -1,0 +1,288 @@
+//! Arches of voussoirs against a programme that knows no polynomial, no mode and no lemma: every joint is looked at, the gap
+//! that is left for the crown moment is a concave function of the thrust, and the thickness is halved.
+
+use crate::program::couplet;
+use couplet::arch::SelfWeight;
+use couplet::certify::state::{Answer, Certify, Figure};
+use couplet::certify::{VoussoirDigits, Voussoirs, voussoirs};
+use couplet::problem::stones::{Contact, Stones};
+use couplet::problem::{Arch, Friction, Mode};
+use serde_json::Value;
+
+fn found(stones: &Stones, weight: SelfWeight, friction: &str, digits: usize) -> Voussoirs {
+    let friction: Friction = friction.parse().unwrap();
+    voussoirs(stones, weight, &friction, digits).unwrap_or_else(|undecided| {
+        panic!("{undecided}: {stones:?}, {}, {friction}", weight.name())
+    })
+}
+
+fn equal(stones: u64, half_opening: &str) -> Stones {
+    Stones::equal(stones, half_opening.parse().unwrap()).unwrap()
+}
+
+/// The angles of the joints of the half arch, in doubles.
+fn joints(stones: u64, half_opening: f64) -> Vec<f64> {
+    let joint = |j: u64| half_opening * (2 * j + stones % 2) as f64 / stones as f64;
+    (0..=stones / 2).map(joint).collect()
+}
+
+/// The programme in doubles.
+struct Programme {
+    joints: Vec<f64>,
+    flag: f64,
+    mu: f64,
+}
+
+impl Programme {
+    /// The room for the crown moment at a thrust: negative where there is none.
+    fn room(&self, eta: f64, h: f64) -> f64 {
+        let fac = 1.0 + self.flag * eta * eta / 12.0;
+        let moment =
+            |radius: f64, b: f64| radius * (h * b.cos() + b * b.sin()) - fac * (1.0 - b.cos());
+        let joints = self.joints.iter();
+        let most = joints.clone().map(|b| moment(1.0 + eta / 2.0, *b)).fold(f64::MAX, f64::min);
+        let least = joints.map(|b| moment(1.0 - eta / 2.0, *b)).fold(f64::MIN, f64::max);
+        most - least
+    }
+
+    /// The thrusts that friction and normal forces allow; `None` if there are none.
+    fn thrusts(&self) -> Option<(f64, f64)> {
+        let (mut least, mut most) = (f64::MIN, f64::MAX);
+        let mut at_most = |coefficient: f64, bound: f64| {
+            if coefficient > 1e-14 {
+                most = most.min(bound / coefficient);
+            } else if coefficient < -1e-14 {
+                least = least.max(bound / coefficient);
+            }
+        };
+        for b in &self.joints {
+            let (s, c) = b.sin_cos();
+            at_most(-c, b * s);
+            if self.mu.is_finite() {
+                at_most(-s - self.mu * c, -b * (c - self.mu * s));
+                at_most(s - self.mu * c, b * (c + self.mu * s));
+            }
+        }
+        (least <= most).then_some((least.max(-10.0), most.min(10.0)))
+    }
+
+    /// Whether an arch of this thickness stands.
+    fn stands(&self, eta: f64) -> bool {
+        let Some((mut low, mut high)) = self.thrusts() else { return false };
+        for _ in 0..100 {
+            let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+            match self.room(eta, a) < self.room(eta, b) {
+                true => low = a,
+                false => high = b,
+            }
+        }
+        self.room(eta, (low + high) / 2.0) >= 0.0
+    }
+
+    /// The least thickness up to 2; `None` if none is enough.
+    fn thickness(&self) -> Option<f64> {
+        let (mut low, mut high) = (0.0, 2.0);
+        if !self.stands(high) {
+            return None;
+        }
+        for _ in 0..45 {
+            let middle = (low + high) / 2.0;
+            match self.stands(middle) {
+                true => high = middle,
+                false => low = middle,
+            }
+        }
+        Some(high)
+    }
+}
+
+/// Deterministic numbers in `[0, 1)`.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+}
+
+/// What is proved of arches of all modes is what the programme finds. Gives the modes met.
+fn agree(count: usize, seed: u64) -> Vec<Mode> {
+    let mut random = Random(seed);
+    let mut modes = Vec::new();
+    for _ in 0..count {
+        let weight = SelfWeight::ALL[usize::from(random.next() < 0.5)];
+        let stones = 4 + (random.next() * random.next() * 196.0) as u64;
+        let alpha = format!("{:.6}", 0.3 + 2.5 * random.next());
+        let mu = match random.next() < 0.1 {
+            true => "inf".to_owned(),
+            false => format!("{:.6}", 3.0 * random.next() * random.next()),
+        };
+        let programme = Programme {
+            joints: joints(stones, alpha.parse().unwrap()),
+            flag: f64::from(weight.flag()),
+            mu: mu.parse().unwrap(),
+        };
+        let case = format!("{} {alpha} {mu} {stones}", weight.name());
+        match (found(&equal(stones, &alpha), weight, &mu, 12), programme.thickness()) {
+            (Voussoirs::Stands(state), Some(eta)) => {
+                assert!((state.thickness.double - eta).abs() < 1e-9, "{case}: {state:?} {eta}");
+                if !modes.contains(&state.mode) {
+                    modes.push(state.mode);
+                }
+            }
+            (Voussoirs::Slides, None) => assert!(programme.thrusts().is_none(), "{case}"),
+            (Voussoirs::TooThick, None) => assert!(programme.thrusts().is_some(), "{case}"),
+            (proved, programme) => panic!("{case}: {proved:?} {programme:?}"),
+        }
+    }
+    modes
+}
+
+#[test]
+fn a_programme_over_all_joints_finds_the_same() {
+    let modes = agree(400, 0x9e37_79b9_7f4a_7c15);
+    for mode in [
+        Mode::Rotational,
+        Mode::SlidingRotational,
+        Mode::RotationalSliding,
+        Mode::OverturningSliding,
+        Mode::Overturning,
+    ] {
+        assert!(modes.contains(&mode), "{mode:?} {modes:?}");
+    }
+}
+
+#[test]
+#[ignore = "long"]
+fn a_programme_over_all_joints_finds_the_same_ten_thousand_times() {
+    agree(10_000, 0x2545_f491_4f6c_dd1d);
+}
+
+fn state(found: Voussoirs) -> VoussoirDigits {
+    match found {
+        Voussoirs::Stands(state) => *state,
+        other => panic!("{other:?}"),
+    }
+}
+
+/// More joints never help; and with joints as near as one likes to those of the continuous arch it is as thick.
+#[test]
+fn the_continuous_arch_is_the_limit() {
+    for (alpha, mu) in [
+        ("pi/2", "0.6"),
+        ("pi/2", "0.35"),
+        ("2.45", "1.35"),
+        ("2.532", "1.5405"),
+        ("2.57", "2.2"),
+        ("2.62", "inf"),
+    ] {
+        for weight in SelfWeight::ALL {
+            let arch = Arch::parse(weight.name(), alpha, mu).unwrap();
+            let whole = |digits| match arch.certify(digits) {
+                Ok(Answer::Stands(state)) => *state,
+                other => panic!("{alpha} {mu}: {other:?}"),
+            };
+            let fine = whole(40);
+            let eta = |stones| state(found(&equal(stones, alpha), weight, mu, 30)).thickness;
+            let [few, twice, many] = [20, 40, 1 << 22].map(eta);
+            let lower = |figure: &Figure| figure.decimal.lower.to_rational();
+            assert!(lower(&few) <= lower(&twice) && lower(&twice) <= lower(&many));
+            assert!(lower(&many) <= fine.thickness.decimal.upper.to_rational(), "{alpha} {mu}");
+            let gap = fine.thickness.double - many.double;
+            assert!(gap < 1e-11, "{alpha} {mu}: {gap}");
+            // Joints at forty digits of those that the whole arch has.
+            let inner = [Some(&fine.rotation_joint), fine.sliding_joint.as_ref()];
+            let inner = inner.into_iter().flatten().filter(|joint| joint.double > 0.0);
+            let mut inner: Vec<&Figure> = inner.collect();
+            inner.sort_by(|a, b| a.double.total_cmp(&b.double));
+            let inner = inner.into_iter().map(|figure| figure.decimal.value.to_string());
+            let angles = std::iter::once("0".to_owned()).chain(inner).chain([alpha.to_owned()]);
+            let stones = Stones::joints(angles.map(|angle| angle.parse().unwrap()).collect());
+            let same = state(found(&stones.unwrap(), weight, mu, 30));
+            assert_eq!(same.thickness.to_string(), whole(30).thickness.to_string(), "{alpha} {mu}");
+            assert_eq!(same.mode, fine.mode, "{alpha} {mu}");
+        }
+    }
+}
+
+/// The joints that the proof does not look at are admissible too.
+#[test]
+fn every_joint_is_admissible() {
+    for (stones, alpha, mu) in
+        [(11, 1.5, 0.6), (40, 2.45, 1.35), (101, 2.57, 2.2), (64, 1.5, 0.35), (9, 2.3, 1.05)]
+    {
+        for weight in SelfWeight::ALL {
+            let given = equal(stones, &alpha.to_string());
+            let state = state(found(&given, weight, &mu.to_string(), 15));
+            let (eta, h) = (state.thickness.double, state.thrust.double);
+            let fac = 1.0 + f64::from(weight.flag()) * eta * eta / 12.0;
+            let normal = |b: f64| h * b.cos() + b * b.sin();
+            let Contact::Intrados(haunch) = state.contacts[1] else { panic!("{state:?}") };
+            let joints = joints(stones, alpha);
+            let b = joints[haunch as usize];
+            let p = (1.0 - eta / 2.0) * normal(b) - fac * (1.0 - b.cos());
+            for b in joints {
+                let (n, t, m) = (normal(b), b * b.cos() - h * b.sin(), p + fac * (1.0 - b.cos()));
+                assert!(m <= (1.0 + eta / 2.0) * n + 1e-13 && m >= (1.0 - eta / 2.0) * n - 1e-13);
+                assert!(t.abs() <= mu * n + 1e-13, "{stones} {alpha} {mu} at {b}");
+            }
+        }
+    }
+}
+
+#[test]
+fn two_and_three_stones_stand_at_any_thickness() {
+    for weight in SelfWeight::ALL {
+        for (stones, mu) in [(2, "inf"), (3, "inf"), (2, "0.9"), (3, "0.6")] {
+            let any = found(&equal(stones, "pi/2"), weight, mu, 10);
+            assert!(matches!(any, Voussoirs::AnyThickness), "{stones} {mu}: {any:?}");
+        }
+        let four = found(&equal(4, "pi/2"), weight, "inf", 10);
+        assert!(matches!(four, Voussoirs::Stands(_)));
+    }
+}
+
+#[test]
+fn a_million_stones_are_told_in_every_format() {
+    let of = |format| {
+        let words = "voussoirs --alpha pi/2 --mu 0.35 --stones 1000000 --format";
+        let words: Vec<&str> = words.split(' ').chain([format]).collect();
+        let output = couplet(&words);
+        assert_eq!(output.status.code(), Some(0));
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let json: Value = serde_json::from_str(&of("json")).unwrap();
+    assert_eq!(
+        (&json["schema"], &json["mode"]),
+        (&"couplet.voussoirs/1".into(), &"[s,r,r]".into())
+    );
+    let eta = json["thickness"]["value"].as_str().unwrap();
+    assert!(of("csv").contains(eta) && of("table").contains(eta));
+}
+
+#[test]
+fn wrong_stones_are_one_line() {
+    for (arguments, why) in [
+        ("--alpha 1 --stones 1", "from 2 to"),
+        ("--alpha 1 --stones -3", "from 2 to"),
+        ("--alpha 1 --stones many", "from 2 to"),
+        ("--alpha 1", "--stones (or --joints)"),
+        ("--joints 0.5", "too few"),
+        ("--joints 0,1,0.5", "do not rise from 1 to 0.5"),
+        ("--joints 0,1,1", "do not rise"),
+        ("--joints=-0.1,1", "above the crown"),
+        ("--joints 0,1,4", "half opening 4"),
+        ("--joints 0,x", "'x' is not a number"),
+        ("--stones 5 --joints 0,1", "cannot be used"),
+        ("--alpha 180deg --stones 5", "half opening 180deg"),
+    ] {
+        let words = ["voussoirs", "--mu", "1"].into_iter().chain(arguments.split(' '));
+        let output = couplet(&words.collect::<Vec<&str>>());
+        let error = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{arguments}");
+        assert!(error.lines().count() == 1 && error.contains(why), "{arguments}: {error}");
+    }
+}
