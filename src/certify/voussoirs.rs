@@ -17,8 +17,9 @@
 //! The search is in [`solve`](crate::solve::voussoirs), and nothing here rests on it.
 
 use super::Undecided;
-use super::state::Figure;
+use super::state::{Figure, raise};
 use crate::arch::joint::{Grip, Row, combination, multipliers};
+use crate::arch::statics::normal_force;
 use crate::arch::{Ring, SelfWeight};
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Jet, bits_of};
 use crate::problem::stones::{Contact, Stones};
@@ -58,10 +59,6 @@ pub enum Voussoirs {
     TooThick,
 }
 
-/// More bits than this are not tried for a comparison, or four times those of the digits.
-const ENOUGH: u32 = 8192;
-/// Bits of the search.
-const SEARCH: u32 = 192;
 /// Bits beyond those of the digits.
 const GUARD: u32 = 64;
 
@@ -72,31 +69,12 @@ pub fn voussoirs(
     friction: &Friction,
     digits: usize,
 ) -> Result<Voussoirs, Undecided> {
-    let first = bits_of(digits) + GUARD;
-    let mut bits = first;
-    let mut last = Undecided::new("the rounding");
-    while bits <= ENOUGH.max(4 * first) {
-        let search = Search::new(
-            stones,
-            weight,
-            grip(friction, bits.max(SEARCH)).map(midpoint),
-            bits.max(SEARCH),
-        );
-        let arch = Proof {
-            stones,
-            weight,
-            grip: grip(friction, bits),
-            bits,
-            is_limited: *friction != Friction::Infinite,
-        };
-        match arch.proved(search.candidate(), digits) {
-            Ok(Some(found)) => return Ok(found),
-            Ok(None) => {}
-            Err(undecided) => last = undecided,
-        }
-        bits *= 2;
-    }
-    Err(last)
+    raise(bits_of(digits) + GUARD, |bits| {
+        let search = Search::new(stones, weight, grip(friction, bits).map(midpoint), bits);
+        let is_limited = *friction != Friction::Infinite;
+        let arch = Proof { stones, weight, grip: grip(friction, bits), bits, is_limited };
+        arch.proved(search.candidate(), digits)
+    })
 }
 
 fn midpoint(x: Ball) -> Float {
@@ -204,19 +182,21 @@ impl Proof<'_> {
         require(is_positive_up_to(&combination(&rows), most), "whether a thinner arch stands")
     }
 
-    /// Arches of two or three stones, whose two joints a line of thrust can pass in the middle.
+    /// Arches of two or three stones stand at every thickness if they do with the thrust `h` of the line through the middle of
+    /// both joints, which belongs to `fac = 1`. At thickness `eta` the room for the crown moment between the extrados of
+    /// one joint and the intrados of the other is then `eta/2 [N_0 + N_1 ± delta_M eta (cos_0 - cos_1)/6]`, and `eta` is at most 2.
     fn any_thickness(&self) -> Result<Option<Voussoirs>, Undecided> {
         require(self.stones.count() == 2, "whether every thickness is enough")?;
-        // `fac` of all thicknesses up to 2 is between 1 and 4/3, and a hull is about its first part.
-        let sixth = Ball::integer(1, self.bits).ratio(self.weight.flag(), 6);
-        let middle = sixth.int(1) + &sixth;
-        let ring = Ring {
-            thickness: sixth.int(0),
-            centroid_factor: middle.hull(&(middle.clone() + sixth)),
-        };
+        let zero = Ball::integer(0, self.bits);
+        let ring = Ring { centroid_factor: zero.int(1), thickness: zero };
         let (thrust, moment) =
             self.row(Contact::Extrados(0), &ring).meeting(&self.row(Contact::Extrados(1), &ring));
         self.friction_holds(&[], &thrust, &moment, &ring)?;
+        let [upper, lower] = [0, 1].map(|index| self.angle(index));
+        let normal = normal_force(&upper, &thrust) + normal_force(&lower, &thrust);
+        let tilt = thrust.int(self.weight.flag()) * (upper.cos - &lower.cos);
+        let room = normal * thrust.int(3) - tilt;
+        require(is_positive(&room), "whether every thickness is enough")?;
         Ok(Some(Voussoirs::AnyThickness))
     }
 
@@ -403,11 +383,12 @@ fn is_positive_up_to(polynomial: &Jet<Ball>, most: &Ball) -> bool {
     const BINOMIALS: [[i32; DEGREE + 1]; DEGREE + 1] =
         [[1, 0, 0, 0], [1, 1, 0, 0], [1, 2, 1, 0], [1, 3, 3, 1]];
     let mut power = most.int(1);
-    let mut scaled = Vec::new();
-    for k in 0..=DEGREE {
-        scaled.push(polynomial.coefficient(k) * &power / most.int(BINOMIALS[DEGREE][k]));
-        power = power * most;
-    }
+    let term = |(k, count): (usize, &i32)| {
+        let term = polynomial.coefficient(k) * &power / most.int(*count);
+        power = power.clone() * most;
+        term
+    };
+    let scaled: Vec<Ball> = BINOMIALS[DEGREE].iter().enumerate().map(term).collect();
     BINOMIALS.iter().all(|row| {
         let terms = scaled.iter().zip(row).filter(|(_, count)| **count > 0);
         let sum = terms.fold(most.int(0), |sum, (term, count)| sum + most.int(*count) * term);
@@ -452,6 +433,46 @@ mod tests {
             ("2.57", "2.2", "[r,s]", 200, "0.97572237870073"),
         ] {
             assert_eq!(of(alpha, stones, mu), (mode, eta.to_owned()), "{alpha} {mu} {stones}");
+        }
+    }
+
+    /// With the hinge or the slip at another joint, or another mode, nothing is proved.
+    #[test]
+    fn forged_contacts_are_refused() {
+        for (alpha, mu, stones) in [("pi/2", "0.6", 11), ("pi/2", "0.35", 20), ("2.45", "1.35", 40)]
+        {
+            let stones = Stones::equal(stones, alpha.parse().unwrap()).unwrap();
+            let (weight, friction) = (SelfWeight::Milankovitch, mu.parse().unwrap());
+            let grip = || grip(&friction, 200);
+            let search = Search::new(&stones, weight, grip().map(midpoint), 200);
+            let proof =
+                Proof { stones: &stones, weight, grip: grip(), bits: 200, is_limited: true };
+            let VoussoirCandidate::Collapses { contacts, thickness } = search.candidate() else {
+                panic!("{alpha} {mu}")
+            };
+            let prove = |contacts, thickness: &Float| {
+                let thickness = thickness.clone();
+                proof.proved(VoussoirCandidate::Collapses { contacts, thickness }, 20)
+            };
+            assert!(matches!(prove(contacts, &thickness), Ok(Some(_))));
+            let (first, last) = (contacts[0], contacts[2]);
+            let haunch = contacts[1].joint();
+            for forged in [
+                [first, Contact::Intrados(haunch - 1), last],
+                [first, Contact::Intrados(haunch + 1), last],
+                [Contact::Inwards(1), contacts[1], Contact::Extrados(last.joint())],
+                [last, contacts[1], first],
+                [Contact::Extrados(1), contacts[1], last],
+            ] {
+                let found = prove(forged, &thickness);
+                assert!(found.is_err(), "{alpha} {mu}: {forged:?} {found:?}");
+            }
+            let thicker = Float::with_val(200, &thickness * 1.01);
+            let contradiction = proof.contradiction(&contacts, &Ball::exact(thicker, 200));
+            assert!(contradiction.is_err(), "{alpha} {mu}: not above the least thickness");
+            assert!(proof.proved(VoussoirCandidate::TooThick { contacts }, 20).is_err());
+            assert!(proof.proved(VoussoirCandidate::AnyThickness, 20).is_err());
+            assert!(proof.proved(VoussoirCandidate::Slides { inner: 2 }, 20).is_err());
         }
     }
 }

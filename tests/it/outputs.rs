@@ -159,6 +159,7 @@ outputs! {
     help_state: run("couplet state --help");
     help_assess: run("couplet assess --help");
     help_find: run("couplet find --help");
+    help_voussoirs: run("couplet voussoirs --help");
     help_map: run("couplet map --help");
     help_figure: run("couplet figure --help");
     help_states: run("couplet states --help");

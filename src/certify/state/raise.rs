@@ -12,7 +12,7 @@ const ENOUGH: u32 = 8192;
 pub(super) const GUARD: u32 = 48;
 
 /// A proof that decides everything: `first` bits, and twice as many until they are enough.
-pub(super) fn raise<T>(
+pub(crate) fn raise<T>(
     first: u32,
     mut proof: impl FnMut(u32) -> Result<Option<T>, Undecided>,
 ) -> Result<T, Undecided> {
