@@ -86,6 +86,9 @@ struct Contracted {
     slopes: Vec<Dual<Ball>>,
 }
 
+/// Rounds by which the slopes of the root are narrowed.
+const ROUNDS: usize = 12;
+
 /// `Z` such that `start + (I - C F_x) Z` lies in its interior.
 fn contracted(
     form: &Form,
@@ -215,9 +218,13 @@ fn slopes_of_root(
         return None;
     }
     let bound = norm(&first)?.over(room);
-    let all: Vec<Ball> = domain.iter().map(|z| about_zero(z.rad().times(bound))).collect();
-    let rest = krawczyk::spread(slopes, matrix, &all);
-    Some(first.into_iter().zip(rest).map(|(a, b)| a + b).collect())
+    let mut all: Vec<Ball> = domain.iter().map(|z| about_zero(z.rad().times(bound))).collect();
+    // The bound is one for all unknowns; each round is by the factor of the contraction nearer to the slope of each.
+    for _ in 0..ROUNDS {
+        let rest = krawczyk::spread(slopes, matrix, &all);
+        all = first.iter().zip(rest).map(|(a, b)| a.clone() + b).collect();
+    }
+    Some(all)
 }
 
 #[cfg(test)]
