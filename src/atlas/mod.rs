@@ -14,6 +14,7 @@
 //! # Ok::<(), couplet::certify::Undecided>(())
 //! ```
 
+mod cells;
 mod contour;
 mod crossing;
 mod cubic;
@@ -29,6 +30,7 @@ mod trace;
 mod tube;
 mod walk;
 
+pub use cells::{Areas, Column, Row};
 pub use contour::Contour;
 pub use curve::Curve;
 pub use domain::{Corner, Side, boundary};

@@ -25,6 +25,7 @@
 //! | where on the map the modes are | `domains.rs` |
 //! | why they fill it | `tiling.rs` |
 //! | its lines as curves without gaps | `lines.rs` |
+//! | its domains as areas, cell by cell | `areas.rs` |
 //! | the landmarks as states of the whole arch | `admissible.rs` |
 //! | one least thickness, one half opening | `uniqueness.rs` |
 //! | signs by algebra | `sign.rs` |
@@ -37,6 +38,7 @@
 
 mod admissible;
 mod along;
+mod areas;
 mod asymptotics;
 mod border;
 mod branches;
@@ -178,6 +180,7 @@ pub fn claims() -> Vec<Claim> {
         domains::CLAIMS,
         tiling::CLAIMS,
         lines::CLAIMS,
+        areas::CLAIMS,
         admissible::CLAIMS,
         uniqueness::CLAIMS,
     ]

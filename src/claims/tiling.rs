@@ -23,15 +23,17 @@ use crate::number::{Angle, Enclosure, Field, Surd};
 use crate::problem::Landmark;
 use crate::symbolic::{Letters, Relations, Symbol, along_the_joint};
 
+pub(super) const COLUMNS: Claim = Claim {
+    id: "map-columns",
+    place: "Sec. 3, Fig. 5, 6",
+    statement: "the modes fill the map: at a given friction they follow each other, as the thickness \
+                grows, in the order [r,r,r], [s,r,r], [r,r,s], [r,s,r], [r,s], [s,s], each on an \
+                interval or not at all; the second is left of T, the next three are right of it",
+    decide: columns,
+};
+
 pub(super) const CLAIMS: &[Claim] = &[
-    Claim {
-        id: "map-columns",
-        place: "Sec. 3, Fig. 5, 6",
-        statement: "the modes fill the map: at a given friction they follow each other, as the thickness \
-                    grows, in the order [r,r,r], [s,r,r], [r,r,s], [r,s,r], [r,s], [s,s], each on an \
-                    interval or not at all; the second is left of T, the next three are right of it",
-        decide: columns,
-    },
+    COLUMNS,
     Claim {
         id: "map-rows",
         place: "Sec. 3, Fig. 5, 6",
@@ -124,7 +126,7 @@ fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 /// By (5) the rotational joint falls as the thickness grows.
-fn falls_with_the_thickness(d: &mut Derivation) -> Result<(), Undecided> {
+pub(super) fn falls_with_the_thickness(d: &mut Derivation) -> Result<(), Undecided> {
     let (ring, two) = (ring(), Symbol::Thickness.number().int(2));
     let rest = two.clone() * &ring.centroid_factor / ring.intrados();
     let slope = rest.partial(Symbol::Thickness);
