@@ -59,7 +59,7 @@
 //! proved state therefore needs no comparison with those that it is not.
 //!
 //! The multipliers are the rates of the collapse mechanism: the rotations at the hinges, and for a
-//! sliding joint the rate times the sine of its angle.
+//! sliding joint the horizontal part of the slip. [`mechanism`](super::mechanism) has the motion.
 
 use super::{Configuration, Ring, SelfWeight, statics};
 use crate::number::{Angle, Field};

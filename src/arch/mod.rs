@@ -13,6 +13,8 @@
 //! | (2)–(5) by the square of the joint | [`haunch`] |
 //! | (19), (20), the conditions at one joint | [`joint`] |
 //! | the same equations where the half opening is small | [`small`] |
+//! | admissibility, least thickness | [`contact`] |
+//! | how the blocks move at collapse | [`mechanism`] |
 //!
 //! Lengths are in units of the centreline radius `r`, forces in units of `w r` (weight per unit
 //! length of centreline times radius), angles in radians. No equation loops, compares or rounds:
@@ -25,6 +27,7 @@ pub mod cubic;
 pub mod cycloid;
 pub mod haunch;
 pub mod joint;
+pub mod mechanism;
 pub mod overturning;
 mod quotient;
 pub mod sliding;

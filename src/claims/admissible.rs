@@ -3,12 +3,12 @@
 //! In an admissible state the lines of thrust and of friction are at their limits at the joints of a mechanism only
 //! (`modes.rs`). So "strictly inside" holds everywhere else, and there it cannot.
 
-use super::contacts::CONTACTS;
-use super::contacts::Contact;
+use super::contacts::{CONTACTS, margin_at, row_at};
 use super::landmarks::{certain_if, enclosed};
 use super::letters::{ring, variables};
 use super::modes::SEVEN_MODES;
 use super::{Claim, Derivation, Finding, Support};
+use crate::arch::mechanism::Contact;
 use crate::arch::{
     Configuration, SelfWeight, Unknown, contact, overturning, sliding, statics, thrust,
 };
@@ -83,8 +83,8 @@ fn landmarks_stand(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (h, mu, free) = (Symbol::Thrust.number(), Symbol::Friction.number(), Relations::none());
     let two = h.int(2);
     let at_crown = ring.extrados() * &h / &two;
-    let upper = Contact::Extrados.margin(&alpha);
-    let lower = Contact::Intrados.margin(&joint);
+    let upper = margin_at(Contact::Extrados, &alpha);
+    let lower = margin_at(Contact::Intrados, &joint);
     let whole = thrust::whole(&alpha, &ring).residual(&h);
     let words = "(4): U at the shoulder, if U = 0 at the crown";
     d.identity(words, &with_moment(&upper, &at_crown), &-(whole / &two), &free)?;
@@ -100,12 +100,12 @@ fn landmarks_stand(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.identity("(5): dL/d beta", &slope, &expected, &Relations::trigonometric())?;
     let shoulder = sliding::shoulder(&alpha, &h).residual(&mu);
     let words = "(17): mu N + T at the shoulder";
-    d.identity(words, &Contact::Outwards.margin(&alpha), &shoulder, &free)?;
+    d.identity(words, &margin_at(Contact::Outwards, &alpha), &shoulder, &free)?;
     let square = Symbol::Thrust.polynomial() - &Symbol::Thrust.polynomial().power(2);
     let steepest = Relations::none().with(Symbol::Joint, 2, square);
     let inner = sliding::inner(&joint, &h).residual(&mu) * &joint.rad / (h.int(1) - &h);
     let words = "(18): mu N - T at beta_s";
-    d.identity(words, &Contact::Inwards.margin(&joint), &inner, &steepest)?;
+    d.identity(words, &margin_at(Contact::Inwards, &joint), &inner, &steepest)?;
     d.conclude(
         "So the equations of a landmark say which margins are exactly zero: those of the joints that turn or \
          slide in one of its modes.",
@@ -134,10 +134,10 @@ fn landmarks_without_thrust_stand(d: &mut Derivation) -> Result<Finding, Undecid
     let normal = statics::normal_force(&joint, &none);
     let words = "N where h = 0: positive below the crown, where nothing acts";
     d.identity(words, &normal, &(joint.rad.clone() * &joint.sin), &free)?;
-    let upper = unloaded(&Contact::Extrados.margin(&alpha));
+    let upper = unloaded(&margin_at(Contact::Extrados, &alpha));
     let whole = thrust::whole(&alpha, &ring).residual(&none);
     d.identity("(4): U at the shoulder", &upper, &-(whole / &two), &free)?;
-    let slope = unloaded(&Contact::Intrados.margin(&joint)).derivative(&along_the_joint());
+    let slope = unloaded(&margin_at(Contact::Intrados, &joint)).derivative(&along_the_joint());
     let fall = (h.int(1) - joint.times_cotangent()) * ring.intrados() / &two;
     let expected = (fall - overturning::end_of_rotation(&ring)) * &joint.sin;
     let words = "dL/d beta, with beta cot(beta) < 1 and, from eta_l on, the condition behind (16) not positive";
@@ -207,8 +207,8 @@ fn four_mechanisms_at_t(d: &mut Derivation) -> Result<Finding, Undecided> {
         x[0].clone() * minor(1, 2) - x[1].clone() * minor(0, 2) + x[2].clone() * minor(0, 1);
     let words = "the determinant of [s,r,r], [r,r,s], [s,s] in u, v, s: not zero";
     d.identity(words, &determinant, &x[0].int(1), &free)?;
-    let [by_thrust, by_moment] = Contact::Extrados.row(&Angle::zero(&a));
-    let [slip, none] = Contact::Inwards.row(&Symbol::joint());
+    let [by_thrust, by_moment] = row_at(Contact::Extrados, &Angle::zero(&a));
+    let [slip, none] = row_at(Contact::Inwards, &Symbol::joint());
     d.identity(
         "of the two balances, that of h and p on the crown's hinge and the inner joint: not zero",
         &(by_thrust * none - by_moment * slip),

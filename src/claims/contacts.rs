@@ -4,6 +4,7 @@
 use super::frictions::SLOPES_OF_FRICTION;
 use super::letters::ring;
 use super::{Claim, Derivation, Finding};
+use crate::arch::mechanism::{Contact, Twist};
 use crate::arch::{statics, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Field};
@@ -28,58 +29,28 @@ pub(super) const CONTACTS: Claim = Claim {
     decide: contacts,
 };
 
-/// A joint at its limit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Contact {
-    /// The line of thrust is on the extrados, `U = 0`.
-    Extrados,
-    /// The line of thrust is on the intrados, `L = 0`.
-    Intrados,
-    /// `T = mu N`: the part above slides inwards.
-    Inwards,
-    /// `-T = mu N`: the part above slides outwards.
-    Outwards,
+/// What must not be negative at a joint.
+pub(super) fn margin_at(contact: Contact, joint: &Angle<Fraction>) -> Fraction {
+    let [h, p, mu] =
+        [Symbol::Thrust, Symbol::CrownMoment, Symbol::Friction].map(|symbol| symbol.number());
+    contact.margin(joint, &ring(), [&h, &p, &mu])
 }
 
-impl Contact {
-    pub(super) const ALL: [Self; 4] =
-        [Self::Extrados, Self::Intrados, Self::Inwards, Self::Outwards];
+/// The work of a unit thrust and of a unit crown moment on the motion of the joint: the contact gives way by
+/// itself, so a hinge turns about its face, and a joint slides along itself, without dilatancy.
+pub(super) fn row_at(contact: Contact, joint: &Angle<Fraction>) -> [Fraction; 2] {
+    let (eta, none) = (ring().thickness, joint.cos.int(0));
+    let Twist { rotation, velocity: [across, _] } = contact.twist(joint, &eta, &none);
+    [-across, rotation]
+}
 
-    pub(super) fn name(self) -> &'static str {
-        match self {
-            Self::Extrados => "U",
-            Self::Intrados => "L",
-            Self::Inwards => "mu N - T",
-            Self::Outwards => "mu N + T",
-        }
-    }
-
-    /// What must not be negative at a joint.
-    pub(super) fn margin(self, joint: &Angle<Fraction>) -> Fraction {
-        let (h, p, mu) =
-            (Symbol::Thrust.number(), Symbol::CrownMoment.number(), Symbol::Friction.number());
-        let (ring, two) = (ring(), h.int(2));
-        let (normal, shear) = (statics::normal_force(joint, &h), statics::shear_force(joint, &h));
-        let moment = p + joint.versine() * &ring.centroid_factor;
-        match self {
-            Self::Extrados => ring.extrados() * normal / two - moment,
-            Self::Intrados => moment - ring.intrados() * normal / two,
-            Self::Inwards => mu * normal - shear,
-            Self::Outwards => mu * normal + shear,
-        }
-    }
-
-    /// The work of a unit thrust and of a unit crown moment on the motion of the joint: the contact gives way by
-    /// itself, so a hinge turns about its face, and a joint slides along itself, without dilatancy.
-    pub(super) fn row(self, joint: &Angle<Fraction>) -> [Fraction; 2] {
-        let (ring, one) = (ring(), joint.cos.int(1));
-        let half = |radius: Fraction| radius * &joint.cos / one.int(2);
-        match self {
-            Self::Extrados => [half(ring.extrados()), -one],
-            Self::Intrados => [-half(ring.intrados()), one],
-            Self::Inwards => [joint.sin.clone(), one.int(0)],
-            Self::Outwards => [-joint.sin.clone(), one.int(0)],
-        }
+/// The letters of a margin.
+pub(super) fn label(contact: Contact) -> &'static str {
+    match contact {
+        Contact::Extrados => "U",
+        Contact::Intrados => "L",
+        Contact::Inwards => "mu N - T",
+        Contact::Outwards => "mu N + T",
     }
 }
 
@@ -122,7 +93,7 @@ fn contacts(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (joint, alpha) = (Symbol::joint(), Symbol::half_opening());
     let (ring, h, mu) = (ring(), Symbol::Thrust.number(), Symbol::Friction.number());
     let (free, circle, two) = (Relations::none(), Relations::trigonometric(), h.int(2));
-    let [upper, lower, inwards, _] = Contact::ALL.map(|contact| contact.margin(&joint));
+    let [upper, lower, inwards, _] = Contact::ALL.map(|contact| margin_at(contact, &joint));
     let rise = h.int(1) - &h + joint.times_cotangent();
     let slope = (ring.centroid_factor.clone() - ring.intrados() * rise / &two) * &joint.sin;
     let words = "dL/d beta, L = p + fac (1 - cos(beta)) - (1 - eta/2) N; the bracket grows or, at eta = 2, is fac";
@@ -147,7 +118,7 @@ fn contacts(d: &mut Derivation) -> Result<Finding, Undecided> {
          beta_s < alpha. If h >= 1, there is no beta_s: T/N falls from 0, and no joint slides inwards.",
     );
     let crown = Angle::zero(&h);
-    let distances = Contact::Extrados.margin(&crown) - Contact::Extrados.margin(&alpha);
+    let distances = margin_at(Contact::Extrados, &crown) - margin_at(Contact::Extrados, &alpha);
     let opening = thrust::opening_variable(&alpha);
     let expected = ring.extrados() * (h.clone() * &opening.denominator - opening.numerator) / &two
         + alpha.versine() * &ring.centroid_factor;

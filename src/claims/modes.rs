@@ -13,10 +13,11 @@
 //! term on each side.
 
 use super::along::Along;
-use super::contacts::{CONTACTS, Contact, slopes};
+use super::contacts::{CONTACTS, label, margin_at, row_at, slopes};
 use super::landmarks::{certain_if, state_of};
 use super::letters::{ring, variables};
 use super::{Claim, Derivation, Finding, Support};
+use crate::arch::mechanism::Contact;
 use crate::arch::{Configuration, SelfWeight, contact, statics};
 use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Enclosure, Field};
@@ -56,7 +57,7 @@ fn lever(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (h, eta, free) = (Symbol::Thrust.number(), &ring.thickness, Relations::none());
     let two = h.int(2);
     let arm = (ring.intrados() * &joint.cos - ring.extrados() * &alpha.cos) / &two;
-    let sum = Contact::Intrados.margin(&joint) + Contact::Extrados.margin(&alpha);
+    let sum = margin_at(Contact::Intrados, &joint) + margin_at(Contact::Extrados, &alpha);
     let bracket = sum.clone() + h.clone() * &arm;
     let free_of_h: Fraction = bracket.partial(Symbol::Thrust);
     d.identity("L(beta) + U(alpha) + h b is free of h", &free_of_h, &h.int(0), &free)?;
@@ -86,14 +87,14 @@ fn seven_modes(d: &mut Derivation) -> Result<Finding, Undecided> {
         (Symbol::Thrust.number(), Relations::none(), Angle::zero(&ring.thickness));
     let two = h.int(2);
     for contact in [Contact::Extrados, Contact::Intrados] {
-        let [by_thrust, by_moment] = slopes(&contact.margin(&joint));
-        let [row, unit] = contact.row(&joint);
-        let name = contact.name();
+        let [by_thrust, by_moment] = slopes(&margin_at(contact, &joint));
+        let [row, unit] = row_at(contact, &joint);
+        let name = label(contact);
         d.identity(format!("the work of h on a hinge, d{name}/dh"), &by_thrust, &row, &free)?;
         d.identity(format!("the work of p on it, d{name}/dp"), &by_moment, &unit, &free)?;
     }
     let shear = slopes(&statics::shear_force(&joint, &h));
-    let [row, _] = Contact::Inwards.row(&joint);
+    let [row, _] = row_at(Contact::Inwards, &joint);
     let words = "the work of h on a joint that slides along itself is that on T";
     d.identity(words, &-shear[0].clone(), &row, &free)?;
     // With the multiple of the haunch's row for p that takes the haunch out.
@@ -103,11 +104,11 @@ fn seven_modes(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (inner, outer) = (ring.intrados() * &joint.cos, ring.extrados());
     let (a, b) = ((outer.clone() - &inner) / &two, (inner - outer * &alpha.cos) / &two);
     let terms = [
-        ("a u, of the crown's hinge", Contact::Extrados.row(&crown), a.clone()),
-        ("no l, of the haunch's hinge", Contact::Intrados.row(&joint), h.int(0)),
-        ("-b v, of the shoulder's hinge", Contact::Extrados.row(&alpha), -b.clone()),
-        ("s sin(beta_s), of an inner joint", Contact::Inwards.row(&joint), joint.sin.clone()),
-        ("-t sin(alpha), of the shoulder", Contact::Outwards.row(&alpha), -alpha.sin.clone()),
+        ("a u, of the crown's hinge", row_at(Contact::Extrados, &crown), a.clone()),
+        ("no l, of the haunch's hinge", row_at(Contact::Intrados, &joint), h.int(0)),
+        ("-b v, of the shoulder's hinge", row_at(Contact::Extrados, &alpha), -b.clone()),
+        ("s sin(beta_s), of an inner joint", row_at(Contact::Inwards, &joint), joint.sin.clone()),
+        ("-t sin(alpha), of the shoulder", row_at(Contact::Outwards, &alpha), -alpha.sin.clone()),
     ];
     for (words, row, expected) in terms {
         d.identity(format!("the balance of h has {words}"), &balance(row), &expected, &free)?;
@@ -127,7 +128,7 @@ fn seven_modes(d: &mut Derivation) -> Result<Finding, Undecided> {
         let words = format!("the rates by which {mode} is proved are in balance");
         d.identity(words, &sum, &h.int(0), &free)?;
     }
-    let slope = Contact::Intrados.margin(&joint).derivative(&along_the_joint());
+    let slope = margin_at(Contact::Intrados, &joint).derivative(&along_the_joint());
     let shear = statics::shear_force(&joint, &h);
     let thick =
         ring.thickness.clone() / &two + Symbol::Flag.number() * ring.thickness.square() / h.int(12);
@@ -154,8 +155,8 @@ fn seven_modes(d: &mut Derivation) -> Result<Finding, Undecided> {
     };
     let p = Symbol::CrownMoment.number();
     for (contact, expected) in [(Contact::Extrados, -p.clone()), (Contact::Intrados, p)] {
-        let words = format!("{} at the crown without thrust", contact.name());
-        d.identity(words, &without(&contact.margin(&crown)), &expected, &free)?;
+        let words = format!("{} at the crown without thrust", label(contact));
+        d.identity(words, &without(&margin_at(contact, &crown)), &expected, &free)?;
     }
     d.conclude(
         "With unlimited friction s = t = 0, and u and v remain: [r,r,r] for h > 0, where the same joints are at their \

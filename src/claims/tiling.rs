@@ -6,7 +6,7 @@
 //! shoulder ends the arch where it is on the extrados or where it slides, and does so the later the smaller the thrust.
 
 use super::along::landmark;
-use super::contacts::{CONTACTS, Contact};
+use super::contacts::{CONTACTS, margin_at};
 use super::curve::STATES_IN_ORDER;
 use super::domains::{INNER_SLIDING_BEYOND_T, NO_SHOULDER_SLIDING_BEYOND_T};
 use super::frictions::{
@@ -17,6 +17,7 @@ use super::letters::{ring, variables};
 use super::modes::SEVEN_MODES;
 use super::uniqueness::{MECHANISM_BOUNDS, ONE_HALF_OPENING, ONE_THICKNESS, THICKER_HAS_ROOM};
 use super::{Claim, Derivation, Finding, Support};
+use crate::arch::mechanism::Contact;
 use crate::arch::{Ring, SelfWeight, contact, overturning, sliding, statics, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Enclosure, Field, Surd};
@@ -74,8 +75,8 @@ fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (at, ring, free) = (variables(), ring(), Relations::none());
     let two = at.thrust.int(2);
     let lower = thrust::lower(&at.rotation_joint, &ring);
-    let sum =
-        Contact::Extrados.margin(&Angle::zero(&two)) + Contact::Intrados.margin(&at.rotation_joint);
+    let sum = margin_at(Contact::Extrados, &Angle::zero(&two))
+        + margin_at(Contact::Intrados, &at.rotation_joint);
     d.identity(
         "U at the crown and L at a joint add up to h - h_L up to a positive factor",
         &sum,
@@ -224,7 +225,7 @@ fn overturning_sliding_beyond_l(d: &mut Derivation) -> Result<Finding, Undecided
     let fall = (h.int(1) - joint.times_cotangent() + &h) * ring.intrados() / h.int(2);
     d.identity(
         "dL/d beta: positive where that condition is not, as beta cot(beta) < 1 and h > 0",
-        &Contact::Intrados.margin(&joint).derivative(&along_the_joint()),
+        &margin_at(Contact::Intrados, &joint).derivative(&along_the_joint()),
         &((fall - condition) * &joint.sin),
         &Relations::trigonometric(),
     )?;

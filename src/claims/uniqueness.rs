@@ -6,12 +6,13 @@
 //! usual argument of the static theorem holds. It needs the symmetry: where a vertical force in the crown works
 //! too, no factor serves both. **Asymmetric mechanisms are not in question here.**
 
-use super::contacts::{CONTACTS, Contact, DISTANCES_RISE_AND_FALL, slopes};
+use super::contacts::{CONTACTS, DISTANCES_RISE_AND_FALL, label, margin_at, row_at, slopes};
 use super::frictions::{SLIDING_STATES_IN_ORDER, SLOPES_OF_FRICTION};
 use super::letters::ring;
 use super::modes::{SEVEN_MODES, room_of_pure_sliding};
 use super::overturning::A_FIXES_ALPHA;
 use super::{Claim, Derivation, Finding, Support};
+use crate::arch::mechanism::Contact;
 use crate::arch::{SelfWeight, statics, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Enclosure, Field};
@@ -113,25 +114,25 @@ fn mechanism_bounds(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (free, circle) = (Relations::none(), Relations::trigonometric());
     let p = Symbol::CrownMoment.number();
     for contact in Contact::ALL {
-        let margin = contact.margin(&joint);
+        let margin = margin_at(contact, &joint);
         let [by_thrust, by_moment] = slopes(&margin);
         let sum = without_forces(&margin) + by_thrust * &h + by_moment * &p;
-        let words = format!("{} is linear in h and p", contact.name());
+        let words = format!("{} is linear in h and p", label(contact));
         d.identity(words, &margin, &sum, &free)?;
     }
     let (shear, normal) = (statics::shear_force(&joint, &h), statics::normal_force(&joint, &h));
     for (contact, friction) in [(Contact::Inwards, shear.clone()), (Contact::Outwards, -shear)] {
-        let [by_thrust, _] = slopes(&contact.margin(&joint));
+        let [by_thrust, _] = slopes(&margin_at(contact, &joint));
         let friction = friction / &normal;
         let at_limit = by_thrust.evaluate(&h, |symbol| match symbol {
             Symbol::Friction => friction.clone(),
             other => other.number(),
         });
-        let [row, _] = contact.row(&joint);
+        let [row, _] = row_at(contact, &joint);
         let scaled = row * &joint.rad / (joint.sin.clone() * &normal);
         let words = format!(
             "d({})/dh at its limit is the work of h on the sliding joint times beta/(N sin(beta))",
-            contact.name()
+            label(contact)
         );
         d.identity(words, &at_limit, &scaled, &circle)?;
     }
@@ -149,14 +150,14 @@ fn thicker_has_room(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let (h, eta, delta) = (Symbol::Thrust.number(), ring.thickness.clone(), Symbol::Flag.number());
     let (free, two) = (Relations::none(), h.int(2));
-    let intrados = Contact::Intrados.margin(&joint);
-    let crown = Contact::Extrados.margin(&Angle::zero(&h)) + &intrados;
+    let intrados = margin_at(Contact::Intrados, &joint);
+    let crown = margin_at(Contact::Extrados, &Angle::zero(&h)) + &intrados;
     let normal = statics::normal_force(&joint, &h);
     let slope = (h.clone() + normal) / &two + delta.clone() * &eta * joint.versine() / h.int(6);
     let words =
         "what is left to p between the crown's extrados and a joint's intrados grows with eta";
     d.identity(words, &crown.partial(Symbol::Thickness), &slope, &free)?;
-    let shoulder = Contact::Extrados.margin(&alpha) + intrados;
+    let shoulder = margin_at(Contact::Extrados, &alpha) + intrados;
     let bend = shoulder.partial(Symbol::Thickness).partial(Symbol::Thickness);
     let expected = -(delta.clone() * (joint.cos.clone() - &alpha.cos) / h.int(6));
     let words =
@@ -242,7 +243,7 @@ fn limit_stands(d: &mut Derivation) -> Result<Finding, Undecided> {
         })
     };
     let opening = thrust::opening_variable(&joint).value();
-    let distance = Contact::Extrados.margin(&joint) - Contact::Extrados.margin(&crown);
+    let distance = margin_at(Contact::Extrados, &joint) - margin_at(Contact::Extrados, &crown);
     let expected = (opening.clone() - h.int(1) - &h) * joint.versine();
     let words = "U less U at the crown, at eta = 0: not zero at all joints, as A falls";
     d.identity(words, &without_thickness(distance), &expected, &free)?;
@@ -253,8 +254,8 @@ fn limit_stands(d: &mut Derivation) -> Result<Finding, Undecided> {
     );
     let outwards = (mu.clone() * &joint.cos - &joint.sin) * &h
         + (mu.clone() * &joint.sin + &joint.cos) * &joint.rad;
-    d.identity("mu N + T", &Contact::Outwards.margin(&joint), &outwards, &free)?;
-    let ends = Contact::Intrados.margin(&crown) + Contact::Extrados.margin(&alpha);
+    d.identity("mu N + T", &margin_at(Contact::Outwards, &joint), &outwards, &free)?;
+    let ends = margin_at(Contact::Intrados, &crown) + margin_at(Contact::Extrados, &alpha);
     let area = alpha.rad.clone() * &alpha.sin + &alpha.cos - h.int(1);
     let gain = (h.int(6) - Symbol::Flag.number() * eta) * eta / h.int(12);
     let expected = (ring.extrados() * &alpha.cos - ring.intrados()) * &h / &two
@@ -270,7 +271,7 @@ fn limit_stands(d: &mut Derivation) -> Result<Finding, Undecided> {
     let words = "d(x sin(x) + cos(x))/dx: positive, so that U > 0 at the shoulder";
     let slope = joint.rad.clone() * &joint.cos;
     d.identity(words, &area.derivative(&along_the_joint()), &slope, &free)?;
-    let rise = Contact::Intrados.margin(&joint) - Contact::Intrados.margin(&crown);
+    let rise = margin_at(Contact::Intrados, &joint) - margin_at(Contact::Intrados, &crown);
     let expected =
         ((h.clone() - opening) * ring.intrados() / &two + &ring.centroid_factor) * joint.versine();
     d.identity("L less L at the crown: not negative, as A <= 2", &rise, &expected, &free)?;
@@ -278,7 +279,7 @@ fn limit_stands(d: &mut Derivation) -> Result<Finding, Undecided> {
         + (h.clone() - h.int(1)) * &joint.sin
         + (joint.sin.clone() - slope);
     let words = "mu N - T: positive, as x cos(x) <= sin(x)";
-    d.identity(words, &Contact::Inwards.margin(&joint), &expected, &free)?;
+    d.identity(words, &margin_at(Contact::Inwards, &joint), &expected, &free)?;
     d.conclude(
         "So L, U, mu N + T and mu N - T are positive at all joints: the limit stands, with this state.",
     );
@@ -300,11 +301,11 @@ fn one_half_opening(d: &mut Derivation) -> Result<Finding, Undecided> {
         (Contact::Outwards, Symbol::Friction.number()),
     ];
     for (contact, expected) in cases {
-        let margin = contact.margin(&crown).evaluate(&h, |symbol| match symbol {
+        let margin = margin_at(contact, &crown).evaluate(&h, |symbol| match symbol {
             Symbol::Thrust | Symbol::CrownMoment => one.clone(),
             other => other.number(),
         });
-        let words = format!("{} at the crown for h = p = 1: positive", contact.name());
+        let words = format!("{} at the crown for h = p = 1: positive", label(contact));
         d.identity(words, &margin, &expected, &free)?;
     }
     let flat = Angle { rad: Symbol::HalfOpening.number(), sin: h.int(0), cos: h.int(-1) };

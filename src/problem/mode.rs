@@ -1,7 +1,9 @@
 //! The seven collapse modes: which joints open or slide, and which equations hold.
 
 use super::{Equation, Fixed, System};
-use crate::arch::{SelfWeight, Unknown};
+use crate::arch::mechanism::{self, Mechanism};
+use crate::arch::{Configuration, SelfWeight, Unknown};
+use crate::number::{Angle, Field, Real};
 use std::fmt;
 
 /// A collapse mode of the half arch.
@@ -105,6 +107,40 @@ impl Mode {
             ),
         };
         System { weight, unknowns, equations, fixed }
+    }
+
+    /// How the blocks move at collapse, with no dilatancy (zero) or some: what a joint opens by a slip of one.
+    pub fn mechanism<T: Field>(self, at: &Configuration<T>, dilatancy: &T) -> Mechanism<T> {
+        match self {
+            Self::Rotational => mechanism::rotation(at),
+            Self::SlidingRotational => mechanism::shoulder_sliding(at, dilatancy),
+            Self::RotationalSliding => mechanism::sliding_above_haunch(at, dilatancy),
+            Self::RotationalSlidingRotational => mechanism::sliding_below_haunch(at, dilatancy),
+            Self::OverturningSliding => mechanism::overturning_sliding(at, dilatancy),
+            Self::Overturning => mechanism::overturning(at),
+            Self::Sliding => mechanism::sliding(at, dilatancy),
+        }
+    }
+
+    /// The finite motion of the blocks, by the angle in radians or the slip at the shoulder.
+    pub fn moves<T: Real>(
+        self,
+        at: &Configuration<T>,
+        by: &T,
+        dilatancy: &T,
+    ) -> Vec<mechanism::Motion<T>> {
+        let turn = Angle::new(by.clone());
+        match self {
+            Self::Rotational => mechanism::moves_rotating(at, &turn),
+            Self::SlidingRotational => mechanism::moves_with_shoulder_sliding(at, by, dilatancy),
+            Self::RotationalSliding => mechanism::moves_sliding_above_haunch(at, &turn, dilatancy),
+            Self::RotationalSlidingRotational => {
+                mechanism::moves_sliding_below_haunch(at, &turn, dilatancy)
+            }
+            Self::OverturningSliding => mechanism::moves_overturning_sliding(at, &turn, dilatancy),
+            Self::Overturning => mechanism::moves_overturning(at, &turn),
+            Self::Sliding => mechanism::moves_sliding(at, by, dilatancy),
+        }
     }
 
     /// The same at a given thickness and friction: the half opening is solved for in place of the thickness,
