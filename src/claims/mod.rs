@@ -22,6 +22,7 @@
 //! | the two weights compared on the map | `map_of_weights.rs`, `border.rs` |
 //! | which joints can be at their limits | `contacts.rs` |
 //! | why there are seven modes | `modes.rs` |
+//! | how the blocks move in each | `mechanisms.rs` |
 //! | where on the map the modes are | `domains.rs` |
 //! | why they fill it | `tiling.rs` |
 //! | its lines as curves without gaps | `lines.rs` |
@@ -57,6 +58,7 @@ mod letters;
 mod lines;
 mod map_of_weights;
 mod measured;
+mod mechanisms;
 mod modes;
 mod moments;
 mod overturning;
@@ -177,6 +179,7 @@ pub fn claims() -> Vec<Claim> {
         border::CLAIMS,
         contacts::CLAIMS,
         modes::CLAIMS,
+        mechanisms::CLAIMS,
         domains::CLAIMS,
         tiling::CLAIMS,
         lines::CLAIMS,

@@ -14,6 +14,9 @@ pub trait Letters: Sized {
     /// The rotational joint `beta`, with `S` and `C`.
     fn joint() -> Angle<Fraction>;
 
+    /// The sliding joint `beta_s`, with its sine and cosine.
+    fn sliding_joint() -> Angle<Fraction>;
+
     /// The half opening `alpha`, with its sine and cosine.
     fn half_opening() -> Angle<Fraction>;
 }
@@ -29,6 +32,14 @@ impl Letters for Symbol {
 
     fn joint() -> Angle<Fraction> {
         Angle { rad: Self::Joint.number(), sin: Self::Sine.number(), cos: Self::Cosine.number() }
+    }
+
+    fn sliding_joint() -> Angle<Fraction> {
+        Angle {
+            rad: Self::SlidingJoint.number(),
+            sin: Self::SineOfSliding.number(),
+            cos: Self::CosineOfSliding.number(),
+        }
     }
 
     fn half_opening() -> Angle<Fraction> {

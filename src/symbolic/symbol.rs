@@ -38,6 +38,12 @@ pub enum Symbol {
     Sine,
     /// `C = cos(beta)`.
     Cosine,
+    /// `beta_s`, where another joint is `beta`.
+    SlidingJoint,
+    /// `sin(beta_s)`.
+    SineOfSliding,
+    /// `cos(beta_s)`.
+    CosineOfSliding,
     /// `alpha`.
     HalfOpening,
     /// `sin(alpha)`.
@@ -56,7 +62,7 @@ pub enum Symbol {
 
 impl Symbol {
     /// How many there are.
-    pub const COUNT: usize = 22;
+    pub const COUNT: usize = 25;
 
     /// All of them, in order.
     pub const ALL: [Self; Self::COUNT] = [
@@ -75,6 +81,9 @@ impl Symbol {
         Self::Joint,
         Self::Sine,
         Self::Cosine,
+        Self::SlidingJoint,
+        Self::SineOfSliding,
+        Self::CosineOfSliding,
         Self::HalfOpening,
         Self::SineOfOpening,
         Self::CosineOfOpening,
@@ -102,6 +111,9 @@ impl Symbol {
             Self::Joint => ("beta", r"\beta"),
             Self::Sine => ("S", "S"),
             Self::Cosine => ("C", "C"),
+            Self::SlidingJoint => ("beta_s", r"\beta_s"),
+            Self::SineOfSliding => ("Ss", r"\sin\beta_s"),
+            Self::CosineOfSliding => ("Cs", r"\cos\beta_s"),
             Self::HalfOpening => ("alpha", r"\alpha"),
             Self::SineOfOpening => ("Sa", r"\sin\alpha"),
             Self::CosineOfOpening => ("Ca", r"\cos\alpha"),
