@@ -2,7 +2,8 @@
 //!
 //! A [`Curve`] is followed by [`Trace::new`] in pieces. On each a [tube](Trace) about a cubic holds exactly one solution
 //! for every parameter; neighbouring tubes join; the ends are landmarks. A [`Level`] is the line of one half opening,
-//! thickness or friction, mode by mode; [`boundary`] has the domains of the modes as loops of curves.
+//! thickness or friction, mode by mode; [`boundary`] has the domains of the modes as loops of curves. A [`Sketch`] is an arch to be
+//! drawn.
 //!
 //! ```
 //! use couplet::arch::SelfWeight;
@@ -26,6 +27,7 @@ mod level;
 mod place;
 mod point;
 mod search;
+mod sketch;
 mod trace;
 mod tube;
 mod walk;
@@ -39,4 +41,5 @@ pub use form::Variable;
 pub use level::{Level, NoLevel, Part};
 pub use place::Place;
 pub use point::{NoPoint, point};
+pub use sketch::{Block, Collapse, Forces, Line, Mark, NoSketch, Sketch, Subject, moved};
 pub use trace::{LEAST_TOLERANCE, Piece, Point, Trace};

@@ -111,7 +111,7 @@ impl Claim {
             .collect::<Result<_, _>>()?;
         let no_mode = |text: &&str| is_word(text, &NOTHING);
         let mode = match said.mode.filter(|text| !text.is_empty() && !no_mode(text)) {
-            Some(text) => Some(mode(text).ok_or_else(|| ClaimError::Mode(short(text)))?),
+            Some(text) => Some(Mode::named(text).ok_or_else(|| ClaimError::Mode(short(text)))?),
             None => None,
         };
         let stands = said.stands.map(yes_or_no).transpose()?.flatten();
@@ -228,16 +228,6 @@ impl Claimed {
     }
 }
 
-/// A mode by its letters: brackets, commas, spaces and hyphens are left out.
-fn mode(text: &str) -> Option<Mode> {
-    let letters = |text: &str| -> String {
-        let kept = text.chars().filter(|c| !"[](){},; -".contains(*c));
-        kept.map(|c| c.to_ascii_lowercase()).collect()
-    };
-    let asked = letters(text);
-    Mode::ALL.into_iter().find(|mode| letters(mode.label()) == asked)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -267,10 +257,10 @@ mod tests {
     #[test]
     fn a_mode_is_known_by_its_letters() {
         for text in ["[r,r,s]", "rrs", "R-R-S", "( r, r, s )"] {
-            assert_eq!(mode(text), Some(Mode::RotationalSliding), "{text}");
+            assert_eq!(Mode::named(text), Some(Mode::RotationalSliding), "{text}");
         }
         for text in ["", "[]", "rr", "rrrr", "rotational", "s,s,s"] {
-            assert_eq!(mode(text), None, "{text}");
+            assert_eq!(Mode::named(text), None, "{text}");
         }
     }
 

@@ -31,4 +31,4 @@ pub mod text;
 pub use color::Color;
 pub use frame::{Frame, Side};
 pub use path::{Path, Point};
-pub use svg::{Anchor, Hatch, Stroke, Svg, Type};
+pub use svg::{Anchor, Hatch, Rigid, Stroke, Svg, Type};

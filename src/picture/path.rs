@@ -5,6 +5,9 @@ use std::fmt;
 /// A coordinate of a path is written to this of the unit.
 pub const ROUNDED: f64 = 0.001;
 
+/// The longest arc that is drawn as one curve, in rad: the curve is nowhere further from it than 4 millionths of the radius.
+const ARC: f64 = 0.8;
+
 /// To the right and down, in units of the picture.
 pub type Point = (f64, f64);
 
@@ -57,6 +60,21 @@ impl Path {
         self.0.push(Step::Curve(first_handle, second_handle, to));
     }
 
+    /// Goes on along a circle, from one angle to another, both clockwise from upwards: it has to be at the first.
+    pub fn arc(&mut self, (x, y): Point, radius: f64, [from, to]: [f64; 2]) {
+        let pieces = ((to - from).abs() / ARC).ceil().max(1.0) as u32;
+        let step = (to - from) / f64::from(pieces);
+        let handle = radius * 4.0 / 3.0 * (step / 4.0).tan();
+        let at = |angle: f64, along: f64| {
+            let (sin, cos) = angle.sin_cos();
+            (x + radius * sin + along * cos, y - radius * cos + along * sin)
+        };
+        for k in 0..pieces {
+            let [start, end] = [k, k + 1].map(|k| from + f64::from(k) * step);
+            self.curve(at(start, handle), at(end, -handle), at(end, 0.0));
+        }
+    }
+
     /// Ends a piece where it began.
     pub fn close(&mut self) {
         self.0.push(Step::Close);
@@ -98,6 +116,29 @@ mod tests {
     fn lengths_are_short() {
         let texts = [0.0, -0.001, 100.0, 12.5, -7.257, 1e-9].map(|x| Short(x).to_string());
         assert_eq!(texts, ["0", "-0.001", "100", "12.5", "-7.257", "0"]);
+    }
+
+    #[test]
+    fn an_arc_stays_on_its_circle() {
+        let mut path = Path::through([(3.0, 1.0)]);
+        path.arc((3.0, 4.0), 3.0, [0.0, 2.0]);
+        let (mut at, mut pieces) = ((3.0, 1.0), 0);
+        for step in &path.0[1..] {
+            let Step::Curve(a, b, to) = *step else { panic!("{step:?}") };
+            for k in 0..=10 {
+                let (t, u) = (f64::from(k) / 10.0, 1.0 - f64::from(k) / 10.0);
+                let mix = |p: f64, a: f64, b: f64, q: f64| {
+                    u * u * u * p + 3.0 * u * u * t * a + 3.0 * u * t * t * b + t * t * t * q
+                };
+                let (x, y) = (mix(at.0, a.0, b.0, to.0), mix(at.1, a.1, b.1, to.1));
+                assert!(((x - 3.0).hypot(y - 4.0) - 3.0).abs() < 1.2e-5);
+            }
+            (at, pieces) = (to, pieces + 1);
+        }
+        assert_eq!(pieces, 3);
+        assert!(
+            (at.0 - 3.0 - 3.0 * 2f64.sin()).abs() + (at.1 - 4.0 + 3.0 * 2f64.cos()).abs() < 1e-12
+        );
     }
 
     #[test]

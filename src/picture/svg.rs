@@ -53,6 +53,27 @@ pub struct Hatch {
     pub turn: f64,
 }
 
+/// A rigid motion on the page: a rotation about a point, and then a shift.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rigid {
+    /// To the right and down.
+    pub shift: Point,
+    /// Clockwise.
+    pub degrees: f64,
+    /// What it turns about.
+    pub about: Point,
+}
+
+impl Rigid {
+    fn moves(&self) -> String {
+        format!("{} {}", Short(self.shift.0), Short(self.shift.1))
+    }
+
+    fn turns(&self) -> String {
+        format!("{:.4} {} {}", self.degrees, Short(self.about.0), Short(self.about.1))
+    }
+}
+
 /// How a text looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Type {
@@ -189,6 +210,51 @@ impl Svg {
         self.write(format_args!("<path d=\"{path}\" fill=\"url(#{name})\"/>"));
     }
 
+    /// An area through which what is below can be seen; of a `share` of 1 nothing.
+    pub fn tint(&mut self, path: &Path, color: Color, share: f64) {
+        let share = Short(share);
+        self.write(format_args!("<path d=\"{path}\" fill=\"{color}\" fill-opacity=\"{share}\"/>"));
+    }
+
+    /// What is drawn at rest, moved; with `steps`, moving through them again and again, in so many seconds. Who does not
+    /// know of animations sees it where it is moved to.
+    pub fn moved(
+        &mut self,
+        to: Rigid,
+        steps: &[Rigid],
+        seconds: f64,
+        draw: impl FnOnce(&mut Self),
+    ) {
+        let (moves, turns) = (to.moves(), to.turns());
+        self.write(format_args!("<g transform=\"translate({moves}) rotate({turns})\">"));
+        draw(self);
+        let mut animate = |kind: &str, more: &str, values: Vec<String>| {
+            self.write(format_args!(
+                "<animateTransform attributeName=\"transform\" type=\"{kind}\"{more} dur=\"{}s\" \
+                 repeatCount=\"indefinite\" values=\"{}\"/>",
+                Short(seconds),
+                values.join(";")
+            ));
+        };
+        if !steps.is_empty() {
+            animate("translate", "", steps.iter().map(Rigid::moves).collect());
+            animate("rotate", " additive=\"sum\"", steps.iter().map(Rigid::turns).collect());
+        }
+        self.write(format_args!("</g>"));
+    }
+
+    /// A disc with a line around it.
+    pub fn ring(&mut self, (x, y): Point, radius: f64, color: Color, line: Stroke) {
+        self.write(format_args!(
+            "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{color}\" stroke=\"{}\" stroke-width=\"{}\"/>",
+            Short(x),
+            Short(y),
+            Short(radius),
+            line.color,
+            Short(line.width)
+        ));
+    }
+
     /// A disc.
     pub fn disc(&mut self, (x, y): Point, radius: f64, color: Color) {
         self.write(format_args!(
@@ -262,6 +328,24 @@ mod tests {
         {
             assert!(text.contains(part), "{text}");
         }
+    }
+
+    #[test]
+    fn what_moves_is_seen_at_rest_too() {
+        let at = |degrees| Rigid { shift: (1.0, -2.5), degrees, about: (5.0, 6.0) };
+        let draw = |steps: &[Rigid]| {
+            let mut svg = Svg::new((9.0, 9.0), "", "");
+            svg.moved(at(-10.0), steps, 4.0, |svg| {
+                svg.ring((1.0, 2.0), 3.0, WHITE, Stroke::new(WHITE, 1.0))
+            });
+            svg.finish()
+        };
+        let (still, moving) = (draw(&[]), draw(&[at(-10.0), at(0.0)]));
+        let place = "<g transform=\"translate(1 -2.5) rotate(-10.0000 5 6)\">";
+        assert!(still.contains(place) && !still.contains("animate"));
+        assert!(moving.contains(place) && moving.matches("<animateTransform").count() == 2);
+        assert!(moving.contains("additive=\"sum\"") && moving.contains("values=\"1 -2.5;1 -2.5\""));
+        assert!(texts(&moving).is_some());
     }
 
     #[test]

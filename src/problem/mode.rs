@@ -51,6 +51,16 @@ impl Mode {
         }
     }
 
+    /// The mode of a label, by its letters: brackets, commas, spaces, hyphens and the case do not matter.
+    pub fn named(text: &str) -> Option<Self> {
+        let letters = |text: &str| -> String {
+            let kept = text.chars().filter(|c| !"[](){},; -".contains(*c));
+            kept.map(|c| c.to_ascii_lowercase()).collect()
+        };
+        let asked = letters(text);
+        Self::ALL.into_iter().find(|mode| letters(mode.label()) == asked)
+    }
+
     /// Whether the line of thrust touches the intrados at a hinge below the crown.
     pub fn has_haunch(self) -> bool {
         !matches!(self, Self::OverturningSliding | Self::Overturning | Self::Sliding)

@@ -7,6 +7,7 @@ use super::judged::{self, JudgeSummary, JudgedLines};
 use super::map::{self, Map, MapPoints};
 use super::rows::Rows;
 use super::sampled::{self, SampledLines};
+use super::sketched::{self, Sketched};
 use super::voussoirs::{self, VoussoirArches};
 use super::words::list;
 use super::{c, csv, fortran, json, julia, latex, matlab, plain, python, rust, table, toml};
@@ -37,6 +38,8 @@ pub enum Content {
     MapPoint,
     /// Arches of voussoirs.
     Voussoirs,
+    /// Arches to be drawn.
+    Drawing,
 }
 
 /// Writes all at once.
@@ -70,6 +73,7 @@ pub struct Format {
     pub(super) map: Option<Writer<Map>>,
     pub(super) map_points: Option<Writer<MapPoints>>,
     pub(super) voussoirs: Option<Writer<VoussoirArches>>,
+    pub(super) drawing: Option<Writer<Sketched>>,
 }
 
 const fn text(name: &'static str, extension: &'static str) -> Format {
@@ -91,6 +95,7 @@ const fn text(name: &'static str, extension: &'static str) -> Format {
         map: None,
         map_points: None,
         voussoirs: None,
+        drawing: None,
     }
 }
 
@@ -99,7 +104,7 @@ const fn language(name: &'static str, extension: &'static str, answers: Writer<A
     Format { has_certificates: true, answers: Some(answers), ..text(name, extension) }
 }
 
-static FORMATS: [Format; 18] = [
+static FORMATS: [Format; 19] = [
     Format {
         answers: Some(table::answers),
         audit: Some(audit::table),
@@ -119,6 +124,7 @@ static FORMATS: [Format; 18] = [
         map: Some(map::json),
         map_points: Some(map::point_json),
         voussoirs: Some(voussoirs::json),
+        drawing: Some(sketched::json),
         ..language("json", "json", json::answers)
     },
     Format {
@@ -147,9 +153,15 @@ static FORMATS: [Format; 18] = [
     language("matlab", "m", matlab::answers),
     language("fortran", "f90", fortran::answers),
     PARQUET,
-    Format { is_picture: true, map: Some(map::svg), ..text("svg", "svg") },
+    Format {
+        is_picture: true,
+        map: Some(map::svg),
+        drawing: Some(sketched::svg),
+        ..text("svg", "svg")
+    },
     Format { map: Some(map::html), ..text("html", "html") },
     PNG,
+    Format { drawing: Some(sketched::dxf), ..text("dxf", "dxf") },
 ];
 
 #[cfg(feature = "parquet")]
@@ -171,8 +183,13 @@ const PARQUET: Format = Format {
 };
 
 #[cfg(feature = "plots")]
-const PNG: Format =
-    Format { is_binary: true, is_picture: true, map: Some(map::png), ..text("png", "png") };
+const PNG: Format = Format {
+    is_binary: true,
+    is_picture: true,
+    map: Some(map::png),
+    drawing: Some(sketched::png),
+    ..text("png", "png")
+};
 
 /// A stand-in that names the missing feature.
 #[cfg(not(feature = "plots"))]
@@ -181,6 +198,7 @@ const PNG: Format = Format {
     is_picture: true,
     missing: Some("plots"),
     map: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
+    drawing: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
     ..text("png", "png")
 };
 
@@ -199,6 +217,7 @@ impl Format {
             Content::Figure => format.is_picture,
             Content::MapPoint => format.map_points.is_some(),
             Content::Voussoirs => format.voussoirs.is_some(),
+            Content::Drawing => format.drawing.is_some(),
         })
     }
 

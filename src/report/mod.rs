@@ -50,6 +50,7 @@ mod python;
 mod rows;
 mod rust;
 mod sampled;
+mod sketched;
 #[cfg(feature = "study")]
 pub(crate) mod study;
 mod table;
@@ -67,6 +68,7 @@ pub use format::{Content, Format};
 pub use given::GivenDoubles;
 pub use map::{Map, MapPoint, MapPoints};
 pub use rows::Rows;
+pub use sketched::{Sketched, Style};
 pub use value::Value;
 pub use voussoirs::{VoussoirArch, VoussoirArches};
 
@@ -89,6 +91,8 @@ pub enum Report {
     MapPoints(MapPoints),
     /// Arches of voussoirs.
     Voussoirs(VoussoirArches),
+    /// Arches to be drawn.
+    Sketched(Sketched),
 }
 
 impl Report {
@@ -102,6 +106,7 @@ impl Report {
             Self::Map(map) => format.map.map(|write| write(map, out)),
             Self::MapPoints(points) => format.map_points.map(|write| write(points, out)),
             Self::Voussoirs(arches) => format.voussoirs.map(|write| write(arches, out)),
+            Self::Sketched(sketched) => format.drawing.map(|write| write(sketched, out)),
         };
         written.unwrap_or_else(|| Err(io::ErrorKind::Unsupported.into()))
     }

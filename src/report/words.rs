@@ -2,7 +2,7 @@
 
 use crate::arch::SelfWeight;
 use crate::certify::state::Fall;
-use crate::problem::Quantity;
+use crate::problem::{Landmark, Quantity};
 use std::fmt::Display;
 
 pub(crate) use crate::number::shown as shortened;
@@ -52,6 +52,11 @@ pub(crate) fn author(weight: SelfWeight) -> &'static str {
 /// The self-weight model in words.
 pub(crate) fn model(weight: SelfWeight) -> String {
     format!("{}-like self-weight", author(weight))
+}
+
+/// The symbol of a landmark in a picture: in its font the letter l is a bar.
+pub(crate) fn symbol(landmark: Landmark) -> &'static str {
+    if landmark == Landmark::RotationEnd { "ℓ" } else { landmark.symbol() }
 }
 
 /// The word for why an arch does not stand.

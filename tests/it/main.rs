@@ -32,6 +32,8 @@ mod coq;
 #[cfg(feature = "cli")]
 mod door;
 #[cfg(all(feature = "mpfr", feature = "cli"))]
+mod draw;
+#[cfg(all(feature = "mpfr", feature = "cli"))]
 mod export;
 #[cfg(feature = "mpfr")]
 mod identities;

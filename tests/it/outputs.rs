@@ -161,6 +161,7 @@ outputs! {
     help_find: run("couplet find --help");
     help_voussoirs: run("couplet voussoirs --help");
     help_map: run("couplet map --help");
+    help_draw: run("couplet draw --help");
     help_figure: run("couplet figure --help");
     help_states: run("couplet states --help");
     help_sample: run("couplet sample --help");

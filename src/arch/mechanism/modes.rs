@@ -18,6 +18,14 @@ pub struct Mechanism<T> {
 }
 
 impl<T: Field> Mechanism<T> {
+    /// The hinge at the crown, unless it opens along the whole joint.
+    pub fn crown_hinge(&self) -> Option<&Joint<T>> {
+        match &self.crown[..] {
+            [hinge] => Some(hinge),
+            _ => None,
+        }
+    }
+
     /// The twists of the blocks, from the shoulder.
     pub fn twists(&self, thickness: &T) -> Vec<Twist<T>> {
         let add = |sum: &mut Twist<T>, joint: &Joint<T>| {

@@ -58,7 +58,9 @@ pub use figure::Figure;
 pub use inquiry::Inquiry;
 pub use measured::{measured_assessment, measured_state};
 pub(crate) use query::bits_lost;
-pub(crate) use quick::{assessment_enclosed, sliding_enclosed, state_enclosed};
+pub(crate) use quick::{
+    assessment_enclosed, sliding_configuration, sliding_enclosed, state_enclosed,
+};
 pub(crate) use raise::{raise, raised};
 pub use state::{Fall, Frictions, Outcome, State};
 pub use thrust_range::{Limit, Touch};

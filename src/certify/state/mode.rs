@@ -104,11 +104,16 @@ pub(super) fn pure_sliding<E: Arithmetic>(query: &Query<E>) -> Result<E, Undecid
     if let Some(small) = Small::of(query) {
         return Ok(small.pure_sliding()?.friction());
     }
+    Ok(sliding_root(query)?.friction)
+}
+
+/// The purely sliding state by the printed equations.
+pub(super) fn sliding_root<E: Arithmetic>(query: &Query<E>) -> Result<Configuration<E>, Undecided> {
     let slides = query.root(Mode::Sliding.system(query.weight), &start::sliding(&query.alpha()))?;
     require(&slides.friction, "a positive purely sliding friction")?;
     let inside = slides.half_opening.rad.clone() - &slides.sliding_joint.rad;
     require(&inside, "the steepest joint above the shoulder")?;
-    Ok(slides.friction)
+    Ok(slides)
 }
 
 fn falls_by_sliding<E: Arithmetic>(

@@ -7,10 +7,11 @@ use super::assess::{Assessment, Wanted, assessment};
 use super::digits::{Answer, AssessmentDigits, Digits};
 use super::enough::enough;
 use super::inquiry::Inquiry;
-use super::mode::{Asked, outcome, pure_sliding};
+use super::mode::{Asked, outcome, pure_sliding, sliding_root};
 use super::query::{DOUBLE_DOUBLE, Query};
 use super::state::Outcome;
 use super::thrust_range::Touch;
+use crate::arch::Configuration;
 use crate::certify::Undecided;
 use crate::number::{Ball, DoubleDoubleBall, ExactNumber};
 use crate::problem::{Arch, Quantity};
@@ -63,6 +64,14 @@ pub(crate) fn sliding_enclosed(arch: &Arch, bits: u32) -> Result<Ball, Undecided
         return Ok(found.to_ball(bits));
     }
     pure_sliding(&Query::new(arch, bits))
+}
+
+/// The purely sliding state of a half opening, with all its variables, in balls of `bits` bits.
+pub(crate) fn sliding_configuration(
+    arch: &Arch,
+    bits: u32,
+) -> Result<Configuration<Ball>, Undecided> {
+    sliding_root(&Query::new(arch, bits))
 }
 
 /// What holds for an arch of a given thickness in the same way, if these numbers leave nothing open.

@@ -87,6 +87,21 @@ impl ShapeArguments {
         self.half_opening.is_some() || self.friction.is_some() || self.friction_angle.is_some()
     }
 
+    /// Whether a friction is given.
+    pub(super) fn has_friction(&self) -> bool {
+        self.friction.is_some() || self.friction_angle.is_some()
+    }
+
+    /// The arch of the half opening, whatever its friction: it is unlimited.
+    pub(super) fn without_friction(
+        &self,
+        weight: SelfWeight,
+        needs: &Needs,
+    ) -> Result<Arch, Failure> {
+        let Some(alpha) = &self.half_opening else { return self.arch(weight, needs) };
+        Arch::parse(weight.name(), alpha, "inf").map_err(|error| Failure::Input(error.to_string()))
+    }
+
     /// The friction as [`Friction`] reads it.
     fn friction_text(&self) -> Option<String> {
         match (&self.friction, &self.friction_angle) {

@@ -1,32 +1,37 @@
 //! `couplet figure`.
 
+use super::draw::failure;
 use super::map::{levels, tolerance, traced};
 use super::output::{OutputFile, typed};
 use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
-use crate::atlas::Curve;
+use crate::atlas::{Curve, Sketch};
 use crate::cli::failure::Failure;
-use crate::report::{Content, Drawing, Format, Map, Report, View};
+use crate::problem::{Landmark, Mode};
+use crate::report::{Content, Drawing, Format, Map, Report, Sketched, Style, View};
 use clap::Args;
 
-/// A figure of the paper, drawn from proved curves.
+/// A figure of the paper, drawn from proved curves and states.
 ///
 /// 2: rotational joint, thickness and thrust over the half opening. 3: the thickness over A = alpha cot(alpha/2). 4: the
 /// thickness over the half opening. 5: the lines between the modes, both weights. 6: the map of one weight. Figures 2 to 5
-/// show both weights unless one is named. Other planes and the curves as data: couplet map.
+/// show both weights unless one is named. 7 and 8: the four modes at T, two each. 9: S. 10: J. 11: B. 12: L and l; the
+/// arch, its lines of thrust and of friction, and its mechanism. Other planes and the curves as data: couplet map; other arches:
+/// couplet draw.
 #[derive(Args)]
 pub(crate) struct Arguments {
-    /// Its number in the paper, 2 to 6.
+    /// Its number in the paper, 2 to 12.
     #[arg(value_name = "NUMBER", value_parser = number)]
     number: usize,
 
-    /// Self-weight model: heyman, milankovitch or, but for figure 6, both.
+    /// Self-weight model: heyman, milankovitch or, for figures 2 to 5, both.
     #[arg(long, value_parser = parse::weights)]
     weight: Option<Weights>,
 
-    /// Largest half-width of a tube, in rad and in thicknesses, from 1e-12 to 1.
-    #[arg(long, default_value = "1e-4", value_name = "WIDTH", value_parser = tolerance, allow_negative_numbers = true)]
-    tolerance: f64,
+    /// For figures 2 to 6, the largest half-width of a tube, in rad and in thicknesses, from 1e-12 to 1; 1e-4 if not
+    /// given.
+    #[arg(long, value_name = "WIDTH", value_parser = tolerance, allow_negative_numbers = true)]
+    tolerance: Option<f64>,
 
     /// Format: svg or png. If none is given, what the name of the file ends with tells it.
     #[arg(long, value_parser = format)]
@@ -37,8 +42,9 @@ pub(crate) struct Arguments {
 }
 
 fn number(text: &str) -> Result<usize, String> {
-    let number = text.parse().ok().filter(|number| View::of_figure(*number).is_some());
-    number.ok_or_else(|| "a figure is a number from 2 to 6".to_owned())
+    let is_one = |number: &usize| View::of_figure(*number).is_some() || arches(*number).is_some();
+    let number = text.parse().ok().filter(is_one);
+    number.ok_or_else(|| "a figure is a number from 2 to 12".to_owned())
 }
 
 fn format(name: &str) -> Result<&'static Format, String> {
@@ -46,10 +52,62 @@ fn format(name: &str) -> Result<&'static Format, String> {
     format.ok_or_else(|| parse::unknown("a format", name, &["svg", "png"]))
 }
 
+/// Half-width of a tube, if none is given.
+const TOLERANCE: f64 = 1e-4;
+/// How far the blocks are moved, in units of `r`.
+const AMPLITUDE: f64 = 0.12;
+
+/// The landmarks of a figure of arches, each with the modes shown.
+fn arches(number: usize) -> Option<Vec<(Landmark, &'static [Mode])>> {
+    use Mode::*;
+    Some(match number {
+        7 => vec![(Landmark::Triple, &[Sliding, Rotational])],
+        8 => vec![(Landmark::Triple, &[RotationalSliding, SlidingRotational])],
+        9 => vec![(Landmark::Shift, &[Sliding, RotationalSliding])],
+        10 => vec![(Landmark::Junction, &[Sliding, OverturningSliding])],
+        11 => vec![(Landmark::Border, &[Sliding, OverturningSliding])],
+        12 => vec![
+            (Landmark::OverturningEnd, &[Overturning]),
+            (Landmark::RotationEnd, &[Overturning]),
+        ],
+        _ => return None,
+    })
+}
+
+fn draw(
+    arguments: &Arguments,
+    format: &Format,
+    shown: &[(Landmark, &[Mode])],
+) -> Result<(), Failure> {
+    let weight = match arguments.weight {
+        None => SelfWeight::Milankovitch,
+        Some(Weights::One(weight)) => weight,
+        Some(Weights::Both) => {
+            return Err(Failure::Input(format!("figure {} shows one --weight", arguments.number)));
+        }
+    };
+    if arguments.tolerance.is_some() {
+        let message =
+            format!("figure {} has no curves of the map: leave out --tolerance", arguments.number);
+        return Err(Failure::Input(message));
+    }
+    let sketch = |(landmark, modes): &(Landmark, &[Mode])| {
+        Sketch::landmark(*landmark, weight, false).and_then(|sketch| sketch.in_modes(modes))
+    };
+    let sketches = shown.iter().map(sketch).collect::<Result<_, _>>().map_err(failure)?;
+    let style =
+        Style { amplitude: AMPLITUDE, half: false, arrows: false, stones: None, animate: false };
+    let report = Report::Sketched(Sketched { sketches, style, command: typed() });
+    arguments.file.open_for(format)?.write(|out| report.write(format, out))
+}
+
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let format = arguments.file.format(arguments.format, Content::Map, "svg")?;
     if !format.is_picture {
         return Err(Failure::Input(format!("a figure is svg or png, not {}", format.name)));
+    }
+    if let Some(shown) = arches(arguments.number) {
+        return draw(arguments, format, &shown);
     }
     let view = View::of_figure(arguments.number).unwrap_or(View::Lines);
     let usual = match view.is_of_one_weight() {
@@ -63,7 +121,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.file.open_for(format)?;
     let curves = |weight| Curve::ALL.into_iter().map(move |curve| (weight, curve));
     let asked = weights.iter().copied().flat_map(curves).collect();
-    let tolerance = arguments.tolerance;
+    let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
     let (traces, mut open) = traced(asked, tolerance, format)?;
     let contours = match view {
         View::Map(plane) => plane.contours(),

@@ -5,6 +5,7 @@ mod assess;
 mod audit;
 mod certify;
 mod constants;
+mod draw;
 mod figure;
 mod find;
 mod folder;
@@ -36,6 +37,7 @@ pub(super) enum Command {
     Find(find::Arguments),
     Voussoirs(voussoirs::Arguments),
     Map(map::Arguments),
+    Draw(draw::Arguments),
     Figure(figure::Arguments),
     States(states::Arguments),
     Sample(sample::Arguments),
@@ -66,6 +68,7 @@ impl Command {
             Self::Find(arguments) => find::run(arguments),
             Self::Voussoirs(arguments) => voussoirs::run(arguments),
             Self::Map(arguments) => map::run(arguments),
+            Self::Draw(arguments) => draw::run(arguments),
             Self::Figure(arguments) => figure::run(arguments),
             Self::States(arguments) => states::run(arguments),
             Self::Sample(arguments) => sample::run(arguments),

@@ -2,7 +2,7 @@
 
 use crate::arch::SelfWeight;
 use crate::certify::MAX_DIGITS;
-use crate::problem::{Landmark, Quantity};
+use crate::problem::{Landmark, Mode, Quantity};
 use crate::report::words::{did_you_mean, list};
 use crate::report::{Content, Format};
 use crate::scene::MAX_ARCH_DIGITS;
@@ -23,6 +23,12 @@ pub(super) fn landmark(text: &str) -> Result<Landmark, String> {
         let hint = did_you_mean(text, &names);
         format!("a landmark is one of {symbols}, or {}{hint}", list(long))
     })
+}
+
+/// A mode by its letters, with brackets and commas or without.
+pub(super) fn mode(text: &str) -> Result<Mode, String> {
+    let names = || list(Mode::ALL.map(Mode::label));
+    Mode::named(text).ok_or_else(|| format!("a mode is one of {}", names()))
 }
 
 /// A self-weight model by its name.

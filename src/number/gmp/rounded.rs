@@ -60,6 +60,24 @@ impl Rounded {
         Some(Self { value, lower, upper })
     }
 
+    /// The same, decided too for numbers next to a decimal of so many digits, as those are that were given as one: the
+    /// value is the correct rounding of each of them, and the bounds are those of all. `None` if they round to different
+    /// decimals.
+    ///
+    /// ```
+    /// use couplet::number::{Ball, Field, Rounded};
+    /// let tenth = Ball::integer(1, 100) / Ball::integer(10, 100);
+    /// assert!(Rounded::from_ball(&tenth, 5).is_none());
+    /// let around = Rounded::around(&tenth, 5).unwrap();
+    /// assert_eq!(around.value.to_rational(), (1, 10));
+    /// ```
+    pub fn around(ball: &Ball, digits: usize) -> Option<Self> {
+        let end = |end: Float| Self::from_rational(&end.to_rational()?, digits);
+        let (low, high) = (end(ball.lower())?, end(ball.upper())?);
+        let is_same = low.value.to_rational() == high.value.to_rational();
+        is_same.then_some(Self { value: high.value, lower: low.lower, upper: high.upper })
+    }
+
     /// An exact value: all three are the same decimal.
     pub fn exact(value: Decimal) -> Self {
         Self { lower: value.clone(), upper: value.clone(), value }

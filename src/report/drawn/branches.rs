@@ -5,7 +5,6 @@ use super::graph::{Graphs, Line, Mark, Panel};
 use super::look;
 use super::plane::Axis;
 use super::sheet::Sheet;
-use super::spot::symbol;
 use crate::arch::{SelfWeight, Unknown};
 use crate::atlas::{Curve, End, Place, Trace, Variable};
 use crate::certify::CertifiedLandmark;
@@ -239,5 +238,10 @@ fn named(landmark: Landmark, weight: SelfWeight, at: Point, course: Course) -> M
         };
     // At the foot of a panel, a hair above or below it, there is room above only.
     let away = if at.1.abs() < FOOT { (away.0, -14.0) } else { away };
-    Mark { name: symbol(landmark).to_owned(), at, away, color: look::of_weight(weight).color }
+    Mark {
+        name: words::symbol(landmark).to_owned(),
+        at,
+        away,
+        color: look::of_weight(weight).color,
+    }
 }

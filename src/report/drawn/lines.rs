@@ -7,7 +7,7 @@ use super::look;
 use super::page::Page;
 use super::plane::Plane;
 use super::sheet::Sheet;
-use super::spot::{disc, symbol};
+use super::spot::disc;
 use crate::arch::SelfWeight;
 use crate::picture::color::{INK, WHITE};
 use crate::picture::{Anchor, Frame, Path, Point, Svg, Type};
@@ -83,7 +83,7 @@ impl LinesPicture<'_> {
                     Landmark::OverturningEnd if sheet.weight != SelfWeight::Heyman => continue,
                     Landmark::OverturningEnd => "L".to_owned(),
                     _ if is_close && !is_inset => continue,
-                    _ => format!("{}{}", symbol(landmark), mark(sheet.weight)),
+                    _ => format!("{}{}", words::symbol(landmark), mark(sheet.weight)),
                 };
                 // Milankovitch's to the left of their lines, Heyman's to the right.
                 let (across, up, anchor) = match (landmark, sheet.weight) {

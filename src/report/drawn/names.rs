@@ -4,11 +4,12 @@ use super::chain::Chain;
 use super::content::Content;
 use super::look;
 use super::plane::Plane;
-use super::spot::{Spot, disc, symbol};
+use super::spot::{Spot, disc};
 use crate::picture::color::{INK, WHITE};
 use crate::picture::room::{Rectangle, roomiest, within};
 use crate::picture::{Anchor, Frame, Path, Point, Stroke, Svg, Type, text};
 use crate::problem::{Landmark, Mode};
+use crate::report::words;
 
 /// Names in a frame of the map.
 pub(super) struct Names<'a> {
@@ -39,7 +40,7 @@ impl Names<'_> {
             let name = match landmark {
                 Landmark::Shift if !told_apart => "S, J",
                 Landmark::Junction if !told_apart => continue,
-                _ => symbol(*landmark),
+                _ => words::symbol(*landmark),
             };
             let spot = Spot::new(*landmark, name, self.frame.at(*at), self.plane, self.sizes[1]);
             self.taken.push(spot.taken());

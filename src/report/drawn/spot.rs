@@ -68,11 +68,6 @@ impl Spot {
     }
 }
 
-/// The symbol of a landmark; in this font the letter l is a bar.
-pub(super) fn symbol(landmark: Landmark) -> &'static str {
-    if landmark == Landmark::RotationEnd { "ℓ" } else { landmark.symbol() }
-}
-
 /// The disc of a landmark.
 pub(super) fn disc(svg: &mut Svg, at: Point) {
     svg.disc(at, RADIUS + 1.0, WHITE);

@@ -1,0 +1,60 @@
+//! The blocks after a finite motion.
+
+use super::collapse::Collapse;
+use super::line::double;
+use crate::arch::Configuration;
+use crate::arch::mechanism::Motion;
+use crate::number::Ball;
+
+/// A rigid block of the right half.
+#[derive(Clone, Debug)]
+pub struct Block {
+    /// Its joints nearer to the crown and to the shoulder, rad.
+    pub between: [f64; 2],
+    /// Where it is.
+    pub motion: Motion<f64>,
+}
+
+/// A block narrower than this is none.
+const NARROW: f64 = 1e-9;
+/// Halvings of the parameter.
+const HALVINGS: u32 = 60;
+/// The parameter, an angle or a slip, is less.
+const LARGEST: f64 = 1.5;
+
+/// The blocks from the shoulder, moved so far that no corner has moved by more than `amplitude`, in units of `r`, and one
+/// by so much.
+pub fn moved(collapse: &Collapse, at: &Configuration<Ball>, amplitude: f64) -> Vec<Block> {
+    let at = at.map_ref(double);
+    let dilatancy = if collapse.is_dilatant { at.friction } else { 0.0 };
+    let ends: Vec<f64> =
+        collapse.mechanism.joints.iter().map(|joint| double(&joint.at.rad)).collect();
+    let blocks = |by: f64| -> Vec<Block> {
+        let moves = collapse.mode.moves(&at, &by, &dilatancy);
+        let uppers = ends.iter().copied().skip(1).chain([0.0]);
+        let all = ends.iter().zip(uppers).zip(moves);
+        let all = all.map(|((lower, upper), motion)| Block { between: [upper, *lower], motion });
+        all.filter(|block| block.between[1] - block.between[0] > NARROW).collect()
+    };
+    let radii = [-0.5, 0.5].map(|share| 1.0 + share * at.thickness);
+    let largest = |by: f64| {
+        let blocks = blocks(by);
+        let away = blocks.iter().flat_map(|block| {
+            let corners = block.between.into_iter().flat_map(move |beta| {
+                radii.map(|radius| [radius * beta.sin(), radius * beta.cos()])
+            });
+            corners.map(|corner| {
+                let to = block.motion.to(&corner);
+                (to[0] - corner[0]).hypot(to[1] - corner[1])
+            })
+        });
+        // What is no number is too far.
+        away.fold(0.0, |most: f64, x| if x.is_nan() { f64::INFINITY } else { most.max(x) })
+    };
+    let (mut low, mut high) = (0.0, LARGEST);
+    for _ in 0..HALVINGS {
+        let middle = (low + high) / 2.0;
+        if largest(middle) <= amplitude { low = middle } else { high = middle }
+    }
+    blocks(low)
+}

@@ -1,0 +1,264 @@
+//! Which arch is drawn: at its least thickness, at a landmark, or as it stands.
+
+use super::collapse::Collapse;
+use super::forces::{Forces, Mark, is_zero, joints_of};
+use super::line::double;
+use crate::arch::{Configuration, SelfWeight, Unknown};
+use crate::certify::state::{
+    Assessment, Fall, Outcome, assessment_enclosed, raised, sliding_configuration, state_enclosed,
+};
+use crate::certify::{CertifiedLandmark, Undecided};
+use crate::number::{Ball, Enclosure, ExactNumber, Rounded, Ternary};
+use crate::problem::{Arch, Fixed, Landmark, Mode, Quantity};
+
+/// An arch to be drawn.
+#[derive(Clone, Debug)]
+pub struct Sketch {
+    /// What it is.
+    pub subject: Subject,
+    /// The self-weight model.
+    pub weight: SelfWeight,
+    /// Half opening and thickness; joints, thrust and friction as far as they are known, else zero.
+    pub at: Configuration<Ball>,
+    /// Whether the friction is limited.
+    pub is_limited: bool,
+    /// The lines: of the state, or of the least and the largest thrust. None if it does not stand.
+    pub forces: Vec<Forces>,
+    /// How it falls: in one mode, in several at once, or not at all.
+    pub collapses: Vec<Collapse>,
+}
+
+/// What is drawn.
+#[derive(Clone, Debug)]
+pub enum Subject {
+    /// An arch at its least thickness.
+    Least(Box<Arch>),
+    /// A landmark.
+    Landmark(Landmark),
+    /// An arch of a given thickness.
+    Standing {
+        /// The arch.
+        arch: Box<Arch>,
+        /// Its thickness as given.
+        thickness: ExactNumber,
+        /// What holds for it.
+        assessment: Box<Assessment>,
+    },
+    /// An arch of a given thickness at the friction at which it slides.
+    Sliding {
+        /// The arch, without its friction.
+        arch: Box<Arch>,
+        /// Its thickness as given.
+        thickness: ExactNumber,
+    },
+}
+
+/// Why there is nothing to draw.
+#[derive(Clone, Debug, thiserror::Error)]
+pub enum NoSketch {
+    /// The arch stands at no thickness, which is proved.
+    #[error("the arch stands at no thickness: {}", .0.reason())]
+    Falls(Fall),
+    /// The proof did not succeed.
+    #[error(transparent)]
+    Undecided(#[from] Undecided),
+    /// An arch too thin to slide only.
+    #[error(
+        "no line of thrust fits into an arch of this thickness that slides only: it has to be thicker"
+    )]
+    NoRoom,
+    /// A mode in which the arch does not fall.
+    #[error("the arch does not fall as {0}, but as {1}")]
+    OtherMode(Mode, String),
+    /// A landmark without a friction.
+    #[error("{} is a point of the purely rotational states, at no friction of its own", .0.symbol())]
+    NoFriction(Landmark),
+}
+
+/// Digits that are decided of every number: with so many a decimal number tells the double.
+const DIGITS: usize = 17;
+
+impl Sketch {
+    /// An arch at its least thickness.
+    pub fn least(arch: &Arch, is_dilatant: bool) -> Result<Self, NoSketch> {
+        let found = raised(arch, DIGITS, |bits| {
+            let state = match state_enclosed(arch, bits, false)? {
+                Outcome::Falls(fall) => return Ok(Some(Err(fall))),
+                Outcome::Stands(state) => state,
+            };
+            let mut at = arch.given(bits);
+            for unknown in
+                [Unknown::RotationJoint, Unknown::SlidingJoint, Unknown::Thickness, Unknown::Thrust]
+            {
+                if let Some(value) = state.value(unknown) {
+                    at = at.with(unknown, value.clone());
+                }
+            }
+            let (weight, is_limited) = (arch.weight(), arch.is_limited());
+            let subject = Subject::Least(Box::new(arch.clone()));
+            Self::of_modes((subject, weight), at, is_limited, &[state.mode], is_dilatant)
+                .map(|sketch| sketch.decided().map(Ok))
+        })?;
+        found.map_err(NoSketch::Falls)
+    }
+
+    /// A landmark, with each mechanism that is possible there.
+    pub fn landmark(
+        landmark: Landmark,
+        weight: SelfWeight,
+        is_dilatant: bool,
+    ) -> Result<Self, NoSketch> {
+        if landmark == Landmark::WidestJoint {
+            return Err(NoSketch::NoFriction(landmark));
+        }
+        let refined = CertifiedLandmark::new(landmark, weight)?.enclosure(128)?;
+        let is_limited = refined.value(Unknown::Friction).is_some();
+        let at = refined.configuration().clone();
+        let subject = (Subject::Landmark(landmark), weight);
+        let sketch = Self::of_modes(subject, at, is_limited, &mechanisms(landmark), is_dilatant)?;
+        Ok(sketch.decided().ok_or_else(|| Undecided::new("the rounding"))?)
+    }
+
+    /// An arch of a given thickness, in `(0, 2]`, as it stands; without lines if it does not.
+    pub fn standing(arch: &Arch, thickness: &ExactNumber) -> Result<Self, NoSketch> {
+        Ok(raised(arch, DIGITS, |bits| {
+            let assessment = assessment_enclosed(arch, thickness, bits)?;
+            assessment.stands.clone()?;
+            for quantity in Quantity::ASSESSMENT {
+                if let Some(open) = assessment.why_open(quantity) {
+                    return Err(open.clone());
+                }
+            }
+            let at = arch.given(bits).with(Unknown::Thickness, thickness.enclosure(bits));
+            let (weight, is_limited) = (arch.weight(), arch.is_limited());
+            let mut forces = Vec::new();
+            for (limit, is_least) in assessment.thrust.iter().zip([true, false]) {
+                if let Ok(Some(limit)) = limit {
+                    forces.extend(Forces::of_limit(weight, &at, is_limited, limit, is_least)?);
+                }
+            }
+            let (arch, thickness) = (Box::new(arch.clone()), thickness.clone());
+            let assessment = Box::new(assessment);
+            let subject = Subject::Standing { arch, thickness, assessment };
+            let collapses = Vec::new();
+            Ok(Self { subject, weight, at, is_limited, forces, collapses }.decided())
+        })?)
+    }
+
+    /// An arch of a given thickness at the friction at which it slides; the friction of the arch is not read.
+    pub fn sliding(
+        arch: &Arch,
+        thickness: &ExactNumber,
+        is_dilatant: bool,
+    ) -> Result<Self, NoSketch> {
+        raised(arch, DIGITS, |bits| {
+            let at = sliding_configuration(arch, bits)?;
+            let at = at.with(Unknown::Thickness, thickness.enclosure(bits));
+            let arch = Box::new(arch.clone());
+            let (weight, thickness) = (arch.weight(), thickness.clone());
+            let subject = (Subject::Sliding { arch, thickness }, weight);
+            let sketch = Self::of_modes(subject, at, true, &[Mode::Sliding], is_dilatant)?;
+            // Else another joint than those that slide is past its limit.
+            let has_room = |forces: &Forces| {
+                let [least, largest] = &forces.moments;
+                decide(&(largest.clone() - least), "whether a line of thrust fits")
+            };
+            let has_room = sketch.forces.iter().map(has_room).collect::<Result<Vec<_>, _>>()?;
+            let fits = has_room.into_iter().all(|fits| fits);
+            Ok(sketch.decided().map(|sketch| if fits { Ok(sketch) } else { Err(NoSketch::NoRoom) }))
+        })?
+    }
+
+    /// Only these modes, in this order, if any is named: each has to be one in which the arch falls.
+    pub fn in_modes(mut self, modes: &[Mode]) -> Result<Self, NoSketch> {
+        if modes.is_empty() {
+            return Ok(self);
+        }
+        let of = |mode: &Mode| {
+            let found = self.collapses.iter().find(|collapse| collapse.mode == *mode);
+            let all = || self.collapses.iter().map(|collapse| collapse.mode.label());
+            found
+                .cloned()
+                .ok_or_else(|| NoSketch::OtherMode(*mode, all().collect::<Vec<_>>().join(", ")))
+        };
+        self.collapses = modes.iter().map(of).collect::<Result<_, _>>()?;
+        Ok(self)
+    }
+
+    /// The same, if every number can be rounded.
+    fn decided(self) -> Option<Self> {
+        let angles = [&self.at.half_opening, &self.at.rotation_joint, &self.at.sliding_joint];
+        let angles = angles.into_iter().map(|angle| &angle.rad);
+        let at = [&self.at.thickness, &self.at.thrust, &self.at.friction].into_iter().chain(angles);
+        let rates = self.collapses.iter().flat_map(|collapse| {
+            let mechanism = &collapse.mechanism;
+            mechanism.joints.iter().chain(&mechanism.crown).map(|joint| &joint.rate)
+        });
+        let forces = self.forces.iter().flat_map(|forces| {
+            let marks = forces.marks.iter().map(|mark| &mark.at);
+            [&forces.thrust].into_iter().chain(marks)
+        });
+        let is_rounded =
+            |x: &Ball| Rounded::around(x, DIGITS).is_some() && x.nearest_double().is_some();
+        let is_decided = at.chain(rates).chain(forces).all(is_rounded);
+        is_decided.then_some(self)
+    }
+
+    /// The half opening, rad.
+    pub fn half_opening(&self) -> f64 {
+        double(&self.at.half_opening.rad)
+    }
+
+    /// The radii of the intrados and the extrados.
+    pub fn radii(&self) -> [f64; 2] {
+        let eta = double(&self.at.thickness);
+        [1.0 - eta / 2.0, 1.0 + eta / 2.0]
+    }
+
+    /// Whether the line of friction jumps at the crown: without thrust it is at its limit next to it.
+    pub fn has_jump(&self) -> bool {
+        !self.is_limited && self.forces.iter().any(|forces| is_zero(&forces.thrust))
+    }
+
+    fn of_modes(
+        (subject, weight): (Subject, SelfWeight),
+        at: Configuration<Ball>,
+        is_limited: bool,
+        modes: &[Mode],
+        is_dilatant: bool,
+    ) -> Result<Self, Undecided> {
+        let collapse = |mode: &Mode| Collapse::new(weight, *mode, &at, is_dilatant);
+        let collapses = modes.iter().map(collapse).collect::<Result<Vec<_>, _>>()?;
+        let mode = modes.first().copied().unwrap_or(Mode::Sliding);
+        let mut forces = Forces::of_mode(weight, mode, &at, is_limited)?;
+        // All joints that give way in some mode.
+        for mark in modes.iter().skip(1).flat_map(|mode| joints_of(*mode, &at)) {
+            let is_same =
+                |known: &Mark| known.contact == mark.contact && known.at.mid() == mark.at.mid();
+            if !forces.marks.iter().any(is_same) {
+                forces.marks.push(mark);
+            }
+        }
+        Ok(Self { subject, weight, at, is_limited, forces: vec![forces], collapses })
+    }
+}
+
+/// The modes of a landmark whose mechanisms differ: where two joints are one, two modes move alike.
+fn mechanisms(landmark: Landmark) -> Vec<Mode> {
+    let joint = landmark.system(SelfWeight::Heyman).fixed_value(Unknown::RotationJoint);
+    let is_double = |mode: &Mode| match joint {
+        Some(Fixed::SameAs(_)) => *mode == Mode::RotationalSlidingRotational,
+        // At the crown the hinge of the haunch is that of [r,s] or [r].
+        Some(Fixed::Integer(_)) => mode.has_haunch(),
+        _ => false,
+    };
+    landmark.modes().iter().copied().filter(|mode| !is_double(mode)).collect()
+}
+
+fn decide(difference: &Ball, question: &'static str) -> Result<bool, Undecided> {
+    match difference.is_positive() {
+        Ternary::True => Ok(true),
+        Ternary::False => Ok(false),
+        Ternary::Undecided => Err(Undecided::new(question)),
+    }
+}

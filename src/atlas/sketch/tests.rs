@@ -1,0 +1,301 @@
+use super::line::double;
+use super::*;
+use crate::arch::mechanism::Contact;
+use crate::arch::{Ring, SelfWeight};
+use crate::certify::Undecided;
+use crate::number::{Angle, Ball};
+use crate::problem::{Arch, Landmark, Mode};
+use rug::Float;
+
+/// An arch of each mode that has a least thickness, for Heyman's and for Milankovitch's weight.
+const ARCHES: [(Mode, [[&str; 2]; 2]); 6] = [
+    (Mode::Rotational, [["3/2", "1"]; 2]),
+    (Mode::SlidingRotational, [["pi/2", "0.35"]; 2]),
+    (Mode::RotationalSliding, [["2.54", "1.6"], ["2.45", "1.35"]]),
+    (Mode::RotationalSlidingRotational, [["2.607", "1.9"], ["2.535", "1.57"]]),
+    (Mode::OverturningSliding, [["2.65", "2.2"], ["2.57", "2.2"]]),
+    (Mode::Overturning, [["2.7", "inf"], ["2.62", "inf"]]),
+];
+const DRAWN: [Landmark; 6] = [
+    Landmark::Triple,
+    Landmark::Shift,
+    Landmark::Junction,
+    Landmark::Border,
+    Landmark::RotationEnd,
+    Landmark::OverturningEnd,
+];
+
+fn arch(weight: SelfWeight, [half_opening, friction]: [&str; 2]) -> Arch {
+    Arch::parse(weight.name(), half_opening, friction).unwrap()
+}
+
+/// Each mode with each weight, and the landmarks.
+fn sketches() -> Vec<Sketch> {
+    let mut all = Vec::new();
+    for (weight, k) in SelfWeight::ALL.into_iter().zip(0..) {
+        for (mode, arches) in ARCHES {
+            let sketch = Sketch::least(&arch(weight, arches[k]), false).unwrap();
+            assert_eq!(sketch.collapses.len(), 1);
+            assert_eq!(sketch.collapses[0].mode, mode);
+            all.push(sketch);
+        }
+        let wide = arch(weight, ["1", "1"]);
+        all.push(Sketch::sliding(&wide, &"1".parse().unwrap(), false).unwrap());
+        all.extend(DRAWN.map(|landmark| Sketch::landmark(landmark, weight, false).unwrap()));
+    }
+    all
+}
+
+/// At a thousand joints no line is proved to leave the arch, and the line of thrust is on a face at the marks alone.
+#[test]
+fn lines_are_inside_and_touch_where_joints_give_way() {
+    for sketch in sketches() {
+        let at = &sketch.at;
+        let ring = Ring::new(sketch.weight, &at.thickness);
+        for forces in &sketch.forces {
+            let load = |p| [&forces.thrust, p, &at.friction];
+            let margins = |joint: &Angle<Ball>| {
+                let faces = forces.moments.iter().flat_map(|p| {
+                    [Contact::Extrados, Contact::Intrados].map(|c| c.margin(joint, &ring, load(p)))
+                });
+                let friction = [Contact::Inwards, Contact::Outwards]
+                    .map(|contact| contact.margin(joint, &ring, load(&forces.moments[0])));
+                faces.chain(friction.into_iter().filter(|_| sketch.is_limited)).collect::<Vec<_>>()
+            };
+            for k in 0..=1000 {
+                let share = Float::with_val(at.thrust.prec(), k) / 1000u32;
+                let joint = Angle::new(Ball::exact(share, at.thrust.prec()) * &at.half_opening.rad);
+                for margin in margins(&joint) {
+                    assert!(margin.upper() >= 0, "{:?} at {k}: {margin:?}", sketch.subject);
+                }
+            }
+            let p = forces.moments[0].clone();
+            for mark in
+                forces.marks.iter().filter(|mark| mark.contact.is_hinge() || sketch.is_limited)
+            {
+                let joint = Angle::new(mark.at.clone());
+                if forces.thrust_lines.len() == 1 || !mark.contact.is_hinge() {
+                    let margin = mark.contact.margin(&joint, &ring, load(&p));
+                    assert!(
+                        margin.contains(&rug::Rational::new()),
+                        "{:?}: {mark:?}",
+                        sketch.subject
+                    );
+                }
+            }
+        }
+        let [inner, outer] = sketch.radii();
+        let lines =
+            sketch.forces.iter().flat_map(|f| f.thrust_lines.iter().chain([&f.friction_line]));
+        for [_, radius] in lines.flat_map(|line| &line.points) {
+            assert!(
+                (inner - 1e-12..=outer + 1e-12).contains(radius),
+                "{:?} {radius}",
+                sketch.subject
+            );
+        }
+    }
+}
+
+#[test]
+fn a_hinge_is_on_the_face_that_its_mode_says() {
+    use Contact::*;
+    for (mode, expected) in [
+        (Mode::Rotational, &[Extrados, Intrados, Extrados][..]),
+        (Mode::SlidingRotational, &[Outwards, Intrados, Extrados]),
+        (Mode::RotationalSliding, &[Extrados, Intrados, Inwards]),
+        (Mode::RotationalSlidingRotational, &[Extrados, Inwards, Intrados]),
+        (Mode::OverturningSliding, &[Extrados, Inwards, Intrados]),
+        (Mode::Overturning, &[Extrados]),
+        (Mode::Sliding, &[Outwards, Inwards]),
+    ] {
+        let found = sketches().into_iter().flat_map(|sketch| sketch.collapses);
+        let mut seen = 0;
+        for collapse in found.filter(|collapse| collapse.mode == mode) {
+            let contacts: Vec<Contact> = collapse.joints_at_limit().iter().map(|x| x.0).collect();
+            assert_eq!(contacts, expected, "{mode}");
+            seen += 1;
+        }
+        assert!(seen >= 2, "{mode}");
+    }
+}
+
+/// Slips, crown drops and powers, and with dilatancy slips and drops, computed on their own to 45 digits.
+#[test]
+fn rates_are_those_computed_elsewhere() {
+    let milankovitch = |arch_given| arch(SelfWeight::Milankovitch, arch_given);
+    let heyman = |arch_given| arch(SelfWeight::Heyman, arch_given);
+    for (arch, slip, drop, power, dilatant) in [
+        (milankovitch(["1.5", "0.9"]), None, 0.4982805139, 0.0, None),
+        (
+            milankovitch(["2.3", "1.05"]),
+            Some(1.232394368927),
+            1.4839057320,
+            2.0592559511,
+            Some([0.63585834, 0.588577057]),
+        ),
+        (
+            milankovitch(["2.45", "1.35"]),
+            Some(4.577272728790),
+            4.0873551603,
+            1.1937882084,
+            Some([0.87046274, 0.198736084]),
+        ),
+        (
+            milankovitch(["2.532", "1.5405"]),
+            Some(6.253084117293),
+            5.3231630379,
+            1.5320067954,
+            Some([0.98160224, -0.16091789]),
+        ),
+        (
+            milankovitch(["2.57", "2.2"]),
+            Some(8.461379412011),
+            7.4706562673,
+            1.6559921948,
+            Some([0.74720576, -0.41672141]),
+        ),
+        (
+            heyman(["2.3", "1.05"]),
+            Some(1.262927120683),
+            1.5000854343,
+            2.1102743201,
+            Some([0.65161182, 0.582574860]),
+        ),
+        (
+            heyman(["2.56", "1.7"]),
+            Some(6.186537251243),
+            5.6300935799,
+            1.4352006761,
+            Some([0.83481296, 0.093395058]),
+        ),
+    ] {
+        let of = |is_dilatant| Sketch::least(&arch, is_dilatant).unwrap().collapses.remove(0);
+        let slip_of = |collapse: &Collapse| {
+            let mut joints = collapse.mechanism.joints.iter();
+            joints.find(|joint| !joint.contact.is_hinge()).map(|joint| double(&joint.rate))
+        };
+        let near = |x: f64, y: f64, within: f64| assert!((x - y).abs() < within, "{arch}: {x} {y}");
+        let collapse = of(false);
+        near(slip_of(&collapse).unwrap_or(0.0), slip.unwrap_or(0.0), 1e-11);
+        near(collapse.crown_drop.mid().to_f64(), drop, 1e-9);
+        near(collapse.friction_power.mid().to_f64(), power, 1e-9);
+        near(collapse.power.mid().to_f64(), power, 1e-9);
+        if let Some([slip, drop]) = dilatant {
+            let collapse = of(true);
+            near(slip_of(&collapse).unwrap(), slip, 1e-8);
+            near(collapse.crown_drop.mid().to_f64(), drop, 1e-8);
+        }
+    }
+}
+
+#[test]
+fn landmarks_have_the_mechanisms_that_differ() {
+    use Mode::*;
+    for weight in SelfWeight::ALL {
+        for (landmark, modes) in [
+            (Landmark::Triple, &[Rotational, SlidingRotational, RotationalSliding, Sliding][..]),
+            (Landmark::Shift, &[RotationalSliding, Sliding]),
+            (Landmark::Junction, &[OverturningSliding, Sliding]),
+            (Landmark::Border, &[OverturningSliding, Sliding]),
+            (Landmark::RotationEnd, &[Overturning]),
+            (Landmark::OverturningEnd, &[Overturning]),
+        ] {
+            let sketch = Sketch::landmark(landmark, weight, false).unwrap();
+            let found: Vec<Mode> = sketch.collapses.iter().map(|collapse| collapse.mode).collect();
+            assert_eq!(found, modes, "{landmark:?}");
+            let last = *modes.last().unwrap();
+            let only = sketch.in_modes(&[last]).unwrap();
+            assert_eq!(only.collapses.len(), 1);
+            assert!(only.in_modes(&[SlidingRotational]).is_err());
+        }
+        assert!(matches!(
+            Sketch::landmark(Landmark::WidestJoint, weight, false),
+            Err(NoSketch::NoFriction(_))
+        ));
+    }
+}
+
+/// No corner has moved by more than the amplitude, one has by so much, and blocks stay apart: a joint only opens.
+#[test]
+fn blocks_are_moved_by_the_amplitude() {
+    for sketch in sketches() {
+        let [inner, outer] = sketch.radii();
+        for collapse in &sketch.collapses {
+            for amplitude in [0.001, 0.12] {
+                let blocks = moved(collapse, &sketch.at, amplitude);
+                let corners = |block: &Block| {
+                    block
+                        .between
+                        .map(|joint| [inner, outer].map(|r| [r * joint.sin(), r * joint.cos()]))
+                };
+                let away = blocks.iter().flat_map(|block| {
+                    corners(block).concat().into_iter().map(|corner| {
+                        let to = block.motion.to(&corner);
+                        (to[0] - corner[0]).hypot(to[1] - corner[1])
+                    })
+                });
+                let most = away.fold(0.0, f64::max);
+                assert!((most - amplitude).abs() < 1e-9, "{}: {most}", collapse.mode);
+                for pair in blocks.windows(2) {
+                    // The face of the lower block, and the corners of the one above it.
+                    let joint = pair[0].between[0];
+                    let face = [inner, outer]
+                        .map(|r| pair[0].motion.to(&[r * joint.sin(), r * joint.cos()]));
+                    let along = [face[1][0] - face[0][0], face[1][1] - face[0][1]];
+                    for corner in corners(&pair[1])[1] {
+                        let to = pair[1].motion.to(&corner);
+                        let off = [to[0] - face[0][0], to[1] - face[0][1]];
+                        let side = along[0] * off[1] - along[1] * off[0];
+                        // Beyond the end of the face there is nothing to meet.
+                        let ahead = along[0] * off[0] + along[1] * off[1];
+                        assert!(side > -1e-12 || ahead < 0.0, "{}: {side}", collapse.mode);
+                    }
+                }
+                for block in &blocks {
+                    for corner in corners(block).concat() {
+                        assert!(block.motion.to(&corner)[0] > -1e-12, "beyond the axis");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn an_arch_as_it_stands_has_both_extremes() {
+    let standing = |given, eta: &str| {
+        Sketch::standing(&arch(SelfWeight::Milankovitch, given), &eta.parse().unwrap()).unwrap()
+    };
+    let both = standing(["80deg", "0.35"], "0.16");
+    assert_eq!(both.forces.len(), 2);
+    assert!(both.collapses.is_empty());
+    let words: Vec<_> = both.forces.iter().filter_map(|forces| forces.limited_by).collect();
+    assert_eq!(words, ["intrados at the haunch", "sliding of the shoulder"]);
+    assert!(standing(["80deg", "0.6"], "0.05").forces.is_empty(), "it does not stand");
+    // Without thrust the line starts at half the radius of the centroids.
+    let loose = standing(["80deg", "inf"], "1.2");
+    let first = loose.forces[0].thrust_lines[0].points[0];
+    assert!((first[1] - (1.0 + 1.44 / 12.0) / 2.0).abs() < 1e-15, "{first:?}");
+    // Nothing bounds the thrust of a thick narrow arch without friction limits.
+    assert_eq!(standing(["1/2", "inf"], "1.9").forces.len(), 1);
+}
+
+#[test]
+fn what_is_not_there_is_not_drawn() {
+    let falls = Sketch::least(&arch(SelfWeight::Heyman, ["2.6", "0.3"]), false);
+    assert!(matches!(falls, Err(NoSketch::Falls(_))));
+    let thin =
+        Sketch::sliding(&arch(SelfWeight::Heyman, ["1", "1"]), &"0.001".parse().unwrap(), false);
+    assert!(matches!(thin, Err(NoSketch::NoRoom)));
+}
+
+#[test]
+fn rates_that_are_not_positive_are_undecided() {
+    let sketch = Sketch::least(&arch(SelfWeight::Heyman, ["3/2", "1"]), false).unwrap();
+    // As if the haunch were below the shoulder: the lever arm turns its sign.
+    let mut at = sketch.at.clone();
+    at.rotation_joint.cos = -at.rotation_joint.cos.clone();
+    let refused: Result<_, Undecided> = Collapse::new(sketch.weight, Mode::Rotational, &at, false);
+    assert!(refused.is_err());
+}

@@ -1,0 +1,145 @@
+//! `couplet draw`.
+
+use super::arch::{Needs, ShapeArguments, thickness};
+use super::output::{OutputFile, typed};
+use super::parse;
+use crate::arch::SelfWeight;
+use crate::atlas::{NoSketch, Sketch};
+use crate::cli::failure::Failure;
+use crate::problem::{Landmark, Mode};
+use crate::report::{Content, Format, Report, Sketched, Style};
+use clap::Args;
+
+/// Draw an arch at its least thickness, how it falls there, or an arch as it stands.
+///
+/// Without --thickness: the arch at its least thickness, its lines of thrust and of friction, and its mechanism. With it:
+/// the lines of the least and of the largest thrust, what limits each, and the safety. --at: a landmark, one
+/// picture for each mode that is possible there. --mode [s,s] with --thickness and no friction: an arch at the friction at
+/// which it slides.
+#[derive(Args)]
+#[command(
+    override_usage = "couplet draw --half-opening <ANGLE> --friction <MU> [--thickness <ETA>] [OPTIONS]\n       \
+                            couplet draw --at <LANDMARK> [--mode <MODE>] [OPTIONS]"
+)]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    shape: ShapeArguments,
+
+    /// Self-weight model: heyman or milankovitch.
+    #[arg(long, default_value = "milankovitch", value_parser = parse::weight)]
+    weight: SelfWeight,
+
+    /// Thickness-to-radius ratio of an arch as it stands, between 0 and 2 (0.12, 3/25).
+    #[arg(long, visible_alias = "eta", value_name = "ETA", allow_hyphen_values = true)]
+    thickness: Option<String>,
+
+    /// A landmark instead of an arch, by symbol or name: T, S, J, B, l or L.
+    #[arg(long, value_name = "LANDMARK", value_parser = parse::landmark, conflicts_with_all = ["half_opening", "friction", "friction_angle", "thickness"])]
+    at: Option<Landmark>,
+
+    /// Only this mode, where several are possible (rrs, [s,s]).
+    #[arg(long, value_name = "MODE", value_parser = parse::mode)]
+    mode: Option<Mode>,
+
+    /// How far the corner that moves most is moved, in units of r, from 0.001 to 1.
+    #[arg(long, default_value = "0.12", value_name = "R", value_parser = amplitude, allow_negative_numbers = true)]
+    amplitude: f64,
+
+    /// Joints that slide open too, as the associated flow rule has it; the thickness is the same.
+    #[arg(long)]
+    dilatant: bool,
+
+    /// Only the right half.
+    #[arg(long)]
+    half: bool,
+
+    /// Arrows from where the blocks were to where they are.
+    #[arg(long)]
+    arrows: bool,
+
+    /// Show the joints of so many stones, 2 to 500.
+    #[arg(long, value_name = "N", value_parser = stones, allow_negative_numbers = true)]
+    stones: Option<u32>,
+
+    /// For svg: the blocks move, again and again; where nothing moves the picture is a still.
+    #[arg(long)]
+    animate: bool,
+
+    /// Format: svg, png, json or dxf. If none is given, what the name of the file ends with tells it.
+    #[arg(long, value_parser = parse::format(Content::Drawing))]
+    format: Option<&'static Format>,
+
+    #[command(flatten)]
+    file: OutputFile,
+}
+
+/// A command line that has everything.
+const EXAMPLE: &str = "couplet draw --half-opening 80deg --friction 0.35 -o arch.svg";
+
+fn amplitude(text: &str) -> Result<f64, String> {
+    let amplitude = text.parse().ok().filter(|r| (0.001..=1.0).contains(r));
+    amplitude.ok_or_else(|| "an amplitude is a number from 0.001 to 1, in units of r".to_owned())
+}
+
+fn stones(text: &str) -> Result<u32, String> {
+    let stones = text.parse().ok().filter(|n| (2..=500).contains(n));
+    stones.ok_or_else(|| "stones are a whole number from 2 to 500".to_owned())
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let format = arguments.file.format(arguments.format, Content::Drawing, "svg")?;
+    if arguments.animate && format.name != "svg" {
+        return Err(Failure::Input(format!("only svg moves, not {}", format.name)));
+    }
+    let sketch = arguments.sketch()?;
+    let file = arguments.file.open_for(format)?;
+    let style = Style {
+        amplitude: arguments.amplitude,
+        half: arguments.half,
+        arrows: arguments.arrows,
+        stones: arguments.stones,
+        animate: arguments.animate,
+    };
+    let report = Report::Sketched(Sketched { sketches: vec![sketch], style, command: typed() });
+    file.write(|out| report.write(format, out))
+}
+
+impl Arguments {
+    /// What is asked for, in the modes asked for.
+    fn sketch(&self) -> Result<Sketch, Failure> {
+        if let Some(landmark) = self.at {
+            let sketch = Sketch::landmark(landmark, self.weight, self.dilatant).map_err(failure)?;
+            return sketch.in_modes(self.mode.as_slice()).map_err(failure);
+        }
+        let thick = self.thickness.as_deref().map(thickness).transpose();
+        let thick = thick.map_err(Failure::Input)?;
+        let needs = Needs { missing: Vec::new(), example: EXAMPLE };
+        match (&thick, self.mode) {
+            (Some(thick), Some(Mode::Sliding)) if !self.shape.has_friction() => {
+                let arch = self.shape.without_friction(self.weight, &needs)?;
+                Sketch::sliding(&arch, thick, self.dilatant).map_err(failure)
+            }
+            (Some(_), _) if self.mode.is_some() || self.dilatant || self.animate => {
+                let message = "an arch as it stands does not move: leave out --mode, --dilatant and --animate, or \
+                               --thickness";
+                Err(Failure::Input(message.into()))
+            }
+            (Some(thick), _) => {
+                Sketch::standing(&self.shape.arch(self.weight, &needs)?, thick).map_err(failure)
+            }
+            (None, _) => {
+                let arch = self.shape.arch(self.weight, &needs)?;
+                let sketch = Sketch::least(&arch, self.dilatant).map_err(failure)?;
+                sketch.in_modes(self.mode.as_slice()).map_err(failure)
+            }
+        }
+    }
+}
+
+/// Nothing to draw is a wrong question, or an open one.
+pub(super) fn failure(none: NoSketch) -> Failure {
+    match none {
+        NoSketch::Undecided(_) | NoSketch::Falls(_) => Failure::Undecided(none.to_string()),
+        _ => Failure::Input(none.to_string()),
+    }
+}

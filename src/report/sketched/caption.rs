@@ -1,0 +1,281 @@
+//! What is said of an arch above and below its picture.
+
+use super::Sketched;
+use crate::atlas::{Collapse, Forces, Sketch, Subject};
+use crate::certify::state::{Assessment, Limit};
+use crate::number::{Ball, Rounded, arctangent, degrees};
+use crate::problem::{Landmark, Mode};
+use crate::report::words;
+
+/// Digits that are shown.
+const DIGITS: usize = 6;
+const FEW: usize = 4;
+
+/// A value correctly rounded.
+pub(super) fn rounded(x: &Ball, digits: usize) -> String {
+    match Rounded::around(x, digits) {
+        Some(rounded) => shortened(&rounded.value.to_string()),
+        None => format!("{:.*e}", digits - 1, x.mid().to_f64()),
+    }
+}
+
+/// Without the zeros at the end of a decimal fraction.
+fn shortened(text: &str) -> String {
+    match text.contains('.') && !text.contains('e') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text.to_owned(),
+    }
+}
+
+/// A joint in degrees, for the picture.
+pub(super) fn label(symbol: &str, joint: f64) -> String {
+    format!("{symbol} {:.1}°", joint.to_degrees())
+}
+
+/// How a mode falls, in a few words.
+fn falls(mode: Mode) -> &'static str {
+    match mode {
+        Mode::Rotational => "shoulder, haunch and crown open",
+        Mode::SlidingRotational => "the shoulder slides, haunch and crown open",
+        Mode::RotationalSliding => "shoulder and haunch open, a joint above the haunch slides",
+        Mode::RotationalSlidingRotational => {
+            "shoulder and haunch open, a joint between them slides"
+        }
+        Mode::OverturningSliding => "shoulder and crown open, a joint between them slides",
+        Mode::Overturning => "the half arch turns about the shoulder, without thrust",
+        Mode::Sliding => "the shoulder slides outwards, an inner joint inwards",
+    }
+}
+
+/// A mode as it is named there: at S one joint opens and slides.
+fn name(sketch: &Sketch, mode: Mode) -> (&'static str, &'static str) {
+    match (&sketch.subject, mode) {
+        (Subject::Landmark(Landmark::Shift), Mode::RotationalSliding) => {
+            ("[r,r+s]", "the shoulder opens, one inner joint opens and slides")
+        }
+        _ => (mode.label(), falls(mode)),
+    }
+}
+
+/// The heading of a panel: the mode or the verdict, and what that means.
+pub(super) fn title(sketch: &Sketch, collapse: Option<&Collapse>) -> [String; 2] {
+    match (collapse, &sketch.subject) {
+        (Some(collapse), _) => {
+            let (label, falls) = name(sketch, collapse.mode);
+            let rule = if collapse.is_dilatant { ", associated flow rule" } else { "" };
+            let place = match &sketch.subject {
+                Subject::Landmark(landmark) => format!(" at {}", words::symbol(*landmark)),
+                _ => String::new(),
+            };
+            [format!("{label}{place}{rule}"), falls.to_owned()]
+        }
+        (None, Subject::Standing { assessment, .. }) => match &assessment.stands {
+            Ok(true) => [
+                "stands".into(),
+                "its lines of thrust, from the least thrust to the largest".into(),
+            ],
+            _ => ["does not stand".into(), "no line of thrust lies within it".into()],
+        },
+        (None, _) => [String::new(), String::new()],
+    }
+}
+
+/// What a picture shows, for those who do not see it.
+pub(super) fn heading(drawn: &Sketched) -> String {
+    let all: Vec<String> = drawn.sketches.iter().map(subject).collect();
+    all.join("; ")
+}
+
+/// What is drawn, in words.
+fn subject(sketch: &Sketch) -> String {
+    let model = words::model(sketch.weight);
+    match &sketch.subject {
+        Subject::Least(arch) => format!(
+            "Arch of half opening {}, friction {}, {model}",
+            arch.half_opening(),
+            arch.friction()
+        ),
+        Subject::Landmark(landmark) => {
+            format!("{} {}, {model}", capital(landmark.name()), words::symbol(*landmark))
+        }
+        Subject::Standing { arch, thickness, .. } => format!(
+            "Arch of half opening {}, friction {}, thickness {thickness}, {model}",
+            arch.half_opening(),
+            arch.friction()
+        ),
+        Subject::Sliding { arch, thickness } => format!(
+            "Arch of half opening {}, thickness {thickness}, {model}, at the friction at which it slides",
+            arch.half_opening()
+        ),
+    }
+}
+
+fn capital(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// The paragraphs below.
+pub(super) fn paragraphs(drawn: &Sketched) -> Vec<String> {
+    let mut all: Vec<String> = drawn.sketches.iter().map(paragraph).collect();
+    let has = |is: fn(&Sketch) -> bool| drawn.sketches.iter().any(is);
+    if has(|sketch| !sketch.collapses.is_empty()) {
+        let state = match has(|sketch| matches!(sketch.subject, Subject::Sliding { .. })) {
+            true => "one solution of the equations, nothing stands with less friction",
+            false => {
+                "one solution of the equations, the lines within the arch and on its faces only at the joints that give \
+                 way, none thinner"
+            }
+        };
+        all.push(format!(
+            "Proved: {state}; every rate of a mechanism is positive. Blocks are moved rigidly, no corner by more than {} r.",
+            drawn.style.amplitude
+        ));
+    }
+    all.push(format!("Command: {}", drawn.command));
+    all
+}
+
+fn paragraph(sketch: &Sketch) -> String {
+    let mut said = subject(sketch);
+    if let Subject::Standing { assessment, .. } = &sketch.subject {
+        return said + ". " + &standing(assessment, sketch);
+    }
+    let values: Vec<String> = values(sketch).collect();
+    said += &format!(". {}.", capital(&values.join(", ")));
+    let falls = |collapse: &Collapse| {
+        let start = if sketch.collapses.len() == 1 { "It falls as " } else { "" };
+        format!(" {start}{}", balance(sketch, collapse))
+    };
+    said += &sketch.collapses.iter().map(falls).collect::<String>();
+    said + &relation(sketch)
+}
+
+/// The numbers of a state.
+fn values(sketch: &Sketch) -> impl Iterator<Item = String> + '_ {
+    let at = &sketch.at;
+    let angle = |symbol: &str, x: &Ball| format!("{symbol} = {}°", rounded(&degrees(x), DIGITS));
+    let is_sliding = matches!(sketch.subject, Subject::Sliding { .. });
+    let is_landmark = matches!(sketch.subject, Subject::Landmark(_));
+    let has = |of: fn(Mode) -> bool| sketch.collapses.iter().any(|c| of(c.mode));
+    let friction = match sketch.is_limited {
+        true => format!(
+            "friction μ = {} (φ = {}°)",
+            rounded(&at.friction, DIGITS),
+            rounded(&degrees(&arctangent(&at.friction)), FEW)
+        ),
+        false => "unlimited friction".into(),
+    };
+    [
+        (!is_sliding)
+            .then(|| format!("least thickness η = t/r = {}", rounded(&at.thickness, DIGITS))),
+        is_landmark.then(|| angle("half opening α", &at.half_opening.rad)),
+        (is_landmark || is_sliding).then_some(friction),
+        Some(format!("thrust h = H/(wr) = {}", rounded(&at.thrust, DIGITS))),
+        has(Mode::has_haunch).then(|| angle("βᵣ", &at.rotation_joint.rad)),
+        has(Mode::slides_inside).then(|| angle("βₛ", &at.sliding_joint.rad)),
+    ]
+    .into_iter()
+    .flatten()
+}
+
+/// How the crown moves, and what takes the power.
+fn balance(sketch: &Sketch, collapse: &Collapse) -> String {
+    let (label, _) = name(sketch, collapse.mode);
+    let drop = collapse.crown_drop.mid().to_f64();
+    let crown = if drop < 0.0 { "rises" } else { "goes down" };
+    let slides = collapse.mechanism.joints.iter().any(|joint| !joint.contact.is_hinge());
+    let taken = match (slides, collapse.is_dilatant) {
+        (false, _) => "the weight does no work".to_owned(),
+        (true, true) => "the weight does no work, as joints open where they slide".to_owned(),
+        (true, false) => {
+            let power = rounded(&collapse.friction_power, FEW);
+            format!(
+                "friction takes the power of the weight, {power} wr for {}",
+                unit(collapse.mode)
+            )
+        }
+    };
+    format!("{label}: the crown {crown}, {taken}.")
+}
+
+/// The rate that is one.
+fn unit(mode: Mode) -> &'static str {
+    match mode {
+        Mode::Rotational | Mode::SlidingRotational => "a rotation of one at the crown",
+        Mode::Sliding => "a slip of one at the shoulder",
+        _ => "a rotation of one at the shoulder",
+    }
+}
+
+/// At T the four mechanisms have one relation.
+fn relation(sketch: &Sketch) -> String {
+    let rate = |mode: Mode| {
+        let found = sketch.collapses.iter().find(|collapse| collapse.mode == mode);
+        found.and_then(|collapse| collapse.mechanism.joints.first()).map(|joint| &joint.rate)
+    };
+    let is_dilatant = sketch.collapses.iter().any(|collapse| collapse.is_dilatant);
+    match (&sketch.subject, rate(Mode::SlidingRotational), rate(Mode::Rotational)) {
+        (Subject::Landmark(Landmark::Triple), Some(a), Some(c))
+            if sketch.collapses.len() == 4 && !is_dilatant =>
+        {
+            let [a, c] = [a, c].map(|x| rounded(x, DIGITS));
+            format!(" The four depend on each other: [r,r,r] + {a} [s,s] = [s,r,r] + {c} [r,r,s].")
+        }
+        _ => String::new(),
+    }
+}
+
+/// The safety of an arch as it stands, in words.
+fn standing(assessment: &Assessment, sketch: &Sketch) -> String {
+    let least = assessment.least_thickness.as_ref().ok().and_then(Option::as_ref);
+    let safety = assessment.geometric_safety.as_ref().ok().and_then(Option::as_ref);
+    let required = assessment.required_friction.as_ref().ok().and_then(Option::as_ref);
+    let friction = assessment.friction_safety.as_ref().ok().and_then(Option::as_ref);
+    if assessment.stands != Ok(true) {
+        return match (least, assessment.fall) {
+            (_, Some(fall)) => format!("It stands at no thickness: {}. Proved.", fall.reason()),
+            (Some(least), _) => format!(
+                "It does not stand: it is thinner than the least thickness {}. Proved.",
+                rounded(least, DIGITS)
+            ),
+            _ => "It does not stand. Proved.".into(),
+        };
+    }
+    let mut said = "It stands, which is proved".to_owned();
+    if let (Some(least), Some(safety)) = (least, safety) {
+        said += &format!(
+            ": its thickness is {} times the least, {}",
+            rounded(safety, FEW),
+            rounded(least, DIGITS)
+        );
+    }
+    if let Some(required) = required {
+        said += &match friction {
+            Some(times) => format!(
+                ", its friction {} times what it asks for, {}",
+                rounded(times, FEW),
+                rounded(required, DIGITS)
+            ),
+            None => format!("; it asks for a friction of {}", rounded(required, DIGITS)),
+        };
+    }
+    let ends = assessment.thrust.each_ref().map(|end| end.as_ref().ok().and_then(Option::as_ref));
+    let end = |limit: Option<&Limit>| {
+        let limit = limit?;
+        let by = limit.touch.name();
+        Some(match &limit.thrust {
+            Some(thrust) => format!("{} ({by})", rounded(thrust, DIGITS)),
+            None => "any size".into(),
+        })
+    };
+    if let [Some(least), Some(largest)] = ends.map(end) {
+        said += &format!(". Its thrust h = H/(wr) is from {least} to {largest}");
+    }
+    let several = |forces: &Forces| forces.marks.iter().any(|mark| !mark.contact.is_hinge());
+    if sketch.forces.iter().any(several) {
+        said += ". Where friction limits the thrust, several lines of thrust fit: drawn is the highest at the crown for the \
+                 least thrust, the lowest for the largest";
+    }
+    said + "."
+}

@@ -1,0 +1,169 @@
+//! JSON: `couplet.drawing/1`. Fields may be added, none changes its meaning.
+
+use super::Sketched;
+use crate::arch::mechanism::{Contact, Joint, Twist};
+use crate::atlas::{Block, Collapse, Forces, Line, Sketch, Subject, moved};
+use crate::number::{Ball, Rounded};
+use crate::problem::Mode;
+use crate::report::fields::Fields;
+use crate::report::json;
+use rug::float::Round;
+use serde::Serialize;
+use serde_json::{Value as Json, json};
+use std::io;
+
+/// Digits of a value; its double is exact for them.
+const DIGITS: usize = 17;
+
+/// A value correctly rounded, with bounds, and the nearest double.
+fn figure(x: &Ball) -> Json {
+    let (Some(rounded), Some(double)) = (Rounded::around(x, DIGITS), x.nearest_double()) else {
+        return enclosure(x);
+    };
+    let [value, lower, upper] =
+        [rounded.value, rounded.lower, rounded.upper].map(|decimal| decimal.to_string());
+    json!({ "value": value, "lower": lower, "upper": upper, "double": double })
+}
+
+/// A double with bounds: what it is next to a number that it may be.
+fn enclosure(x: &Ball) -> Json {
+    let [lower, upper] = [x.lower().to_f64_round(Round::Down), x.upper().to_f64_round(Round::Up)];
+    let double = x.nearest_double().unwrap_or_else(|| x.mid().to_f64());
+    json!({ "lower": lower, "upper": upper, "double": double })
+}
+
+fn contact(contact: Contact) -> &'static str {
+    match contact {
+        Contact::Extrados => "hinge at the extrados",
+        Contact::Intrados => "hinge at the intrados",
+        Contact::Inwards => "slides inwards",
+        Contact::Outwards => "slides outwards",
+    }
+}
+
+#[derive(Serialize)]
+struct DrawingFile {
+    schema: &'static str,
+    unit: &'static str,
+    arches: Vec<Fields>,
+}
+
+fn given(sketch: &Sketch) -> Fields {
+    let mut fields = Fields::default();
+    fields.add("weight", sketch.weight.name());
+    let (landmark, arch, thickness) = match &sketch.subject {
+        Subject::Least(arch) => (None, Some(arch), None),
+        Subject::Landmark(landmark) => (Some(landmark.symbol()), None, None),
+        Subject::Standing { arch, thickness, .. } | Subject::Sliding { arch, thickness } => {
+            (None, Some(arch), Some(thickness.to_string()))
+        }
+    };
+    fields.add("landmark", landmark);
+    fields.add("half_opening_given", arch.map(|arch| arch.half_opening().to_string()));
+    let has_friction = !matches!(sketch.subject, Subject::Sliding { .. });
+    fields.add(
+        "friction_given",
+        arch.filter(|_| has_friction).map(|arch| arch.friction().to_string()),
+    );
+    fields.add("thickness_given", thickness);
+    fields
+}
+
+fn polyline(line: &Line) -> Json {
+    line.places().map(Vec::from).collect::<Vec<_>>().into()
+}
+
+fn forces(forces: &Forces) -> Json {
+    let at_limit = forces
+        .marks
+        .iter()
+        .map(|mark| json!({ "contact": contact(mark.contact), "joint": figure(&mark.at) }));
+    json!({
+        "thrust": figure(&forces.thrust),
+        "limited_by": forces.limited_by,
+        "crown_moments": forces.moments.each_ref().map(enclosure),
+        "thrust_lines": forces.thrust_lines.iter().map(polyline).collect::<Vec<_>>(),
+        "friction_line": polyline(&forces.friction_line),
+        "at_limit": at_limit.collect::<Vec<_>>(),
+    })
+}
+
+fn joint(joint: &Joint<Ball>) -> Json {
+    json!({
+        "contact": contact(joint.contact),
+        "joint": figure(&joint.at.rad),
+        "rate": figure(&joint.rate),
+    })
+}
+
+fn twist(twist: &Twist<Ball>) -> Json {
+    json!({
+        "rotation": enclosure(&twist.rotation),
+        "velocity": twist.velocity.each_ref().map(enclosure),
+    })
+}
+
+fn block(block: &Block, radii: [f64; 2]) -> Json {
+    let [cos, sin] = block.motion.turn;
+    let corners = block.between.into_iter().flat_map(|joint| {
+        radii.map(|radius| block.motion.to(&[radius * joint.sin(), radius * joint.cos()]))
+    });
+    json!({
+        "between": block.between,
+        "rotation": sin.atan2(cos),
+        "shift": block.motion.shift,
+        "corners": corners.collect::<Vec<_>>(),
+    })
+}
+
+fn collapse(sketch: &Sketch, collapse: &Collapse, amplitude: f64) -> Json {
+    let mechanism = &collapse.mechanism;
+    let joints = mechanism.joints.iter().chain(&mechanism.crown).map(joint);
+    let blocks = moved(collapse, &sketch.at, amplitude);
+    let blocks = blocks.iter().map(|moved| block(moved, sketch.radii()));
+    json!({
+        "mode": collapse.mode.label(),
+        "flow_rule": if collapse.is_dilatant { "associated" } else { "without dilatancy" },
+        "joints": joints.collect::<Vec<_>>(),
+        "twists": collapse.twists.iter().map(twist).collect::<Vec<_>>(),
+        "crown_drop": enclosure(&collapse.crown_drop),
+        "power": enclosure(&collapse.friction_power),
+        "amplitude": amplitude,
+        "blocks": blocks.collect::<Vec<_>>(),
+    })
+}
+
+/// All geometry as numbers: the right half, to the right and up of the centre.
+pub(in crate::report) fn json(report: &Sketched, out: &mut dyn io::Write) -> io::Result<()> {
+    let arch = |sketch: &Sketch| {
+        let mut fields = given(sketch);
+        let verdict = match &sketch.subject {
+            Subject::Standing { assessment, .. } if assessment.stands == Ok(true) => "stands",
+            Subject::Standing { .. } => "falls",
+            _ => "collapses",
+        };
+        fields.add("verdict", verdict);
+        let at = &sketch.at;
+        let has = |of: fn(Mode) -> bool| sketch.collapses.iter().any(|c| of(c.mode));
+        let friction = match sketch.is_limited {
+            true => figure(&at.friction),
+            false => "inf".into(),
+        };
+        fields.add("half_opening", figure(&at.half_opening.rad));
+        fields.add("thickness", figure(&at.thickness));
+        fields.add("friction", friction);
+        let state = !matches!(sketch.subject, Subject::Standing { .. });
+        fields.add("thrust", state.then(|| figure(&at.thrust)));
+        let turns = has(|mode| mode != Mode::Sliding);
+        fields.add("rotation_joint", turns.then(|| figure(&at.rotation_joint.rad)));
+        fields
+            .add("sliding_joint", has(Mode::slides_inside).then(|| figure(&at.sliding_joint.rad)));
+        fields.add("lines", sketch.forces.iter().map(forces).collect::<Vec<_>>());
+        let mechanisms =
+            sketch.collapses.iter().map(|c| collapse(sketch, c, report.style.amplitude));
+        fields.add("mechanisms", mechanisms.collect::<Vec<_>>());
+        fields
+    };
+    let arches = report.sketches.iter().map(arch).collect();
+    json::write(&DrawingFile { schema: "couplet.drawing/1", unit: "r", arches }, out)
+}

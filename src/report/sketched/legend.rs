@@ -1,0 +1,127 @@
+//! What is what, in a row below the arches.
+
+use super::Sketched;
+use super::look;
+use crate::atlas::Subject;
+use crate::picture::color::{INK, WHITE};
+use crate::picture::{Path, Point, Stroke, Svg, Type, text};
+
+/// An entry: a sample and its name.
+enum Sample {
+    Line(Stroke),
+    Band,
+    Hinge,
+    Sliding,
+    Fallen,
+}
+
+/// The legend of a page of some width.
+pub(super) struct Legend {
+    rows: Vec<Vec<(Sample, &'static str)>>,
+}
+
+const SIZE: f64 = 15.0;
+const SAMPLE: f64 = 34.0;
+const GAP: f64 = 8.0;
+const BETWEEN: f64 = 26.0;
+const ROW: f64 = 25.0;
+
+fn width(name: &str) -> f64 {
+    SAMPLE + GAP + text::width(name, SIZE)
+}
+
+impl Legend {
+    pub(super) fn new(drawn: &Sketched, limit: f64) -> Self {
+        let forces = || drawn.sketches.iter().flat_map(|sketch| &sketch.forces);
+        let is_standing =
+            drawn.sketches.iter().any(|sketch| matches!(sketch.subject, Subject::Standing { .. }));
+        let mut entries: Vec<(Sample, &'static str)> = Vec::new();
+        match (is_standing, forces().count()) {
+            (_, 0) => {}
+            (true, 1) => {
+                entries.push((Sample::Line(look::THRUST), "line of thrust, least thrust"));
+                entries.push((Sample::Line(look::FRICTION), "line of friction"));
+            }
+            (true, _) => {
+                entries.push((Sample::Line(look::THRUST), "line of thrust, least thrust"));
+                entries.push((Sample::Line(look::LARGEST), "largest thrust"));
+                entries.push((Sample::Band, "between them"));
+                entries.push((Sample::Line(look::FRICTION), "line of friction, least thrust"));
+                entries.push((Sample::Line(look::LARGEST_FRICTION), "largest thrust"));
+            }
+            _ if forces().any(|forces| forces.thrust_lines.len() > 1) => {
+                entries.push((Sample::Line(look::EXTREME), "extreme lines of thrust"));
+                entries.push((Sample::Band, "all others"));
+                entries.push((Sample::Line(look::FRICTION), "line of friction"));
+            }
+            _ => {
+                entries.push((Sample::Line(look::THRUST), "line of thrust"));
+                entries.push((Sample::Line(look::FRICTION), "line of friction"));
+            }
+        }
+        let marks = || forces().flat_map(|forces| &forces.marks);
+        if marks().any(|mark| mark.contact.is_hinge()) {
+            entries.push((Sample::Hinge, if is_standing { "touches a face" } else { "hinge" }));
+        }
+        if marks().any(|mark| !mark.contact.is_hinge()) {
+            let name = if is_standing { "friction used up" } else { "joint that slides" };
+            entries.push((Sample::Sliding, name));
+        }
+        if drawn.sketches.iter().any(|sketch| !sketch.collapses.is_empty()) {
+            entries.push((Sample::Fallen, "as it falls"));
+        }
+        let mut rows: Vec<Vec<(Sample, &'static str)>> = Vec::new();
+        let mut room = 0.0;
+        for entry in entries {
+            let wide = width(entry.1) + BETWEEN;
+            if room < wide {
+                rows.push(Vec::new());
+                room = limit + BETWEEN;
+            }
+            room -= wide;
+            if let Some(row) = rows.last_mut() {
+                row.push(entry);
+            }
+        }
+        Self { rows }
+    }
+
+    pub(super) fn height(&self) -> f64 {
+        self.rows.len() as f64 * ROW
+    }
+
+    /// Each row in the middle of a width, from a point downwards.
+    pub(super) fn draw(&self, svg: &mut Svg, (left, top): Point, limit: f64) {
+        svg.group("legend", |svg| {
+            for (row, y) in self.rows.iter().zip(0..) {
+                let wide: f64 = row.iter().map(|(_, name)| width(name) + BETWEEN).sum();
+                let mut x = left + (limit - wide + BETWEEN) / 2.0;
+                let y = top + (f64::from(y) + 0.5) * ROW;
+                for (sample, name) in row {
+                    sample.draw(svg, (x, y));
+                    svg.text(name, (x + SAMPLE + GAP, y), Type::new(SIZE, INK));
+                    x += width(name) + BETWEEN;
+                }
+            }
+        });
+    }
+}
+
+impl Sample {
+    fn draw(&self, svg: &mut Svg, (x, y): Point) {
+        let (right, middle) = (x + SAMPLE, x + SAMPLE / 2.0);
+        let area = Path::rectangle((x, y - 7.0), (right, y + 7.0));
+        match self {
+            Self::Line(stroke) => svg.stroke(&Path::through([(x, y), (right, y)]), *stroke),
+            Self::Band => svg.tint(&area, look::BAND, look::FAINT),
+            Self::Hinge => svg.ring((middle, y), look::HINGE_RADIUS, WHITE, look::HINGE),
+            Self::Sliding => {
+                svg.stroke(&Path::through([(middle, y - 9.0), (middle, y + 9.0)]), look::SLIDES);
+            }
+            Self::Fallen => {
+                svg.tint(&area, look::FALLEN, look::SHEER);
+                svg.stroke(&area, look::FALLEN_EDGE);
+            }
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! The page: panels beside and below each other, a legend, a caption.
+
+use super::Sketched;
+use super::caption::{heading, paragraphs};
+use super::legend::Legend;
+use super::panel::{ABOVE, HEAD, Panel, SIDE};
+use super::scale::Scale;
+use super::strip::{self, Strip};
+use crate::picture::color::INK;
+use crate::picture::{Svg, Type, text};
+use std::io;
+
+const MARGIN: f64 = 20.0;
+/// The width of a panel where there is one, and where there are more.
+const WIDTHS: [f64; 2] = [880.0, 620.0];
+/// The most that an arch is high.
+const HEIGHT: f64 = 620.0;
+const SMALL: f64 = 15.0;
+const GAP: f64 = 16.0;
+
+/// The picture as SVG.
+fn drawn(report: &Sketched) -> String {
+    let panels = Panel::all(report);
+    let columns = panels.len().clamp(1, 2);
+    let wide = WIDTHS[columns - 1];
+    let extents: Vec<[f64; 4]> = panels.iter().map(Panel::extent).collect();
+    let hull = extents
+        .iter()
+        .copied()
+        .reduce(|[a, b, c, d], [e, f, g, h]| [a.min(e), b.max(f), c.min(g), d.max(h)]);
+    let [left, right, low, high] = hull.unwrap_or([-1.0, 1.0, 0.0, 1.0]);
+    let radius = ((wide - 2.0 * SIDE) / (right - left)).min(HEIGHT / (high - low));
+    let strip = panels
+        .iter()
+        .map(|panel| Strip::of(panel.sketch, radius, report.style.half))
+        .find(Option::is_some);
+    let strip = strip.flatten();
+    let below = if strip.is_some() { strip::HEIGHT } else { 0.0 };
+    let tall = HEAD + ABOVE + radius * (high - low) + ABOVE + below;
+    let rows = panels.len().div_ceil(columns);
+    let width = 2.0 * MARGIN + columns as f64 * wide;
+    let legend = Legend::new(report, width - 2.0 * MARGIN);
+    let words = paragraphs(report);
+    let wrapped = |words: &String| text::wrap(words, SMALL, width - 2.0 * MARGIN);
+    let lines: Vec<String> = words.iter().flat_map(wrapped).collect();
+    let under = MARGIN + rows as f64 * tall + GAP / 2.0;
+    let foot = under + legend.height() + GAP;
+    let height = foot + lines.len() as f64 * SMALL * text::LEADING + MARGIN;
+    let mut svg = Svg::new((width, height), &heading(report), &words.join(" "));
+    for (place, panel) in panels.iter().enumerate() {
+        let (column, row) = (place % columns, place / columns);
+        // A last one that is alone stands in the middle.
+        let is_alone = place + 1 == panels.len() && column == 0;
+        let x = match is_alone {
+            true => (width - wide) / 2.0,
+            false => MARGIN + column as f64 * wide,
+        };
+        let y = MARGIN + row as f64 * tall;
+        let centre =
+            (x + wide / 2.0 - radius * (left + right) / 2.0, y + HEAD + ABOVE + radius * high);
+        let scale = Scale { center: centre, radius };
+        svg.group(&format!("panel-{place}"), |svg| {
+            panel.draw(svg, &scale, ((x, y), wide));
+            if let Some(strip) = &strip {
+                strip.draw(svg, panel, (x + SIDE, y + tall - below), wide - 2.0 * SIDE);
+            }
+        });
+    }
+    legend.draw(&mut svg, (MARGIN, under), width - 2.0 * MARGIN);
+    svg.group("caption", |svg| svg.lines(&lines, (MARGIN, foot), Type::new(SMALL, INK)));
+    svg.finish()
+}
+
+/// As SVG.
+pub(in crate::report) fn svg(report: &Sketched, out: &mut dyn io::Write) -> io::Result<()> {
+    out.write_all(drawn(report).as_bytes())
+}
+
+/// As PNG.
+#[cfg(feature = "plots")]
+pub(in crate::report) fn png(report: &Sketched, out: &mut dyn io::Write) -> io::Result<()> {
+    out.write_all(&crate::picture::png::render(&drawn(report)))
+}

@@ -1,0 +1,45 @@
+//! From units of `r` to the page.
+
+use crate::picture::{Path, Point};
+
+/// Where the centre of an arch is on the page, and how large the radius is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Scale {
+    pub center: Point,
+    pub radius: f64,
+}
+
+impl Scale {
+    /// A point to the right and up of the centre; `side` is -1 for the left half.
+    pub(super) fn at(&self, [x, y]: [f64; 2], side: f64) -> Point {
+        (self.center.0 + side * self.radius * x, self.center.1 - self.radius * y)
+    }
+
+    /// A point by its joint and radius.
+    pub(super) fn polar(&self, joint: f64, radius: f64, side: f64) -> Point {
+        self.at([radius * joint.sin(), radius * joint.cos()], side)
+    }
+
+    /// The part of a ring between two joints, once round.
+    pub(super) fn sector(&self, [from, to]: [f64; 2], [inner, outer]: [f64; 2], side: f64) -> Path {
+        let mut path = Path::default();
+        path.start(self.polar(from, outer, side));
+        path.arc(self.center, self.radius * outer, [side * from, side * to]);
+        path.line(self.polar(to, inner, side));
+        if inner > 0.0 {
+            path.arc(self.center, self.radius * inner, [side * to, side * from]);
+        }
+        path.close();
+        path
+    }
+
+    /// Joints that divide a part of a ring.
+    pub(super) fn joints(&self, joints: &[f64], [inner, outer]: [f64; 2], side: f64) -> Path {
+        let mut path = Path::default();
+        for joint in joints {
+            path.start(self.polar(*joint, inner, side));
+            path.line(self.polar(*joint, outer, side));
+        }
+        path
+    }
+}

@@ -1,0 +1,168 @@
+use super::*;
+use crate::arch::SelfWeight;
+use crate::picture::reading::texts;
+use crate::problem::{Arch, Landmark};
+
+const STILL: Style =
+    Style { amplitude: 0.12, half: false, arrows: false, stones: None, animate: false };
+
+fn arch(half_opening: &str, friction: &str) -> Arch {
+    Arch::parse("milankovitch", half_opening, friction).unwrap()
+}
+
+fn drawn(sketches: Vec<Sketch>, style: Style) -> Sketched {
+    Sketched { sketches, style, command: "couplet draw".into() }
+}
+
+fn picture(sketches: Vec<Sketch>, style: Style) -> String {
+    let mut file = Vec::new();
+    svg(&drawn(sketches, style), &mut file).unwrap();
+    String::from_utf8(file).unwrap()
+}
+
+/// All kinds of pictures, by name.
+fn pictures() -> Vec<(String, String)> {
+    let mut all = Vec::new();
+    let mut add = |name: &str, sketch: Sketch, style: Style| {
+        all.push((name.to_owned(), picture(vec![sketch], style)));
+    };
+    let least = |alpha: &str, mu: &str| Sketch::least(&arch(alpha, mu), false).unwrap();
+    for (name, alpha, mu) in [
+        ("rrr", "1.5", "1"),
+        ("srr", "pi/2", "0.35"),
+        ("rrs", "2.45", "1.35"),
+        ("rsr", "2.535", "1.57"),
+        ("rs", "2.57", "2.2"),
+        ("r", "2.62", "inf"),
+        ("thin", "20deg", "0.6"),
+    ] {
+        add(name, least(alpha, mu), STILL);
+    }
+    let rich = Style { half: true, arrows: true, stones: Some(21), animate: true, ..STILL };
+    add("half", least("2.45", "1.35"), rich);
+    add("moving", least("2.45", "1.35"), Style { animate: true, ..STILL });
+    let thick = "1".parse().unwrap();
+    add("ss", Sketch::sliding(&arch("1", "1"), &thick, true).unwrap(), STILL);
+    for (name, alpha, mu, eta) in [
+        ("stands", "80deg", "0.35", "0.16"),
+        ("inner", "2.4", "1.5", "1"),
+        ("loose", "80deg", "inf", "1.2"),
+        ("falls", "80deg", "0.6", "0.05"),
+        ("slides", "80deg", "0.1", "0.5"),
+    ] {
+        add(name, Sketch::standing(&arch(alpha, mu), &eta.parse().unwrap()).unwrap(), STILL);
+    }
+    for weight in SelfWeight::ALL {
+        for landmark in Landmark::ALL.into_iter().filter(|l| *l != Landmark::WidestJoint) {
+            let name = format!("{}-{}", weight.name(), landmark.long_name());
+            add(&name, Sketch::landmark(landmark, weight, false).unwrap(), STILL);
+        }
+    }
+    all
+}
+
+#[test]
+fn pictures_are_well_formed_finite_and_small() {
+    for (name, svg) in pictures() {
+        assert!(texts(&svg).is_some(), "{name}");
+        assert!(!svg.contains("NaN") && !svg.contains("inf "), "{name}");
+        assert!(svg.len() < 100_000, "{name}: {}", svg.len());
+    }
+}
+
+/// The blocks of both halves, and a mark for each joint that gives way on each side.
+#[test]
+fn each_mode_has_its_blocks_hinges_and_sliding_joints() {
+    let all = pictures();
+    for (name, blocks, hinges, slides) in [
+        ("rrr", 2, 5, 0),
+        ("srr", 2, 3, 2),
+        ("rrs", 3, 4, 2),
+        ("rsr", 3, 4, 2),
+        ("rs", 2, 3, 2),
+        ("r", 1, 2, 0),
+        ("ss", 2, 0, 4),
+    ] {
+        let svg = &all.iter().find(|(other, _)| other == name).unwrap().1;
+        let group = |id: &str| {
+            let rest = svg.split(&format!("<g id=\"{id}\">")).nth(1).unwrap();
+            rest.split("\n<g id=").next().unwrap().to_owned()
+        };
+        assert_eq!(group("mechanism").matches("<g transform=").count(), 2 * blocks, "{name}");
+        assert_eq!(
+            group("hinges").split("</g>").next().unwrap().matches("<circle").count(),
+            hinges
+        );
+        let sliding = group("sliding");
+        assert_eq!(sliding.split("</g>").next().unwrap().matches("<path").count(), slides);
+    }
+}
+
+#[test]
+fn a_moving_picture_is_the_still_one_but_for_its_motion() {
+    let of = |animate| {
+        let sketch = Sketch::least(&arch("2.45", "1.35"), false).unwrap();
+        picture(vec![sketch], Style { animate, ..STILL })
+    };
+    let (still, moving) = (of(false), of(true));
+    let without: Vec<&str> = moving.lines().filter(|line| !line.starts_with("<animate")).collect();
+    assert_eq!(without, still.lines().collect::<Vec<_>>());
+    assert_eq!(moving.matches("<animateTransform").count(), 12, "two for each of six blocks");
+    assert!(!moving.contains("<script"));
+    // It begins and ends where the still picture is.
+    for line in moving.lines().filter(|line| line.starts_with("<animate")) {
+        let values = line.split("values=\"").nth(1).unwrap().split('"').next().unwrap();
+        let values: Vec<&str> = values.split(';').collect();
+        assert_eq!((values.first(), values.len()), (values.last(), 25));
+        assert!(still.contains(&format!("({})", values[0])), "{}", values[0]);
+    }
+}
+
+#[test]
+fn a_caption_says_the_numbers() {
+    for (name, said) in [
+        ("srr", &["η = t/r = 0.151858", "It falls as [s,r,r]", "Proved:"][..]),
+        ("stands", &["It stands", "2.331 times the least", "sliding of the shoulder"]),
+        ("falls", &["does not stand", "0.0686505"]),
+        ("slides", &["stands at no thickness"]),
+        ("milankovitch-triple", &["+ 1.47164 [s,s] = [s,r,r] + 0.717295 [r,r,s]", "0.618318"]),
+        ("milankovitch-shift", &["[r,r+s]", "βᵣ = βₛ"]),
+        ("ss", &["associated flow rule", "extreme lines of thrust"]),
+        ("thin", &["unrolled"]),
+    ] {
+        let svg = pictures().into_iter().find(|(other, _)| other == name).unwrap().1;
+        let words = texts(&svg).unwrap().join(" ");
+        for part in said {
+            assert!(words.contains(part), "{name}: {part}: {words}");
+        }
+    }
+}
+
+#[test]
+fn a_file_for_cad_has_its_layers_and_ends() {
+    let sketch = Sketch::landmark(Landmark::Triple, SelfWeight::Milankovitch, false).unwrap();
+    let mut file = Vec::new();
+    dxf(&drawn(vec![sketch], STILL), &mut file).unwrap();
+    let text = String::from_utf8(file).unwrap();
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(lines.len() % 2, 0);
+    assert!(lines.iter().step_by(2).all(|code| code.parse::<u16>().is_ok()), "codes and values");
+    for layer in ["ARCH", "THRUST", "FRICTION", "HINGES", "SLIDING", "MECHANISM"] {
+        assert!(lines.chunks(2).any(|pair| pair == ["8", layer]), "{layer}");
+    }
+    assert_eq!(&lines[lines.len() - 2..], ["0", "EOF"]);
+    assert!(text.is_ascii() && text.len() < 4 * 50_000, "four arches: {}", text.len());
+}
+
+#[cfg(feature = "plots")]
+mod pixels {
+    use super::*;
+    use crate::picture::reading::boxes::trouble;
+
+    #[test]
+    fn no_name_lies_on_another() {
+        for (name, svg) in pictures() {
+            assert_eq!(trouble(&svg), None, "{name}");
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! `couplet draw`, and the figures of arches: what is in them, and what is refused.
+
+use crate::program::{Scratch, couplet, refused, said, text};
+use serde_json::Value;
+
+const ARCH: [&str; 5] = ["draw", "--alpha", "2.45", "--mu", "1.35"];
+
+fn written(arguments: &[&str]) -> String {
+    let output = couplet(arguments);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", text(&output.stderr));
+    text(&output.stdout)
+}
+
+#[test]
+fn the_name_of_the_file_tells_the_format() {
+    let scratch = Scratch::new();
+    for (name, start) in [("a.svg", "<svg "), ("a.json", "{"), ("a.dxf", "0\nSECTION")] {
+        let file = scratch.path(name);
+        let (code, output, error) = said(&couplet(&[&ARCH[..], &["-o", &file]].concat()));
+        assert_eq!((code, &output[..], &error[..]), (Some(0), "", ""));
+        assert!(scratch.read(name).starts_with(start), "{name}");
+    }
+}
+
+/// The rates are those of the state, the lines begin at the crown and end at the shoulder.
+#[test]
+fn json_has_the_geometry() {
+    let json = written(&[&ARCH[..], &["--format", "json"]].concat());
+    let json: Value = serde_json::from_str(&json).unwrap();
+    let arch = &json["arches"][0];
+    assert_eq!(arch["verdict"], "collapses");
+    let starts = |value: &Value, digits: &str| value["value"].as_str().unwrap().starts_with(digits);
+    assert!(starts(&arch["thickness"], "0.650243780801383"));
+    assert_eq!(arch["half_opening"]["double"], 2.45);
+    let mechanism = &arch["mechanisms"][0];
+    assert_eq!(mechanism["mode"], "[r,r,s]");
+    let joints = mechanism["joints"].as_array().unwrap();
+    let contacts: Vec<&str> =
+        joints.iter().map(|joint| joint["contact"].as_str().unwrap()).collect();
+    assert_eq!(contacts, ["hinge at the extrados", "hinge at the intrados", "slides inwards"]);
+    assert!(starts(&joints[2]["rate"], "4.57727272879"));
+    assert_eq!(mechanism["blocks"].as_array().unwrap().len(), 3);
+    let line = arch["lines"][0]["thrust_lines"][0].as_array().unwrap();
+    assert_eq!(line[0][0], 0.0);
+    let last = line.last().unwrap();
+    let angle = last[0].as_f64().unwrap().atan2(last[1].as_f64().unwrap());
+    assert!((angle - 2.45).abs() < 1e-12);
+}
+
+#[test]
+fn each_figure_has_its_modes() {
+    for (number, modes) in [
+        ("7", &["[s,s] at T", "[r,r,r] at T"][..]),
+        ("8", &["[r,r,s] at T", "[s,r,r] at T"]),
+        ("9", &["[s,s] at S", "[r,r+s] at S"]),
+        ("10", &["[s,s] at J", "[r,s] at J"]),
+        ("11", &["[s,s] at B", "[r,s] at B"]),
+        ("12", &["[r] at L", "[r] at ℓ"]),
+    ] {
+        let svg = written(&["figure", number]);
+        for (place, mode) in modes.iter().enumerate() {
+            assert!(svg.contains(&format!(">{mode}</text>")), "{number} {mode}");
+            assert!(svg.contains(&format!("<g id=\"panel-{place}\">")), "{number}");
+        }
+        assert!(!svg.contains(&format!("<g id=\"panel-{}\">", modes.len())), "{number}");
+    }
+}
+
+#[test]
+fn options_change_what_they_say() {
+    let still = written(&ARCH);
+    let with = |option: &[&str]| written(&[&ARCH[..], option].concat());
+    let moves = "<animateTransform";
+    assert!(!still.contains(moves) && with(&["--animate"]).contains(moves));
+    let arrows = "id=\"arrows\"";
+    assert!(!still.contains(arrows) && with(&["--arrows"]).contains(arrows));
+    assert!(with(&["--dilatant"]).contains("associated flow rule"));
+    assert!(with(&["--half"]).matches("<circle").count() < still.matches("<circle").count());
+    assert!(with(&["--stones", "9"]).contains("#b8b4aa") && !still.contains("#b8b4aa"));
+    let one = written(&["draw", "--at", "T", "--mode", "[s,r,r]"]);
+    assert!(one.contains("[s,r,r] at T") && !one.contains("panel-1"));
+}
+
+#[test]
+fn what_falls_is_not_drawn_at_its_least_thickness() {
+    let (code, output, error) = said(&couplet(&["draw", "--alpha", "2.6", "--mu", "0.3"]));
+    assert_eq!((code, &output[..]), (Some(1), ""));
+    assert!(error.contains("the arch stands at no thickness"), "{error}");
+    let thin = written(&["draw", "--alpha", "80deg", "--mu", "0.6", "--eta", "0.05"]);
+    assert!(thin.contains("does not stand"));
+}
+
+#[test]
+fn what_cannot_be_drawn_is_refused() {
+    for (arguments, words) in [
+        (&["draw"][..], "--half-opening, --friction (or --friction-angle) are missing"),
+        (&["draw", "--alpha", "1"], "--friction (or --friction-angle) is missing"),
+        (&["draw", "--at", "sb"], "at no friction of its own"),
+        (&["draw", "--at", "X"], "a landmark is one of"),
+        (&["draw", "--at", "T", "--mode", "rs"], "the arch does not fall as [r,s], but as [r,r,r]"),
+        (&["draw", "--at", "T", "--mode", "rsx"], "a mode is one of [r,r,r]"),
+        (&["draw", "--alpha", "1", "--mu", "1", "--mode", "ss"], "but as [r,r,r]"),
+        (&["draw", "--alpha", "1", "--mu", "1", "--eta", "0.1", "--animate"], "does not move"),
+        (&["draw", "--alpha", "1", "--eta", "0.001", "--mode", "ss"], "no line of thrust fits"),
+        (&["draw", "--alpha", "1", "--mu", "1", "--eta", "2.1"], "not between 0 and 2"),
+        (&["draw", "--at", "T", "--amplitude", "0"], "an amplitude is a number from 0.001 to 1"),
+        (&["draw", "--at", "T", "--stones", "1"], "stones are a whole number from 2 to 500"),
+        (&["draw", "--at", "T", "--animate", "--format", "json"], "only svg moves"),
+        (&["draw", "--at", "T", "--format", "csv"], "a format is one of"),
+        (&["figure", "7", "--weight", "both"], "figure 7 shows one --weight"),
+        (&["figure", "9", "--tolerance", "1e-3"], "leave out --tolerance"),
+    ] {
+        refused(arguments, "", words);
+    }
+}
