@@ -12,12 +12,12 @@
 //! cheaper to compute slopes again and to double what a step gains.
 //!
 //! Residuals are over [`ShortBall`]; what is small, they and the steps, becomes double-doubles, times a power of two. Sines
-//! and cosines are computed once, at the candidate, and moved along.
+//! and cosines are computed once, at the candidate, and moved along. The first steps are made in fewer words.
 
 use crate::arch::{Configuration, Unknown};
 use crate::check::krawczyk;
 use crate::number::{
-    Angle, Ball, DoubleDouble, DoubleDoubleBall, Enclosure, Field, Real, ShortBall, power_of_two,
+    Angle, Ball, DoubleDouble, DoubleDoubleBall, Enclosure, Field, ShortBall, power_of_two,
 };
 use crate::problem::{System, tally};
 use crate::solve::inverse;
@@ -28,6 +28,9 @@ pub(super) const MOST: u32 = 928;
 const GUARD: u32 = 32;
 /// How many times as wide as the corrections ask for `X` is.
 const ROOM: f64 = 64.0;
+/// The words of the first steps, and the bits to which they are made.
+const FEW_WORDS: usize = 8;
+const FEW_BITS: u32 = 64 * (FEW_WORDS as u32 - 1) - GUARD;
 /// The least gain of a step that is worth while, in bits.
 const LEAST_GAIN: u32 = 32;
 
@@ -104,7 +107,7 @@ impl Approach {
     pub(super) fn enclose(&self, bits: u32) -> Option<Configuration<Ball>> {
         match bits + GUARD {
             0..=320 => self.in_words::<6>(bits),
-            321..=448 => self.in_words::<8>(bits),
+            321..=448 => self.in_words::<FEW_WORDS>(bits),
             449..=576 => self.in_words::<10>(bits),
             577..=704 => self.in_words::<12>(bits),
             705..=832 => self.in_words::<14>(bits),
@@ -113,38 +116,64 @@ impl Approach {
     }
 
     fn in_words<const N: usize>(&self, bits: u32) -> Option<Configuration<Ball>> {
-        let mut x: Vec<ShortBall<N>> =
-            self.centre.iter().map(|x| ShortBall::scaled(*x, 0).midpoint()).collect();
-        let unknowns = self.system.unknowns.iter().zip(&x);
-        let angle = |(unknown, x): (&Unknown, &ShortBall<N>)| match unknown.is_angle() {
-            true => sine_and_cosine(x),
-            false => Angle::zero(x),
+        let centre = self.centre_in::<N>();
+        let angle = |(unknown, x): (&Unknown, &ShortBall<N>)| {
+            unknown.is_angle().then(|| Angle::new(x.to_ball(64 * N as u32)))
         };
-        let mut angles: Vec<Angle<ShortBall<N>>> = unknowns.map(angle).collect();
-        let mut known = self.known;
-        let mut is_last = false;
-        while !is_last {
-            is_last = known + self.gain >= bits;
-            let (steps, asked) = self.steps(&self.place(&x, &angles), known);
-            let steps = if is_last { self.image(&x, &steps, &asked, known)? } else { steps };
-            for ((x, angle), step) in x.iter_mut().zip(&mut angles).zip(steps) {
-                let step = ShortBall::of(&step, known);
-                // Before the last one any point near by will do.
-                let step = if is_last { step } else { step.midpoint() };
-                *x = *x + step;
-                *angle = Angle { rad: *x, ..moved(angle, &step) };
+        let angles: Vec<Option<Angle<Ball>>> =
+            self.system.unknowns.iter().zip(&centre).map(angle).collect();
+        let (x, known) = match N > FEW_WORDS {
+            true => {
+                let mut few = self.point::<FEW_WORDS>(self.centre_in(), &angles);
+                let known = self.climb(&mut few, self.known, FEW_BITS);
+                (few.x.iter().map(ShortBall::lengthened).collect(), known)
             }
-            known += self.gain;
-        }
-        Some(self.place(&x, &angles).map(|x| x.to_ball(bits + GUARD)))
+            false => (centre, self.known),
+        };
+        let mut point = self.point::<N>(x, &angles);
+        let known = self.climb(&mut point, known, bits);
+        let (steps, asked) = self.steps(&self.place(&point), known);
+        let steps = self.image(&point.x, &steps, &asked, known)?;
+        point.advance(steps.iter().map(|step| ShortBall::of(step, known)));
+        Some(self.place(&point).map(|x| x.to_ball(bits + GUARD)))
     }
 
-    fn place<const N: usize>(
+    fn centre_in<const N: usize>(&self) -> Vec<ShortBall<N>> {
+        self.centre.iter().map(|x| ShortBall::scaled(*x, 0).midpoint()).collect()
+    }
+
+    /// The point `x`, from sines and cosines at the candidate.
+    fn point<const N: usize>(
         &self,
-        x: &[ShortBall<N>],
-        angles: &[Angle<ShortBall<N>>],
-    ) -> Configuration<ShortBall<N>> {
-        self.system.place_with(Configuration::zero(&x[0]), x, |index, _| angles[index].clone())
+        x: Vec<ShortBall<N>>,
+        angles: &[Option<Angle<Ball>>],
+    ) -> Point<N> {
+        let centre = self.centre_in::<N>().into_iter().zip(&x);
+        let angle =
+            |(angle, (centre, x)): (&Option<Angle<Ball>>, (ShortBall<N>, &ShortBall<N>))| {
+                let Angle { sin, cos, .. } = angle.as_ref()?;
+                let from = Angle { rad: *x, sin: ShortBall::from(sin), cos: ShortBall::from(cos) };
+                Some(moved(&from, &(*x - centre)))
+            };
+        let angles = angles.iter().zip(centre).map(angle).collect();
+        Point { x, angles }
+    }
+
+    /// Steps without a proof, until one more has `bits` bits. Any point near by will do, so that radii are left away.
+    fn climb<const N: usize>(&self, point: &mut Point<N>, mut known: u32, bits: u32) -> u32 {
+        while known + self.gain < bits {
+            let (steps, _) = self.steps(&self.place(point), known);
+            point.advance(steps.iter().map(|step| ShortBall::of(step, known).midpoint()));
+            known += self.gain;
+        }
+        known
+    }
+
+    fn place<const N: usize>(&self, at: &Point<N>) -> Configuration<ShortBall<N>> {
+        let given = Configuration::zero(&at.x[0]);
+        self.system.place_with(given, &at.x, |index, rad| {
+            at.angles[index].clone().unwrap_or_else(|| Angle::zero(rad))
+        })
     }
 
     /// `-Y F(x) 2^known`, and how large the terms of each sum are together.
@@ -197,6 +226,21 @@ impl Approach {
     }
 }
 
+/// Values of the unknowns, and those that are angles with sine and cosine.
+struct Point<const N: usize> {
+    x: Vec<ShortBall<N>>,
+    angles: Vec<Option<Angle<ShortBall<N>>>>,
+}
+
+impl<const N: usize> Point<N> {
+    fn advance(&mut self, steps: impl Iterator<Item = ShortBall<N>>) {
+        for ((x, angle), step) in self.x.iter_mut().zip(&mut self.angles).zip(steps) {
+            *x = *x + step;
+            *angle = angle.as_ref().map(|angle| Angle { rad: *x, ..moved(angle, &step) });
+        }
+    }
+}
+
 fn exact(x: &[DoubleDouble]) -> Vec<DoubleDoubleBall> {
     x.iter().map(|x| DoubleDoubleBall::exact(*x)).collect()
 }
@@ -235,12 +279,6 @@ fn bits_below(size: f64) -> Option<u32> {
     (size > 0.0 && size < 1.0).then(|| (-size.log2()).floor() as u32)
 }
 
-/// The angle with its sine and cosine, by MPFR.
-fn sine_and_cosine<const N: usize>(rad: &ShortBall<N>) -> Angle<ShortBall<N>> {
-    let (sin, cos) = rad.to_ball(64 * N as u32).sin_cos();
-    Angle { rad: *rad, sin: ShortBall::from(&sin), cos: ShortBall::from(&cos) }
-}
-
 /// The angle by a small `step` further, but for `rad`.
 ///
 /// `sin d` and `1 - cos d` by their series, up to the first power `d^k/k!` that is below one unit: it bounds what is left
@@ -272,7 +310,7 @@ mod tests {
     use super::*;
     use crate::arch::SelfWeight;
     use crate::certify::{Isolated, isolate, refine};
-    use crate::number::Magnitude;
+    use crate::number::{Magnitude, Real};
     use crate::problem::Landmark;
     use crate::solve::{newton, start};
 

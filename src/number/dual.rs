@@ -64,21 +64,23 @@ impl<T: Field> Dual<T> {
         Self { value, gradient }
     }
 
-    /// The gradient `left(self') + right(other')`.
+    /// The gradient `left(self') + right(other')`, in the place of that of `self`.
     fn combine(
-        &self,
+        mut gradient: Vec<Option<T>>,
         other: &Self,
-        left: impl Fn(&T) -> T,
+        left: impl Fn(T) -> T,
         right: impl Fn(&T) -> T,
     ) -> Vec<Option<T>> {
-        (0..self.gradient.len().max(other.gradient.len()))
-            .map(|index| match (self.slope(index), other.slope(index)) {
+        gradient.resize(gradient.len().max(other.gradient.len()), None);
+        for (index, slope) in gradient.iter_mut().enumerate() {
+            *slope = match (slope.take(), other.slope(index)) {
                 (None, None) => None,
                 (Some(a), None) => Some(left(a)),
                 (None, Some(b)) => Some(right(b)),
                 (Some(a), Some(b)) => Some(left(a) + right(b)),
-            })
-            .collect()
+            };
+        }
+        gradient
     }
 }
 
@@ -126,7 +128,7 @@ impl<T: Field> Neg for Dual<T> {
 impl<T: Field> Add<&Dual<T>> for Dual<T> {
     type Output = Self;
     fn add(self, other: &Self) -> Self {
-        let gradient = self.combine(other, T::clone, T::clone);
+        let gradient = Self::combine(self.gradient, other, |a| a, T::clone);
         Self { value: self.value + &other.value, gradient }
     }
 }
@@ -134,7 +136,7 @@ impl<T: Field> Add<&Dual<T>> for Dual<T> {
 impl<T: Field> Sub<&Dual<T>> for Dual<T> {
     type Output = Self;
     fn sub(self, other: &Self) -> Self {
-        let gradient = self.combine(other, T::clone, |b| -b.clone());
+        let gradient = Self::combine(self.gradient, other, |a| a, |b| -b.clone());
         Self { value: self.value - &other.value, gradient }
     }
 }
@@ -142,9 +144,9 @@ impl<T: Field> Sub<&Dual<T>> for Dual<T> {
 impl<T: Field> Mul<&Dual<T>> for Dual<T> {
     type Output = Self;
     fn mul(self, other: &Self) -> Self {
-        let gradient =
-            self.combine(other, |a| a.clone() * &other.value, |b| b.clone() * &self.value);
-        Self { value: self.value * &other.value, gradient }
+        let (value, slopes) = (self.value, self.gradient);
+        let gradient = Self::combine(slopes, other, |a| a * &other.value, |b| b.clone() * &value);
+        Self { value: value * &other.value, gradient }
     }
 }
 
@@ -153,10 +155,11 @@ impl<T: Field> Div<&Dual<T>> for Dual<T> {
     /// `q = a/b` has `q' = (a' - q b')/b`.
     #[expect(clippy::suspicious_arithmetic_impl, reason = "the quotient rule multiplies")]
     fn div(self, other: &Self) -> Self {
-        let quotient = self.value.clone() / &other.value;
-        let gradient = self.combine(
+        let quotient = self.value / &other.value;
+        let gradient = Self::combine(
+            self.gradient,
             other,
-            |a| a.clone() / &other.value,
+            |a| a / &other.value,
             |b| -(b.clone() * &quotient / &other.value),
         );
         Self { value: quotient, gradient }

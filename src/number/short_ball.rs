@@ -2,10 +2,11 @@
 //!
 //! The midpoint is `± m 2^-64(N-1)` with an integer `m` of `N` words, of which the topmost is the whole part, below `2^31`.
 //! The radius counts units of the last place, `2^-64(N-1)`. Sums and products with integers are exact; any other product or
-//! quotient is cut off, which is below one unit.
+//! quotient is cut off, which is below one unit and `2^-60`.
 //!
 //! **The radius is rounded up**: it is a sum of products of doubles that are not negative, with at most sixteen roundings
-//! on any path, each of which takes away less than a part `2^-53`; the last factor is [`UP`] `= 1 + 2^-48`. It is zero or at
+//! on any path, each of which takes away less than a part `2^-53`; the last factor is [`UP`] `= 1 + 2^-48`, which is more by a
+//! part `2^-49`. It is zero or at
 //! least one, and at most `2^64(N-1) < 2^1000`, so that nothing underflows or overflows; what is beyond, or NaN, becomes the whole line.
 
 use super::words;
@@ -124,6 +125,12 @@ impl<const N: usize> ShortBall<N> {
         Self { rad: 0.0, ..*self }
     }
 
+    /// The midpoint in `M` words, which are no fewer.
+    pub(crate) fn lengthened<const M: usize>(&self) -> ShortBall<M> {
+        let words = std::array::from_fn(|i| if i + N < M { 0 } else { self.words[i + N - M] });
+        ShortBall { negative: self.negative, words, rad: 0.0 }
+    }
+
     /// The same midpoint with `more` added to the radius, a number that is not negative.
     pub fn widened(&self, more: f64) -> Self {
         let more = if more >= 0.0 { more } else { f64::INFINITY };
@@ -142,9 +149,10 @@ impl<const N: usize> ShortBall<N> {
 
     /// An upper bound of the size of the midpoint.
     fn size(&self) -> f64 {
-        // From the last word up, so that nothing is lost that counts.
-        let sum = self.words.iter().fold(0.0, |sum, word| (sum + *word as f64) / TWO_TO_64);
-        sum * TWO_TO_64 * UP
+        // The first two words that are not zero, and one unit of the second for those below.
+        let Some(top) = self.words.iter().rposition(|word| *word != 0) else { return 0.0 };
+        let next = if top == 0 { 0.0 } else { (self.words[top - 1] as f64 + 1.0) / TWO_TO_64 };
+        (self.words[top] as f64 + next) * power_of_two(64 * (top as i32 + 1 - N as i32)) * UP
     }
 
     /// Whether this is a whole number, exactly.
@@ -370,6 +378,8 @@ mod tests {
             let size = parts(&x).unwrap().0.abs();
             prop_assert!(Rational::from_f64(x.size()).unwrap() >= size);
             prop_assert!(Rational::from_f64(x.size() * (1.0 - 1e-13)).unwrap() <= size);
+            prop_assert_eq!(parts(&x), parts(&x.lengthened::<6>()));
+            prop_assert_eq!(parts(&x), parts(&x.lengthened::<9>()));
         }
 
         /// Doubles of any exponent, with low parts of any size.

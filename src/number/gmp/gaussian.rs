@@ -27,6 +27,9 @@ pub(super) const PRIMES: [(i32, i32); COUNT] = [
     (10, 3),
 ];
 
+/// Products of so many primes are those of machine integers: each prime is shorter than `2^3.5`.
+const SMALL: u64 = 35;
+
 /// A Gaussian integer.
 #[derive(Clone)]
 pub(super) struct Gaussian {
@@ -44,9 +47,21 @@ impl Gaussian {
     pub(super) fn odd(exponents: &[i32; COUNT]) -> Self {
         let powers = PRIMES.iter().zip(exponents).skip(1).filter(|(_, exponent)| **exponent != 0);
         let powers = powers.map(|(&(re, im), &exponent)| {
-            Self::new(re, if exponent < 0 { -im } else { im }).power(exponent.unsigned_abs())
+            ((re, if exponent < 0 { -im } else { im }), exponent.unsigned_abs())
         });
-        powers.fold(Self::new(1, 0), |product, power| product.times(&power))
+        let factors: u64 = powers.clone().map(|(_, exponent)| u64::from(exponent)).sum();
+        if factors > SMALL {
+            let powers = powers.map(|((re, im), exponent)| Self::new(re, im).power(exponent));
+            return powers.fold(Self::new(1, 0), |product, power| product.times(&power));
+        }
+        let (mut x, mut y) = (1i128, 0i128);
+        for ((re, im), exponent) in powers {
+            let (re, im) = (i128::from(re), i128::from(im));
+            for _ in 0..exponent {
+                (x, y) = (x * re - y * im, x * im + y * re);
+            }
+        }
+        Self { re: x.into(), im: y.into() }
     }
 
     fn times(&self, other: &Self) -> Self {
@@ -86,6 +101,15 @@ mod tests {
         let u = Gaussian::odd(&exponents);
         assert_eq!((u.re.clone(), u.im.clone()), (28.into(), 29.into()));
         assert_eq!(u.norm(), 125 * 13);
+        // As many primes as there is room for, and one more, in the same place.
+        let most = |exponent| {
+            let mut exponents = [0; COUNT];
+            exponents[COUNT - 1] = exponent;
+            Gaussian::odd(&exponents)
+        };
+        let (most, more) = (most(SMALL as i32), most(SMALL as i32 + 1));
+        let next = most.times(&Gaussian::new(10, 3));
+        assert_eq!((next.re, next.im), (more.re, more.im));
         let u2 = u.squared();
         assert_eq!((u2.re, u2.im), (Integer::from(28 * 28 - 29 * 29), Integer::from(2 * 28 * 29)));
     }

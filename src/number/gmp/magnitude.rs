@@ -5,7 +5,6 @@
 //! becomes the smallest positive bound, so nothing is ever lost.
 
 use rug::Float;
-use rug::float::Round;
 use std::cmp::Ordering;
 
 /// A non-negative bound `mantissa * 2^exponent`, or infinity.
@@ -58,10 +57,16 @@ impl Magnitude {
         if !x.is_finite() {
             return Self::INFINITE;
         }
-        let (head, exponent) = x.to_f64_exp_round(if up { Round::AwayZero } else { Round::Zero });
-        // |head| is in [0.5, 1), so scaling by 2^53 gives an exact integer.
-        let integer = (head.abs() * (1u64 << 53) as f64) as u64;
-        Self::round(integer, i64::from(exponent) - 53, up)
+        let Some((significand, exponent)) = x.get_significand().zip(x.get_exp()) else {
+            return Self::INFINITE;
+        };
+        let Some((head, below)) = significand.as_limbs().split_last() else { return Self::ZERO };
+        // The first bit of the topmost limb is set. Where it is all ones, rounding it up adds the unit too.
+        #[allow(clippy::useless_conversion, reason = "elsewhere a limb has 32 bits")]
+        let head = u64::from(*head);
+        let unit = u64::from(up && below.iter().any(|limb| *limb != 0));
+        let exponent = i64::from(exponent) - i64::from(u64::BITS - head.leading_zeros());
+        Self::round(head.saturating_add(unit), exponent, up)
     }
 
     /// Whether the bound is zero.
@@ -233,6 +238,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
     use rug::Rational;
+    use rug::float::Round;
 
     fn exact(m: Magnitude) -> Rational {
         Rational::from(m.mantissa) << i32::try_from(m.exponent.max(-200_000)).unwrap()
@@ -268,11 +274,19 @@ mod tests {
         }
 
         #[test]
-        fn floats_are_bounded_on_both_sides(mantissa in any::<u64>(), shift in -2000i32..2000) {
-            let x = Float::with_val(64, mantissa) << shift;
+        fn floats_are_bounded_on_both_sides(
+            head in prop_oneof![any::<u64>(), Just(u64::MAX), any::<u32>().prop_map(|n| u64::from(n) << 32)],
+            tail in prop_oneof![Just(0u64), Just(1), any::<u64>()], prec in 1u32..200, negative in any::<bool>(),
+            shift in -2000i32..2000,
+        ) {
+            let whole = Float::with_val(128, head) << 64;
+            let x = Float::with_val(prec, whole + tail) << shift;
             let value = x.to_rational().unwrap();
-            prop_assert!(Magnitude::upper(&x).to_float().to_rational().unwrap() >= value);
-            prop_assert!(Magnitude::lower(&x).to_float().to_rational().unwrap() <= value);
+            let signed = if negative { -x } else { x };
+            // To 32 bits, rounded once.
+            let to = |round| Float::with_val_round(32, &value, round).0.to_rational().unwrap();
+            prop_assert_eq!(Magnitude::upper(&signed).to_float().to_rational().unwrap(), to(Round::Up));
+            prop_assert_eq!(Magnitude::lower(&signed).to_float().to_rational().unwrap(), to(Round::Down));
         }
     }
 
