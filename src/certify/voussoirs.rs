@@ -230,7 +230,7 @@ impl Proof<'_> {
             Some(exact) => Figure::exact(&exact, digits),
             None => Figure::new(&self.angle(contact.joint()).rad, digits),
         };
-        let slides = matches!(contacts[0], Contact::Inwards(_)) && self.is_limited;
+        let slides = matches!(contacts[0], Contact::Inwards(_)) && mode != Mode::Overturning;
         let rounded = || {
             Some(VoussoirDigits {
                 mode,
@@ -260,8 +260,9 @@ impl Proof<'_> {
         let above = haunch.checked_sub(1);
         let below = Some(haunch + 1).filter(|below| *below <= self.last());
         let beside = above.into_iter().chain(below).map(Contact::Intrados);
-        // Without limit the joint may be open: then no force is in it, and no moment.
-        let is_open = !self.is_limited && contacts[0] == Contact::Inwards(haunch);
+        // In a joint that is open there is no force, and no moment.
+        let is_open = contacts[0] == Contact::Inwards(haunch)
+            && self.stones.may_open(haunch, self.is_limited);
         let ends = ends.into_iter().filter(|end| !(is_open && end.joint() == haunch));
         for contact in ends.into_iter().chain(beside).filter(|contact| !contacts.contains(contact))
         {
@@ -283,19 +284,19 @@ impl Proof<'_> {
         let holds = |contact: Contact| -> bool {
             contacts.contains(&contact) || is_positive(&-self.row(contact, ring).at(thrust, moment))
         };
-        let open = Grip { shear: thrust.int(0), normal: thrust.int(1) };
-        for joint in [0, last] {
-            // Without limit a joint that opens is one that slides.
-            let contact = Contact::Inwards(joint);
-            let normal = -contact.row(&self.angle(joint), ring, &open).at(thrust, moment);
-            let is_open = !self.is_limited && contacts.contains(&contact);
-            require(is_open || is_positive(&normal), "whether a joint opens")?;
+        // A joint that is open bears nothing.
+        let is_open = |joint: u64| {
+            contacts.contains(&Contact::Inwards(joint))
+                && self.stones.may_open(joint, self.is_limited)
+        };
+        for joint in [0, last].into_iter().filter(|joint| !is_open(*joint)) {
+            let normal = normal_force(&self.angle(joint), thrust);
+            require(is_positive(&normal), "whether a joint opens")?;
+            let outwards = Contact::Outwards(joint);
+            require(!self.is_limited || holds(outwards), "whether the shoulder slides")?;
         }
         if !self.is_limited {
             return Ok(());
-        }
-        for contact in [0, last].map(Contact::Outwards) {
-            require(holds(contact), "whether the shoulder slides")?;
         }
         let slides = contacts.iter().find_map(|contact| match contact {
             Contact::Inwards(joint) => Some(*joint),

@@ -139,6 +139,12 @@ impl Stones {
         }
     }
 
+    /// Whether a joint that is about to slide inwards bears nothing: with unlimited friction, and at the crown, where the shear
+    /// force is zero.
+    pub fn may_open(&self, joint: u64, is_limited: bool) -> bool {
+        !is_limited || joint == 0 && self.has_joint_at_crown()
+    }
+
     /// How an arch with these contacts collapses, by its label from the shoulder; `None` for contacts that are no
     /// mechanism of the seven.
     pub fn mode(&self, contacts: &[Contact; 3], is_limited: bool) -> Option<Mode> {
@@ -158,7 +164,7 @@ impl Stones {
                 if last == shoulder =>
             {
                 match (turns, is_limited) {
-                    (0, false) if slides == 0 => Mode::Overturning,
+                    (0, _) if slides == 0 && self.may_open(0, is_limited) => Mode::Overturning,
                     (_, false) => return None,
                     (0, true) if self.has_joint_at_crown() => Mode::OverturningSliding,
                     (turns, true) if turns >= slides => Mode::RotationalSliding,

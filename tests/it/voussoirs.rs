@@ -286,3 +286,13 @@ fn wrong_stones_are_one_line() {
         assert!(error.lines().count() == 1 && error.contains(why), "{arguments}: {error}");
     }
 }
+
+/// With few stones the crown can be open although friction is finite: no joint is near enough to it to slide.
+#[test]
+fn a_crown_between_few_stones_opens() {
+    let arch = state(found(&equal(6, "2.637566"), SelfWeight::Heyman, "2.056972", 20));
+    assert_eq!((arch.mode, arch.thrust.double), (Mode::Overturning, 0.0));
+    assert!(arch.sliding_joint.is_none());
+    let arch = state(found(&equal(60, "2.637566"), SelfWeight::Heyman, "2.056972", 20));
+    assert_eq!(arch.mode, Mode::OverturningSliding);
+}
