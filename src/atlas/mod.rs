@@ -15,6 +15,7 @@
 //! # Ok::<(), couplet::certify::Undecided>(())
 //! ```
 
+mod arc;
 mod cells;
 mod contour;
 mod crossing;
@@ -32,6 +33,7 @@ mod trace;
 mod tube;
 mod walk;
 
+pub use arc::{Arc, Coordinate, arc};
 pub use cells::{Areas, Column, Row};
 pub use contour::Contour;
 pub use curve::Curve;

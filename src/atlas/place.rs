@@ -68,7 +68,7 @@ impl Place {
 }
 
 /// The root of what is known not to be negative, though its enclosure may reach below zero.
-fn root_of_square(square: &Ball) -> Ball {
+pub(super) fn root_of_square(square: &Ball) -> Ball {
     if square.lower() >= 0 {
         return square.sqrt();
     }

@@ -188,6 +188,12 @@ impl Tube {
         sides.map(|(cubic, width)| cubic.about(&t).swap_remove(0).widened(*width)).collect()
     }
 
+    /// The coefficients of the cubics about a parameter of the piece, or about each of a set.
+    pub(super) fn about(&self, s: &Ball) -> Vec<Vec<Ball>> {
+        let t = s.clone() - &self.middle;
+        self.cubics.iter().map(|cubic| cubic.about(&t)).collect()
+    }
+
     /// Whether a root at a parameter of the piece lies where only one is, and so is that of the curve.
     pub(super) fn holds(&self, s: &Ball, root: &[Ball]) -> bool {
         let t = s.clone() - &self.middle;

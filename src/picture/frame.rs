@@ -74,7 +74,7 @@ impl Frame {
             let (from, to, label, anchor) = match side {
                 Side::Bottom => {
                     let y = self.bottom();
-                    ((x, y), (x, y - TICK), (x, y + OFF + half), Anchor::Middle)
+                    ((x, y), (x, y - TICK), (x, y + 1.25 * OFF + half), Anchor::Middle)
                 }
                 Side::Top => {
                     let y = self.corner.1;

@@ -63,7 +63,7 @@ pub use answer::{Answer, Fingerprint, Kept, Proof, Status, Subject};
 pub use answers::{Answers, Scope};
 pub use audit::Audit;
 pub use claims::{Claims, Index};
-pub use drawn::{Branches, Drawing, Mark, Plane, View};
+pub use drawn::{Axes, Branches, Drawing, Mark, Plane, Shown, Unit, View};
 pub use format::{Content, Format};
 pub use given::GivenDoubles;
 pub use map::{Map, MapPoint, MapPoints};

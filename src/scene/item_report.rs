@@ -6,7 +6,7 @@ use super::schema::{SceneArch, SceneMap, What};
 use crate::certify::Undecided;
 use crate::judge::{Enclosed, audit_of, compare_weights_of};
 use crate::problem::Quantity;
-use crate::report::{Answer, Answers, Audit, Claims, Drawing, Format, Map, Report};
+use crate::report::{Answer, Answers, Audit, Axes, Claims, Drawing, Format, Map, Report};
 use std::io;
 
 /// What an item asked for.
@@ -128,7 +128,12 @@ fn map(
     }
     let landmarks = constants(plan, pieces, index, (&Quantity::LANDMARK, PAGE_DIGITS));
     let names = undecided_landmarks(&landmarks);
-    let drawing = Drawing { view: asked.view, marks: Vec::new(), command: asked.command.clone() };
+    let drawing = Drawing {
+        view: asked.view,
+        axes: Axes::default(),
+        marks: Vec::new(),
+        command: asked.command.clone(),
+    };
     let map = Map { tolerance: asked.tolerance, traces, levels, landmarks, drawing };
     open.extend(map.open().into_iter().chain(names));
     (Some(Report::Map(map)), open)

@@ -8,7 +8,7 @@ use crate::arch::SelfWeight;
 use crate::atlas::{Curve, Sketch};
 use crate::cli::failure::Failure;
 use crate::problem::{Landmark, Mode};
-use crate::report::{Content, Drawing, Format, Map, Report, Sketched, Style, View};
+use crate::report::{Axes, Content, Drawing, Format, Map, Report, Sketched, Style, View};
 use clap::Args;
 
 /// A figure of the paper, drawn from proved curves and states.
@@ -128,7 +128,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         _ => Vec::new(),
     };
     let levels = levels(&contours, &weights, &traces, tolerance, &mut open)?;
-    let drawing = Drawing { view, marks: Vec::new(), command: typed() };
+    let drawing = Drawing { view, axes: Axes::default(), marks: Vec::new(), command: typed() };
     let landmarks = Vec::new();
     let map = Map { tolerance, traces, levels, landmarks, drawing };
     open.extend(map.open());

@@ -1,16 +1,17 @@
 //! The purely rotational, overturning and sliding states along the half opening: Figures 2 to 4 of the paper.
 
 use super::caption::proved;
-use super::graph::{Graphs, Line, Mark, Panel};
+use super::chain::{Chain, larger};
+use super::graph::{Graphs, Line, Mark, Panel, WIDTH, height};
 use super::look;
-use super::plane::Axis;
+use super::plane::{Axis, DEGREES};
 use super::sheet::Sheet;
 use crate::arch::{SelfWeight, Unknown};
-use crate::atlas::{Curve, End, Place, Trace, Variable};
+use crate::atlas::{Coordinate, Curve, End, Place, Trace};
 use crate::certify::CertifiedLandmark;
 use crate::number::Ball;
 use crate::picture::color::INK;
-use crate::picture::{Point, Stroke};
+use crate::picture::{Frame, Point, Stroke};
 use crate::problem::Landmark;
 use crate::report::words;
 
@@ -30,15 +31,18 @@ const SLIDING: Stroke = Stroke::new(INK, 1.6);
 const BEYOND: Stroke = Stroke { color: INK, width: 1.6, dashes: &[3.0, 4.0] };
 /// What is no further from the foot of a panel is on it.
 const FOOT: f64 = 1e-9;
-/// Points on each piece.
-const PARTS: u32 = 12;
 
-const fn axis(variable: Variable, label: &'static str, range: [f64; 2], step: f64) -> Axis {
-    Axis { variable, label, range, step }
+/// An axis of an angle in degrees, or of what else there is.
+const fn axis(coordinate: Coordinate, label: &'static str, range: [f64; 2], step: f64) -> Axis {
+    let unit = match coordinate {
+        Coordinate::HalfOpening | Coordinate::RotationJoint => DEGREES,
+        _ => 1.0,
+    };
+    Axis { coordinate, unit, label, range, step }
 }
 
-const OPENING: Axis = axis(Variable::HalfOpening, "half opening α (°)", [0.0, 180.0], 20.0);
-const THICKNESS: Axis = axis(Variable::Thickness, "thickness η = t/r", [0.0, 2.2], 0.5);
+const OPENING: Axis = axis(Coordinate::HalfOpening, "half opening α (°)", [0.0, 180.0], 20.0);
+const THICKNESS: Axis = axis(Coordinate::Thickness, "thickness η = t/r", [0.0, 2.2], 0.5);
 
 fn number(ball: &Ball) -> f64 {
     ball.mid().to_f64()
@@ -49,8 +53,7 @@ fn opening(place: &Place) -> Option<f64> {
 }
 
 fn opening_variable(place: &Place) -> Option<f64> {
-    let alpha = number(place.half_opening.as_ref()?);
-    Some(if alpha == 0.0 { 2.0 } else { alpha / (alpha / 2.0).tan() })
+    Some(Coordinate::OpeningVariable.drawn(number(place.half_opening.as_ref()?)))
 }
 
 fn thickness(place: &Place) -> Option<f64> {
@@ -61,39 +64,11 @@ fn thrust(place: &Place) -> Option<f64> {
     place.thrust.as_ref().map(number)
 }
 
-/// Not next to its ends, where the square is known so well, but not its root.
 fn rotation_joint(place: &Place) -> Option<f64> {
-    let joint = place.rotation_joint.as_ref()?;
-    let is_known = joint.rad().to_float().to_f64() <= 0.05 * number(joint);
-    is_known.then(|| number(joint).to_degrees())
+    Some(number(place.rotation_joint.as_ref()?).to_degrees())
 }
 
 type Read = fn(&Place) -> Option<f64>;
-
-/// Points of a curve, in runs that end where it is not proved; its two ends are those of the curve itself.
-fn runs(trace: &Trace, x: Read, y: Read) -> Vec<Vec<Point>> {
-    let of = |place: &Place| Some((x(place)?, y(place)?));
-    let mut runs = vec![Vec::new()];
-    for piece in trace.pieces() {
-        let [from, to] = piece.range();
-        for k in 1..PARTS {
-            let share = f64::from(k) / f64::from(PARTS);
-            match piece.place(from + share * (to - from)) {
-                Some(place) => runs.last_mut().into_iter().for_each(|run| run.extend(of(&place))),
-                None => runs.push(Vec::new()),
-            }
-        }
-    }
-    let ends = trace.points();
-    if let (Some(first), Some(run)) = (ends.first(), runs.first_mut()) {
-        run.splice(0..0, of(&first.place));
-    }
-    if let (Some(last), Some(run)) = (ends.last(), runs.last_mut()) {
-        run.extend(of(&last.place));
-    }
-    runs.retain(|run| !run.is_empty());
-    runs
-}
 
 impl Branches {
     /// The figure of both weights as SVG.
@@ -106,7 +81,7 @@ impl Branches {
             ),
             Self::OpeningVariable => (
                 "Thickness of purely rotational and purely overturning states over A",
-                axis(Variable::Ratio, "A = α cot(α/2)", [0.0, 2.0], 0.2),
+                axis(Coordinate::OpeningVariable, "A = α cot(α/2)", [0.0, 2.0], 0.2),
                 opening_variable,
             ),
             Self::Opening => (
@@ -118,23 +93,23 @@ impl Branches {
         let course = if self == Self::Opening { Course::Rises } else { Course::FallsOpposite };
         let panels: Vec<Panel> = match self {
             Self::Rotation => {
-                let joint = axis(Variable::Ratio, "joint βᵣ (°)", [0.0, 70.0], 10.0);
-                let thick = axis(Variable::Thickness, "thickness η = t/r", [0.0, 1.1], 0.2);
-                let push = axis(Variable::Ratio, "thrust h = H/(w r)", [0.0, 1.0], 0.2);
+                let joint = axis(Coordinate::RotationJoint, "joint βᵣ (°)", [0.0, 70.0], 10.0);
+                let thick = axis(Coordinate::Thickness, "thickness η = t/r", [0.0, 1.1], 0.2);
+                let push = axis(Coordinate::Thrust, "thrust h = H/(w r)", [0.0, 1.0], 0.2);
                 let panel = |y, read, course| Panel {
                     y,
-                    lines: lines(sheets, &[Curve::Rotation], read_x, read),
+                    lines: lines(sheets, &[Curve::Rotation], &[x, y]),
                     marks: marks(sheets, &ENDS[..2], read_x, read, course),
                 };
                 let mut first = panel(joint, rotation_joint as Read, Course::Falls);
                 first.marks.extend(widest(sheets));
                 let mut last = panel(push, thrust as Read, Course::Falls);
-                last.lines.extend(sliding(sheets));
+                last.lines.extend(sliding(sheets, &[x, push]));
                 vec![first, panel(thick, thickness as Read, Course::Rises), last]
             }
             Self::OpeningVariable | Self::Opening => vec![Panel {
                 y: THICKNESS,
-                lines: lines(sheets, &[Curve::Rotation, Curve::Overturning], read_x, thickness),
+                lines: lines(sheets, &[Curve::Rotation, Curve::Overturning], &[x, THICKNESS]),
                 marks: marks(sheets, &ENDS, read_x, thickness, course),
             }],
         };
@@ -148,39 +123,47 @@ impl Branches {
             Self::Opening => (0, 30.0),
         };
         let sheets: Vec<&Sheet> = sheets.iter().collect();
-        let words = vec![
-            format!(
-                "{title}. Between points whose values are proved the lines are straight. {}",
-                proved(&sheets, None)
-            ),
-            format!("Command: {command}"),
-        ];
+        let proved = proved(&sheets, &off(x, &panels), (WIDTH, height(panels.len())));
+        let words = vec![format!("{title}. {proved}"), format!("Command: {command}")];
         Graphs { title, x, panels, legend, legend_at, words }.svg()
     }
 }
 
-fn lines(sheets: &[Sheet], curves: &[Curve], x: Read, y: Read) -> Vec<Line> {
+/// How far lines may be from the truth, along each axis.
+fn off(x: Axis, panels: &[Panel]) -> Vec<(Axis, f64)> {
+    let of_panel = |panel: &Panel| {
+        let frame = Frame { corner: (0.0, 0.0), size: (1.0, 1.0), x: x.range, y: panel.y.range };
+        let chains = panel.lines.iter().map(|line| &line.chain);
+        let [across, up] = chains.map(|chain| chain.off(&frame)).fold([0.0; 2], larger);
+        [(x, across), (panel.y, up)]
+    };
+    panels.iter().flat_map(of_panel).collect()
+}
+
+fn along(trace: &Trace, axes: &[Axis; 2]) -> Option<Chain> {
+    Chain::of_pieces(trace.pieces(), &trace.points().first()?.place, axes)
+}
+
+fn lines(sheets: &[Sheet], curves: &[Curve], axes: &[Axis; 2]) -> Vec<Line> {
     let line = |sheet: &Sheet, curve: &Curve| {
-        let trace = sheet.trace(*curve)?;
+        let chain = along(sheet.trace(*curve)?, axes)?;
         let id = format!("{}-{curve}", sheet.weight.name());
-        Some(Line { id, runs: runs(trace, x, y), stroke: look::of_weight(sheet.weight) })
+        Some(Line { id, chain, stroke: look::of_weight(sheet.weight) })
     };
     sheets.iter().flat_map(|sheet| curves.iter().filter_map(move |c| line(sheet, c))).collect()
 }
 
 /// The thrust of purely sliding states, up to the first border point and beyond.
-fn sliding(sheets: &[Sheet]) -> Vec<Line> {
+fn sliding(sheets: &[Sheet], axes: &[Axis; 2]) -> Vec<Line> {
     let border = sheets.iter().filter_map(|sheet| {
         let trace = sheet.trace(Curve::Limit)?;
         opening(&trace.points().first()?.place)
     });
     let border = border.fold(f64::INFINITY, f64::min);
-    let Some(trace) = sheets.first().and_then(|sheet| sheet.trace(Curve::Sliding)) else {
-        return Vec::new();
-    };
-    let points = runs(trace, opening, thrust).concat();
-    let (before, after): (Vec<Point>, Vec<Point>) = points.into_iter().partition(|p| p.0 <= border);
-    let line = |id: &str, run, stroke| Line { id: id.into(), runs: vec![run], stroke };
+    let trace = sheets.first().and_then(|sheet| sheet.trace(Curve::Sliding));
+    let Some(chain) = trace.and_then(|trace| along(trace, axes)) else { return Vec::new() };
+    let [before, after] = chain.split(border);
+    let line = |id: &str, chain, stroke| Line { id: id.into(), chain, stroke };
     vec![line("sliding", before, SLIDING), line("sliding-beyond", after, BEYOND)]
 }
 

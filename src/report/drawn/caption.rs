@@ -1,32 +1,42 @@
 //! What is said below.
 
+use super::canvas::Canvas;
 use super::page::SIZE;
-use super::plane::Plane;
+use super::plane::Axis;
 use super::sheet::Sheet;
+use crate::atlas::Coordinate;
 use crate::picture::path::ROUNDED;
-use crate::picture::text;
+use crate::picture::{Point, text};
 use crate::report::words;
+use std::collections::BTreeMap;
 
-/// What the picture shows, how far it is proved, and the command, each a paragraph.
-pub(super) fn caption(shows: &str, sheets: &[&Sheet], plane: Plane, command: &str) -> Vec<String> {
+/// What the picture shows, how far it is proved, if its lines are off by no more than so much along each axis, and the
+/// command, each a paragraph.
+pub(super) fn caption(
+    shows: &str,
+    sheets: &[&Sheet],
+    canvas: &Canvas,
+    off: [f64; 2],
+    command: &str,
+) -> Vec<String> {
     let weights: Vec<String> = sheets.iter().map(|sheet| words::model(sheet.weight)).collect();
     let weights = weights.join(" and ");
-    let proved = proved(sheets, Some(rounding(plane)));
+    let [x, y] = canvas.axes;
+    let proved = proved(sheets, &[(x, off[0]), (y, off[1])], SIZE);
     let levels = match sheets.iter().all(|sheet| sheet.levels.is_empty()) {
         true => String::new(),
         false => format!(
             " Thin lines: equal {}; their straight parts rest on the claims unique-thicker and map-rows of \
              couplet prove.",
-            plane.contour_name()
+            canvas.plane.contour_name()
         ),
     };
     vec![format!("{shows}. {weights}.{levels} {proved}"), format!("Command: {command}")]
 }
 
-/// How near the drawn lines are to the true ones if they are the cubics themselves, but for rounding, else how near
-/// the curves are known; and what is not proved.
-pub(super) fn proved(sheets: &[&Sheet], rounding: Option<f64>) -> String {
-    let width = sheets.iter().map(|sheet| sheet.width()).fold(0.0, f64::max);
+/// How near the lines drawn in a frame of a size are to the true ones, by how far they are off along each axis, and
+/// what is not proved.
+pub(super) fn proved(sheets: &[&Sheet], off: &[(Axis, f64)], size: Point) -> String {
     let mut open: Vec<String> = Vec::new();
     for sheet in sheets {
         open.extend(sheet.open().iter().map(|curve| format!("{curve} ({})", sheet.weight.name())));
@@ -35,21 +45,34 @@ pub(super) fn proved(sheets: &[&Sheet], rounding: Option<f64>) -> String {
         true => "nothing is left open".to_owned(),
         false => format!("not proved, and dotted or left out, are parts of {}", open.join(", ")),
     };
-    let width = upwards(width + rounding.unwrap_or(0.0));
-    let is_near = match rounding {
-        Some(_) => format!("Each line is proved to lie within {width} of where it is drawn"),
-        None => format!("Each curve is proved in tubes no wider than {width} to either side"),
-    };
-    format!("{is_near}, in η and in radians; {open}.")
+    let mut units: BTreeMap<&str, f64> = BTreeMap::new();
+    for (axis, off) in off {
+        let most = units.entry(unit(axis.coordinate)).or_default();
+        *most = most.max(off + rounding(axis, size));
+    }
+    let widths = units.into_iter().map(|(unit, off)| format!("{} in {unit}", upwards(off)));
+    let widths: Vec<String> = widths.collect();
+    let widths = widths.join(" and ");
+    format!("Each line is proved to lie within {widths} of where it is drawn; {open}.")
 }
 
-/// What the rounding of the file to thousandths of a unit makes of a place in the frame, in η or rad.
-fn rounding(plane: Plane) -> f64 {
-    let ranges = plane.axes().map(|axis| {
-        let length = axis.range[1] - axis.range[0];
-        length / axis.shown(1.0)
-    });
-    ROUNDED / 2.0 * ranges[0].max(ranges[1]) / SIZE.0.min(SIZE.1)
+/// In what a distance along an axis is told.
+fn unit(coordinate: Coordinate) -> &'static str {
+    match coordinate {
+        Coordinate::HalfOpening | Coordinate::FrictionAngle => "radians",
+        Coordinate::RotationJoint => "radians of βᵣ",
+        Coordinate::OpeningVariable => "A",
+        Coordinate::Friction => "μ",
+        Coordinate::Thickness => "η",
+        Coordinate::LogThickness => "decades of η",
+        Coordinate::Thrust => "h",
+    }
+}
+
+/// What the rounding of the file to thousandths of a unit makes of a place in a frame of a size, in η or rad.
+fn rounding(axis: &Axis, (width, height): Point) -> f64 {
+    let length = (axis.range[1] - axis.range[0]) / axis.unit;
+    ROUNDED / 2.0 * length / width.min(height)
 }
 
 /// To two digits, rounded up: `9.3×10⁻⁵`.
@@ -62,6 +85,7 @@ fn upwards(width: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::plane::Plane;
     use super::*;
 
     #[test]
@@ -74,8 +98,10 @@ mod tests {
     #[test]
     fn a_thousandth_of_a_unit_is_little() {
         for plane in Plane::ALL {
-            let away = rounding(plane);
-            assert!(1e-7 < away && away < 3e-6, "{plane:?} {away}");
+            for axis in plane.axes() {
+                let away = rounding(&axis, SIZE);
+                assert!(1e-7 < away && away < 3e-6, "{axis:?} {away}");
+            }
         }
     }
 }

@@ -1,7 +1,8 @@
 //! A proved curve as Bézier arcs in a plane.
 
-use super::plane::{Axis, Plane};
-use crate::atlas::{Level, Piece, Place, Trace};
+use super::canvas::Canvas;
+use super::plane::Axis;
+use crate::atlas::{Level, Piece, Place, Trace, arc};
 use crate::picture::{Frame, Path, Point};
 use crate::problem::Mode;
 
@@ -15,27 +16,32 @@ pub(super) struct Arc {
     pub corners: [Point; 4],
     /// Whether it is in a proved tube.
     pub is_proved: bool,
+    /// How far it may be from the truth along each axis, in rad or in what else is shown.
+    pub off: [f64; 2],
 }
 
 /// Straight parts for each arc, where only its course counts.
 const PARTS: u32 = 8;
 
+/// A part of a piece is halved no more often than this.
+const DEPTH: u32 = 10;
+
 impl Chain {
-    /// A curve in a plane; `None` if it has no place there.
-    pub(super) fn new(trace: &Trace, plane: Plane) -> Option<Self> {
+    /// A curve on a canvas; `None` if it has no place there.
+    pub(super) fn new(trace: &Trace, canvas: &Canvas) -> Option<Self> {
         let start = trace.points().swap_remove(0).place;
-        Self::of_pieces(trace.pieces(), &start, plane)
+        Self::of_pieces(trace.pieces(), &start, &canvas.axes)
     }
 
-    /// A level in a plane, to unlimited friction or to the physical limit.
-    pub(super) fn of_level(level: &Level, plane: Plane) -> Option<Self> {
+    /// A level on a canvas, to unlimited friction or to the physical limit.
+    pub(super) fn of_level(level: &Level, canvas: &Canvas) -> Option<Self> {
         let mut whole = Self::default();
         for (k, part) in level.parts.iter().enumerate() {
             let chain = match part.parameter() {
-                Some(_) => Self::of_pieces(part.pieces(), &part.ends()[0], plane)?,
+                Some(_) => Self::of_pieces(part.pieces(), &part.ends()[0], &canvas.axes)?,
                 None => {
                     let at = |place: &Place| {
-                        let [x, y] = plane.axes().map(|axis| axis.place(place));
+                        let [x, y] = canvas.axes.each_ref().map(|axis| axis.place(place));
                         Some((x?, y?))
                     };
                     let [from, to] = part.ends();
@@ -49,29 +55,70 @@ impl Chain {
         (!whole.0.is_empty()).then_some(whole)
     }
 
-    fn of_pieces<'a>(
+    /// Pieces along two axes, in parts as short as their tubes are narrow; `None` if they have no place there.
+    pub(super) fn of_pieces<'a>(
         pieces: impl Iterator<Item = Piece<'a>>,
         start: &Place,
-        plane: Plane,
+        axes: &[Axis; 2],
     ) -> Option<Self> {
-        let axes = plane.axes();
         // What a curve does not move along is the same at its start.
-        let [still_x, still_y] =
-            axes.map(|axis| start.coordinate(axis.variable).map(|value| value.mid().to_f64()));
-        let arc = |piece: Piece| {
-            let (x, y) = (handles(&piece, &axes[0], still_x)?, handles(&piece, &axes[1], still_y)?);
-            let corners = [0, 1, 2, 3].map(|k| (x[k], y[k]));
-            Some(Arc { corners, is_proved: piece.is_proved() })
+        let still = axes.each_ref().map(|axis| axis.place(start));
+        let mut chain = Self::default();
+        for piece in pieces {
+            let near = piece.width().unwrap_or(0.0).max(NEAR);
+            chain.add(&piece, piece.range(), (axes, still), near, DEPTH)?;
+        }
+        (!chain.0.is_empty()).then_some(chain)
+    }
+
+    fn add(
+        &mut self,
+        piece: &Piece,
+        range: [f64; 2],
+        (axes, still): (&[Axis; 2], [Option<f64>; 2]),
+        near: f64,
+        depth: u32,
+    ) -> Option<()> {
+        let [x, y] = [0, 1].map(|k| along(piece, &axes[k], range, still[k]));
+        let (x, y) = (x?, y?);
+        let is_near = |side: &Along| side.by_length <= near;
+        // What lies beyond an edge is not seen.
+        let is_beyond = |side: &Along, [low, high]: [f64; 2]| {
+            let all = || side.handles.into_iter();
+            side.by_length.is_finite() && (all().all(|x| x < low) || all().all(|x| x > high))
         };
-        let arcs: Option<Vec<Arc>> = pieces.map(arc).collect();
-        arcs.filter(|arcs| !arcs.is_empty()).map(Self)
+        let is_hidden = is_beyond(&x, axes[0].range) || is_beyond(&y, axes[1].range);
+        if (is_near(&x) && is_near(&y)) || is_hidden || depth == 0 {
+            let corners = [0, 1, 2, 3].map(|k| (x.handles[k], y.handles[k]));
+            // What is without bound is not drawn: it is beyond all edges.
+            let (off, is_proved) = ([x.off, y.off], piece.is_proved());
+            let is_there = x.by_length.is_finite() && y.by_length.is_finite();
+            self.0.extend(is_there.then_some(Arc { corners, is_proved, off }));
+            return Some(());
+        }
+        let middle = range[0] + (range[1] - range[0]) / 2.0;
+        self.add(piece, [range[0], middle], (axes, still), near, depth - 1)?;
+        self.add(piece, [middle, range[1]], (axes, still), near, depth - 1)
+    }
+
+    /// How far the arcs that a frame shows may be from the truth, in rad and in what else lies along the axes.
+    pub(super) fn off(&self, frame: &Frame) -> [f64; 2] {
+        let is_seen = |arc: &&Arc| {
+            let within = |of: fn(&Point) -> f64, [low, high]: [f64; 2]| {
+                let all = arc.corners.iter().map(of);
+                let least = all.clone().fold(f64::INFINITY, f64::min);
+                least <= high && all.fold(f64::NEG_INFINITY, f64::max) >= low
+            };
+            within(|p| p.0, frame.x) && within(|p| p.1, frame.y)
+        };
+        self.0.iter().filter(is_seen).map(|arc| arc.off).fold([0.0; 2], larger)
     }
 
     /// A straight line.
     pub(super) fn straight(from: Point, to: Point) -> Self {
         let on = |share: f64| (from.0 + share * (to.0 - from.0), from.1 + share * (to.1 - from.1));
         let corners = [from, on(1.0 / 3.0), on(2.0 / 3.0), to];
-        Self(vec![Arc { corners, is_proved: true }])
+        Self(vec![Arc { corners, is_proved: true, off: [0.0; 2] }])
     }
 
     /// From its end to its start.
@@ -81,6 +128,23 @@ impl Chain {
             Arc { corners: [d, c, b, a], ..*arc }
         };
         Self(self.0.iter().rev().map(back).collect())
+    }
+
+    /// What is left and right of a place, of a chain that runs to the right.
+    pub(super) fn split(&self, place: f64) -> [Self; 2] {
+        let (mut before, mut after) = (Self::default(), Self::default());
+        for arc in &self.0 {
+            match arc.corners {
+                [.., end] if end.0 <= place => before.0.push(*arc),
+                [start, ..] if start.0 >= place => after.0.push(*arc),
+                _ => {
+                    let (first, last) = arc.halves(arc.share_at(place));
+                    before.0.push(first);
+                    after.0.push(last);
+                }
+            }
+        }
+        [before, after]
     }
 
     /// Its two ends.
@@ -114,7 +178,38 @@ impl Chain {
     }
 }
 
+/// The larger of two pairs, each along its axis.
+pub(super) fn larger(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0].max(b[0]), a[1].max(b[1])]
+}
+
 impl Arc {
+    /// At which share it passes a place, going to the right.
+    fn share_at(&self, place: f64) -> f64 {
+        let (mut low, mut high) = (0.0, 1.0);
+        while high - low > 1e-15 {
+            let middle = (low + high) / 2.0;
+            match at(&self.corners, middle).0 < place {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        low
+    }
+
+    /// Its two parts (de Casteljau).
+    fn halves(&self, share: f64) -> (Self, Self) {
+        let mix = |a: Point, b: Point| (a.0 + share * (b.0 - a.0), a.1 + share * (b.1 - a.1));
+        let [a, b, c, d] = self.corners;
+        let (ab, bc, cd) = (mix(a, b), mix(b, c), mix(c, d));
+        let (abc, bcd) = (mix(ab, bc), mix(bc, cd));
+        let middle = mix(abc, bcd);
+        (
+            Self { corners: [a, ab, abc, middle], ..*self },
+            Self { corners: [middle, bcd, cd, d], ..*self },
+        )
+    }
+
     /// Goes on along it.
     pub(super) fn draw(&self, path: &mut Path, frame: &Frame) {
         let [_, b, c, d] = self.corners.map(|corner| frame.at(corner));
@@ -122,18 +217,70 @@ impl Arc {
     }
 }
 
-/// The four coordinates of a piece along an axis. Hermite's cubic in the parameter is Bézier's with its handles
-/// a third of the way along the slopes.
-fn handles(piece: &Piece, axis: &Axis, still: Option<f64>) -> Option<[f64; 4]> {
-    let [from, to] = piece.range();
-    let corners = match piece.cubic(axis.variable) {
-        Some([[start, end], [first, last]]) => {
-            let third = (to - from) / 3.0;
-            [start, start + third * first, end - third * last, end]
-        }
-        None => [still?; 4],
+/// A part of a piece along an axis.
+struct Along {
+    handles: [f64; 4],
+    /// How far it may be from the truth, and what of that shorter parts would reduce.
+    off: f64,
+    by_length: f64,
+}
+
+/// What is drawn no nearer, where tubes are narrower still.
+const NEAR: f64 = 1e-6;
+
+/// A part of a piece along an axis. Hermite's cubic in the parameter is Bézier's with its handles a third of the way
+/// along the slopes.
+fn along(piece: &Piece, axis: &Axis, [from, to]: [f64; 2], still: Option<f64>) -> Option<Along> {
+    let third = (to - from) / 3.0;
+    let far = |value: f64| {
+        let [low, high] = axis.range;
+        let beyond = 4.0 * (high - low);
+        (value * axis.unit).clamp(low - beyond, high + beyond)
     };
-    Some(corners.map(|value| axis.shown(value)))
+    let along = |[start, end]: [f64; 2], [first, last]: [f64; 2], off: f64, by_length: f64| Along {
+        handles: [start, start + third * first, end - third * last, end].map(far),
+        off,
+        by_length,
+    };
+    let coordinate = axis.coordinate;
+    let itself = coordinate.variable().filter(|_| coordinate.is_variable());
+    if let Some(variable) = itself {
+        return Some(match piece.cubic(variable) {
+            Some([values, slopes]) => {
+                let whole = piece.range();
+                let [start, end] = [from, to].map(|s| hermite(whole, values, slopes, s));
+                let off = piece.width().unwrap_or(0.0);
+                along([start.0, end.0], [start.1, end.1], off, 0.0)
+            }
+            None => Along { handles: [still?; 4], off: 0.0, by_length: 0.0 },
+        });
+    }
+    match coordinate.variable().filter(|variable| piece.cubic(*variable).is_none()) {
+        Some(_) => Some(Along { handles: [still?; 4], off: 0.0, by_length: 0.0 }),
+        None if !piece.is_proved() => None,
+        None => Some(match arc(piece, coordinate, [from, to]) {
+            Some(found) => along(found.values, found.slopes, found.off, found.by_length),
+            None => Along { handles: [0.0; 4], off: f64::INFINITY, by_length: f64::INFINITY },
+        }),
+    }
+}
+
+/// Hermite's cubic between two parameters at one of them or between, with its slope.
+fn hermite([from, to]: [f64; 2], [a, b]: [f64; 2], [c, d]: [f64; 2], s: f64) -> (f64, f64) {
+    // At the ends exactly what it is there.
+    if s == from {
+        return (a, c);
+    }
+    if s == to {
+        return (b, d);
+    }
+    let length = to - from;
+    let (v, u) = ((s - from) / length, (to - s) / length);
+    let value = u * u * (1.0 + 2.0 * v) * a
+        + v * v * (1.0 + 2.0 * u) * b
+        + u * v * length * (u * c - v * d);
+    let slope = 6.0 * u * v * (b - a) / length + u * (u - 2.0 * v) * c + v * (v - 2.0 * u) * d;
+    (value, slope)
 }
 
 /// A point of a Bézier curve, from 0 to 1.
@@ -147,6 +294,7 @@ fn at(corners: &[Point; 4], share: f64) -> Point {
 
 #[cfg(test)]
 mod tests {
+    use super::super::plane::Plane;
     use super::*;
     use crate::arch::SelfWeight;
     use crate::atlas::{Curve, Variable};
@@ -157,7 +305,7 @@ mod tests {
     fn arcs_lie_in_the_tubes() {
         let curve = Curve::Line(Line::RotationShoulder);
         let trace = Trace::new(curve, SelfWeight::Heyman, 1e-6).unwrap();
-        let chain = Chain::new(&trace, Plane::ThicknessFriction).unwrap();
+        let chain = Chain::new(&trace, &Canvas::usual(Plane::ThicknessFriction)).unwrap();
         let mut seen = 0;
         for (piece, arc) in trace.pieces().zip(&chain.0) {
             for share in [0.0, 0.125, 0.5, 0.75] {
@@ -176,11 +324,21 @@ mod tests {
     #[test]
     fn a_curve_without_a_place_has_no_arcs() {
         let rotation = Trace::new(Curve::Rotation, SelfWeight::Heyman, 1e-2).unwrap();
-        assert!(Chain::new(&rotation, Plane::ThicknessFriction).is_none());
-        assert!(Chain::new(&rotation, Plane::OpeningThickness).is_some());
+        assert!(Chain::new(&rotation, &Canvas::usual(Plane::ThicknessFriction)).is_none());
+        assert!(Chain::new(&rotation, &Canvas::usual(Plane::OpeningThickness)).is_some());
         let overturning = Trace::new(Curve::Overturning, SelfWeight::Heyman, 1e-2).unwrap();
-        let chain = Chain::new(&overturning, Plane::ThicknessFriction).unwrap();
+        let chain = Chain::new(&overturning, &Canvas::usual(Plane::ThicknessFriction)).unwrap();
         assert!(chain.points().iter().all(|p| p.0 == 90.0), "unlimited friction");
+    }
+
+    #[test]
+    fn a_chain_is_split_where_it_passes_a_place() {
+        let mut chain = Chain::straight((0.0, 0.0), (1.0, 2.0));
+        chain.0.extend(Chain::straight((1.0, 2.0), (3.0, 6.0)).0);
+        let [before, after] = chain.split(1.5);
+        assert_eq!((before.0.len(), after.0.len()), (2, 1));
+        let (end, start) = (before.ends().unwrap()[1], after.ends().unwrap()[0]);
+        assert!(end == start && (end.0 - 1.5).abs() < 1e-12 && (end.1 - 3.0).abs() < 1e-12);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! What a map shows, in its frame or in an inset.
 
-use super::chain::Chain;
+use super::canvas::Canvas;
+use super::chain::{Chain, larger};
 use super::plane::Plane;
 use super::sheet::Sheet;
 use super::{domain, look};
@@ -20,7 +21,7 @@ pub(super) struct Content {
     pub edge: Option<Chain>,
     /// The landmarks.
     pub landmarks: Vec<(Landmark, Point)>,
-    plane: Plane,
+    canvas: Canvas,
 }
 
 /// The lines between domains, and the limit.
@@ -30,25 +31,32 @@ pub(super) fn lines() -> impl Iterator<Item = Curve> {
 }
 
 impl Content {
-    /// What the curves of a weight are in a plane.
-    pub(super) fn new(sheet: &Sheet, plane: Plane) -> Self {
-        let chain = |curve| sheet.chain(curve, plane);
-        let area = |mode| Some((mode, domain::around(mode, plane, chain)?));
+    /// What the curves of a weight are on a canvas.
+    pub(super) fn new(sheet: &Sheet, canvas: &Canvas) -> Self {
+        let chain = |curve| sheet.chain(curve, canvas);
+        let area = |mode| Some((mode, domain::around(mode, canvas, chain)?));
         // Below these nothing stands.
-        let ends: &[Curve] = match plane {
+        let ends: &[Curve] = match canvas.plane {
             Plane::OpeningThickness => &[Curve::Rotation, Curve::Overturning],
             _ => &[],
         };
         let lines = lines().chain(ends.iter().copied());
-        let level = |level: &&Level| Some((level.contour.clone(), Chain::of_level(level, plane)?));
+        let level = |level: &&Level| Some((level.contour.clone(), Chain::of_level(level, canvas)?));
         Self {
             areas: Mode::ALL.into_iter().filter_map(area).collect(),
             lines: lines.filter_map(|curve| Some((curve, chain(curve)?))).collect(),
             levels: sheet.levels.iter().filter_map(level).collect(),
             edge: chain(Curve::Overturning),
-            landmarks: sheet.landmarks(plane),
-            plane,
+            landmarks: sheet.landmarks(canvas),
+            canvas: *canvas,
         }
+    }
+
+    /// How far a line that a frame shows may be from the truth.
+    pub(super) fn off(&self, frame: &Frame) -> [f64; 2] {
+        let lines = self.lines.iter().map(|(_, chain)| chain);
+        let levels = self.levels.iter().map(|(_, chain)| chain);
+        lines.chain(levels).map(|chain| chain.off(frame)).fold([0.0; 2], larger)
     }
 
     /// Where a landmark is.
@@ -82,7 +90,7 @@ impl Content {
                 }
             });
         }
-        if let (Some(edge), true) = (&self.edge, self.plane != Plane::OpeningThickness) {
+        if let (Some(edge), true) = (&self.edge, self.canvas.plane != Plane::OpeningThickness) {
             let id = format!("{of}domain-r");
             svg.group(&id, |svg| svg.stroke(&edge.paths(frame)[0], look::EDGE));
         }

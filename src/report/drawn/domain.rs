@@ -1,10 +1,12 @@
 //! The domains of the modes, by the curves around them.
 
+use super::canvas::Canvas;
 use super::chain::Chain;
 use super::plane::Plane;
 use crate::atlas::{Corner, Curve, Side, boundary};
 use crate::picture::{Frame, Path, Point};
 use crate::problem::Mode;
+use std::f64::consts::FRAC_PI_2;
 
 /// A part of the way around a domain.
 enum Part {
@@ -25,7 +27,7 @@ fn is_area(mode: Mode, plane: Plane) -> bool {
 
 /// What a side is in a plane. Of an edge this is its end, where that is a corner of the plane; those along which the
 /// half opening changes are curves.
-fn part(side: Side, plane: Plane) -> Option<Part> {
+fn part(side: Side, canvas: &Canvas) -> Option<Part> {
     match side {
         Side::Along(curve) => Some(Part::Along(curve)),
         Side::Back(curve) => Some(Part::Back(curve)),
@@ -34,31 +36,32 @@ fn part(side: Side, plane: Plane) -> Option<Part> {
         Side::Edge(_, corner) => {
             // Friction angle, thickness and half opening there.
             let (friction, thickness, opening) = match corner {
-                Corner::RightBottom => (90.0, 0.0, 0.0),
+                Corner::RightBottom => (FRAC_PI_2, 0.0, 0.0),
                 Corner::LeftTop => (0.0, 2.0, 0.0),
                 _ => return None,
             };
-            Some(Part::Corner(match plane {
+            let (x, y) = match canvas.plane {
                 Plane::ThicknessFriction => (friction, thickness),
                 Plane::OpeningFriction => (opening, friction),
                 Plane::OpeningThickness => (opening, thickness),
-            }))
+            };
+            Some(Part::Corner((canvas.axes[0].shown(x), canvas.axes[1].shown(y))))
         }
     }
 }
 
-fn parts(mode: Mode, plane: Plane) -> Vec<Part> {
-    boundary(mode).into_iter().filter_map(|side| part(side, plane)).collect()
+fn parts(mode: Mode, canvas: &Canvas) -> Vec<Part> {
+    boundary(mode).into_iter().filter_map(|side| part(side, canvas)).collect()
 }
 
 /// The way around the domain of a mode, if it is an area and all its curves are there.
 pub(super) fn around(
     mode: Mode,
-    plane: Plane,
+    canvas: &Canvas,
     chain: impl Fn(Curve) -> Option<Chain>,
 ) -> Option<Chain> {
     let mut way = Chain::default();
-    for part in parts(mode, plane).iter().filter(|_| is_area(mode, plane)) {
+    for part in parts(mode, canvas).iter().filter(|_| is_area(mode, canvas.plane)) {
         let next = match *part {
             Part::Along(curve) => chain(curve)?,
             Part::Back(curve) => chain(curve)?.reversed(),
@@ -99,13 +102,14 @@ mod tests {
             let traces: HashMap<Curve, Trace> = Curve::ALL.into_iter().map(trace).collect();
             for plane in Plane::ALL {
                 for mode in Mode::ALL.into_iter().filter(|mode| is_area(*mode, plane)) {
-                    let chain = |curve| Chain::new(&traces[&curve], plane);
+                    let canvas = Canvas::usual(plane);
+                    let chain = |curve| Chain::new(&traces[&curve], &canvas);
                     let ends = |part: &Part| match *part {
                         Part::Along(curve) => chain(curve).unwrap().ends().unwrap(),
                         Part::Back(curve) => chain(curve).unwrap().reversed().ends().unwrap(),
                         Part::Corner(point) => [point, point],
                     };
-                    let parts = parts(mode, plane);
+                    let parts = parts(mode, &canvas);
                     let all: Vec<[Point; 2]> = parts.iter().map(ends).collect();
                     for (one, next) in all.iter().zip(all.iter().cycle().skip(1)) {
                         let (from, to) = (one[1], next[0]);

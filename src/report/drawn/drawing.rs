@@ -1,6 +1,7 @@
 //! Which picture is asked for, and its file.
 
 use super::branches::Branches;
+use super::canvas::{Axes, Canvas};
 use super::lines::LinesPicture;
 use super::map::MapPicture;
 use super::mark::Mark;
@@ -16,6 +17,8 @@ use std::io;
 pub struct Drawing {
     /// What it shows.
     pub view: View,
+    /// The axes of a map.
+    pub axes: Axes,
     /// The arches that are marked in a map.
     pub marks: Vec<Mark>,
     /// The command that makes it, for its caption.
@@ -66,8 +69,8 @@ impl Drawing {
     /// The map of each weight over thickness and friction.
     pub(in crate::report) fn framed_maps(&self, traces: &[Trace]) -> Vec<FramedMap> {
         let framed = |sheet: &Sheet| {
-            let plane = Plane::ThicknessFriction;
-            let picture = MapPicture { sheet, plane, marks: &self.marks, command: &self.command };
+            let canvas = Canvas::usual(Plane::ThicknessFriction);
+            let picture = MapPicture { sheet, canvas, marks: &self.marks, command: &self.command };
             FramedMap { weight: sheet.weight, svg: picture.svg(), frames: picture.frames() }
         };
         Sheet::all(traces, &[]).iter().map(framed).collect()
@@ -81,7 +84,8 @@ impl Drawing {
             View::Map(plane) => {
                 let first = sheets.first();
                 let sheet = first.ok_or_else(|| io::Error::other("there is nothing to draw"))?;
-                MapPicture { sheet, plane, marks: &self.marks, command }.svg()
+                let canvas = Canvas::new(plane, &self.axes);
+                MapPicture { sheet, canvas, marks: &self.marks, command }.svg()
             }
             View::Lines => LinesPicture { sheets: &sheets, command }.svg(),
             View::Branches(branches) => branches.svg(&sheets, command),

@@ -1,5 +1,7 @@
 //! Graphs below each other over one axis.
 
+use super::chain::Chain;
+use super::look;
 use super::plane::Axis;
 use super::spot::disc;
 use crate::picture::color::{GRID, INK, WHITE};
@@ -23,10 +25,10 @@ pub(super) struct Panel {
     pub marks: Vec<Mark>,
 }
 
-/// A line, in unbroken runs.
+/// A line.
 pub(super) struct Line {
     pub id: String,
-    pub runs: Vec<Vec<Point>>,
+    pub chain: Chain,
     pub stroke: Stroke,
 }
 
@@ -38,7 +40,7 @@ pub(super) struct Mark {
     pub color: Color,
 }
 
-const WIDTH: f64 = 700.0;
+pub(super) const WIDTH: f64 = 700.0;
 const LEFT: f64 = 92.0;
 const TOP: f64 = 24.0;
 const RIGHT: f64 = 40.0;
@@ -51,10 +53,15 @@ const SMALL: f64 = 15.0;
 /// Of a sample in the legend.
 const SAMPLE: f64 = 48.0;
 
+/// Of each of so many panels.
+pub(super) fn height(panels: usize) -> f64 {
+    if panels > 1 { 250.0 } else { 440.0 }
+}
+
 impl Graphs {
     /// The picture as SVG.
     pub(super) fn svg(&self) -> String {
-        let height = if self.panels.len() > 1 { 250.0 } else { 440.0 };
+        let height = height(self.panels.len());
         let frames: Vec<Frame> = (0..self.panels.len())
             .map(|k| Frame {
                 corner: (LEFT, TOP + k as f64 * (height + BETWEEN)),
@@ -103,9 +110,10 @@ impl Graphs {
         svg.clipped(&frame.outline(), |svg| {
             for line in &panel.lines {
                 svg.group(&line.id, |svg| {
-                    for run in &line.runs {
-                        let points = run.iter().map(|point| frame.at(*point));
-                        svg.stroke(&Path::through(points), line.stroke);
+                    let [proved, open] = line.chain.paths(frame);
+                    svg.stroke(&proved, line.stroke);
+                    if open != Path::default() {
+                        svg.stroke(&open, look::OPEN);
                     }
                 });
             }

@@ -1,5 +1,6 @@
 //! Small frames that show a part of the map larger.
 
+use super::canvas::{Canvas, step};
 use super::content::Content;
 use super::plane::Plane;
 use crate::picture::color::{GUIDE, INK, WHITE};
@@ -27,7 +28,10 @@ const TICK: f64 = 14.0;
 impl Inset {
     /// The insets of a map whose frame has this corner: S and J, which are close, and where thin domains lie side by
     /// side, these too.
-    pub(super) fn all(content: &Content, plane: Plane, corner: Point) -> Vec<Self> {
+    pub(super) fn all(content: &Content, canvas: &Canvas, corner: Point) -> Vec<Self> {
+        if !canvas.is_usual {
+            return Vec::new();
+        }
         let at = |(x, y): Point| (corner.0 + x, corner.1 + y);
         let [joints, top] =
             [Landmark::Shift, Landmark::Triple].map(|landmark| content.of(landmark));
@@ -38,14 +42,14 @@ impl Inset {
         };
         let inset =
             |name, place, size, x, y| Self { frame: Frame { corner: at(place), size, x, y }, name };
-        match plane {
+        match canvas.plane {
             Plane::ThicknessFriction => {
                 let (x, y) = (around(s.0, j.0, 2.6), around(s.1, j.1, 2.6));
                 vec![inset(JOINTS, (72.0, 54.0), (260.0, 215.0), x, y)]
             }
             Plane::OpeningFriction | Plane::OpeningThickness => {
                 let (x, y) = (around(t.0, l.0, 0.3), around(t.1, l.1, 0.1));
-                let y = [y[0], y[1].min(plane.axes()[1].range[1])];
+                let y = [y[0], y[1].min(canvas.axes[1].range[1])];
                 let (joints_x, joints_y) = (around(s.0, j.0, 1.8), around(s.1, j.1, 1.8));
                 vec![
                     inset(MIXED, (76.0, 36.0), (250.0, 220.0), x, y),
@@ -120,16 +124,16 @@ impl Inset {
     }
 
     /// The inset itself, without names; what is drawn in it gets a beginning for the names of its groups.
-    pub(super) fn draw(&self, svg: &mut Svg, plane: Plane, draw: impl FnOnce(&mut Svg, &str)) {
+    pub(super) fn draw(&self, svg: &mut Svg, canvas: &Canvas, draw: impl FnOnce(&mut Svg, &str)) {
         let frame = &self.frame;
         let (left, top) = frame.corner;
         let (right, bottom) = (frame.right() + REST, frame.bottom() + BELOW);
         svg.fill(&Path::rectangle((left - LEFT, top - REST), (right, bottom)), WHITE);
         svg.clipped(&frame.outline(), |svg| draw(svg, &format!("{}-", self.name)));
         svg.stroke(&frame.outline(), Stroke::new(INK, 1.2));
-        let [x, y] = plane.axes();
-        frame.ticks(svg, Side::Bottom, &x.ticks(frame.x, step(frame.x)), TICK);
-        frame.ticks(svg, Side::Left, &y.ticks(frame.y, step(frame.y)), TICK);
+        let [x, y] = &canvas.axes;
+        frame.ticks(svg, Side::Bottom, &x.ticks(frame.x, step(frame.x, 3.0)), TICK);
+        frame.ticks(svg, Side::Left, &y.ticks(frame.y, step(frame.y, 3.0)), TICK);
     }
 }
 
@@ -140,26 +144,12 @@ fn around(a: f64, b: f64, more: f64) -> [f64; 2] {
     [low - more, high + more]
 }
 
-/// The largest round step with three multiples in a range.
-fn step([from, to]: [f64; 2]) -> Option<f64> {
-    let power = 10f64.powf((to - from).log10().floor());
-    let steps = [5.0, 2.0, 1.0, 0.5, 0.2, 0.1].map(|m| m * power);
-    let multiples = |step: f64| (to / step).floor() - (from / step).ceil() + 1.0;
-    steps.into_iter().find(|step| multiples(*step) >= 3.0)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn steps_are_round() {
-        for (range, expected) in
-            [([0.0, 1.0], 0.5), ([59.9, 61.1], 0.5), ([56.6, 57.5], 0.2), ([0.91, 0.98], 0.02)]
-        {
-            let step = step(range).unwrap();
-            assert!((step - expected).abs() < 1e-12, "{range:?} {step}");
-        }
+    fn a_part_is_shown_with_what_is_around_it() {
         assert_eq!(around(3.0, 1.0, 0.5), [0.0, 4.0]);
     }
 }

@@ -1,5 +1,6 @@
 //! The lines of both weights in one plane.
 
+use super::canvas::Canvas;
 use super::caption::caption;
 use super::content::lines;
 use super::inset::Inset;
@@ -31,14 +32,16 @@ impl LinesPicture<'_> {
     /// The picture as SVG.
     pub(super) fn svg(&self) -> String {
         let sheets: Vec<&Sheet> = self.sheets.iter().collect();
-        let words = caption(SHOWS, &sheets, PLANE, self.command);
-        let (page, mut svg) = Page::new(PLANE, SHOWS, &words, false);
+        let canvas = Canvas::usual(PLANE);
+        let width = sheets.iter().map(|sheet| sheet.width()).fold(0.0, f64::max);
+        let words = caption(SHOWS, &sheets, &canvas, [width; 2], self.command);
+        let (page, mut svg) = Page::new(&canvas, SHOWS, &words, false);
         let frame = &page.frame;
         svg.clipped(&frame.outline(), |svg| self.draw(svg, frame, ""));
         page.draw(&mut svg);
         let of = |landmark| {
             let points = self.sheets.iter().filter_map(move |sheet| {
-                let landmarks = sheet.landmarks(PLANE);
+                let landmarks = sheet.landmarks(&Canvas::usual(PLANE));
                 landmarks.into_iter().find(|(of, _)| *of == landmark).map(|(_, at)| at)
             });
             points.collect::<Vec<Point>>()
@@ -46,7 +49,7 @@ impl LinesPicture<'_> {
         let insets = Inset::of_both(of, frame.corner);
         insets.iter().for_each(|inset| inset.draw_guides(&mut svg, frame));
         for inset in &insets {
-            inset.draw(&mut svg, PLANE, |svg, id| self.draw(svg, &inset.frame, id));
+            inset.draw(&mut svg, &canvas, |svg, id| self.draw(svg, &inset.frame, id));
             self.landmarks(&mut svg, &inset.frame, true);
         }
         self.landmarks(&mut svg, frame, false);
@@ -58,7 +61,7 @@ impl LinesPicture<'_> {
         for sheet in self.sheets {
             let weight = sheet.weight.name();
             for curve in lines() {
-                let Some(chain) = sheet.chain(curve, PLANE) else { continue };
+                let Some(chain) = sheet.chain(curve, &Canvas::usual(PLANE)) else { continue };
                 let id = format!("{of}{weight}-line-{}", curve.to_string().replace('/', "-"));
                 svg.group(&id, |svg| {
                     let [proved, open] = chain.paths(frame);
@@ -73,7 +76,7 @@ impl LinesPicture<'_> {
 
     fn landmarks(&self, svg: &mut Svg, frame: &Frame, is_inset: bool) {
         for sheet in self.sheets {
-            for (landmark, at) in sheet.landmarks(PLANE) {
+            for (landmark, at) in sheet.landmarks(&Canvas::usual(PLANE)) {
                 if !frame.shows(at) {
                     continue;
                 }

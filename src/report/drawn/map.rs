@@ -1,5 +1,6 @@
 //! The map of one weight: domains, lines, landmarks, and insets where they are close.
 
+use super::canvas::Canvas;
 use super::caption::caption;
 use super::content::Content;
 use super::inset::Inset;
@@ -9,6 +10,7 @@ use super::names::Names;
 use super::page::Page;
 use super::plane::Plane;
 use super::sheet::Sheet;
+use crate::atlas::Coordinate;
 use crate::picture::color::INK;
 use crate::picture::{Anchor, Frame, Svg, Type};
 use crate::problem::Mode;
@@ -18,7 +20,7 @@ pub(super) struct MapPicture<'a> {
     /// Its curves.
     pub sheet: &'a Sheet<'a>,
     /// What lies along the axes.
-    pub plane: Plane,
+    pub canvas: Canvas,
     /// Arches that are marked in it.
     pub marks: &'a [Mark],
     /// The command that makes it.
@@ -33,27 +35,30 @@ const NOTHING: f64 = 17.0;
 impl MapPicture<'_> {
     /// The picture as SVG.
     pub(super) fn svg(&self) -> String {
-        let content = Content::new(self.sheet, self.plane);
-        let mut words = caption(self.shows(), &[self.sheet], self.plane, self.command);
-        words.splice(1..1, mark::words(self.marks));
+        let canvas = &self.canvas;
+        let content = Content::new(self.sheet, canvas);
         let has_levels = !content.levels.is_empty();
-        let (page, mut svg) = Page::new(self.plane, self.shows(), &words, has_levels);
+        let (Page { frame, .. }, _) = Page::new(canvas, "", &[], has_levels);
+        let off = content.off(&frame);
+        let mut words = caption(self.shows(), &[self.sheet], canvas, off, self.command);
+        words.splice(1..1, mark::words(self.marks));
+        let (page, mut svg) = Page::new(canvas, self.shows(), &words, has_levels);
         let frame = &page.frame;
         svg.clipped(&frame.outline(), |svg| content.draw(svg, frame, ""));
         page.draw(&mut svg);
         if has_levels {
-            svg.group("levels", |svg| margin::levels(svg, frame, self.plane, &content.levels));
+            svg.group("levels", |svg| margin::levels(svg, frame, canvas.plane, &content.levels));
         }
-        let marks = mark::places(self.marks, self.plane, frame);
-        let mut insets = Inset::all(&content, self.plane, frame.corner);
+        let marks = mark::places(self.marks, canvas, frame);
+        let mut insets = Inset::all(&content, canvas, frame.corner);
         // No inset covers a mark.
         insets.retain(|inset| !marks.iter().any(|(_, at)| inset.covers(*at)));
         insets.iter().for_each(|inset| inset.draw_guides(&mut svg, frame));
         let mut named = Vec::new();
         for inset in &insets {
-            inset.draw(&mut svg, self.plane, |svg, id| content.draw(svg, &inset.frame, id));
+            inset.draw(&mut svg, canvas, |svg, id| content.draw(svg, &inset.frame, id));
             let mut names = self.names(&content, &inset.frame, INSET_NAMES);
-            let larger = mark::places(self.marks, self.plane, &inset.frame);
+            let larger = mark::places(self.marks, canvas, &inset.frame);
             names.taken = larger.iter().map(|(_, at)| mark::taken(*at)).collect();
             names.landmarks(&mut svg, inset.is_close());
             names.overturning(&mut svg);
@@ -66,25 +71,27 @@ impl MapPicture<'_> {
         let of_marks = marks.iter().map(|(_, at)| mark::taken(*at));
         names.taken = insets.iter().map(Inset::taken).chain(of_marks).collect();
         names.landmarks(&mut svg, false);
-        if self.plane == Plane::ThicknessFriction {
+        if canvas.plane == Plane::ThicknessFriction {
             names.overturning(&mut svg);
         }
         names.modes(&mut svg, &named);
-        self.say_where_nothing_stands(&mut svg, frame);
+        if canvas.is_usual {
+            self.say_where_nothing_stands(&mut svg, frame);
+        }
         mark::draw(&mut svg, &marks, "");
         svg.finish()
     }
 
     /// Where it shows points of the plane: its insets, then the map itself.
     pub(super) fn frames(&self) -> Vec<Frame> {
-        let content = Content::new(self.sheet, self.plane);
-        let (page, _) = Page::new(self.plane, "", &[], !content.levels.is_empty());
-        let insets = Inset::all(&content, self.plane, page.frame.corner);
+        let content = Content::new(self.sheet, &self.canvas);
+        let (page, _) = Page::new(&self.canvas, "", &[], !content.levels.is_empty());
+        let insets = Inset::all(&content, &self.canvas, page.frame.corner);
         insets.iter().map(|inset| inset.frame).chain([page.frame]).collect()
     }
 
     fn shows(&self) -> &'static str {
-        match self.plane {
+        match self.canvas.plane {
             Plane::ThicknessFriction => {
                 "The domains of the collapse modes over thickness and friction"
             }
@@ -98,11 +105,12 @@ impl MapPicture<'_> {
     }
 
     fn names<'a>(&self, content: &'a Content, frame: &'a Frame, sizes: [f64; 2]) -> Names<'a> {
-        Names { content, plane: self.plane, frame, sizes, taken: Vec::new() }
+        let is_mirrored = self.canvas.axes[0].coordinate == Coordinate::OpeningVariable;
+        Names { content, plane: self.canvas.plane, frame, sizes, is_mirrored, taken: Vec::new() }
     }
 
     fn say_where_nothing_stands(&self, svg: &mut Svg, frame: &Frame) {
-        let (at, turn) = match self.plane {
+        let (at, turn) = match self.canvas.plane {
             Plane::ThicknessFriction => return,
             Plane::OpeningFriction => ((140.0, 12.0), 0.0),
             Plane::OpeningThickness => ((161.0, 1.0), -90.0),

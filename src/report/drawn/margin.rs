@@ -23,14 +23,34 @@ fn shown(contour: &Contour) -> String {
     contour.given().replace("deg", "°")
 }
 
+/// Where a chain leaves a frame for the last time, by its right or by its upper edge.
+fn leaves(chain: &Chain, frame: &Frame, is_right: bool) -> Option<Point> {
+    let points = chain.points();
+    let edge = if is_right { frame.x[1] } else { frame.y[1] };
+    let towards = |(x, y): Point| if is_right { x } else { y };
+    let is_on = |at: &Point| frame.shows(*at);
+    // What ends on the edge, but for rounding.
+    let end = points.last().filter(|end| (towards(**end) - edge).abs() <= 1e-9 * edge.abs());
+    let crossing = |pair: &[Point]| {
+        let (from, to) = (pair[0], pair[1]);
+        let share = (edge - towards(from)) / (towards(to) - towards(from));
+        let at = (from.0 + share * (to.0 - from.0), from.1 + share * (to.1 - from.1));
+        let at = if is_right { (edge, at.1) } else { (at.0, edge) };
+        ((0.0..=1.0).contains(&share) && frame.shows(at)).then_some(at)
+    };
+    let end = end.map(|end| if is_right { (edge, end.1) } else { (end.0, edge) }).filter(is_on);
+    end.or_else(|| points.windows(2).rev().find_map(crossing))
+}
+
 /// Values at the right edge, or above the upper one, with the name of their quantity.
 pub(super) fn levels(svg: &mut Svg, frame: &Frame, plane: Plane, levels: &[(Contour, Chain)]) {
     let is_right = plane == Plane::ThicknessFriction;
     let along = |(x, y): Point| if is_right { y } else { x };
     let mut ends: Vec<(f64, String)> = levels
         .iter()
-        .filter_map(|(contour, chain)| Some((chain.ends()?[1], shown(contour))))
-        .map(|(end, label)| (along(frame.at(end)), label))
+        .filter_map(|(contour, chain)| {
+            Some((along(frame.at(leaves(chain, frame, is_right)?)), shown(contour)))
+        })
         .collect();
     ends.sort_by(|a, b| a.0.total_cmp(&b.0));
     let wanted: Vec<f64> = ends.iter().map(|end| end.0).collect();

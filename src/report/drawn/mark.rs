@@ -1,6 +1,7 @@
 //! Arches that are marked in a map, with what is proved of them.
 
-use super::plane::{Axis, Plane};
+use super::canvas::Canvas;
+use super::plane::Axis;
 use crate::atlas::Variable;
 use crate::certify::Undecided;
 use crate::certify::state::{Answer, Certify};
@@ -70,17 +71,17 @@ impl Mark {
         Ok(Self { half_opening, friction_angle, thickness: thickness.map(number).or(least), words })
     }
 
-    /// Where it is in a plane, if it has a thickness or needs none.
-    fn at(&self, plane: Plane) -> Option<Point> {
-        let on = |axis: Axis| {
-            let value = match axis.variable {
+    /// Where it is on a canvas, if it has a thickness or needs none.
+    fn at(&self, canvas: &Canvas) -> Option<Point> {
+        let on = |axis: &Axis| {
+            let value = match axis.coordinate.variable()? {
                 Variable::HalfOpening => self.half_opening,
                 Variable::FrictionAngle => self.friction_angle,
                 _ => self.thickness?,
             };
             Some(axis.shown(value))
         };
-        let [x, y] = plane.axes().map(on);
+        let [x, y] = canvas.axes.each_ref().map(on);
         Some((x?, y?))
     }
 }
@@ -91,9 +92,9 @@ pub(super) fn words(marks: &[Mark]) -> Vec<String> {
 }
 
 /// The numbers of the marks that a frame shows, with their places on the page.
-pub(super) fn places(marks: &[Mark], plane: Plane, frame: &Frame) -> Vec<(String, Point)> {
+pub(super) fn places(marks: &[Mark], canvas: &Canvas, frame: &Frame) -> Vec<(String, Point)> {
     let place = |(number, mark): (u32, &Mark)| {
-        let at = mark.at(plane).filter(|at| frame.shows(*at))?;
+        let at = mark.at(canvas).filter(|at| frame.shows(*at))?;
         Some((number.to_string(), frame.at(at)))
     };
     (1..).zip(marks).filter_map(place).collect()
@@ -118,6 +119,7 @@ pub(super) fn draw(svg: &mut Svg, places: &[(String, Point)], inset: &str) {
 
 #[cfg(test)]
 mod tests {
+    use super::super::plane::Plane;
     use super::*;
 
     fn mark(alpha: &str, mu: &str, eta: Option<&str>) -> Mark {
@@ -146,13 +148,13 @@ mod tests {
     #[test]
     fn a_mark_is_where_its_arch_is() {
         let (given, least) = (mark("80deg", "1", Some("0.15")), mark("80deg", "inf", None));
-        assert_eq!(given.at(Plane::ThicknessFriction), Some((45.0, 0.15)));
-        let (alpha, phi) = least.at(Plane::OpeningFriction).unwrap();
+        assert_eq!(given.at(&Canvas::usual(Plane::ThicknessFriction)), Some((45.0, 0.15)));
+        let (alpha, phi) = least.at(&Canvas::usual(Plane::OpeningFriction)).unwrap();
         assert!((alpha - 80.0).abs() < 1e-12 && phi == 90.0);
-        let (_, eta) = least.at(Plane::OpeningThickness).unwrap();
+        let (_, eta) = least.at(&Canvas::usual(Plane::OpeningThickness)).unwrap();
         assert!((eta - 0.06865046333).abs() < 1e-6);
         let falls = mark("140deg", "0.2", None);
-        assert!(falls.at(Plane::OpeningFriction).is_some());
-        assert!(falls.at(Plane::OpeningThickness).is_none(), "it has no thickness");
+        assert!(falls.at(&Canvas::usual(Plane::OpeningFriction)).is_some());
+        assert!(falls.at(&Canvas::usual(Plane::OpeningThickness)).is_none(), "it has no thickness");
     }
 }

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `drawing` | which picture is asked for, and its file |
 //! | `plane` | what lies along the axes |
+//! | `canvas` | a plane with its axes, in the units and ranges asked for |
 //! | `chain` | a proved curve as Bézier arcs in a plane |
 //! | `domain` | the domains of the modes, by the curves around them |
 //! | `look` | how the modes and the weights look |
@@ -25,6 +26,7 @@
 //! a unit to which the file is rounded.
 
 mod branches;
+mod canvas;
 mod caption;
 mod chain;
 mod content;
@@ -44,6 +46,7 @@ mod sheet;
 mod spot;
 
 pub use branches::Branches;
+pub use canvas::{Axes, Shown, Unit};
 pub(super) use drawing::FramedMap;
 pub use drawing::{Drawing, View};
 pub use mark::Mark;

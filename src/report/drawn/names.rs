@@ -18,6 +18,8 @@ pub(super) struct Names<'a> {
     pub frame: &'a Frame,
     /// Of the fonts for modes and for landmarks.
     pub sizes: [f64; 2],
+    /// Whether the first axis runs the other way, as `A` does.
+    pub is_mirrored: bool,
     /// What other things take of the page.
     pub taken: Vec<Rectangle>,
 }
@@ -26,6 +28,8 @@ pub(super) struct Names<'a> {
 const TIP: Point = (2.0, 2.0);
 /// How far a name may be from its domain.
 const REACH: [f64; 5] = [36.0, 46.0, 60.0, 80.0, 104.0];
+/// The sides of a landmark on which its name is tried.
+const MIRRORS: [Point; 4] = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
 /// Directions that are tried.
 const TURNS: u32 = 24;
 
@@ -42,7 +46,15 @@ impl Names<'_> {
                 Landmark::Junction if !told_apart => continue,
                 _ => words::symbol(*landmark),
             };
-            let spot = Spot::new(*landmark, name, self.frame.at(*at), self.plane, self.sizes[1]);
+            let usual = if self.is_mirrored { 2 } else { 0 };
+            let spot = |k: usize| {
+                let mirrored = MIRRORS[(usual + k) % MIRRORS.len()];
+                let at = self.frame.at(*at);
+                Spot::new(*landmark, name, at, (self.plane, mirrored), self.sizes[1])
+            };
+            // Where it is usual, else on another side.
+            let is_free = |spot: &Spot| self.is_free(spot.taken());
+            let spot = (0..MIRRORS.len()).map(spot).find(is_free).unwrap_or_else(|| spot(0));
             self.taken.push(spot.taken());
             spot.draw(svg);
         }
@@ -51,19 +63,25 @@ impl Names<'_> {
     /// The name of overturning beside its edge, if enough of that is seen.
     pub(super) fn overturning(&mut self, svg: &mut Svg) {
         let points = self.content.edge.as_ref().map(Chain::points).unwrap_or_default();
-        let Some(middle) = points.get(points.len() / 2) else { return };
-        if !points.iter().all(|point| self.frame.shows(*point)) {
+        if points.is_empty() || !points.iter().all(|point| self.frame.shows(*point)) {
             return;
         }
         let size = self.sizes[0];
-        let width = text::width(Mode::Overturning.label(), size);
-        let middle = self.frame.at(*middle);
-        let beside = width / 2.0 + 8.0;
-        let at = match self.plane {
-            Plane::ThicknessFriction => (middle.0 - beside, middle.1),
-            Plane::OpeningFriction => (middle.0, middle.1 + 0.9 * size),
-            Plane::OpeningThickness => (middle.0 + beside, middle.1),
+        let beside = text::width(Mode::Overturning.label(), size) / 2.0 + 8.0;
+        let place = |point: &Point| {
+            let (x, y) = self.frame.at(*point);
+            match self.plane {
+                Plane::ThicknessFriction => (x - beside, y),
+                Plane::OpeningFriction => (x, y + 0.9 * size),
+                Plane::OpeningThickness => (x + beside, y),
+            }
         };
+        let is_free = |at: &Point| self.is_free(rectangle(*at, half(Mode::Overturning, size)));
+        // From the middle outwards.
+        let middle = points.len() / 2;
+        let mut order: Vec<usize> = (0..points.len()).collect();
+        order.sort_by_key(|k| k.abs_diff(middle));
+        let Some(at) = order.into_iter().map(|k| place(&points[k])).find(is_free) else { return };
         self.write(svg, Mode::Overturning, at, WHITE);
     }
 
@@ -95,6 +113,12 @@ impl Names<'_> {
         named
     }
 
+    /// Whether nothing is there yet.
+    fn is_free(&self, [low, high]: Rectangle) -> bool {
+        let meets = |[a, b]: &Rectangle| a.0 < high.0 && low.0 < b.0 && a.1 < high.1 && low.1 < b.1;
+        !self.taken.iter().any(meets)
+    }
+
     fn write(&mut self, svg: &mut Svg, mode: Mode, at: Point, ground: crate::picture::Color) {
         let style = Type::new(self.sizes[0], INK).at(Anchor::Middle).on(ground);
         svg.text(mode.label(), at, style);
@@ -118,9 +142,7 @@ impl Names<'_> {
             let crosses = |line: &Vec<Point>| {
                 line.windows(2).any(|part| !within(part, [low, high]).is_empty())
             };
-            let meets =
-                |[a, b]: &Rectangle| a.0 < high.0 && low.0 < b.0 && a.1 < high.1 && low.1 < b.1;
-            inside && !lines.iter().any(crosses) && !self.taken.iter().any(meets)
+            inside && !lines.iter().any(crosses) && self.is_free([low, high])
         };
         let around = |reach: f64| {
             (0..TURNS).map(move |k| {

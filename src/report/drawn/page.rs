@@ -1,14 +1,14 @@
 //! The page of a map: its frame with the axes, and what is said below.
 
+use super::canvas::Canvas;
 use super::plane::{FRICTION_LABEL, Plane, friction_ticks};
-use crate::atlas::Variable;
 use crate::picture::color::INK;
 use crate::picture::{Anchor, Frame, Point, Side, Stroke, Svg, Type, text};
 
 /// The frame of a map, and the lines below it.
 pub(super) struct Page {
     pub frame: Frame,
-    plane: Plane,
+    canvas: Canvas,
     lines: Vec<String>,
 }
 
@@ -30,23 +30,23 @@ const SMALL: f64 = 15.0;
 impl Page {
     /// An empty page with a title for those who do not see it, and paragraphs to stand below; there may be room for the
     /// values of levels where these end.
-    pub(super) fn new(plane: Plane, title: &str, words: &[String], levels: bool) -> (Self, Svg) {
-        let [x, y] = plane.axes();
+    pub(super) fn new(canvas: &Canvas, title: &str, words: &[String], levels: bool) -> (Self, Svg) {
+        let [x, y] = &canvas.axes;
         let room = |is_friction| if is_friction { AXIS } else { NO_AXIS };
-        let ends_above = plane != Plane::ThicknessFriction;
+        let ends_above = canvas.plane != Plane::ThicknessFriction;
         let top = match levels && ends_above {
             true => LEVELS,
-            false => room(x.variable == Variable::FrictionAngle),
+            false => room(x.is_friction_angle()),
         };
         let frame = Frame { corner: (LEFT, top), size: SIZE, x: x.range, y: y.range };
-        let has_axis = y.variable == Variable::FrictionAngle || (levels && !ends_above);
+        let has_axis = y.is_friction_angle() || (levels && !ends_above);
         let right = room(has_axis) + MARGIN;
         let width = frame.right() + right;
         let wrapped = |words: &String| text::wrap(words, SMALL, width - 2.0 * MARGIN);
         let lines: Vec<String> = words.iter().flat_map(wrapped).collect();
         let height = frame.bottom() + BELOW + lines.len() as f64 * SMALL * text::LEADING + MARGIN;
         let svg = Svg::new((width, height), title, &words.join(" "));
-        (Self { frame, plane, lines }, svg)
+        (Self { frame, canvas: *canvas, lines }, svg)
     }
 
     /// The frame with its axes and the words below.
@@ -58,19 +58,19 @@ impl Page {
     }
 
     fn axes(&self, svg: &mut Svg) {
-        let (frame, [x, y]) = (&self.frame, self.plane.axes());
+        let (frame, [x, y]) = (&self.frame, &self.canvas.axes);
         let style = Type::new(LABEL, INK).at(Anchor::Middle);
         let (across, up) = (frame.corner.0 + SIZE.0 / 2.0, frame.corner.1 + SIZE.1 / 2.0);
         frame.ticks(svg, Side::Bottom, &x.ticks(x.range, None), TICK);
         frame.ticks(svg, Side::Left, &y.ticks(y.range, None), TICK);
         svg.text(x.label, (across, frame.bottom() + 49.0), style);
         svg.text(y.label, (frame.corner.0 - 58.0, up), style.turned(-90.0));
-        if x.variable == Variable::FrictionAngle {
-            frame.ticks(svg, Side::Top, &friction_ticks(), TICK);
+        if x.is_friction_angle() {
+            frame.ticks(svg, Side::Top, &friction_ticks(x), TICK);
             svg.text(FRICTION_LABEL, (across, frame.corner.1 - 46.0), style);
         }
-        if y.variable == Variable::FrictionAngle {
-            frame.ticks(svg, Side::Right, &friction_ticks(), TICK);
+        if y.is_friction_angle() {
+            frame.ticks(svg, Side::Right, &friction_ticks(y), TICK);
             svg.text(FRICTION_LABEL, (frame.right() + 70.0, up), style.turned(-90.0));
         }
     }

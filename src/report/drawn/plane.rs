@@ -1,7 +1,8 @@
 //! What lies along the axes.
 
-use crate::atlas::{Contour, Place, Variable};
+use crate::atlas::{Contour, Coordinate, Place};
 use crate::picture::scale::Tick;
+use crate::picture::text;
 
 /// A plane in which the map is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,29 +19,37 @@ pub enum Plane {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Axis {
     /// What it shows.
-    pub variable: Variable,
+    pub coordinate: Coordinate,
+    /// Units shown in a radian, or in one of what else it shows.
+    pub unit: f64,
     /// The text beside it.
     pub label: &'static str,
-    /// In the unit shown: degrees for angles.
+    /// In the unit shown.
     pub range: [f64; 2],
-    /// Between two ticks.
+    /// Between two ticks; of a logarithm a decade.
     pub step: f64,
 }
 
+/// Degrees in a radian.
+pub(super) const DEGREES: f64 = 180.0 / std::f64::consts::PI;
+
 const FRICTION: Axis = Axis {
-    variable: Variable::FrictionAngle,
+    coordinate: Coordinate::FrictionAngle,
+    unit: DEGREES,
     label: "friction angle φ (°)",
     range: [0.0, 90.0],
     step: 10.0,
 };
 const THICKNESS: Axis = Axis {
-    variable: Variable::Thickness,
+    coordinate: Coordinate::Thickness,
+    unit: 1.0,
     label: "thickness to radius η = t/r",
     range: [0.0, 2.0],
     step: 0.2,
 };
 const OPENING: Axis = Axis {
-    variable: Variable::HalfOpening,
+    coordinate: Coordinate::HalfOpening,
+    unit: DEGREES,
     label: "half opening α (°)",
     range: [0.0, 170.0],
     step: 20.0,
@@ -139,33 +148,71 @@ impl Plane {
     }
 }
 
+/// Lengths of an axis.
+const FAR: f64 = 4.0;
+
 impl Axis {
-    /// A value in the unit shown.
+    /// Whether it shows the friction angle.
+    pub(super) fn is_friction_angle(&self) -> bool {
+        self.coordinate == Coordinate::FrictionAngle
+    }
+
+    /// A value of its variable in the unit shown.
     pub(super) fn shown(&self, value: f64) -> f64 {
-        if self.variable == Variable::Thickness { value } else { value.to_degrees() }
+        // As far off as this nothing is seen, and everything is finite.
+        let [low, high] = self.range;
+        let far = FAR * (high - low);
+        (self.coordinate.drawn(value) * self.unit).clamp(low - far, high + far)
     }
 
     /// Where a place is on it, in the unit shown.
     pub(super) fn place(&self, place: &Place) -> Option<f64> {
-        Some(self.shown(place.coordinate(self.variable)?.mid().to_f64()))
+        Some(self.shown(place.coordinate(self.coordinate.variable()?)?.mid().to_f64()))
     }
 
     /// Its ticks within a range.
     pub(super) fn ticks(&self, range: [f64; 2], step: Option<f64>) -> Vec<Tick> {
+        if self.coordinate == Coordinate::LogThickness {
+            return decades(range);
+        }
         let step = step.unwrap_or(self.step);
         let decimals = (-step.log10().floor()).max(0.0) as usize;
-        let (first, last) = ((range[0] / step).ceil() as i64, (range[1] / step).floor() as i64);
+        let [first, last] = multiples(range, step);
+        let (first, last) = (first as i64, last as i64);
         let place = |k: i64| k as f64 * step;
         let tick = |k| Tick { place: place(k), label: format!("{:.decimals$}", place(k)) };
         (first..=last).map(tick).collect()
     }
 }
 
-/// Ticks of the friction coefficient, at friction angles in degrees.
-pub(super) fn friction_ticks() -> Vec<Tick> {
+/// The first and the last multiple of a step in a range; an end that is one but for rounding is one.
+pub(super) fn multiples([from, to]: [f64; 2], step: f64) -> [f64; 2] {
+    [(from / step - 1e-9).ceil(), (to / step + 1e-9).floor()]
+}
+
+/// Ticks at powers of ten, and between few of them at twice and five times these.
+fn decades([low, high]: [f64; 2]) -> Vec<Tick> {
+    let digits: &[u32] = if high - low < 3.0 { &[1, 2, 5] } else { &[1] };
+    let label = |digit: u32, order: i64| match digit {
+        1 => text::power_of_ten(order),
+        _ => format!("{digit}×{}", text::power_of_ten(order)),
+    };
+    let tick = |digit: u32, order: i64| Tick {
+        place: order as f64 + f64::from(digit).log10(),
+        label: label(digit, order),
+    };
+    let all = (low.floor() as i64..=high.ceil() as i64)
+        .flat_map(|order| digits.iter().map(move |digit| tick(*digit, order)));
+    all.filter(|tick| (low - 1e-9..=high + 1e-9).contains(&tick.place)).collect()
+}
+
+/// Ticks of the friction coefficient, at friction angles in the unit of an axis, where it shows them.
+pub(super) fn friction_ticks(axis: &Axis) -> Vec<Tick> {
     let tick =
-        |(mu, label): (f64, &str)| Tick { place: mu.atan().to_degrees(), label: label.into() };
-    FRICTIONS.map(tick).into()
+        |(mu, label): (f64, &str)| Tick { place: mu.atan() * axis.unit, label: label.into() };
+    let [low, high] = axis.range;
+    let is_seen = |tick: &Tick| (low..=high + 1e-9).contains(&tick.place);
+    FRICTIONS.map(tick).into_iter().filter(is_seen).collect()
 }
 
 #[cfg(test)]
@@ -187,7 +234,8 @@ mod tests {
         let ticks = labels(THICKNESS.ticks(THICKNESS.range, None));
         assert_eq!((ticks.len(), ticks[0].as_str(), ticks[10].as_str()), (11, "0.0", "2.0"));
         assert_eq!(labels(FRICTION.ticks([59.3, 60.7], Some(0.5))), ["59.5", "60.0", "60.5"]);
-        assert_eq!(friction_ticks()[12].place, 90.0);
-        assert!((friction_ticks()[5].place - 45.0).abs() < 1e-12);
+        assert_eq!(labels(THICKNESS.ticks([0.0, 0.3], Some(0.05))).last().unwrap(), "0.30");
+        assert_eq!(friction_ticks(&FRICTION)[12].place, 90.0);
+        assert!((friction_ticks(&FRICTION)[5].place - 45.0).abs() < 1e-12);
     }
 }

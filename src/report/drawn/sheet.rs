@@ -1,7 +1,7 @@
 //! What a picture is drawn from: the proved curves of one weight.
 
+use super::canvas::Canvas;
 use super::chain::Chain;
-use super::plane::Plane;
 use crate::arch::SelfWeight;
 use crate::atlas::{Curve, End, Level, Trace};
 use crate::picture::Point;
@@ -34,18 +34,18 @@ impl<'a> Sheet<'a> {
         self.traces.iter().copied().find(|trace| trace.curve == curve)
     }
 
-    /// A curve in a plane.
-    pub(super) fn chain(&self, curve: Curve, plane: Plane) -> Option<Chain> {
-        Chain::new(self.trace(curve)?, plane)
+    /// A curve on a canvas.
+    pub(super) fn chain(&self, curve: Curve, canvas: &Canvas) -> Option<Chain> {
+        Chain::new(self.trace(curve)?, canvas)
     }
 
-    /// The landmarks that have a place in a plane.
-    pub(super) fn landmarks(&self, plane: Plane) -> Vec<(Landmark, Point)> {
+    /// The landmarks that have a place on a canvas.
+    pub(super) fn landmarks(&self, canvas: &Canvas) -> Vec<(Landmark, Point)> {
         let mut found: Vec<(Landmark, Point)> = Vec::new();
         for trace in &self.traces {
             for point in trace.points() {
                 let Some(End::Landmark(landmark)) = point.end else { continue };
-                let [x, y] = plane.axes().map(|axis| axis.place(&point.place));
+                let [x, y] = canvas.axes.each_ref().map(|axis| axis.place(&point.place));
                 if let (Some(x), Some(y)) = (x, y)
                     && found.iter().all(|(known, _)| *known != landmark)
                 {

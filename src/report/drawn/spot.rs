@@ -38,15 +38,16 @@ fn away(landmark: Landmark, plane: Plane) -> Point {
 }
 
 impl Spot {
-    /// The name of a landmark at a point of the page.
+    /// The name of a landmark at a point of the page, as usual in a plane or on another side.
     pub(super) fn new(
         landmark: Landmark,
         name: &'static str,
         at: Point,
-        plane: Plane,
+        (plane, mirrored): (Plane, Point),
         size: f64,
     ) -> Self {
         let (x, y) = away(landmark, plane);
+        let (x, y) = (x * mirrored.0, y * mirrored.1);
         let far = 0.5 * (text::width(name, size) - text::width("T", size));
         let middle = (at.0 + x * size + far * x.signum() * f64::from(x != 0.0), at.1 + y * size);
         Self { name, middle, size }

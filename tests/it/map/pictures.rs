@@ -51,6 +51,33 @@ fn a_map_has_the_levels_asked_for() {
     assert!(count(&usual) > 5 && usual.contains("lines of equal least friction"));
 }
 
+/// Other axes have other labels, and say in what the lines are near the true ones.
+#[test]
+fn a_map_has_the_axes_asked_for() {
+    for (arguments, parts) in [
+        (
+            &["--scale", "log", "--friction-unit", "mu", "--friction-range", "0..3"][..],
+            &[">10⁻³</text>", "friction coefficient μ<", "in decades of η", "in μ"][..],
+        ),
+        (
+            &["--plane", "opening-thickness", "--half-opening-unit", "A"],
+            &["A = α cot(α/2)", "in A and"],
+        ),
+        (
+            &["--plane", "opening-friction", "--half-opening-unit", "rad"],
+            &["half opening α (rad)", ">2.5</text>"],
+        ),
+        (&["--thickness-range", "0..0.3"], &[">0.30</text>", "in radians"]),
+    ] {
+        let line = ["map", "--format", "svg", "--bare"];
+        let svg = text(&couplet(&[&line[..], arguments].concat()).stdout);
+        for part in parts {
+            assert!(svg.contains(part), "{arguments:?}: {part}");
+        }
+        assert!(svg.contains("domain-srr") && !svg.contains("inset-"), "{arguments:?}");
+    }
+}
+
 #[test]
 fn an_arch_is_marked_with_its_state() {
     let line = ["map", "--tolerance", "1e-2", "--format", "svg", "--bare"];
@@ -117,6 +144,25 @@ fn what_makes_no_picture_is_refused() {
         ),
         (&["map", "--lines", "--alpha", "80deg", "-o", "map.svg"], "--lines are drawn alone"),
         (&["map", "--bare", "--alpha", "80deg", "-o", "map.svg"], "cannot be used with"),
+        (&["map", "--thickness-range", "1", "-o", "map.svg"], "'1' is no range: two numbers"),
+        (
+            &["map", "--thickness-range", "1..0.5", "-o", "map.svg"],
+            "the smaller first, as in 0..0.5",
+        ),
+        (&["map", "--friction-range", "-1..5", "-o", "map.svg"], "'-1..5' is no range"),
+        (&["map", "--friction-range", "nan..5", "-o", "map.svg"], "'nan..5' is no range"),
+        (&["map", "--half-opening-range", "1..2", "-o", "map.svg"], "has no axis of opening"),
+        (
+            &["map", "--plane", "opening-friction", "--scale", "log", "-o", "map.svg"],
+            "the plane opening-friction has no axis of thickness",
+        ),
+        (
+            &["map", "--scale", "log", "--thickness-range", "0..1", "-o", "map.svg"],
+            "begins at 1e-9 or above",
+        ),
+        (&["map", "--scale", "cubic", "-o", "map.svg"], "cubic"),
+        (&["map", "--friction-unit", "mu", "-o", "map.csv"], "are for a map as svg or png"),
+        (&["map", "--scale", "log", "--lines", "-o", "map.svg"], "are for a map as svg or png"),
         (&["map", "--mark", "80deg", "-o", "map.svg"], "a mark is a half opening, a friction"),
         (
             &["map", "--mark", "80deg,1,2,3", "-o", "map.svg"],

@@ -1,0 +1,138 @@
+//! A plane with its axes, in the units and ranges asked for.
+
+use super::plane::{Axis, DEGREES, Plane, multiples};
+use crate::atlas::Coordinate;
+
+/// How a quantity is shown along an axis, and from where to where. What is not asked for is as usual.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Axes {
+    /// The half opening in degrees, in radians, or as `A`.
+    pub half_opening: Shown,
+    /// The friction angle in degrees, in radians, or its tangent.
+    pub friction: Shown,
+    /// The thickness or its logarithm.
+    pub thickness: Shown,
+}
+
+/// A unit, and a range in that unit.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Shown {
+    /// The unit.
+    pub unit: Unit,
+    /// From where to where, in the unit; of a logarithm the thicknesses.
+    pub range: Option<[f64; 2]>,
+}
+
+/// A unit of an axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Unit {
+    /// Degrees, and of the thickness itself.
+    #[default]
+    Usual,
+    /// Radians.
+    Radians,
+    /// What follows from it: `A = alpha cot(alpha/2)`, `mu = tan phi`, the logarithm of the thickness.
+    Derived,
+}
+
+/// A plane to draw in.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Canvas {
+    pub plane: Plane,
+    /// To the right, and up.
+    pub axes: [Axis; 2],
+    /// Whether they are as usual, so that insets and words have their places.
+    pub is_usual: bool,
+}
+
+impl Canvas {
+    pub(super) fn usual(plane: Plane) -> Self {
+        Self { plane, axes: plane.axes(), is_usual: true }
+    }
+
+    pub(super) fn new(plane: Plane, axes: &Axes) -> Self {
+        let with = |axis: Axis| match axis.coordinate {
+            Coordinate::HalfOpening => axes.half_opening.of(axis),
+            Coordinate::FrictionAngle => axes.friction.of(axis),
+            _ => axes.thickness.of(axis),
+        };
+        let asked = plane.axes().map(with);
+        Self { plane, axes: asked, is_usual: asked == plane.axes() }
+    }
+}
+
+impl Shown {
+    fn of(self, axis: Axis) -> Axis {
+        use Coordinate as C;
+        let (coordinate, unit, label, usual): (_, _, _, [f64; 2]) =
+            match (self.unit, axis.coordinate) {
+                (Unit::Usual, _) => (axis.coordinate, axis.unit, axis.label, axis.range),
+                (Unit::Radians, coordinate) => {
+                    let label = match coordinate {
+                        C::HalfOpening => "half opening α (rad)",
+                        _ => "friction angle φ (rad)",
+                    };
+                    (coordinate, 1.0, label, axis.range.map(|end| end / DEGREES))
+                }
+                (Unit::Derived, C::HalfOpening) => {
+                    (C::OpeningVariable, 1.0, "A = α cot(α/2)", [0.4, 2.0])
+                }
+                (Unit::Derived, C::FrictionAngle) => {
+                    (C::Friction, 1.0, "friction coefficient μ", [0.0, 4.0])
+                }
+                (Unit::Derived, _) => {
+                    (C::LogThickness, 1.0, "thickness to radius η = t/r", [1e-4, 2.0])
+                }
+            };
+        if self == Self::default() {
+            return axis;
+        }
+        let range = self.range.unwrap_or(usual);
+        let is_logarithm = coordinate == C::LogThickness;
+        let range = if is_logarithm { range.map(f64::log10) } else { range };
+        let step = step(range, 5.0).unwrap_or(axis.step);
+        Axis { coordinate, unit, label, range, step }
+    }
+}
+
+/// The largest round step with so many multiples in a range.
+pub(super) fn step(range: [f64; 2], least: f64) -> Option<f64> {
+    let power = 10f64.powf((range[1] - range[0]).log10().floor());
+    let steps = [5.0, 2.0, 1.0, 0.5, 0.2, 0.1].map(|m| m * power);
+    let count = |step: f64| {
+        let [first, last] = multiples(range, step);
+        last - first + 1.0
+    };
+    steps.into_iter().find(|step| count(*step) >= least)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_are_round() {
+        for (range, expected) in
+            [([0.0, 1.0], 0.5), ([59.9, 61.1], 0.5), ([56.6, 57.5], 0.2), ([0.91, 0.98], 0.02)]
+        {
+            let step = step(range, 3.0).unwrap();
+            assert!((step - expected).abs() < 1e-12, "{range:?} {step}");
+        }
+        assert_eq!(step([0.0, 4.0], 5.0), Some(1.0));
+    }
+
+    #[test]
+    fn axes_are_as_asked_for() {
+        let axes = Axes {
+            thickness: Shown { unit: Unit::Derived, range: Some([1e-3, 1.0]) },
+            friction: Shown { unit: Unit::Derived, range: None },
+            ..Axes::default()
+        };
+        let canvas = Canvas::new(Plane::ThicknessFriction, &axes);
+        let [x, y] = canvas.axes;
+        assert!((x.shown(1f64.atan()) - 1.0).abs() < 1e-12 && (y.shown(0.01) + 2.0).abs() < 1e-12);
+        assert!(y.shown(0.0).is_finite() && y.range == [-3.0, 0.0] && !canvas.is_usual);
+        assert!(x.shown(std::f64::consts::FRAC_PI_2) > 4.0, "beyond the edge");
+        assert!(Canvas::new(Plane::OpeningFriction, &Axes::default()).is_usual);
+    }
+}
