@@ -19,10 +19,11 @@
 use super::Undecided;
 use super::state::{Figure, raise};
 use crate::arch::joint::{Grip, Row, combination, multipliers};
+use crate::arch::mechanism::Contact;
 use crate::arch::statics::normal_force;
 use crate::arch::{Ring, SelfWeight};
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Jet, bits_of};
-use crate::problem::stones::{Contact, Stones};
+use crate::problem::stones::{JointContact, Stones};
 use crate::problem::{Friction, Mode};
 use crate::solve::voussoirs::{DEGREE, Search, VoussoirCandidate};
 use rug::Float;
@@ -34,7 +35,7 @@ pub struct VoussoirDigits {
     /// How it collapses.
     pub mode: Mode,
     /// The conditions that hold with equality.
-    pub contacts: [Contact; 3],
+    pub contacts: [JointContact; 3],
     /// `eta`.
     pub thickness: Figure,
     /// `h`.
@@ -125,20 +126,20 @@ impl Proof<'_> {
     }
 
     /// The conditions as polynomials in the thickness.
-    fn polynomial_rows(&self, contacts: &[Contact; 3]) -> [Row<Jet<Ball>>; 3] {
+    fn polynomial_rows(&self, contacts: &[JointContact; 3]) -> [Row<Jet<Ball>>; 3] {
         let like = Ball::integer(0, self.bits);
         let thickness = Jet::new(vec![like.clone(), like.int(1)], DEGREE);
         let ring = Ring::new(self.weight, &thickness);
         let grip = self.grip.clone().map(|x| Jet::constant(x, DEGREE));
         contacts.map(|contact| {
-            let angle = self.angle(contact.joint()).map(|x| Jet::constant(x, DEGREE));
-            contact.row(&angle, &ring, &grip)
+            let angle = self.angle(contact.1).map(|x| Jet::constant(x, DEGREE));
+            contact.0.row(&angle, &ring, &grip)
         })
     }
 
     /// A condition at a thickness.
-    fn row(&self, contact: Contact, ring: &Ring<Ball>) -> Row<Ball> {
-        contact.row(&self.angle(contact.joint()), ring, &self.grip)
+    fn row(&self, contact: JointContact, ring: &Ring<Ball>) -> Row<Ball> {
+        contact.0.row(&self.angle(contact.1), ring, &self.grip)
     }
 
     /// What a candidate says, proved; `None` if the rounding is not decided.
@@ -163,8 +164,8 @@ impl Proof<'_> {
     /// No thrust is at the same time large enough for an inner joint and small enough for the shoulder.
     fn slides(&self, inner: u64) -> Result<Option<Voussoirs>, Undecided> {
         let ring = Ring::new(self.weight, &Ball::integer(1, self.bits));
-        let inner = self.row(Contact::Inwards(inner), &ring);
-        let shoulder = self.row(Contact::Outwards(self.last()), &ring);
+        let inner = self.row((Contact::Inwards, inner), &ring);
+        let shoulder = self.row((Contact::Outwards, self.last()), &ring);
         require(is_positive(&-inner.thrust.clone()), "whether a joint slides inwards")?;
         require(is_positive(&shoulder.thrust), "whether the shoulder slides")?;
         // The two, each times the other's coefficient.
@@ -174,7 +175,7 @@ impl Proof<'_> {
     }
 
     /// Nothing stands from 0 to `most`: multipliers and combination are positive there.
-    fn contradiction(&self, contacts: &[Contact; 3], most: &Ball) -> Result<(), Undecided> {
+    fn contradiction(&self, contacts: &[JointContact; 3], most: &Ball) -> Result<(), Undecided> {
         let rows = self.polynomial_rows(contacts);
         for rate in multipliers(&rows) {
             require(is_positive_up_to(&rate, most), "the rates of the mechanism")?;
@@ -189,8 +190,9 @@ impl Proof<'_> {
         require(self.stones.count() == 2, "whether every thickness is enough")?;
         let zero = Ball::integer(0, self.bits);
         let ring = Ring { centroid_factor: zero.int(1), thickness: zero };
-        let (thrust, moment) =
-            self.row(Contact::Extrados(0), &ring).meeting(&self.row(Contact::Extrados(1), &ring));
+        let (thrust, moment) = self
+            .row((Contact::Extrados, 0), &ring)
+            .meeting(&self.row((Contact::Extrados, 1), &ring));
         self.friction_holds(&[], &thrust, &moment, &ring)?;
         let [upper, lower] = [0, 1].map(|index| self.angle(index));
         let normal = normal_force(&upper, &thrust) + normal_force(&lower, &thrust);
@@ -203,7 +205,7 @@ impl Proof<'_> {
     /// The thickness, if it is the least; `None` if the rounding is not decided.
     fn collapses(
         &self,
-        contacts: [Contact; 3],
+        contacts: [JointContact; 3],
         near: &Float,
         digits: usize,
     ) -> Result<Option<Voussoirs>, Undecided> {
@@ -226,11 +228,11 @@ impl Proof<'_> {
         self.friction_holds(&contacts, &thrust, &moment, &ring)?;
         self.line_is_inside(&contacts, &thrust, &moment, &ring)?;
         // A rational joint may be a tie, which no ball decides.
-        let joint = |contact: Contact| match self.stones.exact_joint(contact.joint()) {
+        let joint = |contact: JointContact| match self.stones.exact_joint(contact.1) {
             Some(exact) => Figure::exact(&exact, digits),
-            None => Figure::new(&self.angle(contact.joint()).rad, digits),
+            None => Figure::new(&self.angle(contact.1).rad, digits),
         };
-        let slides = matches!(contacts[0], Contact::Inwards(_)) && mode != Mode::Overturning;
+        let slides = contacts[0].0 == Contact::Inwards && mode != Mode::Overturning;
         let rounded = || {
             Some(VoussoirDigits {
                 mode,
@@ -250,20 +252,20 @@ impl Proof<'_> {
     /// The line of thrust is inside the arch at all joints.
     fn line_is_inside(
         &self,
-        contacts: &[Contact],
+        contacts: &[JointContact],
         thrust: &Ball,
         moment: &Ball,
         ring: &Ring<Ball>,
     ) -> Result<(), Undecided> {
-        let haunch = contacts[1].joint();
-        let ends = [0, self.last()].map(Contact::Extrados);
+        let haunch = contacts[1].1;
+        let ends = [0, self.last()].map(|joint| (Contact::Extrados, joint));
         let above = haunch.checked_sub(1);
         let below = Some(haunch + 1).filter(|below| *below <= self.last());
-        let beside = above.into_iter().chain(below).map(Contact::Intrados);
+        let beside = above.into_iter().chain(below).map(|joint| (Contact::Intrados, joint));
         // In a joint that is open there is no force, and no moment.
-        let is_open = contacts[0] == Contact::Inwards(haunch)
+        let is_open = contacts[0] == (Contact::Inwards, haunch)
             && self.stones.may_open(haunch, self.is_limited);
-        let ends = ends.into_iter().filter(|end| !(is_open && end.joint() == haunch));
+        let ends = ends.into_iter().filter(|end| !(is_open && end.1 == haunch));
         for contact in ends.into_iter().chain(beside).filter(|contact| !contacts.contains(contact))
         {
             let margin = -self.row(contact, ring).at(thrust, moment);
@@ -275,31 +277,31 @@ impl Proof<'_> {
     /// Nothing slides, and every normal force is positive.
     fn friction_holds(
         &self,
-        contacts: &[Contact],
+        contacts: &[JointContact],
         thrust: &Ball,
         moment: &Ball,
         ring: &Ring<Ball>,
     ) -> Result<(), Undecided> {
         let last = self.last();
-        let holds = |contact: Contact| -> bool {
+        let holds = |contact: JointContact| -> bool {
             contacts.contains(&contact) || is_positive(&-self.row(contact, ring).at(thrust, moment))
         };
         // A joint that is open bears nothing.
         let is_open = |joint: u64| {
-            contacts.contains(&Contact::Inwards(joint))
+            contacts.contains(&(Contact::Inwards, joint))
                 && self.stones.may_open(joint, self.is_limited)
         };
         for joint in [0, last].into_iter().filter(|joint| !is_open(*joint)) {
             let normal = normal_force(&self.angle(joint), thrust);
             require(is_positive(&normal), "whether a joint opens")?;
-            let outwards = Contact::Outwards(joint);
+            let outwards = (Contact::Outwards, joint);
             require(!self.is_limited || holds(outwards), "whether the shoulder slides")?;
         }
         if !self.is_limited {
             return Ok(());
         }
         let slides = contacts.iter().find_map(|contact| match contact {
-            Contact::Inwards(joint) => Some(*joint),
+            (Contact::Inwards, joint) => Some(*joint),
             _ => None,
         });
         // The shear over the normal force is largest beside this joint, or at it.
@@ -308,7 +310,7 @@ impl Proof<'_> {
             None => self.around_steepest(thrust)?,
         };
         for joint in from..=to.min(last) {
-            require(holds(Contact::Inwards(joint)), "whether an inner joint slides")?;
+            require(holds((Contact::Inwards, joint)), "whether an inner joint slides")?;
         }
         Ok(())
     }
@@ -457,13 +459,13 @@ mod tests {
             };
             assert!(matches!(prove(contacts, &thickness), Ok(Some(_))));
             let (first, last) = (contacts[0], contacts[2]);
-            let haunch = contacts[1].joint();
+            let haunch = contacts[1].1;
             for forged in [
-                [first, Contact::Intrados(haunch - 1), last],
-                [first, Contact::Intrados(haunch + 1), last],
-                [Contact::Inwards(1), contacts[1], Contact::Extrados(last.joint())],
+                [first, (Contact::Intrados, haunch - 1), last],
+                [first, (Contact::Intrados, haunch + 1), last],
+                [(Contact::Inwards, 1), contacts[1], (Contact::Extrados, last.1)],
                 [last, contacts[1], first],
-                [Contact::Extrados(1), contacts[1], last],
+                [(Contact::Extrados, 1), contacts[1], last],
             ] {
                 let found = prove(forged, &thickness);
                 assert!(found.is_err(), "{alpha} {mu}: {forged:?} {found:?}");

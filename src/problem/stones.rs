@@ -1,9 +1,9 @@
 //! The joints of an arch of voussoirs, symmetric about its crown.
 
 use super::{Arch, ArchError, Friction, Mode};
-use crate::arch::joint::{self, Grip, Row};
-use crate::arch::{Ring, SelfWeight};
-use crate::number::{Angle, AstroInterval, Dyadic, Enclosure, Engine, ExactNumber, Field};
+use crate::arch::SelfWeight;
+use crate::arch::mechanism::Contact;
+use crate::number::{AstroInterval, Dyadic, Enclosure, Engine, ExactNumber};
 
 /// How the half arch is divided, from the crown to the shoulder.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -20,40 +20,8 @@ pub enum Stones {
     Joints(Vec<ExactNumber>),
 }
 
-/// A condition that holds with equality, at a joint.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Contact {
-    /// The line of thrust passes through the extrados: a hinge.
-    Extrados(u64),
-    /// Through the intrados.
-    Intrados(u64),
-    /// The part above slides inwards; with unlimited friction the joint opens.
-    Inwards(u64),
-    /// The part above slides outwards.
-    Outwards(u64),
-}
-
-impl Contact {
-    /// The index of its joint from the crown.
-    pub fn joint(self) -> u64 {
-        match self {
-            Self::Extrados(joint)
-            | Self::Intrados(joint)
-            | Self::Inwards(joint)
-            | Self::Outwards(joint) => joint,
-        }
-    }
-
-    /// The condition, at the angle of its joint.
-    pub fn row<T: Field>(self, angle: &Angle<T>, ring: &Ring<T>, grip: &Grip<T>) -> Row<T> {
-        match self {
-            Self::Extrados(_) => joint::extrados(angle, ring),
-            Self::Intrados(_) => joint::intrados(angle, ring),
-            Self::Inwards(_) => joint::inwards(angle, grip),
-            Self::Outwards(_) => joint::outwards(angle, grip),
-        }
-    }
-}
+/// A joint at its limit, by its index from the crown.
+pub type JointContact = (Contact, u64);
 
 /// Stones beyond this number are refused: their joints are thinner than any tool.
 pub const MOST_STONES: u64 = 1_000_000_000;
@@ -147,20 +115,20 @@ impl Stones {
 
     /// How an arch with these contacts collapses, by its label from the shoulder; `None` for contacts that are no
     /// mechanism of the seven.
-    pub fn mode(&self, contacts: &[Contact; 3], is_limited: bool) -> Option<Mode> {
+    pub fn mode(&self, contacts: &[JointContact; 3], is_limited: bool) -> Option<Mode> {
         let shoulder = self.count() - 1;
         Some(match *contacts {
-            [Contact::Extrados(0), Contact::Intrados(_), Contact::Extrados(last)]
+            [(Contact::Extrados, 0), (Contact::Intrados, _), (Contact::Extrados, last)]
                 if last == shoulder =>
             {
                 Mode::Rotational
             }
-            [Contact::Extrados(0), Contact::Intrados(_), Contact::Outwards(last)]
+            [(Contact::Extrados, 0), (Contact::Intrados, _), (Contact::Outwards, last)]
                 if last == shoulder && is_limited =>
             {
                 Mode::SlidingRotational
             }
-            [Contact::Inwards(slides), Contact::Intrados(turns), Contact::Extrados(last)]
+            [(Contact::Inwards, slides), (Contact::Intrados, turns), (Contact::Extrados, last)]
                 if last == shoulder =>
             {
                 match (turns, is_limited) {
@@ -216,6 +184,7 @@ fn is_zero(x: &ExactNumber) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::Field;
 
     fn number(text: &str) -> ExactNumber {
         text.parse().unwrap()

@@ -4,10 +4,11 @@ use super::fields::Fields;
 use super::words::model;
 use super::{csv, json};
 use crate::arch::SelfWeight;
+use crate::arch::mechanism::Contact;
 use crate::certify::state::Figure;
 use crate::certify::{Undecided, VoussoirDigits, Voussoirs};
 use crate::problem::Quantity;
-use crate::problem::stones::{Contact, Stones};
+use crate::problem::stones::{JointContact, Stones};
 use std::io;
 
 /// An arch of voussoirs, what is proved of it, and the same arch without end of joints.
@@ -74,10 +75,10 @@ impl VoussoirArch {
 /// A contact in words.
 fn words(contact: Contact) -> &'static str {
     match contact {
-        Contact::Extrados(_) => "hinge at the extrados",
-        Contact::Intrados(_) => "hinge at the intrados",
-        Contact::Inwards(_) => "slides inwards",
-        Contact::Outwards(_) => "slides outwards",
+        Contact::Extrados => "hinge at the extrados",
+        Contact::Intrados => "hinge at the intrados",
+        Contact::Inwards => "slides inwards",
+        Contact::Outwards => "slides outwards",
     }
 }
 
@@ -132,7 +133,7 @@ fn stands(arch: &VoussoirArch, state: &VoussoirDigits, out: &mut dyn io::Write) 
         writeln!(out, "\n   with a joint at every angle       {continuous}")?;
     }
     writeln!(out, "\nmechanism, joints counted from the crown")?;
-    let place = |contact: &Contact| match contact.joint() {
+    let place = |contact: &JointContact| match contact.1 {
         0 if arch.stones.has_joint_at_crown() => "at the crown".to_owned(),
         joint if joint + 1 == arch.stones.count() => "at the shoulder".to_owned(),
         joint => {
@@ -143,7 +144,7 @@ fn stands(arch: &VoussoirArch, state: &VoussoirDigits, out: &mut dyn io::Write) 
     state
         .contacts
         .iter()
-        .try_for_each(|contact| writeln!(out, "   {:<22} {}", words(*contact), place(contact)))
+        .try_for_each(|contact| writeln!(out, "   {:<22} {}", words(contact.0), place(contact)))
 }
 
 pub(super) fn csv(
@@ -212,7 +213,7 @@ fn entry(arch: &VoussoirArch) -> Fields {
     }
     fields.add_fields("continuous_thickness", arch.continuous.as_ref().map(bounds));
     let contacts = arch.state().map(|state| {
-        let contact = |contact: &Contact| format!("{} {}", words(*contact), contact.joint());
+        let contact = |contact: &JointContact| format!("{} {}", words(contact.0), contact.1);
         state.contacts.iter().map(contact).collect::<Vec<_>>()
     });
     fields.add("contacts", contacts);

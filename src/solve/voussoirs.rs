@@ -6,9 +6,10 @@
 //! is found by halving.
 
 use crate::arch::joint::{Grip, Row, combination};
+use crate::arch::mechanism::Contact;
 use crate::arch::{Ring, SelfWeight};
 use crate::number::{Angle, Ball, Field, Jet};
-use crate::problem::stones::{Contact, Stones};
+use crate::problem::stones::{JointContact, Stones};
 use rug::Float;
 
 /// What is probably true of an arch of voussoirs.
@@ -17,7 +18,7 @@ pub enum VoussoirCandidate {
     /// The conditions that hold with equality at the least thickness.
     Collapses {
         /// The conditions.
-        contacts: [Contact; 3],
+        contacts: [JointContact; 3],
         /// The thickness.
         thickness: Float,
     },
@@ -31,7 +32,7 @@ pub enum VoussoirCandidate {
     /// Nothing up to the physical limit stands, as these conditions contradict each other.
     TooThick {
         /// The conditions.
-        contacts: [Contact; 3],
+        contacts: [JointContact; 3],
     },
 }
 
@@ -63,15 +64,15 @@ impl<'a> Search<'a> {
         Angle::new(Float::with_val(self.bits, rad.mid()))
     }
 
-    fn row(&self, contact: Contact, thickness: &Float) -> Row<Float> {
-        contact.row(&self.angle(contact.joint()), &Ring::new(self.weight, thickness), &self.grip)
+    fn row(&self, contact: JointContact, thickness: &Float) -> Row<Float> {
+        contact.0.row(&self.angle(contact.1), &Ring::new(self.weight, thickness), &self.grip)
     }
 
     /// The thrust at which a joint slides; `None` if no thrust is too small, or none too large.
-    fn sliding_thrust(&self, contact: Contact) -> Option<Float> {
+    fn sliding_thrust(&self, contact: JointContact) -> Option<Float> {
         let row = self.row(contact, &Float::with_val(self.bits, 1));
-        let bounds = match contact {
-            Contact::Inwards(_) => row.thrust < 0,
+        let bounds = match contact.0 {
+            Contact::Inwards => row.thrust < 0,
             _ => row.thrust > 0,
         };
         bounds.then(|| -row.load / row.thrust)
@@ -79,7 +80,7 @@ impl<'a> Search<'a> {
 
     /// The joint that asks for the largest thrust.
     fn inner(&self) -> u64 {
-        let thrust = |index| self.sliding_thrust(Contact::Inwards(index));
+        let thrust = |index| self.sliding_thrust((Contact::Inwards, index));
         // Without friction the crown asks for nothing.
         let first = u64::from(self.stones.has_joint_at_crown() && thrust(0).is_none());
         peak(first, self.last(), |index| {
@@ -90,21 +91,24 @@ impl<'a> Search<'a> {
     /// The joint where the intrados is passed farthest.
     fn haunch(&self, thrust: &Float, thickness: &Float) -> u64 {
         let zero = Float::with_val(self.bits, 0);
-        let depth = |index| self.row(Contact::Intrados(index), thickness).at(thrust, &zero);
+        let depth = |index| self.row((Contact::Intrados, index), thickness).at(thrust, &zero);
         peak(0, self.last(), depth)
     }
 
     /// The least thickness with a thrust between the two at which something slides.
     pub fn candidate(&self) -> VoussoirCandidate {
         let (inner, last) = (self.inner(), self.last());
-        let least = self.sliding_thrust(Contact::Inwards(inner));
-        let most = self.sliding_thrust(Contact::Outwards(last));
-        let hinges =
-            |haunch| [Contact::Extrados(0), Contact::Intrados(haunch), Contact::Extrados(last)];
-        let shoulder =
-            |haunch| [Contact::Extrados(0), Contact::Intrados(haunch), Contact::Outwards(last)];
-        let inside =
-            |haunch| [Contact::Inwards(inner), Contact::Intrados(haunch), Contact::Extrados(last)];
+        let least = self.sliding_thrust((Contact::Inwards, inner));
+        let most = self.sliding_thrust((Contact::Outwards, last));
+        let hinges = |haunch| {
+            [(Contact::Extrados, 0), (Contact::Intrados, haunch), (Contact::Extrados, last)]
+        };
+        let shoulder = |haunch| {
+            [(Contact::Extrados, 0), (Contact::Intrados, haunch), (Contact::Outwards, last)]
+        };
+        let inside = |haunch| {
+            [(Contact::Inwards, inner), (Contact::Intrados, haunch), (Contact::Extrados, last)]
+        };
         if let (Some(least), Some(most)) = (&least, &most)
             && least > most
         {
@@ -119,7 +123,7 @@ impl<'a> Search<'a> {
     }
 
     /// The thickness of three conditions with the hinge at the intrados where it has to be, and the thrust there.
-    fn climb(&self, contacts: &impl Fn(u64) -> [Contact; 3]) -> (VoussoirCandidate, Float) {
+    fn climb(&self, contacts: &impl Fn(u64) -> [JointContact; 3]) -> (VoussoirCandidate, Float) {
         let mut haunch = self.last() / 2;
         let mut found = (VoussoirCandidate::AnyThickness, Float::with_val(self.bits, 1));
         for _ in 0..ROUNDS {
@@ -146,18 +150,18 @@ impl<'a> Search<'a> {
 
     /// The thickness at which three conditions stop contradicting each other: zero if they never do, `None` if they
     /// do up to 2.
-    fn root(&self, contacts: &[Contact; 3]) -> Option<Float> {
+    fn root(&self, contacts: &[JointContact; 3]) -> Option<Float> {
         let like = Float::with_val(self.bits, 0);
         // Both faces of one joint contradict nothing.
-        if contacts.contains(&Contact::Extrados(contacts[1].joint())) {
+        if contacts.contains(&(Contact::Extrados, contacts[1].1)) {
             return Some(like);
         }
         let thickness = Jet::new(vec![like.clone(), like.int(1)], DEGREE);
         let ring = Ring::new(self.weight, &thickness);
         let grip = self.grip.clone().map(|x| Jet::constant(x, DEGREE));
         let rows = contacts.map(|contact| {
-            let angle = self.angle(contact.joint()).map(|x| Jet::constant(x, DEGREE));
-            contact.row(&angle, &ring, &grip)
+            let angle = self.angle(contact.1).map(|x| Jet::constant(x, DEGREE));
+            contact.0.row(&angle, &ring, &grip)
         });
         let polynomial = combination(&rows);
         let value = |x: &Float| {

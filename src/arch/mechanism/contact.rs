@@ -2,7 +2,8 @@
 //! it gives way there.
 
 use super::Twist;
-use crate::arch::{Ring, statics};
+use crate::arch::Ring;
+use crate::arch::joint::{self, Grip, Row};
 use crate::number::{Angle, Field};
 
 /// A joint at its limit.
@@ -27,6 +28,16 @@ impl Contact {
         matches!(self, Self::Extrados | Self::Intrados)
     }
 
+    /// What must not be positive at a joint.
+    pub fn row<T: Field>(self, joint: &Angle<T>, ring: &Ring<T>, grip: &Grip<T>) -> Row<T> {
+        match self {
+            Self::Extrados => joint::extrados(joint, ring),
+            Self::Intrados => joint::intrados(joint, ring),
+            Self::Inwards => joint::inwards(joint, grip),
+            Self::Outwards => joint::outwards(joint, grip),
+        }
+    }
+
     /// What must not be negative at a joint, for a thrust `h` and a crown moment `p`: the distances of the line of
     /// thrust from the extrados and from the intrados, times `N`; `mu N - T` and `mu N + T`.
     pub fn margin<T: Field>(
@@ -35,16 +46,8 @@ impl Contact {
         ring: &Ring<T>,
         [thrust, crown_moment, friction]: [&T; 3],
     ) -> T {
-        let two = thrust.int(2);
-        let normal = statics::normal_force(joint, thrust);
-        let shear = statics::shear_force(joint, thrust);
-        let moment = crown_moment.clone() + joint.versine() * &ring.centroid_factor;
-        match self {
-            Self::Extrados => ring.extrados() * normal / two - moment,
-            Self::Intrados => moment - ring.intrados() * normal / two,
-            Self::Inwards => friction.clone() * normal - shear,
-            Self::Outwards => friction.clone() * normal + shear,
-        }
+        let grip = Grip { shear: thrust.int(1), normal: friction.clone() };
+        -self.row(joint, ring, &grip).at(thrust, crown_moment)
     }
 
     /// How the crown side of a joint moves against its shoulder side at the rate one. A hinge turns about its face, so
