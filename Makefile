@@ -1,7 +1,7 @@
 # `make` builds couplet and prints the landmark constants; `make test` runs every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build test lint docs msrv deny snapshots constants states checker combinations crates examples exporters bench peers \
+.PHONY: run build test lint docs msrv deny snapshots pictures constants states checker combinations crates examples exporters bench peers \
         proofs witness m4 coq
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
@@ -37,6 +37,11 @@ SKIPPED := $(CURDIR)/target/skipped
 # has changed.
 snapshots: m4
 	UPDATE_SNAPSHOTS=1 cargo test --locked $(ALL) --test it -- outputs:: door::
+
+# The pictures of the front page.
+pictures: build
+	cd docs/pictures && ../../target/release/couplet map -o map.svg
+	cd docs/pictures && ../../target/release/couplet draw --half-opening 80deg --friction 0.35 -o arch.svg
 
 lint: m4
 	cargo fmt --check

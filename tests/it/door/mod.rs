@@ -7,3 +7,5 @@ mod columns;
 mod manual;
 #[cfg(feature = "study")]
 mod pages;
+#[cfg(feature = "mpfr")]
+mod pictures;

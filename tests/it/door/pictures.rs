@@ -1,0 +1,27 @@
+//! The pictures of the front page are those that the commands draw. The last digits of a place on the page are the machine's,
+//! so that only what stands between the numbers is compared.
+
+use crate::program::{Scratch, command};
+use std::fs;
+use std::path::Path;
+
+#[test]
+fn the_pictures_are_those_of_the_commands() {
+    let scratch = Scratch::new();
+    let shapes = |text: &str| -> String {
+        text.chars().filter(|c| !c.is_ascii_digit() && !".-e".contains(*c)).collect()
+    };
+    let stored = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/pictures");
+    let page = include_str!("../../../README.md");
+    for (name, words) in [
+        ("map.svg", &["map", "-o", "map.svg"][..]),
+        ("arch.svg", &["draw", "--half-opening", "80deg", "--friction", "0.35", "-o", "arch.svg"]),
+    ] {
+        let drawn = command(words).current_dir(scratch.folder()).status().unwrap();
+        assert!(drawn.success(), "{name}");
+        let drawn = scratch.read(name);
+        let kept = fs::read_to_string(stored.join(name)).unwrap();
+        assert_eq!(shapes(&drawn), shapes(&kept), "{name}: make pictures");
+        assert!(page.contains(&format!("docs/pictures/{name}")) && kept.len() > 10_000);
+    }
+}
