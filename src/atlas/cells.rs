@@ -92,6 +92,9 @@ impl Row {
         }
         let h = touching(&falling(zero.clone(), end, excess)).value();
         let moment = |alpha: &Ball| thrust::whole(&Angle::new(alpha.clone()), &ring).value() - &h;
+        if moment(&exact(OPENINGS)).is_positive() != Ternary::False {
+            return None;
+        }
         let alpha = falling(zero, exact(OPENINGS), moment);
         Some(Self { rotation: Some((h, alpha)), ring })
     }

@@ -14,6 +14,16 @@
 //!    speak for all, and the first and the last joint for the extrados, for outward sliding and for `N`. The cost does not depend on
 //!    the number of stones.
 //!
+//! **Thicker arches stand.** At the thrust of the state let `n = N(alpha)/(cos beta_0 - cos alpha)`. That the moments have room between
+//! the extrados of the shoulder and the intrados of the first joint says `(1 + eta/2) n - 1 - delta_M eta²/12 >= 0`, as `N >= 0`
+//! there. For Heyman's weight the left side grows. For Milankovitch's it is concave and, if `n < 2/3`, at most its value
+//! `(3n² + 4n - 4)/4 < 0` at `eta = 3n`; so `n >= 2/3`, and it is not negative at 2 either, for joints below the first still
+//! less. The room below the shoulder's extrados is concave in `eta` at every joint, that below the first joint's grows, and friction
+//! does not see the thickness: so there is room from the least thickness up to 2.
+//!
+//! With unlimited friction the value is that to which those of large frictions come: a keystone may hang between joints
+//! that bear shear alone.
+//!
 //! The search is in [`solve`](crate::solve::voussoirs), and nothing here rests on it.
 
 use super::Undecided;
@@ -24,7 +34,7 @@ use crate::arch::statics::normal_force;
 use crate::arch::{Ring, SelfWeight};
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Jet, bits_of};
 use crate::problem::stones::{JointContact, Stones};
-use crate::problem::{Friction, Mode};
+use crate::problem::{Arch, Friction, Mode};
 use crate::solve::voussoirs::{DEGREE, Search, VoussoirCandidate};
 use rug::Float;
 
@@ -70,6 +80,12 @@ pub fn voussoirs(
     friction: &Friction,
     digits: usize,
 ) -> Result<Voussoirs, Undecided> {
+    // What is public may not have been made by those who check it.
+    let refused = |error: &dyn std::fmt::Display| Undecided::new(error.to_string());
+    stones.check().map_err(|error| refused(&error))?;
+    let arch = Arch::new(weight, stones.half_opening().clone(), friction.clone());
+    let arch = arch.map_err(|error| refused(&error))?;
+    let friction = arch.friction();
     raise(bits_of(digits) + GUARD, |bits| {
         let search = Search::new(stones, weight, grip(friction, bits).map(midpoint), bits);
         let is_limited = *friction != Friction::Infinite;
@@ -262,7 +278,7 @@ impl Proof<'_> {
         let above = haunch.checked_sub(1);
         let below = Some(haunch + 1).filter(|below| *below <= self.last());
         let beside = above.into_iter().chain(below).map(|joint| (Contact::Intrados, joint));
-        // In a joint that is open there is no force, and no moment.
+        // In a joint that is open there is no normal force, and no moment.
         let is_open = contacts[0] == (Contact::Inwards, haunch)
             && self.stones.may_open(haunch, self.is_limited);
         let ends = ends.into_iter().filter(|end| !(is_open && end.1 == haunch));
@@ -334,7 +350,7 @@ impl Proof<'_> {
         if !is_below(low) {
             high = 1;
         }
-        if is_below(high) {
+        if high == self.last() && is_below(high) {
             return Ok([high, high]);
         }
         while high - low > 1 {

@@ -2,7 +2,7 @@
 
 use super::curve::STATES_IN_ORDER;
 use super::frictions::{FRICTION_FOR_ROTATION_GROWS, SLIDING_STATES_IN_ORDER};
-use super::tiling::{COLUMNS, falls_with_the_thickness};
+use super::tiling::{COLUMNS, falls_with_the_thickness, thrust_at_triple_is_below_half};
 use super::{Claim, Derivation, Finding, Support};
 use crate::arch::SelfWeight;
 use crate::atlas::{Areas, Curve, Trace, Variable};
@@ -63,6 +63,7 @@ fn areas(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.lemma(&SLIDING_STATES_IN_ORDER)?;
     falls_with_the_thickness(d)?;
     for weight in SelfWeight::ALL {
+        thrust_at_triple_is_below_half(d, weight)?;
         for line in [Line::AboveHaunchEnd, Line::BelowHaunchEnd, Line::CrownEnd] {
             let words = format!("eta grows with the friction along {line}, {}", weight.name());
             d.certain(Support::Balls, words, grows(line, weight)?)?;
@@ -71,8 +72,8 @@ fn areas(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.conclude(
         "With more friction, or with less thickness, h_R - h_s grows: h_R falls with the thickness, h_s with the friction. \
          So does mu - M(alpha_0), below the inner divide. Above it a state that stands as [s,s] does so with more \
-         thickness, and with less friction, as the line at which it stops to stand grows; and beta_r grows with less thickness and, as \
-         h_s falls, with more friction, while beta_s falls with more friction, as h_s < 1/2 there. So an arch between two others, \
+         thickness, and with less friction, as the line at which it stops to stand grows, and ends in B, at the thickness 2; and beta_r grows with less thickness and, as \
+         h_s falls, with more friction, while beta_s falls with more friction, as h_s <= h_T < 1/2 there. So an arch between two others, \
          of which one has less friction and more thickness, and both of which have one mode, has this mode too: a cell is in one domain if two of its corners are.",
     );
     for weight in SelfWeight::ALL {

@@ -25,15 +25,15 @@ const COMPATIBLE: Claim = Claim {
 const RATES: Claim = Claim {
     id: "mechanism-rates",
     place: "Sec. 4, Fig. 7-12",
-    statement: "each hinge opens on its side and each joint slides its way, exactly where the lever arms of the haunch are \
-                positive; with dilatancy the slips are others, still positive, and the hinges turn as without",
+    statement: "each hinge opens on its side and each joint slides its way, where the lever arms that the mode has are \
+                positive; with a dilatancy up to the friction the slips are others, still positive, and the hinges turn as without",
     decide: rates,
 };
 
 const AT_LIMIT: Claim = Claim {
     id: "mechanism-limits",
     place: "Sec. 4, Fig. 7-12",
-    statement: "the equations of a mode put exactly the joints of its mechanism at their limits",
+    statement: "the equations of a mode put the joints of its mechanism at their limits",
     decide: at_limit,
 };
 

@@ -126,6 +126,16 @@ fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
+/// That `beta_s` falls with the friction right of T: `h_s` falls from `h_T` on.
+pub(super) fn thrust_at_triple_is_below_half(
+    d: &mut Derivation,
+    weight: SelfWeight,
+) -> Result<(), Undecided> {
+    let thrust = landmark(Landmark::Triple, weight)?.thrust;
+    let words = format!("h_T < 1/2, {}", weight.name());
+    d.certain(Support::Balls, words, thrust.is_less_than(&thrust.ratio(1, 2)))
+}
+
 /// By (5) the rotational joint falls as the thickness grows.
 pub(super) fn falls_with_the_thickness(d: &mut Derivation) -> Result<(), Undecided> {
     let (ring, two) = (ring(), Symbol::Thickness.number().int(2));
@@ -158,10 +168,7 @@ fn rows(d: &mut Derivation) -> Result<Finding, Undecided> {
             weight.name()
         );
         d.identity(words, &slope, &(side - h.int(1)), &free)?;
-        let thrust = landmark(Landmark::Triple, weight)?.thrust;
-        let half = thrust.ratio(1, 2);
-        let words = format!("h_T < 1/2, {}", weight.name());
-        d.certain(Support::Balls, words, thrust.is_less_than(&half))?;
+        thrust_at_triple_is_below_half(d, weight)?;
     }
     let square = (at.thrust.int(1) - &at.thrust) * &at.thrust;
     let slope = at.thrust.int(1) - at.thrust.int(2) * &at.thrust;

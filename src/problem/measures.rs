@@ -205,7 +205,8 @@ impl Measures {
             (_, Some(eta)) => one() - half * eta.factor(),
             (_, None) => return None,
         };
-        Some(ExactNumber::rational(&self.radius.0 / outwards))
+        let has_intrados = outwards > BigInt::ZERO.into();
+        has_intrados.then(|| ExactNumber::rational(&self.radius.0 / outwards))
     }
 
     /// The sizes of an arch of thickness `eta` and half opening `alpha` (rad), in numbers of `bits` bits.

@@ -56,15 +56,25 @@ pub enum StonesError {
 impl Stones {
     /// So many stones of the same angle.
     pub fn equal(stones: u64, half_opening: ExactNumber) -> Result<Self, StonesError> {
-        if !(2..=MOST_STONES).contains(&stones) {
-            return Err(StonesError::Number(stones));
-        }
-        between_zero_and_pi(&half_opening)?;
-        Ok(Self::Equal { stones, half_opening })
+        let made = Self::Equal { stones, half_opening };
+        made.check().map(|()| made)
     }
 
     /// Joints by their angles.
     pub fn joints(angles: Vec<ExactNumber>) -> Result<Self, StonesError> {
+        let made = Self::Joints(angles);
+        made.check().map(|()| made)
+    }
+
+    /// Whether they are stones of an arch, from the crown to the shoulder.
+    pub fn check(&self) -> Result<(), StonesError> {
+        let angles = match self {
+            Self::Equal { stones, .. } if !(2..=MOST_STONES).contains(stones) => {
+                return Err(StonesError::Number(*stones));
+            }
+            Self::Equal { half_opening, .. } => return Ok(between_zero_and_pi(half_opening)?),
+            Self::Joints(angles) => angles,
+        };
         if angles.len() < 2 {
             return Err(StonesError::Few(angles.len()));
         }
@@ -78,7 +88,7 @@ impl Stones {
         }
         match angles.windows(2).find(|pair| !is_below(&pair[0], &pair[1])) {
             Some(pair) => Err(StonesError::Order(pair[0].to_string(), pair[1].to_string())),
-            None => Ok(Self::Joints(angles)),
+            None => Ok(()),
         }
     }
 
@@ -107,8 +117,8 @@ impl Stones {
         }
     }
 
-    /// Whether a joint that is about to slide inwards bears nothing: with unlimited friction, and at the crown, where the shear
-    /// force is zero.
+    /// Whether a joint that is about to slide inwards has no normal force: with unlimited friction, and at the crown, where the
+    /// shear force is zero.
     pub fn may_open(&self, joint: u64, is_limited: bool) -> bool {
         !is_limited || joint == 0 && self.has_joint_at_crown()
     }

@@ -296,3 +296,20 @@ fn a_crown_between_few_stones_opens() {
     let arch = state(found(&equal(60, "2.637566"), SelfWeight::Heyman, "2.056972", 20));
     assert_eq!(arch.mode, Mode::OverturningSliding);
 }
+
+/// Stones that nobody checked, as a program can make them, are not an arch.
+#[test]
+fn unchecked_stones_prove_nothing() {
+    let angles = ["0", "1.05", "0.2", "0.7", "1.25", "pi/2"].map(|angle| angle.parse().unwrap());
+    let wide = Stones::Equal { stones: 10, half_opening: "pi".parse().unwrap() };
+    let mu = |text: &str| text.parse::<Friction>().unwrap();
+    for (stones, friction) in [
+        (Stones::Joints(angles.to_vec()), mu("inf")),
+        (wide, mu("inf")),
+        (equal(10, "1"), mu("-1")),
+        (equal(10, "1"), mu("tan(120deg)")),
+    ] {
+        let found = voussoirs(&stones, SelfWeight::Heyman, &friction, 10);
+        assert!(found.is_err(), "{stones:?} {friction}: {found:?}");
+    }
+}

@@ -43,6 +43,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Some(eta) => eta?,
         None => thickness(eta).map_err(Failure::Input)?,
     };
+    if let Some(Measured { measures, .. }) = &measured
+        && measures.exact_radius(Some(&eta)).is_none()
+    {
+        let message =
+            format!("at the thickness {eta} the intrados is a point, and has no radius to measure");
+        return Err(Failure::Input(message));
+    }
     let all = measures::quantities(
         &Quantity::ASSESSMENT,
         &Quantity::MEASURED_ASSESSMENT,

@@ -165,4 +165,10 @@ fn wrong_measures_are_one_line() {
         "extrados",
     ]);
     assert_eq!(too_thick.status.code(), Some(2));
+    let no_radius =
+        "assess --radius 5m --half-opening 1 --friction 1 --thickness 2 --measured-at intrados";
+    let output = couplet(&no_radius.split(' ').collect::<Vec<&str>>());
+    let error = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(error.lines().count() == 1 && error.contains("is a point"), "{error}");
 }
