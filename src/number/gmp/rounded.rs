@@ -69,7 +69,7 @@ impl Rounded {
     /// let tenth = Ball::integer(1, 100) / Ball::integer(10, 100);
     /// assert!(Rounded::from_ball(&tenth, 5).is_none());
     /// let around = Rounded::around(&tenth, 5).unwrap();
-    /// assert_eq!(around.value.to_rational(), (1, 10));
+    /// assert_eq!(around.value.to_rational() * 10u32, 1);
     /// ```
     pub fn around(ball: &Ball, digits: usize) -> Option<Self> {
         let end = |end: Float| Self::from_rational(&end.to_rational()?, digits);
