@@ -193,9 +193,7 @@ impl Proof<'_> {
     /// Nothing stands from 0 to `most`: multipliers and combination are positive there.
     fn contradiction(&self, contacts: &[JointContact; 3], most: &Ball) -> Result<(), Undecided> {
         let rows = self.polynomial_rows(contacts);
-        for rate in multipliers(&rows) {
-            require(is_positive_up_to(&rate, most), "the rates of the mechanism")?;
-        }
+        rates_are_positive(&rows, most)?;
         require(is_positive_up_to(&combination(&rows), most), "whether a thinner arch stands")
     }
 
@@ -227,19 +225,17 @@ impl Proof<'_> {
     ) -> Result<Option<Voussoirs>, Undecided> {
         let mode = self.stones.mode(&contacts, self.is_limited);
         let mode = mode.ok_or_else(|| Undecided::new("how the arch collapses"))?;
-        let polynomial = combination(&self.polynomial_rows(&contacts));
+        let polynomials = self.polynomial_rows(&contacts);
+        let polynomial = combination(&polynomials);
         let [low, high] = bracket(&polynomial, near, self.bits);
-        require(is_positive(&-value(&polynomial, &high)), "whether there is a least thickness")?;
+        require(is_positive(&-polynomial.at(&high)), "whether there is a least thickness")?;
         self.contradiction(&contacts, &low)?;
         let two = Ball::integer(2, self.bits);
         require(is_positive(&(two - &high)), "whether the physical limit is enough")?;
         let thickness = low.hull(&high);
         let ring = Ring::new(self.weight, &thickness);
         let rows = contacts.map(|contact| self.row(contact, &ring));
-        let rates = self.polynomial_rows(&contacts);
-        for rate in multipliers(&rates) {
-            require(is_positive_up_to(&rate, &high), "the rates of the mechanism")?;
-        }
+        rates_are_positive(&polynomials, &high)?;
         let (thrust, moment) = rows[0].meeting(&rows[2]);
         self.friction_holds(&contacts, &thrust, &moment, &ring)?;
         self.line_is_inside(&contacts, &thrust, &moment, &ring)?;
@@ -302,7 +298,7 @@ impl Proof<'_> {
         let holds = |contact: JointContact| -> bool {
             contacts.contains(&contact) || is_positive(&-self.row(contact, ring).at(thrust, moment))
         };
-        // A joint that is open bears nothing.
+        // A joint that is open has no normal force.
         let is_open = |joint: u64| {
             contacts.contains(&(Contact::Inwards, joint))
                 && self.stones.may_open(joint, self.is_limited)
@@ -365,9 +361,10 @@ impl Proof<'_> {
     }
 }
 
-fn value(polynomial: &Jet<Ball>, x: &Ball) -> Ball {
-    let terms = polynomial.coefficients().iter().rev();
-    terms.fold(x.int(0), |sum, term| sum * x + term)
+/// The multipliers are positive at every thickness up to `most`.
+fn rates_are_positive(rows: &[Row<Jet<Ball>>; 3], most: &Ball) -> Result<(), Undecided> {
+    let is_positive = multipliers(rows).iter().all(|rate| is_positive_up_to(rate, most));
+    require(is_positive, "the rates of the mechanism")
 }
 
 /// Two numbers about a root of a polynomial, as near to each other as the bits allow: a candidate that is refined.
@@ -381,14 +378,14 @@ fn bracket(polynomial: &Jet<Ball>, near: &Float, bits: u32) -> [Ball; 2] {
     };
     let steps = 2 + bits.ilog2();
     for _ in 0..steps {
-        let at = value(polynomial, &Ball::exact(x.clone(), bits));
+        let at = polynomial.at(&Ball::exact(x.clone(), bits));
         let step = Float::with_val(bits, at.mid()) / derivative(&x);
         if step.is_finite() {
             x -= step;
         }
     }
     // What the coefficients leave open, and a little more.
-    let at = value(polynomial, &Ball::exact(x.clone(), bits));
+    let at = polynomial.at(&Ball::exact(x.clone(), bits));
     let room = Float::with_val(64, at.rad().to_float() / derivative(&x).abs()) * 4u32;
     let least = Float::with_val(64, x.abs_ref()) >> (bits - 4);
     let room = if room.is_finite() && room > least { room } else { least };

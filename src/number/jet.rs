@@ -47,6 +47,11 @@ impl<T: Field> Jet<T> {
         self.coefficients.get(k).cloned().unwrap_or_else(|| self.value().int(0))
     }
 
+    /// The polynomial of its coefficients at `t`.
+    pub fn at(&self, t: &T) -> T {
+        self.coefficients.iter().rev().fold(t.int(0), |sum, term| sum * t + term)
+    }
+
     /// The coefficients up to the longer of two jets, each from the pair at its place.
     fn combine(&self, other: &Self, both: impl Fn(&T, &T) -> T, right: impl Fn(&T) -> T) -> Self {
         let count = self.coefficients.len().max(other.coefficients.len());

@@ -164,15 +164,11 @@ impl<'a> Search<'a> {
             contact.0.row(&angle, &ring, &grip)
         });
         let polynomial = combination(&rows);
-        let value = |x: &Float| {
-            let terms = polynomial.coefficients().iter().rev();
-            terms.fold(like.clone(), |sum, term| sum * x + term)
-        };
-        if value(&like) <= 0 {
+        if polynomial.at(&like) <= 0 {
             return Some(like);
         }
         let (mut low, mut high) = (like.clone(), like.int(2));
-        if value(&high) > 0 {
+        if polynomial.at(&high) > 0 {
             return None;
         }
         // A thin arch has its root near zero: what counts are its own digits.
@@ -181,7 +177,7 @@ impl<'a> Search<'a> {
             if middle == low || middle == high {
                 break;
             }
-            match value(&middle) > 0 {
+            match polynomial.at(&middle) > 0 {
                 true => low = middle,
                 false => high = middle,
             }
