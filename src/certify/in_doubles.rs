@@ -194,3 +194,60 @@ fn image<E: Doubles, const N: usize>(
     let image: [E; N] = array::from_fn(|k| centre[k] - newton[k] + E::from(spread[k]));
     Image { middle, proved: krawczyk::is_contracted(&image, &domain).then_some(image) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::{Ball, Real};
+    use rug::Rational;
+    use std::cell::Cell;
+
+    /// `x² - 2x + 1 = 2^-2k` as it stands: the smaller the right-hand side, the fewer digits doubles leave of the root.
+    struct Close {
+        k: u32,
+        /// How many boxes were tried.
+        boxes: Cell<usize>,
+    }
+
+    impl<E> Form<E> for Close {
+        fn at<T: Real + Stumpff>(&self, _: impl Fn(&E) -> T, x: &[T]) -> Vec<T> {
+            let [x] = x else { return Vec::new() };
+            let right = (0..self.k).fold(x.int(1), |power, _| power.ratio(1, 4) * power);
+            vec![x.square() - x.int(2) * x + x.int(1) - right]
+        }
+
+        fn is_regular<T: Enclosure + Stumpff>(&self, _: impl Fn(&E) -> T, _: &[T]) -> bool {
+            self.boxes.set(self.boxes.get() + 1);
+            true
+        }
+    }
+
+    /// The root by as many boxes as it takes, and their number.
+    fn found(k: u32) -> (DoubleDoubleBall, usize) {
+        let equations = Close { k, boxes: Cell::new(0) };
+        let start = 1.0 + 1.1 / f64::from(1 << k);
+        let [root] = root::<DoubleDoubleBall, 1>(&equations, [start]).unwrap();
+        (root, equations.boxes.get())
+    }
+
+    #[test]
+    fn a_box_that_leaves_the_root_wide_is_followed_by_others() {
+        for (k, boxes) in [(1, 1), (10, 2), (18, 3)] {
+            let (root, tried) = found(k);
+            assert_eq!(tried, boxes, "{k}");
+            assert!(root.radius() <= DoubleDoubleBall::NARROW * root.nearest(), "{k} {root:?}");
+            let truth = Rational::from(1) + (Rational::from(1) >> k);
+            let root: Ball = root.to_ball(256);
+            assert!(root.contains(&truth), "{k} {root:?}");
+            assert!(!root.contains(&(truth + (Rational::from(1) >> 70))), "{k}");
+        }
+    }
+
+    /// Two roots that doubles cannot tell from one.
+    #[test]
+    fn a_root_that_may_be_double_is_undecided() {
+        let equations = Close { k: 30, boxes: Cell::new(0) };
+        let proved = root::<DoubleDoubleBall, 1>(&equations, [1.0]);
+        assert!(proved.is_err(), "{proved:?}");
+    }
+}

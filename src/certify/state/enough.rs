@@ -86,3 +86,28 @@ fn widest<E: Arithmetic>(arch: &Arch, limit: &ExactNumber, bits: u32) -> Result<
     let (_, at) = find::widest(&find::at_thickness(arch, limit, bits), true)?;
     Ok(at.half_opening.rad)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What double-doubles leave open is asked of balls of MPFR, which say the same where both decide.
+    #[test]
+    fn what_would_be_enough_does_not_depend_on_the_numbers() {
+        let figures = |enough: Enough| {
+            let Enough { sliding_friction, friction, half_opening } = enough;
+            [sliding_friction, friction, half_opening].map(|x| x.map(|x| x.decimal))
+        };
+        for (half_opening, friction) in [("1.5", "0.1"), ("2.5", "0.9"), ("2.7", "inf")] {
+            let arch = Arch::parse("heyman", half_opening, friction).unwrap();
+            let quick = |digits| figure(sliding::<DoubleDoubleBall>(&arch, 104).ok(), digits);
+            assert!(quick(16).is_some_and(|x| x.is_some()) && quick(30).is_none(), "{arch}");
+            for digits in [16, 30] {
+                let [first, other] =
+                    [true, false].map(|quickly| figures(enough(&arch, digits, quickly)));
+                assert_eq!(first, other, "{arch}");
+                assert!(first[0].is_some() && first[2].is_some(), "{arch}");
+            }
+        }
+    }
+}

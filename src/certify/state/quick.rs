@@ -183,4 +183,23 @@ mod tests {
         leaves_open(&arch(&alpha, "inf"), 16);
         assert!(state(&arch(&alpha, "inf"), 15, Asked::Frictions).is_some(), "not the state");
     }
+
+    /// At the least thickness, moved in its last digit, what stands is told by other numbers.
+    #[test]
+    fn an_assessment_that_they_leave_open_is_asked_of_others() {
+        for (half_opening, friction) in [("1", "1"), ("80deg", "0.35"), ("2.57", "2.2")] {
+            let arch = arch(half_opening, friction);
+            let Answer::Stands(state) = arch.certify(45).unwrap() else { panic!("{arch}") };
+            let Rounded { lower, upper, .. } = state.thickness.decimal;
+            for (thickness, stands) in [(lower, false), (upper, true)] {
+                let thickness = thickness.to_string().parse().unwrap();
+                assert!(assess(&arch, &thickness, 10).is_none(), "{arch}");
+                let found = arch.certify_thickness(&thickness, 10).unwrap();
+                assert_eq!(found.stands.ok(), Some(stands), "{arch} {thickness}");
+            }
+            let thickness = "1.5".parse().unwrap();
+            assert!(assess(&arch, &thickness, 10).is_some(), "not the thickness: {arch}");
+            assert!(assess(&arch, &thickness, 26).is_none(), "more digits than they have");
+        }
+    }
 }
