@@ -1,0 +1,94 @@
+//! The joints of an arch of voussoirs in balls, and the conditions there.
+
+use crate::arch::joint::{Grip, Row};
+use crate::arch::{Ring, SelfWeight};
+use crate::certify::Undecided;
+use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Jet};
+use crate::problem::Friction;
+use crate::problem::stones::{JointContact, Stones};
+use crate::solve::voussoirs::{DEGREE, Search};
+use rug::Float;
+
+/// An arch of voussoirs in balls of some bits.
+pub(super) struct Joints<'a> {
+    pub stones: &'a Stones,
+    pub weight: SelfWeight,
+    pub grip: Grip<Ball>,
+    pub bits: u32,
+    pub is_limited: bool,
+}
+
+impl<'a> Joints<'a> {
+    /// The joints between these stones, with numbers of `bits` bits.
+    pub(super) fn new(
+        stones: &'a Stones,
+        weight: SelfWeight,
+        friction: &Friction,
+        bits: u32,
+    ) -> Self {
+        let is_limited = *friction != Friction::Infinite;
+        Self { stones, weight, grip: grip(friction, bits), bits, is_limited }
+    }
+
+    /// Where to look for candidates.
+    pub(super) fn search(&self) -> Search<'a> {
+        Search::new(self.stones, self.weight, self.grip.clone().map(midpoint), self.bits)
+    }
+
+    /// A joint by its index.
+    pub(super) fn angle(&self, index: u64) -> Angle<Ball> {
+        let crown = index == 0 && self.stones.has_joint_at_crown();
+        let like = Ball::integer(0, self.bits);
+        if crown { Angle::zero(&like) } else { Angle::new(self.stones.joint(index, self.bits)) }
+    }
+
+    /// The index of the shoulder.
+    pub(super) fn last(&self) -> u64 {
+        self.stones.count() - 1
+    }
+
+    /// The conditions as polynomials in the thickness.
+    pub(super) fn polynomial_rows(&self, contacts: &[JointContact; 3]) -> [Row<Jet<Ball>>; 3] {
+        let like = Ball::integer(0, self.bits);
+        let thickness = Jet::new(vec![like.clone(), like.int(1)], DEGREE);
+        let ring = Ring::new(self.weight, &thickness);
+        let grip = self.grip.clone().map(|x| Jet::constant(x, DEGREE));
+        contacts.map(|contact| {
+            let angle = self.angle(contact.1).map(|x| Jet::constant(x, DEGREE));
+            contact.0.row(&angle, &ring, &grip)
+        })
+    }
+
+    /// A condition at a thickness.
+    pub(super) fn row(&self, contact: JointContact, ring: &Ring<Ball>) -> Row<Ball> {
+        contact.0.row(&self.angle(contact.1), ring, &self.grip)
+    }
+}
+
+fn midpoint(x: Ball) -> Float {
+    Float::with_val(x.prec(), x.mid())
+}
+
+/// Friction as the ratio that a joint asks for.
+fn grip(friction: &Friction, bits: u32) -> Grip<Ball> {
+    let number = |x: &ExactNumber| x.enclosure::<Ball>(bits);
+    let one = Ball::integer(1, bits);
+    match friction {
+        Friction::Coefficient(mu) => Grip { shear: one, normal: number(mu) },
+        Friction::Angle(phi) => {
+            let angle = Angle::new(number(phi));
+            Grip { shear: angle.cos, normal: angle.sin }
+        }
+        Friction::Infinite => Grip { shear: one.int(0), normal: one },
+    }
+}
+
+/// A statement that has to be proved.
+pub(super) fn require(is_proved: bool, question: &'static str) -> Result<(), Undecided> {
+    if is_proved { Ok(()) } else { Err(Undecided::new(question)) }
+}
+
+/// Whether it is.
+pub(super) fn is_positive(x: &Ball) -> bool {
+    x.is_positive().is_proved()
+}
