@@ -13,7 +13,7 @@
 //! of all stones above a joint add up to `fac (1 - cos beta)`, for both weights.
 
 use super::Ring;
-use crate::number::{Angle, Field};
+use crate::number::{Angle, Field, Real};
 
 /// A condition `thrust h + moment p + load <= 0`.
 #[derive(Clone, Debug)]
@@ -93,6 +93,26 @@ impl<T: Field> Row<T> {
         self.thrust.clone() * thrust + self.moment.clone() * moment + &self.load
     }
 
+    /// Both at once, from their sum: a hinge at the extrados and one at the intrados say so what is free of `p`.
+    pub fn plus(&self, other: &Self) -> Self {
+        Self {
+            thrust: self.thrust.clone() + &other.thrust,
+            moment: self.moment.clone() + &other.moment,
+            load: self.load.clone() + &other.load,
+        }
+    }
+
+    /// The thrust at which a condition that is free of `p` holds with equality: a lower bound where the coefficient
+    /// of `h` is negative, an upper one where it is positive.
+    pub fn bound(&self) -> T {
+        -self.load.clone() / &self.thrust
+    }
+
+    /// The crown moment at which a hinge holds with equality, for a thrust. Undefined for a slip.
+    pub fn moment_at(&self, thrust: &T) -> T {
+        -(self.thrust.clone() * thrust + &self.load) / &self.moment
+    }
+
     /// `a d - b c` of the coefficients of `h` and `p` in this row and another.
     fn cross(&self, other: &Self) -> T {
         self.thrust.clone() * &other.moment - self.moment.clone() * &other.thrust
@@ -106,6 +126,24 @@ impl<T: Field> Row<T> {
         let moment = self.load.clone() * &other.thrust - self.thrust.clone() * &other.load;
         (thrust / &cross, moment / cross)
     }
+}
+
+/// The thrust at which a joint `a` asks for as much friction inwards as another `b` outwards, `T/N` of the one and `-T/N` of
+/// the other. With `s = a + b` it is the root
+///
+/// ```text
+/// h = 2 a b sin s / (sqrt(s² cos² s + 4 a b sin² s) - s cos s)
+/// ```
+///
+/// of `h² sin s - h s cos s - a b sin s = 0`, at which both normal forces are positive: negative where `s` is above a half turn. Above it
+/// the first asks for less and the second for more. Undefined for a joint at the crown, which asks for nothing.
+pub fn even_thrust<T: Real>(inwards: &Angle<T>, outwards: &Angle<T>) -> T {
+    let sin = inwards.sin.clone() * &outwards.cos + inwards.cos.clone() * &outwards.sin;
+    let cos = inwards.cos.clone() * &outwards.cos - inwards.sin.clone() * &outwards.sin;
+    let arm = (inwards.rad.clone() + &outwards.rad) * cos;
+    let product = inwards.rad.clone() * &outwards.rad * sin.int(2) * &sin;
+    let root = (arm.square() + product.clone() * sin.int(2) * &sin).sqrt();
+    product / (root - arm)
 }
 
 /// Multipliers of three conditions with which `h` and `p` drop out, up to a common factor: the rates of their
@@ -194,5 +232,39 @@ mod tests {
         let (h, p) = rows[0].meeting(&rows[2]);
         assert_eq!(rows[0].at(&h, &p), 0);
         assert_eq!(rows[2].at(&h, &p), 0);
+    }
+
+    /// At the bound of a sum the two hinges meet, and nowhere else.
+    #[test]
+    fn two_hinges_bound_the_thrust() {
+        let ring = Ring::new(SelfWeight::Milankovitch, &Rational::from((1, 3)));
+        let joint = angle((1, 1), (20, 29), (21, 29));
+        let crown = Angle::zero(&ring.thickness);
+        let [upper, lower] = [extrados(&crown, &ring), intrados(&joint, &ring)];
+        let both = upper.plus(&lower);
+        assert_eq!(both.moment, 0);
+        let (h, p) = upper.meeting(&lower);
+        assert_eq!(
+            (both.bound(), upper.moment_at(&h), lower.moment_at(&h)),
+            (h.clone(), p.clone(), p)
+        );
+        assert!(both.thrust < 0 && both.at(&(h + 1), &Rational::new()) < 0, "a lower bound");
+        assert_ne!(upper.plus(&intrados(&crown, &ring)).bound(), both.bound());
+    }
+
+    /// There both ask for the same friction.
+    #[test]
+    fn an_even_thrust_asks_for_one_friction() {
+        for (a, b) in [(0.3, 1.5), (0.01, 1.2), (0.6, 2.5), (0.7, 0.7), (0.53, 2.65)] {
+            let [inner, outer] = [a, b].map(Angle::new);
+            let h = even_thrust(&inner, &outer);
+            assert_eq!(h > 0.0, a + b < std::f64::consts::PI);
+            assert!([&inner, &outer].iter().all(|at| statics::normal_force(at, &h) > 0.0));
+            let ratio = |at: &Angle<f64>, h: f64| {
+                statics::shear_force(at, &h) / statics::normal_force(at, &h)
+            };
+            assert!((ratio(&inner, h) + ratio(&outer, h)).abs() < 1e-14, "{a} {b}");
+            assert!((ratio(&inner, h + 0.1) + ratio(&outer, h + 0.1)) < -1e-3, "{a} {b}");
+        }
     }
 }

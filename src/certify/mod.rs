@@ -32,4 +32,7 @@ pub use landmark::{CertifiedLandmark, Constant, MAX_DIGITS, Value, quantities};
 pub use refine::{Refined, refine, refine_watched, stages};
 pub use undecided::Undecided;
 pub use verdict::certify_arch;
-pub use voussoirs::{VoussoirDigits, Voussoirs, voussoirs};
+pub use voussoirs::{
+    VoussoirAssessment, VoussoirDigits, VoussoirLimit, VoussoirStanding, Voussoirs,
+    assess_voussoirs, voussoirs,
+};

@@ -70,7 +70,7 @@ pub use map::{Map, MapPoint, MapPoints};
 pub use rows::Rows;
 pub use sketched::{Sketched, Style};
 pub use value::Value;
-pub use voussoirs::{VoussoirArch, VoussoirArches};
+pub use voussoirs::{GivenThickness, VoussoirArch, VoussoirArches};
 
 use std::io;
 

@@ -5,6 +5,7 @@ mod linear;
 mod newton;
 mod standing;
 pub mod start;
+pub mod voussoir_thrust;
 pub mod voussoirs;
 mod zero;
 

@@ -43,10 +43,10 @@ const ROUNDS: usize = 100;
 
 /// An arch of voussoirs in numbers of some bits.
 pub struct Search<'a> {
-    stones: &'a Stones,
+    pub(super) stones: &'a Stones,
     weight: SelfWeight,
     grip: Grip<Float>,
-    bits: u32,
+    pub(super) bits: u32,
 }
 
 impl<'a> Search<'a> {
@@ -55,16 +55,16 @@ impl<'a> Search<'a> {
         Self { stones, weight, grip, bits }
     }
 
-    fn last(&self) -> u64 {
+    pub(super) fn last(&self) -> u64 {
         self.stones.count() - 1
     }
 
-    fn angle(&self, index: u64) -> Angle<Float> {
+    pub(super) fn angle(&self, index: u64) -> Angle<Float> {
         let rad: Ball = self.stones.joint(index, self.bits);
         Angle::new(Float::with_val(self.bits, rad.mid()))
     }
 
-    fn row(&self, contact: JointContact, thickness: &Float) -> Row<Float> {
+    pub(super) fn row(&self, contact: JointContact, thickness: &Float) -> Row<Float> {
         contact.0.row(&self.angle(contact.1), &Ring::new(self.weight, thickness), &self.grip)
     }
 
@@ -79,7 +79,7 @@ impl<'a> Search<'a> {
     }
 
     /// The joint that asks for the largest thrust.
-    fn inner(&self) -> u64 {
+    pub(super) fn inner(&self) -> u64 {
         let thrust = |index| self.sliding_thrust((Contact::Inwards, index));
         // Without friction the crown asks for nothing.
         let first = u64::from(self.stones.has_joint_at_crown() && thrust(0).is_none());
@@ -89,7 +89,7 @@ impl<'a> Search<'a> {
     }
 
     /// The joint where the intrados is passed farthest.
-    fn haunch(&self, thrust: &Float, thickness: &Float) -> u64 {
+    pub(super) fn haunch(&self, thrust: &Float, thickness: &Float) -> u64 {
         let zero = Float::with_val(self.bits, 0);
         let depth = |index| self.row((Contact::Intrados, index), thickness).at(thrust, &zero);
         peak(0, self.last(), depth)
@@ -187,7 +187,7 @@ impl<'a> Search<'a> {
 }
 
 /// Where a function that rises and then falls is largest.
-fn peak(mut first: u64, mut last: u64, value: impl Fn(u64) -> Float) -> u64 {
+pub(super) fn peak(mut first: u64, mut last: u64, value: impl Fn(u64) -> Float) -> u64 {
     while first < last {
         let middle = first + (last - first) / 2;
         match value(middle) < value(middle + 1) {

@@ -3,8 +3,10 @@
 
 use crate::program::couplet;
 use couplet::arch::SelfWeight;
-use couplet::certify::state::{Answer, Certify, Figure};
-use couplet::certify::{VoussoirDigits, Voussoirs, voussoirs};
+use couplet::certify::state::{Answer, Certify, Figure, Inquiry, Wanted};
+use couplet::certify::{
+    VoussoirDigits, VoussoirLimit, VoussoirStanding, Voussoirs, assess_voussoirs, voussoirs,
+};
 use couplet::problem::stones::Stones;
 use couplet::problem::{Arch, Friction, Mode};
 use serde_json::Value;
@@ -77,6 +79,35 @@ impl Programme {
             }
         }
         self.room(eta, (low + high) / 2.0) >= 0.0
+    }
+
+    /// The least and the largest thrust with room, of those between two.
+    fn range(&self, eta: f64) -> Option<(f64, f64)> {
+        let (first, last) = self.thrusts()?;
+        let (mut low, mut high) = (first, last);
+        for _ in 0..100 {
+            let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+            match self.room(eta, a) < self.room(eta, b) {
+                true => low = a,
+                false => high = b,
+            }
+        }
+        let best = (low + high) / 2.0;
+        let end = |mut outside: f64| {
+            if self.room(eta, outside) >= 0.0 {
+                return outside;
+            }
+            let mut inside = best;
+            for _ in 0..100 {
+                let middle = (inside + outside) / 2.0;
+                match self.room(eta, middle) >= 0.0 {
+                    true => inside = middle,
+                    false => outside = middle,
+                }
+            }
+            inside
+        };
+        (self.room(eta, best) >= 0.0).then(|| (end(first), end(last)))
     }
 
     /// The least thickness up to 2; `None` if none is enough.
@@ -159,6 +190,116 @@ fn a_programme_over_all_joints_finds_the_same() {
 #[ignore = "long"]
 fn a_programme_over_all_joints_finds_the_same_ten_thousand_times() {
     agree(10_000, 0x2545_f491_4f6c_dd1d);
+}
+
+/// What is proved of arches of given thicknesses is what the programme finds: whether they stand, the ends of the thrust,
+/// and the least friction.
+#[test]
+fn a_programme_finds_the_same_thrusts_and_friction() {
+    let mut random = Random(0x6c62_272e_07bb_0142);
+    let (mut stood, mut fell, mut limits) = (0, 0, std::collections::BTreeSet::new());
+    for _ in 0..250 {
+        let weight = SelfWeight::ALL[usize::from(random.next() < 0.5)];
+        let stones = 4 + (random.next() * random.next() * 90.0) as u64;
+        let alpha = format!("{:.6}", 0.3 + 2.4 * random.next());
+        let eta = format!("{:.6}", 0.02 + 1.9 * random.next() * random.next());
+        let mu = match random.next() < 0.2 {
+            true => "inf".to_owned(),
+            false => format!("{:.6}", 0.1 + 2.0 * random.next() * random.next()),
+        };
+        let programme = Programme {
+            joints: joints(stones, alpha.parse().unwrap()),
+            flag: f64::from(weight.flag()),
+            mu: mu.parse().unwrap(),
+        };
+        let case = format!("{} {alpha} {mu} {stones} {eta}", weight.name());
+        let double: f64 = eta.parse().unwrap();
+        let exact = eta.parse().unwrap();
+        let found =
+            assess_voussoirs(&equal(stones, &alpha), weight, &mu.parse().unwrap(), &exact, 12);
+        let found = found.unwrap();
+        match (found.standing.as_ref().unwrap(), programme.range(double)) {
+            (VoussoirStanding::Stands(ends), Some((least, largest))) => {
+                let of =
+                    |end: &VoussoirLimit| end.thrust.as_ref().map_or(10.0, |x| x.double.min(10.0));
+                assert!((of(&ends[0]) - least).abs() < 1e-8, "{case}: {ends:?} {least}");
+                assert!((of(&ends[1]) - largest).abs() < 1e-8, "{case}: {ends:?} {largest}");
+                stood += 1;
+                limits.extend(
+                    ends.iter().flat_map(|end| end.contacts.iter().map(|c| format!("{:?}", c.0))),
+                );
+            }
+            (VoussoirStanding::Falls([least, most]), None) => {
+                let [least, most] = [least, most].map(|end| end.thrust.as_ref().unwrap().double);
+                assert!(least > most, "{case}");
+                fell += 1;
+            }
+            (proved, programme) => panic!("{case}: {proved:?} {programme:?}"),
+        }
+        let with = |mu| Programme { mu, joints: programme.joints.clone(), ..programme };
+        match found.required_friction.unwrap_or_else(|open| panic!("{case}: {open}")) {
+            // A thrust of the range at which both meet may be beyond those that the programme looks at.
+            Some(needed) => {
+                assert!(with(needed.double * (1.0 + 1e-6)).stands(double), "{case}: {needed}");
+                assert!(!with(needed.double * (1.0 - 1e-6)).stands(double), "{case}: {needed}");
+            }
+            None => assert!(!with(1e9).stands(double), "{case}"),
+        }
+    }
+    assert!(stood > 60 && fell > 30 && limits.len() == 4, "{stood} {fell} {limits:?}");
+}
+
+/// Next to the least thickness on either side, and where friction is next to what is needed.
+#[test]
+fn a_given_thickness_is_compared_with_the_least() {
+    let stones = equal(20, "pi/2");
+    let assess = |mu: &str, eta: &str| {
+        let (mu, eta) = (mu.parse().unwrap(), eta.parse().unwrap());
+        assess_voussoirs(&stones, SelfWeight::Milankovitch, &mu, &eta, 20).unwrap()
+    };
+    let stands =
+        |mu: &str, eta: &str| matches!(assess(mu, eta).standing, Ok(VoussoirStanding::Stands(_)));
+    // The least thickness is 0.15025383190820...
+    assert!(stands("0.35", "0.1502538319082060") && !stands("0.35", "0.1502538319082"));
+    let needed = assess("inf", "0.2").required_friction.unwrap().unwrap();
+    let (more, less) = (&needed.decimal.upper, &needed.decimal.lower);
+    assert!(stands(&more.to_string(), "0.2") && !stands(&less.to_string(), "0.2"));
+    assert!(assess("inf", "0.2").friction_safety.unwrap().is_none());
+    let (weight, mu) = (SelfWeight::Heyman, "1".parse().unwrap());
+    for wrong in ["0", "-1", "2.1", "pi"] {
+        let found = assess_voussoirs(&stones, weight, &mu, &wrong.parse().unwrap(), 10);
+        assert!(found.is_err(), "{wrong}");
+    }
+}
+
+/// As the stones become many, what is assessed comes to that of the continuous arch.
+#[test]
+fn many_stones_are_assessed_as_the_continuous_arch() {
+    for (alpha, mu, eta) in
+        [("80deg", "0.6", "0.12"), ("2.45", "1.35", "0.8"), ("pi/2", "0.35", "0.2")]
+    {
+        let arch = Arch::parse("milankovitch", alpha, mu).unwrap();
+        let eta = eta.parse().unwrap();
+        let whole = Inquiry::new(&arch, 12, false).assess(&eta, 12, Wanted::Everything).unwrap();
+        let stones = equal(4_000_000, alpha);
+        let found = assess_voussoirs(&stones, arch.weight(), arch.friction(), &eta, 12).unwrap();
+        let close = |a: &Figure, b: &Figure| (a.double - b.double).abs() < 1e-9;
+        let Ok(VoussoirStanding::Stands(ends)) = &found.standing else { panic!("{found:?}") };
+        for (end, limit) in ends.iter().zip(&whole.thrust) {
+            let thrust = limit.as_ref().unwrap().as_ref().unwrap().thrust.as_ref().unwrap();
+            assert!(close(end.thrust.as_ref().unwrap(), thrust), "{alpha}");
+        }
+        for (a, b) in [
+            (&found.geometric_safety, &whole.geometric_safety),
+            (&found.required_friction, &whole.required_friction),
+            (&found.friction_safety, &whole.friction_safety),
+        ] {
+            assert!(close(
+                a.as_ref().unwrap().as_ref().unwrap(),
+                b.as_ref().unwrap().as_ref().unwrap()
+            ));
+        }
+    }
 }
 
 fn state(found: Voussoirs) -> VoussoirDigits {
@@ -278,6 +419,9 @@ fn wrong_stones_are_one_line() {
         ("--joints 0,x", "'x' is not a number"),
         ("--stones 5 --joints 0,1", "cannot be used"),
         ("--alpha 180deg --stones 5", "half opening 180deg"),
+        ("--alpha 1 --stones 5 --thickness 0", "not between 0 and 2"),
+        ("--alpha 1 --stones 5 --thickness pi", "no ratio"),
+        ("--alpha 1 --stones 5 --thickness=-1", "not between 0 and 2"),
     ] {
         let words = ["voussoirs", "--mu", "1"].into_iter().chain(arguments.split(' '));
         let output = couplet(&words.collect::<Vec<&str>>());

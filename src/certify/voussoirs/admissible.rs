@@ -37,6 +37,72 @@ pub(super) fn line_is_inside(
     Ok(())
 }
 
+/// Whether a joint is open: it has no normal force, and no moment.
+pub(super) fn is_open(joints: &Joints<'_>, contacts: &[JointContact], joint: u64) -> bool {
+    let slides = |contact| contacts.contains(&(contact, joint));
+    joints.stones.may_open(joint, joints.is_limited)
+        && (slides(Contact::Inwards) || slides(Contact::Outwards) && !joints.is_limited)
+}
+
+/// The state is admissible, and its contacts are the only conditions that hold with equality.
+pub(super) fn is_admissible(
+    joints: &Joints<'_>,
+    contacts: &[JointContact],
+    thrust: &Ball,
+    moment: &Ball,
+    ring: &Ring<Ball>,
+) -> Result<(), Undecided> {
+    friction_holds(joints, contacts, thrust, moment, ring)?;
+    let ends = [0, joints.last()].map(|joint| (Contact::Extrados, joint));
+    let [from, to] = around_lowest(joints, thrust, ring)?;
+    let beside = (from..=to).map(|joint| (Contact::Intrados, joint));
+    let bears = |(_, joint): &JointContact| !is_open(joints, contacts, *joint);
+    let strict = ends.into_iter().chain(beside).filter(|contact| !contacts.contains(contact));
+    for contact in strict.filter(bears) {
+        let margin = -joints.row(contact, ring).at(thrust, moment);
+        require(is_positive(&margin), "whether the line of thrust is inside the arch")?;
+    }
+    Ok(())
+}
+
+/// The joints, at most three, that have between them the angle at which the line of thrust comes nearest to the intrados: where
+/// `fac sin beta - (1 - eta/2) [(1 - h) sin beta + beta cos beta]` changes its sign.
+fn around_lowest(
+    joints: &Joints<'_>,
+    thrust: &Ball,
+    ring: &Ring<Ball>,
+) -> Result<[u64; 2], Undecided> {
+    let radius = ring.intrados() / thrust.int(2);
+    let leaves = |joint: u64| {
+        let at = joints.angle(joint);
+        let rise = (thrust.int(1) - thrust) * &at.sin + at.rad * at.cos;
+        ring.centroid_factor.clone() * at.sin - radius.clone() * rise
+    };
+    let is_above = |joint: u64| is_positive(&-leaves(joint));
+    let is_below = |joint: u64| is_positive(&leaves(joint));
+    let (mut low, mut high) = (0, joints.last());
+    if is_below(low) {
+        return Ok([low, low]);
+    }
+    if is_above(high) {
+        return Ok([high, high]);
+    }
+    while high - low > 1 {
+        let middle = low + (high - low) / 2;
+        match is_above(middle) {
+            true => low = middle,
+            false => high = middle,
+        }
+    }
+    // A joint may lie where it changes.
+    let next = (high + 1).min(joints.last());
+    match is_below(high) || high == joints.last() {
+        true => Ok([low, high]),
+        false if is_below(next) || next == joints.last() => Ok([low, next]),
+        false => Err(Undecided::new("where the line of thrust comes nearest to the intrados")),
+    }
+}
+
 /// Nothing slides, and every normal force is positive.
 pub(super) fn friction_holds(
     joints: &Joints<'_>,
@@ -49,11 +115,7 @@ pub(super) fn friction_holds(
     let holds = |contact: JointContact| -> bool {
         contacts.contains(&contact) || is_positive(&-joints.row(contact, ring).at(thrust, moment))
     };
-    // A joint that is open has no normal force.
-    let is_open = |joint: u64| {
-        contacts.contains(&(Contact::Inwards, joint))
-            && joints.stones.may_open(joint, joints.is_limited)
-    };
+    let is_open = |joint: u64| is_open(joints, contacts, joint);
     for joint in [0, last].into_iter().filter(|joint| !is_open(*joint)) {
         let normal = normal_force(&joints.angle(joint), thrust);
         require(is_positive(&normal), "whether a joint opens")?;

@@ -3,6 +3,7 @@
 use crate::arch::joint::{Grip, Row};
 use crate::arch::{Ring, SelfWeight};
 use crate::certify::Undecided;
+use crate::certify::state::Figure;
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Jet};
 use crate::problem::Friction;
 use crate::problem::stones::{JointContact, Stones};
@@ -42,6 +43,14 @@ impl<'a> Joints<'a> {
         if crown { Angle::zero(&like) } else { Angle::new(self.stones.joint(index, self.bits)) }
     }
 
+    /// The same rounded; a rational joint may be a tie, which no ball decides.
+    pub(super) fn figure(&self, index: u64, digits: usize) -> Option<Figure> {
+        match self.stones.exact_joint(index) {
+            Some(exact) => Figure::exact(&exact, digits),
+            None => Figure::new(&self.angle(index).rad, digits),
+        }
+    }
+
     /// The index of the shoulder.
     pub(super) fn last(&self) -> u64 {
         self.stones.count() - 1
@@ -70,7 +79,7 @@ fn midpoint(x: Ball) -> Float {
 }
 
 /// Friction as the ratio that a joint asks for.
-fn grip(friction: &Friction, bits: u32) -> Grip<Ball> {
+pub(super) fn grip(friction: &Friction, bits: u32) -> Grip<Ball> {
     let number = |x: &ExactNumber| x.enclosure::<Ball>(bits);
     let one = Ball::integer(1, bits);
     match friction {
@@ -86,6 +95,15 @@ fn grip(friction: &Friction, bits: u32) -> Grip<Ball> {
 /// A statement that has to be proved.
 pub(super) fn require(is_proved: bool, question: &'static str) -> Result<(), Undecided> {
     if is_proved { Ok(()) } else { Err(Undecided::new(question)) }
+}
+
+/// Of two conditions that are free of the crown moment the first asks for a larger thrust than the second allows.
+pub(super) fn leave_no_thrust([least, most]: [&Row<Ball>; 2]) -> Result<(), Undecided> {
+    require(is_positive(&-least.thrust.clone()), "whether the thrust is bounded from below")?;
+    require(is_positive(&most.thrust), "whether the thrust is bounded from above")?;
+    // The two, each times the other's coefficient.
+    let sum = least.load.clone() * &most.thrust - least.thrust.clone() * &most.load;
+    require(is_positive(&sum), "whether no thrust is admissible")
 }
 
 /// Whether it is.

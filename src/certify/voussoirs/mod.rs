@@ -26,20 +26,27 @@
 //! | `polynomial` | signs and roots of polynomials in the thickness |
 //! | `admissible` | step 3 |
 //! | `thickness` | the least thickness |
+//! | `thrusts` | the range of thrusts at a given thickness |
+//! | `friction` | the friction that this asks for |
+//! | `assess` | an arch of a given thickness |
 //!
 //! The search is in [`solve`](crate::solve::voussoirs), and nothing here rests on it.
 
 mod admissible;
+mod assess;
+mod friction;
 mod joints;
 mod polynomial;
 mod thickness;
+mod thrusts;
 
+pub use assess::{VoussoirAssessment, VoussoirLimit, VoussoirStanding};
 pub use thickness::{VoussoirDigits, Voussoirs};
 
 use super::Undecided;
 use super::state::raise;
 use crate::arch::SelfWeight;
-use crate::number::bits_of;
+use crate::number::{ExactNumber, bits_of};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Friction};
 use joints::Joints;
@@ -55,14 +62,29 @@ pub fn voussoirs(
     friction: &Friction,
     digits: usize,
 ) -> Result<Voussoirs, Undecided> {
-    // What is public may not have been made by those who check it.
+    let arch = checked(stones, weight, friction)?;
+    raise(bits_of(digits) + GUARD, |bits| {
+        let joints = Joints::new(stones, weight, arch.friction(), bits);
+        Ok(proved(&joints, joints.search().candidate())?.rounded(&joints, digits))
+    })
+}
+
+/// What holds for an arch of voussoirs with a thickness in `(0, 2]`, to `digits` significant digits.
+pub fn assess_voussoirs(
+    stones: &Stones,
+    weight: SelfWeight,
+    friction: &Friction,
+    thickness: &ExactNumber,
+    digits: usize,
+) -> Result<VoussoirAssessment, Undecided> {
+    let arch = checked(stones, weight, friction)?;
+    assess::assessed(stones, &arch, thickness, (bits_of(digits) + GUARD, digits))
+}
+
+/// What is public may not have been made by those who check it.
+fn checked(stones: &Stones, weight: SelfWeight, friction: &Friction) -> Result<Arch, Undecided> {
     let refused = |error: &dyn std::fmt::Display| Undecided::new(error.to_string());
     stones.check().map_err(|error| refused(&error))?;
     let arch = Arch::new(weight, stones.half_opening().clone(), friction.clone());
-    let arch = arch.map_err(|error| refused(&error))?;
-    let friction = arch.friction();
-    raise(bits_of(digits) + GUARD, |bits| {
-        let joints = Joints::new(stones, weight, friction, bits);
-        proved(&joints, joints.search().candidate(), digits)
-    })
+    arch.map_err(|error| refused(&error))
 }

@@ -1,7 +1,7 @@
 //! The least thickness of an arch of voussoirs, with its state.
 
 use super::admissible::{friction_holds, line_is_inside};
-use super::joints::{Joints, is_positive, require};
+use super::joints::{Joints, is_positive, leave_no_thrust, require};
 use super::polynomial::{bracket, is_positive_up_to, rates_are_positive};
 use crate::arch::Ring;
 use crate::arch::joint::combination;
@@ -47,36 +47,79 @@ pub enum Voussoirs {
     TooThick,
 }
 
-/// What a candidate says, proved; `None` if the rounding is not decided.
+/// The state at the least thickness, in balls.
+#[derive(Clone, Debug)]
+pub(super) struct State {
+    mode: Mode,
+    contacts: [JointContact; 3],
+    /// `eta`.
+    pub thickness: Ball,
+    thrust: Ball,
+}
+
+/// What is proved, before it is rounded.
+#[derive(Clone, Debug)]
+pub(super) enum Outcome {
+    /// It stands from the least thickness on.
+    Stands(State),
+    /// At every thickness.
+    AnyThickness,
+    /// At none.
+    Slides,
+    /// At none up to 2.
+    TooThick,
+}
+
+impl Outcome {
+    /// The same in digits; `None` if the rounding is not decided.
+    pub(super) fn rounded(&self, joints: &Joints<'_>, digits: usize) -> Option<Voussoirs> {
+        let State { mode, contacts, thickness, thrust } = match self {
+            Self::Stands(state) => state,
+            Self::AnyThickness => return Some(Voussoirs::AnyThickness),
+            Self::Slides => return Some(Voussoirs::Slides),
+            Self::TooThick => return Some(Voussoirs::TooThick),
+        };
+        let joint = |contact: JointContact| joints.figure(contact.1, digits);
+        let slides = contacts[0].0 == Contact::Inwards && *mode != Mode::Overturning;
+        Some(Voussoirs::Stands(Box::new(VoussoirDigits {
+            mode: *mode,
+            contacts: *contacts,
+            thickness: Figure::new(thickness, digits)?,
+            thrust: Figure::new(thrust, digits)?,
+            rotation_joint: joint(contacts[1])?,
+            sliding_joint: match slides {
+                true => Some(joint(contacts[0])?),
+                false => None,
+            },
+        })))
+    }
+}
+
+/// What a candidate says, proved.
 pub(super) fn proved(
     joints: &Joints<'_>,
     candidate: VoussoirCandidate,
-    digits: usize,
-) -> Result<Option<Voussoirs>, Undecided> {
+) -> Result<Outcome, Undecided> {
     match candidate {
         VoussoirCandidate::Slides { inner } => slides(joints, inner),
         VoussoirCandidate::TooThick { contacts } => {
             contradiction(joints, &contacts, &Ball::integer(2, joints.bits))?;
-            Ok(Some(Voussoirs::TooThick))
+            Ok(Outcome::TooThick)
         }
         VoussoirCandidate::AnyThickness => any_thickness(joints),
         VoussoirCandidate::Collapses { contacts, thickness } => {
-            collapses(joints, contacts, &thickness, digits)
+            collapses(joints, contacts, &thickness).map(Outcome::Stands)
         }
     }
 }
 
 /// No thrust is at the same time large enough for an inner joint and small enough for the shoulder.
-fn slides(joints: &Joints<'_>, inner: u64) -> Result<Option<Voussoirs>, Undecided> {
+fn slides(joints: &Joints<'_>, inner: u64) -> Result<Outcome, Undecided> {
     let ring = Ring::new(joints.weight, &Ball::integer(1, joints.bits));
     let inner = joints.row((Contact::Inwards, inner), &ring);
     let shoulder = joints.row((Contact::Outwards, joints.last()), &ring);
-    require(is_positive(&-inner.thrust.clone()), "whether a joint slides inwards")?;
-    require(is_positive(&shoulder.thrust), "whether the shoulder slides")?;
-    // The two, each times the other's coefficient.
-    let sum = inner.load * &shoulder.thrust - inner.thrust * &shoulder.load;
-    require(is_positive(&sum), "whether everything slides")?;
-    Ok(Some(Voussoirs::Slides))
+    leave_no_thrust([&inner, &shoulder])?;
+    Ok(Outcome::Slides)
 }
 
 /// Nothing stands from 0 to `most`: multipliers and combination are positive there.
@@ -93,7 +136,7 @@ fn contradiction(
 /// Arches of two or three stones stand at every thickness if they do with the thrust `h` of the line through the middle of
 /// both joints, which belongs to `fac = 1`. At thickness `eta` the room for the crown moment between the extrados of
 /// one joint and the intrados of the other is then `eta/2 [N_0 + N_1 ± delta_M eta (cos_0 - cos_1)/6]`, and `eta` is at most 2.
-fn any_thickness(joints: &Joints<'_>) -> Result<Option<Voussoirs>, Undecided> {
+fn any_thickness(joints: &Joints<'_>) -> Result<Outcome, Undecided> {
     require(joints.stones.count() == 2, "whether every thickness is enough")?;
     let zero = Ball::integer(0, joints.bits);
     let ring = Ring { centroid_factor: zero.int(1), thickness: zero };
@@ -105,16 +148,15 @@ fn any_thickness(joints: &Joints<'_>) -> Result<Option<Voussoirs>, Undecided> {
     let tilt = thrust.int(joints.weight.flag()) * (upper.cos - &lower.cos);
     let room = normal * thrust.int(3) - tilt;
     require(is_positive(&room), "whether every thickness is enough")?;
-    Ok(Some(Voussoirs::AnyThickness))
+    Ok(Outcome::AnyThickness)
 }
 
-/// The thickness, if it is the least; `None` if the rounding is not decided.
+/// The state, if its thickness is the least.
 fn collapses(
     joints: &Joints<'_>,
     contacts: [JointContact; 3],
     near: &Float,
-    digits: usize,
-) -> Result<Option<Voussoirs>, Undecided> {
+) -> Result<State, Undecided> {
     let mode = joints.stones.mode(&contacts, joints.is_limited);
     let mode = mode.ok_or_else(|| Undecided::new("how the arch collapses"))?;
     let polynomials = joints.polynomial_rows(&contacts);
@@ -131,26 +173,7 @@ fn collapses(
     let (thrust, moment) = rows[0].meeting(&rows[2]);
     friction_holds(joints, &contacts, &thrust, &moment, &ring)?;
     line_is_inside(joints, &contacts, &thrust, &moment, &ring)?;
-    // A rational joint may be a tie, which no ball decides.
-    let joint = |contact: JointContact| match joints.stones.exact_joint(contact.1) {
-        Some(exact) => Figure::exact(&exact, digits),
-        None => Figure::new(&joints.angle(contact.1).rad, digits),
-    };
-    let slides = contacts[0].0 == Contact::Inwards && mode != Mode::Overturning;
-    let rounded = || {
-        Some(VoussoirDigits {
-            mode,
-            contacts,
-            thickness: Figure::new(&thickness, digits)?,
-            thrust: Figure::new(&thrust, digits)?,
-            rotation_joint: joint(contacts[1])?,
-            sliding_joint: match slides {
-                true => Some(joint(contacts[0])?),
-                false => None,
-            },
-        })
-    };
-    Ok(rounded().map(|digits| Voussoirs::Stands(Box::new(digits))))
+    Ok(State { mode, contacts, thickness, thrust })
 }
 
 #[cfg(test)]
@@ -210,9 +233,9 @@ mod tests {
             };
             let prove = |contacts, thickness: &Float| {
                 let thickness = thickness.clone();
-                proved(&joints, VoussoirCandidate::Collapses { contacts, thickness }, 20)
+                proved(&joints, VoussoirCandidate::Collapses { contacts, thickness })
             };
-            assert!(matches!(prove(contacts, &thickness), Ok(Some(_))));
+            assert!(matches!(prove(contacts, &thickness), Ok(Outcome::Stands(_))));
             let (first, last) = (contacts[0], contacts[2]);
             let haunch = contacts[1].1;
             for forged in [
@@ -228,9 +251,9 @@ mod tests {
             let thicker = Float::with_val(200, &thickness * 1.01);
             let contradiction = contradiction(&joints, &contacts, &Ball::exact(thicker, 200));
             assert!(contradiction.is_err(), "{alpha} {mu}: not above the least thickness");
-            assert!(proved(&joints, VoussoirCandidate::TooThick { contacts }, 20).is_err());
-            assert!(proved(&joints, VoussoirCandidate::AnyThickness, 20).is_err());
-            assert!(proved(&joints, VoussoirCandidate::Slides { inner: 2 }, 20).is_err());
+            assert!(proved(&joints, VoussoirCandidate::TooThick { contacts }).is_err());
+            assert!(proved(&joints, VoussoirCandidate::AnyThickness).is_err());
+            assert!(proved(&joints, VoussoirCandidate::Slides { inner: 2 }).is_err());
         }
     }
 }

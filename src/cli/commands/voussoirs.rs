@@ -1,15 +1,15 @@
 //! `couplet voussoirs`.
 
-use super::arch::{ArchArguments, Needs};
+use super::arch::{ArchArguments, Needs, thickness};
 use super::output::OutputFile;
 use super::parse;
 use crate::certify::state::{Answer, Inquiry};
-use crate::certify::voussoirs;
+use crate::certify::{assess_voussoirs, voussoirs};
 use crate::cli::failure::Failure;
 use crate::number::ExactNumber;
 use crate::problem::Arch;
 use crate::problem::stones::{MOST_STONES, Stones};
-use crate::report::{Content, Format, Report, VoussoirArch, VoussoirArches};
+use crate::report::{Content, Format, GivenThickness, Report, VoussoirArch, VoussoirArches};
 use clap::Args;
 
 /// Print the least thickness of an arch of given stones, and how it collapses there, with a proof.
@@ -39,6 +39,10 @@ pub(crate) struct Arguments {
     )]
     joints: Option<String>,
 
+    /// Thickness-to-radius ratio, between 0 and 2: whether the arch stands then, its safety factors, and the thrusts it can bear.
+    #[arg(long, visible_alias = "eta", value_name = "ETA", allow_hyphen_values = true)]
+    thickness: Option<String>,
+
     #[arg(long, value_parser = parse::format(Content::Voussoirs), help = parse::format_help(Content::Voussoirs))]
     format: Option<&'static Format>,
 
@@ -63,6 +67,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
         _ => return Err(Failure::Input(format!("for example: {EXAMPLE}"))),
     };
+    let eta = arguments.thickness.as_deref().map(thickness).transpose().map_err(Failure::Input)?;
     let format = arguments.file.format(arguments.format, Content::Voussoirs, "table")?;
     let file = arguments.file.open_for(format)?;
     let digits = arguments.arch.digits;
@@ -75,9 +80,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             Ok(Answer::Stands(state)) => Some(state.thickness),
             _ => None,
         },
+        given: eta.as_ref().map(|eta| GivenThickness {
+            thickness: eta.clone(),
+            found: assess_voussoirs(&stones, arch.weight(), arch.friction(), eta, digits),
+        }),
     };
     let answers = VoussoirArches(arches.iter().map(answer).collect());
-    let open = answers.0.iter().find_map(|answer| answer.found.as_ref().err().cloned());
+    let open = answers.0.iter().find_map(VoussoirArch::first_open).cloned();
     file.write(|out| Report::Voussoirs(answers).write(format, out))?;
     open.map_or(Ok(()), |open| Err(Failure::Undecided(open.to_string())))
 }

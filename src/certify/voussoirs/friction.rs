@@ -1,0 +1,59 @@
+//! The least friction with which an arch of voussoirs stands at a given thickness.
+//!
+//! As the thrust grows the shoulder asks for more friction and every other joint for less: `d(T/N)/dh = -beta/N²`. So the least is
+//! at the thrust at which an inner joint and the shoulder ask for the same, or, where that is not in the
+//! range of thrusts with unlimited friction, at the nearer end of it.
+
+use super::admissible::friction_holds;
+use super::joints::{Joints, is_positive, require};
+use super::thrusts::End;
+use crate::arch::Ring;
+use crate::arch::joint::{Grip, even_thrust};
+use crate::arch::mechanism::Contact;
+use crate::arch::statics::{normal_force, shear_force};
+use crate::certify::Undecided;
+use crate::number::{Ball, Field};
+use crate::solve::voussoir_thrust::{Needed, needed};
+use rug::Float;
+
+/// The least friction, for the range of thrusts with unlimited friction.
+pub(super) fn required(
+    joints: &Joints<'_>,
+    ring: &Ring<Ball>,
+    ends: &[End; 2],
+) -> Result<Ball, Undecided> {
+    let question = "which joint the friction is needed for";
+    let thrusts = ends.each_ref().map(|end| end.thrust.as_ref());
+    let near = thrusts.map(|thrust| thrust.map(|x| Float::with_val(joints.bits, x.mid())));
+    let last = joints.last();
+    let shoulder = (Contact::Outwards, last);
+    let needed = needed(&joints.search(), near.each_ref().map(Option::as_ref));
+    let (thrust, contacts) = match (needed, thrusts) {
+        (Needed::Even(joint), [least, most]) => {
+            let thrust = even_thrust(&joints.angle(joint), &joints.angle(last));
+            let above = least.is_none_or(|least| is_positive(&(thrust.clone() - least)));
+            let below = most.is_none_or(|most| is_positive(&(most.clone() - &thrust)));
+            require(above && below, question)?;
+            (thrust, vec![(Contact::Inwards, joint), shoulder])
+        }
+        (Needed::AtLeast, [Some(least), _]) => {
+            // A crown that bears nothing asks for no friction.
+            let open = ends[0].contacts.iter().copied().filter(|contact| !contact.0.is_hinge());
+            (least.clone(), [shoulder].into_iter().chain(open).collect())
+        }
+        (Needed::AtLargest(joint), [_, Some(most)]) => {
+            (most.clone(), vec![(Contact::Inwards, joint)])
+        }
+        _ => return Err(Undecided::new(question)),
+    };
+    let (contact, joint) = contacts[0];
+    let at = joints.angle(joint);
+    let ratio = shear_force(&at, &thrust) / normal_force(&at, &thrust);
+    let friction = if contact == Contact::Outwards { -ratio } else { ratio };
+    require(is_positive(&friction), question)?;
+    // With so much no other joint slides.
+    let grip = Grip { shear: friction.int(1), normal: friction.clone() };
+    let with_it = Joints { grip, is_limited: true, ..*joints };
+    friction_holds(&with_it, &contacts, &thrust, &thrust.int(0), ring)?;
+    Ok(friction)
+}

@@ -1,0 +1,159 @@
+//! The range of thrusts of an arch of voussoirs at a given thickness: it stands exactly if there is one.
+//!
+//! A joint that slides or opens bounds the thrust, and so do a hinge at the extrados and one at the intrados, whose sum is free of the
+//! crown moment. **An end** is proved by such a bound and by a state there that is admissible at all joints. **It falls**
+//! if one bound from below lies above one from above. The admissible thrusts and moments are a convex set, so
+//! that all between two ends are admissible.
+
+use super::admissible::{is_admissible, is_open};
+use super::joints::{Joints, is_positive, leave_no_thrust, require};
+use crate::arch::Ring;
+use crate::arch::joint::Row;
+use crate::arch::mechanism::Contact;
+use crate::certify::Undecided;
+use crate::number::{Ball, Field};
+use crate::problem::stones::JointContact;
+use crate::solve::voussoir_thrust::{Side, ThrustEnd, moment_between, thrust_end};
+use rug::Float;
+
+/// An end of the range.
+#[derive(Clone, Debug)]
+pub(super) struct End {
+    /// `None` if there is no bound.
+    pub thrust: Option<Ball>,
+    /// The conditions that hold with equality there.
+    pub contacts: Vec<JointContact>,
+}
+
+/// Whether an arch stands.
+#[derive(Clone, Debug)]
+pub(super) enum Range {
+    /// From the first thrust to the second.
+    Stands([End; 2]),
+    /// The first conditions ask for a larger thrust than the second allow.
+    Falls([End; 2]),
+}
+
+/// What is exactly so and cannot be told from balls.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Ties {
+    /// The friction angle is the half opening: the shoulder never slides outwards.
+    pub never_slides: bool,
+    /// The thrust has no lever arm between the intrados of the crown and the extrados of the shoulder.
+    pub has_no_arm: bool,
+}
+
+/// The range of thrusts at a thickness.
+pub(super) fn range(joints: &Joints<'_>, thickness: &Ball, ties: Ties) -> Result<Range, Undecided> {
+    let near = Float::with_val(joints.bits, thickness.mid());
+    let search = joints.search();
+    let ring = Ring::new(joints.weight, thickness);
+    let mut ends = Vec::new();
+    for side in Side::BOTH {
+        match thrust_end(&search, &near, side) {
+            ThrustEnd::Contradiction(both) => return falls(joints, &ring, both),
+            found => ends.push(found),
+        }
+    }
+    let bound = |end: &ThrustEnd| match end {
+        ThrustEnd::At(contacts) => {
+            Some((contacts.clone(), together(joints, contacts, &ring).bound()))
+        }
+        _ => None,
+    };
+    if let (Some((least, lower)), Some((most, upper))) = (bound(&ends[0]), bound(&ends[1]))
+        && is_positive(&(lower - upper))
+    {
+        return falls(joints, &ring, [least, most]);
+    }
+    let proved = |side, end: &ThrustEnd| match end {
+        ThrustEnd::At(contacts) => {
+            let thrust = reached(joints, &ring, side, contacts)?;
+            Ok(End { thrust: Some(thrust), contacts: contacts.clone() })
+        }
+        _ => unbounded(joints, &ring, side, ties),
+    };
+    let [least, most] = [proved(Side::Least, &ends[0])?, proved(Side::Largest, &ends[1])?];
+    require(least.thrust.is_some() || most.thrust.is_some(), "whether any thrust is admissible")?;
+    Ok(Range::Stands([least, most]))
+}
+
+/// What a slip, or two hinges, say of the thrust.
+fn together(joints: &Joints<'_>, contacts: &[JointContact], ring: &Ring<Ball>) -> Row<Ball> {
+    let zero = ring.thickness.int(0);
+    let none = Row { thrust: zero.clone(), moment: zero.clone(), load: zero };
+    contacts.iter().fold(none, |sum, contact| sum.plus(&joints.row(*contact, ring)))
+}
+
+fn falls(
+    joints: &Joints<'_>,
+    ring: &Ring<Ball>,
+    contacts: [Vec<JointContact>; 2],
+) -> Result<Range, Undecided> {
+    let rows = contacts.each_ref().map(|contacts| together(joints, contacts, ring));
+    leave_no_thrust(rows.each_ref())?;
+    let [least, most] = rows.map(|row| Some(row.bound()));
+    let [lower, upper] = contacts;
+    Ok(Range::Falls([
+        End { thrust: least, contacts: lower },
+        End { thrust: most, contacts: upper },
+    ]))
+}
+
+/// The thrust of an end: a bound, and the thrust of an admissible state.
+fn reached(
+    joints: &Joints<'_>,
+    ring: &Ring<Ball>,
+    side: Side,
+    contacts: &[JointContact],
+) -> Result<Ball, Undecided> {
+    let row = together(joints, contacts, ring);
+    let slope = match side {
+        Side::Least => -row.thrust.clone(),
+        Side::Largest => row.thrust.clone(),
+    };
+    require(is_positive(&slope), "whether the thrust is bounded")?;
+    let thrust = row.bound();
+    let moment = moment(joints, ring, contacts, &thrust);
+    is_admissible(joints, contacts, &thrust, &moment, ring)?;
+    Ok(thrust)
+}
+
+/// The crown moment of a state at an end: a hinge and an open joint have one, a slip leaves room.
+fn moment(
+    joints: &Joints<'_>,
+    ring: &Ring<Ball>,
+    contacts: &[JointContact],
+    thrust: &Ball,
+) -> Ball {
+    let (contact, joint) = contacts[0];
+    if contact.is_hinge() {
+        return joints.row(contacts[0], ring).moment_at(thrust);
+    }
+    if is_open(joints, contacts, joint) {
+        return -(joints.angle(joint).versine() * &ring.centroid_factor);
+    }
+    let middle = |x: &Ball| Float::with_val(joints.bits, x.mid());
+    let moment = moment_between(&joints.search(), &middle(thrust), &middle(&ring.thickness));
+    Ball::exact(moment, joints.bits)
+}
+
+/// No thrust is too large: more of it, and as much more moment as between the intrados of the first joint and
+/// the extrados of the shoulder, passes no condition.
+fn unbounded(
+    joints: &Joints<'_>,
+    ring: &Ring<Ball>,
+    side: Side,
+    ties: Ties,
+) -> Result<End, Undecided> {
+    let question = "whether the thrust is bounded";
+    require(side == Side::Largest, question)?;
+    let last = joints.last();
+    let hinges = together(joints, &[(Contact::Extrados, last), (Contact::Intrados, 0)], ring);
+    let has_no_arm = ties.has_no_arm && joints.stones.has_joint_at_crown();
+    require(has_no_arm || is_positive(&-hinges.thrust), question)?;
+    let slip = joints.row((Contact::Outwards, last), ring);
+    let never_slides = ties.never_slides && joints.is_limited;
+    require(never_slides || is_positive(&-slip.thrust), question)?;
+    Ok(End { thrust: None, contacts: Vec::new() })
+}

@@ -1,0 +1,144 @@
+//! An arch of voussoirs and what is proved of it, as every format sees it.
+
+use crate::arch::SelfWeight;
+use crate::arch::mechanism::Contact;
+use crate::certify::state::Figure;
+use crate::certify::{Undecided, VoussoirAssessment, VoussoirDigits, VoussoirStanding, Voussoirs};
+use crate::number::ExactNumber;
+use crate::problem::stones::{JointContact, Stones};
+use crate::problem::{Friction, Quantity};
+use crate::report::fields::Fields;
+
+/// An arch of voussoirs, what is proved of it, and the same arch without end of joints.
+#[derive(Debug)]
+pub struct VoussoirArch {
+    /// The self-weight model.
+    pub weight: SelfWeight,
+    /// The friction as given.
+    pub friction: String,
+    /// Its stones.
+    pub stones: Stones,
+    /// What is proved.
+    pub found: Result<Voussoirs, Undecided>,
+    /// The least thickness with a joint at every angle; `None` where there is none, or it is not proved.
+    pub continuous: Option<Figure>,
+    /// What holds at a thickness that is given.
+    pub given: Option<GivenThickness>,
+}
+
+/// What is proved of an arch of voussoirs of a given thickness.
+#[derive(Debug)]
+pub struct GivenThickness {
+    /// The thickness.
+    pub thickness: ExactNumber,
+    /// What holds for it.
+    pub found: Result<VoussoirAssessment, Undecided>,
+}
+
+impl GivenThickness {
+    /// Whether it stands; `None` if that stays open.
+    pub(super) fn stands(&self) -> Option<bool> {
+        let standing = self.found.as_ref().ok()?.standing.as_ref().ok()?;
+        Some(matches!(standing, VoussoirStanding::Stands(_)))
+    }
+}
+
+/// An arch for each weight asked for.
+#[derive(Debug)]
+pub struct VoussoirArches(pub Vec<VoussoirArch>);
+
+impl VoussoirArch {
+    /// What became of it, in a word.
+    pub(super) fn outcome(&self) -> &'static str {
+        match &self.found {
+            Ok(Voussoirs::Stands(_)) => "stands",
+            Ok(Voussoirs::AnyThickness) => "any_thickness",
+            Ok(Voussoirs::Slides) => "sliding",
+            Ok(Voussoirs::TooThick) => "thickness",
+            Err(_) => "undecided",
+        }
+    }
+
+    /// Why something stays open, if anything does.
+    pub fn first_open(&self) -> Option<&Undecided> {
+        match &self.given {
+            Some(GivenThickness { found: Ok(found), .. }) => found.first_open(),
+            Some(GivenThickness { found: Err(undecided), .. }) => Some(undecided),
+            None => self.found.as_ref().err(),
+        }
+    }
+
+    /// Whether its friction is limited.
+    fn is_limited(&self) -> bool {
+        self.friction != Friction::Infinite.to_string()
+    }
+
+    /// The state, where it has one.
+    pub(super) fn state(&self) -> Option<&VoussoirDigits> {
+        match &self.found {
+            Ok(Voussoirs::Stands(state)) => Some(state),
+            _ => None,
+        }
+    }
+
+    pub(super) fn figures(&self) -> Vec<(Quantity, Option<&Figure>)> {
+        let state = self.state();
+        vec![
+            (Quantity::Thickness, state.map(|state| &state.thickness)),
+            (Quantity::Thrust, state.map(|state| &state.thrust)),
+            (Quantity::RotationJoint, state.map(|state| &state.rotation_joint)),
+            (Quantity::SlidingJoint, state.and_then(|state| state.sliding_joint.as_ref())),
+        ]
+    }
+
+    /// How it is divided, in words.
+    pub(super) fn division(&self) -> String {
+        match &self.stones {
+            Stones::Equal { stones, .. } => format!("{stones} equal stones"),
+            Stones::Joints(angles) => {
+                let angles: Vec<String> = angles.iter().map(ToString::to_string).collect();
+                format!("joints at {}", angles.join(", "))
+            }
+        }
+    }
+}
+
+/// A contact in words.
+pub(super) fn words(arch: &VoussoirArch, (contact, joint): &JointContact) -> &'static str {
+    match contact {
+        Contact::Extrados => "hinge at the extrados",
+        Contact::Intrados => "hinge at the intrados",
+        _ if arch.stones.may_open(*joint, arch.is_limited()) => "opens",
+        Contact::Inwards => "slides inwards",
+        Contact::Outwards => "slides outwards",
+    }
+}
+
+/// Where it is, in words.
+pub(super) fn place(stones: &Stones, (_, joint): &JointContact) -> String {
+    match *joint {
+        0 if stones.has_joint_at_crown() => "at the crown".to_owned(),
+        joint if joint + 1 == stones.count() => "at the shoulder".to_owned(),
+        joint => {
+            let from_crown = u64::from(!stones.has_joint_at_crown());
+            format!("at joint {}", joint + from_crown)
+        }
+    }
+}
+
+/// The number of equal stones.
+pub(super) fn stones(arch: &VoussoirArch) -> Option<String> {
+    match arch.stones {
+        Stones::Equal { stones, .. } => Some(stones.to_string()),
+        Stones::Joints(_) => None,
+    }
+}
+
+/// A value and its bounds.
+pub(super) fn bounds(figure: &Figure) -> Fields {
+    let mut fields = Fields::default();
+    fields.add("value", figure.decimal.value.to_string());
+    fields.add("lower", figure.decimal.lower.to_string());
+    fields.add("upper", figure.decimal.upper.to_string());
+    fields
+}

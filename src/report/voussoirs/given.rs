@@ -1,0 +1,170 @@
+//! What holds at a given thickness: lines for a person, cells of a row, and an object.
+
+use super::arch::{GivenThickness, VoussoirArch, bounds, place, words};
+use crate::certify::state::Figure;
+use crate::certify::{Undecided, VoussoirAssessment, VoussoirLimit, VoussoirStanding, Voussoirs};
+use crate::report::fields::Fields;
+use std::io;
+
+type Rounded = Result<Option<Figure>, Undecided>;
+
+/// The safety factors and the friction, by their names.
+fn quotients(found: &VoussoirAssessment) -> [(&'static str, &'static str, &Rounded); 3] {
+    [
+        ("geometric_safety", "geometric safety factor", &found.geometric_safety),
+        ("required_friction", "required friction", &found.required_friction),
+        ("friction_safety", "friction safety factor", &found.friction_safety),
+    ]
+}
+
+/// What stands where a value is missing.
+fn none(arch: &VoussoirArch, name: &str, found: &VoussoirAssessment) -> &'static str {
+    match (name, &arch.found, &found.required_friction) {
+        ("geometric_safety", Ok(Voussoirs::AnyThickness), _) => "unbounded",
+        ("required_friction", ..) => "none is enough",
+        ("friction_safety", _, Ok(Some(_))) => "unbounded",
+        _ => "none",
+    }
+}
+
+/// The lines below the title.
+pub(super) fn lines(
+    arch: &VoussoirArch,
+    given: &GivenThickness,
+    out: &mut dyn io::Write,
+) -> io::Result<()> {
+    let found = match &given.found {
+        Ok(found) => found,
+        Err(undecided) => return writeln!(out, "{undecided}"),
+    };
+    let joints = arch.stones.count();
+    match &found.standing {
+        Ok(VoussoirStanding::Stands(_)) => {
+            writeln!(out, "stands, proved: admissible at all {joints} joints of the half arch\n")?;
+        }
+        Ok(VoussoirStanding::Falls(_)) => {
+            writeln!(out, "collapses, proved: no thrust satisfies all conditions\n")?;
+        }
+        Err(undecided) => writeln!(out, "{undecided}\n")?,
+    }
+    let mut line = |name: &str, text: &str| writeln!(out, "   {name:<24} {text}");
+    let least = match (&arch.found, arch.state()) {
+        (_, Some(state)) => state.thickness.to_string(),
+        (Ok(Voussoirs::AnyThickness), _) => "any is enough".to_owned(),
+        (Ok(_), _) => format!("none is enough ({})", arch.outcome()),
+        (Err(undecided), _) => undecided.to_string(),
+    };
+    line("least thickness", &least)?;
+    for (key, name, value) in quotients(found) {
+        let text = match value {
+            Ok(Some(figure)) => figure.to_string(),
+            Ok(None) => none(arch, key, found).to_owned(),
+            Err(undecided) => undecided.to_string(),
+        };
+        line(name, &text)?;
+    }
+    let (ends, names) = match &found.standing {
+        Ok(VoussoirStanding::Stands(ends)) => {
+            (ends, [["least thrust", "largest thrust"], ["        limited by"; 2]])
+        }
+        Ok(VoussoirStanding::Falls(ends)) => (
+            ends,
+            [
+                ["needs a thrust from", "bears a thrust up to"],
+                ["        asked for by", "        limited by"],
+            ],
+        ),
+        Err(_) => return Ok(()),
+    };
+    for (side, end) in ends.iter().enumerate() {
+        let thrust = end.thrust.as_ref().map_or("unbounded".to_owned(), ToString::to_string);
+        line(names[0][side], &thrust)?;
+        if !end.contacts.is_empty() {
+            line(names[1][side], &limited(arch, end))?;
+        }
+    }
+    Ok(())
+}
+
+/// What limits a thrust, in words.
+fn limited(arch: &VoussoirArch, end: &VoussoirLimit) -> String {
+    let one = |(contact, joint): (&_, &Figure)| {
+        let at = place(&arch.stones, contact);
+        let rad =
+            if at.starts_with("at joint") { format!(" ({joint} rad)") } else { String::new() };
+        format!("{} {at}{rad}", words(arch, contact))
+    };
+    end.contacts.iter().zip(&end.joints).map(one).collect::<Vec<_>>().join(", ")
+}
+
+/// Names of the cells of a row.
+pub(super) const COLUMNS: [&str; 9] = [
+    "given_thickness",
+    "can_stand",
+    "geometric_safety",
+    "required_friction",
+    "friction_safety",
+    "least_thrust",
+    "largest_thrust",
+    "limited_by",
+    "reason",
+];
+
+/// The cells of a row; what is open or does not exist is empty.
+pub(super) fn cells(arch: &VoussoirArch, given: &GivenThickness) -> Vec<String> {
+    let text = |figure: Option<&Figure>| figure.map_or(String::new(), ToString::to_string);
+    let mut cells = vec![given.thickness.to_string()];
+    cells.push(given.stands().map_or(String::new(), |stands| stands.to_string()));
+    let found = given.found.as_ref().ok();
+    let values = found.map(|found| {
+        quotients(found).map(|(.., value)| text(value.as_ref().ok().and_then(Option::as_ref)))
+    });
+    cells.extend(values.unwrap_or_default());
+    let ends = match found.map(|found| &found.standing) {
+        Some(Ok(VoussoirStanding::Stands(ends) | VoussoirStanding::Falls(ends))) => Some(ends),
+        _ => None,
+    };
+    let thrusts = ends
+        .filter(|_| given.stands() == Some(true))
+        .map(|ends| ends.each_ref().map(|end| text(end.thrust.as_ref())));
+    cells.extend(thrusts.unwrap_or_default());
+    let limits = ends.map(|ends| ends.each_ref().map(|end| limited(arch, end)).join("; "));
+    cells.push(limits.unwrap_or_default());
+    cells.push(arch.first_open().map_or(String::new(), |open| open.reason.to_string()));
+    cells
+}
+
+/// The object.
+pub(super) fn fields(arch: &VoussoirArch, given: &GivenThickness) -> Fields {
+    let mut fields = Fields::default();
+    fields.add("thickness", given.thickness.to_string());
+    fields.add("stands", given.stands());
+    let value = |value: &Rounded| value.as_ref().ok().and_then(Option::as_ref).map(bounds);
+    let found = given.found.as_ref().ok();
+    for (index, name) in
+        ["geometric_safety", "required_friction", "friction_safety"].iter().enumerate()
+    {
+        fields.add_fields(name, found.and_then(|found| value(quotients(found)[index].2)));
+    }
+    let ends = match found.map(|found| &found.standing) {
+        Some(Ok(VoussoirStanding::Stands(ends))) => {
+            Some((["least_thrust", "largest_thrust"], ends))
+        }
+        Some(Ok(VoussoirStanding::Falls(ends))) => Some((["needed_thrust", "borne_thrust"], ends)),
+        _ => None,
+    };
+    let limit = |end: &VoussoirLimit| {
+        let mut fields = Fields::default();
+        fields.add_fields("thrust", end.thrust.as_ref().map(bounds));
+        let contact = |contact: &(_, u64)| format!("{} {}", words(arch, contact), contact.1);
+        fields.add("limited_by", end.contacts.iter().map(contact).collect::<Vec<_>>());
+        let joints = end.joints.iter().map(|joint| joint.decimal.value.to_string());
+        fields.add("joints", joints.collect::<Vec<_>>());
+        fields
+    };
+    if let Some((names, ends)) = ends {
+        names.iter().zip(ends).for_each(|(name, end)| fields.add_fields(name, Some(limit(end))));
+    }
+    fields.add("reason", arch.first_open().map(|open| open.reason.to_string()));
+    fields
+}

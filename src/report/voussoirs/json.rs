@@ -1,0 +1,50 @@
+//! Arches of voussoirs as JSON, `couplet.voussoirs/1`.
+
+use super::arch::{VoussoirArch, VoussoirArches, bounds, words};
+use super::given;
+use crate::problem::stones::{JointContact, Stones};
+use crate::report::fields::Fields;
+use crate::report::json;
+use std::io;
+
+pub(crate) fn json(
+    VoussoirArches(arches): &VoussoirArches,
+    out: &mut dyn io::Write,
+) -> io::Result<()> {
+    let entries: Vec<Fields> = arches.iter().map(entry).collect();
+    match &entries[..] {
+        [one] => json::write(one, out),
+        all => json::write(&all, out),
+    }
+}
+
+fn entry(arch: &VoussoirArch) -> Fields {
+    let mut fields = Fields::default();
+    fields.add("schema", "couplet.voussoirs/1");
+    fields.add("weight", arch.weight.name());
+    fields.add("half_opening", arch.stones.half_opening().to_string());
+    match &arch.stones {
+        Stones::Equal { stones, .. } => fields.add("stones", *stones),
+        Stones::Joints(angles) => {
+            let angles: Vec<String> = angles.iter().map(ToString::to_string).collect();
+            fields.add("joints", angles);
+        }
+    }
+    fields.add("friction", arch.friction.as_str());
+    fields.add("outcome", arch.outcome());
+    fields.add("reason", arch.found.as_ref().err().map(|undecided| undecided.reason.to_string()));
+    fields.add("mode", arch.state().map(|state| state.mode.label()));
+    for (quantity, figure) in arch.figures() {
+        fields.add_fields(quantity.name(), figure.map(bounds));
+    }
+    fields.add_fields("continuous_thickness", arch.continuous.as_ref().map(bounds));
+    let contacts = arch.state().map(|state| {
+        let contact = |contact: &JointContact| format!("{} {}", words(arch, contact), contact.1);
+        state.contacts.iter().map(contact).collect::<Vec<_>>()
+    });
+    fields.add("contacts", contacts);
+    if let Some(given) = &arch.given {
+        fields.add_fields("assessment", Some(given::fields(arch, given)));
+    }
+    fields
+}

@@ -1,0 +1,70 @@
+//! Arches of voussoirs for a person at a terminal.
+
+use super::arch::{VoussoirArch, VoussoirArches, place, words};
+use super::given;
+use crate::certify::{VoussoirDigits, Voussoirs};
+use crate::report::words::model;
+use std::io;
+
+pub(crate) fn table(
+    VoussoirArches(arches): &VoussoirArches,
+    out: &mut dyn io::Write,
+) -> io::Result<()> {
+    for (index, arch) in arches.iter().enumerate() {
+        if index > 0 {
+            writeln!(out)?;
+        }
+        let (alpha, mu) = (arch.stones.half_opening(), &arch.friction);
+        let weight = model(arch.weight);
+        let given = arch.given.as_ref();
+        let eta = given.map_or(String::new(), |given| format!(" thickness {},", given.thickness));
+        writeln!(
+            out,
+            "Arch of half opening {alpha} in {},{eta} friction {mu}, {weight}\n",
+            arch.division()
+        )?;
+        if let Some(given) = given {
+            given::lines(arch, given, out)?;
+            continue;
+        }
+        match &arch.found {
+            Ok(Voussoirs::Stands(state)) => stands(arch, state, out)?,
+            Ok(Voussoirs::AnyThickness) => writeln!(
+                out,
+                "stands at every thickness, proved: it has no joint inside its halves"
+            )?,
+            Ok(Voussoirs::Slides) => writeln!(
+                out,
+                "does not stand at any thickness (sliding): no thrust holds an inner joint and the shoulder"
+            )?,
+            Ok(Voussoirs::TooThick) => {
+                writeln!(out, "does not stand at any thickness up to twice the radius (thickness)")?
+            }
+            Err(undecided) => writeln!(out, "{undecided}")?,
+        }
+    }
+    Ok(())
+}
+
+fn stands(arch: &VoussoirArch, state: &VoussoirDigits, out: &mut dyn io::Write) -> io::Result<()> {
+    let mode = state.mode.label();
+    writeln!(out, "stands from the thickness below on; collapses there as {mode}")?;
+    writeln!(
+        out,
+        "proved: admissible at all {} joints of the half arch, none thinner\n",
+        arch.stones.count()
+    )?;
+    for (quantity, figure) in arch.figures() {
+        let figure = figure.map_or("none".to_owned(), ToString::to_string);
+        let (name, symbol) = (quantity.name(), quantity.symbol());
+        writeln!(out, "   {name:<20} {symbol:<12} {figure}")?;
+    }
+    if let Some(continuous) = &arch.continuous {
+        writeln!(out, "\n   with a joint at every angle       {continuous}")?;
+    }
+    writeln!(out, "\nmechanism, joints counted from the crown")?;
+    state.contacts.iter().try_for_each(|contact| {
+        let (words, place) = (words(arch, contact), place(&arch.stones, contact));
+        writeln!(out, "   {words:<22} {place}")
+    })
+}

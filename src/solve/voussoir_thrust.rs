@@ -1,0 +1,155 @@
+//! Candidates for the range of thrusts of an arch of voussoirs at a given thickness, and for the friction it asks for.
+//!
+//! The room for the crown moment is a concave function of the thrust, made of straight pieces: from beyond an end Newton's method
+//! reaches it in a few steps and never passes it.
+
+use super::voussoirs::{Search, peak};
+use crate::arch::joint::{Row, even_thrust};
+use crate::arch::mechanism::Contact;
+use crate::arch::statics::{normal_force, shear_force};
+use crate::problem::stones::JointContact;
+use rug::Float;
+
+/// The end of a range of thrusts that is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// The least thrust.
+    Least,
+    /// The largest.
+    Largest,
+}
+
+impl Side {
+    /// Both.
+    pub const BOTH: [Self; 2] = [Self::Least, Self::Largest];
+}
+
+/// What probably limits the thrust.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ThrustEnd {
+    /// A joint that slides or opens, or a hinge at the extrados and one at the intrados.
+    At(Vec<JointContact>),
+    /// Nothing does.
+    Unbounded,
+    /// The first conditions ask for a larger thrust than the second allow.
+    Contradiction([Vec<JointContact>; 2]),
+}
+
+/// Where the least friction is probably needed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Needed {
+    /// At the thrust at which this joint asks for as much as the shoulder.
+    Even(u64),
+    /// At the least thrust, by the shoulder.
+    AtLeast,
+    /// At the largest thrust, by this joint.
+    AtLargest(u64),
+}
+
+/// More rounds than pieces near an end.
+const ROUNDS: usize = 100;
+
+fn bounds(side: Side, row: &Row<Float>) -> bool {
+    match side {
+        Side::Least => row.thrust < 0,
+        Side::Largest => row.thrust > 0,
+    }
+}
+
+/// What conditions on one joint, or two hinges, say of the thrust.
+fn together(
+    search: &Search<'_>,
+    contacts: &[JointContact],
+    thickness: &Float,
+) -> Option<Row<Float>> {
+    let rows = contacts.iter().map(|contact| search.row(*contact, thickness));
+    rows.reduce(|sum, row| sum.plus(&row))
+}
+
+/// An end of the range of thrusts.
+pub fn thrust_end(search: &Search<'_>, thickness: &Float, side: Side) -> ThrustEnd {
+    let (zero, last) = (Float::with_val(search.bits, 0), search.last());
+    let [slip, upper, lower] = match side {
+        Side::Least => {
+            [(Contact::Inwards, search.inner()), (Contact::Extrados, 0), (Contact::Intrados, last)]
+        }
+        Side::Largest => {
+            [(Contact::Outwards, last), (Contact::Extrados, last), (Contact::Intrados, 0)]
+        }
+    };
+    let mut at: Option<(Float, Vec<JointContact>)> = None;
+    for contacts in [vec![slip], vec![upper, lower]] {
+        let row = together(search, &contacts, thickness).filter(|row| bounds(side, row));
+        let Some(thrust) = row.map(|row| row.bound()) else { continue };
+        let is_tighter = at.as_ref().is_none_or(|(best, _)| match side {
+            Side::Least => thrust > *best,
+            Side::Largest => thrust < *best,
+        });
+        if is_tighter {
+            at = Some((thrust, contacts));
+        }
+    }
+    let Some((mut thrust, mut contacts)) = at else { return ThrustEnd::Unbounded };
+    for _ in 0..ROUNDS {
+        let [crown, shoulder] = [0, last].map(|joint| (Contact::Extrados, joint));
+        let depth = |contact| search.row(contact, thickness).at(&thrust, &zero);
+        let upper = if depth(crown) > depth(shoulder) { crown } else { shoulder };
+        let pair = vec![upper, (Contact::Intrados, search.haunch(&thrust, thickness))];
+        let Some(row) = together(search, &pair, thickness) else { break };
+        if row.at(&thrust, &zero) <= 0 || pair == contacts {
+            break;
+        }
+        if !bounds(side, &row) {
+            return ThrustEnd::Contradiction(match side {
+                Side::Least => [contacts, pair],
+                Side::Largest => [pair, contacts],
+            });
+        }
+        thrust = row.bound();
+        contacts = pair;
+    }
+    ThrustEnd::At(contacts)
+}
+
+/// A crown moment between those of the hinges at the extrados and at the intrados.
+pub fn moment_between(search: &Search<'_>, thrust: &Float, thickness: &Float) -> Float {
+    let moment = |contact| search.row(contact, thickness).moment_at(thrust);
+    let [crown, shoulder] = [0, search.last()].map(|joint| moment((Contact::Extrados, joint)));
+    let least = moment((Contact::Intrados, search.haunch(thrust, thickness)));
+    (crown.min(&shoulder) + least) / 2u32
+}
+
+/// The joint at which the shear force is largest over the normal force.
+fn steepest(search: &Search<'_>, thrust: &Float) -> u64 {
+    // At the crown it is zero.
+    let first = u64::from(search.stones.has_joint_at_crown());
+    peak(first, search.last(), |index| {
+        let joint = search.angle(index);
+        let (shear, normal) = (shear_force(&joint, thrust), normal_force(&joint, thrust));
+        // A joint that opens asks for more than any other.
+        match normal.clone() << (search.bits / 2) < 1 {
+            true => Float::with_val(search.bits, rug::float::Special::Infinity),
+            false => shear / normal,
+        }
+    })
+}
+
+/// Where the least friction is needed, of thrusts between two.
+pub fn needed(search: &Search<'_>, [least, largest]: [Option<&Float>; 2]) -> Needed {
+    let shoulder = search.angle(search.last());
+    let mut joint = search.last().div_ceil(2);
+    let mut thrust = even_thrust(&search.angle(joint), &shoulder);
+    for _ in 0..ROUNDS {
+        let next = steepest(search, least.filter(|least| thrust < **least).unwrap_or(&thrust));
+        if next == joint {
+            break;
+        }
+        joint = next;
+        thrust = even_thrust(&search.angle(joint), &shoulder);
+    }
+    match (least, largest) {
+        (Some(least), _) if thrust < *least => Needed::AtLeast,
+        (_, Some(largest)) if thrust > *largest => Needed::AtLargest(steepest(search, largest)),
+        _ => Needed::Even(joint),
+    }
+}
