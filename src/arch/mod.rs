@@ -12,6 +12,8 @@
 //! | the same in angles, without roots | [`cycloid`] |
 //! | (2)–(5) by the square of the joint | [`haunch`] |
 //! | (19), (20), the conditions at one joint | [`joint`] |
+//! | the same on the whole arch, with a vertical force in the crown | [`whole`] |
+//! | asymmetric solutions of (19) | [`asymmetric`] |
 //! | the same equations where the half opening is small | [`small`] |
 //! | admissibility, least thickness | [`contact`] |
 //! | how the blocks move at collapse | [`mechanism`] |
@@ -21,6 +23,7 @@
 //! code that needs to belongs to `solve` or `certify`. What is asked of the equations, landmarks and
 //! collapse modes, is in [`problem`](crate::problem).
 
+pub mod asymmetric;
 pub mod closed_form;
 pub mod contact;
 pub mod cubic;
@@ -36,6 +39,7 @@ pub mod statics;
 pub mod thrust;
 mod variables;
 mod weight;
+pub mod whole;
 
 pub use quotient::Quotient;
 pub use variables::{Configuration, Unknown};

@@ -4,6 +4,7 @@
 //! A proof either succeeds or says why nothing is known ([`Undecided`]); nothing in between.
 
 mod arithmetic;
+mod asymmetric;
 mod certificate;
 mod closed_value;
 mod cover;
@@ -21,7 +22,9 @@ pub mod state;
 mod undecided;
 mod verdict;
 mod voussoirs;
+mod whole;
 
+pub use asymmetric::{AsymmetricDigits, AsymmetricJoint, CertifiedAsymmetric, asymmetric};
 pub use certificate::certify_landmark;
 pub use closed_value::Exact;
 pub use cover::{between, cover};

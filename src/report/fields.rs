@@ -16,6 +16,7 @@ enum Field {
     Value(Json),
     Raw(Box<RawValue>),
     Fields(Fields),
+    List(Vec<Fields>),
 }
 
 impl Fields {
@@ -27,6 +28,11 @@ impl Fields {
     /// Adds an object, or `null`.
     pub(crate) fn add_fields(&mut self, name: &'static str, fields: Option<Fields>) {
         self.0.push((name.into(), fields.map_or(Field::Value(Json::Null), Field::Fields)));
+    }
+
+    /// Adds a list of objects.
+    pub(crate) fn add_list(&mut self, name: &'static str, list: Vec<Fields>) {
+        self.0.push((name.into(), Field::List(list)));
     }
 
     /// Adds the fields of another.
@@ -51,11 +57,11 @@ impl Fields {
         self.0.iter().map(|(name, _)| name.as_ref())
     }
 
-    /// The fields as text; `null` and objects are empty.
+    /// The fields as text; `null`, objects and lists of them are empty.
     pub(crate) fn texts(&self) -> impl Iterator<Item = String> {
         self.0.iter().map(|(_, field)| match field {
             Field::Value(Json::String(text)) => text.clone(),
-            Field::Value(Json::Null) | Field::Fields(_) => String::new(),
+            Field::Value(Json::Null) | Field::Fields(_) | Field::List(_) => String::new(),
             Field::Raw(json) => json.get().to_owned(),
             Field::Value(other) => other.to_string(),
         })

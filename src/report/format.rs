@@ -3,6 +3,7 @@
 use super::answers::Answers;
 use super::audit::{self, Audit};
 use super::claims::{self, Claims, Index};
+use super::complementarity::{self, ComplementarityArches};
 use super::judged::{self, JudgeSummary, JudgedLines};
 use super::map::{self, Map, MapPoints};
 use super::rows::Rows;
@@ -38,6 +39,8 @@ pub enum Content {
     MapPoint,
     /// Arches of voussoirs.
     Voussoirs,
+    /// Solutions of the complementarity problem.
+    Complementarity,
     /// Arches to be drawn.
     Drawing,
 }
@@ -73,6 +76,7 @@ pub struct Format {
     pub(super) map: Option<Writer<Map>>,
     pub(super) map_points: Option<Writer<MapPoints>>,
     pub(super) voussoirs: Option<Writer<VoussoirArches>>,
+    pub(super) complementarity: Option<Writer<ComplementarityArches>>,
     pub(super) drawing: Option<Writer<Sketched>>,
 }
 
@@ -95,6 +99,7 @@ const fn text(name: &'static str, extension: &'static str) -> Format {
         map: None,
         map_points: None,
         voussoirs: None,
+        complementarity: None,
         drawing: None,
     }
 }
@@ -112,6 +117,7 @@ static FORMATS: [Format; 19] = [
         map: Some(map::table),
         map_points: Some(map::point_table),
         voussoirs: Some(voussoirs::table),
+        complementarity: Some(complementarity::table),
         ..text("table", "txt")
     },
     Format { claims: Some(claims::text), index: Some(claims::index_text), ..text("text", "txt") },
@@ -124,6 +130,7 @@ static FORMATS: [Format; 19] = [
         map: Some(map::json),
         map_points: Some(map::point_json),
         voussoirs: Some(voussoirs::json),
+        complementarity: Some(complementarity::json),
         drawing: Some(sketched::json),
         ..language("json", "json", json::answers)
     },
@@ -136,6 +143,7 @@ static FORMATS: [Format; 19] = [
         map: Some(map::csv),
         map_points: Some(map::point_csv),
         voussoirs: Some(voussoirs::csv),
+        complementarity: Some(complementarity::csv),
         ..text("csv", "csv")
     },
     Format {
@@ -217,6 +225,7 @@ impl Format {
             Content::Figure => format.is_picture,
             Content::MapPoint => format.map_points.is_some(),
             Content::Voussoirs => format.voussoirs.is_some(),
+            Content::Complementarity => format.complementarity.is_some(),
             Content::Drawing => format.drawing.is_some(),
         })
     }

@@ -27,6 +27,7 @@ mod audit;
 mod c;
 mod claims;
 mod columns;
+mod complementarity;
 mod csv;
 mod document;
 mod drawn;
@@ -63,6 +64,7 @@ pub use answer::{Answer, Fingerprint, Kept, Proof, Status, Subject};
 pub use answers::{Answers, Scope};
 pub use audit::Audit;
 pub use claims::{Claims, Index};
+pub use complementarity::{ComplementarityArch, ComplementarityArches};
 pub use drawn::{Axes, Branches, Drawing, Mark, Plane, Shown, Unit, View};
 pub use format::{Content, Format};
 pub use given::GivenDoubles;
@@ -91,6 +93,8 @@ pub enum Report {
     MapPoints(MapPoints),
     /// Arches of voussoirs.
     Voussoirs(VoussoirArches),
+    /// Solutions of the complementarity problem.
+    Complementarity(ComplementarityArches),
     /// Arches to be drawn.
     Sketched(Sketched),
 }
@@ -106,6 +110,7 @@ impl Report {
             Self::Map(map) => format.map.map(|write| write(map, out)),
             Self::MapPoints(points) => format.map_points.map(|write| write(points, out)),
             Self::Voussoirs(arches) => format.voussoirs.map(|write| write(arches, out)),
+            Self::Complementarity(arches) => format.complementarity.map(|write| write(arches, out)),
             Self::Sketched(sketched) => format.drawing.map(|write| write(sketched, out)),
         };
         written.unwrap_or_else(|| Err(io::ErrorKind::Unsupported.into()))

@@ -1,5 +1,6 @@
 //! Finds candidates and proves nothing: what comes out of here has to go through `certify`.
 
+pub mod asymmetric;
 pub mod expansion;
 mod linear;
 mod newton;

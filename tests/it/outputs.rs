@@ -160,6 +160,7 @@ outputs! {
     help_assess: run("couplet assess --help");
     help_find: run("couplet find --help");
     help_voussoirs: run("couplet voussoirs --help");
+    help_complementarity: run("couplet complementarity --help");
     help_map: run("couplet map --help");
     help_draw: run("couplet draw --help");
     help_figure: run("couplet figure --help");

@@ -79,7 +79,7 @@ fn midpoint(x: Ball) -> Float {
 }
 
 /// Friction as the ratio that a joint asks for.
-pub(super) fn grip(friction: &Friction, bits: u32) -> Grip<Ball> {
+pub(in crate::certify) fn grip(friction: &Friction, bits: u32) -> Grip<Ball> {
     let number = |x: &ExactNumber| x.enclosure::<Ball>(bits);
     let one = Ball::integer(1, bits);
     match friction {

@@ -41,6 +41,7 @@ mod thickness;
 mod thrusts;
 
 pub use assess::{VoussoirAssessment, VoussoirLimit, VoussoirStanding};
+pub(super) use joints::grip;
 pub use thickness::{VoussoirDigits, Voussoirs};
 
 use super::Undecided;

@@ -4,6 +4,7 @@ mod arch;
 mod assess;
 mod audit;
 mod certify;
+mod complementarity;
 mod constants;
 mod draw;
 mod figure;
@@ -36,6 +37,7 @@ pub(super) enum Command {
     Assess(assess::Arguments),
     Find(find::Arguments),
     Voussoirs(voussoirs::Arguments),
+    Complementarity(complementarity::Arguments),
     Map(map::Arguments),
     Draw(draw::Arguments),
     Figure(figure::Arguments),
@@ -67,6 +69,7 @@ impl Command {
             Self::Assess(arguments) => assess::run(arguments),
             Self::Find(arguments) => find::run(arguments),
             Self::Voussoirs(arguments) => voussoirs::run(arguments),
+            Self::Complementarity(arguments) => complementarity::run(arguments),
             Self::Map(arguments) => map::run(arguments),
             Self::Draw(arguments) => draw::run(arguments),
             Self::Figure(arguments) => figure::run(arguments),

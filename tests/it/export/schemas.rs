@@ -176,6 +176,8 @@ fn what_is_written_is_as_the_schemas_say() {
             "--format",
             "json",
         ],
+        &["complementarity", "--alpha", "2.3", "--mu", "1.07", "--format", "json"],
+        &["complementarity", "--alpha", "2.5", "--mu", "0.1", "--format", "json"],
         &["draw", "--at", "T", "--format", "json"],
         &["draw", "--alpha", "80deg", "--mu", "0.35", "--eta", "0.16", "--format", "json"],
         &["draw", "--alpha", "2.62", "--mu", "inf", "--format", "json"],

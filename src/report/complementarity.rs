@@ -1,0 +1,316 @@
+//! Solutions of the complementarity problem (19) of an arch: for a person, CSV, and JSON (`couplet.complementarity/1`).
+
+use super::fields::Fields;
+use super::words::{contact, model};
+use super::{csv, json};
+use crate::arch::asymmetric::{AsymmetricMode, Place};
+use crate::arch::whole::Side;
+use crate::certify::state::{Answer, Digits, Figure};
+use crate::certify::{AsymmetricDigits, AsymmetricJoint, Undecided};
+use crate::problem::Arch;
+use std::io;
+
+/// An arch with the solutions that are found.
+#[derive(Debug)]
+pub struct ComplementarityArch {
+    /// The arch.
+    pub arch: Arch,
+    /// Its symmetric state, or why nothing stands.
+    pub symmetric: Result<Answer, Undecided>,
+    /// The asymmetric solutions, or why one that is found is not proved.
+    pub asymmetric: Vec<Result<AsymmetricDigits, Undecided>>,
+}
+
+/// An arch for each weight asked for.
+#[derive(Debug)]
+pub struct ComplementarityArches(pub Vec<ComplementarityArch>);
+
+/// How the solutions are sought, and what is not proved.
+const SEARCH: [&str; 5] = [
+    "Among symmetric states there is one such thickness (couplet prove unique-thickness), except at",
+    "the friction of pure sliding. Asymmetric states are sought with three kinds of mechanisms, along",
+    "those with a sliding shoulder, from the symmetric one to larger vertical forces in the crown.",
+    "What the search finds is proved; that there is nothing else is not: other asymmetric states may",
+    "exist. With unlimited friction nothing slides, and none is sought.",
+];
+
+/// What an asymmetric solution means.
+const MEANING: [&str; 6] = [
+    "At an asymmetric thickness the arch has an admissible state, and also a motion in which friction",
+    "takes exactly the power that the weight gives. Friction without dilatancy does not forbid this",
+    "motion, so that an admissible state alone does not exclude collapse there.",
+    "This is said of the model. Below the least thickness no state is admissible, as before, and between",
+    "the thicknesses no solution is found.",
+    "",
+];
+
+/// What of a solution is proved.
+const PROOF: [&str; 3] = [
+    "proved: its equations have one solution in a box, which is admissible at every joint of the whole",
+    "arch, and every rate is positive",
+    "",
+];
+
+/// A solution of an arch.
+#[derive(Clone, Copy)]
+enum Solution<'a> {
+    Symmetric(&'a Digits),
+    Asymmetric(&'a AsymmetricDigits),
+}
+
+impl ComplementarityArch {
+    /// Why something stays open, if it does.
+    pub fn first_open(&self) -> Option<&Undecided> {
+        let asymmetric = self.asymmetric.iter().find_map(|solution| solution.as_ref().err());
+        self.symmetric.as_ref().err().or(asymmetric)
+    }
+
+    /// Those that are proved, thin arches first.
+    fn solutions(&self) -> Vec<Solution<'_>> {
+        let symmetric = match &self.symmetric {
+            Ok(Answer::Stands(state)) => Some(Solution::Symmetric(state)),
+            _ => None,
+        };
+        let proved = self.asymmetric.iter().filter_map(|solution| solution.as_ref().ok());
+        let mut all: Vec<Solution<'_>> =
+            symmetric.into_iter().chain(proved.map(Solution::Asymmetric)).collect();
+        all.sort_by(|a, b| a.thickness().double.total_cmp(&b.thickness().double));
+        all
+    }
+
+    /// Why there is no symmetric state.
+    fn fall(&self) -> Option<&'static str> {
+        match &self.symmetric {
+            Ok(Answer::Falls { fall, .. }) => Some(fall.reason()),
+            _ => None,
+        }
+    }
+
+    fn is_asymmetric(&self) -> bool {
+        self.asymmetric.iter().any(Result::is_ok)
+    }
+}
+
+impl<'a> Solution<'a> {
+    fn thickness(self) -> &'a Figure {
+        match self {
+            Self::Symmetric(state) => &state.thickness,
+            Self::Asymmetric(state) => &state.thickness,
+        }
+    }
+
+    fn thrust(self) -> &'a Figure {
+        match self {
+            Self::Symmetric(state) => &state.thrust,
+            Self::Asymmetric(state) => &state.thrust,
+        }
+    }
+
+    fn asymmetric(self) -> Option<&'a AsymmetricDigits> {
+        match self {
+            Self::Symmetric(_) => None,
+            Self::Asymmetric(state) => Some(state),
+        }
+    }
+
+    fn mode(self) -> &'static str {
+        match self {
+            Self::Symmetric(state) => state.mode.label(),
+            Self::Asymmetric(state) => state.mode.name(),
+        }
+    }
+
+    /// The same for a person.
+    fn words(self) -> String {
+        match self {
+            Self::Symmetric(state) => {
+                format!("symmetric, {}: the least thickness", state.mode.label())
+            }
+            Self::Asymmetric(state) => format!("asymmetric: {}", words(state.mode)),
+        }
+    }
+}
+
+/// A kind of mechanism in words.
+fn words(mode: AsymmetricMode) -> &'static str {
+    match mode {
+        AsymmetricMode::InnerSliding => "one shoulder slides out, a joint of the other half in",
+        AsymmetricMode::ShoulderOpening => "one shoulder slides and opens",
+        AsymmetricMode::ShoulderSliding => "one shoulder slides",
+    }
+}
+
+/// Where a joint is, in a word.
+fn place(joint: &AsymmetricJoint) -> &'static str {
+    match joint.place {
+        Place::Shoulder => "shoulder",
+        Place::Crown => "crown",
+        Place::Haunch => "haunch",
+        Place::Inner => "inner",
+    }
+}
+
+fn side(side: Side) -> &'static str {
+    match side {
+        Side::Right => "right",
+        Side::Left => "left",
+    }
+}
+
+pub(super) fn table(
+    ComplementarityArches(arches): &ComplementarityArches,
+    out: &mut dyn io::Write,
+) -> io::Result<()> {
+    for (index, arch) in arches.iter().enumerate() {
+        if index > 0 {
+            writeln!(out)?;
+        }
+        one(arch, out)?;
+    }
+    Ok(())
+}
+
+fn one(of: &ComplementarityArch, out: &mut dyn io::Write) -> io::Result<()> {
+    let arch = &of.arch;
+    let (alpha, mu, weight) = (arch.half_opening(), arch.friction(), model(arch.weight()));
+    writeln!(out, "Complementarity problem (19) of the whole arch")?;
+    writeln!(out, "half opening {alpha}, friction {mu}, {weight}\n")?;
+    let solutions = of.solutions();
+    if !solutions.is_empty() {
+        writeln!(out, "it has a solution at the thickness")?;
+    }
+    for solution in &solutions {
+        writeln!(out, "   {}  {}", solution.thickness(), solution.words())?;
+    }
+    if let Some(reason) = of.fall() {
+        writeln!(out, "no thickness is enough: {reason}")?;
+    }
+    if let Err(undecided) = &of.symmetric {
+        writeln!(out, "the symmetric state is {undecided}")?;
+    }
+    for undecided in of.asymmetric.iter().filter_map(|solution| solution.as_ref().err()) {
+        writeln!(out, "an asymmetric solution that is found is {undecided}")?;
+    }
+    for state in solutions.iter().filter_map(|solution| solution.asymmetric()) {
+        details(state, out)?;
+    }
+    writeln!(out)?;
+    let lines: Vec<&str> = match of.is_asymmetric() {
+        true => PROOF.into_iter().chain(MEANING).chain(SEARCH).collect(),
+        false => ["no asymmetric solution is found", ""].into_iter().chain(SEARCH).collect(),
+    };
+    lines.into_iter().try_for_each(|line| writeln!(out, "{line}"))
+}
+
+fn details(state: &AsymmetricDigits, out: &mut dyn io::Write) -> io::Result<()> {
+    writeln!(out, "\nasymmetric at {}; its mirror image is a solution too", state.thickness)?;
+    for (name, symbol, figure) in [
+        ("thrust", "h = H/(w r)", &state.thrust),
+        ("crown_moment", "p", &state.crown_moment),
+        ("vertical_force", "v", &state.vertical_force),
+        ("power", "w r", &state.power),
+    ] {
+        writeln!(out, "   {name:<20} {symbol:<12} {figure}")?;
+    }
+    let angles: Vec<String> = state.joints.iter().map(|joint| joint.angle.to_string()).collect();
+    let width = angles.iter().map(String::len).max().unwrap_or(0).max(16);
+    writeln!(out, "   {:<22} {:<15} {:<width$}  rate", "joint", "", "angle from crown")?;
+    state.joints.iter().zip(&angles).try_for_each(|(joint, angle)| {
+        let at = format!("{}, {}", side(joint.side), place(joint));
+        writeln!(out, "   {:<22} {at:<15} {angle:<width$}  {}", contact(joint.contact), joint.rate)
+    })
+}
+
+pub(super) fn csv(
+    ComplementarityArches(arches): &ComplementarityArches,
+    out: &mut dyn io::Write,
+) -> io::Result<()> {
+    let header = [
+        "weight",
+        "half_opening",
+        "friction",
+        "symmetric",
+        "mode",
+        "thickness",
+        "thrust",
+        "crown_moment",
+        "vertical_force",
+    ];
+    let rows = arches.iter().flat_map(|of| {
+        of.solutions().into_iter().map(|solution| {
+            let text = |figure: Option<&Figure>| figure.map_or(String::new(), Figure::to_string);
+            let state = solution.asymmetric();
+            vec![
+                of.arch.weight().name().to_owned(),
+                of.arch.half_opening().to_string(),
+                of.arch.friction().to_string(),
+                state.is_none().to_string(),
+                solution.mode().to_owned(),
+                solution.thickness().to_string(),
+                solution.thrust().to_string(),
+                text(state.map(|state| &state.crown_moment)),
+                text(state.map(|state| &state.vertical_force)),
+            ]
+        })
+    });
+    csv::write(std::iter::once(header.map(str::to_owned).to_vec()).chain(rows), out)
+}
+
+pub(super) fn json(
+    ComplementarityArches(arches): &ComplementarityArches,
+    out: &mut dyn io::Write,
+) -> io::Result<()> {
+    let entries: Vec<Fields> = arches.iter().map(entry).collect();
+    match &entries[..] {
+        [one] => json::write(one, out),
+        all => json::write(&all, out),
+    }
+}
+
+fn entry(of: &ComplementarityArch) -> Fields {
+    let mut fields = Fields::default();
+    fields.add("schema", "couplet.complementarity/1");
+    fields.add("weight", of.arch.weight().name());
+    fields.add("half_opening", of.arch.half_opening().to_string());
+    fields.add("friction", of.arch.friction().to_string());
+    fields.add("verdict", if of.first_open().is_some() { "undecided" } else { "proved" });
+    fields.add("reason", of.first_open().map(|open| open.reason.to_string()));
+    fields.add("fall", of.fall());
+    let solutions = of.solutions();
+    fields.add_list("solutions", solutions.iter().map(|solution| solved(*solution)).collect());
+    fields.add("search", SEARCH.join(" "));
+    fields
+}
+
+fn solved(solution: Solution<'_>) -> Fields {
+    let mut fields = Fields::default();
+    let state = solution.asymmetric();
+    fields.add("symmetric", state.is_none());
+    fields.add("mode", solution.mode());
+    fields.add_fields("thickness", Some(bounds(solution.thickness())));
+    fields.add_fields("thrust", Some(bounds(solution.thrust())));
+    if let Some(state) = state {
+        fields.add_fields("crown_moment", Some(bounds(&state.crown_moment)));
+        fields.add_fields("vertical_force", Some(bounds(&state.vertical_force)));
+        fields.add_fields("power", Some(bounds(&state.power)));
+        let joint = |joint: &AsymmetricJoint| {
+            let mut fields = Fields::default();
+            fields.add("contact", contact(joint.contact));
+            fields.add("side", side(joint.side));
+            fields.add("place", place(joint));
+            fields.add_fields("angle", Some(bounds(&joint.angle)));
+            fields.add_fields("rate", Some(bounds(&joint.rate)));
+            fields
+        };
+        fields.add_list("joints", state.joints.iter().map(joint).collect());
+    }
+    fields
+}
+
+fn bounds(figure: &Figure) -> Fields {
+    let mut fields = Fields::default();
+    fields.add("value", figure.decimal.value.to_string());
+    fields.add("lower", figure.decimal.lower.to_string());
+    fields.add("upper", figure.decimal.upper.to_string());
+    fields
+}
