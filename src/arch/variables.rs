@@ -86,6 +86,26 @@ impl<T: Field> Configuration<T> {
     }
 }
 
+#[cfg(all(test, feature = "mpfr"))]
+impl Configuration<rug::Rational> {
+    /// One with rational sines and cosines, for identities: of no state.
+    pub(crate) fn rational() -> Self {
+        let angle = |rad: (i32, i32), sin: (i32, i32), cos: (i32, i32)| Angle {
+            rad: rad.into(),
+            sin: sin.into(),
+            cos: cos.into(),
+        };
+        Self {
+            half_opening: angle((9, 4), (4, 5), (-3, 5)),
+            rotation_joint: angle((1, 1), (20, 29), (21, 29)),
+            sliding_joint: angle((1, 3), (5, 13), (12, 13)),
+            thickness: (1, 3).into(),
+            thrust: (1, 7).into(),
+            friction: (5, 4).into(),
+        }
+    }
+}
+
 impl<T> Configuration<T> {
     /// The value of a variable, rad for an angle.
     pub fn value(&self, unknown: Unknown) -> &T {

@@ -169,19 +169,8 @@ mod tests {
 
     type Exact = Rational;
 
-    fn angle(rad: (i32, i32), sin: (i32, i32), cos: (i32, i32)) -> Angle<Exact> {
-        Angle { rad: rad.into(), sin: sin.into(), cos: cos.into() }
-    }
-
     fn at() -> Configuration<Exact> {
-        Configuration {
-            half_opening: angle((9, 4), (4, 5), (-3, 5)),
-            rotation_joint: angle((1, 1), (20, 29), (21, 29)),
-            sliding_joint: angle((1, 3), (5, 13), (12, 13)),
-            thickness: (1, 3).into(),
-            thrust: (1, 7).into(),
-            friction: (5, 4).into(),
-        }
+        Configuration::rational()
     }
 
     fn all(dilatancy: &Exact) -> Vec<(Configuration<Exact>, Mechanism<Exact>)> {

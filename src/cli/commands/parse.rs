@@ -67,7 +67,9 @@ pub(super) fn weights(text: &str) -> Result<Weights, String> {
 /// A quantity by its name.
 pub(super) fn quantity(text: &str) -> Result<Quantity, String> {
     let mut names: Vec<&str> = Vec::new();
+    let measured = [&Quantity::MEASURED_STATE[..], &Quantity::MEASURED_ASSESSMENT];
     let all = [&Quantity::LANDMARK[..], &Quantity::STATE, &Quantity::ASSESSMENT].concat();
+    let all = [all, measured.concat()].concat();
     for name in all.into_iter().map(Quantity::name) {
         if !names.contains(&name) {
             names.push(name);
