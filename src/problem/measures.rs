@@ -168,6 +168,16 @@ impl Measures {
         Self { circle, radius, loaded }
     }
 
+    /// The circle that is measured.
+    pub fn circle(&self) -> Circle {
+        self.circle
+    }
+
+    /// The radius of that circle, in metres.
+    pub fn radius(&self) -> ExactNumber {
+        ExactNumber::rational(self.radius.0.clone())
+    }
+
     /// Whether forces can be told.
     pub fn has_forces(&self) -> bool {
         self.loaded.is_some()

@@ -14,7 +14,7 @@ fn written(arguments: &[&str]) -> String {
 #[test]
 fn the_name_of_the_file_tells_the_format() {
     let scratch = Scratch::new();
-    for (name, start) in [("a.svg", "<svg "), ("a.json", "{"), ("a.dxf", "0\nSECTION")] {
+    for (name, start) in [("a.svg", "<svg "), ("a.json", "{"), ("a.dxf", "999\ncouplet")] {
         let file = scratch.path(name);
         let (code, output, error) = said(&couplet(&[&ARCH[..], &["-o", &file]].concat()));
         assert_eq!((code, &output[..], &error[..]), (Some(0), "", ""));
@@ -45,6 +45,53 @@ fn json_has_the_geometry() {
     let last = line.last().unwrap();
     let angle = last[0].as_f64().unwrap().atan2(last[1].as_f64().unwrap());
     assert!((angle - 2.45).abs() < 1e-12);
+}
+
+/// Points are larger by the radius, rates are the same, and forces are those of `couplet state` and `couplet assess`.
+#[test]
+fn json_is_in_metres_where_the_arch_is() {
+    let parsed = |line: &str| -> Value {
+        let words: Vec<&str> = line.split(' ').chain(["--format", "json"]).collect();
+        serde_json::from_str(&written(&words)).unwrap()
+    };
+    let plain = parsed("draw --half-opening 2atan(3/5) --friction 0.6");
+    let shape = "--span 10m --rise 3m --friction 0.6 --density 24kN/m3 --depth 2m";
+    let metres = parsed(&format!("draw {shape}"));
+    assert_eq!((&plain["unit"], &metres["unit"]), (&"r".into(), &"m".into()));
+    let [plain, metres] = [&plain["arches"][0], &metres["arches"][0]];
+    assert!(plain["measures"].is_null());
+    let radius = 17.0 / 3.0;
+    let line = |arch: &Value| -> Vec<f64> {
+        let points = arch["lines"][0]["thrust_lines"][0].as_array().unwrap();
+        points.iter().flat_map(|point| [0, 1].map(|k| point[k].as_f64().unwrap())).collect()
+    };
+    let both = line(plain).into_iter().zip(line(metres));
+    let far = both.map(|(r, m)| (radius * r - m).abs());
+    assert!(far.fold(0.0, f64::max) < 1e-14);
+    let [one, other] = [plain, metres].map(|arch| &arch["mechanisms"][0]);
+    assert_eq!(one["joints"], other["joints"]);
+    let shift = |of: &Value| of["blocks"][0]["shift"][0].as_f64().unwrap();
+    assert!((radius * shift(one) - shift(other)).abs() < 1e-14);
+    let state = parsed(&format!("state {shape} --digits 17"));
+    let measures = &metres["measures"];
+    for (ours, theirs) in [
+        (&measures["radius_m"], "radius_m"),
+        (&measures["thickness_m"], "least_thickness_m"),
+        (&measures["weight_kn"], "weight_kn"),
+        (&metres["lines"][0]["thrust_kn"], "thrust_kn"),
+    ] {
+        assert_eq!(ours["value"], state[theirs]["value"], "{theirs}");
+    }
+    assert_eq!(
+        (&measures["span_m"]["double"], &measures["rise_m"]["double"]),
+        (&10.0.into(), &3.0.into())
+    );
+    let standing = format!("{shape} --thickness 60cm --measured-at intrados");
+    let (drawn, assessed) =
+        (parsed(&format!("draw {standing}")), parsed(&format!("assess {standing} --digits 17")));
+    for (k, end) in ["least_thrust_kn", "largest_thrust_kn"].into_iter().enumerate() {
+        assert_eq!(drawn["arches"][0]["lines"][k]["thrust_kn"]["value"], assessed[end]["value"]);
+    }
 }
 
 #[test]
@@ -107,6 +154,17 @@ fn what_cannot_be_drawn_is_refused() {
         (&["draw", "--at", "T", "--stones", "1"], "stones are a whole number from 2 to 500"),
         (&["draw", "--at", "T", "--animate", "--format", "json"], "only svg moves"),
         (&["draw", "--at", "T", "--format", "csv"], "a format is one of"),
+        (&["draw", "--span", "10m", "--rise", "3m", "--radius", "5m", "--mu", "1"], "contradicts"),
+        (&["draw", "--span", "10m", "--mu", "1"], "--rise"),
+        (&["draw", "--span", "10m", "--rise", "3m", "--alpha", "1", "--mu", "1"], "cannot be used"),
+        (&["draw", "--at", "T", "--radius", "5m"], "cannot be used"),
+        (
+            &["draw", "--radius", "5m", "--alpha", "1", "--mu", "1", "--density", "24kN/m3"],
+            "--depth",
+        ),
+        (&["draw", "--alpha", "1", "--mu", "1", "--thickness", "60cm"], "60cm"),
+        (&["draw", "--radius", "5m", "--alpha", "1", "--mu", "1", "--eta", "11m"], "too large"),
+        (&["draw", "--radius", "1e300m", "--alpha", "1", "--mu", "1"], "from 1mm to 1000000m"),
         (&["figure", "7", "--weight", "both"], "figure 7 shows one --weight"),
         (&["figure", "9", "--tolerance", "1e-3"], "leave out --tolerance"),
     ] {

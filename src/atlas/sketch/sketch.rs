@@ -209,9 +209,14 @@ impl Sketch {
         double(&self.at.half_opening.rad)
     }
 
+    /// The thickness, in units of `r`.
+    pub fn thickness(&self) -> f64 {
+        double(&self.at.thickness)
+    }
+
     /// The radii of the intrados and the extrados.
     pub fn radii(&self) -> [f64; 2] {
-        let eta = double(&self.at.thickness);
+        let eta = self.thickness();
         [1.0 - eta / 2.0, 1.0 + eta / 2.0]
     }
 

@@ -52,12 +52,7 @@ impl ArchArguments {
         needs: &Needs,
         made: Option<&ExactNumber>,
     ) -> Result<Vec<Arch>, Failure> {
-        let shape = match made {
-            Some(made) => {
-                &ShapeArguments { half_opening: Some(made.to_string()), ..self.shape.clone() }
-            }
-            None => &self.shape,
-        };
+        let shape = self.shape.with_half_opening(made);
         self.weight.all().into_iter().map(|weight| shape.arch(weight, needs)).collect()
     }
 }
@@ -82,6 +77,12 @@ pub(super) struct Needs {
 }
 
 impl ShapeArguments {
+    /// The same with a half opening that follows from other arguments, if it does.
+    pub(super) fn with_half_opening(&self, made: Option<&ExactNumber>) -> Self {
+        let half_opening = made.map(ExactNumber::to_string).or_else(|| self.half_opening.clone());
+        Self { half_opening, ..self.clone() }
+    }
+
     /// Whether anything of it is given.
     pub(super) fn is_given(&self) -> bool {
         self.half_opening.is_some() || self.friction.is_some() || self.friction_angle.is_some()

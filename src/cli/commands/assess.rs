@@ -1,6 +1,6 @@
 //! `couplet assess`.
 
-use super::arch::{ArchArguments, Needs, thickness};
+use super::arch::{ArchArguments, Needs};
 use super::measures::{self, MeasureArguments, Measured};
 use super::output::AnswerOutput;
 use super::state::print;
@@ -39,17 +39,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let needs = Needs { missing, example: EXAMPLE };
     let arches = arguments.arch.arches(&needs, measures::half_opening(measured.as_ref()))?;
     let eta = arguments.thickness.as_deref().unwrap_or_default();
-    let eta = match measured.as_ref().and_then(|measured| measured.thickness(eta)) {
-        Some(eta) => eta?,
-        None => thickness(eta).map_err(Failure::Input)?,
-    };
-    if let Some(Measured { measures, .. }) = &measured
-        && measures.exact_radius(Some(&eta)).is_none()
-    {
-        let message =
-            format!("at the thickness {eta} the intrados is a point, and has no radius to measure");
-        return Err(Failure::Input(message));
-    }
+    let eta = measures::thickness(measured.as_ref(), eta)?;
     let all = measures::quantities(
         &Quantity::ASSESSMENT,
         &Quantity::MEASURED_ASSESSMENT,

@@ -1,6 +1,7 @@
 //! `couplet draw`.
 
-use super::arch::{Needs, ShapeArguments, thickness};
+use super::arch::{Needs, ShapeArguments};
+use super::measures::{self, MeasureArguments, Measured};
 use super::output::{OutputFile, typed};
 use super::parse;
 use crate::arch::SelfWeight;
@@ -15,7 +16,8 @@ use clap::Args;
 /// Without --thickness: the arch at its least thickness, its lines of thrust and of friction, and its mechanism. With it:
 /// the lines of the least and of the largest thrust, what limits each, and the safety. --at: a landmark, one
 /// picture for each mode that is possible there. --mode [s,s] with --thickness and no friction: an arch at the friction at
-/// which it slides.
+/// which it slides. In metres, with --span and --rise or with --radius: sizes in the picture and its caption, and JSON and
+/// DXF in metres.
 #[derive(Args)]
 #[command(
     override_usage = "couplet draw --half-opening <ANGLE> --friction <MU> [--thickness <ETA>] [OPTIONS]\n       \
@@ -29,12 +31,13 @@ pub(crate) struct Arguments {
     #[arg(long, default_value = "milankovitch", value_parser = parse::weight)]
     weight: SelfWeight,
 
-    /// Thickness-to-radius ratio of an arch as it stands, between 0 and 2 (0.12, 3/25).
+    /// Thickness-to-radius ratio of an arch as it stands, between 0 and 2 (0.12, 3/25); of an arch in metres also a
+    /// length (60cm).
     #[arg(long, visible_alias = "eta", value_name = "ETA", allow_hyphen_values = true)]
     thickness: Option<String>,
 
     /// A landmark instead of an arch, by symbol or name: T, S, J, B, l or L.
-    #[arg(long, value_name = "LANDMARK", value_parser = parse::landmark, conflicts_with_all = ["half_opening", "friction", "friction_angle", "thickness"])]
+    #[arg(long, value_name = "LANDMARK", value_parser = parse::landmark, conflicts_with_all = ["half_opening", "friction", "friction_angle", "thickness", "span", "radius", "density"])]
     at: Option<Landmark>,
 
     /// Only this mode, where several are possible (rrs, [s,s]).
@@ -71,6 +74,9 @@ pub(crate) struct Arguments {
 
     #[command(flatten)]
     file: OutputFile,
+
+    #[command(flatten)]
+    measures: MeasureArguments,
 }
 
 /// A command line that has everything.
@@ -91,8 +97,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.animate && format.name != "svg" {
         return Err(Failure::Input(format!("only svg moves, not {}", format.name)));
     }
-    let sketch = arguments.sketch()?;
-    let file = arguments.file.open_for(format)?;
+    let measured = arguments.measures.measured()?;
+    let sketch = arguments.sketch(measured.as_ref())?;
+    let measures = measured.map(|measured| measured.measures);
     let style = Style {
         amplitude: arguments.amplitude,
         half: arguments.half,
@@ -100,23 +107,31 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         stones: arguments.stones,
         animate: arguments.animate,
     };
-    let report = Report::Sketched(Sketched { sketches: vec![sketch], style, command: typed() });
+    let drawn = Sketched { sketches: vec![sketch], style, measures, command: typed() };
+    if !drawn.can_be_drawn() {
+        let message =
+            "a drawing has a radius from 1mm to 1000000m, and forces of a size that doubles hold";
+        return Err(Failure::Input(message.into()));
+    }
+    let file = arguments.file.open_for(format)?;
+    let report = Report::Sketched(drawn);
     file.write(|out| report.write(format, out))
 }
 
 impl Arguments {
     /// What is asked for, in the modes asked for.
-    fn sketch(&self) -> Result<Sketch, Failure> {
+    fn sketch(&self, measured: Option<&Measured>) -> Result<Sketch, Failure> {
         if let Some(landmark) = self.at {
             let sketch = Sketch::landmark(landmark, self.weight, self.dilatant).map_err(failure)?;
             return sketch.in_modes(self.mode.as_slice()).map_err(failure);
         }
-        let thick = self.thickness.as_deref().map(thickness).transpose();
-        let thick = thick.map_err(Failure::Input)?;
+        let shape = self.shape.with_half_opening(measures::half_opening(measured));
+        let thick = self.thickness.as_deref().map(|eta| measures::thickness(measured, eta));
+        let thick = thick.transpose()?;
         let needs = Needs { missing: Vec::new(), example: EXAMPLE };
         match (&thick, self.mode) {
-            (Some(thick), Some(Mode::Sliding)) if !self.shape.has_friction() => {
-                let arch = self.shape.without_friction(self.weight, &needs)?;
+            (Some(thick), Some(Mode::Sliding)) if !shape.has_friction() => {
+                let arch = shape.without_friction(self.weight, &needs)?;
                 Sketch::sliding(&arch, thick, self.dilatant).map_err(failure)
             }
             (Some(_), _) if self.mode.is_some() || self.dilatant || self.animate => {
@@ -125,10 +140,10 @@ impl Arguments {
                 Err(Failure::Input(message.into()))
             }
             (Some(thick), _) => {
-                Sketch::standing(&self.shape.arch(self.weight, &needs)?, thick).map_err(failure)
+                Sketch::standing(&shape.arch(self.weight, &needs)?, thick).map_err(failure)
             }
             (None, _) => {
-                let arch = self.shape.arch(self.weight, &needs)?;
+                let arch = shape.arch(self.weight, &needs)?;
                 let sketch = Sketch::least(&arch, self.dilatant).map_err(failure)?;
                 sketch.in_modes(self.mode.as_slice()).map_err(failure)
             }

@@ -97,7 +97,7 @@ fn draw(
     let sketches = shown.iter().map(sketch).collect::<Result<_, _>>().map_err(failure)?;
     let style =
         Style { amplitude: AMPLITUDE, half: false, arrows: false, stones: None, animate: false };
-    let report = Report::Sketched(Sketched { sketches, style, command: typed() });
+    let report = Report::Sketched(Sketched { sketches, style, measures: None, command: typed() });
     arguments.file.open_for(format)?.write(|out| report.write(format, out))
 }
 

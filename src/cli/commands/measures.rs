@@ -1,5 +1,6 @@
 //! The arguments of an arch that is measured in metres.
 
+use super::arch;
 use crate::cli::failure::Failure;
 use crate::number::ExactNumber;
 use crate::problem::Quantity;
@@ -53,10 +54,24 @@ pub(super) struct Measured {
 
 impl Measured {
     /// The thickness-to-radius ratio of a thickness that is a length; `None` for another text.
-    pub(super) fn thickness(&self, text: &str) -> Option<Result<ExactNumber, Failure>> {
+    fn thickness(&self, text: &str) -> Option<Result<ExactNumber, Failure>> {
         let length: Length = text.parse().ok()?;
         let eta = self.measures.thickness(&length);
         Some(eta.map_err(|error| Failure::Input(error.to_string())))
+    }
+}
+
+/// The thickness-to-radius ratio that a text says, of an arch that may be measured: then as a length too.
+pub(super) fn thickness(measured: Option<&Measured>, text: &str) -> Result<ExactNumber, Failure> {
+    let eta = match measured.and_then(|measured| measured.thickness(text)) {
+        Some(eta) => eta?,
+        None => arch::thickness(text).map_err(Failure::Input)?,
+    };
+    match measured {
+        Some(of) if of.measures.exact_radius(Some(&eta)).is_none() => Err(Failure::Input(format!(
+            "at the thickness {eta} the intrados is a point, and has no radius to measure"
+        ))),
+        _ => Ok(eta),
     }
 }
 

@@ -1,21 +1,31 @@
 //! What is said of an arch above and below its picture.
 
 use super::Sketched;
+use super::metres::{Metres, Size};
 use crate::atlas::{Collapse, Forces, Sketch, Subject};
 use crate::certify::state::{Assessment, Limit};
-use crate::number::{Ball, Rounded, arctangent, degrees};
-use crate::problem::{Landmark, Mode};
+use crate::number::{Ball, Form, arctangent, degrees};
+use crate::problem::measures::Measures;
+use crate::problem::{Arch, Landmark, Mode};
 use crate::report::words;
 
 /// Digits that are shown.
 const DIGITS: usize = 6;
 const FEW: usize = 4;
 
+/// More digits than asked for are shown, at most so many, where the value may be half way between two decimals.
+const MORE: usize = 6;
+
 /// A value correctly rounded.
 pub(super) fn rounded(x: &Ball, digits: usize) -> String {
-    match Rounded::around(x, digits) {
+    shown(&Size::from(x.clone()), digits)
+}
+
+/// A size correctly rounded.
+pub(super) fn shown(x: &Size, digits: usize) -> String {
+    match (digits..=digits + MORE).find_map(|digits| x.rounded(digits)) {
         Some(rounded) => shortened(&rounded.value.to_string()),
-        None => format!("{:.*e}", digits - 1, x.mid().to_f64()),
+        None => "undecided".to_owned(),
     }
 }
 
@@ -82,32 +92,95 @@ pub(super) fn title(sketch: &Sketch, collapse: Option<&Collapse>) -> [String; 2]
 
 /// What a picture shows, for those who do not see it.
 pub(super) fn heading(drawn: &Sketched) -> String {
-    let all: Vec<String> = drawn.sketches.iter().map(subject).collect();
+    let all: Vec<String> = drawn
+        .sketches
+        .iter()
+        .map(|sketch| subject(sketch, drawn.metres(sketch).as_ref()))
+        .collect();
     all.join("; ")
 }
 
 /// What is drawn, in words.
-fn subject(sketch: &Sketch) -> String {
+fn subject(sketch: &Sketch, metres: Option<&Metres>) -> String {
     let model = words::model(sketch.weight);
+    let shape = |arch: &Arch| shape(arch, sketch, metres);
     match &sketch.subject {
-        Subject::Least(arch) => format!(
-            "Arch of half opening {}, friction {}, {model}",
-            arch.half_opening(),
-            arch.friction()
-        ),
+        Subject::Least(arch) => {
+            format!("Arch of {}, friction {}, {model}", shape(arch), arch.friction())
+        }
         Subject::Landmark(landmark) => {
             format!("{} {}, {model}", capital(landmark.name()), words::symbol(*landmark))
         }
         Subject::Standing { arch, thickness, .. } => format!(
-            "Arch of half opening {}, friction {}, thickness {thickness}, {model}",
-            arch.half_opening(),
-            arch.friction()
+            "Arch of {}, friction {}, thickness {}, {model}",
+            shape(arch),
+            arch.friction(),
+            metres.map_or(thickness.to_string(), |metres| metre(&metres.thickness))
         ),
         Subject::Sliding { arch, thickness } => format!(
-            "Arch of half opening {}, thickness {thickness}, {model}, at the friction at which it slides",
-            arch.half_opening()
+            "Arch of {}, thickness {}, {model}, at the friction at which it slides",
+            shape(arch),
+            metres.map_or(thickness.to_string(), |metres| metre(&metres.thickness))
         ),
     }
+}
+
+/// The half opening; in metres what it follows from.
+fn shape(arch: &Arch, sketch: &Sketch, metres: Option<&Metres>) -> String {
+    let given = arch.half_opening();
+    let alpha = match given.form() {
+        Form::TwiceArctangent => {
+            format!("{}°", rounded(&degrees(&sketch.at.half_opening.rad), DIGITS))
+        }
+        _ => given.to_string(),
+    };
+    match metres {
+        Some(of) => format!(
+            "span {} and rise {} at its {}, half opening {alpha}",
+            metre(&of.span),
+            metre(&of.rise),
+            of.circle.name()
+        ),
+        None => format!("half opening {alpha}"),
+    }
+}
+
+/// A length in metres.
+fn metre(length: &Size) -> String {
+    format!("{} m", shown(length, DIGITS))
+}
+
+/// What is known in metres and kilonewtons beyond the span and the rise.
+fn in_metres(sketch: &Sketch, measures: &Measures, of: &Metres) -> String {
+    let mut said = format!(
+        " In metres: r = {}, t = {}",
+        shown(&of.radius, DIGITS),
+        shown(&of.thickness, DIGITS)
+    );
+    if let Subject::Standing { assessment, .. } = &sketch.subject
+        && let Ok(Some(least)) = &assessment.least_thickness
+    {
+        let least = Metres::thickness_of(measures, sketch, least);
+        said += &format!(", least t = {}", shown(&least, DIGITS));
+    }
+    let Some(loads) = &of.loads else { return said + "." };
+    let force = |size: &Size| shown(size, DIGITS);
+    said += &format!(
+        ". In kN: weight of the arch {}, on each shoulder V = {}",
+        force(&loads.weight),
+        force(&loads.reaction)
+    );
+    let thrust = |of: &Forces| force(&loads.thrust(&of.thrust));
+    let is_standing = matches!(sketch.subject, Subject::Standing { .. });
+    said += &match &sketch.forces[..] {
+        [] => String::new(),
+        [one] if is_standing => format!(", thrust H = hwr = {} or more", thrust(one)),
+        [one] => format!(", thrust H = hwr = {}", thrust(one)),
+        [least, largest, ..] => {
+            format!(", thrust H = hwr from {} to {}", thrust(least), thrust(largest))
+        }
+    };
+    said + "."
 }
 
 fn capital(words: &str) -> String {
@@ -117,7 +190,8 @@ fn capital(words: &str) -> String {
 
 /// The paragraphs below.
 pub(super) fn paragraphs(drawn: &Sketched) -> Vec<String> {
-    let mut all: Vec<String> = drawn.sketches.iter().map(paragraph).collect();
+    let mut all: Vec<String> =
+        drawn.sketches.iter().map(|sketch| paragraph(drawn, sketch)).collect();
     let has = |is: fn(&Sketch) -> bool| drawn.sketches.iter().any(is);
     if has(|sketch| !sketch.collapses.is_empty()) {
         let state = match has(|sketch| matches!(sketch.subject, Subject::Sliding { .. })) {
@@ -136,13 +210,17 @@ pub(super) fn paragraphs(drawn: &Sketched) -> Vec<String> {
     all
 }
 
-fn paragraph(sketch: &Sketch) -> String {
-    let mut said = subject(sketch);
+fn paragraph(drawn: &Sketched, sketch: &Sketch) -> String {
+    let metres = drawn.metres(sketch);
+    let mut said = subject(sketch, metres.as_ref());
+    let in_metres =
+        drawn.measures.as_ref().zip(metres).map(|(measures, of)| in_metres(sketch, measures, &of));
+    let in_metres = in_metres.unwrap_or_default();
     if let Subject::Standing { assessment, .. } = &sketch.subject {
-        return said + ". " + &standing(assessment, sketch);
+        return said + ". " + &standing(assessment, sketch) + &in_metres;
     }
     let values: Vec<String> = values(sketch).collect();
-    said += &format!(". {}.", capital(&values.join(", ")));
+    said += &format!(". {}.{in_metres}", capital(&values.join(", ")));
     let falls = |collapse: &Collapse| {
         let start = if sketch.collapses.len() == 1 { "It falls as " } else { "" };
         format!(" {start}{}", balance(sketch, collapse))

@@ -1,14 +1,19 @@
-//! DXF (release 12, text): lines and arcs in units of `r`, `y` up, each kind on a layer of its own.
+//! DXF (release 12, text): lines and arcs in units of `r` or in metres, `y` up, each kind on a layer of its own. An arch that
+//! is shown with several modes is a block, which each panel inserts.
 
 use super::Sketched;
+use super::arcs::{Bulge, arcs};
 use super::blocks::Blocks;
 use crate::arch::mechanism::Contact;
-use crate::atlas::{Line, Sketch};
+use crate::atlas::{Collapse, Line, Sketch};
 use std::io;
 
 /// The layers and their colours by number.
 const LAYERS: [(&str, u8); 6] =
     [("ARCH", 7), ("THRUST", 1), ("FRICTION", 5), ("HINGES", 7), ("SLIDING", 5), ("MECHANISM", 3)];
+/// How far a line's points may be from the arcs that stand for it, and that as a part of the thickness.
+const WITHIN: f64 = 1e-5;
+const PART: f64 = 4e-4;
 /// Between two arches.
 const BETWEEN: f64 = 0.5;
 /// The radius of a hinge.
@@ -17,17 +22,38 @@ const HINGE: f64 = 0.015;
 /// A file in the making: pairs of a code and a value.
 struct Dxf {
     text: String,
-    /// Where the centre of the arch is.
+    /// Where the centre of the arch is, in units of `r`.
     x: f64,
+    /// A unit of `r` in that of the file.
+    unit: f64,
 }
+
+/// Decimals of a length in units of `r`.
+const DECIMALS: i32 = 7;
 
 impl Dxf {
     fn put(&mut self, code: u16, value: &str) {
         self.text += &format!("{code}\n{value}\n");
     }
 
-    fn number(&mut self, code: u16, value: f64) {
-        self.put(code, &format!("{value:.7}"));
+    /// A number as short as it goes.
+    fn number(&mut self, code: u16, value: f64, decimals: i32) {
+        let text = format!("{value:.*}", decimals.max(0) as usize);
+        let short = match text.contains('.') {
+            true => text.trim_end_matches('0').trim_end_matches('.'),
+            false => &text,
+        };
+        self.put(code, if short == "-0" { "0" } else { short });
+    }
+
+    /// As precise a length in a small unit as in a large one.
+    fn length(&mut self, code: u16, value: f64) {
+        let value = value * self.unit;
+        self.number(code, value, DECIMALS - self.unit.log10().floor() as i32);
+    }
+
+    fn degrees(&mut self, code: u16, value: f64) {
+        self.number(code, value, DECIMALS);
     }
 
     fn begin(&mut self, kind: &str, layer: &str) {
@@ -36,8 +62,8 @@ impl Dxf {
     }
 
     fn point(&mut self, first: u16, [x, y]: [f64; 2]) {
-        self.number(first, self.x + x);
-        self.number(first + 10, y);
+        self.length(first, self.x + x);
+        self.length(first + 10, y);
     }
 
     fn line(&mut self, layer: &str, [from, to]: [[f64; 2]; 2]) {
@@ -46,13 +72,19 @@ impl Dxf {
         self.point(11, to);
     }
 
-    fn chain(&mut self, layer: &str, points: impl Iterator<Item = [f64; 2]>) {
+    fn chain(&mut self, layer: &str, points: &[Bulge]) {
         self.begin("POLYLINE", layer);
         self.put(66, "1");
+        // Which the release asks for, and which says nothing.
+        self.put(10, "0");
+        self.put(20, "0");
         self.put(70, "0");
-        for point in points {
+        for (point, bulge) in points {
             self.begin("VERTEX", layer);
-            self.point(10, point);
+            self.point(10, *point);
+            if *bulge != 0.0 {
+                self.number(42, *bulge, DECIMALS);
+            }
         }
         self.put(0, "SEQEND");
     }
@@ -60,16 +92,22 @@ impl Dxf {
     fn circle(&mut self, layer: &str, at: [f64; 2], radius: f64) {
         self.begin("CIRCLE", layer);
         self.point(10, at);
-        self.number(40, radius);
+        self.length(40, radius);
     }
 
     /// About a centre, counter-clockwise from one angle to another, in degrees from the right.
     fn arc(&mut self, layer: &str, center: [f64; 2], radius: f64, [from, to]: [f64; 2]) {
         self.begin("ARC", layer);
         self.point(10, center);
-        self.number(40, radius);
-        self.number(50, from);
-        self.number(51, to);
+        self.length(40, radius);
+        self.degrees(50, from);
+        self.degrees(51, to);
+    }
+
+    fn insert(&mut self, block: &str) {
+        self.begin("INSERT", "ARCH");
+        self.put(2, block);
+        self.point(10, [0.0, 0.0]);
     }
 }
 
@@ -97,19 +135,18 @@ fn arch(dxf: &mut Dxf, sketch: &Sketch, half: bool) {
     for joint in [from, alpha] {
         dxf.line("ARCH", radii.map(|radius| polar(joint, radius)));
     }
+    let within = WITHIN.min(PART * sketch.thickness());
     for forces in &sketch.forces {
         for line in &forces.thrust_lines {
-            dxf.chain("THRUST", along(line, half).into_iter());
+            dxf.chain("THRUST", &arcs(&along(line, half), within));
         }
-        dxf.chain("FRICTION", along(&forces.friction_line, half).into_iter());
+        dxf.chain("FRICTION", &arcs(&along(&forces.friction_line, half), within));
     }
 }
 
-/// The geometry for programs that draw.
-pub(in crate::report) fn dxf(report: &Sketched, out: &mut dyn io::Write) -> io::Result<()> {
-    let half = report.style.half;
-    let sides: &[f64] = if half { &[1.0] } else { &[1.0, -1.0] };
-    let mut dxf = Dxf { text: String::new(), x: 0.0 };
+/// The tables of a file: its layers.
+fn head(dxf: &mut Dxf, unit: &str) {
+    dxf.put(999, &format!("couplet: lengths in {unit}"));
     for (code, value) in
         [(0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1009"), (0, "ENDSEC")]
     {
@@ -125,52 +162,100 @@ pub(in crate::report) fn dxf(report: &Sketched, out: &mut dyn io::Write) -> io::
             dxf.put(code, value);
         }
     }
-    for (code, value) in [(0, "ENDTAB"), (0, "ENDSEC"), (0, "SECTION"), (2, "ENTITIES")] {
+    dxf.put(0, "ENDTAB");
+    dxf.put(0, "ENDSEC");
+}
+
+/// A section with what is put into it.
+fn section(dxf: &mut Dxf, name: &str, fill: impl FnOnce(&mut Dxf)) {
+    dxf.put(0, "SECTION");
+    dxf.put(2, name);
+    fill(dxf);
+    dxf.put(0, "ENDSEC");
+}
+
+/// Under its name, for panels to insert.
+fn block(dxf: &mut Dxf, name: &str, sketch: &Sketch, half: bool) {
+    dxf.begin("BLOCK", "0");
+    for (code, value) in [(2, name), (70, "0"), (10, "0"), (20, "0"), (3, name)] {
         dxf.put(code, value);
     }
-    for (sketch, collapse) in report.panels() {
-        let [inner, outer] = sketch.radii();
-        arch(&mut dxf, sketch, half);
-        let marks = match collapse {
-            Some(collapse) => collapse.joints_at_limit(),
-            None => sketch.forces.iter().flat_map(|f| f.marks.iter().map(|m| m.place())).collect(),
-        };
-        for (contact, joint) in marks {
-            for side in sides {
-                let at = |radius| mirrored(polar(joint, radius), *side);
-                match contact {
-                    Contact::Extrados => dxf.circle("HINGES", at(outer), HINGE),
-                    Contact::Intrados => dxf.circle("HINGES", at(inner), HINGE),
-                    _ => dxf.line("SLIDING", [at(inner), at(outer)]),
-                }
+    arch(dxf, sketch, half);
+    dxf.begin("ENDBLK", "0");
+}
+
+fn marks(dxf: &mut Dxf, sketch: &Sketch, collapse: Option<&Collapse>, sides: &[f64]) {
+    let [inner, outer] = sketch.radii();
+    let marks = match collapse {
+        Some(collapse) => collapse.joints_at_limit(),
+        None => sketch.forces.iter().flat_map(|f| f.marks.iter().map(|m| m.place())).collect(),
+    };
+    for (contact, joint) in marks {
+        for side in sides {
+            let at = |radius| mirrored(polar(joint, radius), *side);
+            match contact {
+                Contact::Extrados => dxf.circle("HINGES", at(outer), HINGE),
+                Contact::Intrados => dxf.circle("HINGES", at(inner), HINGE),
+                _ => dxf.line("SLIDING", [at(inner), at(outer)]),
             }
         }
-        let mut widest = outer;
-        if let Some(collapse) = collapse {
-            let blocks = Blocks::new(sketch, collapse, report.style.amplitude, false, &[]);
-            widest = blocks.corners().map(|[x, _]| x).fold(widest, f64::max);
-            for block in &blocks.fallen {
-                for side in sides {
-                    let to = |point: [f64; 2]| mirrored(block.motion.to(&point), *side);
-                    let [upper, lower] = block.between;
-                    for joint in [upper, lower] {
-                        dxf.line(
-                            "MECHANISM",
-                            [inner, outer].map(|radius| to(polar(joint, radius))),
-                        );
-                    }
-                    let turned = block.motion.turn[1].atan2(block.motion.turn[0]).to_degrees();
-                    let ends = [lower, upper].map(|joint| 90.0 - joint.to_degrees() + turned);
-                    let ends = if *side > 0.0 { ends } else { [180.0 - ends[1], 180.0 - ends[0]] };
-                    for radius in [inner, outer].into_iter().filter(|radius| *radius > 0.0) {
-                        dxf.arc("MECHANISM", to([0.0, 0.0]), radius, ends);
-                    }
-                }
-            }
-        }
-        dxf.x += 2.0 * widest + BETWEEN;
     }
-    dxf.put(0, "ENDSEC");
+}
+
+fn mechanism(dxf: &mut Dxf, blocks: &Blocks, [inner, outer]: [f64; 2], sides: &[f64]) {
+    for block in &blocks.fallen {
+        for side in sides {
+            let to = |point: [f64; 2]| mirrored(block.motion.to(&point), *side);
+            let [upper, lower] = block.between;
+            for joint in [upper, lower] {
+                dxf.line("MECHANISM", [inner, outer].map(|radius| to(polar(joint, radius))));
+            }
+            let turned = block.motion.turn[1].atan2(block.motion.turn[0]).to_degrees();
+            let ends = [lower, upper].map(|joint| 90.0 - joint.to_degrees() + turned);
+            let ends = if *side > 0.0 { ends } else { [180.0 - ends[1], 180.0 - ends[0]] };
+            for radius in [inner, outer].into_iter().filter(|radius| *radius > 0.0) {
+                dxf.arc("MECHANISM", to([0.0, 0.0]), radius, ends);
+            }
+        }
+    }
+}
+
+/// The geometry for programs that draw.
+pub(in crate::report) fn dxf(report: &Sketched, out: &mut dyn io::Write) -> io::Result<()> {
+    let half = report.style.half;
+    let sides: &[f64] = if half { &[1.0] } else { &[1.0, -1.0] };
+    let metres = report.sketches.first().and_then(|sketch| report.metres(sketch));
+    let unit = metres.map(|of| of.radius.double());
+    let mut dxf = Dxf { text: String::new(), x: 0.0, unit: unit.unwrap_or(1.0) };
+    head(&mut dxf, if unit.is_some() { "m" } else { "units of r" });
+    let name = |place: usize| format!("COUPLET-{}", place + 1);
+    let is_block = |sketch: &Sketch| sketch.collapses.len() > 1;
+    let blocks = || report.sketches.iter().enumerate().filter(|(_, sketch)| is_block(sketch));
+    if blocks().next().is_some() {
+        section(&mut dxf, "BLOCKS", |dxf| {
+            blocks().for_each(|(place, sketch)| block(dxf, &name(place), sketch, half));
+        });
+    }
+    section(&mut dxf, "ENTITIES", |dxf| {
+        for (place, sketch) in report.sketches.iter().enumerate() {
+            for collapse in super::shown(sketch) {
+                match is_block(sketch) {
+                    true => dxf.insert(&name(place)),
+                    false => arch(dxf, sketch, half),
+                }
+                marks(dxf, sketch, collapse, sides);
+                let radii = sketch.radii();
+                let mut widest = radii[1];
+                if let Some(collapse) = collapse {
+                    let amplitude = report.style.amplitude;
+                    let blocks = Blocks::new(sketch, collapse, amplitude, false, &[]);
+                    widest = blocks.corners().map(|[x, _]| x).fold(widest, f64::max);
+                    mechanism(dxf, &blocks, radii, sides);
+                }
+                dxf.x += 2.0 * widest + BETWEEN;
+            }
+        }
+    });
     dxf.put(0, "EOF");
     out.write_all(dxf.text.as_bytes())
 }

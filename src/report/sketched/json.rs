@@ -1,9 +1,10 @@
 //! JSON: `couplet.drawing/1`. Fields may be added, none changes its meaning.
 
 use super::Sketched;
+use super::metres::{Loads, Metres, Size};
 use crate::arch::mechanism::{Contact, Joint, Twist};
 use crate::atlas::{Block, Collapse, Forces, Line, Sketch, Subject, moved};
-use crate::number::{Ball, Rounded};
+use crate::number::Ball;
 use crate::problem::Mode;
 use crate::report::fields::Fields;
 use crate::report::json;
@@ -17,8 +18,13 @@ const DIGITS: usize = 17;
 
 /// A value correctly rounded, with bounds, and the nearest double.
 fn figure(x: &Ball) -> Json {
-    let (Some(rounded), Some(double)) = (Rounded::around(x, DIGITS), x.nearest_double()) else {
-        return enclosure(x);
+    size(&Size::from(x.clone()))
+}
+
+/// The same of what may be known exactly.
+fn size(x: &Size) -> Json {
+    let (Some(rounded), Some(double)) = (x.rounded(DIGITS), x.value.nearest_double()) else {
+        return enclosure(&x.value);
     };
     let [value, lower, upper] =
         [rounded.value, rounded.lower, rounded.upper].map(|decimal| decimal.to_string());
@@ -69,17 +75,36 @@ fn given(sketch: &Sketch) -> Fields {
     fields
 }
 
-fn polyline(line: &Line) -> Json {
-    line.places().map(Vec::from).collect::<Vec<_>>().into()
+/// What an arch measures, m and kN.
+fn measures(of: &Metres) -> Json {
+    let load = |get: fn(&Loads) -> &Size| of.loads.as_ref().map(|loads| size(get(loads)));
+    json!({
+        "measured_at": of.circle.name(),
+        "radius_m": size(&of.radius),
+        "thickness_m": size(&of.thickness),
+        "span_m": size(&of.span),
+        "rise_m": size(&of.rise),
+        "unit_force_kn": load(|loads| &loads.unit),
+        "weight_kn": load(|loads| &loads.weight),
+        "reaction_kn": load(|loads| &loads.reaction),
+    })
 }
 
-fn forces(forces: &Forces) -> Json {
+/// Points in a unit of so many `r`.
+fn polyline(line: &Line, unit: f64) -> Json {
+    line.places().map(|point| Vec::from(point.map(|x| x * unit))).collect::<Vec<_>>().into()
+}
+
+fn forces(forces: &Forces, metres: Option<&Metres>, unit: f64) -> Json {
     let at_limit = forces
         .marks
         .iter()
         .map(|mark| json!({ "contact": contact(mark.contact), "joint": figure(&mark.at) }));
+    let polyline = |line: &Line| polyline(line, unit);
+    let loads = metres.and_then(|of| of.loads.as_ref());
     json!({
         "thrust": figure(&forces.thrust),
+        "thrust_kn": loads.map(|loads| size(&loads.thrust(&forces.thrust))),
         "limited_by": forces.limited_by,
         "crown_moments": forces.moments.each_ref().map(enclosure),
         "thrust_lines": forces.thrust_lines.iter().map(polyline).collect::<Vec<_>>(),
@@ -103,24 +128,27 @@ fn twist(twist: &Twist<Ball>) -> Json {
     })
 }
 
-fn block(block: &Block, radii: [f64; 2]) -> Json {
+fn block(block: &Block, radii: [f64; 2], unit: f64) -> Json {
     let [cos, sin] = block.motion.turn;
     let corners = block.between.into_iter().flat_map(|joint| {
-        radii.map(|radius| block.motion.to(&[radius * joint.sin(), radius * joint.cos()]))
+        radii.map(|radius| {
+            let corner = block.motion.to(&[radius * joint.sin(), radius * joint.cos()]);
+            corner.map(|x| x * unit)
+        })
     });
     json!({
         "between": block.between,
         "rotation": sin.atan2(cos),
-        "shift": block.motion.shift,
+        "shift": block.motion.shift.map(|x| x * unit),
         "corners": corners.collect::<Vec<_>>(),
     })
 }
 
-fn collapse(sketch: &Sketch, collapse: &Collapse, amplitude: f64) -> Json {
+fn collapse(sketch: &Sketch, collapse: &Collapse, amplitude: f64, unit: f64) -> Json {
     let mechanism = &collapse.mechanism;
     let joints = mechanism.joints.iter().chain(&mechanism.crown).map(joint);
     let blocks = moved(collapse, &sketch.at, amplitude);
-    let blocks = blocks.iter().map(|moved| block(moved, sketch.radii()));
+    let blocks = blocks.iter().map(|moved| block(moved, sketch.radii(), unit));
     json!({
         "mode": collapse.mode.label(),
         "flow_rule": if collapse.is_dilatant { "associated" } else { "without dilatancy" },
@@ -128,7 +156,7 @@ fn collapse(sketch: &Sketch, collapse: &Collapse, amplitude: f64) -> Json {
         "twists": collapse.twists.iter().map(twist).collect::<Vec<_>>(),
         "crown_drop": enclosure(&collapse.crown_drop),
         "power": enclosure(&collapse.friction_power),
-        "amplitude": amplitude,
+        "amplitude": amplitude * unit,
         "blocks": blocks.collect::<Vec<_>>(),
     })
 }
@@ -137,6 +165,8 @@ fn collapse(sketch: &Sketch, collapse: &Collapse, amplitude: f64) -> Json {
 pub(in crate::report) fn json(report: &Sketched, out: &mut dyn io::Write) -> io::Result<()> {
     let arch = |sketch: &Sketch| {
         let mut fields = given(sketch);
+        let metres = report.metres(sketch);
+        let unit = metres.as_ref().map_or(1.0, |of| of.radius.double());
         let verdict = match &sketch.subject {
             Subject::Standing { assessment, .. } if assessment.stands == Ok(true) => "stands",
             Subject::Standing { .. } => "falls",
@@ -158,12 +188,17 @@ pub(in crate::report) fn json(report: &Sketched, out: &mut dyn io::Write) -> io:
         fields.add("rotation_joint", turns.then(|| figure(&at.rotation_joint.rad)));
         fields
             .add("sliding_joint", has(Mode::slides_inside).then(|| figure(&at.sliding_joint.rad)));
-        fields.add("lines", sketch.forces.iter().map(forces).collect::<Vec<_>>());
+        fields.add("lines", {
+            let all = sketch.forces.iter();
+            all.map(|of| forces(of, metres.as_ref(), unit)).collect::<Vec<_>>()
+        });
         let mechanisms =
-            sketch.collapses.iter().map(|c| collapse(sketch, c, report.style.amplitude));
+            sketch.collapses.iter().map(|c| collapse(sketch, c, report.style.amplitude, unit));
+        fields.add("measures", metres.as_ref().map(measures));
         fields.add("mechanisms", mechanisms.collect::<Vec<_>>());
         fields
     };
+    let unit = if report.measures.is_some() { "m" } else { "r" };
     let arches = report.sketches.iter().map(arch).collect();
-    json::write(&DrawingFile { schema: "couplet.drawing/1", unit: "r", arches }, out)
+    json::write(&DrawingFile { schema: "couplet.drawing/1", unit, arches }, out)
 }

@@ -2,7 +2,9 @@
 
 use super::blocks::Blocks;
 use super::caption::{label, title};
+use super::dimensions::{self, Dimensions};
 use super::look;
+use super::metres::Metres;
 use super::scale::Scale;
 use super::{Sketched, Style};
 use crate::arch::mechanism::Contact;
@@ -15,7 +17,9 @@ pub(super) struct Panel<'a> {
     pub sketch: &'a Sketch,
     pub collapse: Option<&'a Collapse>,
     pub blocks: Option<Blocks>,
-    style: Style,
+    pub style: Style,
+    /// What it measures, if it does.
+    pub metres: Option<Metres>,
 }
 
 /// Sizes of fonts.
@@ -36,7 +40,7 @@ impl<'a> Panel<'a> {
             let blocks = collapse.map(|collapse| {
                 Blocks::new(sketch, collapse, style.amplitude, style.animate, &joints)
             });
-            Self { sketch, collapse, blocks, style }
+            Self { sketch, collapse, blocks, style, metres: drawn.metres(sketch) }
         };
         drawn.panels().map(panel).collect()
     }
@@ -88,6 +92,12 @@ impl<'a> Panel<'a> {
             svg.stroke(&self.outline(scale), look::OUTLINE);
         });
         self.names(svg, scale);
+        if let Some(metres) = &self.metres {
+            let [left, right, low, _] = self.extent();
+            let ((x, low), right) = (scale.at([left, low], 1.0), scale.at([right, 0.0], 1.0).0);
+            let half = self.style.half;
+            Dimensions { sketch, half, metres, scale, ends: [x, right, low] }.draw(svg);
+        }
         self.lines(svg, scale);
         self.marks(svg, scale);
         if let Some(blocks) = self.blocks.as_ref().filter(|_| self.style.arrows) {
@@ -235,9 +245,25 @@ impl<'a> Panel<'a> {
     }
 }
 
-/// Room for the names of joints on both sides, and above and below.
-pub(super) const SIDE: f64 = 104.0;
+/// Room for the names of joints above and below.
 pub(super) const ABOVE: f64 = 30.0;
+/// And on both sides.
+const SIDE: f64 = 104.0;
+
+impl Panel<'_> {
+    /// Room on both sides and below.
+    pub(super) fn around(&self) -> [f64; 2] {
+        match &self.metres {
+            None => [SIDE, ABOVE],
+            Some(of) => {
+                let is_wide = self.style.half || of.loads.is_some();
+                let force = if of.loads.is_some() { dimensions::FORCE } else { 0.0 };
+                let side = if is_wide { dimensions::SIDE } else { SIDE };
+                [side, ABOVE + dimensions::BELOW + force]
+            }
+        }
+    }
+}
 
 /// The joints between stones of the right half.
 fn stones(sketch: &Sketch, number: Option<u32>) -> Vec<f64> {

@@ -3,7 +3,7 @@
 use super::Sketched;
 use super::caption::{heading, paragraphs};
 use super::legend::Legend;
-use super::panel::{ABOVE, HEAD, Panel, SIDE};
+use super::panel::{ABOVE, HEAD, Panel};
 use super::scale::Scale;
 use super::strip::{self, Strip};
 use crate::picture::color::INK;
@@ -29,22 +29,24 @@ fn drawn(report: &Sketched) -> String {
         .copied()
         .reduce(|[a, b, c, d], [e, f, g, h]| [a.min(e), b.max(f), c.min(g), d.max(h)]);
     let [left, right, low, high] = hull.unwrap_or([-1.0, 1.0, 0.0, 1.0]);
-    let radius = ((wide - 2.0 * SIDE) / (right - left)).min(HEIGHT / (high - low));
+    let around = panels.iter().map(Panel::around);
+    let [side, under] = around.fold([0.0, 0.0], |[a, b]: [f64; 2], [c, d]| [a.max(c), b.max(d)]);
+    let radius = ((wide - 2.0 * side) / (right - left)).min(HEIGHT / (high - low));
     let strip = panels
         .iter()
         .map(|panel| Strip::of(panel.sketch, radius, report.style.half))
         .find(Option::is_some);
     let strip = strip.flatten();
     let below = if strip.is_some() { strip::HEIGHT } else { 0.0 };
-    let tall = HEAD + ABOVE + radius * (high - low) + ABOVE + below;
+    let tall = HEAD + ABOVE + radius * (high - low) + under + below;
     let rows = panels.len().div_ceil(columns);
     let width = 2.0 * MARGIN + columns as f64 * wide;
     let legend = Legend::new(report, width - 2.0 * MARGIN);
     let words = paragraphs(report);
     let wrapped = |words: &String| text::wrap(words, SMALL, width - 2.0 * MARGIN);
     let lines: Vec<String> = words.iter().flat_map(wrapped).collect();
-    let under = MARGIN + rows as f64 * tall + GAP / 2.0;
-    let foot = under + legend.height() + GAP;
+    let bottom = MARGIN + rows as f64 * tall + GAP / 2.0;
+    let foot = bottom + legend.height() + GAP;
     let height = foot + lines.len() as f64 * SMALL * text::LEADING + MARGIN;
     let mut svg = Svg::new((width, height), &heading(report), &words.join(" "));
     for (place, panel) in panels.iter().enumerate() {
@@ -62,11 +64,11 @@ fn drawn(report: &Sketched) -> String {
         svg.group(&format!("panel-{place}"), |svg| {
             panel.draw(svg, &scale, ((x, y), wide));
             if let Some(strip) = &strip {
-                strip.draw(svg, panel, (x + SIDE, y + tall - below), wide - 2.0 * SIDE);
+                strip.draw(svg, panel, (x + side, y + tall - below), wide - 2.0 * side);
             }
         });
     }
-    legend.draw(&mut svg, (MARGIN, under), width - 2.0 * MARGIN);
+    legend.draw(&mut svg, (MARGIN, bottom), width - 2.0 * MARGIN);
     svg.group("caption", |svg| svg.lines(&lines, (MARGIN, foot), Type::new(SMALL, INK)));
     svg.finish()
 }

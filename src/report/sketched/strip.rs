@@ -5,12 +5,11 @@ use super::panel::Panel;
 use crate::arch::mechanism::Contact;
 use crate::atlas::{Line, Sketch, Subject};
 use crate::picture::color::{INK, WHITE};
-use crate::picture::{Anchor, Path, Point, Svg, Type};
+use crate::picture::{Anchor, Path, Point, Svg, Type, text};
 
 /// The frame of an arch that is unrolled.
 pub(super) struct Strip {
     alpha: f64,
-    radii: [f64; 2],
     half: bool,
     /// How much larger the thickness is drawn than the length.
     times: f64,
@@ -28,33 +27,37 @@ pub(super) const HEIGHT: f64 = TOP + ACROSS + 40.0;
 impl Strip {
     /// Of an arch of some radius on the page, if it is thin there.
     pub(super) fn of(sketch: &Sketch, radius: f64, half: bool) -> Option<Self> {
-        let [inner, outer] = sketch.radii();
-        let thickness = radius * (outer - inner);
+        let thickness = radius * sketch.thickness();
         let times = ACROSS / thickness;
-        let of = Self { alpha: sketch.half_opening(), radii: [inner, outer], half, times };
+        let of = Self { alpha: sketch.half_opening(), half, times };
         (thickness < THIN).then_some(of)
     }
 
     pub(super) fn draw(&self, svg: &mut Svg, panel: &Panel, (left, top): Point, width: f64) {
-        let [inner, outer] = self.radii;
+        let [inner, outer] = [-0.5, 0.5];
         let from = if self.half { 0.0 } else { -self.alpha };
-        let at = |joint: f64, radius: f64| -> Point {
+        let at = |joint: f64, offset: f64| -> Point {
             let across = (joint - from) / (self.alpha - from);
-            let up = (radius - inner) / (outer - inner);
-            (left + across * width, top + TOP + (1.0 - up) * ACROSS)
+            (left + across * width, top + TOP + (0.5 - offset) * ACROSS)
         };
         let frame = Path::rectangle(at(from, outer), at(self.alpha, inner));
         let sides: &[f64] = if self.half { &[1.0] } else { &[1.0, -1.0] };
         let along = |line: &Line| {
-            let right = line.points.iter().map(|[joint, radius]| at(*joint, *radius));
-            let left = line.points.iter().skip(1).rev().map(|[joint, radius]| at(-joint, *radius));
+            let right = line.points.iter().map(|[joint, offset]| at(*joint, *offset));
+            let left = line.points.iter().skip(1).rev().map(|[joint, offset]| at(-joint, *offset));
             match self.half {
                 true => Path::through(right),
                 false => Path::through(left.chain(right)),
             }
         };
         svg.group("unrolled", |svg| {
-            let words = format!("unrolled; across the arch {:.0} times enlarged", self.times);
+            let times = match self.times {
+                few if few < 1e4 => format!("{few:.0} times"),
+                many => {
+                    format!("{} times and more", text::power_of_ten(many.log10().floor() as i64))
+                }
+            };
+            let words = format!("unrolled; across the arch {times} enlarged");
             svg.text(
                 &words,
                 (left + width / 2.0, top + TOP / 2.0),
@@ -77,7 +80,7 @@ impl Strip {
             for (contact, joint) in panel.at_limit() {
                 let sides = if joint > 0.0 { sides } else { &[1.0] };
                 for side in sides {
-                    let [low, high] = [inner, outer].map(|radius| at(side * joint, radius));
+                    let [low, high] = [inner, outer].map(|offset| at(side * joint, offset));
                     match contact {
                         Contact::Extrados => svg.ring(high, look::HINGE_RADIUS, WHITE, look::HINGE),
                         Contact::Intrados => svg.ring(low, look::HINGE_RADIUS, WHITE, look::HINGE),

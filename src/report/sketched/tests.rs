@@ -1,6 +1,7 @@
 use super::*;
 use crate::arch::SelfWeight;
 use crate::picture::reading::texts;
+use crate::problem::measures::{Circle, Measures};
 use crate::problem::{Arch, Landmark};
 
 const STILL: Style =
@@ -11,21 +12,32 @@ fn arch(half_opening: &str, friction: &str) -> Arch {
 }
 
 fn drawn(sketches: Vec<Sketch>, style: Style) -> Sketched {
-    Sketched { sketches, style, command: "couplet draw".into() }
+    Sketched { sketches, style, measures: None, command: "couplet draw".into() }
+}
+
+fn as_svg(drawn: &Sketched) -> String {
+    let mut file = Vec::new();
+    svg(drawn, &mut file).unwrap();
+    String::from_utf8(file).unwrap()
 }
 
 fn picture(sketches: Vec<Sketch>, style: Style) -> String {
-    let mut file = Vec::new();
-    svg(&drawn(sketches, style), &mut file).unwrap();
-    String::from_utf8(file).unwrap()
+    as_svg(&drawn(sketches, style))
+}
+
+/// Of a radius of 5 m, with forces or without.
+fn measured(sketch: Sketch, style: Style, circle: Circle, has_forces: bool) -> Sketched {
+    let length = |text: &str| text.parse().unwrap();
+    let loaded = has_forces.then(|| ("24kN/m3".parse().unwrap(), length("1m")));
+    let measures = Some(Measures::new(circle, length("5m"), loaded));
+    Sketched { measures, ..drawn(vec![sketch], style) }
 }
 
 /// All kinds of pictures, by name.
 fn pictures() -> Vec<(String, String)> {
     let mut all = Vec::new();
-    let mut add = |name: &str, sketch: Sketch, style: Style| {
-        all.push((name.to_owned(), picture(vec![sketch], style)));
-    };
+    let mut put = |name: &str, drawn: Sketched| all.push((name.to_owned(), as_svg(&drawn)));
+    let mut add = |name: &str, sketch: Sketch, style: Style| put(name, drawn(vec![sketch], style));
     let least = |alpha: &str, mu: &str| Sketch::least(&arch(alpha, mu), false).unwrap();
     for (name, alpha, mu) in [
         ("rrr", "1.5", "1"),
@@ -35,6 +47,7 @@ fn pictures() -> Vec<(String, String)> {
         ("rs", "2.57", "2.2"),
         ("r", "2.62", "inf"),
         ("thin", "20deg", "0.6"),
+        ("thinner", "1e-6", "0.6"),
     ] {
         add(name, least(alpha, mu), STILL);
     }
@@ -58,6 +71,19 @@ fn pictures() -> Vec<(String, String)> {
             add(&name, Sketch::landmark(landmark, weight, false).unwrap(), STILL);
         }
     }
+    for (name, alpha, mu, circle, has_forces, half) in [
+        ("metres", "80deg", "0.35", Circle::Centreline, false, false),
+        ("metres-flat", "20deg", "0.6", Circle::Intrados, true, false),
+        ("metres-half", "1.2", "0.5", Circle::Extrados, true, true),
+        ("metres-plain-half", "1.2", "0.5", Circle::Extrados, false, true),
+        ("metres-wide", "2.45", "1.35", Circle::Intrados, true, false),
+    ] {
+        let style = Style { half, ..STILL };
+        put(name, measured(least(alpha, mu), style, circle, has_forces));
+    }
+    let standing = Sketch::standing(&arch("80deg", "0.35"), &"0.16".parse().unwrap()).unwrap();
+    let of = measured(standing, STILL, Circle::Centreline, true);
+    put("metres-stands", of);
     all
 }
 
@@ -120,6 +146,7 @@ fn a_moving_picture_is_the_still_one_but_for_its_motion() {
 
 #[test]
 fn a_caption_says_the_numbers() {
+    let all = pictures();
     for (name, said) in [
         ("srr", &["η = t/r = 0.151858", "It falls as [s,r,r]", "Proved:"][..]),
         ("stands", &["It stands", "2.331 times the least", "sliding of the shoulder"]),
@@ -129,21 +156,36 @@ fn a_caption_says_the_numbers() {
         ("milankovitch-shift", &["[r,r+s]", "βᵣ = βₛ"]),
         ("ss", &["associated flow rule", "extreme lines of thrust"]),
         ("thin", &["unrolled"]),
+        ("metres", &["span 9.848 m", "rise 4.132 m", "r = 5, t = 0.34"]),
+        ("metres-half", &["half of the span", "at the extrados", "on each shoulder V ="]),
+        (
+            "metres-stands",
+            &[
+                "thickness 0.8 m",
+                "least t = 0.34",
+                "H 51.64–75.19 kN",
+                "thrust H = hwr from 51.6436 to 75.1898",
+            ],
+        ),
     ] {
-        let svg = pictures().into_iter().find(|(other, _)| other == name).unwrap().1;
-        let words = texts(&svg).unwrap().join(" ");
+        let svg = &all.iter().find(|(other, _)| other == name).unwrap().1;
+        let words = texts(svg).unwrap().join(" ");
         for part in said {
             assert!(words.contains(part), "{name}: {part}: {words}");
         }
     }
 }
 
+fn as_dxf(drawn: &Sketched) -> String {
+    let mut file = Vec::new();
+    dxf(drawn, &mut file).unwrap();
+    String::from_utf8(file).unwrap()
+}
+
 #[test]
 fn a_file_for_cad_has_its_layers_and_ends() {
     let sketch = Sketch::landmark(Landmark::Triple, SelfWeight::Milankovitch, false).unwrap();
-    let mut file = Vec::new();
-    dxf(&drawn(vec![sketch], STILL), &mut file).unwrap();
-    let text = String::from_utf8(file).unwrap();
+    let text = as_dxf(&drawn(vec![sketch], STILL));
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(lines.len() % 2, 0);
     assert!(lines.iter().step_by(2).all(|code| code.parse::<u16>().is_ok()), "codes and values");
@@ -151,7 +193,30 @@ fn a_file_for_cad_has_its_layers_and_ends() {
         assert!(lines.chunks(2).any(|pair| pair == ["8", layer]), "{layer}");
     }
     assert_eq!(&lines[lines.len() - 2..], ["0", "EOF"]);
-    assert!(text.is_ascii() && text.len() < 4 * 50_000, "four arches: {}", text.len());
+    let count = |value: &str| lines.chunks(2).filter(|pair| *pair == ["0", value]).count();
+    assert_eq!((count("BLOCK"), count("INSERT")), (1, 4), "the arch once, in four panels");
+    assert!(text.is_ascii() && text.len() < 40_000, "four arches: {}", text.len());
+}
+
+/// The same numbers, larger by the radius.
+#[test]
+fn files_for_cad_are_in_metres_where_the_arch_is() {
+    let sketch = || Sketch::least(&arch("80deg", "0.35"), false).unwrap();
+    let coordinates = |drawn: &Sketched| -> Vec<f64> {
+        let text = as_dxf(drawn);
+        let lines: Vec<&str> = text.lines().collect();
+        let at = |pair: &[&str]| ["10", "20", "11", "21", "40"].contains(&pair[0]);
+        lines.chunks(2).filter(|pair| at(pair)).map(|pair| pair[1].parse().unwrap()).collect()
+    };
+    let [unit, metres] = [
+        coordinates(&drawn(vec![sketch()], STILL)),
+        coordinates(&measured(sketch(), STILL, Circle::Centreline, false)),
+    ];
+    assert!(unit.len() == metres.len() && unit.len() > 100);
+    assert!(unit.iter().zip(&metres).all(|(r, m)| (5.0 * r - m).abs() < 1e-6));
+    assert!(
+        as_dxf(&measured(sketch(), STILL, Circle::Centreline, false)).contains("lengths in m\n")
+    );
 }
 
 #[cfg(feature = "plots")]

@@ -1,0 +1,171 @@
+//! Around an arch that is measured: span, rise and thickness, and the reaction of a shoulder.
+
+use super::blocks::arrow;
+use super::caption::shown;
+use super::metres::Metres;
+use super::scale::Scale;
+use crate::atlas::{Line, Sketch, Subject};
+use crate::picture::color::{GUIDE, INK, WHITE};
+use crate::picture::{Anchor, Path, Point, Stroke, Svg, Type, text};
+use crate::problem::measures::Circle;
+
+/// On the left, for the rise and for a force.
+pub(super) const SIDE: f64 = 164.0;
+/// Below, for the span; and for a force above it.
+pub(super) const BELOW: f64 = 64.0;
+pub(super) const FORCE: f64 = 46.0;
+/// Digits of a size.
+const DIGITS: usize = 4;
+
+const LABEL: f64 = 15.0;
+const LINE: Stroke = Stroke::new(INK, 1.0);
+const EXTENDED: Stroke = Stroke::new(GUIDE, 0.8);
+/// From what is measured to its line, and of the line beyond.
+const OFF: f64 = 13.0;
+const OVER: f64 = 5.0;
+/// The length of a force.
+const ARROW: f64 = 62.0;
+/// From its head to the point on which it acts.
+const NEAR: f64 = 6.5;
+
+/// The sizes of an arch on the page.
+pub(super) struct Dimensions<'a> {
+    pub sketch: &'a Sketch,
+    /// Only the right half is there.
+    pub half: bool,
+    pub metres: &'a Metres,
+    pub scale: &'a Scale,
+    /// Left, right and low ends of what is shown, on the page.
+    pub ends: [f64; 3],
+}
+
+/// A line with a head at each end and a text in its middle; beside it where it is too short.
+fn measure(svg: &mut Svg, [from, to]: [Point; 2], text: &str, turn: f64) {
+    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+    let length = dx.hypot(dy);
+    let middle = ((from.0 + to.0) / 2.0, (from.1 + to.1) / 2.0);
+    let gap = text::width(text, LABEL) / 2.0 + 6.0;
+    let has_room = length > 2.0 * gap + 30.0;
+    let share = if has_room { gap / length } else { 0.0 };
+    for (sign, end) in [(-1.0, from), (1.0, to)] {
+        arrow(svg, (middle.0 + sign * share * dx, middle.1 + sign * share * dy), end);
+    }
+    // To the left of one that goes up and down, below one that does not.
+    let off = if has_room { 0.0 } else { LABEL };
+    let at = if turn == 0.0 { (middle.0, middle.1 + off) } else { (middle.0 - off, middle.1) };
+    svg.text(text, at, Type::new(LABEL, INK).at(Anchor::Middle).turned(turn).on(WHITE));
+}
+
+impl Dimensions<'_> {
+    pub(super) fn draw(&self, svg: &mut Svg) {
+        svg.group("dimensions", |svg| {
+            self.span(svg);
+            self.rise(svg);
+            self.thickness(svg);
+        });
+        if self.metres.loads.is_some() {
+            svg.group("reaction", |svg| self.reaction(svg));
+        }
+    }
+
+    /// A springing point of the circle that is measured.
+    fn springing(&self, side: f64) -> Point {
+        self.scale.polar(self.sketch.half_opening(), self.metres.share, side)
+    }
+
+    fn span(&self, svg: &mut Svg) {
+        let [_, _, low] = self.ends;
+        let loaded = if self.metres.loads.is_some() { FORCE } else { 0.0 };
+        let y = low + BELOW - 18.0 + loaded;
+        let right = self.springing(1.0);
+        let left = if self.half { (self.scale.center.0, low) } else { self.springing(-1.0) };
+        for (x, from) in [left, right] {
+            svg.stroke(&Path::through([(x, from + OVER), (x, y + OVER)]), EXTENDED);
+        }
+        let at = match self.metres.circle {
+            Circle::Centreline => "",
+            circle => &format!(" at the {}", circle.name()),
+        };
+        let half = if self.half { "half of the " } else { "" };
+        let text = format!("{half}span {} m{at}", shown(&self.metres.span, DIGITS));
+        measure(svg, [(left.0, y), (right.0, y)], &text, 0.0);
+    }
+
+    fn rise(&self, svg: &mut Svg) {
+        let [left, _, _] = self.ends;
+        let side = if self.half { 1.0 } else { -1.0 };
+        // Beyond a force at the shoulder, or beyond the thickness at the crown.
+        let is_free = self.metres.loads.is_none() && side < 0.0;
+        let x = left - if is_free { 3.0 * OFF } else { 10.0 * OFF };
+        let (crown, springing) =
+            (self.scale.polar(0.0, self.metres.share, 1.0), self.springing(side));
+        for (to, y) in [crown, springing] {
+            svg.stroke(&Path::through([(x - OVER, y), (to, y)]), EXTENDED);
+        }
+        let text = format!("rise {} m", shown(&self.metres.rise, DIGITS));
+        measure(svg, [(x, crown.1), (x, springing.1)], &text, -90.0);
+    }
+
+    /// Beyond the right shoulder; of a half arch beyond its crown, as forces are at the shoulder.
+    fn thickness(&self, svg: &mut Svg) {
+        let sketch = self.sketch;
+        let joint = if self.half { 0.0 } else { sketch.half_opening() };
+        let (down, across) = joint.sin_cos();
+        let sign = if self.half { -1.0 } else { 1.0 };
+        let beyond = |(x, y): Point, by: f64| (x + sign * by * across, y + sign * by * down);
+        let ends = sketch.radii().map(|radius| self.scale.polar(joint, radius, 1.0));
+        for end in ends {
+            svg.stroke(&Path::through([beyond(end, 3.0), beyond(end, OFF + OVER)]), EXTENDED);
+        }
+        let ends = ends.map(|end| beyond(end, OFF));
+        let middle = ((ends[0].0 + ends[1].0) / 2.0, (ends[0].1 + ends[1].1) / 2.0);
+        svg.stroke(&Path::through(ends), LINE);
+        ends.iter().for_each(|end| arrow(svg, middle, *end));
+        let text = format!("t {} m", shown(&self.metres.thickness, DIGITS));
+        let (x, anchor) = match sign * across {
+            x if x > 0.3 => (6.0, Anchor::Start),
+            x if x < -0.3 => (-6.0, Anchor::End),
+            _ => (0.0, Anchor::Middle),
+        };
+        let at = beyond(middle, if anchor == Anchor::Middle { 15.0 } else { 0.0 });
+        svg.text(&text, (at.0 + x, at.1), Type::new(LABEL, INK).at(anchor).on(WHITE));
+    }
+
+    /// What the ground bears on the left shoulder, or on that of the half arch.
+    fn reaction(&self, svg: &mut Svg) {
+        let Some(loads) = &self.metres.loads else { return };
+        let side = if self.half { 1.0 } else { -1.0 };
+        let alpha = self.sketch.half_opening();
+        let lines = || self.sketch.forces.iter().flat_map(|forces| &forces.thrust_lines);
+        let radii =
+            lines().filter_map(|line: &Line| Some(1.0 + line.thickness * line.points.last()?[1]));
+        let (sum, count) = radii.fold((0.0, 0.0), |(sum, count), x| (sum + x, count + 1.0));
+        if count == 0.0 {
+            return;
+        }
+        let point = self.scale.polar(alpha, sum / count, side);
+        let aside = self.scale.polar(alpha, self.sketch.radii()[1], side).0;
+        let aside = if side < 0.0 { aside.min(point.0) } else { aside.max(point.0) };
+        let anchor = if side < 0.0 { Anchor::End } else { Anchor::Start };
+        let style = Type::new(LABEL, INK).on(WHITE);
+        arrow(svg, (aside + side * ARROW, point.1), (point.0 + side * NEAR, point.1));
+        svg.text(&self.thrust(), (aside + side * 9.0, point.1 + 13.0), style.at(anchor));
+        arrow(svg, (point.0, point.1 + ARROW), (point.0, point.1 + NEAR));
+        let reaction = format!("V {} kN", shown(&loads.reaction, DIGITS));
+        svg.text(&reaction, (point.0 + side * 7.0, point.1 + ARROW - 6.0), style.at(anchor));
+    }
+
+    /// The thrust, or what it can be.
+    fn thrust(&self) -> String {
+        let forces = &self.sketch.forces;
+        let Some(loads) = &self.metres.loads else { return String::new() };
+        let size = |k: usize| forces.get(k).map(|of| loads.thrust(&of.thrust));
+        let is_standing = matches!(self.sketch.subject, Subject::Standing { .. });
+        match (size(0).map(|x| shown(&x, DIGITS)), size(1).map(|x| shown(&x, DIGITS))) {
+            (Some(least), Some(largest)) => format!("H {least}–{largest} kN"),
+            (Some(least), None) if is_standing => format!("H ≥ {least} kN"),
+            (Some(thrust), None) => format!("H {thrust} kN"),
+            (None, _) => String::new(),
+        }
+    }
+}
