@@ -15,15 +15,13 @@
 use super::contour::Contour;
 use super::crossing::{BITS, Crossing};
 use super::curve::Curve;
-use super::form::{Form, Joint, Law, Thrust, Variable};
-use super::place::Place;
-use super::trace::{Piece, Point, Trace, pieces_of, points_of};
-use super::walk::{Walk, walk};
+use super::form::Variable;
+use super::part::Part;
+use super::trace::Trace;
 use crate::arch::SelfWeight;
 use crate::certify::Undecided;
-use crate::number::{Ball, Enclosure, Field, Real, Ternary};
+use crate::number::{Ball, Enclosure, Ternary};
 use crate::problem::{Line, Mode};
-use rug::float::Round;
 
 /// Why there is no line.
 #[derive(Clone, Debug, thiserror::Error)]
@@ -62,138 +60,8 @@ pub struct Level {
     pub parts: Vec<Part>,
 }
 
-/// The part of a line in the domain of one mode.
-#[derive(Clone, Debug)]
-pub struct Part {
-    /// The mode.
-    pub mode: Mode,
-    ends: [Place; 2],
-    /// Nothing where the part is straight.
-    chain: Option<(Form, Walk)>,
-}
-
-impl Part {
-    /// The quantities of its two ends.
-    pub fn ends(&self) -> &[Place; 2] {
-        &self.ends
-    }
-
-    /// The nodes; of a straight part its two ends.
-    pub fn points(&self) -> Vec<Point> {
-        let end = |place: &Place| Point { parameter: f64::NAN, end: None, place: place.clone() };
-        let Some((form, walk)) = &self.chain else { return self.ends.iter().map(end).collect() };
-        let mut points = points_of(form, walk);
-        for (point, place) in [(0, &self.ends[0]), (points.len() - 1, &self.ends[1])] {
-            points[point].place = place.clone();
-        }
-        points
-    }
-
-    /// What it is traced by; nothing where it is straight.
-    pub fn parameter(&self) -> Option<Variable> {
-        self.chain.as_ref().map(|(form, _)| form.parameter)
-    }
-
-    /// The pieces, gaps among them; a straight part has none.
-    pub fn pieces(&self) -> impl Iterator<Item = Piece<'_>> {
-        self.chain.iter().flat_map(|(form, walk)| pieces_of(form, walk))
-    }
-}
-
 /// Half-width of the tubes in which the lines between modes are followed, to find where they are met.
 const FINE: f64 = 1e-4;
-
-/// The equations of a mode with what is given.
-fn form(mode: Mode, weight: SelfWeight, (fixed, value): (Variable, &Ball)) -> Form {
-    use {Law as L, Variable as V};
-    let turns = matches!(mode, Mode::RotationalSliding | Mode::RotationalSlidingRotational);
-    let (laws, thrust): (&[L], Thrust) = match mode {
-        Mode::SlidingRotational => (&[L::Tangency, L::Touching], Thrust::Shoulder),
-        _ if turns => (&[L::Cycloid, L::Tangency, L::Upper], Thrust::Sliding),
-        _ => (&[L::Cycloid, L::Upper], Thrust::Sliding),
-    };
-    let (parameter, unknowns): (V, &[V]) = match (mode, fixed) {
-        (Mode::SlidingRotational, V::HalfOpening) => {
-            (V::FrictionAngle, &[V::JointSquare, V::Thickness])
-        }
-        (Mode::SlidingRotational, V::Thickness) => {
-            (V::FrictionAngle, &[V::JointSquare, V::HalfOpening])
-        }
-        (Mode::SlidingRotational, _) => (V::HalfOpening, &[V::JointSquare, V::Thickness]),
-        (_, V::HalfOpening) if turns => {
-            (V::Inclination, &[V::FrictionAngle, V::JointSquare, V::Thickness])
-        }
-        (_, V::HalfOpening) => (V::Inclination, &[V::FrictionAngle, V::Thickness]),
-        (_, V::Thickness) if turns => {
-            (V::Inclination, &[V::FrictionAngle, V::JointSquare, V::HalfOpening])
-        }
-        (_, V::Thickness) => (V::Inclination, &[V::FrictionAngle, V::HalfOpening]),
-        _ if turns => (V::Thickness, &[V::Inclination, V::JointSquare, V::HalfOpening]),
-        _ => (V::Thickness, &[V::Inclination, V::HalfOpening]),
-    };
-    let given = Some((fixed, value.clone()));
-    Form { weight, parameter, unknowns, laws, thrust, joint: Joint::Crown, given }
-}
-
-/// The chain of a mode from one crossing to another, or to unlimited friction.
-fn part(
-    mode: Mode,
-    given: (Variable, &Ball),
-    from: &Crossing,
-    to: Option<&Crossing>,
-    tolerance: f64,
-) -> Result<Part, Undecided> {
-    let form = form(mode, from.form.weight, given);
-    let quarter_turn = given.1.pi() / given.1.int(2);
-    let start = from.value(form.parameter);
-    let end = to.map_or(quarter_turn, |to| to.value(form.parameter));
-    let guess = form.unknowns.iter().map(|u| from.value(*u).mid().to_f64()).collect();
-    let [low, high] =
-        [start.lower().to_f64_round(Round::Down), end.upper().to_f64_round(Round::Up)];
-    let failed = |what: &str| Undecided::new(format!("{mode}: {what}"));
-    let walk = walk(&form, low, guess, high, tolerance)
-        .ok_or_else(|| failed("a node cannot be proved"))?;
-    let meets = |crossing: &Crossing, is_first: bool| {
-        let tube = if is_first { walk.tubes.first() } else { walk.tubes.last() };
-        let root: Vec<Ball> = form.unknowns.iter().map(|u| crossing.value(*u)).collect();
-        let s = crossing.value(form.parameter);
-        tube.and_then(Option::as_ref).is_some_and(|tube| tube.holds(&s, &root))
-    };
-    if !meets(from, true) || !to.is_none_or(|to| meets(to, false)) {
-        return Err(failed("it is not proved to meet the next line"));
-    }
-    let at_end = match (to, walk.tubes.last()) {
-        (Some(to), _) => to.place(),
-        (None, Some(Some(tube))) => {
-            let place = Place::new(&form, &end, &tube.enclosure(&end));
-            Place { is_unlimited: true, ..place }
-        }
-        (None, _) => Place::default(),
-    };
-    Ok(Part { mode, ends: [from.place(), at_end], chain: Some((form, walk)) })
-}
-
-/// The line of pure sliding: from where it begins up to the physical limit.
-fn upright(foot: &Crossing) -> Part {
-    let from = foot.place();
-    let thickness = Some(Ball::integer(2, BITS));
-    let to = Place { thickness, rotation_joint: None, ..from.clone() };
-    Part { mode: Mode::Sliding, ends: [from, to], chain: None }
-}
-
-/// The line of pure rotation: from where it begins to unlimited friction.
-fn level(begin: &Crossing) -> Part {
-    let from = Place { sliding_joint: None, ..begin.place() };
-    let alpha = begin.value(Variable::HalfOpening);
-    let right_angle = alpha.pi() / alpha.int(2);
-    let to = Place {
-        friction_angle: Some(right_angle),
-        friction: Some(Ball::whole(BITS)),
-        is_unlimited: true,
-        ..from.clone()
-    };
-    Part { mode: Mode::Rotational, ends: [from, to], chain: None }
-}
 
 /// The lines between modes that are met, each once, and the limit.
 struct Met {
@@ -300,19 +168,19 @@ fn falling(
     let (mut mode, mut from) = match (met.next(Mode::Sliding), met.limit.take()) {
         (Some(foot), None) => {
             // A thickness has one point of pure sliding.
-            parts.extend((given.0 != Variable::Thickness).then(|| upright(&foot.1)));
+            parts.extend((given.0 != Variable::Thickness).then(|| Part::upright(&foot.1)));
             foot
         }
         (None, Some(limit)) => (Mode::OverturningSliding, limit),
         _ => return Err(Undecided::new("it does not begin once")),
     };
     while let Some((behind, to)) = met.next(mode) {
-        parts.push(part(mode, given, &from, Some(&to), tolerance)?);
+        parts.push(Part::between(mode, given, &from, Some(&to), tolerance)?);
         (mode, from) = (behind, to);
     }
     parts.push(match mode {
-        Mode::Rotational => level(&from),
-        _ => part(mode, given, &from, None, tolerance)?,
+        Mode::Rotational => Part::level(&from),
+        _ => Part::between(mode, given, &from, None, tolerance)?,
     });
     Ok(parts)
 }
@@ -323,13 +191,13 @@ fn rising(met: &mut Met, given: (Variable, &Ball), tolerance: f64) -> Result<Vec
     let nowhere = || Undecided::new("it does not begin once");
     let (mut mode, mut from) = met.next(Mode::Rotational).ok_or_else(nowhere)?;
     while let Some((behind, to)) = met.next(mode) {
-        parts.push(part(mode, given, &from, Some(&to), tolerance)?);
+        parts.push(Part::between(mode, given, &from, Some(&to), tolerance)?);
         (mode, from) = (behind, to);
     }
     parts.push(match (mode, met.limit.take()) {
-        (Mode::Sliding, None) => upright(&from),
+        (Mode::Sliding, None) => Part::upright(&from),
         (Mode::OverturningSliding, Some(limit)) => {
-            part(mode, given, &from, Some(&limit), tolerance)?
+            Part::between(mode, given, &from, Some(&limit), tolerance)?
         }
         _ => return Err(nowhere()),
     });
@@ -338,6 +206,7 @@ fn rising(met: &mut Met, given: (Variable, &Ball), tolerance: f64) -> Result<Vec
 
 #[cfg(test)]
 mod tests {
+    use super::super::trace::Point;
     use super::*;
     use Mode::{
         OverturningSliding as Rs, Rotational as Rrr, RotationalSliding as Rrs,
@@ -363,18 +232,15 @@ mod tests {
         Level::among(lines(weight), weight, &contour(quantity, value), 1e-5).unwrap()
     }
 
-    const CASES: [(&str, &str, &[Mode]); 25] = [
+    const CASES: [(&str, &str, &[Mode]); 21] = [
         ("alpha", "1/100", &[Ss, Srr, Rrr]),
-        ("alpha", "80deg", &[Ss, Srr, Rrr]),
         ("alpha", "2.4", &[Ss, Srr, Rrr]),
         ("alpha", "2.47", &[Ss, Rrs, Rrr]),
-        ("alpha", "2.515", &[Ss, Rrs, Rrr]),
         ("alpha", "2.533", &[Ss, Rsr, Rrs, Rrr]),
         ("alpha", "2.58", &[Ss, Rs, Rsr, Rrs, Rrr]),
         ("alpha", "2.62", &[Ss, Rs]),
         ("alpha", "2.64", &[Rs]),
         ("eta", "0.001", &[Srr, Rrr]),
-        ("eta", "0.1", &[Srr, Rrr]),
         ("eta", "0.65", &[Rrs, Rrr]),
         ("eta", "0.86", &[Rrs, Rrr]),
         ("eta", "0.88", &[Rsr, Rrs, Rrr]),
@@ -382,7 +248,6 @@ mod tests {
         ("eta", "1", &[Rs]),
         ("eta", "1.99", &[Rs]),
         ("mu", "0.01", &[Srr, Ss]),
-        ("mu", "0.6", &[Srr, Ss]),
         ("mu", "tan(50deg)", &[Srr, Ss]),
         ("mu", "1.4", &[Rrs, Ss]),
         ("mu", "1.54", &[Rrs, Rsr, Ss]),
@@ -457,25 +322,16 @@ mod tests {
 
     #[test]
     fn outside_there_is_no_line() {
-        let none = |quantity, value| {
-            let (weight, contour) = (SelfWeight::Heyman, contour(quantity, value));
-            Level::among(lines(weight), weight, &contour, 1e-3).unwrap_err()
-        };
-        for (quantity, value) in [
-            ("alpha", "0"),
-            ("alpha", "-1"),
-            ("alpha", "2.9"),
-            ("alpha", "pi"),
-            ("eta", "0"),
-            ("eta", "-0.1"),
-            ("eta", "2"),
-            ("eta", "2.1"),
-            ("mu", "0"),
-            ("mu", "-1"),
-            ("mu", "inf"),
+        for (quantity, values) in [
+            ("alpha", &["0", "-1", "2.9", "pi"][..]),
+            ("eta", &["0", "-0.1", "2", "2.1"]),
+            ("mu", &["0", "-1", "inf"]),
         ] {
-            let error = none(quantity, value);
-            assert!(matches!(error, NoLevel::Outside(_)), "{quantity} {value}: {error}");
+            for value in values {
+                let (weight, contour) = (SelfWeight::Heyman, contour(quantity, value));
+                let error = Level::among(lines(weight), weight, &contour, 1e-3).unwrap_err();
+                assert!(matches!(error, NoLevel::Outside(_)), "{quantity} {value}: {error}");
+            }
         }
     }
 }

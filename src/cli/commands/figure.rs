@@ -1,7 +1,8 @@
 //! `couplet figure`.
 
+use super::curves::{levels, traced};
 use super::draw::failure;
-use super::map::{levels, tolerance, traced};
+use super::map::tolerance;
 use super::output::{OutputFile, typed};
 use super::parse::{self, Weights};
 use crate::arch::SelfWeight;

@@ -1,20 +1,18 @@
 //! `couplet map`.
 
-use super::arch::thickness;
+use super::axes::AxesArguments;
+use super::curves::{landmarks, levels, traced};
+use super::marked::{Marked, marked};
 use super::output::{Output, OutputFile, typed};
 use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
-use crate::atlas::{Contour, Curve, LEAST_TOLERANCE, Level, NoLevel, NoPoint, Trace, point};
-use crate::certify::{CertifiedLandmark, MAX_DIGITS, Undecided, quantities};
+use crate::atlas::{Contour, Curve, LEAST_TOLERANCE, NoPoint, Trace, point};
+use crate::certify::{MAX_DIGITS, Undecided};
 use crate::cli::failure::Failure;
-use crate::number::{ExactNumber, ParseExactError, shown};
-use crate::problem::{Arch, ArchError, Friction, Landmark};
-use crate::report::{
-    Answer, Axes, Content, Drawing, Format, Map, MapPoint, MapPoints, Mark, Plane, Report, Shown,
-    Unit, View,
-};
+use crate::number::{ExactNumber, ParseExactError};
+use crate::problem::Friction;
+use crate::report::{Content, Drawing, Format, Map, MapPoint, MapPoints, Plane, Report, View};
 use clap::Args;
-use rayon::prelude::*;
 
 /// The curves of the map, each proved for every value of its parameter, from landmark to landmark.
 ///
@@ -94,29 +92,8 @@ pub(crate) struct Arguments {
     #[arg(long)]
     lines: bool,
 
-    /// For a map, how the half opening is shown: deg, rad, or A = alpha cot(alpha/2).
-    #[arg(long, value_name = "UNIT", default_value = "deg", value_parser = ["deg", "rad", "A"], ignore_case = true)]
-    half_opening_unit: String,
-
-    /// For a map, how the friction is shown: as an angle, deg or rad, or as its coefficient, mu.
-    #[arg(long, value_name = "UNIT", default_value = "deg", value_parser = ["deg", "rad", "mu"], ignore_case = true)]
-    friction_unit: String,
-
-    /// For a map, how the thickness is shown: linear, or log, for thin arches.
-    #[arg(long, value_name = "SCALE", default_value = "linear", value_parser = ["linear", "log"])]
-    scale: String,
-
-    /// For a map, the half openings shown, in their unit (120..160).
-    #[arg(long, value_name = "FROM..TO", value_parser = range, allow_hyphen_values = true)]
-    half_opening_range: Option<Range>,
-
-    /// For a map, the frictions shown, in their unit (0..45).
-    #[arg(long, value_name = "FROM..TO", value_parser = range, allow_hyphen_values = true)]
-    friction_range: Option<Range>,
-
-    /// For a map, the thicknesses shown (0..0.5).
-    #[arg(long, value_name = "FROM..TO", value_parser = range, allow_hyphen_values = true)]
-    thickness_range: Option<Range>,
+    #[command(flatten)]
+    axes: AxesArguments,
 
     /// For a map, an arch to mark, with its proved state: half opening, friction and, if it has one, thickness
     /// (80deg,0.6,0.15). May be repeated.
@@ -138,67 +115,6 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     file: OutputFile,
 }
-
-/// From where to where an axis goes.
-#[derive(Clone, Copy, Debug)]
-struct Range([f64; 2]);
-
-fn range(text: &str) -> Result<Range, String> {
-    let wrong =
-        || format!("'{}' is no range: two numbers, the smaller first, as in 0..0.5", shown(text));
-    let (from, to) = text.split_once("..").ok_or_else(wrong)?;
-    let number = |text: &str| text.trim().parse().ok().filter(|x: &f64| (0.0..=1e3).contains(x));
-    let (from, to) = (number(from).ok_or_else(wrong)?, number(to).ok_or_else(wrong)?);
-    // Closer ends would ask more of the drawing than its numbers tell.
-    (to - from > 1e-6 * to).then_some(Range([from, to])).ok_or_else(wrong)
-}
-
-/// An arch to mark, but for its weight.
-#[derive(Clone, Debug)]
-struct Marked {
-    half_opening: ExactNumber,
-    friction: Friction,
-    thickness: Option<ExactNumber>,
-}
-
-fn marked(text: &str) -> Result<Marked, String> {
-    let wrong = |error: ParseExactError| error.to_string();
-    let parts: Vec<&str> = text.split(',').collect();
-    let (half_opening, friction, eta) = match parts[..] {
-        [alpha, mu] => (alpha, mu, None),
-        [alpha, mu, eta] => (alpha, mu, Some(eta)),
-        _ => {
-            return Err(
-                "a mark is a half opening, a friction and perhaps a thickness: 80deg,0.6,0.15"
-                    .into(),
-            );
-        }
-    };
-    let marked = Marked {
-        half_opening: half_opening.parse().map_err(wrong)?,
-        friction: friction.parse().map_err(wrong)?,
-        thickness: eta.map(thickness).transpose()?,
-    };
-    // Any weight will do to see whether it is an arch.
-    marked.arch(SelfWeight::Heyman).map_err(|error| error.to_string())?;
-    Ok(marked)
-}
-
-impl Marked {
-    fn arch(&self, weight: SelfWeight) -> Result<Arch, ArchError> {
-        Arch::new(weight, self.half_opening.clone(), self.friction.clone())
-    }
-
-    /// With what is proved of it.
-    fn proved(&self, weight: SelfWeight) -> Result<Mark, Failure> {
-        let arch = self.arch(weight).map_err(|error| Failure::Input(error.to_string()))?;
-        Mark::new(&arch, self.thickness.as_ref())
-            .map_err(|undecided| Failure::Undecided(format!("{arch}: {undecided}")))
-    }
-}
-
-/// The least thickness of a logarithmic axis.
-const THINNEST: f64 = 1e-9;
 
 /// Curves named together.
 #[derive(Clone, Debug)]
@@ -289,46 +205,8 @@ impl Arguments {
         let view = if self.lines { View::Lines } else { View::Map(self.plane) };
         let weight = self.weights(format)[0];
         let marks = self.marks.iter().map(|mark| mark.proved(weight)).collect::<Result<_, _>>()?;
-        let axes = self.axes(is_picture && !self.lines)?;
+        let axes = self.axes.axes(self.plane, is_picture && !self.lines)?;
         Ok(Drawing { view, axes, marks, command: typed() })
-    }
-
-    /// The axes of a map, which have to be those of its plane.
-    fn axes(&self, is_map: bool) -> Result<Axes, Failure> {
-        let unit = |unit: &str| match unit.to_ascii_lowercase().as_str() {
-            "rad" => Unit::Radians,
-            "mu" | "a" | "log" => Unit::Derived,
-            _ => Unit::Usual,
-        };
-        let of = |unit, range: Option<Range>| Shown { unit, range: range.map(|Range(ends)| ends) };
-        let axes = Axes {
-            half_opening: of(unit(&self.half_opening_unit), self.half_opening_range),
-            friction: of(unit(&self.friction_unit), self.friction_range),
-            thickness: of(unit(&self.scale), self.thickness_range),
-        };
-        let fault = |message: String| Err(Failure::Input(message));
-        if axes != Axes::default() && !is_map {
-            return fault(
-                "units, ranges and a scale are for a map as svg or png, without --lines".into(),
-            );
-        }
-        let name = self.plane.name();
-        for (quantity, asked) in [
-            ("opening", axes.half_opening),
-            ("friction", axes.friction),
-            ("thickness", axes.thickness),
-        ] {
-            if asked != Shown::default() && !name.contains(quantity) {
-                return fault(format!("the plane {name} has no axis of {quantity}"));
-            }
-        }
-        let thinnest = self.thickness_range.map_or(1.0, |Range([from, _])| from);
-        if axes.thickness.unit == Unit::Derived && thinnest < THINNEST {
-            return fault(format!(
-                "with --scale log a --thickness-range begins at {THINNEST:e} or above"
-            ));
-        }
-        Ok(axes)
     }
 
     /// The levels asked for.
@@ -342,27 +220,6 @@ impl Arguments {
     fn curves(&self) -> Vec<Curve> {
         self.curves.iter().flat_map(|Curves(curves)| curves).copied().collect()
     }
-}
-
-/// Curves on all cores, and what of them is not proved. A picture needs all: without one it would show other domains.
-pub(super) fn traced(
-    asked: Vec<(SelfWeight, Curve)>,
-    tolerance: f64,
-    format: &Format,
-) -> Result<(Vec<Trace>, Vec<String>), Failure> {
-    let traced: Vec<Result<Trace, Undecided>> =
-        asked.into_par_iter().map(|(weight, curve)| Trace::new(curve, weight, tolerance)).collect();
-    let (mut traces, mut open) = (Vec::new(), Vec::new());
-    for trace in traced {
-        match trace {
-            Ok(trace) => traces.push(trace),
-            Err(undecided) => open.push(undecided.to_string()),
-        }
-    }
-    if (format.is_picture || format.is_page()) && !open.is_empty() {
-        return Err(Failure::Undecided(open.join("; ")));
-    }
-    Ok((traces, open))
 }
 
 fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
@@ -399,58 +256,6 @@ fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
         true => Ok(()),
         false => Err(Failure::Undecided(open.join("; "))),
     }
-}
-
-/// Digits of the landmarks on a page.
-const LANDMARK_DIGITS: usize = 15;
-
-/// The landmarks of a page.
-fn landmarks(weights: &[SelfWeight]) -> Vec<Answer> {
-    let points =
-        weights.iter().flat_map(|&weight| Landmark::ALL.map(|landmark| (landmark, weight)));
-    let answer = |point: (Landmark, SelfWeight)| {
-        let asked: Vec<_> = quantities(point.0).map(|of| (of, LANDMARK_DIGITS)).collect();
-        let proved = CertifiedLandmark::new(point.0, point.1).and_then(|landmark| {
-            let constants = landmark.constants_of(&asked)?;
-            Ok(Answer::landmark(point, Ok((&landmark, constants))))
-        });
-        proved.unwrap_or_else(|undecided| Answer::landmark(point, Err(&undecided)))
-    };
-    points.map(answer).collect()
-}
-
-/// Levels, by the curves that are there already or by others; what is not proved of them is added to what stays open.
-pub(super) fn levels(
-    contours: &[Contour],
-    weights: &[SelfWeight],
-    traces: &[Trace],
-    tolerance: f64,
-    open: &mut Vec<String>,
-) -> Result<Vec<Level>, Failure> {
-    if contours.is_empty() {
-        return Ok(Vec::new());
-    }
-    let mut levels = Vec::new();
-    for weight in weights {
-        let has_all = Level::curves().all(|curve| {
-            traces.iter().any(|trace| trace.curve == curve && trace.weight == *weight)
-        });
-        let undecided = |undecided: Undecided| Failure::Undecided(undecided.to_string());
-        let others = if has_all { Vec::new() } else { Level::lines(*weight).map_err(undecided)? };
-        let lines = if has_all { traces } else { &others[..] };
-        let found: Vec<Result<Level, NoLevel>> = contours
-            .par_iter()
-            .map(|contour| Level::among(lines, *weight, contour, tolerance))
-            .collect();
-        for level in found {
-            match level {
-                Ok(level) => levels.push(level),
-                Err(NoLevel::Outside(why)) => return Err(Failure::Input(why)),
-                Err(undecided) => open.push(undecided.to_string()),
-            }
-        }
-    }
-    Ok(levels)
 }
 
 /// What was proved, on standard output beside a file of data.
