@@ -55,13 +55,14 @@ pub fn flat_shoulder<T: Stumpff>(ratio: &T, inclination: &T) -> T {
     let shoulder = (ratio.square() * &square).stumpff(4);
     let inner = square.stumpff(2);
     let twice = (square.int(4) * &square).stumpff(4);
-    flat_shoulder_from(ratio, &shoulder, &inner, &twice)
+    flat_shoulder_from(ratio, &shoulder, &inner[1].square(), &twice)
 }
 
-/// The same from Stumpff's functions at the squares of `q chi`, `chi` and `2 chi`.
-pub fn flat_shoulder_from<T: Field>(ratio: &T, shoulder: &[T], inner: &[T], twice: &[T]) -> T {
+/// The same from Stumpff's functions at the squares of `q chi` and `2 chi`, and from `(1 - h)/chi²`, which is
+/// `c_1(chi²)²` where an inner joint slides too.
+pub fn flat_shoulder_from<T: Field>(ratio: &T, shoulder: &[T], deficit: &T, twice: &[T]) -> T {
     let lever = (shoulder[2].clone() - &shoulder[3]) * ratio * ratio;
-    let rest = lever - inner[1].square() * &shoulder[1];
+    let rest = lever - deficit.clone() * &shoulder[1];
     rest * ratio - ratio.int(4) * &twice[3] * &shoulder[0]
 }
 

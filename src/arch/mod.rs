@@ -11,6 +11,7 @@
 //! | (17), (18) | [`sliding`] |
 //! | the same in angles, without roots | [`cycloid`] |
 //! | (2)–(5) by the square of the joint | [`haunch`] |
+//! | (2), (4), (5), (17) of flat arches | [`flat`] |
 //! | (19), (20), the conditions at one joint | [`joint`] |
 //! | the same on the whole arch, with a vertical force in the crown | [`whole`] |
 //! | asymmetric solutions of (19) | [`asymmetric`] |
@@ -28,6 +29,7 @@ pub mod closed_form;
 pub mod contact;
 pub mod cubic;
 pub mod cycloid;
+pub mod flat;
 pub mod haunch;
 pub mod joint;
 pub mod mechanism;

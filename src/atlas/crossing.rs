@@ -248,6 +248,8 @@ impl Crossing {
             Variable::JointSquare => at.joint_square,
             Variable::Thickness => at.thickness,
             Variable::Ratio => at.ratio,
+            Variable::OpeningRatio => at.opening_ratio,
+            Variable::JointRatio => at.joint_ratio,
         }
     }
 }

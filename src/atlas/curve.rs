@@ -192,6 +192,61 @@ impl Curve {
             }
         }
     }
+
+    /// Its equations with the inclination as the parameter, of a line: to it belongs one friction angle, whatever slides.
+    pub(super) fn legs_over_inclination(self, weight: SelfWeight) -> Vec<Leg> {
+        use {Law as L, Variable as V};
+        let form = |unknowns, laws, thrust| Form {
+            weight,
+            parameter: V::Inclination,
+            unknowns,
+            laws,
+            thrust,
+            joint: Joint::Crown,
+            given: None,
+        };
+        match self {
+            Self::Line(Line::RotationShoulder) => {
+                let flat = form(
+                    &[
+                        V::OpeningRatio,
+                        V::HalfOpening,
+                        V::FrictionAngle,
+                        V::JointRatio,
+                        V::JointSquare,
+                        V::Thickness,
+                    ],
+                    &[
+                        L::FlatTurningShoulder,
+                        L::OpeningRatio,
+                        L::Cycloid,
+                        L::FlatTurning,
+                        L::JointRatio,
+                        L::Rotation,
+                    ],
+                    Thrust::Tangent,
+                );
+                let other = form(
+                    &[V::HalfOpening, V::FrictionAngle, V::JointSquare, V::Thickness],
+                    &[L::Shoulder, L::Cycloid, L::WholeTangency, L::Rotation],
+                    Thrust::Tangent,
+                );
+                vec![
+                    Leg { form: flat, from: None, to: Some(FLAT) },
+                    Leg { form: other, from: Some(FLAT), to: None },
+                ]
+            }
+            Self::Line(Line::CrownEnd) => {
+                let form = form(
+                    &[V::HalfOpening, V::FrictionAngle, V::Thickness],
+                    &[L::Shoulder, L::Cycloid, L::Upper],
+                    Thrust::Sliding,
+                );
+                vec![Leg { form, from: None, to: None }]
+            }
+            _ => self.legs(weight),
+        }
+    }
 }
 
 impl fmt::Display for Curve {
@@ -225,7 +280,8 @@ mod tests {
     fn every_form_has_one_unknown_more_than_equations() {
         for curve in Curve::ALL {
             let legs = curve.legs(SelfWeight::Heyman);
-            for leg in &legs {
+            let others = curve.legs_over_inclination(SelfWeight::Heyman);
+            for leg in legs.iter().chain(&others) {
                 assert_eq!(leg.form.unknowns.len(), leg.form.laws.len(), "{curve}");
                 assert!(!leg.form.unknowns.contains(&leg.form.parameter), "{curve}");
             }

@@ -3,8 +3,9 @@
 use super::form::Variable;
 use crate::arch::{SelfWeight, Unknown};
 use crate::certify::{CertifiedLandmark, Undecided};
-use crate::number::{Ball, Field, Real};
+use crate::number::{Ball, Field, Magnitude, Real};
 use crate::problem::Landmark;
+use rug::Float;
 use std::fmt;
 
 /// An end of a curve.
@@ -94,7 +95,7 @@ impl EndValues {
         })
     }
 
-    /// The value of a variable; of `q` its limit 2 at the origin, and nothing elsewhere.
+    /// The value of a variable; of a ratio its limit at the origin, and nothing elsewhere: `q = 2`, `p³ = 4`, `s = p²/2`.
     pub(super) fn value(&self, variable: Variable) -> Ball {
         match variable {
             Variable::HalfOpening => self.half_opening.clone(),
@@ -103,6 +104,27 @@ impl EndValues {
             Variable::JointSquare => self.joint_square.clone(),
             Variable::Thickness => self.thickness.clone(),
             Variable::Ratio => Ball::integer(2, BITS),
+            Variable::OpeningRatio => cube_root_of_four(),
+            Variable::JointRatio => cube_root_of_four().square() / Ball::integer(2, BITS),
         }
+    }
+}
+
+/// Between 1 and 2, rounded to the nearest.
+fn cube_root_of_four() -> Ball {
+    let last = Magnitude::power_of_two(-i64::from(BITS) + 1);
+    Ball::new(Float::with_val(BITS, 4).cbrt(), last, BITS)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_cube_of_the_cube_root_is_four() {
+        let root = cube_root_of_four();
+        let cube = root.square() * &root;
+        assert!(cube.contains(&4.into()) && cube.rad().to_float() < 1e-30);
+        assert!(!cube.contains(&rug::Rational::from((400_001, 100_000))), "false twin");
     }
 }

@@ -5,6 +5,7 @@
 //! the square of the rotational joint, the friction angle and the inclination of the force do not
 //! ([`cycloid`](crate::arch::cycloid), [`haunch`](crate::arch::haunch)).
 
+use crate::arch::flat::Flat;
 use crate::arch::haunch::{Haunch, opening_variable_at_half, touching_root};
 use crate::arch::{Ring, SelfWeight, cycloid, thrust};
 use crate::number::{Angle, Ball, Real, Stumpff};
@@ -24,6 +25,10 @@ pub enum Variable {
     Thickness,
     /// `q = (alpha - phi)/chi`, of a flat arch that slides.
     Ratio,
+    /// `p = alpha/chi`, of a flat arch that turns at the haunch.
+    OpeningRatio,
+    /// `s = beta_r²/chi²`, of the same.
+    JointRatio,
 }
 
 impl Variable {
@@ -39,6 +44,8 @@ impl Variable {
             Self::JointSquare => "rotation_joint_squared",
             Self::Thickness => "thickness",
             Self::Ratio => "inclination_ratio",
+            Self::OpeningRatio => "opening_ratio",
+            Self::JointRatio => "joint_ratio",
         }
     }
 }
@@ -54,6 +61,14 @@ pub(super) enum Law {
     FlatShoulder,
     /// `alpha = phi + q chi`.
     Ratio,
+    /// (17) of a flat arch that turns at the haunch, in `p` and `s`.
+    FlatTurningShoulder,
+    /// (4) less (5) of the same.
+    FlatTurning,
+    /// `alpha = p chi`.
+    OpeningRatio,
+    /// `beta_r² = s chi²`.
+    JointRatio,
     /// (5).
     Tangency,
     /// The thrust that (2) and (5) have in common.
@@ -115,6 +130,8 @@ pub(super) struct Spot<T> {
     pub haunch: Haunch<T>,
     pub thickness: T,
     pub ratio: T,
+    pub opening_ratio: T,
+    pub joint_ratio: T,
     pub thrust: T,
 }
 
@@ -185,6 +202,8 @@ impl Form {
             haunch,
             thickness,
             ratio: value(Variable::Ratio),
+            opening_ratio: value(Variable::OpeningRatio),
+            joint_ratio: value(Variable::JointRatio),
             thrust,
         }
     }
@@ -243,6 +262,14 @@ impl Law {
                     - &at.friction_angle
                     - at.ratio.clone() * &at.inclination.rad
             }
+            Self::FlatTurningShoulder => at.flat().shoulder(weight, &at.inclination.rad),
+            Self::FlatTurning => at.flat().turning(weight, &at.half_opening),
+            Self::OpeningRatio => {
+                at.half_opening.clone() - at.opening_ratio.clone() * &at.inclination.rad
+            }
+            Self::JointRatio => {
+                at.joint_square.clone() - at.inclination.rad.square() * &at.joint_ratio
+            }
             Self::Tangency => tangency().residual(&at.thrust),
             Self::Touching => touching().residual(&at.thrust),
             Self::TouchingRoot => touching_root(&at.inclination.cos, &at.joint_square, &ring()),
@@ -265,6 +292,19 @@ impl Law {
                 Some(Ring::new(weight, &at.thickness).intrados())
             }
             _ => None,
+        }
+    }
+}
+
+impl<T: Real + Stumpff> Spot<T> {
+    /// As a flat arch that turns at the haunch.
+    fn flat(&self) -> Flat<T> {
+        Flat {
+            opening: self.opening_ratio.clone(),
+            joint: self.joint_ratio.clone(),
+            square: self.joint_square.clone(),
+            functions: self.joint_square.stumpff(4),
+            thickness: self.thickness.clone(),
         }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! A [`Curve`] is followed by [`Trace::new`] in pieces. On each a [tube](Trace) about a cubic holds exactly one solution
 //! for every parameter; neighbouring tubes join; the ends are landmarks. A [`Level`] is the line of one half opening,
-//! thickness or friction, mode by mode; [`boundary`] has the domains of the modes as loops of curves. A [`Sketch`] is an arch to be
+//! thickness or friction, mode by mode; a [`Difference`] is that of two weights along the lines; [`boundary`] has the domains of the modes as loops of curves. A [`Sketch`] is an arch to be
 //! drawn.
 //!
 //! ```
@@ -21,6 +21,7 @@ mod contour;
 mod crossing;
 mod cubic;
 mod curve;
+mod difference;
 mod domain;
 mod end;
 mod form;
@@ -38,6 +39,7 @@ pub use arc::{Arc, Coordinate, arc};
 pub use cells::{Areas, Column, Row};
 pub use contour::Contour;
 pub use curve::Curve;
+pub use difference::{Difference, DifferencePoint, Divide, LEAST_DIFFERENCE, Step};
 pub use domain::{Corner, Side, boundary};
 pub use end::End;
 pub use form::Variable;

@@ -62,7 +62,7 @@ impl Place {
             Variable::HalfOpening => self.half_opening.as_ref(),
             Variable::FrictionAngle => self.friction_angle.as_ref(),
             Variable::Thickness => self.thickness.as_ref(),
-            Variable::Inclination | Variable::JointSquare | Variable::Ratio => None,
+            _ => None,
         }
     }
 }

@@ -10,6 +10,7 @@ use super::walk::{Walk, walk, width};
 use crate::arch::SelfWeight;
 use crate::certify::Undecided;
 use crate::number::{Ball, Enclosure};
+use crate::problem::Line;
 use rug::float::Round;
 
 /// The least tolerance: the nodes are doubles.
@@ -55,11 +56,31 @@ impl Trace {
     /// Follows a curve and proves it piece by piece, with tubes no wider on either side than `tolerance` in `alpha` and
     /// `phi`, rad, and in `eta`: from [`LEAST_TOLERANCE`] up to 1. Undecided if an end cannot be reached.
     pub fn new(curve: Curve, weight: SelfWeight, tolerance: f64) -> Result<Self, Undecided> {
+        Self::along(curve, weight, curve.legs(weight), tolerance)
+    }
+
+    /// The same with the inclination `chi` as the parameter, of a line between modes: to it belongs one friction angle,
+    /// `phi = chi - sin chi cos chi`, whatever the weight and the mode.
+    pub(super) fn over_inclination(
+        line: Line,
+        weight: SelfWeight,
+        tolerance: f64,
+    ) -> Result<Self, Undecided> {
+        let curve = Curve::Line(line);
+        Self::along(curve, weight, curve.legs_over_inclination(weight), tolerance)
+    }
+
+    fn along(
+        curve: Curve,
+        weight: SelfWeight,
+        parts: Vec<Leg>,
+        tolerance: f64,
+    ) -> Result<Self, Undecided> {
         let [first, last] = curve.ends();
         let [start, end] = [EndValues::of(first, weight)?, EndValues::of(last, weight)?];
         let about = |what: &str| Undecided::new(format!("{curve}, {}: {what}", weight.name()));
         let mut legs: Vec<(Form, Walk)> = Vec::new();
-        for Leg { form, from, to } in curve.legs(weight) {
+        for Leg { form, from, to } in parts {
             let at_start = start.value(form.parameter).lower().to_f64_round(Round::Down);
             let at_end = end.value(form.parameter).upper().to_f64_round(Round::Up);
             // Rounding downward makes a zero negative.
@@ -101,7 +122,8 @@ impl Trace {
         };
         let ends = [at_end(first, &start, legs.first()), at_end(last, &end, legs.last())];
         let ends = ends.map(Option::unwrap_or_default);
-        let parameters = [&start, &end].map(|values| values.value(curve.parameter()));
+        let parameter = legs.first().map_or(curve.parameter(), |(form, _)| form.parameter);
+        let parameters = [&start, &end].map(|values| values.value(parameter));
         Ok(Self { curve, weight, ends, parameters, legs })
     }
 
@@ -268,7 +290,6 @@ impl<'a> Piece<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::problem::Line;
 
     #[test]
     fn every_curve_is_proved_from_end_to_end() {
@@ -325,5 +346,29 @@ mod tests {
         let slope = last.slope_of(Variable::Thickness, Variable::FrictionAngle).unwrap();
         assert!(slope.overlaps(&exact(1.849504241)), "{slope:?}");
         assert!(slope.is_positive().is_proved() && !slope.overlaps(&exact(3.0)), "{slope:?}");
+    }
+
+    /// By the inclination a line is the same one, from its first end, where the arch is flat, to the last.
+    #[test]
+    fn over_the_inclination_a_line_is_the_same() {
+        for weight in SelfWeight::ALL {
+            for line in [Line::RotationShoulder, Line::CrownEnd] {
+                let trace = Trace::over_inclination(line, weight, 1e-9).unwrap();
+                assert_eq!(trace.gaps().count(), 0, "{line} {weight:?}");
+                let usual = Trace::new(Curve::Line(line), weight, 1e-9).unwrap();
+                let parameter = usual.curve.parameter();
+                for piece in trace.pieces().step_by(5) {
+                    let [from, to] = piece.range();
+                    let place = piece.place((from + to) / 2.0).unwrap();
+                    let at = place.coordinate(parameter).unwrap().mid().to_f64();
+                    let same = usual.place(at).unwrap();
+                    for variable in Variable::PLANE {
+                        let [one, other] = [&place, &same]
+                            .map(|place| place.coordinate(variable).unwrap().mid().to_f64());
+                        approx::assert_abs_diff_eq!(one, other, epsilon = 1e-6 * (1.0 + at));
+                    }
+                }
+            }
+        }
     }
 }

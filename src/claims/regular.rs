@@ -115,11 +115,11 @@ fn flat_shoulder(d: &mut Derivation) -> Result<Finding, Undecided> {
     let half_opening = phi.clone() + &angle;
     let printed = cycloid::shoulder(&half_opening, &inclination, &cycloid::thrust(&chi));
     let one = chi.rad.int(1);
-    let inner = [chi.cos.clone(), chi.sin.clone() / &chi.rad];
+    let deficit = (chi.sin.clone() / &chi.rad).square();
     let cube = chi.rad.square() * &chi.rad;
     // 2 chi - sin(2 chi) over the cube of 2 chi.
     let twice = [one.clone(), one.clone(), one.clone(), phi / (one.int(4) * &cube)];
-    let flat = cycloid::flat_shoulder_from(&q, &at_shoulder, &inner, &twice);
+    let flat = cycloid::flat_shoulder_from(&q, &at_shoulder, &deficit, &twice);
     d.identity(
         "(17) with alpha = q chi + phi",
         &printed,

@@ -5,7 +5,7 @@ use super::audit::{self, Audit};
 use super::claims::{self, Claims, Index};
 use super::complementarity::{self, ComplementarityArches};
 use super::judged::{self, JudgeSummary, JudgedLines};
-use super::map::{self, Map, MapPoints};
+use super::map::{self, Map, MapDifferences, MapPoints};
 use super::rows::Rows;
 use super::sampled::{self, SampledLines};
 use super::sketched::{self, Sketched};
@@ -37,6 +37,8 @@ pub enum Content {
     Figure,
     /// A point of a curve of the map.
     MapPoint,
+    /// What two weights make of the lines of the map.
+    MapDifference,
     /// Arches of voussoirs.
     Voussoirs,
     /// Solutions of the complementarity problem.
@@ -75,6 +77,7 @@ pub struct Format {
     pub(crate) samples: Option<SampledLines>,
     pub(super) map: Option<Writer<Map>>,
     pub(super) map_points: Option<Writer<MapPoints>>,
+    pub(super) map_differences: Option<Writer<MapDifferences>>,
     pub(super) voussoirs: Option<Writer<VoussoirArches>>,
     pub(super) complementarity: Option<Writer<ComplementarityArches>>,
     pub(super) drawing: Option<Writer<Sketched>>,
@@ -98,6 +101,7 @@ const fn text(name: &'static str, extension: &'static str) -> Format {
         samples: None,
         map: None,
         map_points: None,
+        map_differences: None,
         voussoirs: None,
         complementarity: None,
         drawing: None,
@@ -116,6 +120,7 @@ static FORMATS: [Format; 19] = [
         judged: Some(judged::table),
         map: Some(map::table),
         map_points: Some(map::point_table),
+        map_differences: Some(map::difference_table),
         voussoirs: Some(voussoirs::table),
         complementarity: Some(complementarity::table),
         ..text("table", "txt")
@@ -129,6 +134,7 @@ static FORMATS: [Format; 19] = [
         judged: Some(judged::json),
         map: Some(map::json),
         map_points: Some(map::point_json),
+        map_differences: Some(map::difference_json),
         voussoirs: Some(voussoirs::json),
         complementarity: Some(complementarity::json),
         drawing: Some(sketched::json),
@@ -142,6 +148,7 @@ static FORMATS: [Format; 19] = [
         samples: Some(sampled::CSV),
         map: Some(map::csv),
         map_points: Some(map::point_csv),
+        map_differences: Some(map::difference_csv),
         voussoirs: Some(voussoirs::csv),
         complementarity: Some(complementarity::csv),
         ..text("csv", "csv")
@@ -164,6 +171,7 @@ static FORMATS: [Format; 19] = [
     Format {
         is_picture: true,
         map: Some(map::svg),
+        map_differences: Some(map::difference_svg),
         drawing: Some(sketched::svg),
         ..text("svg", "svg")
     },
@@ -195,6 +203,7 @@ const PNG: Format = Format {
     is_binary: true,
     is_picture: true,
     map: Some(map::png),
+    map_differences: Some(map::difference_png),
     drawing: Some(sketched::png),
     ..text("png", "png")
 };
@@ -206,6 +215,7 @@ const PNG: Format = Format {
     is_picture: true,
     missing: Some("plots"),
     map: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
+    map_differences: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
     drawing: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
     ..text("png", "png")
 };
@@ -224,6 +234,7 @@ impl Format {
             Content::Map => format.map.is_some(),
             Content::Figure => format.is_picture,
             Content::MapPoint => format.map_points.is_some(),
+            Content::MapDifference => format.map_differences.is_some(),
             Content::Voussoirs => format.voussoirs.is_some(),
             Content::Complementarity => format.complementarity.is_some(),
             Content::Drawing => format.drawing.is_some(),

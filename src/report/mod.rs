@@ -68,7 +68,7 @@ pub use complementarity::{ComplementarityArch, ComplementarityArches};
 pub use drawn::{Axes, Branches, Drawing, Mark, Plane, Shown, Unit, View};
 pub use format::{Content, Format};
 pub use given::GivenDoubles;
-pub use map::{Map, MapPoint, MapPoints};
+pub use map::{Map, MapDifferences, MapPoint, MapPoints};
 pub use rows::Rows;
 pub use sketched::{Sketched, Style};
 pub use value::Value;
@@ -91,6 +91,8 @@ pub enum Report {
     Map(Map),
     /// A point of a curve of the map, for each weight.
     MapPoints(MapPoints),
+    /// What two weights make of the lines of the map.
+    MapDifferences(MapDifferences),
     /// Arches of voussoirs.
     Voussoirs(VoussoirArches),
     /// Solutions of the complementarity problem.
@@ -109,6 +111,7 @@ impl Report {
             Self::Index(index) => format.index.map(|write| write(index, out)),
             Self::Map(map) => format.map.map(|write| write(map, out)),
             Self::MapPoints(points) => format.map_points.map(|write| write(points, out)),
+            Self::MapDifferences(all) => format.map_differences.map(|write| write(all, out)),
             Self::Voussoirs(arches) => format.voussoirs.map(|write| write(arches, out)),
             Self::Complementarity(arches) => format.complementarity.map(|write| write(arches, out)),
             Self::Sketched(sketched) => format.drawing.map(|write| write(sketched, out)),

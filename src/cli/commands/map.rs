@@ -6,13 +6,18 @@ use super::marked::{Marked, marked};
 use super::output::{Output, OutputFile, typed};
 use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
-use crate::atlas::{Contour, Curve, LEAST_TOLERANCE, NoPoint, Trace, point};
+use crate::atlas::{
+    Contour, Curve, Difference, Divide, LEAST_DIFFERENCE, LEAST_TOLERANCE, NoPoint, Trace, point,
+};
 use crate::certify::{MAX_DIGITS, Undecided};
 use crate::cli::failure::Failure;
 use crate::number::{ExactNumber, ParseExactError};
 use crate::problem::Friction;
-use crate::report::{Content, Drawing, Format, Map, MapPoint, MapPoints, Plane, Report, View};
+use crate::report::{
+    Content, Drawing, Format, Map, MapDifferences, MapPoint, MapPoints, Plane, Report, View,
+};
 use clap::Args;
+use rayon::prelude::*;
 
 /// The curves of the map, each proved for every value of its parameter, from landmark to landmark.
 ///
@@ -84,6 +89,18 @@ pub(crate) struct Arguments {
     #[arg(long, default_value = "30", value_parser = parse::digits, requires = "at", allow_negative_numbers = true)]
     digits: usize,
 
+    /// Instead, by how much the thickness of Milankovitch's weight is above that of Heyman's on each dividing curve, at equal
+    /// friction: as table, csv, json, svg or png.
+    #[arg(
+        long,
+        conflicts_with_all = [
+            "curves", "half_openings", "thicknesses", "frictions", "weight", "at", "plane", "lines",
+            "half_opening_unit", "friction_unit", "scale", "half_opening_range", "friction_range",
+            "thickness_range", "marks", "bare",
+        ]
+    )]
+    difference: bool,
+
     /// For a picture, what lies along its axes: thickness-friction, opening-friction or opening-thickness.
     #[arg(long, default_value = "thickness-friction", value_parser = plane)]
     plane: Plane,
@@ -143,6 +160,7 @@ pub(super) fn tolerance(text: &str) -> Result<f64, String> {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     match &arguments.at {
+        None if arguments.difference => difference(arguments),
         Some(parameter) => one_point(arguments, parameter),
         None => all_curves(arguments),
     }
@@ -250,7 +268,7 @@ fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
     let report = Report::Map(map);
     file.write(|out| report.write(format, out))?;
     if arguments.file.is_file() {
-        summary(&report)?;
+        summary(&report, Content::Map)?;
     }
     match open.is_empty() {
         true => Ok(()),
@@ -259,8 +277,8 @@ fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// What was proved, on standard output beside a file of data.
-fn summary(report: &Report) -> Result<(), Failure> {
-    match Format::named(Content::Map, "table") {
+fn summary(report: &Report, content: Content) -> Result<(), Failure> {
+    match Format::named(content, "table") {
         Some(table) => Output::open(None)?.write(|out| report.write(table, out)),
         None => Ok(()),
     }
@@ -275,10 +293,7 @@ fn one_point(arguments: &Arguments, parameter: &str) -> Result<(), Failure> {
         return Err(Failure::Input(message.into()));
     };
     let format = arguments.format()?;
-    let formats: Vec<&str> = Format::all(Content::MapPoint).map(|format| format.name).collect();
-    if !formats.contains(&format.name) {
-        return Err(Failure::Input(format!("a point is written only as {}", formats.join(", "))));
-    }
+    is_written("a point", Content::MapPoint, format)?;
     let wrong = |error: ParseExactError| Failure::Input(error.to_string());
     let exact: ExactNumber = parameter.parse().map_err(wrong)?;
     let digits = arguments.digits.min(MAX_DIGITS);
@@ -296,4 +311,34 @@ fn one_point(arguments: &Arguments, parameter: &str) -> Result<(), Failure> {
     let points: Vec<MapPoint> = points.collect::<Result<_, Failure>>()?;
     let file = arguments.file.open_for(format)?;
     file.write(|out| Report::MapPoints(MapPoints(points)).write(format, out))
+}
+
+/// Refuses a format that cannot hold what is asked for.
+fn is_written(what: &str, content: Content, format: &Format) -> Result<(), Failure> {
+    let formats: Vec<&str> = Format::all(content).map(|format| format.name).collect();
+    match formats.contains(&format.name) {
+        true => Ok(()),
+        false => Err(Failure::Input(format!("{what} is written only as {}", formats.join(", ")))),
+    }
+}
+
+fn difference(arguments: &Arguments) -> Result<(), Failure> {
+    let format = arguments.format()?;
+    is_written("a difference", Content::MapDifference, format)?;
+    let tolerance = arguments.tolerance;
+    if tolerance < LEAST_DIFFERENCE {
+        let message = format!("a difference has a tolerance from {LEAST_DIFFERENCE:e} to 1");
+        return Err(Failure::Input(message));
+    }
+    let file = arguments.file.open_for(format)?;
+    let differences: Result<Vec<Difference>, Undecided> =
+        Divide::ALL.into_par_iter().map(|divide| Difference::new(divide, tolerance)).collect();
+    let differences = differences.map_err(|open| Failure::Undecided(open.to_string()))?;
+    let report =
+        Report::MapDifferences(MapDifferences { tolerance, differences, command: typed() });
+    file.write(|out| report.write(format, out))?;
+    match arguments.file.is_file() {
+        true => summary(&report, Content::MapDifference),
+        false => Ok(()),
+    }
 }

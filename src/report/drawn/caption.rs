@@ -45,6 +45,11 @@ pub(super) fn proved(sheets: &[&Sheet], off: &[(Axis, f64)], size: Point) -> Str
         true => "nothing is left open".to_owned(),
         false => format!("not proved, and dotted or left out, are parts of {}", open.join(", ")),
     };
+    format!("{}; {open}.", told(off, size))
+}
+
+/// How near lines are to the true ones, in words.
+pub(super) fn told(off: &[(Axis, f64)], size: Point) -> String {
     let mut units: BTreeMap<&str, f64> = BTreeMap::new();
     for (axis, off) in off {
         let most = units.entry(unit(axis.coordinate)).or_default();
@@ -53,7 +58,7 @@ pub(super) fn proved(sheets: &[&Sheet], off: &[(Axis, f64)], size: Point) -> Str
     let widths = units.into_iter().map(|(unit, off)| format!("{} in {unit}", upwards(off)));
     let widths: Vec<String> = widths.collect();
     let widths = widths.join(" and ");
-    format!("Each line is proved to lie within {widths} of where it is drawn; {open}.")
+    format!("Each line is proved to lie within {widths} of where it is drawn")
 }
 
 /// In what a distance along an axis is told.

@@ -2,7 +2,7 @@
 
 use super::chain::Chain;
 use super::look;
-use super::plane::Axis;
+use super::plane::{Axis, FRICTION_LABEL, friction_ticks};
 use super::spot::disc;
 use crate::picture::color::{GRID, INK, WHITE};
 use crate::picture::{Anchor, Color, Frame, Path, Point, Side, Stroke, Svg, Type, text};
@@ -42,11 +42,15 @@ pub(super) struct Mark {
 
 pub(super) const WIDTH: f64 = 700.0;
 const LEFT: f64 = 92.0;
+/// Above, and where there is an axis of friction.
 const TOP: f64 = 24.0;
+const AXIS: f64 = 76.0;
 const RIGHT: f64 = 40.0;
 const BETWEEN: f64 = 26.0;
 const BELOW: f64 = 80.0;
 const MARGIN: f64 = 20.0;
+/// From the labels of ticks to that of their axis.
+const NEXT: f64 = 24.0;
 const LABEL: f64 = 18.0;
 const TICK: f64 = 16.0;
 const SMALL: f64 = 15.0;
@@ -62,15 +66,16 @@ impl Graphs {
     /// The picture as SVG.
     pub(super) fn svg(&self) -> String {
         let height = height(self.panels.len());
+        let top = if self.x.is_friction_angle() { AXIS } else { TOP };
         let frames: Vec<Frame> = (0..self.panels.len())
             .map(|k| Frame {
-                corner: (LEFT, TOP + k as f64 * (height + BETWEEN)),
+                corner: (LEFT, top + k as f64 * (height + BETWEEN)),
                 size: (WIDTH, height),
                 x: self.x.range,
                 y: self.panels[k].y.range,
             })
             .collect();
-        let bottom = frames.last().map_or(TOP, Frame::bottom);
+        let bottom = frames.last().map_or(top, Frame::bottom);
         let width = LEFT + WIDTH + RIGHT;
         let wrapped = |words: &String| text::wrap(words, SMALL, width - 2.0 * MARGIN);
         let lines: Vec<String> = self.words.iter().flat_map(wrapped).collect();
@@ -80,6 +85,9 @@ impl Graphs {
             let is_last = k + 1 == self.panels.len();
             let letter = b"abcdefgh".get(k).filter(|_| self.panels.len() > 1);
             svg.group(&format!("panel-{k}"), |svg| self.panel(svg, panel, frame, is_last));
+            if k == 0 && self.x.is_friction_angle() {
+                self.friction(&mut svg, frame);
+            }
             if let Some(letter) = letter {
                 let name = format!("({})", char::from(*letter));
                 let at = (frame.corner.0 + 12.0, frame.corner.1 + 18.0);
@@ -93,6 +101,13 @@ impl Graphs {
             svg.lines(&lines, (MARGIN, bottom + BELOW), Type::new(SMALL, INK));
         });
         svg.finish()
+    }
+
+    /// The friction coefficient, above.
+    fn friction(&self, svg: &mut Svg, frame: &Frame) {
+        frame.ticks(svg, Side::Top, &friction_ticks(&self.x), TICK);
+        let at = (frame.corner.0 + WIDTH / 2.0, frame.corner.1 - 46.0);
+        svg.text(FRICTION_LABEL, at, Type::new(LABEL, INK).at(Anchor::Middle));
     }
 
     fn panel(&self, svg: &mut Svg, panel: &Panel, frame: &Frame, is_last: bool) {
@@ -122,7 +137,9 @@ impl Graphs {
         frame.ticks(svg, Side::Left, &y, TICK);
         let middle = Type::new(LABEL, INK).at(Anchor::Middle);
         let up = frame.corner.1 + frame.size.1 / 2.0;
-        svg.text(panel.y.label, (frame.corner.0 - 64.0, up), middle.turned(-90.0));
+        let widest = y.iter().map(|tick| text::width(&tick.label, TICK)).fold(0.0, f64::max);
+        let off = (widest + NEXT).max(64.0);
+        svg.text(panel.y.label, (frame.corner.0 - off, up), middle.turned(-90.0));
         if is_last {
             frame.ticks(svg, Side::Bottom, &x, TICK);
             let across = frame.corner.0 + WIDTH / 2.0;

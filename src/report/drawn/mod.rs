@@ -19,6 +19,7 @@
 //! | `map` | the map of one weight |
 //! | `lines` | the lines of both weights |
 //! | `branches`, `graph` | the pure states along the half opening, as graphs |
+//! | `difference` | what two weights make of the lines, as graphs |
 //! | `caption` | what is said below |
 //!
 //! A piece of a curve is proved to lie in a tube about a cubic of the parameter, and the drawn Bézier arc is that
@@ -30,6 +31,7 @@ mod canvas;
 mod caption;
 mod chain;
 mod content;
+mod difference;
 mod domain;
 mod drawing;
 mod graph;
@@ -47,6 +49,7 @@ mod spot;
 
 pub use branches::Branches;
 pub use canvas::{Axes, Shown, Unit};
+pub(super) use difference::differences;
 pub(super) use drawing::FramedMap;
 pub use drawing::{Drawing, View};
 pub use mark::Mark;

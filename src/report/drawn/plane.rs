@@ -180,7 +180,7 @@ impl Axis {
         let [first, last] = multiples(range, step);
         let (first, last) = (first as i64, last as i64);
         let place = |k: i64| k as f64 * step;
-        let tick = |k| Tick { place: place(k), label: format!("{:.decimals$}", place(k)) };
+        let tick = |k| Tick { place: place(k), label: text::number(place(k), decimals) };
         (first..=last).map(tick).collect()
     }
 }

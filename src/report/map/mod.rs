@@ -1,6 +1,7 @@
 //! The curves of the map: a summary for a person, their nodes as JSON (`couplet.map/1`), CSV or Parquet, and a page to
 //! point at. Fields may be added, none changes its meaning.
 
+mod difference;
 mod domains;
 mod json;
 mod page;
@@ -12,8 +13,15 @@ mod policy;
 mod rows;
 mod table;
 
+pub use difference::MapDifferences;
 pub use point::{MapPoint, MapPoints};
 
+#[cfg(feature = "plots")]
+pub(super) use difference::png as difference_png;
+pub(super) use difference::{
+    csv as difference_csv, json as difference_json, svg as difference_svg,
+    table as difference_table,
+};
 pub(super) use json::json;
 pub(super) use page::html;
 #[cfg(feature = "parquet")]

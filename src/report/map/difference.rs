@@ -1,0 +1,190 @@
+//! Milankovitch's thickness less Heyman's along the dividing curves: for a person, CSV, and JSON (`couplet.map_difference/1`).
+
+use super::rows::{lower, upper};
+use crate::atlas::{Difference, DifferencePoint, Step};
+use crate::number::Ball;
+use crate::picture::text::number;
+use crate::problem::Line;
+use crate::report::fields::Fields;
+use crate::report::{csv, drawn, json};
+use serde::Serialize;
+use serde_json::Value as Json;
+use std::io;
+
+/// The differences along all dividing curves.
+#[derive(Debug)]
+pub struct MapDifferences {
+    /// The half-width of a tube that was asked for.
+    pub tolerance: f64,
+    /// Each curve.
+    pub differences: Vec<Difference>,
+    /// The command that makes it, for a caption.
+    pub command: String,
+}
+
+/// A node with the step that begins there; behind the last node there is none.
+struct Row<'a> {
+    point: &'a DifferencePoint,
+    step: Option<&'a Step>,
+}
+
+enum Column {
+    Text(fn(&Row) -> Option<String>),
+    Double(fn(&Row) -> Option<f64>),
+}
+
+use Column::{Double, Text};
+
+/// The columns of a node. Bounds are rounded outward. Between two nodes the difference is as near as `tube` to the cubic in the
+/// parameter from `begins` to `ends` with these rates at its ends; the friction angle is `chi - sin chi cos chi`.
+const COLUMNS: [(&str, Column); 18] = [
+    ("line_heyman", Text(|row| Some(row.step?.lines[0].to_string()))),
+    ("line_milankovitch", Text(|row| Some(row.step?.lines[1].to_string()))),
+    ("parameter", Double(|row| Some(row.point.parameter))),
+    ("friction_angle_lower", Double(|row| lower(Some(&row.point.friction_angle)))),
+    ("friction_angle_upper", Double(|row| upper(Some(&row.point.friction_angle)))),
+    ("friction_lower", Double(|row| lower(Some(&row.point.friction)))),
+    ("friction_upper", Double(|row| upper(Some(&row.point.friction)))),
+    ("thickness_heyman_lower", Double(|row| lower(Some(&row.point.thickness[0])))),
+    ("thickness_heyman_upper", Double(|row| upper(Some(&row.point.thickness[0])))),
+    ("thickness_milankovitch_lower", Double(|row| lower(Some(&row.point.thickness[1])))),
+    ("thickness_milankovitch_upper", Double(|row| upper(Some(&row.point.thickness[1])))),
+    ("difference_lower", Double(|row| lower(Some(&row.point.difference)))),
+    ("difference_upper", Double(|row| upper(Some(&row.point.difference)))),
+    ("begins", Double(|row| Some(row.step?.difference.values[0]))),
+    ("begins_rate", Double(|row| Some(row.step?.difference.slopes[0]))),
+    ("ends", Double(|row| Some(row.step?.difference.values[1]))),
+    ("ends_rate", Double(|row| Some(row.step?.difference.slopes[1]))),
+    ("tube", Double(|row| Some(row.step?.difference.off))),
+];
+
+fn rows(difference: &Difference) -> impl Iterator<Item = Row<'_>> {
+    let steps = difference.steps().iter().map(Some).chain([None]);
+    difference.points().iter().zip(steps).map(|(point, step)| Row { point, step })
+}
+
+/// The lines of a curve, in order.
+fn lines(difference: &Difference) -> Vec<String> {
+    difference.divide.lines().iter().map(Line::to_string).collect()
+}
+
+/// Degrees of a friction angle, for a person.
+fn degrees(phi: &Ball) -> String {
+    format!("{}°", number(phi.mid().to_f64().to_degrees(), 1))
+}
+
+/// A bound of the difference to four decimals, rounded outward.
+fn outward(bound: f64, is_upper: bool) -> String {
+    let units = bound * 1e4;
+    let whole = if is_upper { (units + 1e-9).ceil() } else { (units - 1e-9).floor() };
+    format!("{:+.4}", whole / 1e4 + 0.0)
+}
+
+pub(in crate::report) fn table(report: &MapDifferences, out: &mut dyn io::Write) -> io::Result<()> {
+    writeln!(
+        out,
+        "Thickness of Milankovitch's weight less that of Heyman's at equal friction, along the dividing curves,\n\
+         in tubes of a half-width of at most {:?}\n",
+        report.tolerance
+    )?;
+    writeln!(out, "divide    from    to      least    most     pieces  widest   lines")?;
+    for difference in &report.differences {
+        let points = difference.points();
+        let end = |point: Option<&DifferencePoint>| {
+            point.map(|point| degrees(&point.friction_angle)).unwrap_or_default()
+        };
+        let [from, to] = [points.first(), points.last()].map(end);
+        let [least, most] = difference.bounds();
+        writeln!(
+            out,
+            "{:<8}  {from:<6}  {to:<6}  {}  {}  {:<6}  {:.1e}  {}",
+            difference.divide,
+            outward(least, false),
+            outward(most, true),
+            difference.steps().len(),
+            difference.width(),
+            lines(difference).join(", "),
+        )?;
+    }
+    writeln!(
+        out,
+        "\nproved: for each friction angle between these the difference is in the tube, and between its least and its most"
+    )
+}
+
+pub(in crate::report) fn csv(report: &MapDifferences, out: &mut dyn io::Write) -> io::Result<()> {
+    let header = ["divide", "node"].into_iter().chain(COLUMNS.iter().map(|(name, _)| *name));
+    let header = header.map(str::to_owned).collect();
+    let rows = report.differences.iter().flat_map(|difference| {
+        rows(difference).enumerate().map(|(node, row)| {
+            let cell = |(_, column): &(&str, Column)| match column {
+                Text(cell) => cell(&row).unwrap_or_default(),
+                Double(cell) => cell(&row).map(|x| format!("{x:?}")).unwrap_or_default(),
+            };
+            let named = [difference.divide.to_string(), node.to_string()].into_iter();
+            named.chain(COLUMNS.iter().map(cell)).collect()
+        })
+    });
+    csv::write(std::iter::once(header).chain(rows), out)
+}
+
+#[derive(Serialize)]
+struct File {
+    schema: &'static str,
+    tolerance: f64,
+    differences: Vec<Entry>,
+}
+
+#[derive(Serialize)]
+struct Entry {
+    divide: &'static str,
+    lines: Vec<String>,
+    parameter: &'static str,
+    pieces: usize,
+    widest_tube: f64,
+    least: f64,
+    most: f64,
+    nodes: Vec<Fields>,
+}
+
+pub(in crate::report) fn json(report: &MapDifferences, out: &mut dyn io::Write) -> io::Result<()> {
+    let node = |row: Row| -> Fields {
+        let cell = |(name, column): &(&'static str, Column)| {
+            let value: Option<Json> = match column {
+                Text(cell) => cell(&row).map(Json::from),
+                Double(cell) => cell(&row).map(Json::from),
+            };
+            (*name, value.unwrap_or_default())
+        };
+        COLUMNS.iter().map(cell).collect()
+    };
+    let entry = |difference: &Difference| {
+        let [least, most] = difference.bounds();
+        Entry {
+            divide: difference.divide.name(),
+            lines: lines(difference),
+            parameter: "inclination",
+            pieces: difference.steps().len(),
+            widest_tube: difference.width(),
+            least,
+            most,
+            nodes: rows(difference).map(node).collect(),
+        }
+    };
+    let differences = report.differences.iter().map(entry).collect();
+    let file =
+        File { schema: "couplet.map_difference/1", tolerance: report.tolerance, differences };
+    json::write(&file, out)
+}
+
+/// As a picture, SVG.
+pub(in crate::report) fn svg(report: &MapDifferences, out: &mut dyn io::Write) -> io::Result<()> {
+    out.write_all(drawn::differences(&report.differences, &report.command).as_bytes())
+}
+
+/// As a picture, PNG.
+#[cfg(feature = "plots")]
+pub(in crate::report) fn png(report: &MapDifferences, out: &mut dyn io::Write) -> io::Result<()> {
+    let svg = drawn::differences(&report.differences, &report.command);
+    out.write_all(&crate::picture::png::render(&svg))
+}

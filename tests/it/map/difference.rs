@@ -1,0 +1,95 @@
+//! `couplet map --difference`: beside the arches of both weights, in every format, and refused.
+
+use crate::program::{Scratch, couplet, json, refused, said, text};
+use serde_json::Value;
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap()
+}
+
+/// The thickness on a line at a friction, by the equations of its landmarks, and of the arch that is there.
+fn thickness(line: &Value, weight: &str, friction: f64) -> f64 {
+    let mu = format!("{friction:?}");
+    let of = ["--mu", &mu, "--weight", weight, "--digits", "16", "--format", "json"];
+    let found = json(&[&["find", "boundary", line.as_str().unwrap()], &of[..]].concat());
+    let eta: f64 = found["thickness"]["value"].as_str().unwrap().parse().unwrap();
+    let modes = line.as_str().unwrap();
+    if !modes.ends_with("/ss") {
+        // Below such a line nothing stands, and a rounding of the half opening may be there.
+        let alpha = found["half_opening"]["value"].as_str().unwrap();
+        let state = json(&[&["state", "--alpha", alpha], &of[..]].concat());
+        let least: f64 = state["thickness"]["value"].as_str().unwrap().parse().unwrap();
+        assert!((least - eta).abs() < 1e-11, "{line} {weight} {mu}: {least} {eta}");
+    }
+    eta
+}
+
+/// At some frictions of each curve, and not if one line is moved by a millionth.
+#[test]
+fn the_difference_is_that_of_the_arches() {
+    let report = json(&["map", "--difference", "--tolerance", "1e-7", "--format", "json"]);
+    let mut pairs = Vec::new();
+    for difference in report["differences"].as_array().unwrap() {
+        assert!(number(&difference["widest_tube"]) <= 1e-7);
+        let nodes = difference["nodes"].as_array().unwrap();
+        let step = (nodes.len() / 5).max(1);
+        for node in nodes.iter().skip(step / 2 + 1).step_by(step) {
+            let (Some(_), lines) =
+                (node["tube"].as_f64(), ["line_heyman", "line_milankovitch"].map(|l| &node[l]))
+            else {
+                continue;
+            };
+            let mu = (number(&node["friction_lower"]) + number(&node["friction_upper"])) / 2.0;
+            let [heyman, milankovitch] =
+                [thickness(lines[0], "heyman", mu), thickness(lines[1], "milankovitch", mu)];
+            let [low, high] = ["difference_lower", "difference_upper"].map(|of| number(&node[of]));
+            let room = 1e-9 * (1.0 + mu * mu);
+            let is_there = |x: f64| low - room <= x && x <= high + room;
+            assert!(is_there(milankovitch - heyman), "{lines:?} {mu}: {low} {high}");
+            assert!(!is_there(milankovitch - heyman + 1e-6), "false twin");
+            assert!(number(&difference["least"]) <= low && high <= number(&difference["most"]));
+            pairs.push(lines.map(|line| line.as_str().unwrap().to_owned()));
+        }
+    }
+    pairs.dedup();
+    assert!(pairs.len() > 6 && pairs.iter().any(|[one, other]| one != other), "{pairs:?}");
+}
+
+#[test]
+fn a_picture_has_each_curve_and_its_tube() {
+    let scratch = Scratch::new();
+    let file = scratch.path("d.svg");
+    let (code, output, error) = said(&couplet(&["map", "--difference", "-o", &file]));
+    assert_eq!((code, &error[..]), (Some(0), ""));
+    assert!(
+        output.contains("shoulder  0.0°    61.7°") && output.contains("\nproved: "),
+        "{output}"
+    );
+    let picture = scratch.read("d.svg");
+    for divide in ["shoulder", "inner", "joints", "crown"] {
+        assert!(picture.contains(&format!("id=\"difference-{divide}\"")), "{divide}");
+    }
+    for name in [">Tₘ<", ">Tₕ<", ">Sₕ, Jₕ<", ">Bₘ<", ">ℓ<", "in η of where it is drawn"]
+    {
+        assert!(picture.contains(name), "{name}");
+    }
+    let table = text(&couplet(&["map", "--difference", "--format", "csv"]).stdout);
+    assert!(table.starts_with("divide,node,line_heyman,line_milankovitch,parameter,"));
+}
+
+#[test]
+fn what_makes_no_sense_is_refused() {
+    for (arguments, words) in [
+        (&["--tolerance", "0"][..], "a tolerance is a number from 1e-12 to 1"),
+        (&["--tolerance", "1e-12"], "a difference has a tolerance from 4e-12 to 1"),
+        (&["--format", "html"], "a difference is written only as table, json, csv, svg"),
+        (&["--weight", "heyman"], "cannot be used with"),
+        (&["--curve", "limit"], "cannot be used with"),
+        (&["--plane", "opening-friction"], "cannot be used with"),
+        (&["--scale", "log"], "cannot be used with"),
+        (&["--mark", "80deg,0.6"], "cannot be used with"),
+        (&["--lines"], "cannot be used with"),
+    ] {
+        refused(&[&["map", "--difference"], arguments].concat(), "", words);
+    }
+}
