@@ -1,6 +1,6 @@
 //! A plane with its axes, in the units and ranges asked for.
 
-use super::plane::{Axis, DEGREES, Plane, multiples};
+use super::plane::{Axis, DEGREES, Plane, step};
 use crate::atlas::Coordinate;
 
 /// How a quantity is shown along an axis, and from where to where. What is not asked for is as usual.
@@ -95,31 +95,9 @@ impl Shown {
     }
 }
 
-/// The largest round step with so many multiples in a range.
-pub(super) fn step(range: [f64; 2], least: f64) -> Option<f64> {
-    let power = 10f64.powf((range[1] - range[0]).log10().floor());
-    let steps = [5.0, 2.0, 1.0, 0.5, 0.2, 0.1].map(|m| m * power);
-    let count = |step: f64| {
-        let [first, last] = multiples(range, step);
-        last - first + 1.0
-    };
-    steps.into_iter().find(|step| count(*step) >= least)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn steps_are_round() {
-        for (range, expected) in
-            [([0.0, 1.0], 0.5), ([59.9, 61.1], 0.5), ([56.6, 57.5], 0.2), ([0.91, 0.98], 0.02)]
-        {
-            let step = step(range, 3.0).unwrap();
-            assert!((step - expected).abs() < 1e-12, "{range:?} {step}");
-        }
-        assert_eq!(step([0.0, 4.0], 5.0), Some(1.0));
-    }
 
     #[test]
     fn axes_are_as_asked_for() {

@@ -1,10 +1,12 @@
 //! Small frames that show a part of the map larger.
 
-use super::canvas::{Canvas, step};
+use super::canvas::Canvas;
 use super::content::Content;
-use super::plane::Plane;
+use super::plane::{Plane, step};
 use crate::picture::color::{GUIDE, INK, WHITE};
-use crate::picture::room::Rectangle;
+use crate::picture::room::{Rectangle, roomiest, within};
+use crate::picture::scale::Tick;
+use crate::picture::text;
 use crate::picture::{Frame, Path, Point, Side, Stroke, Svg};
 use crate::problem::Landmark;
 
@@ -24,39 +26,32 @@ const LEFT: f64 = 50.0;
 const BELOW: f64 = 28.0;
 const REST: f64 = 8.0;
 const TICK: f64 = 14.0;
+/// For the name of a landmark, around it.
+const NAME: f64 = 26.0;
 
 impl Inset {
-    /// The insets of a map whose frame has this corner: S and J, which are close, and where thin domains lie side by
-    /// side, these too.
-    pub(super) fn all(content: &Content, canvas: &Canvas, corner: Point) -> Vec<Self> {
+    /// The insets of a map: S and J, which are close, and where thin domains lie side by side, these too. On axes as usual
+    /// each has its place; on others it is put where a domain has room for it, off what is `taken`.
+    pub(super) fn all(
+        content: &Content,
+        canvas: &Canvas,
+        map: &Frame,
+        taken: &[Rectangle],
+    ) -> Vec<Self> {
+        let parts = parts(content, canvas);
         if !canvas.is_usual {
-            return Vec::new();
+            return roomy(content, &parts, map, taken);
         }
-        let at = |(x, y): Point| (corner.0 + x, corner.1 + y);
-        let [joints, top] =
-            [Landmark::Shift, Landmark::Triple].map(|landmark| content.of(landmark));
-        let ends =
-            [Landmark::Junction, Landmark::OverturningEnd].map(|landmark| content.of(landmark));
-        let [Some(s), Some(t), Some(j), Some(l)] = [joints, top, ends[0], ends[1]] else {
-            return Vec::new();
+        let at = |(x, y): Point| (map.corner.0 + x, map.corner.1 + y);
+        let inset = |(name, [x, y]): &Part| {
+            let (place, size) = match (canvas.plane, *name) {
+                (Plane::ThicknessFriction, _) => ((72.0, 54.0), SIZES[0]),
+                (_, MIXED) => ((76.0, 36.0), (250.0, 220.0)),
+                _ => ((76.0, 310.0), (250.0, 150.0)),
+            };
+            Self { frame: Frame { corner: at(place), size, x: *x, y: *y }, name }
         };
-        let inset =
-            |name, place, size, x, y| Self { frame: Frame { corner: at(place), size, x, y }, name };
-        match canvas.plane {
-            Plane::ThicknessFriction => {
-                let (x, y) = (around(s.0, j.0, 2.6), around(s.1, j.1, 2.6));
-                vec![inset(JOINTS, (72.0, 54.0), (260.0, 215.0), x, y)]
-            }
-            Plane::OpeningFriction | Plane::OpeningThickness => {
-                let (x, y) = (around(t.0, l.0, 0.3), around(t.1, l.1, 0.1));
-                let y = [y[0], y[1].min(canvas.axes[1].range[1])];
-                let (joints_x, joints_y) = (around(s.0, j.0, 1.8), around(s.1, j.1, 1.8));
-                vec![
-                    inset(MIXED, (76.0, 36.0), (250.0, 220.0), x, y),
-                    inset(JOINTS, (76.0, 310.0), (250.0, 150.0), joints_x, joints_y),
-                ]
-            }
-        }
+        parts.iter().map(inset).collect()
     }
 
     /// The insets of the lines of both weights: where S and J of both are, and the end of rotation.
@@ -109,12 +104,22 @@ impl Inset {
         ]
     }
 
-    /// From the part of the map that it shows to where it shows it.
+    /// From the part of the map that it shows to where it shows it, which is drawn before.
     pub(super) fn draw_guides(&self, svg: &mut Svg, map: &Frame) {
-        let Frame { x, y, corner: (_, top), .. } = self.frame;
+        let Frame { x, y, corner: (left, top), .. } = self.frame;
         let (low, high) = (map.at((x[0], y[0])), map.at((x[1], y[1])));
         let (right, bottom) = (self.frame.right(), self.frame.bottom());
-        let guides = [((low.0, high.1), (right, top)), (low, (right, bottom))];
+        // From the sides that face each other, off the labels of ticks.
+        let (before, below) = (left - LEFT, bottom + BELOW);
+        let guides = if right < low.0 {
+            [((low.0, high.1), (right, top)), (low, (right, bottom))]
+        } else if left > high.0 {
+            [(high, (before, top)), ((high.0, low.1), (before, bottom))]
+        } else if bottom < high.1 {
+            [((low.0, high.1), (left, below)), (high, (right, below))]
+        } else {
+            [(low, (left, top)), ((high.0, low.1), (right, top))]
+        };
         // Of a large part the upper one is enough.
         let guides = if self.is_close() { &guides[..] } else { &guides[..1] };
         for (from, to) in guides {
@@ -132,9 +137,80 @@ impl Inset {
         svg.clipped(&frame.outline(), |svg| draw(svg, &format!("{}-", self.name)));
         svg.stroke(&frame.outline(), Stroke::new(INK, 1.2));
         let [x, y] = &canvas.axes;
-        frame.ticks(svg, Side::Bottom, &x.ticks(frame.x, step(frame.x, 3.0)), TICK);
+        // As many as have room.
+        let ticks = |least| x.ticks(frame.x, step(frame.x, least));
+        let length = |ticks: &Vec<Tick>| -> f64 {
+            ticks.iter().map(|tick| text::width(&tick.label, TICK) + TICK).sum()
+        };
+        let across = [3.0, 2.0].map(ticks).into_iter().find(|ticks| length(ticks) < frame.size.0);
+        frame.ticks(svg, Side::Bottom, &across.unwrap_or_default(), TICK);
         frame.ticks(svg, Side::Left, &y.ticks(frame.y, step(frame.y, 3.0)), TICK);
     }
+}
+
+/// A part of the map that is shown larger: the name of its inset, and what is along the axes.
+type Part = (&'static str, [[f64; 2]; 2]);
+
+/// The parts that are shown larger, within the map.
+fn parts(content: &Content, canvas: &Canvas) -> Vec<Part> {
+    use Landmark as L;
+    let [Some(s), Some(t), Some(j), Some(l)] =
+        [L::Shift, L::Triple, L::Junction, L::OverturningEnd].map(|landmark| content.of(landmark))
+    else {
+        return Vec::new();
+    };
+    let on = |range: [f64; 2], k: usize| {
+        let [low, high] = canvas.axes[k].range;
+        [range[0].max(low), range[1].min(high)]
+    };
+    let part = |name, a: Point, b: Point, more: Point| {
+        let x = on(around(a.0, b.0, more.0), 0);
+        (name, [x, on(around(a.1, b.1, more.1), 1)])
+    };
+    match canvas.plane {
+        Plane::ThicknessFriction => vec![part(JOINTS, s, j, (2.6, 2.6))],
+        _ => vec![part(MIXED, t, l, (0.3, 0.1)), part(JOINTS, s, j, (1.8, 1.8))],
+    }
+}
+
+/// Sizes of an inset that are tried where it has no place of its own.
+const SIZES: [Point; 3] = [(260.0, 215.0), (210.0, 170.0), (170.0, 130.0)];
+/// What is at least half as large in the map needs no inset.
+const LARGER: f64 = 2.0;
+
+/// Insets where domains have room for them.
+fn roomy(content: &Content, parts: &[Part], map: &Frame, taken: &[Rectangle]) -> Vec<Inset> {
+    let window = [map.corner, (map.right(), map.bottom())];
+    let outline = |way: &super::chain::Chain| -> Vec<Point> {
+        let points: Vec<Point> = way.points().into_iter().map(|at| map.at(at)).collect();
+        within(&points, window)
+    };
+    let outlines: Vec<Vec<Point>> = content.areas.iter().map(|(_, way)| outline(way)).collect();
+    let discs = content.landmarks.iter().filter(|(_, at)| map.shows(*at));
+    let disc = |(x, y): Point| [(x - NAME, y - NAME), (x + NAME, y + NAME)];
+    let mut taken: Vec<Rectangle> =
+        taken.iter().copied().chain(discs.map(|(_, at)| disc(map.at(*at)))).collect();
+    let mut found = Vec::new();
+    for (name, [x, y]) in parts {
+        let (low, high) = (map.at((x[0], y[0])), map.at((x[1], y[1])));
+        let (across, up) = (high.0 - low.0, low.1 - high.1);
+        let is_seen = across > 0.0 && up > 0.0;
+        let inset = SIZES.into_iter().filter(|_| is_seen).find_map(|size| {
+            if LARGER * across > size.0 || LARGER * up > size.1 {
+                return None;
+            }
+            let inset = Inset { frame: Frame { corner: (0.0, 0.0), size, x: *x, y: *y }, name };
+            let [from, to] = inset.taken();
+            let half = ((to.0 - from.0) / 2.0, (to.1 - from.1) / 2.0);
+            let mut places = outlines.iter().map(|outline| roomiest(outline, half, &taken));
+            let middle = places.find_map(|place| place)?;
+            let corner = (middle.0 - half.0 - from.0, middle.1 - half.1 - from.1);
+            Some(Inset { frame: Frame { corner, ..inset.frame }, name })
+        });
+        taken.extend(inset.iter().map(Inset::taken).chain([[(low.0, high.1), (high.0, low.1)]]));
+        found.extend(inset);
+    }
+    found
 }
 
 /// A range with so many times its length more at each end.

@@ -47,11 +47,11 @@ impl LinesPicture<'_> {
             points.collect::<Vec<Point>>()
         };
         let insets = Inset::of_both(of, frame.corner);
-        insets.iter().for_each(|inset| inset.draw_guides(&mut svg, frame));
         for inset in &insets {
             inset.draw(&mut svg, &canvas, |svg, id| self.draw(svg, &inset.frame, id));
             self.landmarks(&mut svg, &inset.frame, true);
         }
+        insets.iter().for_each(|inset| inset.draw_guides(&mut svg, frame));
         self.landmarks(&mut svg, frame, false);
         self.legend(&mut svg, frame);
         svg.finish()

@@ -12,6 +12,7 @@ use super::plane::Plane;
 use super::sheet::Sheet;
 use crate::atlas::Coordinate;
 use crate::picture::color::INK;
+use crate::picture::room::Rectangle;
 use crate::picture::{Anchor, Frame, Svg, Type};
 use crate::problem::Mode;
 
@@ -50,10 +51,10 @@ impl MapPicture<'_> {
             svg.group("levels", |svg| margin::levels(svg, frame, canvas.plane, &content.levels));
         }
         let marks = mark::places(self.marks, canvas, frame);
-        let mut insets = Inset::all(&content, canvas, frame.corner);
+        let of_marks: Vec<Rectangle> = marks.iter().map(|(_, at)| mark::taken(*at)).collect();
+        let mut insets = Inset::all(&content, canvas, frame, &of_marks);
         // No inset covers a mark.
         insets.retain(|inset| !marks.iter().any(|(_, at)| inset.covers(*at)));
-        insets.iter().for_each(|inset| inset.draw_guides(&mut svg, frame));
         let mut named = Vec::new();
         for inset in &insets {
             inset.draw(&mut svg, canvas, |svg, id| content.draw(svg, &inset.frame, id));
@@ -67,8 +68,8 @@ impl MapPicture<'_> {
             named.extend(names.modes(&mut svg, &elsewhere));
             mark::draw(&mut svg, &larger, inset.id());
         }
+        insets.iter().for_each(|inset| inset.draw_guides(&mut svg, frame));
         let mut names = self.names(&content, frame, NAMES);
-        let of_marks = marks.iter().map(|(_, at)| mark::taken(*at));
         names.taken = insets.iter().map(Inset::taken).chain(of_marks).collect();
         names.landmarks(&mut svg, false);
         if canvas.plane == Plane::ThicknessFriction {
@@ -86,7 +87,7 @@ impl MapPicture<'_> {
     pub(super) fn frames(&self) -> Vec<Frame> {
         let content = Content::new(self.sheet, &self.canvas);
         let (page, _) = Page::new(&self.canvas, "", &[], !content.levels.is_empty());
-        let insets = Inset::all(&content, &self.canvas, page.frame.corner);
+        let insets = Inset::all(&content, &self.canvas, &page.frame, &[]);
         insets.iter().map(|inset| inset.frame).chain([page.frame]).collect()
     }
 

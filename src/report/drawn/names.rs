@@ -30,12 +30,16 @@ const TIP: Point = (2.0, 2.0);
 const REACH: [f64; 5] = [36.0, 46.0, 60.0, 80.0, 104.0];
 /// The sides of a landmark on which its name is tried.
 const MIRRORS: [Point; 4] = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
+/// Between S and J, in sizes of the font, if each has its name.
+const APART: f64 = 2.0;
 /// Directions that are tried.
 const TURNS: u32 = 24;
 
 impl Names<'_> {
-    /// Landmarks with their names. Next to each other S and J share one, unless they are `told_apart`.
+    /// Landmarks with their names. Next to each other S and J share one, unless they are `told_apart` or far enough from each
+    /// other.
     pub(super) fn landmarks(&mut self, svg: &mut Svg, told_apart: bool) {
+        let told_apart = told_apart || self.are_apart();
         for (landmark, at) in &self.content.landmarks {
             if !self.frame.shows(*at) {
                 continue;
@@ -58,6 +62,14 @@ impl Names<'_> {
             self.taken.push(spot.taken());
             spot.draw(svg);
         }
+    }
+
+    /// Whether S and J have room for a name each.
+    fn are_apart(&self) -> bool {
+        let [s, j] =
+            [Landmark::Shift, Landmark::Junction].map(|l| Some(self.frame.at(self.content.of(l)?)));
+        let room = APART * self.sizes[1];
+        s.zip(j).is_some_and(|(s, j)| (s.0 - j.0).abs() > room || (s.1 - j.1).abs() > room)
     }
 
     /// The name of overturning beside its edge, if enough of that is seen.

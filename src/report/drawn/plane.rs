@@ -186,12 +186,35 @@ impl Axis {
 }
 
 /// The first and the last multiple of a step in a range; an end that is one but for rounding is one.
-pub(super) fn multiples([from, to]: [f64; 2], step: f64) -> [f64; 2] {
+fn multiples([from, to]: [f64; 2], step: f64) -> [f64; 2] {
     [(from / step - 1e-9).ceil(), (to / step + 1e-9).floor()]
 }
 
+/// The largest round step with so many multiples in a range.
+pub(super) fn step(range: [f64; 2], least: f64) -> Option<f64> {
+    let power = 10f64.powf((range[1] - range[0]).log10().floor());
+    let steps = [5.0, 2.0, 1.0, 0.5, 0.2, 0.1].map(|m| m * power);
+    let count = |step: f64| {
+        let [first, last] = multiples(range, step);
+        last - first + 1.0
+    };
+    steps.into_iter().find(|step| count(*step) >= least)
+}
+
+/// Of a logarithm, a part in which there may be no power of ten: its values have ticks at equal steps.
+const SHORT: f64 = 0.5;
+
 /// Ticks at powers of ten, and between few of them at twice and five times these.
 fn decades([low, high]: [f64; 2]) -> Vec<Tick> {
+    if high - low < SHORT {
+        let range = [low, high].map(|end| 10f64.powf(end));
+        let step = step(range, 3.0).unwrap_or(range[1] - range[0]);
+        let decimals = (-step.log10().floor()).max(0.0) as usize;
+        let [first, last] = multiples(range, step);
+        let value = |k: i64| k as f64 * step;
+        let tick = |k| Tick { place: value(k).log10(), label: text::number(value(k), decimals) };
+        return (first as i64..=last as i64).map(tick).collect();
+    }
     let digits: &[u32] = if high - low < 3.0 { &[1, 2, 5] } else { &[1] };
     let label = |digit: u32, order: i64| match digit {
         1 => text::power_of_ten(order),
@@ -237,5 +260,23 @@ mod tests {
         assert_eq!(labels(THICKNESS.ticks([0.0, 0.3], Some(0.05))).last().unwrap(), "0.30");
         assert_eq!(friction_ticks(&FRICTION)[12].place, 90.0);
         assert!((friction_ticks(&FRICTION)[5].place - 45.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn steps_are_round() {
+        for (range, expected) in
+            [([0.0, 1.0], 0.5), ([59.9, 61.1], 0.5), ([56.6, 57.5], 0.2), ([0.91, 0.98], 0.02)]
+        {
+            let step = step(range, 3.0).unwrap();
+            assert!((step - expected).abs() < 1e-12, "{range:?} {step}");
+        }
+        assert_eq!(step([0.0, 4.0], 5.0), Some(1.0));
+    }
+
+    #[test]
+    fn a_short_part_of_a_logarithm_has_ticks_too() {
+        let labels = |range| decades(range).into_iter().map(|t| t.label).collect::<Vec<_>>();
+        assert_eq!(labels([-4.0, 0.3]), ["10⁻⁴", "10⁻³", "10⁻²", "10⁻¹", "10⁰"]);
+        assert_eq!(labels([0.86f64.log10(), 0.91f64.log10()]), ["0.86", "0.88", "0.90"]);
     }
 }

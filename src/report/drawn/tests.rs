@@ -125,6 +125,21 @@ fn pictures_are_well_formed_and_finite() {
     }
 }
 
+/// S and J have their inset on other axes too, where they are close and where both are seen.
+#[test]
+fn what_is_close_is_shown_larger_on_all_axes() {
+    let has = |name: &str, words: &[&str]| {
+        let (_, svg) = pictures().iter().find(|(of, _)| of.ends_with(name)).unwrap();
+        let all = texts(svg).unwrap();
+        let is_there = |word: &&str| all.iter().any(|text| text == word);
+        svg.contains("<g id=\"inset-sj-domain-rsr\">") && words.iter().all(is_there)
+    };
+    for name in ["axes-log", "axes-mu", "axes-A"] {
+        assert!(has(name, &["S", "J", "S, J", "[r,s,r]"]), "{name}");
+    }
+    assert!(!has("axes-part", &[]), "they are elsewhere");
+}
+
 #[test]
 fn a_picture_is_always_drawn_alike() {
     let again = || picture(&[SelfWeight::Heyman], View::Map(Plane::OpeningFriction), 1e-3);
