@@ -74,7 +74,9 @@ fn a_map_has_the_axes_asked_for() {
         for part in parts {
             assert!(svg.contains(part), "{arguments:?}: {part}");
         }
-        assert!(svg.contains("domain-srr") && !svg.contains("inset-"), "{arguments:?}");
+        assert!(svg.contains("domain-srr"), "{arguments:?}");
+        // S and J are shown larger where they are seen.
+        assert_eq!(svg.contains("inset-sj-"), !arguments.contains(&"0..0.3"), "{arguments:?}");
     }
 }
 
