@@ -36,6 +36,6 @@ pub use refine::{Refined, refine, refine_watched, stages};
 pub use undecided::Undecided;
 pub use verdict::certify_arch;
 pub use voussoirs::{
-    VoussoirAssessment, VoussoirDigits, VoussoirLimit, VoussoirStanding, Voussoirs,
-    assess_voussoirs, voussoirs,
+    VoussoirAssessment, VoussoirDigits, VoussoirLimit, VoussoirLoss, VoussoirStanding, Voussoirs,
+    assess_voussoirs, voussoir_loss, voussoirs,
 };

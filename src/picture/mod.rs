@@ -10,12 +10,14 @@
 //! | `spread` | labels pushed apart |
 //! | `frame` | a window onto a plane, with its axes |
 //! | `room` | where a label has room |
+//! | [`figure`] | panels of labelled lines |
 //! | `png` | SVG as pixels (feature `plots`) |
 //!
 //! The text is the same whenever the picture is the same. What is drawn is decided elsewhere: nothing here
 //! knows of arches.
 
 pub mod color;
+pub mod figure;
 pub mod frame;
 pub mod path;
 #[cfg(feature = "plots")]

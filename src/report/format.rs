@@ -170,6 +170,7 @@ static FORMATS: [Format; 19] = [
     PARQUET,
     Format {
         is_picture: true,
+        voussoirs: Some(voussoirs::svg),
         map: Some(map::svg),
         map_differences: Some(map::difference_svg),
         drawing: Some(sketched::svg),
@@ -204,6 +205,7 @@ const PNG: Format = Format {
     is_picture: true,
     map: Some(map::png),
     map_differences: Some(map::difference_png),
+    voussoirs: Some(voussoirs::png),
     drawing: Some(sketched::png),
     ..text("png", "png")
 };
@@ -214,6 +216,7 @@ const PNG: Format = Format {
     is_binary: true,
     is_picture: true,
     missing: Some("plots"),
+    voussoirs: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
     map: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
     map_differences: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
     drawing: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),

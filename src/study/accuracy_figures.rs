@@ -1,8 +1,8 @@
 //! The figures of the study of accuracy, from its rows.
 
 use super::accuracy::SINES;
-use super::figure::{Axis, Figure, Kind, Line, Panel, Scale};
 use super::row::Row;
+use crate::picture::figure::{Axis, Figure, Kind, Line, Panel, Scale};
 
 /// Digits that a method has to reach to count in the performance profile.
 const TARGET: f64 = 12.0;

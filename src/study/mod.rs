@@ -10,7 +10,6 @@
 //! | `limits`, `target` | the limits, and a problem next to one |
 //! | `enclosure` | the truth: a proved box at a higher precision; and the error of a value |
 //! | `row` | what is measured of one method on one case |
-//! | `figure` | panels of labelled lines |
 //! | `accuracy_figures`, `stability_figure` | what was measured, as figures |
 //!
 //! Every error is the distance to a certified enclosure, never to another float.
@@ -21,7 +20,6 @@ pub mod closed;
 pub mod condition;
 pub mod double_double;
 pub mod enclosure;
-pub mod figure;
 pub mod limits;
 pub mod newton;
 pub mod row;
@@ -31,4 +29,5 @@ pub mod static_programme;
 mod target;
 mod task;
 
+pub use crate::picture::figure;
 pub use task::Task;

@@ -1,8 +1,8 @@
 //! The figure of the study of stability, from its rungs.
 
-use super::figure::{Axis, Figure, Kind, Line, Panel, Scale};
 use super::limits::LIMITS;
 use super::stability::Rung;
+use crate::picture::figure::{Axis, Figure, Kind, Line, Panel, Scale};
 
 /// Digits lost against the distance, a panel for each limit, with the loss of the problem itself.
 pub fn figure(rungs: &[Rung]) -> Figure {

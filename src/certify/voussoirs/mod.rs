@@ -29,6 +29,7 @@
 //! | `thrusts` | the range of thrusts at a given thickness |
 //! | `friction` | the friction that this asks for |
 //! | `assess` | an arch of a given thickness |
+//! | `loss` | what an arch needs less than one with a joint at every angle |
 //!
 //! The search is in [`solve`](crate::solve::voussoirs), and nothing here rests on it.
 
@@ -36,12 +37,14 @@ mod admissible;
 mod assess;
 mod friction;
 mod joints;
+mod loss;
 mod polynomial;
 mod thickness;
 mod thrusts;
 
 pub use assess::{VoussoirAssessment, VoussoirLimit, VoussoirStanding};
 pub(super) use joints::grip;
+pub use loss::{VoussoirLoss, voussoir_loss};
 pub use thickness::{VoussoirDigits, Voussoirs};
 
 use super::Undecided;

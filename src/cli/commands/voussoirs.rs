@@ -3,12 +3,12 @@
 use super::arch::{ArchArguments, Needs, thickness};
 use super::output::OutputFile;
 use super::parse;
-use crate::certify::state::{Answer, Inquiry};
-use crate::certify::{assess_voussoirs, voussoirs};
+use crate::certify::state::{Answer, Figure, Inquiry};
+use crate::certify::{Voussoirs, assess_voussoirs, voussoir_loss, voussoirs};
 use crate::cli::failure::Failure;
 use crate::number::ExactNumber;
 use crate::problem::Arch;
-use crate::problem::stones::{MOST_STONES, Stones};
+use crate::problem::stones::{MOST_STONES, Stones, StonesError};
 use crate::report::{Content, Format, GivenThickness, Report, VoussoirArch, VoussoirArches};
 use clap::Args;
 
@@ -25,9 +25,10 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     arch: ArchArguments,
 
-    /// Stones of the whole arch, all of the same angle; an odd number has a keystone.
-    #[arg(long, value_name = "N", conflicts_with = "joints", value_parser = number, allow_negative_numbers = true)]
-    stones: Option<u64>,
+    /// Stones of the whole arch, all of the same angle; an odd number has a keystone. A range, 2..200, tells how the thickness comes near that
+    /// of many, as a table or, with -o convergence.svg, a figure.
+    #[arg(long, value_name = "N", conflicts_with = "joints", value_parser = numbers, allow_hyphen_values = true)]
+    stones: Option<Numbers>,
 
     /// Angles of the joints of the half arch instead, with commas between them, from the crown (0, or half a keystone) to the
     /// shoulder.
@@ -59,42 +60,105 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         (given.is_none() && arguments.stones.is_none()).then_some("--stones (or --joints)");
     let needs = Needs { missing: missing.into_iter().collect(), example: EXAMPLE };
     let arches = arguments.arch.arches(&needs, given.as_ref().map(Stones::half_opening))?;
+    let is_range = matches!(arguments.stones, Some(Numbers { is_range: true, .. }));
     let stones = match (given, arguments.stones, arches.first()) {
-        (Some(given), ..) => given,
-        (None, Some(stones), Some(arch)) => {
-            let equal = Stones::equal(stones, arch.half_opening().clone());
-            equal.map_err(|error| Failure::Input(error.to_string()))?
+        (Some(given), ..) => vec![given],
+        (None, Some(Numbers { first, last, .. }), Some(arch)) => {
+            let equal = |stones| Stones::equal(stones, arch.half_opening().clone());
+            let all: Result<Vec<Stones>, StonesError> = (first..=last).map(equal).collect();
+            all.map_err(|error| Failure::Input(error.to_string()))?
         }
         _ => return Err(Failure::Input(format!("for example: {EXAMPLE}"))),
     };
     let eta = arguments.thickness.as_deref().map(thickness).transpose().map_err(Failure::Input)?;
+    if is_range && eta.is_some() {
+        return Err(Failure::Input(ONE_NUMBER.to_owned()));
+    }
     let format = arguments.file.format(arguments.format, Content::Voussoirs, "table")?;
+    if format.is_picture && !is_range {
+        return Err(Failure::Input(RANGE.to_owned()));
+    }
     let file = arguments.file.open_for(format)?;
     let digits = arguments.arch.digits;
-    let answer = |arch: &Arch| VoussoirArch {
-        weight: arch.weight(),
-        friction: arch.friction().to_string(),
-        stones: stones.clone(),
-        found: voussoirs(&stones, arch.weight(), arch.friction(), digits),
-        continuous: match Inquiry::new(arch, digits, false).state(digits, false) {
+    let of_weight = |arch: &Arch| {
+        let continuous = match Inquiry::new(arch, digits, false).state(digits, false) {
             Ok(Answer::Stands(state)) => Some(state.thickness),
             _ => None,
-        },
-        given: eta.as_ref().map(|eta| GivenThickness {
-            thickness: eta.clone(),
-            found: assess_voussoirs(&stones, arch.weight(), arch.friction(), eta, digits),
-        }),
+        };
+        let (stones, arch, eta) = (stones.clone(), arch.clone(), eta.clone());
+        stones
+            .into_iter()
+            .map(move |stones| answer(&arch, stones, continuous.as_ref(), eta.as_ref(), digits))
     };
-    let answers = VoussoirArches(arches.iter().map(answer).collect());
-    let open = answers.0.iter().find_map(VoussoirArch::first_open).cloned();
+    let arches = arches.iter().flat_map(of_weight).collect();
+    let answers = VoussoirArches { arches, is_range };
+    let open = answers.arches.iter().find_map(VoussoirArch::first_open).cloned();
     file.write(|out| Report::Voussoirs(answers).write(format, out))?;
     open.map_or(Ok(()), |open| Err(Failure::Undecided(open.to_string())))
 }
 
-/// A number of stones.
-fn number(text: &str) -> Result<u64, String> {
-    let number = text.parse().ok().filter(|number| (2..=MOST_STONES).contains(number));
-    number.ok_or_else(|| format!("stones are a whole number from 2 to {MOST_STONES}"))
+/// What is proved of one arch.
+fn answer(
+    arch: &Arch,
+    stones: Stones,
+    continuous: Option<&Figure>,
+    eta: Option<&ExactNumber>,
+    digits: usize,
+) -> VoussoirArch {
+    let found = voussoirs(&stones, arch.weight(), arch.friction(), digits);
+    let loss = match (&found, continuous) {
+        (Ok(Voussoirs::Stands(state)), Some(continuous)) => {
+            voussoir_loss(continuous, &state.thickness)
+        }
+        _ => None,
+    };
+    let given = eta.map(|eta| GivenThickness {
+        thickness: eta.clone(),
+        found: assess_voussoirs(&stones, arch.weight(), arch.friction(), eta, digits),
+    });
+    let (weight, friction) = (arch.weight(), arch.friction().to_string());
+    VoussoirArch { weight, friction, stones, found, continuous: continuous.cloned(), loss, given }
+}
+
+/// Numbers of stones, all from the first to the last.
+#[derive(Clone, Copy, Debug)]
+struct Numbers {
+    first: u64,
+    last: u64,
+    is_range: bool,
+}
+
+/// Numbers in a range at most.
+const MOST_NUMBERS: u64 = 10_000;
+const ONE_NUMBER: &str =
+    "a given thickness asks for one number of stones: leave out --thickness, or give one";
+const RANGE: &str = "a picture shows how the thickness comes near that of many stones: give a range, --stones 2..200";
+
+/// A number of stones, or a range.
+fn numbers(text: &str) -> Result<Numbers, String> {
+    let wrong = || {
+        format!(
+            "stones are a whole number from 2 to {MOST_STONES}, or a range of at most {MOST_NUMBERS}, as in 2..200"
+        )
+    };
+    let number = |text: &str| {
+        text.trim()
+            .parse()
+            .ok()
+            .filter(|number| (2..=MOST_STONES).contains(number))
+            .ok_or_else(wrong)
+    };
+    let numbers = match text.split_once("..") {
+        Some((first, last)) => {
+            Numbers { first: number(first)?, last: number(last)?, is_range: true }
+        }
+        None => {
+            let first = number(text)?;
+            Numbers { first, last: first, is_range: false }
+        }
+    };
+    let count = (numbers.last + 1).checked_sub(numbers.first).filter(|count| *count > 0);
+    count.filter(|count| *count <= MOST_NUMBERS).map(|_| numbers).ok_or_else(wrong)
 }
 
 /// Angles with commas between them.

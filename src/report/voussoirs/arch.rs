@@ -3,8 +3,10 @@
 use crate::arch::SelfWeight;
 use crate::arch::mechanism::Contact;
 use crate::certify::state::Figure;
-use crate::certify::{Undecided, VoussoirAssessment, VoussoirDigits, VoussoirStanding, Voussoirs};
-use crate::number::ExactNumber;
+use crate::certify::{
+    Undecided, VoussoirAssessment, VoussoirDigits, VoussoirLoss, VoussoirStanding, Voussoirs,
+};
+use crate::number::{ExactNumber, Rounded};
 use crate::problem::stones::{JointContact, Stones};
 use crate::problem::{Friction, Quantity};
 use crate::report::fields::Fields;
@@ -22,6 +24,8 @@ pub struct VoussoirArch {
     pub found: Result<Voussoirs, Undecided>,
     /// The least thickness with a joint at every angle; `None` where there is none, or it is not proved.
     pub continuous: Option<Figure>,
+    /// What it needs less than that; `None` where the digits do not tell it.
+    pub loss: Option<VoussoirLoss>,
     /// What holds at a thickness that is given.
     pub given: Option<GivenThickness>,
 }
@@ -43,9 +47,14 @@ impl GivenThickness {
     }
 }
 
-/// An arch for each weight asked for.
+/// An arch for each weight asked for, or one for each number of stones too.
 #[derive(Debug)]
-pub struct VoussoirArches(pub Vec<VoussoirArch>);
+pub struct VoussoirArches {
+    /// The arches.
+    pub arches: Vec<VoussoirArch>,
+    /// Whether a range of numbers of stones was asked for.
+    pub is_range: bool,
+}
 
 impl VoussoirArch {
     /// What became of it, in a word.
@@ -136,9 +145,14 @@ pub(super) fn stones(arch: &VoussoirArch) -> Option<String> {
 
 /// A value and its bounds.
 pub(super) fn bounds(figure: &Figure) -> Fields {
+    of_rounded(&figure.decimal)
+}
+
+/// The same of a decimal.
+pub(super) fn of_rounded(decimal: &Rounded) -> Fields {
     let mut fields = Fields::default();
-    fields.add("value", figure.decimal.value.to_string());
-    fields.add("lower", figure.decimal.lower.to_string());
-    fields.add("upper", figure.decimal.upper.to_string());
+    fields.add("value", decimal.value.to_string());
+    fields.add("lower", decimal.lower.to_string());
+    fields.add("upper", decimal.upper.to_string());
     fields
 }

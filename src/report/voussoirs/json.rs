@@ -1,6 +1,6 @@
 //! Arches of voussoirs as JSON, `couplet.voussoirs/1`.
 
-use super::arch::{VoussoirArch, VoussoirArches, bounds, words};
+use super::arch::{VoussoirArch, VoussoirArches, bounds, of_rounded, words};
 use super::given;
 use crate::problem::stones::{JointContact, Stones};
 use crate::report::fields::Fields;
@@ -8,12 +8,12 @@ use crate::report::json;
 use std::io;
 
 pub(crate) fn json(
-    VoussoirArches(arches): &VoussoirArches,
+    VoussoirArches { arches, is_range }: &VoussoirArches,
     out: &mut dyn io::Write,
 ) -> io::Result<()> {
     let entries: Vec<Fields> = arches.iter().map(entry).collect();
     match &entries[..] {
-        [one] => json::write(one, out),
+        [one] if !is_range => json::write(one, out),
         all => json::write(&all, out),
     }
 }
@@ -38,6 +38,9 @@ fn entry(arch: &VoussoirArch) -> Fields {
         fields.add_fields(quantity.name(), figure.map(bounds));
     }
     fields.add_fields("continuous_thickness", arch.continuous.as_ref().map(bounds));
+    let loss = arch.loss.as_ref();
+    fields.add_fields("loss", loss.map(|loss| of_rounded(&loss.thickness)));
+    fields.add_fields("relative_loss", loss.map(|loss| of_rounded(&loss.share)));
     let contacts = arch.state().map(|state| {
         let contact = |contact: &JointContact| format!("{} {}", words(arch, contact), contact.1);
         state.contacts.iter().map(contact).collect::<Vec<_>>()

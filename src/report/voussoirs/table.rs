@@ -1,15 +1,16 @@
 //! Arches of voussoirs for a person at a terminal.
 
 use super::arch::{VoussoirArch, VoussoirArches, place, words};
-use super::given;
+use super::{convergence, given};
 use crate::certify::{VoussoirDigits, Voussoirs};
 use crate::report::words::model;
 use std::io;
 
-pub(crate) fn table(
-    VoussoirArches(arches): &VoussoirArches,
-    out: &mut dyn io::Write,
-) -> io::Result<()> {
+pub(crate) fn table(all: &VoussoirArches, out: &mut dyn io::Write) -> io::Result<()> {
+    if all.is_range {
+        return convergence::rows(all, out);
+    }
+    let arches = &all.arches;
     for (index, arch) in arches.iter().enumerate() {
         if index > 0 {
             writeln!(out)?;

@@ -9,7 +9,7 @@ use crate::picture::{Svg, Type, text};
 /// Panels in rows, under a title.
 ///
 /// ```
-/// use couplet::study::figure::{Axis, Figure, Kind, Line, Panel, Scale};
+/// use couplet::picture::figure::{Axis, Figure, Kind, Line, Panel, Scale};
 ///
 /// let points = vec![(1e-6, 1e-16), (1e-4, 1e-60), (1e-2, 1e-300)];
 /// let panel = Panel {

@@ -263,8 +263,9 @@ impl Trace<'_> {
                 }
             } else {
                 // From the end, which so always has one.
+                let all = self.line.kind == Kind::Points;
                 for &point in run.iter().rev() {
-                    if markers.last().is_none_or(|&last| far(last, point) >= MARKERS) {
+                    if all || markers.last().is_none_or(|&last| far(last, point) >= MARKERS) {
                         markers.push(point);
                     }
                 }
