@@ -132,6 +132,12 @@ fn require(is_proved: bool, question: &'static str) -> Result<(), Undecided> {
 }
 
 impl CertifiedAsymmetric {
+    /// The solution of a kind that the search finds for an arch, proved in balls of `bits` bits.
+    pub(crate) fn of(arch: &Arch, mode: AsymmetricMode, bits: u32) -> Result<Self, Undecided> {
+        let candidate = found(arch).into_iter().find(|candidate| candidate.mode == mode);
+        Self::new(arch, &candidate.ok_or_else(root::no_candidate)?, bits)
+    }
+
     /// The proof, in balls of `bits` bits.
     pub(crate) fn new(
         arch: &Arch,

@@ -232,7 +232,7 @@ pub(crate) fn root_near<S: Form<Ball>>(
 }
 
 /// What is undecided where there is nothing to prove.
-pub(super) fn no_candidate() -> Undecided {
+pub(crate) fn no_candidate() -> Undecided {
     Undecided::new("no candidate is found")
 }
 

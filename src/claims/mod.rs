@@ -29,6 +29,8 @@
 //! | its domains as areas, cell by cell | `areas.rs` |
 //! | the landmarks as states of the whole arch | `admissible.rs` |
 //! | one least thickness, one half opening | `uniqueness.rs` |
+//! | asymmetric mechanisms above the least thickness | `asymmetric.rs` |
+//! | where symmetric states have them too | `asymmetric_begins.rs` |
 //! | signs by algebra | `sign.rs` |
 //! | what the paper says, place by place, and what decides it | `index.rs`, `sentences.rs` |
 //!
@@ -40,6 +42,8 @@
 mod admissible;
 mod along;
 mod areas;
+mod asymmetric;
+mod asymmetric_begins;
 mod asymptotics;
 mod border;
 mod branches;
@@ -186,6 +190,8 @@ pub fn claims() -> Vec<Claim> {
         areas::CLAIMS,
         admissible::CLAIMS,
         uniqueness::CLAIMS,
+        asymmetric::CLAIMS,
+        asymmetric_begins::CLAIMS,
     ]
     .concat()
 }

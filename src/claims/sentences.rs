@@ -228,7 +228,7 @@ pub(super) const ILLUSTRATION: &[Sentence] = &[
         place: "Eq. (19)",
         says: "the complementarity problem of the discretised arch",
         decided: Open(
-            "its conditions are those of modes-seven; its discretised form is not examined",
+            "its conditions are those of modes-seven and asymmetric-motion, at every joint; the discretised form is not examined",
         ),
     },
     Sentence {
@@ -297,13 +297,11 @@ pub(super) const CONCLUSIONS: &[Sentence] = &[
         "the least thickness is unique, though friction is not associated: for symmetric motions",
         &["unique-thickness"],
     ),
-    Sentence {
-        place: "Sec. 5",
-        says: "the least thickness is unique for asymmetric motions too",
-        decided: Open(
-            "no claim speaks of them; some horseshoes seem to have one above the least thickness",
-        ),
-    },
+    said(
+        "Sec. 5",
+        "the least thickness is unique for asymmetric motions too",
+        &["unique-asymmetric"],
+    ),
     said("Sec. 5", "differences are marginal up to the semicircle", &["weights-marginal"]),
     said("Sec. 5", "the differences grow for horseshoes", &["weights-differences"]),
     said("Sec. 5", "the kinds of modes are the same for both weights", &["modes-occur"]),

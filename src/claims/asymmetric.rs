@@ -1,0 +1,218 @@
+//! Above the least thickness some horseshoes have an asymmetric mechanism without dilatancy: Eq. (19) on the whole arch does
+//! not have its solution at one thickness.
+//!
+//! The usual argument of the static theorem takes friction as associated. In symmetric states the slips can be scaled, so that
+//! it holds all the same; where a vertical force in the crown works too, it does not. The examples are
+//! certified: [`certify::asymmetric`](crate::certify::asymmetric()).
+
+use super::letters::ring;
+use super::uniqueness::ONE_THICKNESS;
+use super::{Claim, Derivation, Finding, Support};
+use crate::arch::SelfWeight;
+use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
+use crate::arch::joint::Grip;
+use crate::arch::whole::{Forces, Motion};
+use crate::certify::state::{Certify, Outcome};
+use crate::certify::{CertifiedAsymmetric, Undecided};
+use crate::number::{Angle, Ball, Enclosure, Field, Rounded};
+use crate::problem::Arch;
+use crate::symbolic::{Fraction, Letters, Relations, Symbol};
+
+pub(super) const CLAIMS: &[Claim] = &[ASYMMETRIC_MOTION, UNIQUE];
+
+pub(super) const ASYMMETRIC_MOTION: Claim = Claim {
+    id: "asymmetric-motion",
+    place: "Eq. (19)",
+    statement: "three kinds of asymmetric mechanisms fit, by a sliding shoulder, hinges at the crown and at the far haunch, and \
+                an inner joint that slides, the shoulder that opens too, or neither; where their joints are at their limits \
+                the weight works by as much as friction takes",
+    decide: motion,
+};
+
+const UNIQUE: Claim = Claim {
+    id: "unique-asymmetric",
+    place: "Sec. 5",
+    statement: "the least thickness is unique for asymmetric motions too: at no other thickness has (19) a solution on the whole \
+                arch, except at the friction of pure sliding",
+    decide: unique,
+};
+
+/// The variables as letters; `b0` has none of its own.
+fn variables() -> Asymmetric<Fraction> {
+    let one = Symbol::Thrust.number().int(1);
+    Asymmetric {
+        half_opening: Symbol::half_opening(),
+        grip: Grip { shear: one, normal: Symbol::Friction.number() },
+        thickness: Symbol::Thickness.number(),
+        forces: Forces {
+            thrust: Symbol::Thrust.number(),
+            moment: Symbol::CrownMoment.number(),
+            vertical: Symbol::CrownShear.number(),
+        },
+        crown_hinge: Angle {
+            rad: Symbol::Radius.number(),
+            sin: Symbol::F.number(),
+            cos: Symbol::G.number(),
+        },
+        haunch: Symbol::joint(),
+        sliding_joint: Symbol::sliding_joint(),
+    }
+}
+
+/// The power of the weight less that of friction, and the margins at the hinges times their rates.
+fn balance(motion: &Motion<Fraction>, at: &Asymmetric<Fraction>) -> [Fraction; 2] {
+    let ring = ring();
+    let left = motion.power(&ring) - motion.friction_power(&at.forces);
+    let terms = motion.complementarity(&ring, &at.grip, &at.forces);
+    let hinges = motion.0.iter().zip(terms).filter(|(joint, _)| joint.contact.is_hinge());
+    let sum = hinges.fold(left.int(0), |sum, (_, term)| sum + term);
+    [left, sum]
+}
+
+fn motion(d: &mut Derivation) -> Result<Finding, Undecided> {
+    use AsymmetricMode::{InnerSliding, ShoulderOpening, ShoulderSliding};
+    let (at, free) = (variables(), Relations::none());
+    let (eta, none) = (at.thickness.clone(), at.thickness.int(0));
+    d.define("b0, the hinge right of the crown", &at.crown_hinge.rad);
+    d.define("sin(b0)", &at.crown_hinge.sin);
+    d.define("cos(b0)", &at.crown_hinge.cos);
+    d.define("b1, the hinge left of the crown", &at.haunch.rad);
+    d.define("b2, the joint left of it that slides inwards", &at.sliding_joint.rad);
+    for mode in [InnerSliding, ShoulderOpening] {
+        let motion = at.motion(mode);
+        for (words, gap) in ["the horizontal velocity", "the rotation", "the vertical velocity"]
+            .iter()
+            .zip(motion.gap(&eta))
+        {
+            let words = format!("{}: {words} beyond the left haunch", mode.name());
+            d.identity(words, &gap, &none, &free)?;
+        }
+        let [left, hinges] = balance(&motion, &at);
+        let words = format!("{}: what the weight works, less what friction takes", mode.name());
+        let shown = String::from("-(the margins at the hinges, times their rates)");
+        d.identity_as(words, &left, &-hinges, &free, shown.into())?;
+    }
+    let misfit = at.closing(ShoulderSliding, SelfWeight::Heyman).swap_remove(0);
+    let first = at.motion(InnerSliding);
+    let (alpha, slides) = (&at.half_opening, &at.sliding_joint);
+    let sum = alpha.sin.clone() * &slides.cos + alpha.cos.clone() * &slides.sin;
+    let inner = first.0[2].rate.clone() * sum * none.int(2);
+    let words = "the slip of the inner joint, times 2 sin(alpha + b2)";
+    d.identity(words, &inner, &misfit, &free)?;
+    let alone = at.motion(ShoulderSliding);
+    let gap = alone.gap(&eta);
+    let words = "without it: the vertical velocity beyond the left haunch";
+    let expected = -(misfit / (alpha.sin.clone() * none.int(2)));
+    d.identity(words, &gap[2], &expected, &free)?;
+    d.conclude(
+        "The left springing stays, and so the part of the arch beyond the left haunch has to. The third kind is the first with an \
+         inner slip of zero. In a solution of (19) the margin at each hinge is zero, and |T| = mu N where a joint slides.",
+    );
+    Ok(Finding::Implicit)
+}
+
+/// Arches whose solutions are certified: for each weight one of each kind.
+const WITNESSES: [(SelfWeight, &str, &str, AsymmetricMode); 6] = [
+    (SelfWeight::Milankovitch, "2.3", "1.05", AsymmetricMode::InnerSliding),
+    (SelfWeight::Milankovitch, "2.3", "1.07", AsymmetricMode::ShoulderOpening),
+    (SelfWeight::Milankovitch, "2.25", "0.99", AsymmetricMode::ShoulderSliding),
+    (SelfWeight::Heyman, "2.3", "1.09", AsymmetricMode::InnerSliding),
+    (SelfWeight::Heyman, "2.3", "1.09", AsymmetricMode::ShoulderOpening),
+    (SelfWeight::Heyman, "2.25", "1.01", AsymmetricMode::ShoulderSliding),
+];
+
+/// Bits of the witnesses.
+const BITS: u32 = 128;
+/// Digits that are shown of them.
+const DIGITS: usize = 12;
+
+/// The least thickness of an arch, and that of its asymmetric solution of a kind.
+fn thicknesses(
+    (weight, alpha, mu, mode): (SelfWeight, &str, &str, AsymmetricMode),
+) -> Result<[Ball; 2], Undecided> {
+    let arch = Arch::parse(weight.name(), alpha, mu);
+    let arch = arch.map_err(|error| Undecided::new(error.to_string()))?;
+    let least = match arch.state(BITS) {
+        Ok(Outcome::Stands(state)) => state.thickness,
+        Ok(Outcome::Falls(fall)) => return Err(Undecided::new(fall.reason())),
+        Err(doubt) => return Err(Undecided::new(doubt.reason.clone().into_owned())),
+    };
+    let CertifiedAsymmetric { at, .. } = CertifiedAsymmetric::of(&arch, mode, BITS)?;
+    Ok([least, at.thickness])
+}
+
+fn unique(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&ONE_THICKNESS)?;
+    d.lemma(&ASYMMETRIC_MOTION)?;
+    let mut examples = Vec::new();
+    for witness in WITNESSES {
+        let (weight, alpha, mu, mode) = witness;
+        let [least, other] = thicknesses(witness)?;
+        let shown = |x: &Ball| {
+            let rounded = Rounded::from_ball(x, DIGITS);
+            rounded.map_or_else(String::new, |rounded| rounded.value.to_string())
+        };
+        let name = format!("{}, alpha = {alpha}, mu = {mu}", weight.name());
+        let words = format!(
+            "{name}: {}, a solution admissible at every joint of the whole arch, with positive rates, at eta = {}, above \
+             the least thickness {}",
+            mode.name(),
+            shown(&other),
+            shown(&least)
+        );
+        d.certain(Support::Balls, words, least.is_less_than(&other))?;
+        examples.push(format!("{name}: also at {}, beside {}", shown(&other), shown(&least)));
+    }
+    d.conclude(
+        "Each is a solution of (19): its equations have one root in a box, by Krawczyk's test; balls cover the arch; the blocks fit, \
+         and each rate is positive. The mirror image is one too. What the least thickness is does not change: below it nothing \
+         is admissible. The paper says that none was recorded; its references on the programme, [7, 8], were not at hand.",
+    );
+    Ok(Finding::Misprint {
+        counterexample: examples.swap_remove(0),
+        corrected: "it is unique among symmetric motions (unique-thickness); some horseshoes have asymmetric solutions of (19) at \
+                    larger thicknesses, for either weight and of three kinds",
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arch::mechanism::Joint;
+    use crate::arch::whole::Side;
+
+    /// The first kind with one rate turned the other way does not fit, and its power is another.
+    #[test]
+    fn a_rate_with_the_wrong_sign_does_not_fit() {
+        let at = variables();
+        let motion = at.motion(AsymmetricMode::InnerSliding);
+        let free = Relations::none();
+        for place in 0..4 {
+            let mut twin = motion.clone();
+            let Joint { rate, .. } = &mut twin.0[place];
+            *rate = -rate.clone();
+            let gap = twin.gap(&at.thickness);
+            assert!(!gap.iter().all(|part| part.vanishes(&free)), "{place}");
+            let [left, hinges] = balance(&twin, &at);
+            assert!(!(left + hinges).vanishes(&free), "{place}");
+        }
+    }
+
+    /// A haunch on the side of the sliding shoulder is no such mechanism.
+    #[test]
+    fn a_hinge_on_the_other_side_does_not_fit() {
+        let at = variables();
+        let mut motion = at.motion(AsymmetricMode::InnerSliding);
+        motion.0[3].at = Side::Left.joint(&motion.0[3].at);
+        assert!(!motion.gap(&at.thickness)[2].vanishes(&Relations::none()));
+    }
+
+    /// Where the arch has no such solution the proof says so.
+    #[test]
+    fn an_arch_without_one_proves_nothing() {
+        let (weight, mode) = (SelfWeight::Heyman, AsymmetricMode::InnerSliding);
+        for (alpha, mu) in [("1.5", "0.6"), ("2.15", "0.8"), ("2.3", "1.2"), ("2.25", "1.01")] {
+            assert!(thicknesses((weight, alpha, mu, mode)).is_err(), "{alpha} {mu}");
+        }
+    }
+}

@@ -1,0 +1,243 @@
+//! Where the symmetric state at an edge of `[s,r,r]` has an asymmetric mechanism too: from a half opening on, up to T.
+//!
+//! There the curves of asymmetric solutions leave the symmetric ones: with `b0 = v = 0` the equations of the first kind are those of the
+//! line between `[s,r,r]` and `[s,s]`, those of the second that between `[r,r,r]` and `[s,r,r]`.
+
+use super::along::landmark;
+use super::asymmetric::ASYMMETRIC_MOTION;
+use super::{Claim, Derivation, Finding, Support};
+use crate::arch::SelfWeight;
+use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
+use crate::arch::joint::Grip;
+use crate::arch::whole::Forces;
+use crate::certify::root::{Form, root_near};
+use crate::certify::{Undecided, between};
+use crate::number::{Angle, Ball, Enclosure, Field, Real, Stumpff, Ternary};
+use crate::problem::Landmark;
+use crate::symbolic::{Letters, Relations, Symbol};
+use rug::{Float, Rational};
+use std::sync::OnceLock;
+
+pub(super) const CLAIMS: &[Claim] = &[Claim {
+    id: "asymmetric-begins",
+    place: "Eq. (19)",
+    statement: "where [s,r,r] meets [s,s], the symmetric state has an asymmetric mechanism of the first kind from alpha near 126.21° \
+                (Milankovitch) or 125.63° (Heyman) on up to T, and none before; where [r,r,r] meets [s,r,r], one of the second kind from \
+                128.73° on up to T, and none before",
+    decide: begins,
+}];
+
+/// The symmetric states of an edge of `[s,r,r]`, by their half opening.
+#[derive(Clone, Copy, Debug)]
+struct Edge {
+    weight: SelfWeight,
+    /// With a joint that slides inside, `[s,s]`, or with a shoulder that opens, `[r,r,r]`.
+    mode: AsymmetricMode,
+    /// Hundredths of a degree between which the mechanism begins to exist.
+    begins: [i32; 2],
+}
+
+const EDGES: [Edge; 4] = {
+    use AsymmetricMode::{InnerSliding, ShoulderOpening};
+    use SelfWeight::{Heyman, Milankovitch};
+    [
+        Edge { weight: Milankovitch, mode: InnerSliding, begins: [12_621, 12_622] },
+        Edge { weight: Heyman, mode: InnerSliding, begins: [12_562, 12_563] },
+        Edge { weight: Milankovitch, mode: ShoulderOpening, begins: [12_872, 12_873] },
+        Edge { weight: Heyman, mode: ShoulderOpening, begins: [12_872, 12_873] },
+    ]
+};
+
+/// Bits of the states.
+const BITS: u32 = 96;
+/// A range is halved so often at the most.
+const DEPTH: usize = 16;
+
+/// The equations of an edge, for all half openings of a ball: `h, p, eta, beta_r + h`, the friction, and `beta_s` with the first kind. At
+/// `sb` the joint `beta_r` alone turns back, and a box that is as narrow as it moves has no room for the rest.
+struct Equations {
+    edge: Edge,
+    half_opening: Ball,
+}
+
+impl Edge {
+    fn at<T: Real>(self, half_opening: &T, x: &[T]) -> Option<Asymmetric<T>> {
+        let [thrust, moment, thickness, lower, friction, rest @ ..] = x else { return None };
+        let zero = Angle::zero(thrust);
+        Some(Asymmetric {
+            half_opening: Angle::new(half_opening.clone()),
+            grip: Grip { shear: thrust.int(1), normal: friction.clone() },
+            thickness: thickness.clone(),
+            forces: Forces {
+                thrust: thrust.clone(),
+                moment: moment.clone(),
+                vertical: thrust.int(0),
+            },
+            crown_hinge: zero.clone(),
+            haunch: Angle::new(lower.clone() - thrust),
+            sliding_joint: rest.first().map_or(zero, |joint| Angle::new(joint.clone())),
+        })
+    }
+}
+
+impl Form<Ball> for Equations {
+    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
+        let Edge { weight, mode, .. } = self.edge;
+        let at = self.edge.at(&number(&self.half_opening), x);
+        at.map_or_else(Vec::new, |at| {
+            // The slope at the crown is that of a symmetric state: it is zero.
+            let common = at.common(weight).into_iter().enumerate().filter(|(k, _)| *k != 1);
+            common.map(|(_, residual)| residual).chain(at.closing(mode, weight)).collect()
+        })
+    }
+
+    /// Nothing is divided by but integers.
+    fn is_regular<T: Enclosure + Stumpff>(&self, _: impl Fn(&Ball) -> T, _: &[T]) -> bool {
+        true
+    }
+}
+
+impl Edge {
+    /// The unknowns at T, where the edge ends, and its half opening in degrees, rounded up.
+    fn end(self) -> Result<(Vec<Float>, Rational), Undecided> {
+        let at = landmark(Landmark::Triple, self.weight)?;
+        let moment =
+            at.thrust.clone() * (at.thickness.clone() / at.thrust.int(2) + at.thrust.int(1));
+        let lower = at.rotation_joint.rad + &at.thrust;
+        let mut unknowns = vec![at.thrust, moment, at.thickness, lower, at.friction];
+        if self.mode == AsymmetricMode::InnerSliding {
+            unknowns.push(at.sliding_joint.rad);
+        }
+        let degrees = at.half_opening.rad.clone() * at.half_opening.rad.int(18_000)
+            / at.half_opening.rad.pi();
+        let hundredths = degrees.upper().ceil().to_integer().and_then(|n| n.to_i32());
+        let hundredths = hundredths.ok_or_else(|| Undecided::new("an unbounded landmark"))?;
+        let unknowns = unknowns.iter().map(|x| Float::with_val(BITS, x.mid())).collect();
+        Ok((unknowns, Rational::from((hundredths, 100))))
+    }
+
+    /// Whether the mechanism exists (or not) at every half opening between two, in degrees; `start` are the unknowns next
+    /// to the larger one, and next to the smaller one in the end.
+    fn is_so(
+        self,
+        exists: bool,
+        [low, high]: [Rational; 2],
+        start: &mut Vec<Float>,
+    ) -> Result<(), Undecided> {
+        let mut open = vec![(low, high, 0)];
+        while let Some((low, high, depth)) = open.pop() {
+            match self.tells(exists, [&low, &high], start) {
+                Ok(centre) => *start = centre,
+                Err(undecided) if depth == DEPTH => return Err(undecided),
+                Err(_) => {
+                    let middle: Rational = Rational::from(&low + &high) / 2;
+                    open.push((low, middle.clone(), depth + 1));
+                    open.push((middle, high, depth + 1));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The same on a piece, without halving it.
+    fn tells(
+        self,
+        exists: bool,
+        [low, high]: [&Rational; 2],
+        start: &[Float],
+    ) -> Result<Vec<Float>, Undecided> {
+        let degrees = between(low, high).with_precision(BITS);
+        let half_opening = degrees.pi() * degrees / Ball::integer(180, BITS);
+        let equations = Equations { edge: self, half_opening };
+        let root = root_near(&equations, BITS, start.to_vec())?;
+        let at = self.at(&equations.half_opening, &root);
+        let at = at.ok_or_else(|| Undecided::new("the number of unknowns"))?;
+        let motion = at.motion(self.mode);
+        let mut rates = motion.0.iter().map(|joint| joint.rate.is_positive());
+        let is_decided = match exists {
+            true => rates.all(Ternary::is_proved),
+            false => rates.any(|rate| rate == Ternary::False),
+        };
+        let centre = || root.iter().map(|x| Float::with_val(BITS, x.mid())).collect();
+        is_decided.then(centre).ok_or_else(|| Undecided::new("the sign of a rate"))
+    }
+
+    /// That the mechanism begins where it is said to, from 90° on up to T.
+    fn proved(self) -> Result<(), Undecided> {
+        let (mut start, end) = self.end()?;
+        let [fails, holds] = self.begins.map(|hundredths| Rational::from((hundredths, 100)));
+        self.is_so(true, [holds, end], &mut start)?;
+        self.is_so(false, [Rational::from(90), fails], &mut start)
+    }
+}
+
+/// Whether each edge is as said, decided once.
+fn decided() -> &'static [Result<(), Undecided>] {
+    static DECIDED: OnceLock<Vec<Result<(), Undecided>>> = OnceLock::new();
+    DECIDED.get_or_init(|| EDGES.iter().map(|edge| edge.proved()).collect())
+}
+
+fn begins(d: &mut Derivation) -> Result<Finding, Undecided> {
+    d.lemma(&ASYMMETRIC_MOTION)?;
+    for (edge, decided) in EDGES.iter().zip(decided()) {
+        let Edge { weight, mode, begins: [fails, holds] } = edge;
+        decided.clone()?;
+        let words = format!(
+            "{}, {}: a rate is negative for alpha from 90° to {}°, and all are positive from {}° to T",
+            weight.name(),
+            mode.name(),
+            Rational::from((*fails, 100)).to_f64(),
+            Rational::from((*holds, 100)).to_f64()
+        );
+        d.certain(Support::Balls, words, Ternary::True)?;
+    }
+    let (alpha, joint, eta) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thickness.number());
+    let edge = Edge { weight: SelfWeight::Heyman, ..EDGES[0] };
+    let letters = Asymmetric {
+        half_opening: alpha.clone(),
+        grip: Grip { shear: eta.int(1), normal: Symbol::Friction.number() },
+        thickness: eta.clone(),
+        forces: Forces {
+            thrust: Symbol::Thrust.number(),
+            moment: Symbol::CrownMoment.number(),
+            vertical: eta.int(0),
+        },
+        crown_hinge: Angle::zero(&eta),
+        haunch: joint.clone(),
+        sliding_joint: Symbol::sliding_joint(),
+    };
+    let misfit = letters.closing(AsymmetricMode::ShoulderSliding, edge.weight).swap_remove(0);
+    let two = eta.int(2);
+    let inner = (two.clone() - &eta) * &joint.cos;
+    let up = two.clone() + &eta - &inner;
+    let expected = -(up * &alpha.cos + (two - &eta) * &joint.sin * &alpha.sin);
+    let words = "at a symmetric state, twice sin(alpha + beta_s) times the slip of the inner joint";
+    d.identity(words, &misfit, &expected, &Relations::none())?;
+    d.conclude(
+        "The first bracket is positive, as the arm above the haunch is. So nothing of the kind exists where cos(alpha) >= 0, and \
+         the condition is up |cot(alpha)| > (1 - eta/2) sin(beta_r), with up the height of the crown's extrados above the intrados \
+         of the haunch.",
+    );
+    Ok(Finding::Implicit)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A hundredth of a degree further in either direction the claim is false, and is not proved.
+    #[test]
+    fn another_half_opening_is_refused() {
+        let [edge, .., last] = EDGES;
+        for edge in [edge, last] {
+            let [fails, holds] = edge.begins;
+            let (mut start, end) = edge.end().unwrap();
+            let ends = [fails - 1, fails].map(|n| Rational::from((n, 100)));
+            edge.is_so(true, [Rational::from((holds, 100)), end], &mut start).unwrap();
+            assert!(edge.is_so(true, ends.clone(), &mut start.clone()).is_err(), "{edge:?}");
+            assert!(edge.is_so(false, ends, &mut start.clone()).is_ok(), "{edge:?}");
+            let above = [holds, holds + 1].map(|n| Rational::from((n, 100)));
+            assert!(edge.is_so(false, above, &mut start.clone()).is_err(), "{edge:?}");
+        }
+    }
+}
