@@ -9,6 +9,7 @@ mod check;
 mod commands;
 mod completions;
 mod failure;
+mod line;
 mod man;
 #[cfg(feature = "mpfr")]
 mod pool;
@@ -17,6 +18,7 @@ mod version;
 use crate::check::visible;
 use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser};
 use failure::Failure;
+use std::ffi::{OsStr, OsString};
 use std::io;
 use std::process::ExitCode;
 
@@ -24,6 +26,8 @@ use std::process::ExitCode;
 use check::Command;
 #[cfg(feature = "mpfr")]
 use commands::Command;
+#[cfg(feature = "mpfr")]
+pub use commands::parse;
 
 /// Certified constants of the finite-friction Couplet–Heyman problem: how thin a circular masonry
 /// arch can be and still stand, and how it falls.
@@ -63,25 +67,33 @@ fn threads(text: &str) -> Result<usize, String> {
     number.ok_or_else(|| format!("threads are a whole number from 1 to {MAX_THREADS}"))
 }
 
-/// Parses the arguments, runs the command, and says how it went.
+/// Parses the arguments of the process, runs the command, and says how it went.
 pub fn run() -> ExitCode {
-    let program = Cli::command().color(color());
-    let parsed = program.try_get_matches().and_then(|found| Cli::from_arg_matches(&found));
+    ExitCode::from(run_from(std::env::args_os().skip(1).collect()))
+}
+
+/// The same with these arguments, without the name of the program; the exit code.
+pub fn run_from(arguments: Vec<OsString>) -> u8 {
+    line::keep(&arguments);
+    let program = Cli::command().color(color(&arguments));
+    let words = std::iter::once("couplet".into()).chain(arguments);
+    let parsed = program.try_get_matches_from(words);
+    let parsed = parsed.and_then(|found| Cli::from_arg_matches(&found));
     let cli = match parsed {
         Ok(cli) => cli,
         Err(error) => return usage(&error),
     };
     match cli.run() {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(()) => 0,
         Err(failure) => {
             // It may quote what others wrote.
             eprintln!("couplet: {}", visible(&failure.to_string()));
-            ExitCode::from(match failure {
+            match failure {
                 Failure::Undecided(_) => 1,
                 #[cfg(feature = "mpfr")]
                 Failure::Input(_) => 2,
                 Failure::Io(_) => 3,
-            })
+            }
         }
     }
 }
@@ -97,13 +109,13 @@ impl Cli {
 }
 
 /// When to colour, which has to be known before the arguments are read: help is a part of reading them.
-fn color() -> ColorChoice {
-    let mut arguments = std::env::args_os().skip(1);
+fn color(words: &[OsString]) -> ColorChoice {
+    let mut arguments = words.iter().map(OsString::as_os_str);
     while let Some(argument) = arguments.next() {
         let value = match argument.to_str() {
             Some("--") => break,
             Some("--color") => arguments.next(),
-            Some(text) => text.strip_prefix("--color=").map(Into::into),
+            Some(text) => text.strip_prefix("--color=").map(OsStr::new),
             None => None,
         };
         if let Some(choice) = value.and_then(|value| value.to_str()?.parse().ok()) {
@@ -114,20 +126,20 @@ fn color() -> ColorChoice {
 }
 
 /// Help goes to standard output; an error becomes one line.
-fn usage(error: &clap::Error) -> ExitCode {
+fn usage(error: &clap::Error) -> u8 {
     if !error.use_stderr() {
         return match error.print() {
-            Ok(()) => ExitCode::SUCCESS,
-            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+            Ok(()) => 0,
+            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => 0,
             Err(error) => {
                 eprintln!("couplet: {}", Failure::writing("to standard output", &error));
-                ExitCode::from(3)
+                3
             }
         };
     }
     if error.kind() == clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
         let _ = error.print();
-        return ExitCode::from(2);
+        return 2;
     }
     let text = error.render().to_string();
     let line = text
@@ -145,7 +157,7 @@ fn usage(error: &clap::Error) -> ExitCode {
     };
     let line = visible(line.strip_prefix("error: ").unwrap_or(&line));
     eprintln!("couplet: {line}{possible}");
-    ExitCode::from(2)
+    2
 }
 
 /// The commands of this build, for a message about an unknown one.

@@ -4,7 +4,7 @@ use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
 use crate::cli::failure::Failure;
 use crate::number::{ExactNumber, ParseExactError};
-use crate::problem::{Arch, Friction, is_thickness};
+use crate::problem::{Arch, Friction};
 use crate::report::words::list;
 use clap::Args;
 
@@ -128,18 +128,4 @@ impl ShapeArguments {
         };
         Arch::parse(weight.name(), alpha, mu).map_err(|error| Failure::Input(error.to_string()))
     }
-}
-
-/// A thickness-to-radius ratio between 0 and the physical limit 2.
-pub(super) fn thickness(text: &str) -> Result<ExactNumber, String> {
-    let thickness: ExactNumber =
-        text.parse().map_err(|error: ParseExactError| error.to_string())?;
-    if !thickness.is_rational() {
-        return Err(format!(
-            "the thickness {text} is no ratio of thickness to radius (0.12, 3/25)"
-        ));
-    }
-    is_thickness(&thickness)
-        .then_some(thickness)
-        .ok_or_else(|| format!("the thickness {text} is not between 0 and 2"))
 }

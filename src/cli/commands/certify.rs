@@ -1,8 +1,8 @@
 //! `couplet certify`.
 
-use super::arch::{Needs, ShapeArguments, thickness};
+use super::arch::{Needs, ShapeArguments};
 use super::output::{Output, is_standard};
-use super::parse;
+use super::parse::{self, thickness};
 use crate::arch::SelfWeight;
 use crate::certify::{Undecided, certify_arch, certify_landmark};
 use crate::check::Certificate;

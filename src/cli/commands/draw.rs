@@ -2,11 +2,12 @@
 
 use super::arch::{Needs, ShapeArguments};
 use super::measures::{self, MeasureArguments, Measured};
-use super::output::{OutputFile, typed};
+use super::output::OutputFile;
 use super::parse;
 use crate::arch::SelfWeight;
 use crate::atlas::{NoSketch, Sketch};
 use crate::cli::failure::Failure;
+use crate::cli::line::typed;
 use crate::problem::{Landmark, Mode};
 use crate::report::{Content, Format, Report, Sketched, Style};
 use clap::Args;

@@ -3,11 +3,12 @@
 use super::curves::{levels, traced};
 use super::draw::failure;
 use super::map::tolerance;
-use super::output::{OutputFile, typed};
+use super::output::OutputFile;
 use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
 use crate::atlas::{Curve, Sketch};
 use crate::cli::failure::Failure;
+use crate::cli::line::typed;
 use crate::problem::{Landmark, Mode};
 use crate::report::{Axes, Content, Drawing, Format, Map, Report, Sketched, Style, View};
 use clap::Args;

@@ -1,8 +1,8 @@
 //! `couplet find`.
 
-use super::arch::{ArchArguments, thickness};
+use super::arch::ArchArguments;
 use super::output::AnswerOutput;
-use super::parse;
+use super::parse::{self, thickness};
 use crate::certify::state::find::{Given, Question, find};
 use crate::cli::failure::Failure;
 use crate::problem::{Friction, Line, Quantity, Sought};

@@ -3,7 +3,7 @@
 use super::axes::AxesArguments;
 use super::curves::{landmarks, levels, traced};
 use super::marked::{Marked, marked};
-use super::output::{Output, OutputFile, typed};
+use super::output::{Output, OutputFile};
 use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
 use crate::atlas::{
@@ -11,6 +11,7 @@ use crate::atlas::{
 };
 use crate::certify::{MAX_DIGITS, Undecided};
 use crate::cli::failure::Failure;
+use crate::cli::line::typed;
 use crate::number::{ExactNumber, ParseExactError};
 use crate::problem::Friction;
 use crate::report::{

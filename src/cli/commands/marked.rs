@@ -1,6 +1,6 @@
 //! Arches that are marked in a map.
 
-use super::arch::thickness;
+use super::parse::thickness;
 use crate::arch::SelfWeight;
 use crate::cli::failure::Failure;
 use crate::number::{ExactNumber, ParseExactError};

@@ -1,6 +1,6 @@
 //! The arguments of an arch that is measured in metres.
 
-use super::arch;
+use super::parse;
 use crate::cli::failure::Failure;
 use crate::number::ExactNumber;
 use crate::problem::Quantity;
@@ -65,7 +65,7 @@ impl Measured {
 pub(super) fn thickness(measured: Option<&Measured>, text: &str) -> Result<ExactNumber, Failure> {
     let eta = match measured.and_then(|measured| measured.thickness(text)) {
         Some(eta) => eta?,
-        None => arch::thickness(text).map_err(Failure::Input)?,
+        None => parse::thickness(text).map_err(Failure::Input)?,
     };
     match measured {
         Some(of) if of.measures.exact_radius(Some(&eta)).is_none() => Err(Failure::Input(format!(

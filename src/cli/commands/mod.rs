@@ -17,7 +17,7 @@ mod map;
 mod marked;
 mod measures;
 mod output;
-mod parse;
+pub mod parse;
 mod progress;
 mod prove;
 mod rows;

@@ -64,12 +64,6 @@ impl AnswerOutput {
     }
 }
 
-/// The command as it was typed, for a file that says how it was made.
-pub(super) fn typed() -> String {
-    let words: Vec<String> = std::env::args().skip(1).collect();
-    format!("couplet {}", words.join(" "))
-}
-
 impl OutputFile {
     /// Opens the destination, before any work is done.
     pub(super) fn open(&self) -> Result<Output, Failure> {

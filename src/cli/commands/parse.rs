@@ -1,9 +1,11 @@
-//! What reads the values of options: one language for every command.
+//! What reads the values of options: one language for every command, and for other doors to the program.
 
 use crate::arch::SelfWeight;
 use crate::certify::MAX_DIGITS;
-use crate::problem::{Landmark, Mode, Quantity};
-use crate::report::words::{did_you_mean, list};
+use crate::claims::{Claim, claims};
+use crate::number::{ExactNumber, ParseExactError};
+use crate::problem::{Landmark, Mode, Quantity, is_thickness};
+use crate::report::words::{did_you_mean, list, shortened};
 use crate::report::{Content, Format};
 use crate::scene::MAX_ARCH_DIGITS;
 
@@ -14,7 +16,7 @@ pub(super) fn unknown(kind: &str, written: &str, names: &[&str]) -> String {
 }
 
 /// A landmark by its symbol or its long name.
-pub(super) fn landmark(text: &str) -> Result<Landmark, String> {
+pub fn landmark(text: &str) -> Result<Landmark, String> {
     Landmark::named(text).ok_or_else(|| {
         let symbols = list(Landmark::ALL.map(Landmark::symbol));
         let long = Landmark::ALL.map(Landmark::long_name);
@@ -26,27 +28,29 @@ pub(super) fn landmark(text: &str) -> Result<Landmark, String> {
 }
 
 /// A mode by its letters, with brackets and commas or without.
-pub(super) fn mode(text: &str) -> Result<Mode, String> {
+pub fn mode(text: &str) -> Result<Mode, String> {
     let names = || list(Mode::ALL.map(Mode::label));
     Mode::named(text).ok_or_else(|| format!("a mode is one of {}", names()))
 }
 
 /// A self-weight model by its name.
-pub(super) fn weight(text: &str) -> Result<SelfWeight, String> {
+pub fn weight(text: &str) -> Result<SelfWeight, String> {
     let names = SelfWeight::ALL.map(SelfWeight::name);
     SelfWeight::named(text).ok_or_else(|| unknown("a weight", text, &names))
 }
 
 /// One self-weight model, or both.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Weights {
+pub enum Weights {
+    /// This one.
     One(SelfWeight),
+    /// Heyman and Milankovitch.
     Both,
 }
 
 impl Weights {
     /// The models asked for.
-    pub(super) fn all(self) -> Vec<SelfWeight> {
+    pub fn all(self) -> Vec<SelfWeight> {
         match self {
             Self::One(weight) => vec![weight],
             Self::Both => SelfWeight::ALL.to_vec(),
@@ -55,7 +59,7 @@ impl Weights {
 }
 
 /// A self-weight model, or `both`.
-pub(super) fn weights(text: &str) -> Result<Weights, String> {
+pub fn weights(text: &str) -> Result<Weights, String> {
     if text.eq_ignore_ascii_case("both") {
         return Ok(Weights::Both);
     }
@@ -65,7 +69,7 @@ pub(super) fn weights(text: &str) -> Result<Weights, String> {
 }
 
 /// A quantity by its name.
-pub(super) fn quantity(text: &str) -> Result<Quantity, String> {
+pub fn quantity(text: &str) -> Result<Quantity, String> {
     let mut names: Vec<&str> = Vec::new();
     let measured = [&Quantity::MEASURED_STATE[..], &Quantity::MEASURED_ASSESSMENT];
     let all = [&Quantity::LANDMARK[..], &Quantity::STATE, &Quantity::ASSESSMENT].concat();
@@ -96,7 +100,7 @@ pub(super) fn format_help(content: Content) -> String {
 }
 
 /// A number of significant digits.
-pub(super) fn digits(text: &str) -> Result<usize, String> {
+pub fn digits(text: &str) -> Result<usize, String> {
     text.parse()
         .ok()
         .filter(|digits| (1..=MAX_DIGITS).contains(digits))
@@ -104,9 +108,37 @@ pub(super) fn digits(text: &str) -> Result<usize, String> {
 }
 
 /// The same for a state.
-pub(super) fn state_digits(text: &str) -> Result<usize, String> {
+pub fn state_digits(text: &str) -> Result<usize, String> {
     digits(text)
         .ok()
         .filter(|digits| *digits <= MAX_ARCH_DIGITS)
         .ok_or_else(|| format!("digits are a whole number from 1 to {MAX_ARCH_DIGITS}"))
+}
+
+/// A thickness-to-radius ratio between 0 and the physical limit 2.
+pub fn thickness(text: &str) -> Result<ExactNumber, String> {
+    let thickness: ExactNumber =
+        text.parse().map_err(|error: ParseExactError| error.to_string())?;
+    if !thickness.is_rational() {
+        return Err(format!(
+            "the thickness {text} is no ratio of thickness to radius (0.12, 3/25)"
+        ));
+    }
+    is_thickness(&thickness)
+        .then_some(thickness)
+        .ok_or_else(|| format!("the thickness {text} is not between 0 and 2"))
+}
+
+/// The claims named, all if none is: each by its id or by the beginning of it up to a hyphen.
+pub fn claims_named(names: &[String]) -> Result<Vec<Claim>, String> {
+    let all = claims();
+    if let Some(unknown) = names.iter().find(|name| !all.iter().any(|claim| claim.is_named(name))) {
+        let ids: Vec<&str> = all.iter().map(|claim| claim.id).collect();
+        let hint = did_you_mean(unknown, &ids);
+        let message =
+            format!("unknown claim '{}'{hint}; --list shows the claims", shortened(unknown));
+        return Err(message);
+    }
+    let chosen = |claim: &Claim| names.is_empty() || names.iter().any(|name| claim.is_named(name));
+    Ok(all.into_iter().filter(chosen).collect())
 }

@@ -3,11 +3,10 @@
 use super::output::{Output, OutputFile};
 use super::parse;
 use crate::check::visible_name;
+use crate::claims::Claim;
 use crate::claims::coq::{self, StateError};
-use crate::claims::{Claim, claims};
 use crate::cli::check::read;
 use crate::cli::failure::Failure;
-use crate::report::words::{did_you_mean, shortened};
 use crate::report::{Claims, Content, Format, Index, Report};
 use clap::Args;
 use rayon::prelude::*;
@@ -68,7 +67,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let names = Format::names(Content::Index);
         return Err(Failure::Input(format!("the index is written only as {names}")));
     }
-    let chosen = choose(&arguments.claims)?;
+    let chosen = parse::claims_named(&arguments.claims).map_err(Failure::Input)?;
     let output = arguments.file.open()?;
     if arguments.list {
         return output.write(|out| list(&chosen, out));
@@ -133,18 +132,4 @@ fn state_files(certificates: &[OsString]) -> Result<Vec<(String, String)>, Failu
         files.push((name, text));
     }
     Ok(files)
-}
-
-/// The claims named, each by its id or by the beginning of it up to a hyphen.
-fn choose(names: &[String]) -> Result<Vec<Claim>, Failure> {
-    let all = claims();
-    if let Some(unknown) = names.iter().find(|name| !all.iter().any(|claim| claim.is_named(name))) {
-        let ids: Vec<&str> = all.iter().map(|claim| claim.id).collect();
-        let hint = did_you_mean(unknown, &ids);
-        let message =
-            format!("unknown claim '{}'{hint}; --list shows the claims", shortened(unknown));
-        return Err(Failure::Input(message));
-    }
-    let chosen = |claim: &Claim| names.is_empty() || names.iter().any(|name| claim.is_named(name));
-    Ok(all.into_iter().filter(chosen).collect())
 }

@@ -1,8 +1,7 @@
 //! `couplet states`.
 
-use super::arch::thickness;
 use super::output::OutputFile;
-use super::parse;
+use super::parse::{self, thickness};
 use super::rows::{
     Cells, Columns, Input, Keep, Line, Progress, Purpose, Reader, Role, Row, Source, Spelling,
     Syntax, Table, Together, in_order, objects,

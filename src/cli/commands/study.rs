@@ -1,8 +1,9 @@
 //! `couplet study`.
 
-use super::output::{Output, typed};
+use super::output::Output;
 use super::progress::styled;
 use crate::cli::failure::Failure;
+use crate::cli::line::typed;
 use crate::report::study::{StudyFiles, accuracy_table, stability_table};
 use crate::study::accuracy::{self, QUANTITIES};
 use crate::study::limits::LIMITS;

@@ -1,8 +1,8 @@
 //! `couplet voussoirs`.
 
-use super::arch::{ArchArguments, Needs, thickness};
+use super::arch::{ArchArguments, Needs};
 use super::output::OutputFile;
-use super::parse;
+use super::parse::{self, thickness};
 use crate::certify::state::{Answer, Figure, Inquiry};
 use crate::certify::{Voussoirs, assess_voussoirs, voussoir_loss, voussoirs};
 use crate::cli::failure::Failure;

@@ -1,6 +1,6 @@
 //! A row of results: its arch, and what it claims.
 
-use super::super::arch::thickness;
+use super::super::parse::thickness;
 use super::super::rows::{Cells, Reader, Role, Row};
 use crate::judge::{Claim, Demand, Said, judge};
 use crate::problem::Quantity;
