@@ -29,10 +29,12 @@
 //! | [`find`] | questions the other way round |
 //! | `raise` | raises the precision until everything is decided |
 //! | `inquiry` | several questions about one arch, which share its state |
+//! | `column` | many frictions of one half opening, which share its proofs |
 //! | `quick` | the same proofs in balls of double-doubles, where these are enough |
 
 mod assess;
 mod certify;
+mod column;
 mod digits;
 mod enough;
 mod figure;
@@ -52,6 +54,7 @@ mod thrust_range;
 
 pub use assess::{Assessment, Wanted};
 pub use certify::{Certify, NoState};
+pub use column::Column;
 pub use digits::{Answer, AssessmentDigits, Digits, LimitDigits};
 pub use enough::Enough;
 pub use figure::Figure;
