@@ -6,7 +6,8 @@ use super::number::{CorrectDigits, Judged, compared_digits};
 use super::truth::Proved;
 use crate::certify::Undecided;
 use crate::certify::state::{
-    Assessment, Fall, Outcome, assessment_enclosed, raised, sliding_enclosed, state_enclosed,
+    Assessment, Fall, Outcome, assessment_enclosed, raised_from_doubles, sliding_enclosed,
+    state_enclosed,
 };
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Mode};
@@ -168,8 +169,8 @@ impl Judgement {
 /// is decided.
 pub fn judge(arch: &Arch, claim: &Claim, demand: Demand) -> Judgement {
     let digits = claim.numbers.iter().map(compared_digits).max().unwrap_or(1);
-    let compared =
-        raised(arch, digits, |bits| Ok(compare(claim, &proved(arch, claim, bits)?, demand)));
+    let compare = |bits| Ok(compare(claim, &proved(arch, claim, bits)?, demand));
+    let compared = raised_from_doubles(arch, digits, compare);
     // What cannot be told is not accepted either: nearer to a line than can be told is not on it.
     let mut judgement = compared.unwrap_or_else(|doubt| {
         Judgement::bare(Standing::Undecided(doubt), None, Verdict::Undecided)

@@ -62,7 +62,8 @@ pub use inquiry::Inquiry;
 pub use measured::{measured_assessment, measured_state};
 pub(crate) use query::bits_lost;
 pub(crate) use quick::{
-    assessment_enclosed, sliding_configuration, sliding_enclosed, state_enclosed,
+    assessment_enclosed, raised_from_doubles, sliding_configuration, sliding_enclosed,
+    state_enclosed,
 };
 pub(crate) use raise::{raise, raised};
 pub use state::{Fall, Frictions, Outcome, State};

@@ -9,6 +9,7 @@ use super::enough::enough;
 use super::inquiry::Inquiry;
 use super::mode::{Asked, outcome, pure_sliding, sliding_root};
 use super::query::{DOUBLE_DOUBLE, Query};
+use super::raise::raised;
 use super::state::Outcome;
 use super::thrust_range::Touch;
 use crate::arch::Configuration;
@@ -54,6 +55,19 @@ pub(crate) fn state_enclosed(
         return Ok(found.map(|x| x.to_ball(bits)));
     }
     outcome(&Query::new(arch, bits), asked)
+}
+
+/// What a proof in such enclosures decides, for `digits` digits: with the bits that these numbers have first.
+pub(crate) fn raised_from_doubles<T>(
+    arch: &Arch,
+    digits: usize,
+    proof: impl Fn(u32) -> Result<Option<T>, Undecided>,
+) -> Result<T, Undecided> {
+    let quickly = match digits <= MOST_DIGITS {
+        true => proof(DOUBLE_DOUBLE).ok().flatten(),
+        false => None,
+    };
+    quickly.map_or_else(|| raised(arch, digits, proof), Ok)
 }
 
 /// The friction of the purely sliding state in the same way.
