@@ -81,6 +81,8 @@ pub struct CertifiedAsymmetric {
 
 /// Bits beyond those of the digits.
 const GUARD: u32 = 64;
+/// Bits of what a search in doubles is given.
+const SEARCH_BITS: u32 = 64;
 
 /// The asymmetric solutions that the search finds for an arch, each proved, to `digits` significant digits; or why one is
 /// not. With unlimited friction there are none to find.
@@ -94,14 +96,29 @@ pub fn asymmetric(arch: &Arch, digits: usize) -> Vec<Result<AsymmetricDigits, Un
     found(arch).iter().map(proved).collect()
 }
 
+/// Horseshoes between these half openings are looked at by [`asymmetric_thicknesses`]: of others no solution is known.
+const KNOWN: [f64; 2] = [2.15, 2.52];
+/// Digits of a hint.
+const HINT: usize = 12;
+
+/// The thicknesses of the asymmetric solutions that are found and proved for an arch, to twelve digits at the most; a hint, that costs
+/// nothing for arches of which none is known.
+pub fn asymmetric_thicknesses(arch: &Arch, digits: usize) -> Vec<Figure> {
+    let half_opening: Ball = arch.half_opening().enclosure(SEARCH_BITS);
+    let [low, high] = KNOWN;
+    if *half_opening.mid() < low || *half_opening.mid() > high {
+        return Vec::new();
+    }
+    asymmetric(arch, digits.min(HINT)).into_iter().flatten().map(|found| found.thickness).collect()
+}
+
 /// The candidates of an arch.
 pub(crate) fn found(arch: &Arch) -> Vec<AsymmetricCandidate> {
     if !arch.is_limited() {
         return Vec::new();
     }
-    const DOUBLE: u32 = 64;
-    let grip = grip(arch.friction(), DOUBLE).map(|x| x.mid().to_f64());
-    let half_opening: Ball = arch.half_opening().enclosure(DOUBLE);
+    let grip = grip(arch.friction(), SEARCH_BITS).map(|x| x.mid().to_f64());
+    let half_opening: Ball = arch.half_opening().enclosure(SEARCH_BITS);
     candidates(arch.weight(), half_opening.mid().to_f64(), &grip)
 }
 

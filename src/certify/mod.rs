@@ -24,7 +24,9 @@ mod verdict;
 mod voussoirs;
 mod whole;
 
-pub use asymmetric::{AsymmetricDigits, AsymmetricJoint, CertifiedAsymmetric, asymmetric};
+pub use asymmetric::{
+    AsymmetricDigits, AsymmetricJoint, CertifiedAsymmetric, asymmetric, asymmetric_thicknesses,
+};
 pub use certificate::certify_landmark;
 pub use closed_value::Exact;
 pub use cover::{between, cover};

@@ -35,6 +35,8 @@ pub struct Answer {
     /// What would be enough for an arch that stands at no thickness: the least friction at its half opening,
     /// and the widest half opening (rad) with its friction.
     pub enough: [Option<Value>; 2],
+    /// Thicknesses at which an asymmetric motion is not forbidden, where they are looked for and found.
+    pub asymmetric: Vec<Figure>,
     /// What is proved of a finding besides its digits.
     pub proved: Option<String>,
     /// How a landmark is proved.
@@ -179,6 +181,7 @@ impl Answer {
             values: Vec::new(),
             open: Vec::new(),
             enough: [None, None],
+            asymmetric: Vec::new(),
             proved: None,
             proof: None,
             certificate: Err("certificates are hashed for landmarks only".into()),
@@ -284,6 +287,14 @@ impl Answer {
             }
             // All are made from one state; the first stands for them.
             Err(undecided) => self.open.push((Quantity::Radius, undecided)),
+        }
+        self
+    }
+
+    /// The same with the thicknesses of its asymmetric solutions of Eq. (19), if it stands.
+    pub fn with_asymmetric(mut self, thicknesses: impl FnOnce() -> Vec<Figure>) -> Self {
+        if self.can_stand.or(self.stands) == Some(true) {
+            self.asymmetric = thicknesses();
         }
         self
     }

@@ -4,7 +4,7 @@ use super::answer::{Answer, Status, Subject};
 use super::answers::{Answers, Scope};
 use super::columns;
 use super::find;
-use super::words::{count, model};
+use super::words::{count, list, model};
 use crate::certify::state::Fall;
 use crate::problem::Quantity;
 use std::io;
@@ -85,7 +85,25 @@ fn arch(report: &Answers, answer: &Answer, out: &mut dyn io::Write) -> io::Resul
         _ if thickness.is_some() => assessment(&report.quantities, answer, out),
         Status::Falls(fall) => falls(*fall, answer, out),
         _ => state(&report.quantities, answer, out),
+    }?;
+    asymmetric(answer, out)
+}
+
+/// What the static theorem does not exclude.
+fn asymmetric(answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
+    if answer.asymmetric.is_empty() {
+        return Ok(());
     }
+    let at: Vec<String> = answer.asymmetric.iter().map(ToString::to_string).collect();
+    writeln!(
+        out,
+        "\nasymmetric mechanism at the thickness {} (couplet complementarity)",
+        list(at.iter().map(String::as_str))
+    )?;
+    writeln!(
+        out,
+        "   there an admissible state exists, and also a motion that friction without dilatancy does not forbid"
+    )
 }
 
 fn falls(fall: Fall, answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {

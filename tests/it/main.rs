@@ -25,6 +25,7 @@ mod certificates;
 mod checker;
 #[cfg(all(feature = "mpfr", feature = "cli"))]
 mod command_line;
+mod complementarity;
 #[cfg(feature = "check")]
 mod constants;
 #[cfg(feature = "mpfr")]

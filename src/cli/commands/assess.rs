@@ -3,7 +3,7 @@
 use super::arch::{ArchArguments, Needs};
 use super::measures::{self, MeasureArguments, Measured};
 use super::output::AnswerOutput;
-use super::state::print;
+use super::state::{hinted, print};
 use crate::certify::state::{Inquiry, Wanted, measured_assessment};
 use crate::cli::failure::Failure;
 use crate::problem::{Arch, Quantity};
@@ -53,6 +53,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             let mut inquiry = Inquiry::new(&arch, digits, false);
             let found = inquiry.assess(&eta, digits, Wanted::Everything);
             let answer = Answer::assessment(line, (&arch, &eta), &found);
+            let answer = hinted(&arguments.output, (&arch, digits), answer);
             match &measured {
                 Some(Measured { measures, .. }) => {
                     answer.measured(measured_assessment((&arch, &eta), measures, digits))

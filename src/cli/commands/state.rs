@@ -5,7 +5,9 @@ use super::measures::{self, MeasureArguments, Measured};
 use super::output::AnswerOutput;
 use super::parse;
 use crate::certify::state::{Inquiry, measured_state};
-use crate::certify::{CertifiedLandmark, Undecided, quantities as quantities_of};
+use crate::certify::{
+    CertifiedLandmark, Undecided, asymmetric_thicknesses, quantities as quantities_of,
+};
 use crate::cli::failure::Failure;
 use crate::problem::{Arch, Landmark, Quantity};
 use crate::report::{Answer, Answers, Report, Scope};
@@ -53,7 +55,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let answer = |(line, arch): (u64, Arch)| {
             // Some formats have quadruples, which take more bits than the digits.
             let found = Inquiry::new(&arch, digits, frictions).state(digits, frictions);
-            let answer = Answer::state(line, &arch, &found);
+            let answer =
+                hinted(&arguments.output, (&arch, digits), Answer::state(line, &arch, &found));
             match &measured {
                 Some(Measured { measures, .. }) => {
                     answer.measured(measured_state(&arch, measures, digits))
@@ -63,6 +66,18 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         };
         (1..).zip(arches).map(answer).collect()
     })
+}
+
+/// The answer with what a person is told beside it.
+pub(super) fn hinted(
+    output: &AnswerOutput,
+    (arch, digits): (&Arch, usize),
+    answer: Answer,
+) -> Answer {
+    match output.format().name {
+        "table" => answer.with_asymmetric(|| asymmetric_thicknesses(arch, digits)),
+        _ => answer,
+    }
 }
 
 /// Computes and prints the answers for one arch, or for several.

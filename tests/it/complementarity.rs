@@ -1,0 +1,79 @@
+//! `couplet complementarity`, and what `state` and `assess` say of it.
+
+use crate::program::{couplet, text};
+use serde_json::Value;
+
+fn output(line: &[&str]) -> String {
+    let output = couplet(line);
+    assert_eq!(output.status.code(), Some(0), "{line:?}: {}", text(&output.stderr));
+    text(&output.stdout)
+}
+
+fn solutions(line: &[&str]) -> Vec<(bool, String, String)> {
+    let line = [&["complementarity", "--format", "json", "--digits", "8"], line].concat();
+    let found: Value = serde_json::from_str(&output(&line)).unwrap();
+    let solution = |solution: &Value| {
+        let text = |of: &Value| of.as_str().unwrap().to_owned();
+        let symmetric = solution["symmetric"].as_bool().unwrap();
+        (symmetric, text(&solution["mode"]), text(&solution["thickness"]["value"]))
+    };
+    found["solutions"].as_array().unwrap().iter().map(solution).collect()
+}
+
+fn solution(symmetric: bool, mode: &str, thickness: &str) -> (bool, String, String) {
+    (symmetric, mode.to_owned(), thickness.to_owned())
+}
+
+#[test]
+fn solutions_come_by_their_thickness() {
+    let line = ["--weight", "heyman", "--half-opening", "2.3", "--friction", "1.09"];
+    let expected = [
+        solution(true, "[r,r,r]", "0.47926966"),
+        solution(false, "shoulder_opening", "0.63927187"),
+        solution(false, "inner_sliding", "0.65299139"),
+    ];
+    assert_eq!(solutions(&line), expected);
+}
+
+#[test]
+fn an_arch_without_friction_to_slide_has_the_symmetric_one() {
+    let line = ["--half-opening", "pi/2", "--friction", "inf"];
+    assert_eq!(solutions(&line), [solution(true, "[r,r,r]", "0.10747804")]);
+    assert!(solutions(&["--half-opening", "pi/2", "--friction", "0.3"]).is_empty());
+    let words = output(&["complementarity", "--alpha", "pi/2", "--mu", "0.6"]);
+    assert!(words.contains("no asymmetric solution is found"), "{words}");
+    assert!(words.contains("that there is nothing else is not"), "{words}");
+}
+
+/// A person is told of them; rows and files are as they were.
+#[test]
+fn state_and_assess_tell_a_person() {
+    let arch = ["--half-opening", "2.3", "--friction", "1.05", "--digits", "6"];
+    let told = "asymmetric mechanism at the thickness 0.583084 (couplet complementarity)";
+    let state = [&["state"], &arch[..]].concat();
+    assert!(output(&state).contains(told));
+    let plain = [&state[..], &["--format", "json"]].concat();
+    assert!(!output(&plain).contains("asymmetric"));
+    let assess = |eta: &str| output(&[&["assess", "--thickness", eta], &arch[..]].concat());
+    assert!(assess("0.55").contains(told));
+    assert!(!assess("0.5").contains("asymmetric"), "it falls anyway");
+    let semicircle = ["state", "--half-opening", "pi/2", "--friction", "0.35"];
+    assert!(!output(&semicircle).contains("asymmetric"));
+}
+
+#[test]
+fn what_is_wrong_is_said_in_a_line() {
+    for (line, words) in [
+        (&["--friction", "1"][..], "--half-opening is missing"),
+        (&["--half-opening", "0", "--friction", "1"], "half opening"),
+        (&["--half-opening", "2.3", "--friction", "-1"], "friction"),
+        (&["--half-opening", "2.3", "--friction", "1", "--format", "svg"], "svg"),
+        (&["--half-opening", "2.3", "--friction", "1", "--digits", "0"], "digits"),
+    ] {
+        let output = couplet(&[&["complementarity"], line].concat());
+        let error = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{error}");
+        assert_eq!(error.trim_end().lines().count(), 1, "{error}");
+        assert!(error.contains(words), "{error}");
+    }
+}
