@@ -17,6 +17,7 @@
 //! | asymmetric solutions of (19) | [`asymmetric`] |
 //! | the same equations where the half opening is small | [`small`] |
 //! | admissibility, least thickness | [`contact`] |
+//! | the same under a horizontal acceleration | [`tilt`] |
 //! | how the blocks move at collapse | [`mechanism`] |
 //!
 //! Lengths are in units of the centreline radius `r`, forces in units of `w r` (weight per unit
@@ -39,6 +40,7 @@ pub mod sliding;
 pub mod small;
 pub mod statics;
 pub mod thrust;
+pub mod tilt;
 mod variables;
 mod weight;
 pub mod whole;

@@ -80,6 +80,20 @@ pub fn margin<T: Field>(
     -row.at(&forces.thrust, &forces.moment)
 }
 
+/// The order of series in the joint.
+const ORDER: usize = 2;
+
+/// A joint that moves along the arch, up to the second order.
+pub fn along<T: Field>(joint: &Angle<T>) -> Angle<Jet<T>> {
+    let Angle { rad, sin, cos } = joint;
+    let (one, two) = (rad.int(1), rad.int(2));
+    Angle {
+        rad: Jet::new(vec![rad.clone(), one], ORDER),
+        sin: Jet::new(vec![sin.clone(), cos.clone(), -sin.clone() / &two], ORDER),
+        cos: Jet::new(vec![cos.clone(), -sin.clone(), -cos.clone() / &two], ORDER),
+    }
+}
+
 /// The margin as a series in the joint, up to the second order: its slope along the arch, and half its curvature.
 pub fn margin_along<T: Field>(
     contact: Contact,
@@ -88,14 +102,7 @@ pub fn margin_along<T: Field>(
     grip: &Grip<T>,
     forces: &Forces<T>,
 ) -> Jet<T> {
-    const ORDER: usize = 2;
-    let Angle { rad, sin, cos } = joint;
-    let (one, two) = (rad.int(1), rad.int(2));
-    let along = Angle {
-        rad: Jet::new(vec![rad.clone(), one], ORDER),
-        sin: Jet::new(vec![sin.clone(), cos.clone(), -sin.clone() / &two], ORDER),
-        cos: Jet::new(vec![cos.clone(), -sin.clone(), -cos.clone() / &two], ORDER),
-    };
+    let along = along(joint);
     let constant = |x: &T| Jet::constant(x.clone(), ORDER);
     let ring = Ring {
         thickness: constant(&ring.thickness),

@@ -9,6 +9,7 @@ use super::map::{self, Map, MapDifferences, MapPoints};
 use super::rows::Rows;
 use super::sampled::{self, SampledLines};
 use super::sketched::{self, Sketched};
+use super::tilt::{self, TiltedArches};
 use super::voussoirs::{self, VoussoirArches};
 use super::words::list;
 use super::{c, csv, fortran, json, julia, latex, matlab, plain, python, rust, table, toml};
@@ -41,6 +42,8 @@ pub enum Content {
     MapDifference,
     /// Arches of voussoirs.
     Voussoirs,
+    /// Arches under a horizontal acceleration.
+    Tilted,
     /// Solutions of the complementarity problem.
     Complementarity,
     /// Arches to be drawn.
@@ -79,6 +82,7 @@ pub struct Format {
     pub(super) map_points: Option<Writer<MapPoints>>,
     pub(super) map_differences: Option<Writer<MapDifferences>>,
     pub(super) voussoirs: Option<Writer<VoussoirArches>>,
+    pub(crate) tilt: Option<Writer<TiltedArches>>,
     pub(super) complementarity: Option<Writer<ComplementarityArches>>,
     pub(super) drawing: Option<Writer<Sketched>>,
 }
@@ -103,6 +107,7 @@ const fn text(name: &'static str, extension: &'static str) -> Format {
         map_points: None,
         map_differences: None,
         voussoirs: None,
+        tilt: None,
         complementarity: None,
         drawing: None,
     }
@@ -122,6 +127,7 @@ static FORMATS: [Format; 19] = [
         map_points: Some(map::point_table),
         map_differences: Some(map::difference_table),
         voussoirs: Some(voussoirs::table),
+        tilt: Some(tilt::table),
         complementarity: Some(complementarity::table),
         ..text("table", "txt")
     },
@@ -136,6 +142,7 @@ static FORMATS: [Format; 19] = [
         map_points: Some(map::point_json),
         map_differences: Some(map::difference_json),
         voussoirs: Some(voussoirs::json),
+        tilt: Some(tilt::json),
         complementarity: Some(complementarity::json),
         drawing: Some(sketched::json),
         ..language("json", "json", json::answers)
@@ -150,6 +157,7 @@ static FORMATS: [Format; 19] = [
         map_points: Some(map::point_csv),
         map_differences: Some(map::difference_csv),
         voussoirs: Some(voussoirs::csv),
+        tilt: Some(tilt::csv),
         complementarity: Some(complementarity::csv),
         ..text("csv", "csv")
     },
@@ -239,6 +247,7 @@ impl Format {
             Content::MapPoint => format.map_points.is_some(),
             Content::MapDifference => format.map_differences.is_some(),
             Content::Voussoirs => format.voussoirs.is_some(),
+            Content::Tilted => format.tilt.is_some(),
             Content::Complementarity => format.complementarity.is_some(),
             Content::Drawing => format.drawing.is_some(),
         })

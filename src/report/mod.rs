@@ -55,6 +55,7 @@ mod sketched;
 #[cfg(feature = "study")]
 pub(crate) mod study;
 mod table;
+mod tilt;
 mod toml;
 mod value;
 mod voussoirs;
@@ -71,6 +72,7 @@ pub use given::GivenDoubles;
 pub use map::{Map, MapDifferences, MapPoint, MapPoints};
 pub use rows::Rows;
 pub use sketched::{Sketched, Style};
+pub use tilt::{TiltedArch, TiltedArches};
 pub use value::Value;
 pub use voussoirs::{GivenThickness, VoussoirArch, VoussoirArches};
 
@@ -95,6 +97,8 @@ pub enum Report {
     MapDifferences(MapDifferences),
     /// Arches of voussoirs.
     Voussoirs(VoussoirArches),
+    /// Arches under a horizontal acceleration.
+    Tilted(TiltedArches),
     /// Solutions of the complementarity problem.
     Complementarity(ComplementarityArches),
     /// Arches to be drawn.
@@ -112,6 +116,7 @@ impl Report {
             Self::Map(map) => format.map.map(|write| write(map, out)),
             Self::MapPoints(points) => format.map_points.map(|write| write(points, out)),
             Self::MapDifferences(all) => format.map_differences.map(|write| write(all, out)),
+            Self::Tilted(arches) => format.tilt.map(|write| write(arches, out)),
             Self::Voussoirs(arches) => format.voussoirs.map(|write| write(arches, out)),
             Self::Complementarity(arches) => format.complementarity.map(|write| write(arches, out)),
             Self::Sketched(sketched) => format.drawing.map(|write| write(sketched, out)),

@@ -13,6 +13,7 @@ mod program;
 #[cfg(all(unix, feature = "study", feature = "cli"))]
 mod snapshot;
 #[cfg(all(feature = "mpfr", feature = "cli"))]
+mod tilt;
 mod tool;
 
 #[cfg(feature = "mpfr")]

@@ -4,11 +4,14 @@ use super::arch::{ArchArguments, Needs};
 use super::measures::{self, MeasureArguments, Measured};
 use super::output::AnswerOutput;
 use super::state::{hinted, print};
+use crate::arch::SelfWeight;
 use crate::certify::state::{Inquiry, Wanted, measured_assessment};
 use crate::cli::failure::Failure;
-use crate::problem::{Arch, Quantity};
-use crate::report::Answer;
+use crate::number::{ExactNumber, shown};
+use crate::problem::{Arch, Friction, Quantity};
+use crate::report::{Answer, Content, Format, Report, TiltedArch, TiltedArches};
 use clap::Args;
+use rug::Rational;
 
 /// Print whether an arch of a given thickness stands, its safety factors, and the thrusts it can bear.
 #[derive(Args)]
@@ -22,6 +25,11 @@ pub(crate) struct Arguments {
     /// Thickness-to-radius ratio, between 0 and 2 (0.12, 3/25); of an arch in metres also a length (60cm).
     #[arg(long, visible_alias = "eta", value_name = "ETA", allow_hyphen_values = true)]
     thickness: Option<String>,
+
+    /// A uniform horizontal acceleration over that of gravity (0.1), or the angle by which the ground is tilted (5deg): whether an
+    /// admissible state of the whole arch is left, and the largest one with which there is.
+    #[arg(long, value_name = "K", allow_hyphen_values = true, conflicts_with = "quantities")]
+    tilt: Option<String>,
 
     #[command(flatten)]
     measures: MeasureArguments,
@@ -40,6 +48,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let arches = arguments.arch.arches(&needs, measures::half_opening(measured.as_ref()))?;
     let eta = arguments.thickness.as_deref().unwrap_or_default();
     let eta = measures::thickness(measured.as_ref(), eta)?;
+    if let Some(tilt) = &arguments.tilt {
+        return tilted(arguments, &arches, &eta, tilt);
+    }
     let all = measures::quantities(
         &Quantity::ASSESSMENT,
         &Quantity::MEASURED_ASSESSMENT,
@@ -63,4 +74,74 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         };
         (1..).zip(arches).map(answer).collect()
     })
+}
+
+/// The arches under an acceleration.
+fn tilted(
+    arguments: &Arguments,
+    arches: &[Arch],
+    eta: &ExactNumber,
+    text: &str,
+) -> Result<(), Failure> {
+    let format = arguments.output.format();
+    if format.tilt.is_none() {
+        let names = Format::names(Content::Tilted);
+        let message = format!("--tilt is not written as {}; the formats are {names}", format.name);
+        return Err(Failure::Input(message));
+    }
+    let tilt = acceleration(text)?;
+    if arches.iter().any(|arch| is_zero(arch.friction())) {
+        return Err(Failure::Input(
+            "without friction nothing stands: --tilt asks for a friction above 0".to_owned(),
+        ));
+    }
+    let output = arguments.output.open()?;
+    let digits = arguments.arch.digits;
+    let answer = |arch: &Arch| {
+        let standing = Inquiry::new(arch, digits, false).assess(eta, digits, Wanted::Standing);
+        let found = match standing.and_then(|found| found.stands) {
+            Ok(true) => crate::certify::tilted(arch, eta, &tilt, digits).map(Some),
+            Ok(false) => Ok(None),
+            Err(undecided) => Err(undecided),
+        };
+        let given = [
+            arch.half_opening().to_string(),
+            arch.friction().to_string(),
+            eta.to_string(),
+            tilt.to_string(),
+        ];
+        TiltedArch { weight: arch.weight(), given, is_limited: arch.is_limited(), found }
+    };
+    let answers = TiltedArches(arches.iter().map(answer).collect());
+    let open = answers.0.iter().find_map(TiltedArch::first_open).cloned();
+    output.write(|out| Report::Tilted(answers).write(format, out))?;
+    open.map_or(Ok(()), |open| Err(Failure::Undecided(open.to_string())))
+}
+
+/// Whether there is none.
+fn is_zero(friction: &Friction) -> bool {
+    match friction {
+        Friction::Coefficient(x) | Friction::Angle(x) => x.to_rational() == 0,
+        Friction::Infinite => false,
+    }
+}
+
+/// A horizontal acceleration: a ratio to that of gravity, or an angle of the ground.
+fn acceleration(text: &str) -> Result<Friction, Failure> {
+    let wrong = |why: &str| Err(Failure::Input(format!("the tilt '{}' {why}", shown(text))));
+    let tilt: Friction = match text.parse() {
+        Ok(tilt) => tilt,
+        Err(_) => return wrong("is no acceleration: give a number (0.1) or an angle (5deg)"),
+    };
+    // What a friction may be, an acceleration may.
+    let allowed =
+        Arch::new(SelfWeight::Heyman, ExactNumber::from(&Rational::from(1)), tilt.clone());
+    match (&tilt, allowed.map(|arch| arch.is_limited())) {
+        (Friction::Coefficient(_), Err(_)) => {
+            wrong("is negative: give its size, for to the other side the arch is its mirror image")
+        }
+        (Friction::Angle(_), Err(_) | Ok(false)) => wrong("is not an angle from 0 to below 90deg"),
+        (_, Ok(true)) => Ok(tilt),
+        _ => wrong("is no acceleration: give a number (0.1) or an angle (5deg)"),
+    }
 }

@@ -1,7 +1,6 @@
 //! An arch of voussoirs and what is proved of it, as every format sees it.
 
 use crate::arch::SelfWeight;
-use crate::arch::mechanism::Contact;
 use crate::certify::state::Figure;
 use crate::certify::{
     Undecided, VoussoirAssessment, VoussoirDigits, VoussoirLoss, VoussoirStanding, Voussoirs,
@@ -10,6 +9,7 @@ use crate::number::{ExactNumber, Rounded};
 use crate::problem::stones::{JointContact, Stones};
 use crate::problem::{Friction, Quantity};
 use crate::report::fields::Fields;
+use crate::report::words;
 
 /// An arch of voussoirs, what is proved of it, and the same arch without end of joints.
 #[derive(Debug)]
@@ -113,13 +113,10 @@ impl VoussoirArch {
 }
 
 /// A contact in words.
-pub(super) fn words(arch: &VoussoirArch, (contact, joint): &JointContact) -> &'static str {
+pub(super) fn at_limit(arch: &VoussoirArch, (contact, joint): &JointContact) -> &'static str {
     match contact {
-        Contact::Extrados => "hinge at the extrados",
-        Contact::Intrados => "hinge at the intrados",
-        _ if arch.stones.may_open(*joint, arch.is_limited()) => "opens",
-        Contact::Inwards => "slides inwards",
-        Contact::Outwards => "slides outwards",
+        slip if !slip.is_hinge() && arch.stones.may_open(*joint, arch.is_limited()) => "opens",
+        other => words::contact(*other),
     }
 }
 

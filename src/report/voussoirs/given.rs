@@ -1,6 +1,6 @@
 //! What holds at a given thickness: lines for a person, cells of a row, and an object.
 
-use super::arch::{GivenThickness, VoussoirArch, bounds, place, words};
+use super::arch::{GivenThickness, VoussoirArch, at_limit, bounds, place};
 use crate::certify::state::Figure;
 use crate::certify::{Undecided, VoussoirAssessment, VoussoirLimit, VoussoirStanding, Voussoirs};
 use crate::report::fields::Fields;
@@ -92,7 +92,7 @@ fn limited(arch: &VoussoirArch, end: &VoussoirLimit) -> String {
         let at = place(&arch.stones, contact);
         let rad =
             if at.starts_with("at joint") { format!(" ({joint} rad)") } else { String::new() };
-        format!("{} {at}{rad}", words(arch, contact))
+        format!("{} {at}{rad}", at_limit(arch, contact))
     };
     end.contacts.iter().zip(&end.joints).map(one).collect::<Vec<_>>().join(", ")
 }
@@ -156,7 +156,7 @@ pub(super) fn fields(arch: &VoussoirArch, given: &GivenThickness) -> Fields {
     let limit = |end: &VoussoirLimit| {
         let mut fields = Fields::default();
         fields.add_fields("thrust", end.thrust.as_ref().map(bounds));
-        let contact = |contact: &(_, u64)| format!("{} {}", words(arch, contact), contact.1);
+        let contact = |contact: &(_, u64)| format!("{} {}", at_limit(arch, contact), contact.1);
         fields.add("limited_by", end.contacts.iter().map(contact).collect::<Vec<_>>());
         let joints = end.joints.iter().map(|joint| joint.decimal.value.to_string());
         fields.add("joints", joints.collect::<Vec<_>>());

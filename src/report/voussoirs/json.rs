@@ -1,6 +1,6 @@
 //! Arches of voussoirs as JSON, `couplet.voussoirs/1`.
 
-use super::arch::{VoussoirArch, VoussoirArches, bounds, of_rounded, words};
+use super::arch::{VoussoirArch, VoussoirArches, at_limit, bounds, of_rounded};
 use super::given;
 use crate::problem::stones::{JointContact, Stones};
 use crate::report::fields::Fields;
@@ -42,7 +42,7 @@ fn entry(arch: &VoussoirArch) -> Fields {
     fields.add_fields("loss", loss.map(|loss| of_rounded(&loss.thickness)));
     fields.add_fields("relative_loss", loss.map(|loss| of_rounded(&loss.share)));
     let contacts = arch.state().map(|state| {
-        let contact = |contact: &JointContact| format!("{} {}", words(arch, contact), contact.1);
+        let contact = |contact: &JointContact| format!("{} {}", at_limit(arch, contact), contact.1);
         state.contacts.iter().map(contact).collect::<Vec<_>>()
     });
     fields.add("contacts", contacts);

@@ -150,6 +150,14 @@ fn what_is_written_is_as_the_schemas_say() {
         &["map", "--curve", "sliding", "--at", "1.2", "--digits", "5", "--format", "json"],
         &["map", "--difference", "--tolerance", "1e-2", "--format", "json"],
         &["voussoirs", "--alpha", "pi/2", "--mu", "0.35", "--stones", "20", "--format", "json"],
+        &[
+            "assess", "--alpha", "pi/2", "--mu", "0.4", "--eta", "0.15", "--tilt", "0.1",
+            "--digits", "6", "--format", "json",
+        ],
+        &[
+            "assess", "--alpha", "1/2", "--mu", "2", "--eta", "0.7", "--tilt", "5deg", "--format",
+            "json",
+        ],
         &["voussoirs", "--joints", "0,1", "--mu", "1/9", "--format", "json"],
         &[
             "voussoirs",

@@ -1,0 +1,399 @@
+//! The largest horizontal acceleration at which an arch of a given thickness has an admissible state, proved.
+//!
+//! **From above**: conditions at a few joints, whose multipliers are positive and leave nothing of `h, p` and `v`, leave a bound of `k`. It
+//! holds wherever the joints are; near the true ones it is off by the square of the distance. **From below**: a state that is
+//! admissible at every joint of `[-alpha, alpha]`, by pieces that cover it: a piece where a margin is convex is decided by its value and slope
+//! at one point, however little room there is. Between the candidate of the limit and a state well inside there is one as near to the
+//! limit as one likes; so both bounds come together to any number of digits.
+//!
+//! **What it means.** Admissible states at an acceleration lie between those at two others, and the mirror image is one to the left. So
+//! there are some exactly up to the largest, and beyond it the arch falls. Below it, the static theorem says that an arch stands
+//! if its joints open and do not slide, as with unlimited friction. With friction an admissible state
+//! does not exclude a motion, as sliding opens no joint: the value then is an upper bound of what the arch can bear.
+
+use super::Undecided;
+use super::positive::is_positive_on;
+use super::state::{Figure, raise};
+use super::voussoirs::grip;
+use crate::arch::joint::Grip;
+use crate::arch::mechanism::Contact;
+use crate::arch::tilt::{TiltedRow, row};
+use crate::arch::whole::along;
+use crate::arch::{Ring, SelfWeight};
+use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Jet, bits_of};
+use crate::problem::{Arch, Friction, is_thickness};
+use crate::solve::tilt::{Search, TiltCandidate, Touch, contacts};
+use rug::Float;
+
+/// A condition of those that leave the bound.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TiltLimit {
+    /// The condition, by its sign: on the left half `Inwards` slides outwards, and the other way round.
+    pub contact: Contact,
+    /// Whether it is at a springing.
+    pub is_springing: bool,
+    /// Whether it is on the right half, to which the acceleration pushes.
+    pub is_right: bool,
+}
+
+/// The largest acceleration with an admissible state.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub enum LargestTilt {
+    /// This, over that of gravity, and the conditions that leave the bound.
+    Limited(Box<Figure>, Vec<TiltLimit>),
+    /// There is an admissible state at every acceleration.
+    Unlimited,
+}
+
+/// What is certain of an arch under a horizontal acceleration.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct TiltDigits {
+    /// Whether there is an admissible state at the acceleration asked for.
+    pub is_admissible: Result<bool, Undecided>,
+    /// The largest acceleration with one.
+    pub largest: Result<LargestTilt, Undecided>,
+}
+
+/// Bits beyond a third, as the state from below is nearer to the limit than these.
+const GUARD: u32 = 16;
+
+/// What holds for an arch that stands at this thickness under an acceleration, to `digits` significant digits.
+pub fn tilted(
+    arch: &Arch,
+    thickness: &ExactNumber,
+    tilt: &Friction,
+    digits: usize,
+) -> Result<TiltDigits, Undecided> {
+    if !is_thickness(thickness) {
+        return Err(Undecided::new("the thickness is not between 0 and 2"));
+    }
+    let first = 3 * (bits_of(digits) + GUARD);
+    let compared = |proof: &Proof, bounds: &Option<Bounds>| {
+        let Some(([low, high], _)) = bounds else { return Some(true) };
+        let given = grip(tilt, proof.bits);
+        let given = given.normal / given.shear;
+        let is_below = (low.clone() - &given).is_positive().is_proved();
+        let is_above = (given - high).is_positive().is_proved();
+        (is_below || is_above).then_some(is_below)
+    };
+    let mut is_admissible = None;
+    let largest = raise(first, |bits| {
+        let proof = Proof::new(arch, thickness, bits);
+        let bounds = proof.largest()?;
+        is_admissible = is_admissible.or_else(|| compared(&proof, &bounds));
+        Ok(match bounds {
+            None => Some(LargestTilt::Unlimited),
+            Some(([low, high], limits)) => Figure::new(&low.hull(&high), digits)
+                .map(|figure| LargestTilt::Limited(Box::new(figure), limits)),
+        })
+    });
+    // An acceleration nearer to the largest than its digits tell takes more bits.
+    let is_admissible = match is_admissible {
+        Some(decided) => Ok(decided),
+        None => raise(2 * first, |bits| {
+            let proof = Proof::new(arch, thickness, bits);
+            let compared = compared(&proof, &proof.largest()?);
+            let open = || Undecided::new("whether the acceleration is below the largest");
+            compared.map(Some).ok_or_else(open)
+        }),
+    };
+    Ok(TiltDigits { is_admissible, largest })
+}
+
+/// An arch in balls of some bits.
+struct Proof {
+    half_opening: Ball,
+    weight: SelfWeight,
+    thickness: Ball,
+    grip: Grip<Ball>,
+    is_limited: bool,
+    bits: u32,
+}
+
+/// Numbers `h, p, v, k`, and the weight that goes with them: none for a direction.
+struct Line<'a> {
+    unknowns: &'a [Ball; 4],
+    weight: &'a Ball,
+}
+
+type Bounds = ([Ball; 2], Vec<TiltLimit>);
+
+impl Proof {
+    fn new(arch: &Arch, thickness: &ExactNumber, bits: u32) -> Self {
+        Self {
+            half_opening: arch.half_opening().enclosure(bits),
+            weight: arch.weight(),
+            thickness: thickness.enclosure(bits),
+            grip: grip(arch.friction(), bits),
+            is_limited: arch.is_limited(),
+            bits,
+        }
+    }
+
+    /// The largest acceleration between two bounds; `None` if there is none.
+    fn largest(&self) -> Result<Option<Bounds>, Undecided> {
+        let mid = |x: &Ball| Float::with_val(self.bits, x.mid());
+        let grip = self.grip.clone().map(|x| mid(&x));
+        let thickness = mid(&self.thickness);
+        let search = Search::new(
+            mid(&self.half_opening),
+            (self.weight, &thickness),
+            (grip, self.is_limited),
+            self.bits,
+        );
+        match search.candidate() {
+            TiltCandidate::Nothing => Err(Undecided::new("whether any state is admissible")),
+            TiltCandidate::Unlimited => self.unlimited().map(|()| None),
+            TiltCandidate::Limited(near) => {
+                let (high, limits) = self.bound_above(&near.touches)?;
+                let low = self.bound_below(&near.limit, &near.inside)?;
+                Ok(Some(([low, high], limits)))
+            }
+        }
+    }
+
+    /// A bound from above.
+    fn bound_above(&self, touches: &[Touch]) -> Result<(Ball, Vec<TiltLimit>), Undecided> {
+        let is_pinned = touches.iter().any(|touch| touch.contact.is_hinge());
+        let kept: &[usize] = if is_pinned { &[0, 1, 2] } else { &[0, 2] };
+        // A line that touches at fewer joints: one of them becomes two beside it.
+        let mut apart: Vec<Touch> = touches.to_vec();
+        let offset = Float::with_val(self.bits, 1) >> (self.bits / 4);
+        for touch in touches.iter().filter(|touch| touch.is_inside) {
+            if apart.len() > kept.len() {
+                break;
+            }
+            let beside = |joint| Touch { joint, ..touch.clone() };
+            let at = apart.iter().position(|other| other.joint == touch.joint).unwrap_or(0);
+            apart[at] = beside(Float::with_val(self.bits, &touch.joint - &offset));
+            apart.push(beside(Float::with_val(self.bits, &touch.joint + &offset)));
+        }
+        let question = "a bound of the acceleration";
+        if apart.len() != kept.len() + 1 {
+            return Err(Undecided::new(question));
+        }
+        let rows: Vec<TiltedRow<Ball>> = apart.iter().map(|touch| self.row(touch)).collect();
+        let columns: Vec<Vec<Ball>> = rows
+            .iter()
+            .map(|row| kept.iter().map(|k| row.coefficients[*k].clone()).collect())
+            .collect();
+        let mut rates = rates(&columns);
+        if rates.iter().all(|rate| (-rate.clone()).is_positive().is_proved()) {
+            rates = rates.into_iter().map(|rate| -rate).collect();
+        }
+        let zero = Ball::integer(0, self.bits);
+        let sum = |of: &dyn Fn(&TiltedRow<Ball>) -> Ball| {
+            let terms = rates.iter().zip(&rows);
+            terms.fold(zero.clone(), |sum, (rate, row)| sum + rate.clone() * of(row))
+        };
+        let slope = sum(&|row| row.coefficients[3].clone());
+        let is_positive = |x: &Ball| x.is_positive().is_proved();
+        if !rates.iter().all(is_positive) || !is_positive(&slope) {
+            return Err(Undecided::new(question));
+        }
+        let limit = |touch: &Touch| TiltLimit {
+            contact: touch.contact,
+            is_springing: !touch.is_inside,
+            is_right: touch.joint > 0,
+        };
+        let bound = -sum(&|row| row.load.clone()) / slope;
+        Ok((bound, touches.iter().map(limit).collect()))
+    }
+
+    fn row(&self, touch: &Touch) -> TiltedRow<Ball> {
+        let joint = match (touch.is_inside, touch.joint > 0) {
+            (true, _) => Ball::exact(touch.joint.clone(), self.bits),
+            (false, true) => self.half_opening.clone(),
+            (false, false) => -self.half_opening.clone(),
+        };
+        let ring = Ring::new(self.weight, &self.thickness);
+        row(touch.contact, &Angle::new(joint), &ring, &self.grip)
+    }
+
+    /// The acceleration of an admissible state next to the limit.
+    fn bound_below(&self, limit: &[Float; 4], inside: &[Float; 4]) -> Result<Ball, Undecided> {
+        let share = Float::with_val(self.bits, 1) >> (self.bits / 3);
+        let mix = |k: usize| {
+            let way = Float::with_val(self.bits, &inside[k] - &limit[k]);
+            Ball::exact(Float::with_val(self.bits, &limit[k] + way * &share), self.bits)
+        };
+        let unknowns: [Ball; 4] = std::array::from_fn(mix);
+        let weight = Ball::integer(1, self.bits);
+        self.is_admissible(&Line { unknowns: &unknowns, weight: &weight })?;
+        let [.., tilt] = unknowns;
+        Ok(tilt)
+    }
+
+    /// More thrust, and with it more acceleration, passes no condition: to a state that is admissible any amount of it is added.
+    fn unlimited(&self) -> Result<(), Undecided> {
+        let ball = |x: &Ball| Ball::exact(Float::with_val(self.bits, x.mid()), self.bits);
+        let radius = |sign: i32| self.thickness.int(sign) * &self.thickness + self.thickness.int(2);
+        let cos = Angle::new(self.half_opening.clone()).cos;
+        let moment = ball(&((radius(1) * cos + radius(-1)) / self.thickness.int(4)));
+        let zero = moment.int(0);
+        let holds = |k: i64| {
+            let unknowns = [zero.int(1), moment.clone(), zero.clone(), zero.int(1).scaled(-k)];
+            self.is_admissible(&Line { unknowns: &unknowns, weight: &zero })
+        };
+        let found = (3..30).step_by(3).find_map(|k| holds(k).ok());
+        found.ok_or_else(|| Undecided::new("whether the acceleration is bounded"))
+    }
+
+    /// All margins are positive on the whole arch.
+    fn is_admissible(&self, line: &Line<'_>) -> Result<(), Undecided> {
+        let most = self.half_opening.upper();
+        contacts(self.is_limited).iter().try_for_each(|contact| {
+            let margin = |joint: &Ball| self.margin(*contact, joint, line);
+            is_positive_on(&margin, (&-most.clone(), &most), self.bits)
+        })
+    }
+
+    /// A margin as a series along the arch.
+    fn margin(&self, contact: Contact, joint: &Ball, line: &Line<'_>) -> Jet<Ball> {
+        let constant = |x: &Ball| Jet::constant(x.clone(), 2);
+        let ring = Ring::new(self.weight, &self.thickness);
+        let ring = Ring {
+            thickness: constant(&ring.thickness),
+            centroid_factor: constant(&ring.centroid_factor),
+        };
+        let grip = self.grip.clone().map(|x| constant(&x));
+        let row = row(contact, &along(&Angle::new(joint.clone())), &ring, &grip);
+        -row.at(&line.unknowns.each_ref().map(constant), &constant(line.weight))
+    }
+}
+
+/// Multipliers with which every column of the rows drops out, one row being too many: the minors, with signs in turn.
+fn rates(rows: &[Vec<Ball>]) -> Vec<Ball> {
+    let without = |i: usize| {
+        let rest: Vec<&Vec<Ball>> =
+            rows.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, row)| row).collect();
+        let cross = |a: usize, b: usize, x: usize, y: usize| {
+            rest[a][x].clone() * &rest[b][y] - rest[a][y].clone() * &rest[b][x]
+        };
+        let minor = match rest.len() {
+            2 => cross(0, 1, 0, 1),
+            _ => {
+                rest[0][0].clone() * cross(1, 2, 1, 2) - rest[0][1].clone() * cross(1, 2, 0, 2)
+                    + rest[0][2].clone() * cross(1, 2, 0, 1)
+            }
+        };
+        if i.is_multiple_of(2) { minor } else { -minor }
+    };
+    (0..rows.len()).map(without).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solve::tilt::TiltNear;
+
+    fn found(arch: [&str; 3], eta: &str, tilt: &str) -> TiltDigits {
+        let [weight, alpha, mu] = arch;
+        let arch = Arch::parse(weight, alpha, mu).unwrap();
+        tilted(&arch, &eta.parse().unwrap(), &tilt.parse().unwrap(), 12).unwrap()
+    }
+
+    fn proof(alpha: &str, mu: &str, eta: &str, bits: u32) -> Proof {
+        Proof::new(&Arch::parse("heyman", alpha, mu).unwrap(), &eta.parse().unwrap(), bits)
+    }
+
+    fn near(proof: &Proof) -> Box<TiltNear> {
+        let mid = |x: &Ball| Float::with_val(proof.bits, x.mid());
+        let grip = proof.grip.clone().map(|x| mid(&x));
+        let thickness = mid(&proof.thickness);
+        let alpha = mid(&proof.half_opening);
+        let arch = (proof.weight, &thickness);
+        match Search::new(alpha, arch, (grip, proof.is_limited), proof.bits).candidate() {
+            TiltCandidate::Limited(near) => near,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    /// Joints beside the true ones give a bound that is a little higher; rates below zero give none, and so does a state beyond the limit.
+    #[test]
+    fn what_is_beyond_the_limit_is_refused() {
+        for (alpha, mu, eta) in
+            [("pi/2", "0.6", "0.15"), ("pi/2", "0.4", "0.15"), ("2.3", "1.05", "0.7")]
+        {
+            let proof = proof(alpha, mu, eta, 200);
+            let near = near(&proof);
+            let (best, _) = proof.bound_above(&near.touches).unwrap();
+            let low = proof.bound_below(&near.limit, &near.inside).unwrap();
+            assert!((best.clone() - &low).is_positive().is_proved());
+            assert!((best.clone() - low).mid().to_f64() < 1e-15, "{alpha} {mu}");
+            let mut moved = near.touches.clone();
+            moved.iter_mut().filter(|touch| touch.is_inside).for_each(|touch| touch.joint += 0.01);
+            let (higher, _) = proof.bound_above(&moved).unwrap();
+            assert!((higher - best).is_positive().is_proved(), "{alpha} {mu}");
+            let other_way = [0, 1, 2, 3].map(|k| {
+                let way = Float::with_val(200, &near.inside[k] - &near.limit[k]);
+                Float::with_val(200, &near.limit[k] - way)
+            });
+            assert!(proof.bound_below(&near.limit, &other_way).is_err(), "{alpha} {mu}");
+            let same = vec![near.touches[0].clone(); near.touches.len()];
+            assert!(proof.bound_above(&same).is_err(), "{alpha} {mu}");
+            let mut wrong = near.touches.clone();
+            wrong[0].contact = match wrong[0].contact {
+                Contact::Extrados => Contact::Intrados,
+                Contact::Intrados => Contact::Extrados,
+                Contact::Inwards => Contact::Outwards,
+                Contact::Outwards => Contact::Inwards,
+            };
+            let bound = proof.bound_above(&wrong);
+            assert!(bound.is_err() || bound.unwrap().0.mid() > &near.limit[3], "{alpha} {mu}");
+        }
+    }
+
+    /// Straight lines through a thick, flat arch bear any acceleration; through one whose chord does not fit none does.
+    #[test]
+    fn a_flat_thick_arch_has_no_limit() {
+        assert!(proof("0.5", "2", "0.7", 100).unlimited().is_ok());
+        assert!(proof("0.5", "0.5", "0.7", 100).unlimited().is_err(), "it slides");
+        assert!(proof("1.2", "2", "0.7", 100).unlimited().is_err(), "the chord leaves it");
+    }
+
+    /// Next to the largest on either side, and to the side that is not asked for.
+    #[test]
+    fn an_acceleration_is_compared_with_the_largest() {
+        let at = |tilt: &str| found(["milankovitch", "pi/2", "0.4"], "0.15", tilt).is_admissible;
+        assert_eq!((at("0"), at("0.0524")), (Ok(true), Ok(true)));
+        assert_eq!((at("0.0525"), at("5deg")), (Ok(false), Ok(false)));
+        let LargestTilt::Limited(figure, _) =
+            found(["milankovitch", "pi/2", "0.4"], "0.15", "0").largest.unwrap()
+        else {
+            panic!()
+        };
+        let [lower, upper] = [&figure.decimal.lower, &figure.decimal.upper].map(|x| x.to_string());
+        assert_eq!((at(&lower), at(&upper)), (Ok(true), Ok(false)));
+    }
+
+    /// Against a linear programme over 8001 joints, whose value is a little above.
+    #[test]
+    fn known_values() {
+        for (alpha, mu, eta, known) in [
+            ("pi/2", "inf", "0.15", 0.144_326_446_1),
+            ("pi/2", "0.7", "0.15", 0.144_326_446_1),
+            ("pi/2", "0.4", "0.15", 0.052_468_929_7),
+            ("1.2", "0.6", "0.1", 0.356_507_933_9),
+            ("2.3", "1.05", "0.7", 0.014_735_46),
+            ("2.4", "1.35", "0.8", 0.061_346_71),
+            ("0.5", "0.3", "0.1", 3.412_445_34),
+            ("2.3", "5", "1.2", 0.360_668_73),
+            ("1.2", "0.6", "1.5", 0.954_236_95),
+            ("pi/2", "inf", "1.5", 2.009_739_66),
+        ] {
+            let found = found(["milankovitch", alpha, mu], eta, "0.01");
+            let Ok(LargestTilt::Limited(largest, limits)) = &found.largest else {
+                panic!("{alpha} {mu} {eta}: {found:?}")
+            };
+            let off = (largest.double - known) / known;
+            assert!(
+                (-2e-5..1e-9).contains(&off),
+                "{alpha} {mu} {eta}: {largest} {known} {limits:?}"
+            );
+            assert_eq!(found.is_admissible, Ok(true));
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! Arches under a horizontal acceleration: for a person, CSV, and JSON (`couplet.tilt/1`).
+
+use super::fields::Fields;
+use super::words::{contact, model};
+use super::{csv, json};
+use crate::arch::SelfWeight;
+use crate::arch::whole::Side;
+use crate::certify::state::Figure;
+use crate::certify::{LargestTilt, TiltDigits, TiltLimit, Undecided};
+use std::io;
+
+/// An arch of a given thickness under an acceleration, and what is proved of it.
+#[derive(Debug)]
+pub struct TiltedArch {
+    /// The self-weight model.
+    pub weight: SelfWeight,
+    /// Half opening, friction, thickness and acceleration as given.
+    pub given: [String; 4],
+    /// Whether its friction is limited.
+    pub is_limited: bool,
+    /// What is proved; `None` if it does not even stand without acceleration.
+    pub found: Result<Option<TiltDigits>, Undecided>,
+}
+
+/// An arch for each weight asked for.
+#[derive(Debug)]
+pub struct TiltedArches(pub Vec<TiltedArch>);
+
+impl TiltedArch {
+    /// Whether there is an admissible state; `None` if that stays open.
+    fn is_admissible(&self) -> Option<bool> {
+        match &self.found {
+            Ok(None) => Some(false),
+            Ok(Some(found)) => found.is_admissible.as_ref().ok().copied(),
+            Err(_) => None,
+        }
+    }
+
+    /// Why something stays open, if anything does.
+    pub fn first_open(&self) -> Option<&Undecided> {
+        match &self.found {
+            Ok(None) => None,
+            Ok(Some(found)) => found.is_admissible.as_ref().err().or(found.largest.as_ref().err()),
+            Err(undecided) => Some(undecided),
+        }
+    }
+
+    /// What became of it, in a word.
+    fn outcome(&self) -> &'static str {
+        match self.is_admissible() {
+            Some(true) if self.is_limited => "admissible",
+            Some(true) => "stands",
+            Some(false) => "collapses",
+            None => "undecided",
+        }
+    }
+
+    /// The largest acceleration, where it is known.
+    fn largest(&self) -> Option<&LargestTilt> {
+        self.found.as_ref().ok()?.as_ref()?.largest.as_ref().ok()
+    }
+
+    /// The same as a figure.
+    fn figure(&self) -> Option<&Figure> {
+        match self.largest()? {
+            LargestTilt::Limited(figure, _) => Some(figure),
+            LargestTilt::Unlimited => None,
+        }
+    }
+
+    /// What limits it, in words.
+    fn limits(&self) -> Vec<String> {
+        let words = |limit: &TiltLimit| {
+            let side = if limit.is_right { Side::Right } else { Side::Left };
+            let name = if limit.is_right { "right" } else { "left" };
+            let words = match side.contact(limit.contact) {
+                slip if !slip.is_hinge() && !self.is_limited => "opens",
+                other => contact(other),
+            };
+            match limit.is_springing {
+                true => format!("{words} at the {name} springing"),
+                false => format!("{words} on the {name}"),
+            }
+        };
+        match self.largest() {
+            Some(LargestTilt::Limited(_, limits)) => limits.iter().map(words).collect(),
+            _ => Vec::new(),
+        }
+    }
+}
+
+pub(super) fn table(
+    TiltedArches(arches): &TiltedArches,
+    out: &mut dyn io::Write,
+) -> io::Result<()> {
+    for (index, arch) in arches.iter().enumerate() {
+        if index > 0 {
+            writeln!(out)?;
+        }
+        let [alpha, mu, eta, tilt] = &arch.given;
+        let weight = model(arch.weight);
+        writeln!(
+            out,
+            "Arch of half opening {alpha}, thickness {eta}, friction {mu}, {weight}, tilt {tilt}\n"
+        )?;
+        match (arch.outcome(), &arch.found) {
+            (_, Ok(None)) => {
+                writeln!(out, "collapses, proved: it does not stand without tilt either")?;
+                continue;
+            }
+            ("stands", _) => {
+                writeln!(out, "stands, proved: nothing slides, and no joint is under tension")?
+            }
+            ("admissible", _) => {
+                writeln!(
+                    out,
+                    "has an admissible state, proved: on the whole arch no joint slides or is under tension"
+                )?;
+                writeln!(
+                    out,
+                    "With friction this does not exclude a motion, as joints that slide do not open."
+                )?;
+            }
+            ("collapses", _) => writeln!(out, "collapses, proved: no state is admissible")?,
+            _ => {
+                if let Some(open) = arch.first_open() {
+                    writeln!(out, "{open}")?;
+                }
+            }
+        }
+        if let Some(largest) = arch.largest() {
+            let text = match largest {
+                LargestTilt::Limited(figure, _) => figure.to_string(),
+                LargestTilt::Unlimited => "unbounded".to_owned(),
+            };
+            let words = if arch.is_limited { "falls from the tilt" } else { "largest tilt" };
+            writeln!(out, "\n   {words:<24} {text}")?;
+            arch.limits().iter().enumerate().try_for_each(|(index, limit)| {
+                let words = if index == 0 { "        limited by" } else { "" };
+                writeln!(out, "   {words:<24} {limit}")
+            })?;
+        }
+    }
+    Ok(())
+}
+
+const GIVEN: [&str; 4] = ["half_opening", "friction", "thickness", "tilt"];
+
+pub(super) fn csv(TiltedArches(arches): &TiltedArches, out: &mut dyn io::Write) -> io::Result<()> {
+    let header = ["weight"].into_iter().chain(GIVEN);
+    let header = header.chain(["outcome", "largest_tilt", "limited_by", "reason"]);
+    let row = |arch: &TiltedArch| {
+        let largest = match arch.largest() {
+            Some(LargestTilt::Limited(figure, _)) => figure.to_string(),
+            Some(LargestTilt::Unlimited) => "inf".to_owned(),
+            None => String::new(),
+        };
+        let reason = arch.first_open().map_or(String::new(), |open| open.reason.to_string());
+        let found = [arch.outcome().to_owned(), largest, arch.limits().join("; "), reason];
+        let given = arch.given.iter().cloned();
+        [arch.weight.name().to_owned()].into_iter().chain(given).chain(found).collect()
+    };
+    let header = header.map(str::to_owned).collect();
+    csv::write(std::iter::once(header).chain(arches.iter().map(row)), out)
+}
+
+pub(super) fn json(TiltedArches(arches): &TiltedArches, out: &mut dyn io::Write) -> io::Result<()> {
+    let entry = |arch: &TiltedArch| {
+        let mut fields = Fields::default();
+        fields.add("schema", "couplet.tilt/1");
+        fields.add("weight", arch.weight.name());
+        GIVEN.iter().zip(&arch.given).for_each(|(name, text)| fields.add(name, text.as_str()));
+        fields.add("outcome", arch.outcome());
+        fields.add("reason", arch.first_open().map(|open| open.reason.to_string()));
+        let bounds = |figure: &Figure| {
+            let mut fields = Fields::default();
+            fields.add("value", figure.decimal.value.to_string());
+            fields.add("lower", figure.decimal.lower.to_string());
+            fields.add("upper", figure.decimal.upper.to_string());
+            fields
+        };
+        fields.add_fields("largest_tilt", arch.figure().map(bounds));
+        let is_unbounded = arch.largest().map(|largest| matches!(largest, LargestTilt::Unlimited));
+        fields.add("is_unbounded", is_unbounded);
+        fields.add("limited_by", arch.limits());
+        fields
+    };
+    let entries: Vec<Fields> = arches.iter().map(entry).collect();
+    match &entries[..] {
+        [one] => json::write(one, out),
+        all => json::write(&all, out),
+    }
+}

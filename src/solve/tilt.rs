@@ -1,0 +1,285 @@
+//! Candidates for the largest horizontal acceleration that an arch of a given thickness can bear.
+//!
+//! On many joints of the whole arch it is a linear programme in `h, p, v` and `k`. The conditions that hold with equality are then
+//! moved to where they touch: Newton's method on the unknowns, the joints and the multipliers together,
+//!
+//! ```text
+//! sum of rates times coefficients = (0, 0, 0, 1)      condition = 0      slope of the condition = 0 inside the arch
+//! ```
+//!
+//! as a line that touches may need fewer joints than unknowns. Where only slips count, nothing fixes `p`.
+
+use super::inverse;
+use super::programme::{Condition, Optimum, largest_last};
+use crate::arch::joint::Grip;
+use crate::arch::mechanism::Contact;
+use crate::arch::tilt::{TiltedRow, row};
+use crate::arch::whole::along;
+use crate::arch::{Ring, SelfWeight};
+use crate::number::{Angle, Field, Jet};
+use rug::Float;
+
+/// A condition at a joint of the whole arch.
+#[derive(Clone, Debug)]
+pub struct Touch {
+    /// The condition, by its sign.
+    pub contact: Contact,
+    /// Where, rad, in `[-alpha, alpha]`.
+    pub joint: Float,
+    /// Whether it is between the springings.
+    pub is_inside: bool,
+}
+
+/// What is probably true of the largest acceleration.
+#[derive(Clone, Debug)]
+pub enum TiltCandidate {
+    /// This.
+    Limited(Box<TiltNear>),
+    /// There is none.
+    Unlimited,
+    /// Nothing is admissible at any.
+    Nothing,
+}
+
+/// The largest acceleration as far as it is known.
+#[derive(Clone, Debug)]
+pub struct TiltNear {
+    /// The conditions that hold with equality.
+    pub touches: Vec<Touch>,
+    /// The state there, `h, p, v, k`.
+    pub limit: [Float; 4],
+    /// A state inside all conditions.
+    pub inside: [Float; 4],
+}
+
+/// An arch of a given thickness in numbers of some bits.
+pub struct Search {
+    half_opening: Float,
+    ring: Ring<Float>,
+    grip: Grip<Float>,
+    /// The conditions that are asked at each joint.
+    contacts: &'static [Contact],
+    bits: u32,
+}
+
+/// Joints of each condition in the programme.
+const JOINTS: usize = 401;
+/// Newton's steps beyond those that double the digits.
+const EXTRA: u32 = 12;
+
+/// The conditions at a joint: with unlimited friction both slips ask for a normal force, and one is enough.
+pub fn contacts(is_limited: bool) -> &'static [Contact] {
+    if is_limited { &Contact::ALL } else { &Contact::ALL[..3] }
+}
+
+impl Search {
+    /// An arch, and its friction as a [`Grip`].
+    pub fn new(
+        half_opening: Float,
+        (weight, thickness): (SelfWeight, &Float),
+        (grip, is_limited): (Grip<Float>, bool),
+        bits: u32,
+    ) -> Self {
+        let ring = Ring::new(weight, thickness);
+        Self { half_opening, ring, grip, contacts: contacts(is_limited), bits }
+    }
+
+    /// The largest acceleration.
+    pub fn candidate(&self) -> TiltCandidate {
+        let grid = self.grid();
+        let conditions = |grid: &[(Contact, f64, TiltedRow<f64>)]| -> Vec<Condition> {
+            let of = |row: &TiltedRow<f64>| Condition { a: row.coefficients, d: -row.load };
+            grid.iter().map(|(.., row)| of(row)).collect()
+        };
+        let (unknowns, active) = match largest_last(&conditions(&grid)) {
+            Optimum::At { unknowns, active } => (unknowns, active),
+            Optimum::Unbounded => return TiltCandidate::Unlimited,
+            Optimum::Nothing => return TiltCandidate::Nothing,
+        };
+        let Some(inside) = inside(&conditions(&grid), unknowns[3] / 2.0) else {
+            return TiltCandidate::Nothing;
+        };
+        let mut touches = self.touches(&grid, active);
+        let limit = self.settled(unknowns, &mut touches);
+        let inside = inside.map(|x| Float::with_val(self.bits, x));
+        let touches = touches.into_iter().map(|(touch, _)| touch).collect();
+        TiltCandidate::Limited(Box::new(TiltNear { touches, limit, inside }))
+    }
+
+    /// The conditions on many joints.
+    fn grid(&self) -> Vec<(Contact, f64, TiltedRow<f64>)> {
+        let alpha = self.half_opening.to_f64();
+        let double = |x: &Float| x.to_f64();
+        let ring = Ring {
+            thickness: double(&self.ring.thickness),
+            centroid_factor: double(&self.ring.centroid_factor),
+        };
+        let grip = Grip { shear: double(&self.grip.shear), normal: double(&self.grip.normal) };
+        let joints = (0..JOINTS).map(|j| alpha * (2.0 * j as f64 / (JOINTS - 1) as f64 - 1.0));
+        let at = |joint: f64| {
+            let angle = Angle::new(joint);
+            self.contacts.iter().map(|contact| row(*contact, &angle, &ring, &grip)).collect()
+        };
+        let rows = joints.map(|joint| (joint, at(joint)));
+        let flat = rows.flat_map(|(joint, rows): (f64, Vec<TiltedRow<f64>>)| {
+            let contacts = self.contacts.iter().copied();
+            contacts.zip(rows).map(move |(contact, row)| (contact, joint, row)).collect::<Vec<_>>()
+        });
+        flat.collect()
+    }
+
+    /// The joints of the programme that hold with equality: neighbours are one.
+    fn touches(
+        &self,
+        grid: &[(Contact, f64, TiltedRow<f64>)],
+        active: Vec<(usize, f64)>,
+    ) -> Vec<(Touch, Float)> {
+        let alpha = self.half_opening.to_f64();
+        let step = 2.0 * alpha / (JOINTS - 1) as f64;
+        let mut merged: Vec<(Contact, f64, f64)> = Vec::new();
+        for (index, rate) in active {
+            let (contact, joint, _) = &grid[index];
+            let near = merged
+                .iter_mut()
+                .find(|(other, at, _)| other == contact && (at as &f64 - joint).abs() < 1.5 * step);
+            match near {
+                Some((_, at, sum)) => {
+                    *at = (*at * *sum + joint * rate) / (*sum + rate);
+                    *sum += rate;
+                }
+                None => merged.push((*contact, *joint, rate)),
+            }
+        }
+        let float = |x: f64| Float::with_val(self.bits, x);
+        let touch = |(contact, joint, rate): (Contact, f64, f64)| {
+            let is_inside = alpha - joint.abs() > 0.1 * step;
+            let joint = match is_inside {
+                true => float(joint),
+                false if joint > 0.0 => self.half_opening.clone(),
+                false => -self.half_opening.clone(),
+            };
+            (Touch { contact, joint, is_inside }, float(rate))
+        };
+        merged.into_iter().map(touch).collect()
+    }
+
+    /// The row at a joint as a series along the arch.
+    fn series(&self, touch: &Touch) -> TiltedRow<Jet<Float>> {
+        let constant = |x: &Float| Jet::constant(x.clone(), 2);
+        let ring = Ring {
+            thickness: constant(&self.ring.thickness),
+            centroid_factor: constant(&self.ring.centroid_factor),
+        };
+        let grip = self.grip.clone().map(|x| constant(&x));
+        row(touch.contact, &along(&Angle::new(touch.joint.clone())), &ring, &grip)
+    }
+
+    /// Newton's method: the unknowns, with the touching joints moved.
+    fn settled(&self, start: [f64; 4], touches: &mut [(Touch, Float)]) -> [Float; 4] {
+        let mut unknowns = start.map(|x| Float::with_val(self.bits, x));
+        let is_pinned = touches.iter().any(|(touch, _)| touch.contact.is_hinge());
+        // Of the unknowns: without a hinge nothing is said of p.
+        let kept: &[usize] = if is_pinned { &[0, 1, 2, 3] } else { &[0, 2, 3] };
+        for _ in 0..EXTRA + self.bits.ilog2() {
+            let Some(step) = self.step(&unknowns, touches, kept) else { break };
+            let mut step = step.into_iter();
+            let mut next = || step.next().unwrap_or_else(|| Float::with_val(self.bits, 0));
+            kept.iter().for_each(|k| unknowns[*k] -= next());
+            for (touch, _) in touches.iter_mut().filter(|(touch, _)| touch.is_inside) {
+                touch.joint -= next();
+            }
+            touches.iter_mut().for_each(|(_, rate)| *rate -= next());
+        }
+        if !is_pinned {
+            unknowns[1] = self.moment_between(&unknowns);
+        }
+        unknowns
+    }
+
+    /// A step of Newton's method: for the unknowns, the joints inside, the multipliers.
+    fn step(
+        &self,
+        unknowns: &[Float; 4],
+        touches: &[(Touch, Float)],
+        kept: &[usize],
+    ) -> Option<Vec<Float>> {
+        let zero = Float::with_val(self.bits, 0);
+        let one = Jet::constant(zero.int(1), 2);
+        let inside: Vec<usize> = (0..touches.len()).filter(|i| touches[*i].0.is_inside).collect();
+        let joint_column = |i: usize| inside.iter().position(|j| *j == i).map(|j| kept.len() + j);
+        let rate_column = |i: usize| kept.len() + inside.len() + i;
+        let size = kept.len() + inside.len() + touches.len();
+        let rows: Vec<_> = touches.iter().map(|(touch, _)| self.series(touch)).collect();
+        let values = unknowns.each_ref().map(|x| Jet::constant(x.clone(), 2));
+        let mut matrix = Vec::new();
+        let mut residuals = Vec::new();
+        for k in kept {
+            let mut line = vec![zero.clone(); size];
+            let mut residual = if *k == 3 { -zero.int(1) } else { zero.clone() };
+            for (i, (_, rate)) in touches.iter().enumerate() {
+                let coefficient = &rows[i].coefficients[*k];
+                residual += coefficient.coefficient(0) * rate;
+                line[rate_column(i)] = coefficient.coefficient(0);
+                if let Some(column) = joint_column(i) {
+                    line[column] = coefficient.coefficient(1) * rate;
+                }
+            }
+            matrix.push(line);
+            residuals.push(residual);
+        }
+        for order in 0..2 {
+            for (i, row) in rows.iter().enumerate() {
+                if order == 1 && joint_column(i).is_none() {
+                    continue;
+                }
+                let condition = row.at(&values, &one);
+                let mut line = vec![zero.clone(); size];
+                for (column, k) in kept.iter().enumerate() {
+                    line[column] = row.coefficients[*k].coefficient(order);
+                }
+                if let Some(column) = joint_column(i) {
+                    line[column] = condition.coefficient(order + 1) * (order as u32 + 1);
+                }
+                matrix.push(line);
+                residuals.push(condition.coefficient(order));
+            }
+        }
+        let inverse = inverse(matrix)?;
+        let product = |line: &Vec<Float>| {
+            let terms = line.iter().zip(&residuals);
+            terms.fold(zero.clone(), |sum, (a, b)| sum + Float::with_val(self.bits, a * b))
+        };
+        Some(inverse.iter().map(product).collect())
+    }
+
+    /// A crown moment between those of the hinges.
+    fn moment_between(&self, unknowns: &[Float; 4]) -> Float {
+        let mut at = unknowns.each_ref().map(Float::to_f64);
+        at[1] = 0.0;
+        let (mut least, mut most) = (f64::MIN, f64::MAX);
+        for (contact, _, row) in self.grid() {
+            let passed = row.at(&at, &1.0);
+            match contact {
+                Contact::Extrados => most = most.min(-passed),
+                Contact::Intrados => least = least.max(passed),
+                _ => {}
+            }
+        }
+        Float::with_val(self.bits, (least + most) / 2.0)
+    }
+}
+
+/// The state at an acceleration that is farthest from all conditions.
+fn inside(conditions: &[Condition], tilt: f64) -> Option<[f64; 4]> {
+    let slack = |row: &Condition| {
+        let [h, p, v, k] = row.a;
+        Condition { a: [h, p, v, 1.0], d: row.d - k * tilt }
+    };
+    let mut rows: Vec<Condition> = conditions.iter().map(slack).collect();
+    // More room than this is not asked for.
+    rows.push(Condition { a: [0.0, 0.0, 0.0, 1.0], d: 1.0 });
+    match largest_last(&rows) {
+        Optimum::At { unknowns: [h, p, v, room], .. } if room > 0.0 => Some([h, p, v, tilt]),
+        _ => None,
+    }
+}
