@@ -10,7 +10,7 @@ const THRESHOLD: i64 = 6;
 
 /// A square matrix of balls after elimination.
 #[derive(Clone, Debug)]
-pub(super) struct Eliminated {
+pub(crate) struct Eliminated {
     pivots: Vec<Pivot>,
 }
 
@@ -27,7 +27,7 @@ struct Pivot {
 
 impl Eliminated {
     /// The matrix of the derivatives of as many numbers as there are unknowns. `None` if a pivot may be zero.
-    pub(super) fn new(slopes: &[impl Slopes<Ball>]) -> Option<Self> {
+    pub(crate) fn new(slopes: &[impl Slopes<Ball>]) -> Option<Self> {
         let places = 0..slopes.len();
         let entry = |row: &_, k| Slopes::slope(row, k).filter(|x| !is_zero(x)).cloned();
         let row = |row| places.clone().map(|k| entry(row, k)).collect();
@@ -38,7 +38,7 @@ impl Eliminated {
     }
 
     /// The solutions for one right-hand side.
-    pub(super) fn solve(&self, mut right: Vec<Ball>) -> Vec<Ball> {
+    pub(crate) fn solve(&self, mut right: Vec<Ball>) -> Vec<Ball> {
         for pivot in &self.pivots {
             let head = right[pivot.row].clone();
             for (row, factor) in &pivot.multiples {

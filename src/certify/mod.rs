@@ -36,6 +36,7 @@ pub use fingerprint::{MAX_FINGERPRINT_DIGITS, fingerprint};
 pub(crate) use isolate::isolate_near;
 pub use isolate::{Isolated, isolate};
 pub use landmark::{CertifiedLandmark, Constant, MAX_DIGITS, Value, quantities};
+pub(crate) use linear::Eliminated;
 pub use refine::{Refined, refine, refine_watched, stages};
 pub use tilt::{LargestTilt, TiltDigits, TiltLimit, tilted};
 pub use undecided::Undecided;

@@ -66,7 +66,7 @@ pub use answers::{Answers, Scope};
 pub use audit::Audit;
 pub use claims::{Claims, Index};
 pub use complementarity::{ComplementarityArch, ComplementarityArches};
-pub use drawn::{Axes, Branches, Drawing, Mark, Plane, Shown, Unit, View};
+pub use drawn::{Axes, Branches, Drawing, Mark, Marked, Plane, Shown, Unit, View};
 pub use format::{Content, Format};
 pub use given::GivenDoubles;
 pub use map::{Map, MapDifferences, MapPoint, MapPoints};

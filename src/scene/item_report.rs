@@ -3,10 +3,11 @@
 use super::pieces::{CurvePiece, Pieces};
 use super::plan::{PAGE_DIGITS, Plan};
 use super::schema::{SceneArch, SceneMap, What};
+use crate::arch::SelfWeight;
 use crate::certify::Undecided;
 use crate::judge::{Enclosed, audit_of, compare_weights_of};
 use crate::problem::Quantity;
-use crate::report::{Answer, Answers, Audit, Axes, Claims, Drawing, Format, Map, Report};
+use crate::report::{Answer, Answers, Audit, Claims, Drawing, Format, Map, Report};
 use std::io;
 
 /// What an item asked for.
@@ -128,12 +129,16 @@ fn map(
     }
     let landmarks = constants(plan, pieces, index, (&Quantity::LANDMARK, PAGE_DIGITS));
     let names = undecided_landmarks(&landmarks);
-    let drawing = Drawing {
-        view: asked.view,
-        axes: Axes::default(),
-        marks: Vec::new(),
-        command: asked.command.clone(),
-    };
+    let weight = asked.lines.first().map_or(SelfWeight::Milankovitch, |(weight, _)| *weight);
+    let mut marks = Vec::new();
+    for mark in &asked.marks {
+        match mark.proved(weight) {
+            Ok(mark) => marks.push(mark),
+            Err(undecided) => open.push(undecided.to_string()),
+        }
+    }
+    let (view, axes, command) = (asked.view, asked.axes, asked.command.clone());
+    let drawing = Drawing { view, axes, marks, command };
     let map = Map { tolerance: asked.tolerance, traces, levels, landmarks, drawing };
     open.extend(map.open().into_iter().chain(names));
     (Some(Report::Map(map)), open)

@@ -8,7 +8,7 @@ use crate::arch::SelfWeight;
 use crate::atlas::{Contour, Curve, LEAST_TOLERANCE};
 use crate::problem::{Friction, Landmark};
 use crate::report::words::{did_you_mean, list};
-use crate::report::{Format, Plane, View};
+use crate::report::{Axes, Format, Marked, Plane, Shown, Unit, View};
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
@@ -38,7 +38,9 @@ pub(super) fn map(
     };
     let lines = table.get("lines").map_or(Some(false), |value| reader.truth("lines", value));
     let bare = table.get("bare").map_or(Some(false), |value| reader.truth("bare", value));
+    let (axes, marks) = (axes(reader, table), marks(reader, table));
     let (weights, curves, contours, bare) = (weights?, curves?, contours?, bare?);
+    let (axes, marks) = (axes?, marks?);
     let (tolerance, plane, lines, format) = (tolerance?, plane?, lines?, format?);
     let is_usual = !lines && !bare && plane == Plane::ThicknessFriction;
     let is_whole = curves.is_empty() && (contours.is_empty() || format.is_picture);
@@ -54,6 +56,8 @@ pub(super) fn map(
         Some("lines are drawn alone; leave out bare, half_opening, thickness and friction")
     } else if bare && !contours.is_empty() {
         Some("a bare map has no half_opening, thickness or friction")
+    } else if lines && (axes != Axes::default() || !marks.is_empty()) {
+        Some("lines have no units, ranges, scale or marks")
     } else if !contours.iter().all(|contour| plane.is_crossed_by(contour)) {
         Some(
             "in a plane lines of the third quantity are drawn, half_opening unless plane says another",
@@ -61,8 +65,15 @@ pub(super) fn map(
     } else {
         None
     };
+    let is_plain = axes == Axes::default() && marks.is_empty();
+    let wrong = wrong.map(str::to_owned).or_else(|| match format.is_picture {
+        true => axes.misfit(plane),
+        false => {
+            (!is_plain).then(|| "units, ranges, scale and marks are for a map as svg or png".into())
+        }
+    });
     if let Some(message) = wrong {
-        reader.fault(span.clone(), message.to_owned());
+        reader.fault(span.clone(), message);
         return None;
     }
     let mut command = command("map", &weights, tolerance);
@@ -92,11 +103,13 @@ pub(super) fn map(
     } else if format.is_picture {
         command += &format!(" --plane {}", plane.name());
     }
+    command += &words(table, &marks);
+    let tolerance = axes.tolerance(tolerance);
     let view = if lines { View::Lines } else { View::Map(plane) };
     let shown = if is_page { &weights[..] } else { &[] };
     let landmarks = shown.iter().flat_map(|w| Landmark::ALL.map(|landmark| (landmark, *w)));
     let (lines, landmarks) = (all.chain(levels).collect(), landmarks.collect());
-    Some(What::Map(SceneMap { lines, tolerance, landmarks, view, command }))
+    Some(What::Map(SceneMap { lines, tolerance, landmarks, view, axes, marks, command }))
 }
 
 /// A figure of the paper.
@@ -131,7 +144,67 @@ pub(super) fn figure(
         all.map(|line| (*weight, line)).collect::<Vec<_>>()
     };
     let lines = weights.iter().flat_map(lines).collect();
-    Some(What::Figure(SceneMap { lines, tolerance, landmarks: Vec::new(), view, command }))
+    let (landmarks, axes, marks) = (Vec::new(), Axes::default(), Vec::new());
+    Some(What::Figure(SceneMap { lines, tolerance, landmarks, view, axes, marks, command }))
+}
+
+/// The keys of axes: of the half opening, the friction and the thickness, with the units of each.
+const AXES: [(&str, &str, &[&str]); 3] = [
+    ("half_opening_unit", "half_opening_range", &["deg", "rad", "A"]),
+    ("friction_unit", "friction_range", &["deg", "rad", "mu"]),
+    ("scale", "thickness_range", &["linear", "log"]),
+];
+
+/// How a map shows its quantities, and from where to where.
+fn axes(reader: &mut Reader, table: &DeTable) -> Option<Axes> {
+    let mut shown = |(unit, range, units): (&str, &str, &[&'static str])| {
+        let known: Vec<(&'static str, Unit)> =
+            units.iter().map(|name| (*name, Unit::named(name))).collect();
+        let unit = match table.get(unit) {
+            Some(value) => *reader.names(unit, value, &known)?.first()?,
+            None => Unit::Usual,
+        };
+        let range = match table.get(range) {
+            Some(value) => {
+                let text = value.get_ref().as_str().unwrap_or_default();
+                match Shown::range_of(text) {
+                    Ok(range) => Some(range),
+                    Err(error) => {
+                        reader.fault(value.span(), format!("{range}: {error}"));
+                        return None;
+                    }
+                }
+            }
+            None => None,
+        };
+        Some(Shown { unit, range })
+    };
+    let [half_opening, friction, thickness] = AXES.map(&mut shown);
+    Some(Axes { half_opening: half_opening?, friction: friction?, thickness: thickness? })
+}
+
+/// The arches to mark.
+fn marks(reader: &mut Reader, table: &DeTable) -> Option<Vec<Marked>> {
+    let Some(value) = table.get("marks") else { return Some(Vec::new()) };
+    let before = reader.faults.len();
+    let mut found = Vec::new();
+    for element in reader.elements("marks", value, "an arch as \"80deg,0.6,0.15\"") {
+        match element.get_ref().as_str().unwrap_or_default().parse() {
+            Ok(marked) => found.push(marked),
+            Err(error) => reader.fault(element.span(), format!("marks: {error}")),
+        }
+    }
+    (reader.faults.len() == before).then_some(found)
+}
+
+/// What a command says of axes and marks.
+fn words(table: &DeTable, marks: &[Marked]) -> String {
+    let keys = AXES.iter().flat_map(|(unit, range, _)| [*unit, *range]);
+    let axes = keys.filter_map(|key| {
+        let value = table.get(key)?.get_ref().as_str()?;
+        Some(format!(" --{} {value}", key.replace('_', "-")))
+    });
+    axes.chain(marks.iter().map(|mark| format!(" --mark {mark}"))).collect()
 }
 
 /// The command that asks for the same.

@@ -7,7 +7,7 @@ use crate::claims::Claim;
 use crate::number::ExactNumber;
 use crate::problem::Arch;
 use crate::problem::{Landmark, Quantity};
-use crate::report::{Content, Format, View};
+use crate::report::{Axes, Content, Format, Marked, View};
 use std::path::PathBuf;
 
 /// The name and the version of the schema, which every scene begins with.
@@ -99,6 +99,10 @@ pub struct SceneMap {
     pub landmarks: Vec<(Landmark, SelfWeight)>,
     /// What a picture of them shows.
     pub view: View,
+    /// The axes of a map.
+    pub axes: Axes,
+    /// The arches that are marked in it.
+    pub marks: Vec<Marked>,
     /// The command that asks for the same.
     pub command: String,
 }
@@ -199,6 +203,13 @@ impl Kind {
                 "plane",
                 "lines",
                 "bare",
+                "half_opening_unit",
+                "friction_unit",
+                "scale",
+                "half_opening_range",
+                "friction_range",
+                "thickness_range",
+                "marks",
                 "format",
                 "output",
             ],

@@ -2,7 +2,6 @@
 
 use super::axes::AxesArguments;
 use super::curves::{landmarks, levels, traced};
-use super::marked::{Marked, marked};
 use super::output::{Output, OutputFile};
 use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
@@ -15,7 +14,7 @@ use crate::cli::line::typed;
 use crate::number::{ExactNumber, ParseExactError};
 use crate::problem::Friction;
 use crate::report::{
-    Content, Drawing, Format, Map, MapDifferences, MapPoint, MapPoints, Plane, Report, View,
+    Content, Drawing, Format, Map, MapDifferences, MapPoint, MapPoints, Marked, Plane, Report, View,
 };
 use clap::Args;
 use rayon::prelude::*;
@@ -73,7 +72,8 @@ pub(crate) struct Arguments {
     #[arg(long, value_parser = parse::weights)]
     weight: Option<Weights>,
 
-    /// Largest half-width of a tube, in rad and in thicknesses, from 1e-12 to 1.
+    /// Largest half-width of a tube, in rad and in thicknesses, from 1e-12 to 1; with --scale log in parts of the least
+    /// thickness shown.
     #[arg(long, default_value = "1e-4", value_name = "WIDTH", value_parser = tolerance, allow_negative_numbers = true)]
     tolerance: f64,
 
@@ -167,6 +167,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
+fn marked(text: &str) -> Result<Marked, String> {
+    text.parse()
+}
+
 fn plane(text: &str) -> Result<Plane, String> {
     let names = Plane::ALL.map(Plane::name);
     Plane::named(text).ok_or_else(|| parse::unknown("a plane", text, &names))
@@ -223,7 +227,9 @@ impl Arguments {
         }
         let view = if self.lines { View::Lines } else { View::Map(self.plane) };
         let weight = self.weights(format)[0];
-        let marks = self.marks.iter().map(|mark| mark.proved(weight)).collect::<Result<_, _>>()?;
+        let undecided = |open: Undecided| Failure::Undecided(open.to_string());
+        let marks = self.marks.iter().map(|mark| mark.proved(weight).map_err(undecided));
+        let marks = marks.collect::<Result<_, _>>()?;
         let axes = self.axes.axes(self.plane, is_picture && !self.lines)?;
         Ok(Drawing { view, axes, marks, command: typed() })
     }
@@ -252,7 +258,8 @@ fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
     let weights = arguments.weights(format);
     let all = Curve::of_weights(&weights).into_iter();
     let asked = all.filter(|(_, curve)| is_asked(curve)).collect();
-    let (traces, mut open) = traced(asked, arguments.tolerance, format)?;
+    let tolerance = drawing.axes.tolerance(arguments.tolerance);
+    let (traces, mut open) = traced(asked, tolerance, format)?;
     let landmarks = if format.is_page() { landmarks(&weights) } else { Vec::new() };
     let undecided = landmarks.iter().filter(|answer| answer.is_undecided());
     open.extend(
@@ -263,8 +270,8 @@ fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
         true => arguments.plane.contours(),
         false => contours,
     };
-    let levels = levels(&contours, &weights, &traces, arguments.tolerance, &mut open)?;
-    let map = Map { tolerance: arguments.tolerance, traces, levels, landmarks, drawing };
+    let levels = levels(&contours, &weights, &traces, tolerance, &mut open)?;
+    let map = Map { tolerance, traces, levels, landmarks, drawing };
     open.extend(map.open());
     let report = Report::Map(map);
     file.write(|out| report.write(format, out))?;

@@ -14,7 +14,6 @@ mod find;
 mod folder;
 mod judge;
 mod map;
-mod marked;
 mod measures;
 mod output;
 pub mod parse;

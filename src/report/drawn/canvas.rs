@@ -1,7 +1,8 @@
 //! A plane with its axes, in the units and ranges asked for.
 
 use super::plane::{Axis, DEGREES, Plane, step};
-use crate::atlas::Coordinate;
+use crate::atlas::{Coordinate, LEAST_TOLERANCE};
+use crate::number::shown;
 
 /// How a quantity is shown along an axis, and from where to where. What is not asked for is as usual.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -35,6 +36,56 @@ pub enum Unit {
     Derived,
 }
 
+/// The least thickness of a logarithmic axis, and the one from which on it is usual.
+const THINNEST: f64 = 1e-9;
+const THIN: f64 = 1e-4;
+
+impl Unit {
+    /// The unit of a name: `deg`, `rad`, `A`, `mu`, `linear`, `log`.
+    pub fn named(name: &str) -> Self {
+        match name.to_ascii_lowercase().as_str() {
+            "rad" => Self::Radians,
+            "mu" | "a" | "log" => Self::Derived,
+            _ => Self::Usual,
+        }
+    }
+}
+
+impl Axes {
+    /// Why these are no axes of a map in a plane.
+    pub fn misfit(&self, plane: Plane) -> Option<String> {
+        let name = plane.name();
+        for (quantity, asked) in [
+            ("opening", self.half_opening),
+            ("friction", self.friction),
+            ("thickness", self.thickness),
+        ] {
+            if asked != Shown::default() && !name.contains(quantity) {
+                return Some(format!("the plane {name} has no axis of {quantity}"));
+            }
+        }
+        let is_too_thin = self.thinnest().is_some_and(|thinnest| thinnest < THINNEST);
+        let message = format!(
+            "on a logarithmic scale a range of thicknesses begins at {THINNEST:e} or above"
+        );
+        is_too_thin.then_some(message)
+    }
+
+    /// The half-width of tubes that is asked for: on a logarithmic axis in parts of the least thickness shown.
+    pub fn tolerance(&self, asked: f64) -> f64 {
+        match self.thinnest() {
+            Some(thinnest) => (asked * thinnest.min(1.0)).max(LEAST_TOLERANCE),
+            None => asked,
+        }
+    }
+
+    /// The least thickness that a logarithmic axis shows.
+    fn thinnest(&self) -> Option<f64> {
+        let is_logarithm = self.thickness.unit == Unit::Derived;
+        is_logarithm.then(|| self.thickness.range.map_or(THIN, |[from, _]| from))
+    }
+}
+
 /// A plane to draw in.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Canvas {
@@ -62,6 +113,19 @@ impl Canvas {
 }
 
 impl Shown {
+    /// From where to where, as it is written: `0..0.5`.
+    pub fn range_of(text: &str) -> Result<[f64; 2], String> {
+        let wrong = || {
+            format!("'{}' is no range: two numbers, the smaller first, as in 0..0.5", shown(text))
+        };
+        let (from, to) = text.split_once("..").ok_or_else(wrong)?;
+        let number =
+            |text: &str| text.trim().parse().ok().filter(|x: &f64| (0.0..=1e3).contains(x));
+        let (from, to) = (number(from).ok_or_else(wrong)?, number(to).ok_or_else(wrong)?);
+        // Closer ends would ask more of the drawing than its numbers tell.
+        (to - from > 1e-6 * to).then_some([from, to]).ok_or_else(wrong)
+    }
+
     fn of(self, axis: Axis) -> Axis {
         use Coordinate as C;
         let (coordinate, unit, label, usual): (_, _, _, [f64; 2]) =
@@ -81,7 +145,7 @@ impl Shown {
                     (C::Friction, 1.0, "friction coefficient μ", [0.0, 4.0])
                 }
                 (Unit::Derived, _) => {
-                    (C::LogThickness, 1.0, "thickness to radius η = t/r", [1e-4, 2.0])
+                    (C::LogThickness, 1.0, "thickness to radius η = t/r", [THIN, 2.0])
                 }
             };
         if self == Self::default() {
@@ -112,5 +176,22 @@ mod tests {
         assert!(y.shown(0.0).is_finite() && y.range == [-3.0, 0.0] && !canvas.is_usual);
         assert!(x.shown(std::f64::consts::FRAC_PI_2) > 4.0, "beyond the edge");
         assert!(Canvas::new(Plane::OpeningFriction, &Axes::default()).is_usual);
+    }
+
+    #[test]
+    fn axes_fit_their_plane() {
+        let log = |range| Axes {
+            thickness: Shown { unit: Unit::named("log"), range },
+            ..Axes::default()
+        };
+        assert_eq!(log(None).misfit(Plane::ThicknessFriction), None);
+        assert!(log(None).misfit(Plane::OpeningFriction).unwrap().contains("no axis of thickness"));
+        assert!(log(Some([0.0, 1.0])).misfit(Plane::OpeningThickness).unwrap().contains("1e-9"));
+        approx::assert_relative_eq!(log(Some([1e-3, 1.0])).tolerance(1e-4), 1e-7);
+        assert_eq!(log(Some([1e-9, 1.0])).tolerance(1e-4), LEAST_TOLERANCE);
+        assert_eq!(Axes::default().tolerance(1e-4), 1e-4);
+        for wrong in ["1", "1..0.5", "-1..1", "0..x", "1..1"] {
+            assert!(Shown::range_of(wrong).unwrap_err().contains("is no range"), "{wrong}");
+        }
     }
 }

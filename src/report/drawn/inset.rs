@@ -21,6 +21,7 @@ pub(super) struct Inset {
 const JOINTS: &str = "inset-sj";
 const MIXED: &str = "inset-tl";
 const ENDS: &str = "inset-l";
+const TRIPLE: &str = "inset-t";
 /// For the labels of its ticks, to the left and below, and around the rest.
 const LEFT: f64 = 50.0;
 const BELOW: f64 = 28.0;
@@ -54,10 +55,11 @@ impl Inset {
         parts.iter().map(inset).collect()
     }
 
-    /// The insets of the lines of both weights: where S and J of both are, and the end of rotation.
+    /// The insets of the lines of both weights: where S and J of both are, the end of rotation, and T.
     pub(super) fn of_both(of: impl Fn(Landmark) -> Vec<Point>, corner: Point) -> Vec<Self> {
         let [close, ends] =
             [[of(Landmark::Shift), of(Landmark::Junction)].concat(), of(Landmark::RotationEnd)];
+        let triple = of(Landmark::Triple);
         let limits = Plane::ThicknessFriction.axes().map(|axis| axis.range);
         if close.is_empty() || ends.is_empty() {
             return Vec::new();
@@ -76,6 +78,7 @@ impl Inset {
         vec![
             inset(JOINTS, (76.0, 30.0), (300.0, 170.0), &close, [1.2, 0.025]),
             inset(ENDS, (76.0, 250.0), (300.0, 130.0), &ends, [8.0, 0.03]),
+            inset(TRIPLE, (520.0, 428.0), (224.0, 104.0), &triple, [1.5, 0.05]),
         ]
     }
 

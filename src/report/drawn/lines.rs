@@ -4,14 +4,16 @@ use super::canvas::Canvas;
 use super::caption::caption;
 use super::content::lines;
 use super::inset::Inset;
+use super::known::{TANGENTS, known};
 use super::look;
 use super::page::Page;
-use super::plane::Plane;
+use super::plane::{DEGREES, Plane};
 use super::sheet::Sheet;
 use super::spot::disc;
 use crate::arch::SelfWeight;
+use crate::atlas::tangent;
 use crate::picture::color::{INK, WHITE};
-use crate::picture::{Anchor, Frame, Path, Point, Svg, Type};
+use crate::picture::{Anchor, Frame, Path, Point, Stroke, Svg, Type};
 use crate::problem::Landmark;
 use crate::report::words;
 
@@ -24,6 +26,8 @@ pub(super) struct LinesPicture<'a> {
 }
 
 const NAME: f64 = 18.0;
+/// Half of a tangent, in degrees.
+const TANGENT: f64 = 20.0;
 /// The only plane in which they can be told apart.
 const PLANE: Plane = Plane::ThicknessFriction;
 const SHOWS: &str = "The lines between the domains of the collapse modes";
@@ -34,11 +38,6 @@ impl LinesPicture<'_> {
         let sheets: Vec<&Sheet> = self.sheets.iter().collect();
         let canvas = Canvas::usual(PLANE);
         let width = sheets.iter().map(|sheet| sheet.width()).fold(0.0, f64::max);
-        let words = caption(SHOWS, &sheets, &canvas, [width; 2], self.command);
-        let (page, mut svg) = Page::new(&canvas, SHOWS, &words, false);
-        let frame = &page.frame;
-        svg.clipped(&frame.outline(), |svg| self.draw(svg, frame, ""));
-        page.draw(&mut svg);
         let of = |landmark| {
             let points = self.sheets.iter().filter_map(move |sheet| {
                 let landmarks = sheet.landmarks(&Canvas::usual(PLANE));
@@ -46,9 +45,21 @@ impl LinesPicture<'_> {
             });
             points.collect::<Vec<Point>>()
         };
-        let insets = Inset::of_both(of, frame.corner);
+        let (page, _) = Page::new(&canvas, "", &[], false);
+        let insets = Inset::of_both(of, page.frame.corner);
+        let mut words = caption(SHOWS, &sheets, &canvas, [width; 2], self.command);
+        if !insets.is_empty() {
+            words.splice(1..1, known(self.sheets));
+        }
+        let (page, mut svg) = Page::new(&canvas, SHOWS, &words, false);
+        let frame = &page.frame;
+        svg.clipped(&frame.outline(), |svg| self.draw(svg, frame, ""));
+        page.draw(&mut svg);
         for inset in &insets {
-            inset.draw(&mut svg, &canvas, |svg, id| self.draw(svg, &inset.frame, id));
+            inset.draw(&mut svg, &canvas, |svg, id| {
+                self.tangents(svg, &inset.frame, id);
+                self.draw(svg, &inset.frame, id);
+            });
             self.landmarks(&mut svg, &inset.frame, true);
         }
         insets.iter().for_each(|inset| inset.draw_guides(&mut svg, frame));
@@ -70,6 +81,25 @@ impl LinesPicture<'_> {
                         svg.stroke(&open, look::OPEN);
                     }
                 });
+            }
+        }
+    }
+
+    /// The tangents at T, where a frame shows T larger.
+    fn tangents(&self, svg: &mut Svg, frame: &Frame, of: &str) {
+        for sheet in self.sheets {
+            let landmarks = sheet.landmarks(&Canvas::usual(PLANE));
+            let triple = landmarks.into_iter().find(|(of, _)| *of == Landmark::Triple);
+            let Some((_, at)) = triple.filter(|(_, at)| frame.shows(*at)) else { continue };
+            let color = look::of_weight(sheet.weight).color;
+            for line in TANGENTS {
+                let Ok(slope) = tangent(line, sheet.weight, Landmark::Triple) else { continue };
+                // Per degree.
+                let slope = slope.mid().to_f64() / DEGREES;
+                let end = |across: f64| frame.at((at.0 + across, at.1 + across * slope));
+                let id = format!("{of}{}-tangent-{line}", sheet.weight.name()).replace('/', "-");
+                let whole = Path::through([end(-TANGENT), end(TANGENT)]);
+                svg.group(&id, |svg| svg.stroke(&whole, Stroke::new(color, 0.8)));
             }
         }
     }
@@ -110,7 +140,7 @@ impl LinesPicture<'_> {
     fn legend(&self, svg: &mut Svg, frame: &Frame) {
         svg.group("legend", |svg| {
             for (k, sheet) in self.sheets.iter().enumerate() {
-                let (x, y) = (frame.corner.0 + 250.0, frame.bottom() - 24.0 - 26.0 * k as f64);
+                let (x, y) = (frame.corner.0 + 250.0, frame.bottom() - 16.0 - 22.0 * k as f64);
                 let sample = Path::through([(x + 110.0, y), (x + 164.0, y)]);
                 svg.stroke(&sample, look::of_weight(sheet.weight));
                 svg.text(&words::model(sheet.weight), (x + 174.0, y), Type::new(NAME, INK));

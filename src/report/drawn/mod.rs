@@ -15,9 +15,9 @@
 //! | `inset` | small frames that show a part of the map larger |
 //! | `page` | the page of a map: its frame with the axes, and what is said below |
 //! | `margin` | the values of levels, outside the frame |
-//! | `mark` | arches that are marked in a map |
+//! | `mark`, `marked` | arches that are marked in a map, and how they are asked for |
 //! | `map` | the map of one weight |
-//! | `lines` | the lines of both weights |
+//! | `lines`, `known` | the lines of both weights, with their landmarks and tangents in digits |
 //! | `branches`, `graph` | the pure states along the half opening, as graphs |
 //! | `difference` | what two weights make of the lines, as graphs |
 //! | `caption` | what is said below |
@@ -36,11 +36,13 @@ mod domain;
 mod drawing;
 mod graph;
 mod inset;
+mod known;
 mod lines;
 mod look;
 mod map;
 mod margin;
 mod mark;
+mod marked;
 mod names;
 mod page;
 mod plane;
@@ -53,6 +55,7 @@ pub(super) use difference::differences;
 pub(super) use drawing::FramedMap;
 pub use drawing::{Drawing, View};
 pub use mark::Mark;
+pub use marked::Marked;
 pub use plane::Plane;
 
 #[cfg(test)]

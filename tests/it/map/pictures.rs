@@ -56,7 +56,16 @@ fn a_map_has_the_levels_asked_for() {
 fn a_map_has_the_axes_asked_for() {
     for (arguments, parts) in [
         (
-            &["--scale", "log", "--friction-unit", "mu", "--friction-range", "0..3"][..],
+            &[
+                "--scale",
+                "log",
+                "--friction-unit",
+                "mu",
+                "--friction-range",
+                "0..3",
+                "--tolerance",
+                "1e-2",
+            ][..],
             &[">10⁻³</text>", "friction coefficient μ<", "in decades of η", "in μ"][..],
         ),
         (

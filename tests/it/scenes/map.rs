@@ -56,6 +56,27 @@ fn a_picture_says_which_command_draws_it() {
     assert_eq!(text(&couplet(&words).stdout), picture);
 }
 
+/// Axes, ranges, a scale and marks are those of the command.
+#[test]
+fn a_map_has_axes_and_marks() {
+    let scratch = Scratch::new();
+    let table = "[[map]]\ntolerance = 1e-1\nbare = true\nfriction_unit = \"mu\"\nfriction_range = \"0..3\"\n\
+        scale = \"log\"\nthickness_range = \"0.01..2\"\nmarks = [\"80deg,0.6,0.15\"]\noutput = \"axes.svg\"\n";
+    let scene = scene_in(&scratch, table);
+    assert_eq!(couplet(&["run", &scene, "-o", &scratch.path("out")]).status.code(), Some(0));
+    let drawn = scratch.read("out/axes.svg");
+    let command = drawn.split("Command: couplet ").nth(1).unwrap().split('<').next().unwrap();
+    let words: Vec<&str> = command.split(' ').collect();
+    let again = text(&couplet(&[&words[..], &["--format", "svg"]].concat()).stdout);
+    // But for the command in the caption.
+    let body = |svg: &str| {
+        let drawn = svg.split("<g id=\"caption\">").next().unwrap().to_owned();
+        drawn.lines().skip(3).collect::<Vec<_>>().join("\n")
+    };
+    assert_eq!(body(&drawn), body(&again));
+    assert!(drawn.contains("mark-1") && drawn.contains("in decades of η"));
+}
+
 #[test]
 fn faults_of_maps_have_their_places() {
     for (table, fault) in [
@@ -69,6 +90,21 @@ fn faults_of_maps_have_their_places() {
             "[[map]]\nlines = true\nplane = \"opening-friction\"\nformat = \"svg\"",
             "2:1: lines are drawn over thickness and friction",
         ),
+        ("[[map]]\nscale = \"loga\"\nformat = \"svg\"", "3:9: scale \"loga\" is not one of linear"),
+        (
+            "[[map]]\nfriction_range = \"3\"\nformat = \"svg\"",
+            "3:18: friction_range: '3' is no range",
+        ),
+        ("[[map]]\nmarks = [\"1\"]\nformat = \"svg\"", "3:10: marks: a mark is a half opening"),
+        (
+            "[[map]]\nscale = \"log\"\nformat = \"csv\"",
+            "2:1: units, ranges, scale and marks are for",
+        ),
+        (
+            "[[map]]\nhalf_opening_unit = \"A\"\nformat = \"svg\"",
+            "2:1: the plane thickness-friction has no",
+        ),
+        ("[[map]]\nlines = true\nscale = \"log\"\nformat = \"svg\"", "2:1: lines have no units"),
         ("[[map]]\nweight = \"both\"\noutput = \"x.svg\"", "2:1: a map shows one weight"),
         ("[[map]]\neta = 1\noutput = \"x.svg\"", "2:1: in a plane lines of the third quantity"),
         ("[[map]]\nalpha = 4", "3:9: half_opening 4 is not between 0 and pi"),
