@@ -1,7 +1,7 @@
 # `make` builds couplet and prints the landmark constants; `make test` runs every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build test lint docs msrv deny snapshots pictures constants states checker combinations crates examples exporters bench peers \
+.PHONY: run build test lint docs msrv deny snapshots pictures constants states checker combinations crates examples exporters wheel bench peers \
         proofs witness m4 coq
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
@@ -58,7 +58,7 @@ msrv: m4
 deny:
 	@command -v cargo-deny >/dev/null || { \
 	  echo "couplet: cargo-deny is missing (cargo install --locked cargo-deny)" >&2; exit 1; }
-	cargo deny --locked check licenses bans sources
+	cargo deny --locked --workspace check licenses bans sources
 
 # The repository's certificates, 100 digits of every landmark; a test says whether they are up to date.
 constants: build
@@ -99,6 +99,10 @@ exporters: m4
 	$(call need,command -v g++ gfortran octave-cli python3 pdflatex && kpsewhich siunitx.sty booktabs.sty,\
 	g++ gfortran octave python3 texlive-latex-recommended texlive-science,not every language is there)
 	cargo test --locked $(ALL) --test it export::
+
+# The Python package, built and tested in fresh virtual environments.
+wheel: m4
+	@.ci/wheel
 
 # Timings of this machine; nothing depends on them.
 bench: m4

@@ -1,0 +1,68 @@
+"""Builds the package with maturin, after it has looked for what a build needs.
+
+GMP and MPFR are compiled from source. Where a program for that is missing, their configure scripts end in a long log;
+here it is one line.
+"""
+
+import io
+import re
+import sys
+import tarfile
+from pathlib import Path
+
+import maturin
+from licences import collect
+from needs import missing
+
+
+def ready():
+    """Ends with one line where something is missing; else the licences are where the wheel takes them from."""
+    line = missing()
+    if line:
+        sys.exit(line)
+    collect(Path("."))
+
+
+get_requires_for_build_wheel = maturin.get_requires_for_build_wheel
+get_requires_for_build_sdist = maturin.get_requires_for_build_sdist
+get_requires_for_build_editable = maturin.get_requires_for_build_editable
+
+
+def build_wheel(*arguments, **options):
+    ready()
+    return maturin.build_wheel(*arguments, **options)
+
+
+def build_sdist(directory, *arguments, **options):
+    ready()
+    name = maturin.build_sdist(directory, *arguments, **options)
+    leave_out_benches(Path(directory) / name)
+    return name
+
+
+def leave_out_benches(archive):
+    """The benchmarks are not in a package, and so must not be in its manifest, as cargo has it in its own packages."""
+    whole = archive.with_suffix(".whole")
+    archive.replace(whole)
+    with tarfile.open(whole) as old, tarfile.open(archive, "w:gz") as new:
+        top = Path(old.getnames()[0]).parts[0]
+        for member in old:
+            data = old.extractfile(member).read() if member.isfile() else b""
+            if member.name == f"{top}/Cargo.toml":
+                data = re.sub(rb"\[\[bench\]\]\n(?:[^\[\n].*\n|\n)*", b"", data)
+                member.size = len(data)
+            new.addfile(member, io.BytesIO(data) if member.isfile() else None)
+    whole.unlink()
+
+
+def build_editable(*arguments, **options):
+    ready()
+    return maturin.build_editable(*arguments, **options)
+
+
+def prepare_metadata_for_build_wheel(*arguments, **options):
+    ready()
+    return maturin.prepare_metadata_for_build_wheel(*arguments, **options)
+
+
+prepare_metadata_for_build_editable = prepare_metadata_for_build_wheel

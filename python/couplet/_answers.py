@@ -1,0 +1,343 @@
+"""What is answered to one question."""
+
+from __future__ import annotations
+
+from . import _core
+from ._certified import Certified
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from typing import Any, NoReturn
+
+    Given = tuple[tuple[str, Any], ...]
+
+
+class Answer:
+    """An answer. It has three verdicts, and so no truth value: look at ``verdict``.
+
+    Attributes:
+        verdict: what is proved, or ``'undecided'``: neither it nor its contrary is known.
+        reason: why an arch falls, or why something is undecided; else None.
+        given: what was asked, as it was given.
+        values: the proved values, by the name of their quantity.
+    """
+
+    __slots__ = ("_given", "_told")
+
+    def __init__(self, given: Given, told: dict[str, Any]) -> None:
+        self._given, self._told = given, told
+
+    @property
+    def given(self) -> dict[str, Any]:
+        """What was asked, as it was given."""
+        return {name: value for name, value in self._given if value is not None}
+
+    @property
+    def verdict(self) -> str:
+        """What is proved, or ``'undecided'``."""
+        return str(self._told["status"])
+
+    @property
+    def reason(self) -> str | None:
+        """Why an arch falls, or why something is undecided."""
+        return self._told["reason"]  # type: ignore[no-any-return]
+
+    @property
+    def values(self) -> dict[str, Certified]:
+        """The proved values, by the name of their quantity."""
+        return {name: Certified(name, told) for name, told in self._told["values"].items()}
+
+    def _value(self, name: str) -> Certified | None:
+        told = self._told["values"].get(name)
+        return None if told is None else Certified(name, told)
+
+    def __bool__(self) -> NoReturn:
+        raise TypeError(f"{type(self).__name__} has three verdicts and no truth value: look at .verdict")
+
+    def __reduce__(self) -> tuple[type, tuple[Given, dict[str, Any]]]:
+        return type(self), (self._given, self._told)
+
+    def _said(self) -> list[tuple[str, Any]]:
+        return []
+
+    def __repr__(self) -> str:
+        texts = [(name, str(value) if isinstance(value, Certified) else value) for name, value in self._said()]
+        said = [(name, value) for name, value in texts if value is not None]
+        inside = [*self.given.items(), ("verdict", self.verdict), *said]
+        return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in inside)})"
+
+
+class _OfArch(Answer):
+    """About an arch, which can be drawn."""
+
+    __slots__ = ()
+
+    @property
+    def weight(self) -> str:
+        """The model of self-weight, ``'heyman'`` or ``'milankovitch'``."""
+        return str(self._told["weight"])
+
+    @property
+    def can_stand(self) -> bool | None:
+        """Whether the arch stands at some thickness; None if that is not asked or undecided."""
+        return self._told["can_stand"]  # type: ignore[no-any-return]
+
+    def svg(self) -> str | None:
+        """A picture of the arch with its lines of thrust, and how it falls, as SVG; None where there is nothing to
+        draw. It is proved anew for this."""
+        half_opening, friction, thickness = self._told["given"]
+        return _core.drawing(self.weight, half_opening, friction, thickness)
+
+    def _repr_svg_(self) -> str | None:
+        return self.svg()
+
+
+class State(_OfArch):
+    """An arch at its least thickness. ``verdict`` is ``'stands'``, ``'falls'`` or ``'undecided'``.
+
+    Lengths are in units of the radius r of the centreline, forces in units of w r, angles in radians from the crown. A value
+    that there is not is None.
+    """
+
+    __slots__ = ()
+
+    @property
+    def verdict(self) -> str:
+        """``'stands'``: at some thickness; ``'falls'``: at none; ``'undecided'``."""
+        stands = self._told["can_stand"]
+        return "undecided" if stands is None else "stands" if stands else "falls"
+
+    @property
+    def mode(self) -> str | None:
+        """How it collapses, joints from the shoulder inward: ``'[r,r,s]'``; one of ``couplet.MODES``."""
+        return next(iter(self._told["modes"]), None)
+
+    @property
+    def thickness(self) -> Certified | None:
+        """The least thickness, t/r, in (0, 2]."""
+        return self._value("thickness")
+
+    @property
+    def thrust(self) -> Certified | None:
+        """The horizontal thrust, H/(w r)."""
+        return self._value("thrust")
+
+    @property
+    def intrinsic_thrust(self) -> Certified | None:
+        """Thickness times thrust, H/(gamma d r²)."""
+        return self._value("intrinsic_thrust")
+
+    @property
+    def rotation_joint(self) -> Certified | None:
+        """The inner joint that opens, rad from the crown."""
+        return self._value("rotation_joint")
+
+    @property
+    def sliding_joint(self) -> Certified | None:
+        """The inner joint that slides, rad from the crown; None if none does."""
+        return self._value("sliding_joint")
+
+    @property
+    def sliding_friction(self) -> Certified | None:
+        """The friction below which the half opening stands at no thickness."""
+        return self._value("sliding_friction")
+
+    @property
+    def rotational_friction(self) -> Certified | None:
+        """The friction from which collapse is purely rotational; infinite where none is enough."""
+        return self._value("rotational_friction")
+
+    @property
+    def enough(self) -> dict[str, Certified]:
+        """What would be enough for an arch that falls: the least ``friction`` at its half opening, the widest
+        ``half_opening`` at its friction, as far as there are such."""
+        told = self._told["enough"].items()
+        return {name: Certified(name, value) for name, value in told if value is not None}
+
+    @property
+    def between(self) -> tuple[str, ...]:
+        """The modes between which an undecided arch lies."""
+        return tuple(self._told["between"])
+
+    @property
+    def gap(self) -> float | None:
+        """A bound of the difference that could not be told from zero, where it is undecided."""
+        return self._told["gap"]  # type: ignore[no-any-return]
+
+    def _said(self) -> list[tuple[str, Any]]:
+        return [("mode", self.mode), ("thickness", self.thickness), ("reason", self.reason)]
+
+
+class Assessment(_OfArch):
+    """An arch of a given thickness. ``verdict`` is ``'stands'``, ``'falls'`` or ``'undecided'``.
+
+    Each value is decided on its own: one that stays open is missing, and ``open`` says why.
+    """
+
+    __slots__ = ()
+
+    @property
+    def verdict(self) -> str:
+        """``'stands'``: with this thickness; ``'falls'``; ``'undecided'``."""
+        stands = self._told["stands"]
+        return "undecided" if stands is None else "stands" if stands else "falls"
+
+    @property
+    def open(self) -> dict[str, str]:
+        """The quantities that could not be decided, and why."""
+        return dict(self._told["open"])
+
+    @property
+    def least_thickness(self) -> Certified | None:
+        """The least thickness of the arch, t/r; None if it stands at none."""
+        return self._value("least_thickness")
+
+    @property
+    def geometric_safety(self) -> Certified | None:
+        """The thickness over the least thickness."""
+        return self._value("geometric_safety")
+
+    @property
+    def required_friction(self) -> Certified | None:
+        """The least friction with which it stands; None if none is enough."""
+        return self._value("required_friction")
+
+    @property
+    def friction_safety(self) -> Certified | None:
+        """The friction over the required one."""
+        return self._value("friction_safety")
+
+    @property
+    def least_thrust(self) -> Certified | None:
+        """The least admissible thrust, H/(w r); ``limited_by`` says what limits it."""
+        return self._value("least_thrust")
+
+    @property
+    def largest_thrust(self) -> Certified | None:
+        """The largest admissible thrust, H/(w r); infinite where it has no bound."""
+        return self._value("largest_thrust")
+
+    def _said(self) -> list[tuple[str, Any]]:
+        return [("geometric_safety", self.geometric_safety), ("reason", self.reason)]
+
+
+class Found(Answer):
+    """What was found. ``verdict`` is ``'found'``, ``'nothing'`` if it is proved that there is none, or ``'undecided'``."""
+
+    __slots__ = ()
+
+    @property
+    def verdict(self) -> str:
+        """``'found'``, ``'nothing'`` or ``'undecided'``."""
+        if self._told["status"] == "undecided":
+            return "undecided"
+        return "nothing" if self._told["stands"] is False else "found"
+
+    @property
+    def value(self) -> Certified | None:
+        """What was asked for."""
+        return next(iter(self.values.values()), None)
+
+    @property
+    def modes(self) -> tuple[str, ...]:
+        """How the arch collapses there; both modes on a boundary."""
+        return tuple(self._told["modes"])
+
+    @property
+    def proved(self) -> str | None:
+        """Why there is no other answer."""
+        return self._told["proved"]  # type: ignore[no-any-return]
+
+    def _said(self) -> list[tuple[str, Any]]:
+        value = self.value
+        return [(value.quantity, value)] if value else [("reason", self.reason or self.proved)]
+
+
+class Constants(Answer):
+    """The constants of a landmark, by the name of their quantity: a mapping. ``verdict`` is ``'proved'`` or
+    ``'undecided'``."""
+
+    __slots__ = ()
+
+    @property
+    def landmark(self) -> str:
+        """The symbol of the landmark."""
+        return str(self._told["landmark"])
+
+    @property
+    def weight(self) -> str:
+        """The model of self-weight."""
+        return str(self._told["weight"])
+
+    def __getitem__(self, quantity: str) -> Certified:
+        return Certified(quantity, self._told["values"][quantity])
+
+    def keys(self) -> list[str]:
+        """The names of the quantities."""
+        return list(self._told["values"])
+
+    def items(self) -> list[tuple[str, Certified]]:
+        """The names with the values."""
+        return list(self.values.items())
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._told["values"])
+
+    def __len__(self) -> int:
+        return len(self._told["values"])
+
+    def __contains__(self, quantity: object) -> bool:
+        return quantity in self._told["values"]
+
+    def _said(self) -> list[tuple[str, Any]]:
+        return [("quantities", self.keys())]
+
+
+class Checked(Answer):
+    """What became of a certificate. ``verdict`` is ``'accepted'``, ``'refused'``, or ``'not checked'`` if it has more
+    digits than the arithmetic is meant for."""
+
+    __slots__ = ()
+
+    @property
+    def verdict(self) -> str:
+        """``'accepted'``, ``'refused'`` or ``'not checked'``."""
+        return str(self._told["verdict"])
+
+    @property
+    def digits(self) -> int | None:
+        """How many digits each value has that was accepted."""
+        return self._told["digits"]  # type: ignore[no-any-return]
+
+    @property
+    def texts(self) -> dict[str, str]:
+        """The values accepted, each the correct rounding of the true one, by the name of their quantity."""
+        return dict(self._told["values"])
+
+    @property
+    def values(self) -> dict[str, Certified]:
+        """Not of a certificate: it has no bounds and no doubles. See ``texts``."""
+        raise AttributeError("the values of a certificate are in .texts")
+
+    def _said(self) -> list[tuple[str, Any]]:
+        return [("digits", self.digits), ("reason", self.reason)]
+
+
+class Decision:
+    """A claim of the paper and what became of it.
+
+    Attributes: ``id``, ``place``, ``statement``; ``verdict`` (``'proved'`` or ``'undecided'``), ``reason``; ``as_printed``
+    (``'proved'``, ``'equality'``, ``'measured'``, ``'refuted'``, ``'not stated'``, ``'undecided'``); ``counterexample`` and
+    ``corrected`` of a misprint; ``equal``, ``holds_with``, ``fails_with``; ``hypotheses``, ``method``, ``derivation``
+    (its steps), ``seconds``.
+    """
+
+    def __init__(self, told: dict[str, Any]) -> None:
+        self.__dict__.update(told)
+
+    def __getattr__(self, name: str) -> Any:
+        raise AttributeError(name)
+
+    def __repr__(self) -> str:
+        return f"Decision({self.id!r}, verdict={self.verdict!r}, as_printed={self.as_printed!r})"

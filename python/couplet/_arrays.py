@@ -1,0 +1,199 @@
+"""Many arches at once, over NumPy, which is imported by the first call."""
+
+from __future__ import annotations
+
+import time
+
+from . import _core
+from ._core import CoupletError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+    from typing import Any
+
+    import numpy as np
+
+#: What ``verdict`` is a place in. An arch with a thickness stands or falls with it; one without, at some or at none.
+VERDICTS: tuple[str, ...] = ("stands", "falls", "undecided", "refused")
+
+# The time that rows are computed for before Python is asked for its signals.
+_SECONDS = 0.2
+_FIRST = 512
+
+
+def states(
+    alpha: Any,
+    mu: Any,
+    thickness: Any = None,
+    *,
+    weight: str = "milankovitch",
+    quantities: Sequence[str] | None = None,
+    threads: int = 0,
+    progress: bool | Callable[[int, int], object] = False,
+) -> np.ndarray[Any, Any]:
+    """The states of many arches, each proved, as a structured array. A double is exactly the number that it is.
+
+    The arrays are broadcast against each other: ``states(alpha[:, None], mu[None, :])`` is a grid. Rows of one half opening
+    share its proofs, wherever they stand, and no bit depends on that. A bad row is a row, with the verdict 3; the
+    others are answered. The interpreter lock is released, and Ctrl-C stops it within a second or so.
+
+    Args:
+        alpha: half openings, rad, between 0 and pi: an array of numbers, or anything that NumPy reads without a change.
+        mu: friction coefficients, 0 or more; infinite for no limit.
+        thickness: t/r, above 0 and at most 2; then each row is asked whether it stands with it.
+        weight: the model of self-weight of all, 'heyman' or 'milankovitch'.
+        quantities: the values that are computed. Without a thickness of 'thickness' (usual), 'thrust', 'intrinsic_thrust',
+            'rotation_joint', 'sliding_joint', 'sliding_friction', 'rotational_friction'; with one of 'geometric_safety'
+            (usual), 'least_thickness', 'required_friction', 'friction_safety', 'least_thrust', 'largest_thrust'.
+        threads: threads to compute with; 0 for one on each core, 1 where other processes have the others.
+        progress: True for a bar, if tqdm is installed; or what is called with the rows done and all rows.
+
+    Returns: an array of the common shape with the fields
+        verdict: a place in couplet.VERDICTS: 0 stands, 1 falls, 2 undecided, 3 refused.
+        mode: a place in couplet.MODES, how it collapses at its least thickness; 255 where there is none.
+        and for each quantity NAME, NAME_lower, NAME_upper: the double nearest to the true value, correctly rounded, and
+        doubles not above and not below it. Not a number where there is no such value, or it is undecided.
+        ``couplet.state`` and ``couplet.assess`` tell of one arch why.
+
+    Raises: CoupletError if the arrays are not of doubles, do not fit each other, or a name is unknown.
+
+        >>> grid = couplet.states([1.3, 1.4], [[0.2], [0.5]])
+        >>> grid["verdict"].tolist(), float(grid["thickness"][1, 0])
+        ([[0, 1], [0, 0]], 0.052296358975188306)
+    """
+    import numpy as np
+
+    asked = _Asked(np, alpha, mu, thickness, weight, quantities)
+    kinds = [(name, np.uint8 if code else np.float64) for name, code in asked.fields()]
+    # Aligned, so that every field can be used as it is.
+    found = np.zeros(asked.size, dtype=np.dtype(kinds, align=True))
+    asked.answer(found, threads, progress)
+    shaped: np.ndarray[Any, Any] = found.reshape(asked.shape)
+    return shaped
+
+
+def states_columns(
+    alpha: Any,
+    mu: Any,
+    thickness: Any = None,
+    *,
+    weight: str = "milankovitch",
+    quantities: Sequence[str] | None = None,
+    threads: int = 0,
+    progress: bool | Callable[[int, int], object] = False,
+) -> dict[str, np.ndarray[Any, Any]]:
+    """The same as ``states`` as columns, with what was asked: a dictionary of flat arrays.
+
+    ``pandas.DataFrame(...)``, ``polars.DataFrame(...)`` and ``pyarrow.table(...)`` take it as it is. The first columns are
+    half_opening, friction and, where it is given, given_thickness.
+    """
+    import numpy as np
+
+    asked = _Asked(np, alpha, mu, thickness, weight, quantities)
+    found = {name: np.zeros(asked.size, np.uint8 if code else np.float64) for name, code in asked.fields()}
+    asked.answer(found, threads, progress)
+    given = zip(("half_opening", "friction", "given_thickness"), asked.arrays)
+    return {**{name: np.array(array) for name, array in given}, **found}
+
+
+class _Asked:
+    """Arrays of one shape, flat, and what is asked of each row."""
+
+    def __init__(self, np: Any, alpha: Any, mu: Any, thickness: Any, weight: str, quantities: Any) -> None:
+        self.np, self.weight = np, weight
+        given = [("half openings", alpha), ("frictions", mu)]
+        if thickness is not None:
+            given.append(("thicknesses", thickness))
+        arrays = [_doubles(np, array, what) for what, array in given]
+        try:
+            arrays = np.broadcast_arrays(*arrays)
+        except ValueError as error:
+            raise CoupletError(f"the arrays do not fit each other: {error}") from None
+        self.shape = arrays[0].shape
+        self.arrays = [array.reshape(-1) for array in arrays]
+        self.size = self.arrays[0].size
+        usual = "thickness" if thickness is None else "geometric_safety"
+        if isinstance(quantities, str):
+            quantities = [quantities]
+        names = [usual] if quantities is None else list(dict.fromkeys(quantities))
+        empty = (b"", b"", None if thickness is None else b"")
+        # Nothing is computed before every name is known, nor under a name of the paper.
+        _core.states(weight, empty, names, 1)
+        self.names = list(dict.fromkeys(_core.quantity(name) for name in names))
+
+    def fields(self) -> list[tuple[str, bool]]:
+        """The names of what is answered, and whether it is a code."""
+        values = [(name + end, False) for name in self.names for end in ("", "_lower", "_upper")]
+        return [("verdict", True), ("mode", True), *values]
+
+    def answer(self, found: Any, threads: int, progress: Any) -> None:
+        """Writes every field, some rows at a time."""
+        np = self.np
+        if threads < 0:
+            raise CoupletError("threads are a whole number, 0 for one on each core")
+        # Rows of one half opening together.
+        order = np.argsort(self.arrays[0], kind="stable")
+        if (order[1:] > order[:-1]).all():
+            order = None
+        names = [name for name, _ in self.fields()]
+        with _Bar(progress, self.size) as bar:
+            begin, count = 0, _FIRST
+            while begin < self.size:
+                rows = slice(begin, begin + count)
+                places = rows if order is None else order[rows]
+                start = time.perf_counter()
+                part = [array[places].tobytes() for array in self.arrays]
+                three = (part[0], part[1], part[2] if len(part) > 2 else None)
+                verdict, mode, values = _core.states(self.weight, three, self.names, threads)
+                kinds = [np.uint8] * 2 + [np.float64] * (3 * len(self.names))
+                columns = [verdict, mode, *(bound for value in values for bound in value)]
+                for name, kind, column in zip(names, kinds, columns):
+                    found[name][places] = np.frombuffer(column, kind)
+                done = len(verdict)
+                begin += done
+                bar(begin)
+                speed = done / max(time.perf_counter() - start, 1e-6)
+                count = int(min(max(speed * _SECONDS, _FIRST), 8 * count))
+
+
+def _doubles(np: Any, values: Any, what: str) -> Any:
+    """An array of doubles that are the numbers given, without a rounding."""
+    try:
+        array = np.asarray(values)
+    except (ValueError, TypeError) as error:
+        raise CoupletError(f"the {what} are no array: {error}") from None
+    if array.dtype.kind == "f" and array.dtype.itemsize <= 8 or array.dtype.kind in "iu":
+        doubles = array.astype(np.float64, copy=False)
+        if array.dtype.kind == "f" or (doubles.astype(array.dtype) == array).all():
+            return doubles
+    if array.size == 0:
+        return array.astype(np.float64)
+    raise CoupletError(f"the {what} are no doubles but {array.dtype}; couplet.state takes exact text and fractions")
+
+
+class _Bar:
+    """Tells progress, or does not."""
+
+    def __init__(self, progress: Any, size: int) -> None:
+        self.tell: Any = progress if callable(progress) else None
+        self.size, self.bar = size, None
+        if progress and not callable(progress):
+            try:
+                from tqdm.auto import tqdm  # type: ignore[import-not-found, import-untyped, unused-ignore]
+            except ImportError:
+                return
+            self.bar = tqdm(total=size, unit=" arches")
+
+    def __enter__(self) -> _Bar:
+        return self
+
+    def __call__(self, done: int) -> None:
+        if self.bar is not None:
+            self.bar.update(done - self.bar.n)
+        elif self.tell is not None:
+            self.tell(done, self.size)
+
+    def __exit__(self, *error: object) -> None:
+        if self.bar is not None:
+            self.bar.close()

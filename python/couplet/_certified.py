@@ -1,0 +1,128 @@
+"""A proved value."""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from decimal import Decimal
+    from fractions import Fraction
+    from typing import Any
+
+    # Text, its bounds, the nearest double, its bounds, the exact value, what limits a thrust.
+    Told = tuple[str, str, str, float, float, float, "str | None", "str | None"]
+
+
+class Certified:
+    """A value that is proved: text with all its digits, and the nearest double, both between bounds.
+
+    Attributes:
+        quantity: its name (``'thickness'``); docs/columns.md has all, angles are in radians unless the name says degrees.
+        text: the true value correctly rounded to the digits asked for; ``'inf'`` if it is infinite.
+        text_lower, text_upper: decimals not above and not below the true value.
+        double: the double nearest to the true value, whatever the digits.
+        lower, upper: doubles not above and not below the true value: its neighbours, or the same where it is a double.
+        exact: the exact value, where there is one and it says more (``'2(2√3−3)'``); else None.
+        limited_by: what limits a thrust; else None.
+
+    ``str()`` is the text and ``float()`` the double. Two values are not compared: compare their bounds.
+    """
+
+    __slots__ = ("_quantity", "_told")
+
+    def __init__(self, quantity: str, told: Told) -> None:
+        self._quantity, self._told = quantity, told
+
+    @property
+    def quantity(self) -> str:
+        """Its name."""
+        return self._quantity
+
+    @property
+    def text(self) -> str:
+        """The true value, correctly rounded."""
+        return self._told[0]
+
+    @property
+    def text_lower(self) -> str:
+        """A decimal not above the true value."""
+        return self._told[1]
+
+    @property
+    def text_upper(self) -> str:
+        """A decimal not below the true value."""
+        return self._told[2]
+
+    @property
+    def double(self) -> float:
+        """The nearest double."""
+        return self._told[3]
+
+    @property
+    def lower(self) -> float:
+        """A double not above the true value."""
+        return self._told[4]
+
+    @property
+    def upper(self) -> float:
+        """A double not below the true value."""
+        return self._told[5]
+
+    @property
+    def exact(self) -> str | None:
+        """The exact value, where there is one."""
+        return self._told[6]
+
+    @property
+    def limited_by(self) -> str | None:
+        """What limits a thrust."""
+        return self._told[7]
+
+    def decimal(self) -> Decimal:
+        """The text as a decimal.Decimal, which is exactly that."""
+        from decimal import Decimal
+
+        return Decimal(self._told[0])
+
+    def decimals(self) -> tuple[Decimal, Decimal]:
+        """The bounds of the text, lower and upper."""
+        from decimal import Decimal
+
+        return Decimal(self._told[1]), Decimal(self._told[2])
+
+    def fractions(self) -> tuple[Fraction, Fraction]:
+        """The same bounds as fractions.Fraction; an OverflowError if the value is infinite."""
+        from fractions import Fraction
+
+        if self._told[0] == "inf":
+            raise OverflowError("the value is infinite")
+        return Fraction(self._told[1]), Fraction(self._told[2])
+
+    def mpf(self) -> Any:
+        """An mpmath.mpf, rounded to mpmath's precision (needs mpmath)."""
+        import mpmath  # type: ignore[import-not-found, import-untyped, unused-ignore]
+
+        return mpmath.mpf(self._told[0])
+
+    def mpi(self) -> Any:
+        """The interval of the bounds in mpmath.iv, outward at its precision (needs mpmath)."""
+        import mpmath  # type: ignore[import-not-found, import-untyped, unused-ignore]
+
+        return mpmath.iv.mpf([self._told[1], self._told[2]])
+
+    def arb(self) -> Any:
+        """A ball flint.arb around the bounds, at flint's precision (needs python-flint)."""
+        import flint  # type: ignore[import-not-found, import-untyped, unused-ignore]
+
+        return flint.arb(self._told[1]).union(flint.arb(self._told[2]))
+
+    def __str__(self) -> str:
+        return self._told[0]
+
+    def __float__(self) -> float:
+        return self._told[3]
+
+    def __repr__(self) -> str:
+        return f"Certified({self._quantity!r}, {self._told[0]!r})"
+
+    def __reduce__(self) -> tuple[type, tuple[str, Told]]:
+        return Certified, (self._quantity, self._told)

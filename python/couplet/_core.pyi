@@ -1,0 +1,54 @@
+"""What is compiled: every argument is text, every answer texts and doubles. Private; the package is the door."""
+
+from typing import Any, Final
+
+__all__ = [
+    "CoupletError",
+    "UndecidedError",
+    "__version__",
+    "assess",
+    "certify_arch",
+    "certify_landmark",
+    "check",
+    "claims",
+    "constants",
+    "drawing",
+    "find",
+    "modes",
+    "prove",
+    "quantity",
+    "run",
+    "state",
+    "states",
+]
+
+__version__: Final[str]
+
+class CoupletError(ValueError): ...
+class UndecidedError(ArithmeticError): ...
+
+def modes() -> list[str]: ...
+def quantity(name: str) -> str: ...
+def constants(
+    landmarks: list[str], weight: str, names: list[str], digits: str, threads: int
+) -> list[dict[str, Any]]: ...
+def state(weight: str, half_opening: str, friction: str, digits: str, frictions: bool) -> dict[str, Any]: ...
+def assess(weight: str, half_opening: str, friction: str, thickness: str, digits: str) -> dict[str, Any]: ...
+def find(
+    weight: str,
+    modes: str | None,
+    half_opening: str | None,
+    friction: str | None,
+    thickness: str | None,
+    digits: str,
+) -> dict[str, Any]: ...
+def certify_landmark(landmark: str, weight: str, digits: str, threads: int) -> str: ...
+def certify_arch(weight: str, half_opening: str, friction: str, thickness: str | None, digits: str) -> str: ...
+def check(certificate: bytes, engine: str) -> dict[str, Any]: ...
+def claims() -> list[tuple[str, str, str]]: ...
+def prove(names: list[str], threads: int) -> str: ...
+def drawing(weight: str, half_opening: str, friction: str, thickness: str | None) -> str | None: ...
+def run(arguments: list[str]) -> int: ...
+def states(
+    weight: str, arrays: tuple[bytes, bytes, bytes | None], names: list[str], threads: int
+) -> tuple[bytes, bytes, list[list[bytes]]]: ...

@@ -1,0 +1,46 @@
+//! What is compiled of the Python package `couplet`: thin, over the library. Its classes and documentation are in
+//! Python, in `python/couplet`.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `asked` | one question at a time |
+//! | `rows` | many arches, in arrays of doubles |
+//! | `told` | an answer as Python gets it |
+//! | `pool` | threads of our own |
+
+mod asked;
+mod pool;
+mod rows;
+mod told;
+
+use pyo3::prelude::*;
+
+pyo3::create_exception!(
+    couplet,
+    CoupletError,
+    pyo3::exceptions::PyValueError,
+    "The input makes no sense: what was wrong, and what is allowed, in the words of the command."
+);
+pyo3::create_exception!(
+    couplet,
+    UndecidedError,
+    pyo3::exceptions::PyArithmeticError,
+    "A certificate was asked for, and the proof did not succeed; nothing is known."
+);
+
+#[pymodule(gil_used = false)]
+mod _core {
+    #[pymodule_export]
+    use super::asked::{
+        assess, certify_arch, certify_landmark, check, claims, constants, drawing, find, modes,
+        prove, quantity_name, run, state,
+    };
+    #[pymodule_export]
+    use super::rows::states;
+    #[pymodule_export]
+    use super::{CoupletError, UndecidedError};
+
+    #[pymodule_export]
+    #[allow(non_upper_case_globals, reason = "Python's name for it")]
+    const __version__: &str = env!("CARGO_PKG_VERSION");
+}

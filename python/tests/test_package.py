@@ -1,0 +1,88 @@
+"""The package as it is installed."""
+
+import doctest
+import importlib.metadata
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import couplet
+
+HOME = Path(__file__).parents[2]
+OPTIONS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
+
+
+def test_it_is_the_installed_one():
+    assert "site-packages" in couplet.__file__
+
+
+def test_versions():
+    assert couplet.__version__ == importlib.metadata.version("couplet")
+    stated = (HOME / "Cargo.toml").read_text().split('version = "')[1].split('"')[0]
+    assert couplet.__version__ == stated
+
+
+def test_importing_brings_nothing_expensive():
+    program = "import sys; before = set(sys.modules); import couplet; print(*set(sys.modules) - before)"
+    done = subprocess.run([sys.executable, "-S", "-c", program], capture_output=True, text=True, env=path())
+    new = set(done.stdout.split())
+    assert "couplet._core" in new
+    assert not new & {"numpy", "decimal", "fractions", "json", "typing", "dataclasses", "multiprocessing", "mpmath"}
+
+
+def path():
+    return {**os.environ, "PYTHONPATH": str(Path(couplet.__file__).parents[1])}
+
+
+def test_licences_are_in_the_package():
+    metadata = importlib.metadata.metadata("couplet")
+    assert metadata["License-Expression"] == "(MIT OR Apache-2.0) AND LGPL-3.0-or-later"
+    files = {Path(str(file)).name: file for file in importlib.metadata.files("couplet")}
+    names = ["LICENSE-MIT", "LICENSE-APACHE", "LGPL-3.0.md", "GPL-3.0.md", "LICENCES.txt", "NOTICES.txt"]
+    texts = {name: files[name].locate().read_text(encoding="utf-8") for name in names}
+    assert "GMP 6" in texts["LICENCES.txt"] and "MPFR 4" in texts["LICENCES.txt"]
+    assert "Lesser General Public License" in texts["LGPL-3.0.md"]
+    for crate in ["pyo3", "rayon", "serde", "astro-float", "num-bigint", "clap"]:
+        assert f"{crate} " in texts["NOTICES.txt"], crate
+    assert "rug 1" not in texts["NOTICES.txt"]
+    assert "py.typed" in files and "_core.pyi" in files
+
+
+def test_what_is_missing_is_named_in_one_line():
+    sys.path.insert(0, str(HOME / "python" / "build_backend"))
+    from needs import missing
+
+    assert missing(lambda name: name) is None
+    for program, words in [("m4", "please install m4"), ("make", "please install make"), ("cargo", "please install cargo")]:
+        line = missing(lambda name, gone=program: None if name == gone else name)
+        assert words in line and "\n" not in line
+    both = missing(lambda name: None if name in ("cc", "gcc", "clang", "m4") else name)
+    assert "C compiler" in both and "m4" in both
+    assert missing(lambda name: None if name in ("cc", "gcc") else name) is None
+
+
+@pytest.mark.parametrize("module", ["couplet", "couplet._arrays", "couplet._certified", "couplet._answers"])
+def test_the_examples_of_the_documentation(module):
+    pytest.importorskip("numpy")
+    module = sys.modules[module]
+    assert doctest.testmod(module, optionflags=OPTIONS, extraglobs={"couplet": couplet}).failed == 0
+
+
+def test_the_examples_of_the_page():
+    pytest.importorskip("numpy")
+    page = HOME / "docs" / "python.md"
+    done = doctest.testfile(str(page), module_relative=False, optionflags=OPTIONS)
+    assert done.failed == 0 and done.attempted > 10
+
+
+def test_everything_public_has_words():
+    for name in couplet.__all__:
+        thing = getattr(couplet, name)
+        if callable(thing):
+            assert thing.__doc__ and len(thing.__doc__) > 40, name
+            for inner, member in vars(thing).items() if isinstance(thing, type) else ():
+                if not inner.startswith("_") and (callable(member) or isinstance(member, property)):
+                    assert member.__doc__, f"{name}.{inner}"
