@@ -12,13 +12,15 @@ const RUNS: usize = 200;
 /// No further round of long commands is begun after this time.
 const BUDGET: Duration = Duration::from_secs(20);
 
-const COLD: [&str; 7] = [
+const COLD: [&str; 9] = [
     "constants T",
     "constants T --digits 1000",
     "constants",
     "state --half-opening 80deg --friction 0.6",
     "state --half-opening 100deg --friction 0.5",
     "assess --half-opening 80deg --friction 0.6 --thickness 0.12",
+    "voussoirs --half-opening pi/2 --friction 0.35 --stones 1000000 --digits 30",
+    "assess --half-opening pi/2 --friction 0.4 --thickness 0.15 --tilt 0.05",
     "prove eq-2",
 ];
 
