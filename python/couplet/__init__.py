@@ -15,6 +15,7 @@ from __future__ import annotations
 from . import _core
 from ._answers import Answer, Assessment, Checked, Constants, Decision, Found, State
 from ._arrays import VERDICTS, states, states_columns
+from ._arrays import whole as _whole
 from ._certified import Certified
 from ._core import CoupletError, UndecidedError, __version__
 from ._exact import exact as _exact
@@ -63,7 +64,7 @@ def constants(
     weight: str = "milankovitch",
     *,
     digits: int = 30,
-    quantities: list[str] | tuple[str, ...] = (),
+    quantities: str | list[str] | tuple[str, ...] = (),
     threads: int = 0,
 ) -> Constants:
     """The constants of a landmark, each proved to exist, to be unique in a box, and to have the digits shown.
@@ -81,7 +82,8 @@ def constants(
         >>> str(couplet.constants("T", "heyman")["thickness"])
         '0.679604732098885514787534896210'
     """
-    told = _core.constants([landmark], weight, list(quantities), str(digits), threads)
+    names = [quantities] if isinstance(quantities, str) else list(quantities)
+    told = _core.constants([landmark], weight, names, str(digits), _whole(threads))
     if len(told) != 1:
         raise CoupletError("one weight at a time: heyman or milankovitch")
     given = (("landmark", told[0]["landmark"]), ("weight", told[0]["weight"]), ("digits", digits))
@@ -169,7 +171,7 @@ def find(
         >>> couplet.find("friction", half_opening="80deg", thickness="0.1", digits=10).value
         Certified('friction', '0.2573157331')
     """
-    kind = {"alpha": "half_opening", "mu": "friction"}.get(what, what).replace("-", "_").lower()
+    kind = {"alpha": "half_opening", "mu": "friction"}.get(what, str(what)).replace("-", "_").lower()
     needs = {"half_opening": "friction", "friction": "half_opening", "boundary": None}
     if kind not in needs:
         raise CoupletError("what is found is one of half_opening, friction, boundary")
@@ -218,7 +220,7 @@ def certify(
     if landmark is not None:
         if half_opening is not None or friction is not None or thickness is not None:
             raise CoupletError("a half opening, a friction and a thickness belong to an arch, not to a landmark")
-        return _core.certify_landmark(landmark, weight, str(digits), threads)
+        return _core.certify_landmark(landmark, weight, str(digits), _whole(threads))
     if half_opening is None or friction is None:
         raise CoupletError("a landmark, or a half opening and a friction, are missing")
     return _core.certify_arch(
@@ -230,7 +232,7 @@ def certify(
     )
 
 
-def check(certificate: bytes | str | os.PathLike[str], *, engine: str = "astro") -> Checked:
+def check(certificate: bytes | bytearray | memoryview | str | os.PathLike[str], *, engine: str = "astro") -> Checked:
     """Checks a certificate: that the equations have the root claimed, and that every digit is right. Nothing that it says
     is believed.
 
@@ -245,6 +247,8 @@ def check(certificate: bytes | str | os.PathLike[str], *, engine: str = "astro")
     """
     if isinstance(certificate, str):
         certificate = certificate.encode()
+    elif isinstance(certificate, (bytearray, memoryview)):
+        certificate = bytes(certificate)
     elif not isinstance(certificate, bytes):
         from pathlib import Path
 
@@ -271,4 +275,4 @@ def prove(*claims: str, threads: int = 0) -> list[Decision]:
     """
     import json
 
-    return [Decision(told) for told in json.loads(_core.prove(list(claims), threads))["claims"]]
+    return [Decision(told) for told in json.loads(_core.prove(list(claims), _whole(threads)))["claims"]]

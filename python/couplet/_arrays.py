@@ -20,6 +20,7 @@ VERDICTS: tuple[str, ...] = ("stands", "falls", "undecided", "refused")
 # The time that rows are computed for before Python is asked for its signals.
 _SECONDS = 0.2
 _FIRST = 512
+_MOST_THREADS = 1024
 
 
 def states(
@@ -97,6 +98,13 @@ def states_columns(
     return {**{name: np.array(array) for name, array in given}, **found}
 
 
+def whole(threads: int) -> int:
+    """A number of threads."""
+    if isinstance(threads, bool) or not isinstance(threads, int) or not 0 <= threads <= _MOST_THREADS:
+        raise CoupletError(f"threads are a whole number from 1 to {_MOST_THREADS}, or 0 for one on each core")
+    return threads
+
+
 class _Asked:
     """Arrays of one shape, flat, and what is asked of each row."""
 
@@ -130,8 +138,7 @@ class _Asked:
     def answer(self, found: Any, threads: int, progress: Any) -> None:
         """Writes every field, some rows at a time."""
         np = self.np
-        if threads < 0:
-            raise CoupletError("threads are a whole number, 0 for one on each core")
+        threads = whole(threads)
         # Rows of one half opening together.
         order = np.argsort(self.arrays[0], kind="stable")
         if (order[1:] > order[:-1]).all():
@@ -160,7 +167,11 @@ class _Asked:
 def _doubles(np: Any, values: Any, what: str) -> Any:
     """An array of doubles that are the numbers given, without a rounding."""
     try:
-        array = np.asarray(values)
+        array = np.asanyarray(values)
+        if isinstance(array, np.ma.MaskedArray):
+            # What is masked is no number.
+            array = array.astype(np.float64).filled(np.nan) if array.mask.any() else array.data
+        array = np.asarray(array)
     except (ValueError, TypeError) as error:
         raise CoupletError(f"the {what} are no array: {error}") from None
     if array.dtype.kind == "f" and array.dtype.itemsize <= 8 or array.dtype.kind in "iu":

@@ -98,6 +98,8 @@ def test_a_bad_row_is_a_row():
     assert found["verdict"].tolist() == [STANDS] + [REFUSED] * 6
     assert np.isnan(found["thickness"][1:]).all()
     assert couplet.states(1.0, 0.5, [0.1, 0.0, 2.5, np.nan])["verdict"].tolist() == [STANDS] + [REFUSED] * 3
+    masked = np.ma.masked_array([1.0, 1.0, 2.0], [False, True, False])
+    assert couplet.states(masked, 0.5)["verdict"].tolist() == [STANDS, REFUSED, FALLS]
     # In a column too.
     assert couplet.states(1.0, [0.5, -0.5, np.nan, -np.inf, 0.6])["verdict"].tolist() == [STANDS] + [REFUSED] * 3 + [STANDS]
 
@@ -135,7 +137,7 @@ def test_names_that_are_unknown():
     with pytest.raises(couplet.CoupletError, match="a weight is one of"):
         couplet.states(1, 1, weight="mine")
     with pytest.raises(couplet.CoupletError, match="threads"):
-        couplet.states(1, 1, threads=-1)
+        couplet.states(1, 1, threads=2000)
     assert couplet.states(1, 1, quantities=["eta", "thickness"]).dtype.names == (
         "verdict", "mode", "thickness", "thickness_lower", "thickness_upper"
     )  # fmt: skip

@@ -76,6 +76,7 @@ def test_constants():
     with pytest.raises(KeyError):
         constants["weight"]
     assert couplet.constants("triple", digits=5, quantities=["eta"]).keys() == ["thickness"]
+    assert couplet.constants("triple", digits=5, quantities="eta").keys() == ["thickness"]
     assert couplet.constants("B", digits=5)["thickness"].text == "2"
     infinite = couplet.constants("l", digits=5)
     assert "friction" not in infinite or infinite["friction"].text == "inf"
@@ -110,6 +111,7 @@ def test_a_certificate_is_accepted_and_a_spoiled_one_is_not():
         checked = couplet.check(made)
         assert (checked.verdict, checked.digits) == ("accepted", 20)
         assert couplet.check(made.encode(), engine="mpfr").texts == checked.texts
+        assert couplet.check(memoryview(made.encode())).verdict == "accepted"
         spoiled = json.loads(made)
         name = next(iter(spoiled["values"]), None) if isinstance(spoiled["values"], dict) else 0
         spoiled["values"][name]["value"] = "0.5"
@@ -177,7 +179,10 @@ WRONG = [
     (lambda: couplet.constants("T", "both"), "one weight at a time"),
     (lambda: couplet.constants("T", digits=10**7), "digits are a whole number from 1 to 1000000"),
     (lambda: couplet.constants("T", quantities=["thiknes"]), 'did you mean "thickness"?'),
+    (lambda: couplet.constants("T", threads=-1), "threads are a whole number from 1 to 1024"),
+    (lambda: couplet.prove("eq-8", threads=1.5), "threads are a whole number"),
     (lambda: couplet.find("thrust"), "what is found is one of"),
+    (lambda: couplet.find(None), "what is found is one of"),
     (lambda: couplet.find("friction", friction=1), "friction does not belong here"),
     (lambda: couplet.find("friction"), "half_opening is missing"),
     (lambda: couplet.find("boundary", friction=1), "the pair of modes is missing"),
