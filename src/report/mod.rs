@@ -71,7 +71,7 @@ pub use format::{Content, Format};
 pub use given::GivenDoubles;
 pub use map::{Map, MapDifferences, MapPoint, MapPoints};
 pub use rows::Rows;
-pub use sketched::{Sketched, Style};
+pub use sketched::{Sketched, Style, arches_of_figure};
 pub use tilt::{TiltedArch, TiltedArches};
 pub use value::Value;
 pub use voussoirs::{GivenThickness, VoussoirArch, VoussoirArches};

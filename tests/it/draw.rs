@@ -97,6 +97,7 @@ fn json_is_in_metres_where_the_arch_is() {
 #[test]
 fn each_figure_has_its_modes() {
     for (number, modes) in [
+        ("1", &["Symbols"][..]),
         ("7", &["[s,s] at T", "[r,r,r] at T"][..]),
         ("8", &["[r,r,s] at T", "[s,r,r] at T"]),
         ("9", &["[s,s] at S", "[r,r+s] at S"]),

@@ -84,12 +84,12 @@ pub(crate) struct Arguments {
 const EXAMPLE: &str = "couplet draw --half-opening 80deg --friction 0.35 -o arch.svg";
 
 fn amplitude(text: &str) -> Result<f64, String> {
-    let amplitude = text.parse().ok().filter(|r| (0.001..=1.0).contains(r));
+    let amplitude = text.parse().ok().filter(|r| Style::AMPLITUDES.contains(r));
     amplitude.ok_or_else(|| "an amplitude is a number from 0.001 to 1, in units of r".to_owned())
 }
 
 fn stones(text: &str) -> Result<u32, String> {
-    let stones = text.parse().ok().filter(|n| (2..=500).contains(n));
+    let stones = text.parse().ok().filter(|n| Style::STONES.contains(n));
     stones.ok_or_else(|| "stones are a whole number from 2 to 500".to_owned())
 }
 
@@ -107,6 +107,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         arrows: arguments.arrows,
         stones: arguments.stones,
         animate: arguments.animate,
+        notation: false,
     };
     let drawn = Sketched { sketches: vec![sketch], style, measures, command: typed() };
     if !drawn.can_be_drawn() {

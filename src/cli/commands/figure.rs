@@ -10,19 +10,21 @@ use crate::atlas::{Curve, Sketch};
 use crate::cli::failure::Failure;
 use crate::cli::line::typed;
 use crate::problem::{Landmark, Mode};
-use crate::report::{Axes, Content, Drawing, Format, Map, Report, Sketched, Style, View};
+use crate::report::{
+    Axes, Content, Drawing, Format, Map, Report, Sketched, Style, View, arches_of_figure,
+};
 use clap::Args;
 
 /// A figure of the paper, drawn from proved curves and states.
 ///
-/// 2: rotational joint, thickness and thrust over the half opening. 3: the thickness over A = alpha cot(alpha/2). 4: the
+/// 1: the symbols of the problem, at T. 2: rotational joint, thickness and thrust over the half opening. 3: the thickness over A = alpha cot(alpha/2). 4: the
 /// thickness over the half opening. 5: the lines between the modes, both weights. 6: the map of one weight. Figures 2 to 5
 /// show both weights unless one is named. 7 and 8: the four modes at T, two each. 9: S. 10: J. 11: B. 12: L and l; the
 /// arch, its lines of thrust and of friction, and its mechanism. Other planes and the curves as data: couplet map; other arches:
 /// couplet draw.
 #[derive(Args)]
 pub(crate) struct Arguments {
-    /// Its number in the paper, 2 to 12.
+    /// Its number in the paper, 1 to 12.
     #[arg(value_name = "NUMBER", value_parser = number)]
     number: usize,
 
@@ -44,9 +46,10 @@ pub(crate) struct Arguments {
 }
 
 fn number(text: &str) -> Result<usize, String> {
-    let is_one = |number: &usize| View::of_figure(*number).is_some() || arches(*number).is_some();
+    let is_one =
+        |number: &usize| View::of_figure(*number).is_some() || arches_of_figure(*number).is_some();
     let number = text.parse().ok().filter(is_one);
-    number.ok_or_else(|| "a figure is a number from 2 to 12".to_owned())
+    number.ok_or_else(|| "a figure is a number from 1 to 12".to_owned())
 }
 
 fn format(name: &str) -> Result<&'static Format, String> {
@@ -56,25 +59,6 @@ fn format(name: &str) -> Result<&'static Format, String> {
 
 /// Half-width of a tube, if none is given.
 const TOLERANCE: f64 = 1e-4;
-/// How far the blocks are moved, in units of `r`.
-const AMPLITUDE: f64 = 0.12;
-
-/// The landmarks of a figure of arches, each with the modes shown.
-fn arches(number: usize) -> Option<Vec<(Landmark, &'static [Mode])>> {
-    use Mode::*;
-    Some(match number {
-        7 => vec![(Landmark::Triple, &[Sliding, Rotational])],
-        8 => vec![(Landmark::Triple, &[RotationalSliding, SlidingRotational])],
-        9 => vec![(Landmark::Shift, &[Sliding, RotationalSliding])],
-        10 => vec![(Landmark::Junction, &[Sliding, OverturningSliding])],
-        11 => vec![(Landmark::Border, &[Sliding, OverturningSliding])],
-        12 => vec![
-            (Landmark::OverturningEnd, &[Overturning]),
-            (Landmark::RotationEnd, &[Overturning]),
-        ],
-        _ => return None,
-    })
-}
 
 fn draw(
     arguments: &Arguments,
@@ -97,8 +81,7 @@ fn draw(
         Sketch::landmark(*landmark, weight, false).and_then(|sketch| sketch.in_modes(modes))
     };
     let sketches = shown.iter().map(sketch).collect::<Result<_, _>>().map_err(failure)?;
-    let style =
-        Style { amplitude: AMPLITUDE, half: false, arrows: false, stones: None, animate: false };
+    let style = Style::of_figure(arguments.number);
     let report = Report::Sketched(Sketched { sketches, style, measures: None, command: typed() });
     arguments.file.open_for(format)?.write(|out| report.write(format, out))
 }
@@ -108,8 +91,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if !format.is_picture {
         return Err(Failure::Input(format!("a figure is svg or png, not {}", format.name)));
     }
-    if let Some(shown) = arches(arguments.number) {
-        return draw(arguments, format, &shown);
+    if let Some(shown) = arches_of_figure(arguments.number) {
+        return draw(arguments, format, shown);
     }
     let view = View::of_figure(arguments.number).unwrap_or(View::Lines);
     let usual = match view.is_of_one_weight() {

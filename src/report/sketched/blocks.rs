@@ -108,7 +108,7 @@ fn rigid(block: &Block, scale: &Scale, side: f64) -> Rigid {
 pub(super) fn arrow(svg: &mut Svg, tail: Point, head: Point) {
     let (dx, dy) = (head.0 - tail.0, head.1 - tail.1);
     let length = dx.hypot(dy);
-    if length < 6.0 {
+    if length < 9.0 {
         return;
     }
     let (dx, dy) = (dx / length, dy / length);

@@ -188,11 +188,20 @@ fn capital(words: &str) -> String {
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
+/// What the symbols of Figure 1 mean.
+const SYMBOLS: &str = "α half opening; βᵣ and βₛ rotational and sliding inner joint, from the crown; r radius of the centreline, t thickness, η = t/r; \
+     w = γtd weight of a unit length of the centreline, for the weight γ of a unit volume and the depth d; μ = tan φ friction; W = wrα weight of the half \
+     arch, V and H reactions of the shoulder, H also the thrust at the crown, h = H/(wr). The weight of an element acts at its centroid G, at the radius \
+     r(1 + η²/12), in the Milankovitch-like model, on the centreline in the Heyman-like one.";
+
 /// The paragraphs below.
 pub(super) fn paragraphs(drawn: &Sketched) -> Vec<String> {
     let mut all: Vec<String> =
         drawn.sketches.iter().map(|sketch| paragraph(drawn, sketch)).collect();
     let has = |is: fn(&Sketch) -> bool| drawn.sketches.iter().any(is);
+    if drawn.style.notation {
+        all.push(SYMBOLS.to_owned());
+    }
     if has(|sketch| !sketch.collapses.is_empty()) {
         let state = match has(|sketch| matches!(sketch.subject, Subject::Sliding { .. })) {
             true => "one solution of the equations, nothing stands with less friction",
@@ -222,7 +231,9 @@ fn paragraph(drawn: &Sketched, sketch: &Sketch) -> String {
     let values: Vec<String> = values(sketch).collect();
     said += &format!(". {}.{in_metres}", capital(&values.join(", ")));
     let falls = |collapse: &Collapse| {
-        let start = if sketch.collapses.len() == 1 { "It falls as " } else { "" };
+        let is_alone =
+            sketch.collapses.len() == 1 && !matches!(sketch.subject, Subject::Landmark(_));
+        let start = if is_alone { "It falls as " } else { "" };
         format!(" {start}{}", balance(sketch, collapse))
     };
     said += &sketch.collapses.iter().map(falls).collect::<String>();

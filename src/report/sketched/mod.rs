@@ -12,6 +12,8 @@
 //! | `look` | colours and lines |
 //! | `legend` | what is what |
 //! | `caption` | what is said above and below |
+//! | `notation` | the symbols, as Figure 1 has them |
+//! | `figures` | which arches the paper shows |
 //! | `json`, `dxf` | the geometry for other programs |
 //! | `arcs` | a chain of points as few arcs |
 
@@ -20,16 +22,19 @@ mod blocks;
 mod caption;
 mod dimensions;
 mod dxf;
+mod figures;
 mod json;
 mod legend;
 mod look;
 mod metres;
+mod notation;
 mod panel;
 mod picture;
 mod scale;
 mod strip;
 
 pub(super) use dxf::dxf;
+pub use figures::arches_of_figure;
 pub(super) use json::json;
 #[cfg(feature = "plots")]
 pub(super) use picture::png;
@@ -38,6 +43,7 @@ pub(super) use picture::svg;
 use crate::atlas::{Collapse, Sketch};
 use crate::problem::measures::Measures;
 use metres::Metres;
+use std::ops::RangeInclusive;
 
 /// Arches to be drawn, beside each other.
 #[derive(Debug)]
@@ -65,6 +71,32 @@ pub struct Style {
     pub stones: Option<u32>,
     /// The blocks move.
     pub animate: bool,
+    /// The symbols of the paper, as Figure 1 has them, with the mechanism on the right.
+    pub notation: bool,
+}
+
+impl Style {
+    /// Amplitudes that can be asked for, in units of `r`.
+    pub const AMPLITUDES: RangeInclusive<f64> = 0.001..=1.0;
+    /// Stones that can be asked for.
+    pub const STONES: RangeInclusive<u32> = 2..=500;
+
+    /// How a figure of the paper is drawn.
+    pub fn of_figure(number: usize) -> Self {
+        Self { notation: number == 1, ..Self::default() }
+    }
+
+    /// The halves on which an arch falls.
+    fn sides(&self) -> &'static [f64] {
+        if self.half || self.notation { &[1.0] } else { &[1.0, -1.0] }
+    }
+}
+
+impl Default for Style {
+    fn default() -> Self {
+        let (half, arrows, stones, animate) = (false, false, None, false);
+        Self { amplitude: 0.12, half, arrows, stones, animate, notation: false }
+    }
 }
 
 impl Sketched {

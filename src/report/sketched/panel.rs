@@ -5,6 +5,7 @@ use super::caption::{label, title};
 use super::dimensions::{self, Dimensions};
 use super::look;
 use super::metres::Metres;
+use super::notation::{self, Notation};
 use super::scale::Scale;
 use super::{Sketched, Style};
 use crate::arch::mechanism::Contact;
@@ -50,6 +51,11 @@ impl<'a> Panel<'a> {
         if self.style.half { &[1.0] } else { &[1.0, -1.0] }
     }
 
+    /// Left and right ends in units of `r`, whichever half falls.
+    fn widest(&self, right: f64) -> f64 {
+        if self.style.half { -0.05 * self.sketch.radii()[1] } else { -right }
+    }
+
     /// What it takes in units of `r` and around it on the page: left, right, below and above the centre.
     pub(super) fn extent(&self) -> [f64; 4] {
         let [inner, outer] = self.sketch.radii();
@@ -61,7 +67,7 @@ impl<'a> Panel<'a> {
         for [x, y] in corners {
             extent = [0.0, extent[1].max(x), extent[2].min(y), extent[3].max(y)];
         }
-        extent[0] = if self.style.half { -0.05 * outer } else { -extent[1] };
+        extent[0] = self.widest(extent[1]);
         extent
     }
 
@@ -70,7 +76,10 @@ impl<'a> Panel<'a> {
         let (alpha, radii) = (sketch.half_opening(), sketch.radii());
         let joints = stones(sketch, self.style.stones);
         let ((left, top), width) = at;
-        let [heading, words] = title(sketch, self.collapse);
+        let [heading, words] = match self.style.notation {
+            true => notation::TITLE.map(str::to_owned),
+            false => title(sketch, self.collapse),
+        };
         let middle = left + width / 2.0;
         svg.text(&heading, (middle, top + 12.0), Type::new(TITLE, INK).at(Anchor::Middle));
         svg.text(&words, (middle, top + 36.0), Type::new(LABEL, INK).at(Anchor::Middle));
@@ -85,13 +94,15 @@ impl<'a> Panel<'a> {
         self.bands(svg, scale);
         if let Some(blocks) = &self.blocks {
             svg.group("mechanism", |svg| {
-                self.sides().iter().for_each(|side| blocks.draw(svg, scale, *side));
+                self.style.sides().iter().for_each(|side| blocks.draw(svg, scale, *side));
             });
         }
         svg.group("outline", |svg| {
             svg.stroke(&self.outline(scale), look::OUTLINE);
         });
-        self.names(svg, scale);
+        if !self.style.notation {
+            self.names(svg, scale);
+        }
         if let Some(metres) = &self.metres {
             let [left, right, low, _] = self.extent();
             let ((x, low), right) = (scale.at([left, low], 1.0), scale.at([right, 0.0], 1.0).0);
@@ -100,9 +111,12 @@ impl<'a> Panel<'a> {
         }
         self.lines(svg, scale);
         self.marks(svg, scale);
+        if self.style.notation {
+            svg.group("notation", |svg| Notation { sketch, scale }.draw(svg));
+        }
         if let Some(blocks) = self.blocks.as_ref().filter(|_| self.style.arrows) {
             svg.group("arrows", |svg| {
-                self.sides().iter().for_each(|side| blocks.arrows(svg, scale, *side));
+                self.style.sides().iter().for_each(|side| blocks.arrows(svg, scale, *side));
             });
         }
     }
@@ -180,7 +194,7 @@ impl<'a> Panel<'a> {
     fn marks(&self, svg: &mut Svg, scale: &Scale) {
         let [inner, outer] = self.sketch.radii();
         let marks = self.at_limit();
-        let sides = |joint: f64| if joint < CROWN { &[1.0][..] } else { self.sides() };
+        let sides = |joint: f64| if joint < CROWN { &[1.0][..] } else { self.style.sides() };
         svg.group("sliding", |svg| {
             for (_, joint) in marks.iter().filter(|(contact, _)| !contact.is_hinge()) {
                 for side in sides(*joint) {
@@ -246,7 +260,7 @@ impl<'a> Panel<'a> {
 }
 
 /// Room for the names of joints above and below.
-pub(super) const ABOVE: f64 = 30.0;
+pub(super) const ABOVE: f64 = 38.0;
 /// And on both sides.
 const SIDE: f64 = 104.0;
 
@@ -254,6 +268,7 @@ impl Panel<'_> {
     /// Room on both sides and below.
     pub(super) fn around(&self) -> [f64; 2] {
         match &self.metres {
+            None if self.style.notation => [SIDE, ABOVE + notation::BELOW],
             None => [SIDE, ABOVE],
             Some(of) => {
                 let is_wide = self.style.half || of.loads.is_some();

@@ -10,9 +10,11 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    /// A point to the right and up of the centre; `side` is -1 for the left half.
+    /// A point to the right and up of the centre; `side` is -1 for the left half. To a hundredth of the page's unit, which no
+    /// eye sees and files are shorter by.
     pub(super) fn at(&self, [x, y]: [f64; 2], side: f64) -> Point {
-        (self.center.0 + side * self.radius * x, self.center.1 - self.radius * y)
+        let to = |length: f64| (100.0 * length).round() / 100.0;
+        (to(self.center.0 + side * self.radius * x), to(self.center.1 - self.radius * y))
     }
 
     /// A point by its joint and radius.

@@ -30,7 +30,8 @@ impl Strip {
         let thickness = radius * sketch.thickness();
         let times = ACROSS / thickness;
         let of = Self { alpha: sketch.half_opening(), half, times };
-        (thickness < THIN).then_some(of)
+        // Without lines there is nothing to see in it.
+        (thickness < THIN && !sketch.forces.is_empty()).then_some(of)
     }
 
     pub(super) fn draw(&self, svg: &mut Svg, panel: &Panel, (left, top): Point, width: f64) {

@@ -2,10 +2,7 @@ use super::*;
 use crate::arch::SelfWeight;
 use crate::picture::reading::texts;
 use crate::problem::measures::{Circle, Measures};
-use crate::problem::{Arch, Landmark};
-
-const STILL: Style =
-    Style { amplitude: 0.12, half: false, arrows: false, stones: None, animate: false };
+use crate::problem::{Arch, Landmark, Mode};
 
 fn arch(half_opening: &str, friction: &str) -> Arch {
     Arch::parse("milankovitch", half_opening, friction).unwrap()
@@ -49,13 +46,14 @@ fn pictures() -> Vec<(String, String)> {
         ("thin", "20deg", "0.6"),
         ("thinner", "1e-6", "0.6"),
     ] {
-        add(name, least(alpha, mu), STILL);
+        add(name, least(alpha, mu), Style::default());
     }
-    let rich = Style { half: true, arrows: true, stones: Some(21), animate: true, ..STILL };
+    let rich =
+        Style { half: true, arrows: true, stones: Some(21), animate: true, ..Style::default() };
     add("half", least("2.45", "1.35"), rich);
-    add("moving", least("2.45", "1.35"), Style { animate: true, ..STILL });
+    add("moving", least("2.45", "1.35"), Style { animate: true, ..Style::default() });
     let thick = "1".parse().unwrap();
-    add("ss", Sketch::sliding(&arch("1", "1"), &thick, true).unwrap(), STILL);
+    add("ss", Sketch::sliding(&arch("1", "1"), &thick, true).unwrap(), Style::default());
     for (name, alpha, mu, eta) in [
         ("stands", "80deg", "0.35", "0.16"),
         ("inner", "2.4", "1.5", "1"),
@@ -63,12 +61,16 @@ fn pictures() -> Vec<(String, String)> {
         ("falls", "80deg", "0.6", "0.05"),
         ("slides", "80deg", "0.1", "0.5"),
     ] {
-        add(name, Sketch::standing(&arch(alpha, mu), &eta.parse().unwrap()).unwrap(), STILL);
+        add(
+            name,
+            Sketch::standing(&arch(alpha, mu), &eta.parse().unwrap()).unwrap(),
+            Style::default(),
+        );
     }
     for weight in SelfWeight::ALL {
         for landmark in Landmark::ALL.into_iter().filter(|l| *l != Landmark::WidestJoint) {
             let name = format!("{}-{}", weight.name(), landmark.long_name());
-            add(&name, Sketch::landmark(landmark, weight, false).unwrap(), STILL);
+            add(&name, Sketch::landmark(landmark, weight, false).unwrap(), Style::default());
         }
     }
     for (name, alpha, mu, circle, has_forces, half) in [
@@ -78,12 +80,15 @@ fn pictures() -> Vec<(String, String)> {
         ("metres-plain-half", "1.2", "0.5", Circle::Extrados, false, true),
         ("metres-wide", "2.45", "1.35", Circle::Intrados, true, false),
     ] {
-        let style = Style { half, ..STILL };
+        let style = Style { half, ..Style::default() };
         put(name, measured(least(alpha, mu), style, circle, has_forces));
     }
     let standing = Sketch::standing(&arch("80deg", "0.35"), &"0.16".parse().unwrap()).unwrap();
-    let of = measured(standing, STILL, Circle::Centreline, true);
+    let of = measured(standing, Style::default(), Circle::Centreline, true);
     put("metres-stands", of);
+    let triple = Sketch::landmark(Landmark::Triple, SelfWeight::Milankovitch, false).unwrap();
+    let triple = triple.in_modes(&[Mode::RotationalSliding]).unwrap();
+    put("notation", drawn(vec![triple], Style::of_figure(1)));
     all
 }
 
@@ -124,11 +129,24 @@ fn each_mode_has_its_blocks_hinges_and_sliding_joints() {
     }
 }
 
+/// The mechanism on the right, the symbols where they belong.
+#[test]
+fn figure_1_has_the_symbols_and_half_a_mechanism() {
+    let all = pictures();
+    let svg = &all.iter().find(|(name, _)| name == "notation").unwrap().1;
+    assert_eq!(svg.matches("<g transform=").count(), 3, "three blocks of the right half");
+    let words = texts(svg).unwrap();
+    for symbol in ["O", "r", "t = ηr", "α", "βᵣ", "βₛ", "G", "H", "V = wrα", "W = wrα"] {
+        assert!(words.iter().any(|word| word == symbol), "{symbol}: {words:?}");
+    }
+    assert!(words.iter().any(|word| word.contains("h = H/(wr)")));
+}
+
 #[test]
 fn a_moving_picture_is_the_still_one_but_for_its_motion() {
     let of = |animate| {
         let sketch = Sketch::least(&arch("2.45", "1.35"), false).unwrap();
-        picture(vec![sketch], Style { animate, ..STILL })
+        picture(vec![sketch], Style { animate, ..Style::default() })
     };
     let (still, moving) = (of(false), of(true));
     let without: Vec<&str> = moving.lines().filter(|line| !line.starts_with("<animate")).collect();
@@ -185,7 +203,7 @@ fn as_dxf(drawn: &Sketched) -> String {
 #[test]
 fn a_file_for_cad_has_its_layers_and_ends() {
     let sketch = Sketch::landmark(Landmark::Triple, SelfWeight::Milankovitch, false).unwrap();
-    let text = as_dxf(&drawn(vec![sketch], STILL));
+    let text = as_dxf(&drawn(vec![sketch], Style::default()));
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(lines.len() % 2, 0);
     assert!(lines.iter().step_by(2).all(|code| code.parse::<u16>().is_ok()), "codes and values");
@@ -209,13 +227,14 @@ fn files_for_cad_are_in_metres_where_the_arch_is() {
         lines.chunks(2).filter(|pair| at(pair)).map(|pair| pair[1].parse().unwrap()).collect()
     };
     let [unit, metres] = [
-        coordinates(&drawn(vec![sketch()], STILL)),
-        coordinates(&measured(sketch(), STILL, Circle::Centreline, false)),
+        coordinates(&drawn(vec![sketch()], Style::default())),
+        coordinates(&measured(sketch(), Style::default(), Circle::Centreline, false)),
     ];
     assert!(unit.len() == metres.len() && unit.len() > 100);
     assert!(unit.iter().zip(&metres).all(|(r, m)| (5.0 * r - m).abs() < 1e-6));
     assert!(
-        as_dxf(&measured(sketch(), STILL, Circle::Centreline, false)).contains("lengths in m\n")
+        as_dxf(&measured(sketch(), Style::default(), Circle::Centreline, false))
+            .contains("lengths in m\n")
     );
 }
 
