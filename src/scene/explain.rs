@@ -46,6 +46,7 @@ pub fn explain(plan: &Plan, costs: Option<&Costs>, out: &mut dyn io::Write) -> i
         (plan.arches.len(), "arch", "arches"),
         (plan.claims.len(), "claim", "claims"),
         (plan.curves.len(), "curve", "curves"),
+        (plan.drawings.len(), "drawn arch", "drawn arches"),
     ]
     .into_iter()
     .filter(|(n, ..)| *n > 0)
@@ -104,6 +105,17 @@ fn item(plan: &Plan, costs: Option<&Costs>, index: usize) -> Branch {
         });
     }
     branch.branches.extend(curves(plan, costs, index));
+    for &place in &needs.drawings {
+        let node = &plan.drawings[place];
+        let name = node.drawn.to_string();
+        branch.branches.push(match earlier(&node.items, index) {
+            Some(other) => Branch::new([format!("{name}: {}", computed_for(plan, other))]),
+            None => {
+                let cost = costs.and_then(|costs| costs.drawings[place]);
+                Branch::new(std::iter::once(name).chain(cost.as_ref().map(spent)))
+            }
+        });
+    }
     branch
 }
 

@@ -2,12 +2,12 @@
 
 use super::pieces::{CurvePiece, Pieces};
 use super::plan::{PAGE_DIGITS, Plan};
-use super::schema::{SceneArch, SceneMap, What};
+use super::schema::{SceneArch, SceneDrawing, SceneMap, What};
 use crate::arch::SelfWeight;
 use crate::certify::Undecided;
 use crate::judge::{Enclosed, audit_of, compare_weights_of};
 use crate::problem::Quantity;
-use crate::report::{Answer, Answers, Audit, Claims, Drawing, Format, Map, Report};
+use crate::report::{Answer, Answers, Audit, Claims, Drawing, Format, Map, Report, Sketched};
 use std::io;
 
 /// What an item asked for.
@@ -49,6 +49,7 @@ impl ItemReport {
                 (Some(Report::Claims(claims)), undecided)
             }
             What::Map(asked) | What::Figure(asked) => map(plan, pieces, index, asked),
+            What::Drawing(asked) => drawing(plan, pieces, index, asked),
             What::Audit { .. } => match audit(plan, pieces, index) {
                 Ok(audit) => (Some(Report::Audit(audit)), Vec::new()),
                 Err(undecided) => (None, vec![undecided.to_string()]),
@@ -142,6 +143,29 @@ fn map(
     let map = Map { tolerance: asked.tolerance, traces, levels, landmarks, drawing };
     open.extend(map.open().into_iter().chain(names));
     (Some(Report::Map(map)), open)
+}
+
+/// Arches that are drawn, in the modes that are asked for; all of them or none.
+fn drawing(
+    plan: &Plan,
+    pieces: &Pieces,
+    index: usize,
+    asked: &SceneDrawing,
+) -> (Option<Report>, Vec<String>) {
+    let (mut sketches, mut open) = (Vec::new(), Vec::new());
+    for ((_, modes), place) in asked.arches.iter().zip(&plan.needs[index].drawings) {
+        match &pieces.drawings[*place] {
+            Some(Ok(sketch)) => match sketch.clone().in_modes(modes) {
+                Ok(sketch) => sketches.push(sketch),
+                Err(none) => open.push(none.to_string()),
+            },
+            Some(Err(none)) => open.push(none.to_string()),
+            None => {}
+        }
+    }
+    let (style, command) = (asked.style, asked.command.clone());
+    let drawn = Report::Sketched(Sketched { sketches, style, measures: None, command });
+    (open.is_empty().then_some(drawn), open)
 }
 
 fn undecided_landmarks(list: &[Answer]) -> Vec<String> {

@@ -3,7 +3,7 @@
 //! | file | what it does |
 //! |---|---|
 //! | `schema` | what a scene may hold, `couplet.scene/1` |
-//! | `read` | TOML to a valid scene, or all its faults; with `overall`, `read_arches`, `read_map`, `read_numbers`, `read_output`, `value`, `fault` |
+//! | `read` | TOML to a valid scene, or all its faults; with `overall`, `read_arches`, `read_drawing`, `read_map`, `read_numbers`, `read_output`, `value`, `fault` |
 //! | `plan` | what has to be computed, each piece once |
 //! | `run` | computes the `pieces`, item by item; `cost` counts |
 //! | `item_report` | what an item asked for, as a report |
@@ -42,6 +42,7 @@ mod pieces;
 mod plan;
 mod read;
 mod read_arches;
+mod read_drawing;
 mod read_map;
 mod read_numbers;
 mod read_output;
@@ -54,10 +55,12 @@ pub use explain::explain;
 pub use fault::{Fault, Position};
 pub use item_report::ItemReport;
 pub(crate) use manifest::{Hashing, Manifest, NAME as MANIFEST};
-pub use plan::{ArchNode, ClaimNode, CurveNode, LandmarkNode, Needs, Plan, ThicknessNode};
+pub use plan::{
+    ArchNode, ClaimNode, CurveNode, DrawingNode, LandmarkNode, Needs, Plan, ThicknessNode,
+};
 pub use read::{read, read_bytes};
 pub use run::{Costs, Run};
 pub use schema::{
-    EXAMPLE, Item, Kind, MAX_ARCH_DIGITS, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, MapLine, SCHEMA, Scene,
-    SceneArch, SceneMap, What,
+    Drawn, EXAMPLE, Item, Kind, MAX_ARCH_DIGITS, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, MapLine, SCHEMA,
+    Scene, SceneArch, SceneDrawing, SceneMap, What,
 };

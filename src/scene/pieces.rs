@@ -1,9 +1,9 @@
 //! The pieces of a plan, computed: a landmark, an arch. Each answers whatever any item asks of it.
 
 use super::plan::{ArchNode, CurveNode, LandmarkNode, Plan};
-use super::schema::MapLine;
+use super::schema::{Drawn, MapLine};
 use crate::arch::SelfWeight;
-use crate::atlas::{Level, NoLevel, Trace};
+use crate::atlas::{Level, NoLevel, NoSketch, Sketch, Trace};
 use crate::certify::state::{Answer, AssessmentDigits, Inquiry};
 use crate::certify::{CertifiedLandmark, Constant, Undecided, fingerprint};
 use crate::claims::Decision;
@@ -22,6 +22,8 @@ pub(super) struct Pieces {
     pub claims: Vec<Option<Decision>>,
     /// Curves of the map.
     pub curves: Vec<Option<Result<CurvePiece, NoLevel>>>,
+    /// Arches that are drawn.
+    pub drawings: Vec<Option<Result<Sketch, NoSketch>>>,
 }
 
 /// A proved landmark.
@@ -63,6 +65,7 @@ impl Pieces {
             arches: none(&plan.arches),
             claims: none(&plan.claims),
             curves: none(&plan.curves),
+            drawings: none(&plan.drawings),
         }
     }
 }
@@ -139,5 +142,19 @@ impl ArchPiece {
             .map(|asked| inquiry.assess(&asked.thickness, asked.digits, asked.wanted))
             .collect();
         Self { states, thicknesses }
+    }
+}
+
+/// What is drawn of an arch.
+pub(super) fn sketch(drawn: &Drawn) -> Result<Sketch, NoSketch> {
+    match drawn {
+        Drawn::Least { arch, is_dilatant } => Sketch::least(arch, *is_dilatant),
+        Drawn::Landmark { landmark, weight, is_dilatant } => {
+            Sketch::landmark(*landmark, *weight, *is_dilatant)
+        }
+        Drawn::Standing { arch, thickness } => Sketch::standing(arch, thickness),
+        Drawn::Sliding { arch, thickness, is_dilatant } => {
+            Sketch::sliding(arch, thickness, *is_dilatant)
+        }
     }
 }

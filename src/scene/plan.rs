@@ -1,7 +1,7 @@
 //! What a scene needs computed: each piece once, to the most digits that any item asks of it. The first
 //! item that needs a piece waits for all of its digits.
 
-use super::schema::{MapLine, Scene, SceneArch, SceneMap, What};
+use super::schema::{Drawn, MapLine, Scene, SceneArch, SceneMap, What};
 use crate::arch::SelfWeight;
 use crate::atlas::Curve;
 use crate::certify::state::Wanted;
@@ -28,6 +28,8 @@ pub struct Plan<'s> {
     pub claims: Vec<ClaimNode>,
     /// The curves of the map, each once.
     pub curves: Vec<CurveNode>,
+    /// The arches that are drawn, each once.
+    pub drawings: Vec<DrawingNode>,
     /// For each item, what it takes.
     pub needs: Vec<Needs>,
 }
@@ -96,6 +98,15 @@ pub struct CurveNode {
     pub items: Vec<usize>,
 }
 
+/// An arch that is drawn.
+#[derive(Debug)]
+pub struct DrawingNode {
+    /// Which.
+    pub drawn: Drawn,
+    /// The items that take it.
+    pub items: Vec<usize>,
+}
+
 /// What an item takes: places in the lists of the plan.
 #[derive(Debug, Default)]
 pub struct Needs {
@@ -107,6 +118,8 @@ pub struct Needs {
     pub claims: Vec<usize>,
     /// Curves of the map.
     pub curves: Vec<usize>,
+    /// Arches that are drawn.
+    pub drawings: Vec<usize>,
 }
 
 /// An arch takes about as long as a landmark of this many digits.
@@ -135,6 +148,18 @@ fn arch_key(arch: &Arch) -> ArchKey {
     (arch.weight(), number(arch.half_opening()), friction)
 }
 
+/// What makes two drawn arches the same; no friction is read of one that slides.
+fn drawn_key(drawn: &Drawn) -> (Option<Landmark>, Option<ArchKey>, Option<Rational>, bool) {
+    let is_dilatant = drawn.is_dilatant();
+    match drawn {
+        Drawn::Least { arch, .. } => (None, Some(arch_key(arch)), None, is_dilatant),
+        Drawn::Landmark { landmark, .. } => (Some(*landmark), None, None, is_dilatant),
+        Drawn::Standing { arch, thickness } | Drawn::Sliding { arch, thickness, .. } => {
+            (None, Some(arch_key(arch)), Some(thickness.to_rational()), is_dilatant)
+        }
+    }
+}
+
 /// The values of an arch of a given thickness that need more than its state.
 pub(super) const RANGE_OF_THRUSTS: [Quantity; 4] = [
     Quantity::RequiredFriction,
@@ -153,6 +178,7 @@ impl<'s> Plan<'s> {
             arches: Vec::new(),
             claims: Vec::new(),
             curves: Vec::new(),
+            drawings: Vec::new(),
             needs: Vec::new(),
         };
         let mut known = HashMap::new();
@@ -192,6 +218,10 @@ impl<'s> Plan<'s> {
                     }
                     What::Claims { claims, .. } => {
                         needs.claims.extend(claims.iter().map(|claim| plan.claim(*claim, index)));
+                    }
+                    What::Drawing(drawing) => {
+                        let arches = drawing.arches.iter();
+                        needs.drawings.extend(arches.map(|(drawn, _)| plan.drawing(drawn, index)));
                     }
                     What::Map(map) | What::Figure(map) => {
                         for &point in &map.landmarks {
@@ -274,17 +304,37 @@ impl<'s> Plan<'s> {
         place
     }
 
+    fn drawing(&mut self, drawn: &Drawn, item: usize) -> usize {
+        let is_same = |node: &DrawingNode| {
+            let is_one = std::mem::discriminant(&node.drawn) == std::mem::discriminant(drawn);
+            is_one
+                && node.drawn.weight() == drawn.weight()
+                && drawn_key(&node.drawn) == drawn_key(drawn)
+        };
+        let place = self.drawings.iter().position(is_same).unwrap_or_else(|| {
+            self.drawings.push(DrawingNode { drawn: drawn.clone(), items: Vec::new() });
+            self.drawings.len() - 1
+        });
+        self.drawings[place].items.push(item);
+        place
+    }
+
     /// The work, in digits of landmarks that take as long.
     pub fn size(&self) -> usize {
         let landmarks: usize = self.landmarks.iter().map(LandmarkNode::digits).sum();
         let arches: usize = self.arches.iter().map(|node| ARCH.max(node.digits())).sum();
-        landmarks + arches + CLAIM * self.claims.len() + CURVE * self.curves.len()
+        let drawings = ARCH * self.drawings.len();
+        landmarks + arches + drawings + CLAIM * self.claims.len() + CURVE * self.curves.len()
     }
 
     /// How often the run reports progress.
     pub fn ticks(&self) -> u64 {
         let landmarks = self.landmarks.iter().map(LandmarkNode::ticks).sum::<u64>();
-        landmarks + (self.arches.len() + self.claims.len() + self.curves.len()) as u64
+        landmarks + {
+            let others =
+                [self.arches.len(), self.claims.len(), self.curves.len(), self.drawings.len()];
+            others.iter().sum::<usize>() as u64
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 use super::fault::{Fault, Source};
 use super::overall::Overall;
 use super::read_arches::arches;
+use super::read_drawing::drawing;
 use super::read_map::{figure, map};
 use super::read_output::{Files, output};
 use super::schema::{Item, Kind, MAX_BYTES, MAX_ITEMS, SCENE_KEYS, SCHEMA, Scene, What};
@@ -135,6 +136,7 @@ fn item(
         Kind::Audit => points(reader, table, overall).map(|points| What::Audit { points }),
         Kind::Map => map(reader, span, table, overall, format),
         Kind::Figure => figure(reader, span, table, overall),
+        Kind::Drawing => drawing(reader, span, table, overall, format),
     };
     let (output, format) = destination?;
     let place = reader.source.place(span.start);

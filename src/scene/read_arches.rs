@@ -87,7 +87,8 @@ fn needs_thickness(reader: &mut Reader, value: &Value) -> bool {
     reader.faults.len() > before
 }
 
-fn frictions(
+/// The frictions, or their angles.
+pub(super) fn frictions(
     reader: &mut Reader,
     span: &Range<usize>,
     table: &DeTable,
@@ -135,7 +136,7 @@ fn arch_digits(
 }
 
 /// Every weight with every half opening, friction and thickness, in this order.
-fn product(
+pub(super) fn product(
     weights: &[SelfWeight],
     half_openings: &[SceneNumber],
     (meaning, frictions): (Meaning, &[SceneNumber]),

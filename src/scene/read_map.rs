@@ -1,6 +1,7 @@
 //! From TOML to curves of the map, as data or as a picture.
 
 use super::overall::Overall;
+use super::read_drawing::arch_figure;
 use super::read_numbers::{Meaning, numbers};
 use super::schema::{MAX_ITEMS, MapLine, SceneMap, What};
 use super::value::{Reader, Value};
@@ -8,7 +9,7 @@ use crate::arch::SelfWeight;
 use crate::atlas::{Contour, Curve, LEAST_TOLERANCE};
 use crate::problem::{Friction, Landmark};
 use crate::report::words::{did_you_mean, list};
-use crate::report::{Axes, Format, Marked, Plane, Shown, Unit, View};
+use crate::report::{Axes, Format, Marked, Plane, Shown, Unit, View, arches_of_figure};
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
@@ -120,18 +121,24 @@ pub(super) fn figure(
     overall: &Overall,
 ) -> Option<What> {
     let number = match table.get("number") {
-        Some(value) => reader.whole("number", value, 2..=6),
+        Some(value) => reader.whole("number", value, 1..=12),
         None => {
-            reader.fault(span.clone(), "number is missing; a figure is one of 2 to 6".to_owned());
+            reader.fault(span.clone(), "number is missing; a figure is one of 1 to 12".to_owned());
             None
         }
     };
+    let shown = number.and_then(arches_of_figure);
     let view = number.and_then(View::of_figure);
-    let is_of_one = view.is_some_and(View::is_of_one_weight);
+    let is_of_one = shown.is_some() || view.is_some_and(View::is_of_one_weight);
     let usual = if is_of_one { &[SelfWeight::Milankovitch] } else { &SelfWeight::ALL[..] };
     let weights = overall.weights(reader, table, usual).map(in_order);
     let tolerance = tolerance(reader, table);
-    let (number, view, weights, tolerance) = (number?, view?, weights?, tolerance?);
+    let (number, weights, tolerance) = (number?, weights?, tolerance?);
+    if let Some(shown) = shown {
+        let has_tolerance = table.contains_key("tolerance");
+        return arch_figure(reader, span, (number, shown), &weights, has_tolerance);
+    }
+    let view = view?;
     if is_of_one && weights.len() > 1 {
         reader.fault(span.clone(), format!("figure {number} shows one weight"));
         return None;

@@ -2,7 +2,7 @@
 
 use super::cost::{Cost, measured};
 use super::item_report::ItemReport;
-use super::pieces::{ArchPiece, CurvePiece, LandmarkPiece, Lines, Pieces, none};
+use super::pieces::{ArchPiece, CurvePiece, LandmarkPiece, Lines, Pieces, none, sketch};
 use super::plan::Plan;
 
 /// A plan that is being carried out.
@@ -24,13 +24,15 @@ pub struct Costs {
     pub claims: Vec<Option<Cost>>,
     /// Curves of the map.
     pub curves: Vec<Option<Cost>>,
+    /// Arches that are drawn.
+    pub drawings: Vec<Option<Cost>>,
 }
 
 impl Costs {
     /// All of it.
     pub fn total(&self) -> Cost {
         let all = self.landmarks.iter().chain(&self.arches).chain(&self.claims);
-        all.chain(&self.curves).flatten().sum()
+        all.chain(&self.curves).chain(&self.drawings).flatten().sum()
     }
 }
 
@@ -42,6 +44,7 @@ impl<'p> Run<'p> {
             arches: none(&plan.arches),
             claims: none(&plan.claims),
             curves: none(&plan.curves),
+            drawings: none(&plan.drawings),
         };
         Self { plan, pieces: Pieces::new(plan), costs, lines: Lines::default() }
     }
@@ -77,6 +80,11 @@ impl<'p> Run<'p> {
         });
         fill(&needs.curves, &mut pieces.curves, &mut costs.curves, |place| {
             let piece = CurvePiece::new(&plan.curves[place], lines);
+            tick();
+            piece
+        });
+        fill(&needs.drawings, &mut pieces.drawings, &mut costs.drawings, |place| {
+            let piece = sketch(&plan.drawings[place].drawn);
             tick();
             piece
         });

@@ -6,8 +6,9 @@ use crate::atlas::{Contour, Curve};
 use crate::claims::Claim;
 use crate::number::ExactNumber;
 use crate::problem::Arch;
-use crate::problem::{Landmark, Quantity};
-use crate::report::{Axes, Content, Format, Marked, View};
+use crate::problem::{Landmark, Mode, Quantity};
+use crate::report::{Axes, Content, Format, Marked, Style, View};
+use std::fmt;
 use std::path::PathBuf;
 
 /// The name and the version of the schema, which every scene begins with.
@@ -86,6 +87,104 @@ pub enum What {
     Map(SceneMap),
     /// A figure of the paper.
     Figure(SceneMap),
+    /// Arches to be drawn, any or those of a figure.
+    Drawing(SceneDrawing),
+}
+
+/// Arches that are drawn.
+#[derive(Clone, Debug)]
+pub struct SceneDrawing {
+    /// Each with the modes that are shown; all if none is named.
+    pub arches: Vec<(Drawn, Vec<Mode>)>,
+    /// How.
+    pub style: Style,
+    /// The command that asks for the same.
+    pub command: String,
+}
+
+/// An arch that is drawn.
+#[derive(Clone, Debug)]
+pub enum Drawn {
+    /// At its least thickness.
+    Least {
+        /// The arch.
+        arch: Arch,
+        /// Whether joints that slide open too.
+        is_dilatant: bool,
+    },
+    /// A landmark.
+    Landmark {
+        /// Which.
+        landmark: Landmark,
+        /// The self-weight model.
+        weight: SelfWeight,
+        /// Whether joints that slide open too.
+        is_dilatant: bool,
+    },
+    /// As it stands.
+    Standing {
+        /// The arch.
+        arch: Arch,
+        /// Its thickness.
+        thickness: ExactNumber,
+    },
+    /// At the friction at which it slides.
+    Sliding {
+        /// The arch, whose friction is not read.
+        arch: Arch,
+        /// Its thickness.
+        thickness: ExactNumber,
+        /// Whether joints that slide open too.
+        is_dilatant: bool,
+    },
+}
+
+impl Drawn {
+    /// The self-weight model.
+    pub fn weight(&self) -> SelfWeight {
+        match self {
+            Self::Landmark { weight, .. } => *weight,
+            Self::Least { arch, .. } | Self::Standing { arch, .. } | Self::Sliding { arch, .. } => {
+                arch.weight()
+            }
+        }
+    }
+
+    /// Whether joints that slide open too.
+    pub fn is_dilatant(&self) -> bool {
+        match self {
+            Self::Standing { .. } => false,
+            Self::Least { is_dilatant, .. }
+            | Self::Landmark { is_dilatant, .. }
+            | Self::Sliding { is_dilatant, .. } => *is_dilatant,
+        }
+    }
+}
+
+impl fmt::Display for Drawn {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let weight = self.weight().name();
+        match self {
+            Self::Least { arch, .. } => write!(
+                f,
+                "least thickness of half opening {}, friction {}, {weight}",
+                arch.half_opening(),
+                arch.friction()
+            ),
+            Self::Landmark { landmark, .. } => write!(f, "{} {weight}", landmark.symbol()),
+            Self::Standing { arch, thickness } => write!(
+                f,
+                "half opening {}, friction {}, thickness {thickness}, {weight}",
+                arch.half_opening(),
+                arch.friction()
+            ),
+            Self::Sliding { arch, thickness, .. } => write!(
+                f,
+                "sliding of half opening {}, thickness {thickness}, {weight}",
+                arch.half_opening()
+            ),
+        }
+    }
 }
 
 /// Curves that are asked for.
@@ -140,12 +239,21 @@ pub enum Kind {
     Map,
     /// `[[figure]]`.
     Figure,
+    /// `[[drawing]]`.
+    Drawing,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 6] =
-        [Self::Constants, Self::Arches, Self::Claims, Self::Audit, Self::Map, Self::Figure];
+    pub const ALL: [Self; 7] = [
+        Self::Constants,
+        Self::Arches,
+        Self::Claims,
+        Self::Audit,
+        Self::Map,
+        Self::Figure,
+        Self::Drawing,
+    ];
 
     /// The name of the table.
     pub fn name(self) -> &'static str {
@@ -156,6 +264,7 @@ impl Kind {
             Self::Audit => "audit",
             Self::Map => "map",
             Self::Figure => "figure",
+            Self::Drawing => "drawing",
         }
     }
 
@@ -167,6 +276,7 @@ impl Kind {
             Self::Audit => Content::Audit,
             Self::Map => Content::Map,
             Self::Figure => Content::Figure,
+            Self::Drawing => Content::Drawing,
         }
     }
 
@@ -214,6 +324,23 @@ impl Kind {
                 "output",
             ],
             Self::Figure => &["number", "weight", "tolerance", "format", "output"],
+            Self::Drawing => &[
+                "half_opening",
+                "friction",
+                "friction_angle",
+                "thickness",
+                "at",
+                "mode",
+                "weight",
+                "amplitude",
+                "dilatant",
+                "half",
+                "arrows",
+                "stones",
+                "animate",
+                "format",
+                "output",
+            ],
         }
     }
 }
@@ -231,6 +358,7 @@ impl What {
             Self::Audit { .. } => Kind::Audit,
             Self::Map(_) => Kind::Map,
             Self::Figure(_) => Kind::Figure,
+            Self::Drawing(_) => Kind::Drawing,
         }
     }
 }
@@ -264,6 +392,7 @@ impl Item {
             }
             What::Audit { points: at } => points(at),
             What::Map(map) | What::Figure(map) => format!(" {}", map.command),
+            What::Drawing(drawing) => format!(" {}", drawing.command),
         };
         format!("{} format {}{what}", self.what.kind().name(), self.format.name)
     }

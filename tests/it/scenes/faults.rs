@@ -22,7 +22,7 @@ macro_rules! faults {
 faults! {
     nothing_asked:
         ""
-        => "1:1: the scene asks for nothing; it may have [[constants]], [[arches]], [[claims]], [[audit]], [[map]], [[figure]]";
+        => "1:1: the scene asks for nothing; it may have [[constants]], [[arches]], [[claims]], [[audit]], [[map]], [[figure]], [[drawing]]";
     a_key_twice:
         "digits = 3\ndigits = 4\n"
         => "3:1: not TOML: duplicate key";
@@ -31,7 +31,7 @@ faults! {
         => "2:10: not TOML: unclosed array table, expected `]`";
     an_unknown_key:
         "colour = 1\n"
-        => "2:1: unknown key \"colour\" in a scene; the keys are schema, digits, weight, constants, arches, claims, audit, map, figure";
+        => "2:1: unknown key \"colour\" in a scene; the keys are schema, digits, weight, constants, arches, claims, audit, map, figure, drawing";
     digits_as_text:
         "digits = \"30\"\n"
         => "2:10: digits \"30\" is not a whole number from 1 to 1000000";

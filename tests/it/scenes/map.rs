@@ -110,8 +110,8 @@ fn faults_of_maps_have_their_places() {
         ("[[map]]\nalpha = 4", "3:9: half_opening 4 is not between 0 and pi"),
         ("[[map]]\ncurves = \"limit\"\noutput = \"x.html\"", "2:1: a page shows the whole map"),
         ("[[map]]\nnumber = 5", "3:1: unknown key \"number\" in [[map]]"),
-        ("[[figure]]\noutput = \"x.svg\"", "2:1: number is missing; a figure is one of 2 to 6"),
-        ("[[figure]]\nnumber = 7", "3:10: number 7 is not a whole number from 2 to 6"),
+        ("[[figure]]\noutput = \"x.svg\"", "2:1: number is missing; a figure is one of 1 to 12"),
+        ("[[figure]]\nnumber = 0", "3:10: number 0 is not a whole number from 1 to 12"),
         ("[[figure]]\nnumber = 6\nweight = \"both\"", "2:1: figure 6 shows one weight"),
         ("[[figure]]\nnumber = 5\noutput = \"x.csv\"", "4:10: output \"x.csv\" does not tell"),
     ] {

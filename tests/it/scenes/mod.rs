@@ -2,6 +2,7 @@
 //! written that is not whole, nothing computed again that is complete.
 
 mod cost;
+mod drawing;
 mod examples;
 mod faults;
 mod folder;

@@ -1,0 +1,238 @@
+//! From TOML to arches that are drawn: any arch, or those of a figure of the paper.
+
+use super::overall::Overall;
+use super::read_arches::{frictions, product};
+use super::read_numbers::{Meaning, SceneNumber, numbers};
+use super::schema::{Drawn, SceneArch, SceneDrawing, What};
+use super::value::{Reader, Value};
+use crate::arch::SelfWeight;
+use crate::problem::{Arch, Friction, Landmark, Mode};
+use crate::report::words::list;
+use crate::report::{Format, Style};
+use std::ops::Range;
+use toml::de::{DeTable, DeValue};
+
+/// The arches of a figure of the paper.
+pub(super) fn arch_figure(
+    reader: &mut Reader,
+    span: &Range<usize>,
+    (number, shown): (usize, &[(Landmark, &[Mode])]),
+    weights: &[SelfWeight],
+    has_tolerance: bool,
+) -> Option<What> {
+    let [weight] = *weights else {
+        reader.fault(span.clone(), format!("figure {number} shows one weight"));
+        return None;
+    };
+    if has_tolerance {
+        let message = format!("figure {number} has no curves of the map; leave out tolerance");
+        reader.fault(span.clone(), message);
+        return None;
+    }
+    let arch = |(landmark, modes): &(Landmark, &[Mode])| {
+        (Drawn::Landmark { landmark: *landmark, weight, is_dilatant: false }, modes.to_vec())
+    };
+    Some(What::Drawing(SceneDrawing {
+        arches: shown.iter().map(arch).collect(),
+        style: Style::of_figure(number),
+        command: format!("couplet figure {number} --weight {}", weight.name()),
+    }))
+}
+
+/// An arch at its least thickness, at a landmark, or as it stands.
+pub(super) fn drawing(
+    reader: &mut Reader,
+    span: &Range<usize>,
+    table: &DeTable,
+    overall: &Overall,
+    format: Option<&'static Format>,
+) -> Option<What> {
+    let before = reader.faults.len();
+    let truth = |reader: &mut Reader, key: &str| {
+        table.get(key).map_or(Some(false), |value| reader.truth(key, value))
+    };
+    let [dilatant, half, arrows, animate] =
+        ["dilatant", "half", "arrows", "animate"].map(|key| truth(reader, key));
+    let style = Style {
+        amplitude: amplitude(reader, table)?,
+        half: half?,
+        arrows: arrows?,
+        stones: stones(reader, table)?,
+        animate: animate?,
+        notation: false,
+    };
+    let mode = match table.get("mode") {
+        Some(value) => Some(mode(reader, value)?),
+        None => None,
+    };
+    let weights = overall.weights(reader, table, &[SelfWeight::Milankovitch])?;
+    let [weight] = weights[..] else {
+        reader.fault(span.clone(), "a drawing shows one weight".to_owned());
+        return None;
+    };
+    let drawn = arch(reader, span, table, (weight, mode, dilatant?))?;
+    let is_svg = format.is_some_and(|format| format.name == "svg");
+    let wrong = match &drawn {
+        _ if style.animate && !is_svg => Some("only svg moves; leave out animate"),
+        Drawn::Standing { .. } if mode.is_some() || dilatant? || style.animate => Some(
+            "an arch as it stands does not move; leave out mode, dilatant and animate, or thickness",
+        ),
+        _ => None,
+    };
+    if let Some(message) = wrong {
+        reader.fault(span.clone(), message.to_owned());
+    }
+    let command = command(&drawn, mode, &style);
+    let arches = vec![(drawn, mode.into_iter().collect())];
+    (reader.faults.len() == before).then_some(What::Drawing(SceneDrawing {
+        arches,
+        style,
+        command,
+    }))
+}
+
+/// What is drawn.
+fn arch(
+    reader: &mut Reader,
+    span: &Range<usize>,
+    table: &DeTable,
+    (weight, mode, is_dilatant): (SelfWeight, Option<Mode>, bool),
+) -> Option<Drawn> {
+    let before = reader.faults.len();
+    let mut given = |meaning: Meaning| Some((meaning, meaning.given(reader, table)?));
+    let alpha = given(Meaning::HalfOpening);
+    let eta = given(Meaning::Thickness);
+    let mu = given(Meaning::Friction).or_else(|| given(Meaning::FrictionAngle));
+    if let Some(value) = table.get("at") {
+        if alpha.is_some() || eta.is_some() || mu.is_some() {
+            let message = "a landmark has its half_opening, friction and thickness; leave them out";
+            reader.fault(value.span(), message.to_owned());
+        }
+        let symbols = Landmark::ALL.map(|landmark| (landmark.symbol(), landmark));
+        let long_names = Landmark::ALL.map(|landmark| (landmark.long_name(), landmark));
+        let found = reader.names("at", value, &[symbols, long_names].concat())?;
+        let landmark = one(reader, "at", value, found)?;
+        let drawn = Drawn::Landmark { landmark, weight, is_dilatant };
+        return (reader.faults.len() == before).then_some(drawn);
+    }
+    let Some((_, alpha)) = alpha else {
+        let allowed = Meaning::HalfOpening.allowed();
+        reader.fault(span.clone(), format!("half_opening is missing; give {allowed}, or at"));
+        return None;
+    };
+    let alpha = single(reader, Meaning::HalfOpening, alpha)?;
+    let thickness = match eta {
+        Some((meaning, value)) => Some(single(reader, meaning, value)?.number?),
+        None => None,
+    };
+    if let (Some(thickness), None, Some(Mode::Sliding)) = (&thickness, &mu, mode) {
+        let arch = Arch::new(weight, alpha.number?, Friction::Infinite).ok()?;
+        return Some(Drawn::Sliding { arch, thickness: thickness.clone(), is_dilatant });
+    }
+    let (meaning, all) = frictions(reader, span, table)?;
+    let friction = match (mu, all.len()) {
+        (Some((_, value)), many) if many != 1 => {
+            reader.is_not(meaning.key(), value, "one number: a drawing shows one arch");
+            return None;
+        }
+        _ => all.all().ok()?,
+    };
+    let arches = product(&[weight], &[alpha], (meaning, &friction), &[thickness]);
+    let SceneArch { arch, thickness } = arches.into_iter().next()?;
+    Some(match thickness {
+        Some(thickness) => Drawn::Standing { arch, thickness },
+        None => Drawn::Least { arch, is_dilatant },
+    })
+}
+
+/// The one number of a key.
+fn single(reader: &mut Reader, meaning: Meaning, value: &Value) -> Option<SceneNumber> {
+    let all = numbers(reader, meaning, value)?;
+    if all.len() != 1 {
+        reader.is_not(meaning.key(), value, "one number: a drawing shows one arch");
+        return None;
+    }
+    all.all().ok()?.pop()
+}
+
+fn one<T: Copy>(reader: &mut Reader, key: &str, value: &Value, all: Vec<T>) -> Option<T> {
+    if let [one] = all[..] {
+        return Some(one);
+    }
+    reader.is_not(key, value, "one of them: a drawing shows one arch");
+    None
+}
+
+fn mode(reader: &mut Reader, value: &Value) -> Option<Mode> {
+    let found = value.get_ref().as_str().and_then(Mode::named);
+    if found.is_none() {
+        reader.is_not("mode", value, &format!("one of {}", list(Mode::ALL.map(Mode::label))));
+    }
+    found
+}
+
+/// A number as text or not.
+fn amplitude(reader: &mut Reader, table: &DeTable) -> Option<f64> {
+    let Some(value) = table.get("amplitude") else { return Some(Style::default().amplitude) };
+    let text = match value.get_ref() {
+        DeValue::String(text) => text.as_ref(),
+        DeValue::Float(float) => float.as_str(),
+        DeValue::Integer(integer) => integer.as_str(),
+        _ => "",
+    };
+    let allowed = Style::AMPLITUDES;
+    let amplitude = text.parse().ok().filter(|r| allowed.contains(r));
+    if amplitude.is_none() {
+        let (least, most) = allowed.into_inner();
+        reader.is_not("amplitude", value, &format!("a number from {least} to {most}"));
+    }
+    amplitude
+}
+
+fn stones(reader: &mut Reader, table: &DeTable) -> Option<Option<u32>> {
+    let Some(value) = table.get("stones") else { return Some(None) };
+    let (least, most) = Style::STONES.into_inner();
+    let stones = reader.whole("stones", value, least as usize..=most as usize)?;
+    Some(u32::try_from(stones).ok())
+}
+
+/// The command that asks for the same.
+fn command(drawn: &Drawn, mode: Option<Mode>, style: &Style) -> String {
+    let mut command = match drawn {
+        Drawn::Landmark { landmark, .. } => format!("couplet draw --at {}", landmark.symbol()),
+        Drawn::Sliding { arch, .. } => {
+            format!("couplet draw --half-opening {}", arch.half_opening())
+        }
+        Drawn::Least { arch, .. } | Drawn::Standing { arch, .. } => {
+            format!(
+                "couplet draw --half-opening {} --friction {}",
+                arch.half_opening(),
+                arch.friction()
+            )
+        }
+    };
+    if let Drawn::Standing { thickness, .. } | Drawn::Sliding { thickness, .. } = drawn {
+        command += &format!(" --thickness {thickness}");
+    }
+    command += &format!(" --weight {}", drawn.weight().name());
+    if let Some(mode) = mode {
+        command += &format!(" --mode {}", mode.label());
+    }
+    if style.amplitude != Style::default().amplitude {
+        command += &format!(" --amplitude {:?}", style.amplitude);
+    }
+    if let Some(stones) = style.stones {
+        command += &format!(" --stones {stones}");
+    }
+    for (is_asked, name) in [
+        (drawn.is_dilatant(), " --dilatant"),
+        (style.half, " --half"),
+        (style.arrows, " --arrows"),
+        (style.animate, " --animate"),
+    ] {
+        if is_asked {
+            command += name;
+        }
+    }
+    command
+}

@@ -1,0 +1,121 @@
+//! Drawings in scenes: as the commands write them, each arch once, and kept.
+
+use super::{HEAD, faults, scene_in};
+use crate::program::{Scratch, couplet, text};
+use couplet::scene::{Plan, read};
+
+const DRAWINGS: &str = "[[figure]]\nnumber = 7\noutput = \"seven.svg\"\n\
+    [[figure]]\nnumber = 8\noutput = \"eight.svg\"\n\
+    [[figure]]\nnumber = 1\noutput = \"one.svg\"\n\
+    [[drawing]]\nat = \"triple\"\nmode = \"srr\"\namplitude = \"0.05\"\nstones = 9\noutput = \"T.svg\"\n\
+    [[drawing]]\nalpha = \"80deg\"\nmu = 0.35\nhalf = true\narrows = true\nanimate = true\noutput = \"a.svg\"\n\
+    [[drawing]]\nhalf_opening = \"80deg\"\nfriction_angle = \"20deg\"\nthickness = \"4/25\"\noutput = \"b.json\"\n\
+    [[drawing]]\nhalf_opening = 1\nthickness = 1\nmode = \"[s,s]\"\ndilatant = true\nweight = \"heyman\"\noutput = \"c.dxf\"\n";
+
+#[test]
+fn a_scene_draws_what_the_commands_draw() {
+    let scratch = Scratch::new();
+    let scene = scene_in(&scratch, DRAWINGS);
+    let run = ["run", &scene, "--output", &scratch.path("out"), "--explain", "--resume"];
+    let output = couplet(&run);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let tree = text(&output.stderr);
+    for line in [
+        "7 items; to compute: 4 drawn arches, each once",
+        "│  └─ T milankovitch: computed for the item in line 2",
+    ] {
+        assert!(tree.lines().any(|found| found == line), "{line} in\n{tree}");
+    }
+    for (file, command) in [
+        ("seven.svg", "figure 7 --weight milankovitch"),
+        ("one.svg", "figure 1 --weight milankovitch"),
+        ("T.svg", "draw --at T --weight milankovitch --mode [s,r,r] --amplitude 0.05 --stones 9"),
+        (
+            "a.svg",
+            "draw --half-opening 80deg --friction 0.35 --weight milankovitch --half --arrows --animate",
+        ),
+        (
+            "b.json",
+            "draw --half-opening 80deg --friction-angle 20deg --thickness 4/25 --format json",
+        ),
+        (
+            "c.dxf",
+            "draw --half-opening 1 --thickness 1 --weight heyman --mode [s,s] --dilatant --format dxf",
+        ),
+    ] {
+        let words: Vec<&str> = command.split(' ').collect();
+        let drawn = text(&couplet(&words).stdout);
+        assert_eq!(scratch.read(&format!("out/{file}")), drawn, "{file}");
+    }
+    let again = couplet(&run);
+    let said = text(&again.stderr);
+    assert_eq!(said.matches("kept ").count(), 7, "{said}");
+    assert!(said.contains("nothing to compute"), "{said}");
+}
+
+/// However its numbers are written.
+#[test]
+fn an_arch_is_computed_once() {
+    let arch = |alpha: &str, more: &str| {
+        format!("[[drawing]]\nhalf_opening = {alpha}\nfriction = 1\n{more}\n")
+    };
+    let drawn = |all: &[String]| {
+        let scene = read(&format!("{HEAD}{}", all.concat())).unwrap();
+        Plan::new(&scene, vec![false; all.len()]).drawings.len()
+    };
+    let one = || arch("1.5", "");
+    assert_eq!(drawn(&[one(), arch("\"3/2\"", "arrows = true")]), 1);
+    for other in ["dilatant = true", "weight = \"heyman\"", "thickness = 0.2"] {
+        assert_eq!(drawn(&[one(), arch("1.5", other)]), 2, "{other}");
+    }
+}
+
+#[test]
+fn what_falls_is_told_and_not_drawn() {
+    let scratch = Scratch::new();
+    let scene = scene_in(&scratch, "[[drawing]]\nalpha = 2.6\nmu = 0.3\noutput = \"a.svg\"\n");
+    let output = couplet(&["run", &scene, "--output", &scratch.path("out")]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stderr).contains("stands at no thickness"), "{}", text(&output.stderr));
+}
+
+#[test]
+fn faults_of_drawings_have_their_places() {
+    for (table, fault) in [
+        ("[[drawing]]\nmu = 1", "2:1: half_opening is missing; give an angle"),
+        ("[[drawing]]\nalpha = 1", "2:1: friction is missing; give a coefficient"),
+        ("[[drawing]]\nalpha = [1, 2]\nmu = 1", "3:9: half_opening [1, 2] is not one number"),
+        ("[[drawing]]\nalpha = 1\nmu = [1, 2]", "4:6: friction [1, 2] is not one number"),
+        ("[[drawing]]\nalpha = 4\nmu = 1", "3:9: half_opening 4 is not between 0 and pi"),
+        ("[[drawing]]\nalpha = 1\nmu = 1\neta = 3", "5:7: thickness 3 is not between 0 and 2"),
+        ("[[drawing]]\nat = \"X\"", "3:6: at \"X\" is not one of T, S"),
+        ("[[drawing]]\nat = [\"T\", \"S\"]", "3:6: at [\"T\", \"S\"] is not one of them"),
+        ("[[drawing]]\nat = \"T\"\nmu = 1", "3:6: a landmark has its half_opening"),
+        ("[[drawing]]\nat = \"T\"\nmode = \"rsx\"", "4:8: mode \"rsx\" is not one of [r,r,r]"),
+        ("[[drawing]]\nat = \"T\"\nweight = \"both\"", "2:1: a drawing shows one weight"),
+        (
+            "[[drawing]]\nat = \"T\"\namplitude = 2",
+            "4:13: amplitude 2 is not a number from 0.001 to 1",
+        ),
+        (
+            "[[drawing]]\nat = \"T\"\nstones = 1",
+            "4:10: stones 1 is not a whole number from 2 to 500",
+        ),
+        ("[[drawing]]\nat = \"T\"\nhalf = 1", "4:8: half 1 is not true or false"),
+        (
+            "[[drawing]]\nat = \"T\"\nanimate = true\nformat = \"json\"",
+            "2:1: only svg moves; leave out animate",
+        ),
+        (
+            "[[drawing]]\nalpha = 1\nmu = 1\neta = 1\nmode = \"ss\"\nformat = \"svg\"",
+            "2:1: an arch as it stands does not move",
+        ),
+        ("[[drawing]]\nat = \"T\"\noutput = \"x.csv\"", "4:10: output \"x.csv\" does not tell"),
+        ("[[figure]]\nnumber = 13", "3:10: number 13 is not a whole number from 1 to 12"),
+        ("[[figure]]\nnumber = 7\nweight = \"both\"", "2:1: figure 7 shows one weight"),
+        ("[[figure]]\nnumber = 7\ntolerance = 1e-2", "2:1: figure 7 has no curves of the map"),
+    ] {
+        let found = faults(table);
+        assert!(found.len() == 1 && found[0].starts_with(fault), "{table}: {found:?}");
+    }
+}
