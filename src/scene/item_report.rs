@@ -164,8 +164,11 @@ fn drawing(
         }
     }
     let (style, command) = (asked.style, asked.command.clone());
-    let drawn = Report::Sketched(Sketched { sketches, style, measures: None, command });
-    (open.is_empty().then_some(drawn), open)
+    let drawn = Sketched { sketches, style, measures: None, command };
+    if !drawn.shows_stones() {
+        open.push("a page shows at most 1000 stones".to_owned());
+    }
+    (open.is_empty().then_some(Report::Sketched(drawn)), open)
 }
 
 fn undecided_landmarks(list: &[Answer]) -> Vec<String> {

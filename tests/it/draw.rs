@@ -124,7 +124,10 @@ fn options_change_what_they_say() {
     assert!(!still.contains(arrows) && with(&["--arrows"]).contains(arrows));
     assert!(with(&["--dilatant"]).contains("associated flow rule"));
     assert!(with(&["--half"]).matches("<circle").count() < still.matches("<circle").count());
-    assert!(with(&["--stones", "9"]).contains("#b8b4aa") && !still.contains("#b8b4aa"));
+    assert!(
+        with(&["--stones", "9"]).contains("stroke-width=\"0.6\"")
+            && !still.contains("stroke-width=\"0.6\"")
+    );
     let one = written(&["draw", "--at", "T", "--mode", "[s,r,r]"]);
     assert!(one.contains("[s,r,r] at T") && !one.contains("panel-1"));
 }
@@ -153,6 +156,7 @@ fn what_cannot_be_drawn_is_refused() {
         (&["draw", "--alpha", "1", "--mu", "1", "--eta", "2.1"], "not between 0 and 2"),
         (&["draw", "--at", "T", "--amplitude", "0"], "an amplitude is a number from 0.001 to 1"),
         (&["draw", "--at", "T", "--stones", "1"], "stones are a whole number from 2 to 500"),
+        (&["draw", "--at", "T", "--stones", "251"], "at most 1000 stones"),
         (&["draw", "--at", "T", "--animate", "--format", "json"], "only svg moves"),
         (&["draw", "--at", "T", "--format", "csv"], "a format is one of"),
         (&["draw", "--span", "10m", "--rise", "3m", "--radius", "5m", "--mu", "1"], "contradicts"),
@@ -165,6 +169,9 @@ fn what_cannot_be_drawn_is_refused() {
         ),
         (&["draw", "--alpha", "1", "--mu", "1", "--thickness", "60cm"], "60cm"),
         (&["draw", "--radius", "5m", "--alpha", "1", "--mu", "1", "--eta", "11m"], "too large"),
+        (&["draw", "--alpha", "1e-900", "--mu", "1"], "too small for a picture"),
+        (&["draw", "--alpha", "1e-10", "--mu", "1", "--eta", "0.1"], "takes 1e-9 at least"),
+        (&["draw", "--alpha", "1", "--mu", "1", "-o", "arch.pdf"], "the end .pdf tells no format"),
         (&["draw", "--radius", "1e300m", "--alpha", "1", "--mu", "1"], "from 1mm to 1000000m"),
         (&["figure", "7", "--weight", "both"], "figure 7 shows one --weight"),
         (&["figure", "9", "--tolerance", "1e-3"], "leave out --tolerance"),

@@ -16,7 +16,7 @@ pub struct Line {
 const STEP: f64 = 0.05;
 /// The largest distance of the true line from a chord, looked at in its middle, in units of `r`, and of a half opening below
 /// one in units of that.
-const CHORD: f64 = 5e-5;
+const CHORD: f64 = 1e-4;
 /// The largest error of an offset that is read off between two points, in thicknesses.
 const PART: f64 = 2e-3;
 /// A chord is halved so often at most.

@@ -15,7 +15,7 @@ pub struct Block {
     pub motion: Motion<f64>,
 }
 
-/// A block narrower than this is none.
+/// A block narrower than this part of the half arch is none.
 const NARROW: f64 = 1e-9;
 /// Halvings of the parameter.
 const HALVINGS: u32 = 60;
@@ -34,7 +34,8 @@ pub fn moved(collapse: &Collapse, at: &Configuration<Ball>, amplitude: f64) -> V
         let uppers = ends.iter().copied().skip(1).chain([0.0]);
         let all = ends.iter().zip(uppers).zip(moves);
         let all = all.map(|((lower, upper), motion)| Block { between: [upper, *lower], motion });
-        all.filter(|block| block.between[1] - block.between[0] > NARROW).collect()
+        let narrow = NARROW * at.half_opening.rad;
+        all.filter(|block| block.between[1] - block.between[0] > narrow).collect()
     };
     let radii = [-0.5, 0.5].map(|share| 1.0 + share * at.thickness);
     let largest = |by: f64| {

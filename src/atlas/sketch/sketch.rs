@@ -70,17 +70,23 @@ pub enum NoSketch {
     /// A mode in which the arch does not fall.
     #[error("the arch does not fall as {0}, but as {1}")]
     OtherMode(Mode, String),
+    /// An arch so narrow that doubles do not resolve how its blocks move.
+    #[error("the half opening {0} is too small for a picture, which takes 1e-9 at least")]
+    TooNarrow(String),
     /// A landmark without a friction.
     #[error("{} is a point of the purely rotational states, at no friction of its own", .0.symbol())]
     NoFriction(Landmark),
 }
 
+/// The least half opening of a picture, rad: of smaller ones doubles do not tell how blocks move.
+const LEAST: f64 = 1e-9;
 /// Digits that are decided of every number: with so many a decimal number tells the double.
 const DIGITS: usize = 17;
 
 impl Sketch {
     /// An arch at its least thickness.
     pub fn least(arch: &Arch, is_dilatant: bool) -> Result<Self, NoSketch> {
+        wide(arch)?;
         let found = raised(arch, DIGITS, |bits| {
             let state = match state_enclosed(arch, bits, false)? {
                 Outcome::Falls(fall) => return Ok(Some(Err(fall))),
@@ -121,6 +127,7 @@ impl Sketch {
 
     /// An arch of a given thickness, in `(0, 2]`, as it stands; without lines if it does not.
     pub fn standing(arch: &Arch, thickness: &ExactNumber) -> Result<Self, NoSketch> {
+        wide(arch)?;
         Ok(raised(arch, DIGITS, |bits| {
             let assessment = assessment_enclosed(arch, thickness, bits)?;
             assessment.stands.clone()?;
@@ -151,6 +158,7 @@ impl Sketch {
         thickness: &ExactNumber,
         is_dilatant: bool,
     ) -> Result<Self, NoSketch> {
+        wide(arch)?;
         raised(arch, DIGITS, |bits| {
             let at = sliding_configuration(arch, bits)?;
             let at = at.with(Unknown::Thickness, thickness.enclosure(bits));
@@ -245,6 +253,15 @@ impl Sketch {
             }
         }
         Ok(Self { subject, weight, at, is_limited, forces: vec![forces], collapses })
+    }
+}
+
+/// Refuses an arch that is too narrow for a picture.
+fn wide(arch: &Arch) -> Result<(), NoSketch> {
+    let alpha: Ball = arch.half_opening().enclosure(64);
+    match double(&alpha) < LEAST {
+        true => Err(NoSketch::TooNarrow(arch.half_opening().to_string())),
+        false => Ok(()),
     }
 }
 

@@ -115,6 +115,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             "a drawing has a radius from 1mm to 1000000m, and forces of a size that doubles hold";
         return Err(Failure::Input(message.into()));
     }
+    if !drawn.shows_stones() {
+        let message = "a page shows at most 1000 stones: ask for fewer --stones, or for one --mode";
+        return Err(Failure::Input(message.into()));
+    }
     let file = arguments.file.open_for(format)?;
     let report = Report::Sketched(drawn);
     file.write(|out| report.write(format, out))

@@ -87,6 +87,12 @@ impl OutputFile {
     ) -> Result<&'static Format, Failure> {
         let extension = || self.output.as_deref()?.extension()?.to_str();
         let by_name = || Format::of_extension(content, extension()?);
+        if let (None, None, Content::Drawing, Some(end)) = (given, by_name(), content, extension())
+        {
+            let names = Format::names(content);
+            let message = format!("the end .{end} tells no format: give --format, one of {names}");
+            return Err(Failure::Input(message));
+        }
         let format = given.or_else(by_name).or_else(|| Format::named(content, usual));
         let format = format.ok_or_else(|| Failure::Input(format!("{usual} is no format")))?;
         match format.missing() {

@@ -39,7 +39,10 @@ fn shortened(text: &str) -> String {
 
 /// A joint in degrees, for the picture.
 pub(super) fn label(symbol: &str, joint: f64) -> String {
-    format!("{symbol} {:.1}°", joint.to_degrees())
+    match joint.to_degrees() {
+        small if small < 0.1 => format!("{symbol} {small:.1e}°"),
+        degrees => format!("{symbol} {degrees:.1}°"),
+    }
 }
 
 /// How a mode falls, in a few words.

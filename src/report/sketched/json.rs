@@ -1,13 +1,13 @@
 //! JSON: `couplet.drawing/1`. Fields may be added, none changes its meaning.
 
 use super::Sketched;
+use super::lean;
 use super::metres::{Loads, Metres, Size};
 use crate::arch::mechanism::{Contact, Joint, Twist};
 use crate::atlas::{Block, Collapse, Forces, Line, Sketch, Subject, moved};
 use crate::number::Ball;
 use crate::problem::Mode;
 use crate::report::fields::Fields;
-use crate::report::json;
 use rug::float::Round;
 use serde::Serialize;
 use serde_json::{Value as Json, json};
@@ -200,5 +200,5 @@ pub(in crate::report) fn json(report: &Sketched, out: &mut dyn io::Write) -> io:
     };
     let unit = if report.measures.is_some() { "m" } else { "r" };
     let arches = report.sketches.iter().map(arch).collect();
-    json::write(&DrawingFile { schema: "couplet.drawing/1", unit, arches }, out)
+    lean::write(&DrawingFile { schema: "couplet.drawing/1", unit, arches }, out)
 }

@@ -15,6 +15,7 @@
 //! | `notation` | the symbols, as Figure 1 has them |
 //! | `figures` | which arches the paper shows |
 //! | `json`, `dxf` | the geometry for other programs |
+//! | `lean` | JSON with lists on one line |
 //! | `arcs` | a chain of points as few arcs |
 
 mod arcs;
@@ -24,6 +25,7 @@ mod dimensions;
 mod dxf;
 mod figures;
 mod json;
+mod lean;
 mod legend;
 mod look;
 mod metres;
@@ -44,6 +46,9 @@ use crate::atlas::{Collapse, Sketch};
 use crate::problem::measures::Measures;
 use metres::Metres;
 use std::ops::RangeInclusive;
+
+/// The most stones of a page.
+const MOST_STONES: usize = 1000;
 
 /// Arches to be drawn, beside each other.
 #[derive(Debug)]
@@ -109,6 +114,12 @@ impl Sketched {
     /// that doubles hold.
     pub fn can_be_drawn(&self) -> bool {
         self.sketches.iter().filter_map(|sketch| self.metres(sketch)).all(|of| of.can_be_drawn())
+    }
+
+    /// Whether the stones that are asked for can be shown: a thousand in all pictures of a page.
+    pub fn shows_stones(&self) -> bool {
+        let pictures = self.panels().count();
+        self.style.stones.is_none_or(|stones| pictures * stones as usize <= MOST_STONES)
     }
 
     /// Each arch with a mode in which it falls, or with none.

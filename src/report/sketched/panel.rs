@@ -30,7 +30,7 @@ const LABEL: f64 = 16.0;
 pub(super) const HEAD: f64 = 48.0;
 /// From the outermost point of a joint to its name, in units of the page.
 const AWAY: f64 = 13.0;
-/// A joint nearer to the crown than this is the crown.
+/// A joint nearer to the crown than this part of the half arch is the crown.
 const CROWN: f64 = 1e-6;
 
 impl<'a> Panel<'a> {
@@ -74,7 +74,11 @@ impl<'a> Panel<'a> {
     pub(super) fn draw(&self, svg: &mut Svg, scale: &Scale, at: (Point, f64)) {
         let sketch = self.sketch;
         let (alpha, radii) = (sketch.half_opening(), sketch.radii());
-        let joints = stones(sketch, self.style.stones);
+        // Where blocks move, their stones do.
+        let joints = match &self.blocks {
+            Some(_) if !self.style.notation => Vec::new(),
+            _ => stones(sketch, self.style.stones),
+        };
         let ((left, top), width) = at;
         let [heading, words] = match self.style.notation {
             true => notation::TITLE.map(str::to_owned),
@@ -194,7 +198,8 @@ impl<'a> Panel<'a> {
     fn marks(&self, svg: &mut Svg, scale: &Scale) {
         let [inner, outer] = self.sketch.radii();
         let marks = self.at_limit();
-        let sides = |joint: f64| if joint < CROWN { &[1.0][..] } else { self.style.sides() };
+        let crown = CROWN * self.sketch.half_opening();
+        let sides = |joint: f64| if joint < crown { &[1.0][..] } else { self.style.sides() };
         svg.group("sliding", |svg| {
             for (_, joint) in marks.iter().filter(|(contact, _)| !contact.is_hinge()) {
                 for side in sides(*joint) {
@@ -230,11 +235,12 @@ impl<'a> Panel<'a> {
         };
         let mut names: Vec<(f64, f64, String)> = Vec::new();
         for (contact, joint) in self.at_limit() {
-            let is_inner = joint > CROWN && joint < alpha - CROWN;
+            let is_inner = joint > CROWN * alpha && joint < (1.0 - CROWN) * alpha;
             let symbol = if contact.is_hinge() { "βᵣ" } else { "βₛ" };
             let side = if contact.is_hinge() || self.style.half { 1.0 } else { -1.0 };
             let text = label(symbol, joint);
-            let known = names.iter_mut().find(|(known, _, _)| (*known - joint).abs() < CROWN);
+            let known =
+                names.iter_mut().find(|(known, _, _)| (*known - joint).abs() < CROWN * alpha);
             match known {
                 _ if !is_inner => {}
                 Some((_, _, name)) => *name = label("βᵣ = βₛ", joint),
@@ -285,5 +291,5 @@ fn stones(sketch: &Sketch, number: Option<u32>) -> Vec<f64> {
     let Some(number) = number else { return Vec::new() };
     let alpha = sketch.half_opening();
     let joints = (1..number).map(|k| alpha * (2.0 * f64::from(k) / f64::from(number) - 1.0));
-    joints.filter(|joint| *joint >= -CROWN).collect()
+    joints.filter(|joint| *joint >= -CROWN * alpha).collect()
 }

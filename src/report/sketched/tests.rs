@@ -45,6 +45,7 @@ fn pictures() -> Vec<(String, String)> {
         ("r", "2.62", "inf"),
         ("thin", "20deg", "0.6"),
         ("thinner", "1e-6", "0.6"),
+        ("thinnest", "1e-9", "0.6"),
     ] {
         add(name, least(alpha, mu), Style::default());
     }
