@@ -130,9 +130,10 @@ fn map(
     }
     let landmarks = constants(plan, pieces, index, (&Quantity::LANDMARK, PAGE_DIGITS));
     let names = undecided_landmarks(&landmarks);
-    let weight = asked.lines.first().map_or(SelfWeight::Milankovitch, |(weight, _)| *weight);
+    let is_asked = |weight: &SelfWeight| asked.lines.iter().any(|(of, _)| of == weight);
+    let weights = SelfWeight::ALL.into_iter().filter(is_asked);
     let mut marks = Vec::new();
-    for mark in &asked.marks {
+    for (weight, mark) in weights.flat_map(|weight| asked.marks.iter().map(move |m| (weight, m))) {
         match mark.proved(weight) {
             Ok(mark) => marks.push(mark),
             Err(undecided) => open.push(undecided.to_string()),

@@ -44,9 +44,9 @@ pub(super) fn map(
     let (axes, marks) = (axes?, marks?);
     let (tolerance, plane, lines, format) = (tolerance?, plane?, lines?, format?);
     let is_usual = !lines && !bare && plane == Plane::ThicknessFriction;
-    let is_whole = curves.is_empty() && (contours.is_empty() || format.is_picture);
+    let is_whole = curves.is_empty() && (contours.is_empty() || format.is_picture || is_page);
     let wrong = if is_page && !(is_whole && is_usual) {
-        Some("a page shows the whole map; leave out curves, levels, plane, lines and bare")
+        Some("a page shows the whole map; leave out curves, plane, lines and bare")
     } else if !format.is_picture {
         (!is_usual && !is_page).then_some("plane, lines and bare are for a picture, svg or png")
     } else if lines && plane != Plane::ThicknessFriction {
@@ -69,6 +69,7 @@ pub(super) fn map(
     let is_plain = axes == Axes::default() && marks.is_empty();
     let wrong = wrong.map(str::to_owned).or_else(|| match format.is_picture {
         true => axes.misfit(plane),
+        false if is_page && axes == Axes::default() => None,
         false => {
             (!is_plain).then(|| "units, ranges, scale and marks are for a map as svg or png".into())
         }

@@ -193,11 +193,10 @@ impl Arguments {
 
     /// What a picture shows.
     fn drawing(&self, format: &Format) -> Result<Drawing, Failure> {
-        let is_whole = self.curves.is_empty() && self.contours().is_empty();
+        let is_whole = self.curves.is_empty();
         let is_usual = !self.lines && self.plane == Plane::ThicknessFriction;
         if format.is_page() && !(is_whole && is_usual) {
-            let message =
-                "a page shows the whole map; leave out --curve, --plane, --lines and levels";
+            let message = "a page shows the whole map; leave out --curve, --plane and --lines";
             return Err(Failure::Input(message.into()));
         }
         let is_picture = format.is_picture;
@@ -221,14 +220,15 @@ impl Arguments {
             };
             return Err(Failure::Input(message));
         }
-        if !self.marks.is_empty() && (!is_picture || self.lines) {
-            let message = "a --mark is for a map as svg or png, without --lines";
+        if !self.marks.is_empty() && (!(is_picture || format.is_page()) || self.lines) {
+            let message = "a --mark is for a map as svg, png or html, without --lines";
             return Err(Failure::Input(message.into()));
         }
         let view = if self.lines { View::Lines } else { View::Map(self.plane) };
-        let weight = self.weights(format)[0];
         let undecided = |open: Undecided| Failure::Undecided(open.to_string());
-        let marks = self.marks.iter().map(|mark| mark.proved(weight).map_err(undecided));
+        let weights = self.weights(format).into_iter();
+        let all = weights.flat_map(|weight| self.marks.iter().map(move |mark| (mark, weight)));
+        let marks = all.map(|(mark, weight)| mark.proved(weight).map_err(undecided));
         let marks = marks.collect::<Result<_, _>>()?;
         let axes = self.axes.axes(self.plane, is_picture && !self.lines)?;
         Ok(Drawing { view, axes, marks, command: typed() })
@@ -253,7 +253,8 @@ fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.file.open_for(format)?;
     let curves = arguments.curves();
     let contours = arguments.contours();
-    let is_whole = curves.is_empty() && (contours.is_empty() || format.is_picture);
+    let is_drawn = format.is_picture || format.is_page();
+    let is_whole = curves.is_empty() && (contours.is_empty() || is_drawn);
     let is_asked = |curve: &Curve| is_whole || curves.contains(curve);
     let weights = arguments.weights(format);
     let all = Curve::of_weights(&weights).into_iter();

@@ -23,12 +23,15 @@ pub(super) fn caption(
     let weights = weights.join(" and ");
     let [x, y] = canvas.axes;
     let proved = proved(sheets, &[(x, off[0]), (y, off[1])], SIZE);
+    let mut names: Vec<&str> =
+        sheets.iter().flat_map(|sheet| &sheet.levels).map(|level| level.contour.name()).collect();
+    names.dedup();
     let levels = match sheets.iter().all(|sheet| sheet.levels.is_empty()) {
         true => String::new(),
         false => format!(
             " Thin lines: equal {}; their straight parts rest on the claims unique-thicker and map-rows of \
              couplet prove.",
-            canvas.plane.contour_name()
+            names.join(" and ")
         ),
     };
     vec![format!("{shows}. {weights}.{levels} {proved}"), format!("Command: {command}")]

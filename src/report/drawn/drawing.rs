@@ -4,7 +4,7 @@ use super::branches::Branches;
 use super::canvas::{Axes, Canvas};
 use super::lines::LinesPicture;
 use super::map::MapPicture;
-use super::mark::Mark;
+use super::mark::{self, Mark};
 use super::plane::Plane;
 use super::sheet::Sheet;
 use crate::arch::SelfWeight;
@@ -66,14 +66,19 @@ impl View {
 }
 
 impl Drawing {
-    /// The map of each weight over thickness and friction.
-    pub(in crate::report) fn framed_maps(&self, traces: &[Trace]) -> Vec<FramedMap> {
+    /// The map of each weight over thickness and friction, with levels and its marks.
+    pub(in crate::report) fn framed_maps(
+        &self,
+        traces: &[Trace],
+        levels: &[Level],
+    ) -> Vec<FramedMap> {
         let framed = |sheet: &Sheet| {
             let canvas = Canvas::usual(Plane::ThicknessFriction);
-            let picture = MapPicture { sheet, canvas, marks: &self.marks, command: &self.command };
+            let marks = &mark::of_weight(&self.marks, sheet.weight)[..];
+            let picture = MapPicture { sheet, canvas, marks, command: &self.command };
             FramedMap { weight: sheet.weight, svg: picture.svg(), frames: picture.frames() }
         };
-        Sheet::all(traces, &[]).iter().map(framed).collect()
+        Sheet::all(traces, levels).iter().map(framed).collect()
     }
 
     /// The picture of some curves and levels as SVG; nothing to draw is an error.

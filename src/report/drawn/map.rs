@@ -69,8 +69,9 @@ impl MapPicture<'_> {
             mark::draw(&mut svg, &larger, inset.id());
         }
         insets.iter().for_each(|inset| inset.draw_guides(&mut svg, frame));
+        let values = margin::upright(&mut svg, frame, canvas.plane, &content.levels);
         let mut names = self.names(&content, frame, NAMES);
-        names.taken = insets.iter().map(Inset::taken).chain(of_marks).collect();
+        names.taken = insets.iter().map(Inset::taken).chain(of_marks).chain(values).collect();
         names.landmarks(&mut svg, false);
         if canvas.plane == Plane::ThicknessFriction {
             names.overturning(&mut svg);

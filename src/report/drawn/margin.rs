@@ -3,7 +3,8 @@
 use super::chain::Chain;
 use super::plane::Plane;
 use crate::atlas::Contour;
-use crate::picture::color::{GUIDE, INK};
+use crate::picture::color::{GUIDE, INK, WHITE};
+use crate::picture::room::Rectangle;
 use crate::picture::spread::spread;
 use crate::picture::{Anchor, Frame, Path, Point, Stroke, Svg, Type, text};
 
@@ -18,9 +19,15 @@ const GAP: f64 = 4.0;
 /// Between two values, in sizes of the font.
 const APART: f64 = 1.1;
 
-/// A value as it is read: `80°`.
-fn shown(contour: &Contour) -> String {
-    contour.given().replace("deg", "°")
+/// A value as it is read: `80°`, or with its letter where not all lines are those of the plane.
+fn shown(contour: &Contour, is_named: bool) -> String {
+    let value = contour.given().replace("deg", "°");
+    match contour {
+        _ if !is_named => value,
+        Contour::HalfOpening(_) => format!("α = {value}"),
+        Contour::Thickness(_) => format!("η = {value}"),
+        Contour::Friction(_) => format!("μ = {value}"),
+    }
 }
 
 /// Where a chain leaves a frame for the last time, by its right or by its upper edge.
@@ -42,14 +49,38 @@ fn leaves(chain: &Chain, frame: &Frame, is_right: bool) -> Option<Point> {
     end.or_else(|| points.windows(2).rev().find_map(crossing))
 }
 
+/// Values of frictions over the friction angle, beside their upright lines, which end at no such edge; what they take.
+pub(super) fn upright(
+    svg: &mut Svg,
+    frame: &Frame,
+    plane: Plane,
+    levels: &[(Contour, Chain)],
+) -> Vec<Rectangle> {
+    let is_upright = |contour: &Contour| {
+        matches!(contour, Contour::Friction(_)) && plane == Plane::ThicknessFriction
+    };
+    let mut taken = Vec::new();
+    for (contour, chain) in levels.iter().filter(|(contour, _)| is_upright(contour)) {
+        let Some([_, top]) = chain.ends().filter(|[_, top]| frame.shows(*top)) else { continue };
+        let label = shown(contour, true);
+        let (x, y) = frame.at(top);
+        let half = text::width(&label, SIZE) / 2.0;
+        let at = (x, y + SIZE * (1.0 + 1.2 * (taken.len() % 4) as f64));
+        svg.text(&label, at, Type::new(SIZE, INK).at(Anchor::Middle).on(WHITE));
+        taken.push([(x - half, at.1 - SIZE / 2.0), (x + half, at.1 + SIZE / 2.0)]);
+    }
+    taken
+}
+
 /// Values at the right edge, or above the upper one, with the name of their quantity.
 pub(super) fn levels(svg: &mut Svg, frame: &Frame, plane: Plane, levels: &[(Contour, Chain)]) {
     let is_right = plane == Plane::ThicknessFriction;
+    let is_named = !levels.iter().all(|(contour, _)| plane.is_crossed_by(contour));
     let along = |(x, y): Point| if is_right { y } else { x };
     let mut ends: Vec<(f64, String)> = levels
         .iter()
         .filter_map(|(contour, chain)| {
-            Some((along(frame.at(leaves(chain, frame, is_right)?)), shown(contour)))
+            Some((along(frame.at(leaves(chain, frame, is_right)?)), shown(contour, is_named)))
         })
         .collect();
     ends.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -73,6 +104,9 @@ pub(super) fn levels(svg: &mut Svg, frame: &Frame, plane: Plane, levels: &[(Cont
         };
         svg.stroke(&Path::through([from, to]), Stroke::new(GUIDE, 1.0));
         svg.text(label, at, Type::new(SIZE, INK).at(anchor));
+    }
+    if is_named {
+        return;
     }
     let style = Type::new(LABEL, INK).at(Anchor::Middle);
     let (across, up) = (frame.corner.0 + frame.size.0 / 2.0, frame.corner.1 + frame.size.1 / 2.0);

@@ -2,6 +2,7 @@
 
 use super::canvas::Canvas;
 use super::plane::Axis;
+use crate::arch::SelfWeight;
 use crate::atlas::Variable;
 use crate::certify::Undecided;
 use crate::certify::state::{Answer, Certify};
@@ -14,6 +15,8 @@ use crate::problem::{Arch, Friction};
 /// An arch in a map.
 #[derive(Clone, Debug)]
 pub struct Mark {
+    /// The self-weight model.
+    weight: SelfWeight,
     half_opening: f64,
     friction_angle: f64,
     /// The given one, else the least; `None` if none is enough.
@@ -68,7 +71,8 @@ impl Mark {
             Answer::Falls { .. } => None,
         };
         let half_opening = number(arch.half_opening());
-        Ok(Self { half_opening, friction_angle, thickness: thickness.map(number).or(least), words })
+        let (weight, thickness) = (arch.weight(), thickness.map(number).or(least));
+        Ok(Self { weight, half_opening, friction_angle, thickness, words })
     }
 
     /// Where it is on a canvas, if it has a thickness or needs none.
@@ -84,6 +88,11 @@ impl Mark {
         let [x, y] = canvas.axes.each_ref().map(on);
         Some((x?, y?))
     }
+}
+
+/// Those of a weight.
+pub(super) fn of_weight(marks: &[Mark], weight: SelfWeight) -> Vec<Mark> {
+    marks.iter().filter(|mark| mark.weight == weight).cloned().collect()
 }
 
 /// What is said of marks below, with their numbers.

@@ -78,6 +78,35 @@ fn a_page_needs_nothing_from_elsewhere() {
     assert_eq!(names.len(), all);
 }
 
+/// Levels that are asked for are drawn, and marks with the state of either weight.
+#[test]
+fn a_page_has_the_levels_and_marks_asked_for() {
+    let scratch = Scratch::new();
+    let file = scratch.path("map.html");
+    let levels = ["--half-opening", "80deg", "--thickness", "0.1", "--friction", "0.4"];
+    let line = ["map", "--tolerance", "1e-2", "--mark", "80deg,0.6,0.15", "-o", &file];
+    let (code, _, error) = said(&couplet(&[&line[..], &levels].concat()));
+    assert_eq!((code, &error[..]), (Some(0), ""));
+    let page = scratch.read("map.html");
+    assert!(page.len() < 1_000_000);
+    for weight in ["heyman", "milankovitch"] {
+        for of in
+            ["level-half-opening-80deg", "level-thickness-0.1", "level-friction-0.4", "mark-1"]
+        {
+            assert!(page.contains(&format!("id=\"{weight}-{of}\"")), "{weight} {of}");
+        }
+    }
+    for text in [
+        ">η = 0.1<",
+        ">μ = 0.4<",
+        ">α = 80°<",
+        "stands; least thickness 0.0686505",
+        "stands; least thickness 0.06",
+    ] {
+        assert!(page.contains(text), "{text}");
+    }
+}
+
 #[test]
 fn one_weight_alone_has_a_page() {
     let scratch = Scratch::new();

@@ -142,7 +142,6 @@ fn what_makes_no_picture_is_refused() {
         (&["map", "--weight", "both", "--format", "svg"], "a map shows one --weight"),
         (&["map", "--plane", "opening-friction", "-o", "map.html"], "a page shows the whole map"),
         (&["map", "--curve", "limit", "--format", "html"], "a page shows the whole map"),
-        (&["map", "--half-opening", "1", "--format", "html"], "a page shows the whole map"),
         (&["map", "--lines", "--format", "html"], "a page shows the whole map"),
         (&["figure", "6", "-o", "map.html"], "a figure is svg or png, not html"),
         (
@@ -186,10 +185,13 @@ fn what_makes_no_picture_is_refused() {
             "the thickness 3 is not between 0 and 2",
         ),
         (&["map", "--mark", "80deg,x", "-o", "map.svg"], "'x' is not a friction"),
-        (&["map", "--mark", "80deg,1", "-o", "map.csv"], "a --mark is for a map as svg or png"),
+        (
+            &["map", "--mark", "80deg,1", "-o", "map.csv"],
+            "a --mark is for a map as svg, png or html",
+        ),
         (
             &["map", "--mark", "80deg,1", "--lines", "-o", "map.svg"],
-            "a --mark is for a map as svg or png",
+            "a --mark is for a map as svg, png or html",
         ),
         (&["figure", "0"], "a figure is a number from 1 to 12"),
         (&["figure", "13"], "a figure is a number from 1 to 12"),
