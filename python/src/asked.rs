@@ -267,7 +267,7 @@ pub(crate) fn drawing(
         Err(NoSketch::Falls(_) | NoSketch::Undecided(_)) => return Ok(None),
         Err(error) => return Err(wrong(error)),
     };
-    let style = Style { amplitude: 0.12, half: false, arrows: false, stones: None, animate: false };
+    let style = Style::default();
     let mut command = format!(
         "couplet draw --half-opening {half_opening} --friction {friction} --weight {weight}"
     );
