@@ -1,6 +1,6 @@
 //! The states of a flat arch that turns at the haunch while its shoulder is about to slide, over powers of an inclination.
 //!
-//! To each friction angle belongs one inclination, `phi = chi - sin chi cos chi` ([`cycloid`](super::cycloid)), whatever
+//! To each friction angle belongs one inclination, `phi = chi - sin chi cos chi` ([`cycloid`]), whatever
 //! slides. As `chi -> 0` the states of (2), (4), (5) and (17) have `alpha ~ chi`, `beta_r² ~ chi²`, `1 - h ~ chi²` and
 //! `eta ~ chi⁴`. With
 //!
