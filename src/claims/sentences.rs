@@ -228,13 +228,15 @@ pub(super) const ILLUSTRATION: &[Sentence] = &[
         place: "Eq. (19)",
         says: "the complementarity problem of the discretised arch",
         decided: Open(
-            "its conditions are those of modes-seven and asymmetric-motion, at every joint; the discretised form is not examined",
+            "its conditions are those of modes-seven and asymmetric-motion, at every joint; no claim speaks of the discretised form",
         ),
     },
     Sentence {
         place: "Eq. (20)",
         says: "a programme whose least value is zero at collapse",
-        decided: Open("not examined"),
+        decided: Open(
+            "of an arch of given stones couplet complementarity --thickness encloses it; no claim speaks of it",
+        ),
     },
     Sentence {
         place: "Sec. 4",

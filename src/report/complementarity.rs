@@ -6,8 +6,10 @@ use super::{csv, json};
 use crate::arch::asymmetric::{AsymmetricMode, Place};
 use crate::arch::whole::Side;
 use crate::certify::state::{Answer, Digits, Figure};
-use crate::certify::{AsymmetricDigits, AsymmetricJoint, Undecided};
+use crate::certify::{AsymmetricDigits, AsymmetricJoint, Programme, Undecided};
+use crate::number::{Ball, Rounded};
 use crate::problem::Arch;
+use rug::Float;
 use std::io;
 
 /// An arch with the solutions that are found.
@@ -19,6 +21,38 @@ pub struct ComplementarityArch {
     pub symmetric: Result<Answer, Undecided>,
     /// The asymmetric solutions, or why one that is found is not proved.
     pub asymmetric: Vec<Result<AsymmetricDigits, Undecided>>,
+    /// The programme (20), where it is asked for.
+    pub programme: Option<AtThickness>,
+}
+
+/// The programme (20) of an arch of equal stones at a thickness.
+#[derive(Debug)]
+pub struct AtThickness {
+    /// The thickness as given.
+    pub thickness: String,
+    /// The stones of the whole arch.
+    pub stones: u64,
+    /// What is proved.
+    pub found: Result<Programme, Undecided>,
+}
+
+impl AtThickness {
+    /// The least value in as many digits as are proved, up to twelve, or a lower bound of it.
+    fn value(&self) -> Option<Result<Rounded, Rounded>> {
+        let Ok(Programme::Least { lower, upper }) = &self.found else { return None };
+        let ball = |x: &f64| Ball::exact(Float::with_val(64, *x), 64);
+        let rounded = |x: &Ball| (1..=12).rev().find_map(|digits| Rounded::from_ball(x, digits));
+        let exact = upper.as_ref().and_then(|upper| rounded(&ball(lower).hull(&ball(upper))));
+        exact.map(Ok).or_else(|| rounded(&ball(lower)).map(Err))
+    }
+
+    fn outcome(&self) -> &'static str {
+        match &self.found {
+            Ok(Programme::NothingAdmissible) => "nothing_admissible",
+            Ok(Programme::Least { .. }) => "positive",
+            Err(_) => "undecided",
+        }
+    }
 }
 
 /// An arch for each weight asked for.
@@ -62,7 +96,8 @@ impl ComplementarityArch {
     /// Why something stays open, if it does.
     pub fn first_open(&self) -> Option<&Undecided> {
         let asymmetric = self.asymmetric.iter().find_map(|solution| solution.as_ref().err());
-        self.symmetric.as_ref().err().or(asymmetric)
+        let programme = self.programme.as_ref().and_then(|of| of.found.as_ref().err());
+        self.symmetric.as_ref().err().or(asymmetric).or(programme)
     }
 
     /// Those that are proved, thin arches first.
@@ -197,9 +232,36 @@ fn one(of: &ComplementarityArch, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(out)?;
     let lines: Vec<&str> = match of.is_asymmetric() {
         true => PROOF.into_iter().chain(MEANING).chain(SEARCH).collect(),
-        false => ["no asymmetric solution is found", ""].into_iter().chain(SEARCH).collect(),
+        false if of.asymmetric.is_empty() => {
+            ["no asymmetric solution is found", ""].into_iter().chain(SEARCH).collect()
+        }
+        false => SEARCH.to_vec(),
     };
-    lines.into_iter().try_for_each(|line| writeln!(out, "{line}"))
+    lines.into_iter().try_for_each(|line| writeln!(out, "{line}"))?;
+    of.programme.as_ref().map_or(Ok(()), |at| programme(at, out))
+}
+
+fn programme(at: &AtThickness, out: &mut dyn io::Write) -> io::Result<()> {
+    let (eta, stones, joints) = (&at.thickness, at.stones, at.stones + 1);
+    writeln!(out, "\nProgramme (20) at thickness {eta}, {stones} equal stones, {joints} joints")?;
+    match (&at.found, at.value()) {
+        (Err(undecided), _) => return writeln!(out, "   {undecided}"),
+        (Ok(Programme::NothingAdmissible), _) => {
+            writeln!(out, "   nothing is admissible at these joints, proved")?;
+        }
+        (Ok(Programme::Least { .. }), value) => {
+            match value {
+                Some(Ok(value)) => writeln!(out, "   least value {}", value.value)?,
+                Some(Err(bound)) => writeln!(out, "   least value at least {}", bound.lower)?,
+                None => {}
+            }
+            writeln!(
+                out,
+                "   positive, proved: at these joints (19) has no solution at this thickness"
+            )?;
+        }
+    }
+    writeln!(out, "   complete for these joints: all pairs of conditions are looked at, in balls")
 }
 
 fn details(state: &AsymmetricDigits, out: &mut dyn io::Write) -> io::Result<()> {
@@ -279,6 +341,22 @@ fn entry(of: &ComplementarityArch) -> Fields {
     let solutions = of.solutions();
     fields.add_list("solutions", solutions.iter().map(|solution| solved(*solution)).collect());
     fields.add("search", SEARCH.join(" "));
+    if let Some(at) = &of.programme {
+        let mut programme = Fields::default();
+        programme.add("thickness", at.thickness.as_str());
+        programme.add("stones", at.stones);
+        programme.add("outcome", at.outcome());
+        programme.add("reason", at.found.as_ref().err().map(|open| open.reason.to_string()));
+        let exact = at.value().and_then(Result::ok).map(|value| {
+            let mut fields = Fields::default();
+            fields.add("value", value.value.to_string());
+            fields.add("lower", value.lower.to_string());
+            fields.add("upper", value.upper.to_string());
+            fields
+        });
+        programme.add_fields("least_value", exact);
+        fields.add_fields("programme", Some(programme));
+    }
     fields
 }
 

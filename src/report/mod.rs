@@ -65,7 +65,7 @@ pub use answer::{Answer, Fingerprint, Kept, Proof, Status, Subject};
 pub use answers::{Answers, Scope};
 pub use audit::Audit;
 pub use claims::{Claims, Index};
-pub use complementarity::{ComplementarityArch, ComplementarityArches};
+pub use complementarity::{AtThickness, ComplementarityArch, ComplementarityArches};
 pub use drawn::{Axes, Branches, Drawing, Mark, Marked, Plane, Shown, Unit, View};
 pub use format::{Content, Format};
 pub use given::GivenDoubles;

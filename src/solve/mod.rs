@@ -5,6 +5,7 @@ pub mod expansion;
 mod linear;
 mod newton;
 mod programme;
+pub mod rates;
 mod standing;
 pub mod start;
 pub mod tilt;

@@ -45,6 +45,17 @@ fn an_arch_without_friction_to_slide_has_the_symmetric_one() {
     assert!(words.contains("that there is nothing else is not"), "{words}");
 }
 
+/// The programme (20): a positive least value, or nothing admissible.
+#[test]
+fn the_programme_is_enclosed() {
+    let arch = ["complementarity", "--half-opening", "2.3", "--friction", "1.05", "--stones", "8"];
+    let at = |eta: &str| output(&[&arch[..], &["--thickness", eta]].concat());
+    let words = at("0.52");
+    assert!(words.contains("least value 0.0000761478"), "{words}");
+    assert!(words.contains("positive, proved"), "{words}");
+    assert!(at("0.45").contains("nothing is admissible at these joints, proved"));
+}
+
 /// A person is told of them; rows and files are as they were.
 #[test]
 fn state_and_assess_tell_a_person() {
@@ -69,6 +80,13 @@ fn what_is_wrong_is_said_in_a_line() {
         (&["--half-opening", "2.3", "--friction", "-1"], "friction"),
         (&["--half-opening", "2.3", "--friction", "1", "--format", "svg"], "svg"),
         (&["--half-opening", "2.3", "--friction", "1", "--digits", "0"], "digits"),
+        (&["--half-opening", "2.3", "--friction", "1", "--stones", "8"], "--thickness"),
+        (
+            &["--half-opening", "2.3", "--friction", "1", "--eta", "1", "--stones", "1"],
+            "from 2 to 100",
+        ),
+        (&["--half-opening", "2.3", "--friction", "1", "--eta", "3", "--stones", "9"], "thickness"),
+        (&["--half-opening", "2.3", "--friction", "inf", "--eta", "1", "--stones", "9"], "limited"),
     ] {
         let output = couplet(&[&["complementarity"], line].concat());
         let error = text(&output.stderr);

@@ -1,0 +1,446 @@
+//! The least value of the bilinear programme (20) of an arch of stones, enclosed.
+//!
+//! The forces `x = (h, p, v)` satisfy `phi(x) <= 0`, four conditions at each joint; the rates `lambda >= 0` fit, without dilatancy, and
+//! add up to one. `-phi(x)^T lambda` is not negative, and is zero where (19) has a solution.
+//!
+//! For fixed rates the value is linear in `x`: so it is least at a vertex of the admissible forces, if there is one. Each vertex lies on
+//! the line on which two conditions are zero, at an end of what the others leave of that line. In balls:
+//!
+//! 1. On each such line every other condition bounds a ray; where two bounds exclude each other, nothing is left. If nothing is
+//!    left on any line there is no vertex; and as there is no line among the admissible forces, nothing is admissible.
+//! 2. At each end, prices `y` of the equations give the lower bound `min (-phi_j - y . b_j)` of the value for all rates: they come from
+//!    [`solve`](crate::solve::rates) and are trusted for nothing. A bound that is left out, as its direction
+//!    is not decided, makes the stretch longer; as the value is linear on it, what holds at its ends holds between.
+//! 3. Two conditions that may be parallel make no line here. A vertex on them is on two other lines, unless three conditions may be parallel
+//!    in pairs; then nothing is decided.
+//! 4. The least of these bounds is a lower bound of the programme; the value at one end, with rates that are proved to be positive and to
+//!    fit, is an upper one.
+//!
+//! **Complete** for the joints that there are: all pairs of conditions are looked at. Between the joints nothing is asked.
+
+use super::Undecided;
+use super::arithmetic::Arithmetic;
+use super::voussoirs::grip;
+use crate::arch::joint::Grip;
+use crate::arch::mechanism::Contact;
+use crate::arch::whole::{Side, motion_row, static_row};
+use crate::arch::{Ring, SelfWeight};
+use crate::number::{Angle, DoubleBall, Enclosure, ExactNumber, Field};
+use crate::problem::Arch;
+use crate::solve::rates::{Rates, least_cost};
+
+/// What is proved of the programme (20).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Programme {
+    /// No forces satisfy the conditions at all joints.
+    NothingAdmissible,
+    /// Its least value is positive, and lies between two numbers.
+    Least {
+        /// Not above it; positive.
+        lower: f64,
+        /// Not below it, if rates are proved.
+        upper: Option<f64>,
+    },
+}
+
+/// More stones are refused: the cost grows with the cube of their number.
+pub const MOST_JOINTED_STONES: u64 = 100;
+
+/// Bits of what is given, before it is rounded to doubles.
+const BITS: u32 = 106;
+
+/// A condition `row . x + load <= 0` and its motion.
+struct Condition {
+    row: [DoubleBall; 3],
+    load: DoubleBall,
+    motion: [DoubleBall; 3],
+}
+
+type Forces = [DoubleBall; 3];
+
+fn dot(a: &[DoubleBall; 3], b: &[DoubleBall; 3]) -> DoubleBall {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: &[DoubleBall; 3], b: &[DoubleBall; 3]) -> [DoubleBall; 3] {
+    let minor = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
+}
+
+impl Condition {
+    fn at(&self, forces: &Forces) -> DoubleBall {
+        dot(&self.row, forces) + self.load
+    }
+}
+
+/// The conditions at all joints of so many equal stones.
+fn conditions(arch: &Arch, thickness: &ExactNumber, stones: i32) -> Vec<Condition> {
+    let alpha: DoubleBall = arch.half_opening().enclosure(BITS);
+    let eta: DoubleBall = thickness.enclosure(BITS);
+    let weight: SelfWeight = arch.weight();
+    let ring = Ring::new(weight, &eta);
+    let grip: Grip<DoubleBall> =
+        grip(arch.friction(), BITS).map(|x| DoubleBall::from_ball(&x, BITS));
+    let none = eta.int(0);
+    let joint = |k: i32| match k {
+        0 => Angle::zero(&alpha),
+        _ => {
+            let side = if k < 0 { Side::Left } else { Side::Right };
+            side.joint(&Angle::new(alpha * alpha.ratio(k.abs(), stones)))
+        }
+    };
+    let joints = (0..=stones).map(|j| joint(2 * j - stones));
+    let all = joints.flat_map(|joint| {
+        Contact::ALL.map(|contact| Condition {
+            row: static_row(contact, &joint, &ring, &grip),
+            load: contact.row(&joint, &ring, &grip).load,
+            motion: motion_row(contact, &joint, &eta, &none),
+        })
+    });
+    all.collect()
+}
+
+/// The programme of an arch of equal stones, 2 to [`MOST_JOINTED_STONES`], at a thickness.
+pub fn programme(
+    arch: &Arch,
+    thickness: &ExactNumber,
+    stones: u64,
+) -> Result<Programme, Undecided> {
+    let number =
+        i32::try_from(stones).ok().filter(|n| (2..=MOST_JOINTED_STONES as i32).contains(n));
+    let number = number.ok_or_else(|| Undecided::new("the number of stones"))?;
+    if !arch.is_limited() {
+        return Err(Undecided::new("whether a joint opens without friction to limit it"));
+    }
+    let all = Search::new(conditions(arch, thickness, number));
+    all.least()
+}
+
+/// The conditions, and their motions as columns of the programme of the rates.
+struct Search {
+    all: Vec<Condition>,
+    columns: Vec<[f64; 4]>,
+}
+
+/// What two conditions leave to all others on the line where they are zero.
+enum Stretch {
+    Empty,
+    /// The two may be parallel.
+    Parallel,
+    /// Its ends, and whether they are proved to be admissible.
+    Ends(Vec<Forces>, bool),
+}
+
+impl Search {
+    fn new(all: Vec<Condition>) -> Self {
+        let column = |condition: &Condition| {
+            let [a, b, c] = condition.motion.map(|x| x.mid());
+            [a, b, c, 1.0]
+        };
+        Self { columns: all.iter().map(column).collect(), all }
+    }
+
+    fn least(&self) -> Result<Programme, Undecided> {
+        let mut found: Option<(f64, Option<f64>)> = None;
+        let mut parallel = Vec::new();
+        for i in 0..self.all.len() {
+            for j in 0..i {
+                let (ends, admissible) = match self.stretch(i, j)? {
+                    Stretch::Empty => continue,
+                    Stretch::Parallel => {
+                        parallel.push([i, j]);
+                        continue;
+                    }
+                    Stretch::Ends(ends, admissible) => (ends, admissible),
+                };
+                for end in &ends {
+                    let (lower, best) = self.bound(end)?;
+                    let upper = if admissible { self.value(end, &best) } else { None };
+                    found = Some(match found {
+                        None => (lower, upper),
+                        Some((low, high)) => {
+                            let high = match (high, upper) {
+                                (Some(a), Some(b)) => Some(f64::min(a, b)),
+                                (a, b) => a.or(b),
+                            };
+                            (low.min(lower), high)
+                        }
+                    });
+                }
+            }
+        }
+        if has_triangle(&parallel) {
+            return Err(Undecided::new("whether three conditions are parallel"));
+        }
+        Ok(match found {
+            None => Programme::NothingAdmissible,
+            Some((lower, upper)) if lower > 0.0 => Programme::Least { lower, upper },
+            Some(_) => return Err(Undecided::new("whether the least value is zero")),
+        })
+    }
+
+    /// What the conditions leave of the line where two of them are zero.
+    fn stretch(&self, i: usize, j: usize) -> Result<Stretch, Undecided> {
+        let (a, b) = (&self.all[i], &self.all[j]);
+        let along = cross(&a.row, &b.row);
+        let size = dot(&along, &along);
+        if !size.is_positive().is_proved() {
+            return Ok(Stretch::Parallel);
+        }
+        let (by_a, by_b) = (cross(&b.row, &along), cross(&along, &a.row));
+        let start: Forces = [0, 1, 2].map(|k| -(by_a[k] * a.load + by_b[k] * b.load) / size);
+        let (mut least, mut most): (Option<DoubleBall>, Option<DoubleBall>) = (None, None);
+        let mut is_whole = true;
+        let others = self.all.iter().enumerate().filter(|(k, _)| *k != i && *k != j);
+        for (_, other) in others {
+            let (slope, value) = (dot(&other.row, &along), other.at(&start));
+            let bound = || -value / slope;
+            if slope.is_positive().is_proved() {
+                let bound = bound();
+                most = Some(most.map_or(bound, |most| lesser(most, bound)));
+            } else if (-slope).is_positive().is_proved() {
+                let bound = bound();
+                least = Some(least.map_or(bound, |least| -lesser(-least, -bound)));
+            } else if slope.mid() == 0.0 && slope.rad() == 0.0 {
+                if value.is_positive().is_proved() {
+                    return Ok(Stretch::Empty);
+                }
+                is_whole &= (-value).is_positive().is_proved();
+            } else {
+                is_whole = false;
+            }
+            if let (Some(least), Some(most)) = (&least, &most)
+                && most.is_less_than(least).is_proved()
+            {
+                return Ok(Stretch::Empty);
+            }
+        }
+        if let (Some(least), Some(most)) = (&least, &most) {
+            is_whole &= least.is_less_than(most).is_proved();
+        }
+        let at = |t: DoubleBall| [0, 1, 2].map(|k| start[k] + along[k] * t);
+        let ends: Vec<Forces> = [least, most].into_iter().flatten().map(at).collect();
+        if ends.is_empty() {
+            return Err(Undecided::new("whether a line is admissible as a whole"));
+        }
+        Ok(Stretch::Ends(ends, is_whole))
+    }
+
+    /// A lower bound of the value for all rates, for forces in a box; and the rates that made it.
+    fn bound(&self, forces: &Forces) -> Result<(f64, Rates), Undecided> {
+        let costs: Vec<DoubleBall> = self.all.iter().map(|other| -other.at(forces)).collect();
+        let middles: Vec<f64> = costs.iter().map(DoubleBall::mid).collect();
+        let best = least_cost(&self.columns, &middles);
+        let best = best.ok_or_else(|| Undecided::new("rates of the least value"))?;
+        let [x, y, z, _] = best.prices.map(DoubleBall::exact);
+        let rest = self
+            .all
+            .iter()
+            .zip(&costs)
+            .map(|(condition, cost)| (*cost - dot(&condition.motion, &[x, y, z])).lower());
+        Ok((rest.fold(f64::INFINITY, f64::min), best))
+    }
+
+    /// An upper bound of the value at admissible forces, with four rates that fit; `None` where they are not proved to be positive.
+    fn value(&self, forces: &Forces, best: &Rates) -> Option<f64> {
+        let columns: [usize; 4] = best.moving.clone().try_into().ok()?;
+        let motions = columns.map(|column| self.all[column].motion);
+        // Each rate is the determinant of the other three motions, with alternating signs.
+        let minor = |skip: usize| {
+            let rest: Vec<&[DoubleBall; 3]> =
+                (0..4).filter(|k| *k != skip).map(|k| &motions[k]).collect();
+            let size = dot(rest[0], &cross(rest[1], rest[2]));
+            if skip.is_multiple_of(2) { size } else { -size }
+        };
+        let rates = [0, 1, 2, 3].map(minor);
+        let sum = rates[0] + rates[1] + rates[2] + rates[3];
+        let levels = rates.map(|rate| rate / sum);
+        if !levels.iter().all(|level| level.is_positive().is_proved()) {
+            return None;
+        }
+        let terms = columns.iter().zip(&levels);
+        let value = terms.fold(sum.int(0), |value, (column, level)| {
+            value - self.all[*column].at(forces) * level
+        });
+        Some(value.upper())
+    }
+}
+
+/// Whether three are paired with each other.
+fn has_triangle(pairs: &[[usize; 2]]) -> bool {
+    let paired = |a: usize, b: usize| pairs.contains(&[a.max(b), a.min(b)]);
+    pairs.iter().enumerate().any(|(n, [a, b])| {
+        pairs[..n].iter().flatten().any(|c| c != a && c != b && paired(*a, *c) && paired(*b, *c))
+    })
+}
+
+/// An enclosure of the lesser of two numbers.
+fn lesser(a: DoubleBall, b: DoubleBall) -> DoubleBall {
+    if a.is_less_than(&b).is_proved() {
+        a
+    } else if b.is_less_than(&a).is_proved() {
+        b
+    } else {
+        a.hull_with(&b)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certify::{Voussoirs, voussoirs};
+    use crate::problem::stones::Stones;
+
+    fn found(arch: &Arch, eta: &str, stones: u64) -> Programme {
+        programme(arch, &eta.parse().unwrap(), stones).unwrap()
+    }
+
+    fn arch(weight: &str, alpha: &str, mu: &str) -> Arch {
+        Arch::parse(weight, alpha, mu).unwrap()
+    }
+
+    fn least(arch: &Arch, eta: &str, stones: u64) -> f64 {
+        match found(arch, eta, stones) {
+            Programme::Least { lower, upper: Some(upper) } => {
+                assert!(lower > 0.0 && lower <= upper && upper - lower < 1e-10, "{lower} {upper}");
+                lower
+            }
+            other => panic!("{eta}: {other:?}"),
+        }
+    }
+
+    /// Something is admissible exactly from the least thickness of the stones on, which is proved by other means.
+    #[test]
+    fn nothing_is_admissible_below_the_least_thickness_of_the_stones() {
+        for (weight, alpha, mu, stones) in [
+            ("milankovitch", "2.3", "1.05", 8),
+            ("heyman", "pi/2", "0.35", 7),
+            ("heyman", "pi/2", "0.6", 6),
+            ("milankovitch", "2.45", "1.35", 5),
+        ] {
+            let arch = arch(weight, alpha, mu);
+            let divided = Stones::equal(stones, arch.half_opening().clone()).unwrap();
+            let Ok(Voussoirs::Stands(state)) =
+                voussoirs(&divided, arch.weight(), arch.friction(), 6)
+            else {
+                panic!("{alpha} {mu}");
+            };
+            let eta = state.thickness.double;
+            let below = found(&arch, &format!("{:.6}", eta - 1e-5), stones);
+            assert_eq!(below, Programme::NothingAdmissible, "{alpha} {mu} {stones}");
+            assert!(least(&arch, &format!("{:.6}", eta + 1e-5), stones) < 1e-4);
+        }
+    }
+
+    /// Well above the least thickness the least value falls to zero again and rises: where two straight lines to it meet the
+    /// axis, next to the asymmetric solution of the arch with a joint at every angle, 0.577518.
+    #[test]
+    fn the_least_value_vanishes_a_second_time() {
+        let arch = arch("milankovitch", "2.3", "1.0454");
+        let at = |eta: f64| least(&arch, &format!("{eta:.9}"), 26);
+        let zero = |a: f64, b: f64| a - at(a) * (b - a) / (at(b) - at(a));
+        let falling = zero(0.5760, 0.5761);
+        let rising = zero(0.5764, 0.5763);
+        assert!((falling - rising).abs() < 1e-6, "{falling} {rising}");
+        for by in [-0.001, 0.001] {
+            assert!(
+                at(falling) < at(falling + by) / 1000.0,
+                "{} {}",
+                at(falling),
+                at(falling + by)
+            );
+        }
+    }
+
+    /// All triples of conditions, and all bases of four rates, in doubles.
+    fn by_enumeration(arch: &Arch, eta: &str, stones: i32) -> f64 {
+        let all = conditions(arch, &eta.parse().unwrap(), stones);
+        let n = all.len();
+        let middle = |x: &[DoubleBall; 3]| x.map(|x| x.mid());
+        let rows: Vec<[f64; 3]> = all.iter().map(|c| middle(&c.row)).collect();
+        let motions: Vec<[f64; 3]> = all.iter().map(|c| middle(&c.motion)).collect();
+        let det = |a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]| {
+            a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+                + a[2] * (b[0] * c[1] - b[1] * c[0])
+        };
+        let mut bases = Vec::new();
+        for i in 0..n {
+            for j in 0..i {
+                for k in 0..j {
+                    for l in 0..k {
+                        let m = [i, j, k, l].map(|x| &motions[x]);
+                        let rates = [
+                            det(m[1], m[2], m[3]),
+                            -det(m[0], m[2], m[3]),
+                            det(m[0], m[1], m[3]),
+                            -det(m[0], m[1], m[2]),
+                        ];
+                        let sum: f64 = rates.iter().sum();
+                        let levels = rates.map(|rate| rate / sum);
+                        if sum.abs() > 1e-12 && levels.iter().all(|level| *level > -1e-9) {
+                            bases.push(([i, j, k, l], levels));
+                        }
+                    }
+                }
+            }
+        }
+        let mut least = f64::INFINITY;
+        for i in 0..n {
+            for j in 0..i {
+                for k in 0..j {
+                    let whole = det(&rows[i], &rows[j], &rows[k]);
+                    if whole.abs() < 1e-9 {
+                        continue;
+                    }
+                    let loads = [i, j, k].map(|x| -all[x].load.mid());
+                    let x = [0, 1, 2].map(|place| {
+                        let mut r = [rows[i], rows[j], rows[k]];
+                        for (row, load) in r.iter_mut().zip(loads) {
+                            row[place] = load;
+                        }
+                        det(&r[0], &r[1], &r[2]) / whole
+                    });
+                    let gap = |c: usize| {
+                        -(rows[c].iter().zip(&x).map(|(a, b)| a * b).sum::<f64>()
+                            + all[c].load.mid())
+                    };
+                    let gaps: Vec<f64> = (0..n).map(gap).collect();
+                    if gaps.iter().all(|gap| *gap > -1e-9) {
+                        let value = |(columns, levels): &([usize; 4], [f64; 4])| {
+                            columns.iter().zip(levels).map(|(c, level)| gaps[*c] * level).sum()
+                        };
+                        least = bases.iter().map(value).fold(least, f64::min);
+                    }
+                }
+            }
+        }
+        least
+    }
+
+    /// Another way, which knows neither lines nor prices, finds the same least value.
+    #[test]
+    fn enumeration_finds_the_same() {
+        for (weight, alpha, mu, eta) in
+            [("heyman", "2.3", "1.1", "0.55"), ("milankovitch", "pi/2", "0.5", "0.2")]
+        {
+            let arch = arch(weight, alpha, mu);
+            let other = by_enumeration(&arch, eta, 4);
+            approx::assert_relative_eq!(least(&arch, eta, 4), other, max_relative = 1e-6);
+        }
+    }
+
+    #[test]
+    fn three_parallel_conditions_are_seen() {
+        assert!(!has_triangle(&[]) && !has_triangle(&[[1, 0], [3, 2], [4, 0]]));
+        assert!(has_triangle(&[[1, 0], [2, 1], [2, 0]]));
+    }
+
+    #[test]
+    fn what_it_cannot_decide_is_not_decided() {
+        let eta = "1/2".parse().unwrap();
+        assert!(programme(&arch("heyman", "2.3", "inf"), &eta, 8).is_err());
+        for stones in [0, 1, MOST_JOINTED_STONES + 1, u64::MAX] {
+            assert!(programme(&arch("heyman", "2.3", "1"), &eta, stones).is_err());
+        }
+    }
+}
