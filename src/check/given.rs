@@ -10,7 +10,7 @@ const PI: &str = " pi";
 const ARCTANGENT: &str = "2 atan ";
 
 /// `49/20`, `49/20 pi`, or `2 atan 49/20`.
-pub(crate) fn given_text(x: &ExactNumber) -> String {
+pub(super) fn given_text(x: &ExactNumber) -> String {
     let (numerator, denominator) = (x.factor().numer(), x.factor().denom());
     match x.form() {
         Form::Rational => format!("{numerator}/{denominator}"),
@@ -20,7 +20,7 @@ pub(crate) fn given_text(x: &ExactNumber) -> String {
 }
 
 /// A coefficient in that form, `tan` before an angle in that form, or `inf`.
-pub(crate) fn friction_text(friction: &Friction) -> String {
+pub(super) fn friction_text(friction: &Friction) -> String {
     match friction {
         Friction::Coefficient(mu) => given_text(mu),
         Friction::Angle(phi) => format!("tan {}", given_text(phi)),

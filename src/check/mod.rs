@@ -11,6 +11,7 @@ mod given;
 pub mod krawczyk;
 mod object;
 mod refusal;
+mod summary;
 mod visible;
 
 #[cfg(feature = "cli")]
@@ -20,8 +21,7 @@ pub use checker::{
 };
 pub use claim::{ArchFile, ClaimFile, StandsFile, StateFile, TooThinFile};
 pub use format::{Certificate, SCHEMA, ValueFile, Witness};
-#[cfg(feature = "cli")]
-pub(crate) use given::{friction_text, given_text};
 pub use refusal::Refusal;
+pub use summary::summary;
 #[cfg(feature = "cli")]
 pub(crate) use visible::visible_name;

@@ -1,8 +1,7 @@
 //! `couplet check`: also the whole of the small program.
 
-use super::accepted::summary;
 use super::failure::{Failure, print, reason};
-use crate::check::{Accepted, MAX_DIGITS, Refusal, verify, visible_name};
+use crate::check::{Accepted, MAX_DIGITS, Refusal, summary, verify, visible_name};
 use clap::Args;
 use std::ffi::{OsStr, OsString};
 use std::fs::File;

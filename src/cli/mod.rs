@@ -3,7 +3,6 @@
 //! Exit codes: 0 everything asked was proved; 1 something was refuted, refused or undecided; 2 bad
 //! usage or input; 3 a resource or I/O failure.
 
-mod accepted;
 mod check;
 #[cfg(feature = "mpfr")]
 mod commands;

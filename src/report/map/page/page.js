@@ -74,7 +74,7 @@ function show(given, isKept) {
     at("arch").innerHTML = arch(found);
     cross(found);
   }
-  const question = given.half_opening === undefined ? "find half-opening" : "state";
+  const question = given.half_opening === undefined ? "find half-opening" : given.thickness === undefined ? "state" : "assess";
   const options = Object.entries(given).map(([key, value]) => `--${key.replace("_", "-")} ${value}`);
   at("command").replaceChildren(...[`couplet ${question}`, ...options].flatMap((words) => {
     const span = document.createElement("span");
@@ -83,23 +83,26 @@ function show(given, isKept) {
   }));
   if (isKept) history.replaceState(null, "", `#${new URLSearchParams(given)}`);
   shown = found;
+  // What else there is on a page may follow.
+  dispatchEvent(new CustomEvent("shown", { detail: { given, found } }));
 }
 let shown;
 
 /** The arch at its least thickness, with its hinges, its joints that slide, and its line of thrust. */
-function arch({ mode, eta, fac, halfOpening: alpha, thrust, rotation, sliding }) {
+function arch({ mode, eta, fac, halfOpening: alpha, thrust, rotation, sliding, crownMoment }) {
   const [inner, outer] = [1 - eta / 2, 1 + eta / 2];
   const point = (r, beta) => `${(r * Math.sin(beta)).toFixed(4)} ${(-r * Math.cos(beta)).toFixed(4)}`;
   const line = (r) => Array.from({ length: 121 }, (_, k) => (k / 60 - 1) * alpha).map((beta) => point(r(beta), beta));
   const ring = [...line(() => outer), ...line(() => inner).reverse()];
   const normal = (beta) => thrust * Math.cos(beta) + beta * Math.sin(beta);
-  const moment = inner * normal(rotation) - fac * (1 - Math.cos(rotation));
-  const forces = line((beta) => (moment + fac * (1 - Math.cos(beta))) / normal(Math.abs(beta)));
+  const moment = crownMoment ?? inner * normal(rotation) - fac * (1 - Math.cos(rotation));
+  // Without thrust the line comes to half of the centroids' radius at the crown.
+  const forces = line((beta) => normal(beta) > 0 ? (moment + fac * (1 - Math.cos(beta))) / normal(beta) : fac / 2);
   const sides = (beta) => beta > 0 ? [-beta, beta] : [0];
   const hinge = (r, beta) => sides(beta).map((b) => `<path class="hinge" d="M${point(r, b)}h0"/>`).join("");
   const slip = (beta) => sides(beta).map((b) => `<path class="slip" d="M${point(inner, b)}L${point(outer, b)}"/>`).join("");
   const marks = [
-    mode[1] === "s" ? slip(alpha) : hinge(outer, alpha),
+    mode[1] === "s" ? slip(alpha) : mode ? hinge(outer, alpha) : "",
     /,s/.test(mode) ? slip(sliding) : "",
     /r,r|,r\]/.test(mode) ? hinge(inner, rotation) : "",
     /r,r\]/.test(mode) && mode !== "[r,r,s]" ? hinge(outer, 0) : "",

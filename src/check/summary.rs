@@ -1,10 +1,11 @@
 //! What was accepted, in a few words: shortened, and true.
 
-use crate::check::{Accepted, friction_text, given_text};
+use super::checker::Accepted;
+use super::given::{friction_text, given_text};
 use crate::problem::{Arch, Problem, Quantity, Verdict};
 
-/// What was accepted, in a few words.
-pub(super) fn summary(accepted: &Accepted) -> String {
+/// What was accepted, in a few words: the end of the line that `couplet check` gives a file.
+pub fn summary(accepted: &Accepted) -> String {
     let thick = |thickness| format!(" thickness {}", shortened_fraction(&given_text(thickness)));
     // What is given is compared with the value of the same quantity, and with no other.
     let (subject, limit) = match &accepted.problem {

@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+"""Puts the page together: the map that `couplet map` writes, the checker in WebAssembly, and what joins them.
+
+    page/assemble.py MAP.html CHECKER.wasm INDEX.html
+"""
+
+import base64
+import hashlib
+import pathlib
+import re
+import sys
+
+HERE = pathlib.Path(__file__).parent
+
+
+def part(name):
+    return (HERE / name).read_text(encoding="utf-8")
+
+
+def replaced(text, old, new):
+    """The text with the one place of `old` replaced; the map has changed if there is not exactly one."""
+    if text.count(old) != 1:
+        sys.exit(f"page/assemble.py: the map has {text.count(old)} places '{old[:60]}', not one")
+    return text.replace(old, new)
+
+
+def inside(text, tag):
+    found = re.findall(f"<{tag}>(.*?)</{tag}>", text, re.DOTALL)
+    if len(found) != 1:
+        sys.exit(f"page/assemble.py: the map has {len(found)} elements '{tag}', not one")
+    return found[0]
+
+
+def digest(text):
+    return base64.b64encode(hashlib.sha256(text.encode("utf-8")).digest()).decode("ascii")
+
+
+def page(text, wasm):
+    style, script = inside(text, "style"), inside(text, "script")
+    new_style, new_script = style + part("extra.css"), script + part("extra.js")
+    policy = re.search(r'<meta http-equiv="Content-Security-Policy" content="([^"]*)">', text)[1]
+    new_policy = (
+        f"default-src 'none'; style-src 'sha256-{digest(new_style)}'; "
+        f"script-src 'sha256-{digest(new_script)}' 'wasm-unsafe-eval'; base-uri 'none'; form-action 'none'"
+    )
+    text = replaced(text, policy, new_policy)
+    text = replaced(text, f"<style>{style}</style>", f"<style>{new_style}</style>")
+    data = f'<script type="text/plain" id="wasm">{base64.b64encode(wasm).decode("ascii")}</script>\n'
+    text = replaced(text, f"<script>{script}</script>", f"{data}<script>{new_script}</script>")
+    # What is proved here is said in one place, before the numbers.
+    warning = re.search(r'<p class="note warning">.*?</p>', text, re.DOTALL)[0]
+    command = re.search(r'<code id="command"></code>', warning)[0]
+    text = replaced(text, warning, f'<p class="note">More digits, from a shell:<br>{command}</p>')
+    text = replaced(text, '<p id="summary" role="status"></p>', '<p id="summary" role="status"></p>\n' + part("extra.html"))
+    text = replaced(text, "</form>", part("controls.html") + "</form>\n" + part("check.html"))
+    return replaced(text, "The least thickness of an arch", "An arch to play with")
+
+
+def main():
+    source, wasm, out = map(pathlib.Path, sys.argv[1:])
+    out.write_text(page(source.read_text(encoding="utf-8"), wasm.read_bytes()), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
