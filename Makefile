@@ -1,7 +1,7 @@
 # `make` builds couplet and prints the landmark constants; `make test` runs every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build test lint docs msrv deny snapshots pictures constants states checker combinations crates examples exporters wheel bench peers \
+.PHONY: run build test lint docs msrv deny snapshots pictures constants states checker combinations crates examples exporters wheel page page-test bench peers \
         proofs witness m4 coq
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
@@ -103,6 +103,21 @@ exporters: m4
 # The Python package, built and tested in fresh virtual environments.
 wheel: m4
 	@.ci/wheel
+
+# The map as a page that proves what it shows and checks certificates, for any web server or to be opened from disk:
+# target/page/index.html.
+page: build
+	$(call need,page/build.sh --ready && command -v python3,rustc-web cargo-web rust-web-src lld python3,\
+	the page needs Python and the target wasm32-unknown-unknown (rustup target add wasm32-unknown-unknown))
+	@mkdir -p target/page
+	cd target/page && ../release/couplet map -o map.html >/dev/null
+	wasm=$$(page/build.sh) && page/assemble.py target/page/map.html "$$wasm" target/page/index.html
+	@rm target/page/map.html
+
+# What it shows is what the command prints, in Chromium where it is installed.
+page-test: page
+	cargo test --locked --package couplet-page
+	page/test.py target/page/index.html target/release/couplet
 
 # Timings of this machine; nothing depends on them.
 bench: m4

@@ -52,8 +52,12 @@ def page(text, wasm):
     command = re.search(r'<code id="command"></code>', warning)[0]
     text = replaced(text, warning, f'<p class="note">More digits, from a shell:<br>{command}</p>')
     text = replaced(text, '<p id="summary" role="status"></p>', '<p id="summary" role="status"></p>\n' + part("extra.html"))
-    text = replaced(text, "</form>", part("controls.html") + "</form>\n" + part("check.html"))
-    return replaced(text, "The least thickness of an arch", "An arch to play with")
+    text = replaced(text, "<h2>The least thickness of an arch</h2>", "<h2>An arch to play with</h2>\n" + part("controls.html"))
+    field = '<label>thickness <input type="text" id="ask-thickness" placeholder="none"></label>'
+    text = replaced(text, "<button>show</button>", f"{field} <button>show</button>")
+    # The check comes after the map, as a part of its own.
+    title = re.search(r'<section class="wide">\n<h2>Landmarks', text)[0]
+    return replaced(text, title, part("check.html") + title)
 
 
 def main():

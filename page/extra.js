@@ -109,8 +109,8 @@ function assess(eta, text, digits, found) {
   const fac = 1 + (found.fac - 1) * (eta / found.eta) ** 2;
   at("arch").innerHTML = arch({ ...found, mode: "", eta, fac, crownMoment: middleMoment(found, eta, fac) });
   const safety = `geometric safety ${sure(ratio, near, 4)}, the thickness by the least one`;
-  if (ratio > 1 + near) say("verdict", `It stands, proved: ${safety}. The drawing has one of the lines of thrust that fit.`, "proved");
-  else if (ratio < 1 - near) say("verdict", `It does not stand, proved: ${safety}. No line of thrust fits.`, "proved");
+  if (ratio > 1 + near) say("verdict", `It stands, proved: ${safety}. The drawing has one of the lines of thrust that fit; the numbers are those at the least thickness.`, "proved");
+  else if (ratio < 1 - near) say("verdict", `It does not stand, proved: ${safety}. No line of thrust fits; the numbers are those at the least thickness.`, "proved");
   else say("verdict", "Too near to the least thickness to tell here; couplet assess does.", "open");
 }
 
