@@ -14,7 +14,7 @@ import tempfile
 
 REPOSITORY = pathlib.Path(__file__).resolve().parent.parent
 
-# Every mode of both weights, arches that fall for want of friction or as they are too wide, and unlimited friction.
+# Every mode that has a thickness, arches that fall for want of friction or as they are too wide, and unlimited friction.
 ARCHES = [
     ("heyman", "80deg", "0.6"), ("heyman", "80deg", "0.35"), ("heyman", "90deg", "0.38"), ("heyman", "1.4", "inf"),
     ("heyman", "2.5", "1.5"), ("heyman", "2.65", "inf"), ("heyman", "20deg", "0.1"),
@@ -27,7 +27,8 @@ ARCHES = [
 
 # Shows the arches, drops the files, makes the certificates, moves a slider; what came of it stands in one element.
 HARNESS = """<script>
-ready.then(async () => {
+(async () => {
+  while (!engine) await new Promise((resolve) => setTimeout(resolve, 50));
   const noted = [];
   const texts = () => ["proof", "verdict", "mode", "thickness", "thrust", "rotation_joint", "sliding_joint"].map((id) => at(id).textContent);
   const note = (given) => { show(given); noted.push(texts()); };
@@ -57,8 +58,13 @@ ready.then(async () => {
   pre.id = "noted";
   pre.textContent = JSON.stringify({ noted, sentences, made, each, hash: location.hash });
   document.body.append(pre);
-});
+})();
 </script>"""
+
+
+# Milliseconds on the browser's clock, which runs ahead to the next timer while nothing else is due: enough for the
+# harness, which waits by timers.
+BUDGET = 10_000_000
 
 
 def browser(page, fragment=""):
@@ -66,7 +72,7 @@ def browser(page, fragment=""):
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "index.html"
         file.write_text(page, encoding="utf-8")
-        quiet = ["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--enable-logging=stderr", "--virtual-time-budget=30000"]
+        quiet = ["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--enable-logging=stderr", f"--virtual-time-budget={BUDGET}"]
         line = ["chromium", *quiet, f"--user-data-dir={folder}/profile", "--dump-dom", f"file://{file}#{fragment}"]
         run = subprocess.run(line, capture_output=True, text=True, timeout=300)
         return run.stdout, [said for said in run.stderr.splitlines() if "CONSOLE" in said]
@@ -119,7 +125,11 @@ def main():
         assert loaded not in re.sub(r'<script type="text/plain".*?</script>', "", page, flags=re.DOTALL).replace("link.href =", ""), loaded
 
     # As it is, under its policy.
-    dom, console = browser(page, "half_opening=80deg&friction=0.35&weight=heyman")
+    for _ in range(5):
+        # Without a timer that waits, the clock may run out before WebAssembly is compiled.
+        dom, console = browser(page, "half_opening=80deg&friction=0.35&weight=heyman")
+        if "loaded" not in element(dom, "proof"):
+            break
     assert not console, console
     assert element(dom, "proof").startswith("Proved here"), element(dom, "proof")
     assert element(dom, "thickness") == "0.06863521258", element(dom, "thickness")
@@ -174,7 +184,7 @@ def main():
             # The command adds the option that this page has not.
             assert truth.split(";")[0] == sentence.removeprefix(name).split(";")[0], (truth, sentence)
         assert sum("accepted" in text for text in found["sentences"]) == len(list((REPOSITORY / "proofs/states").glob("*.json"))) + 1
-    assert len(set(modes[: len(ARCHES)])) == 8 and modes[len(ARCHES) : len(ARCHES) + 4] == [None, "[s,r,r]", "[s,r,r]", "[r,r,r]"], modes
+    assert len(set(modes[: len(ARCHES)])) == 7 and modes[len(ARCHES) : len(ARCHES) + 4] == [None, "[s,r,r]", "[s,r,r]", "[r,r,r]"], modes
     # A place of the map is a candidate, and says so.
     assert found["noted"][-1][0].startswith("Candidate, not proved"), found["noted"][-1]
     assert "friction=0.2" in found["hash"], found["hash"]
