@@ -116,6 +116,8 @@ page: build
 
 # What it shows is what the command prints, in Chromium where it is installed.
 page-test: page
+	cargo fmt --package couplet-page --check
+	cargo clippy --locked --package couplet-page --all-targets -- -D warnings
 	cargo test --locked --package couplet-page
 	page/test.py target/page/index.html target/release/couplet
 

@@ -127,14 +127,17 @@ addEventListener("shown", ({ detail }) => {
   tell(detail);
   const { half_opening, friction, friction_angle, thickness } = detail.given;
   const put = (id, text) => { if (document.activeElement !== at(id)) at(id).value = text; };
-  if (half_opening !== undefined) {
-    put("ask-half-opening", half_opening);
-    put("slide-half-opening", read(half_opening) / DEGREE);
-    put("ask-thickness", thickness ?? "");
-    put("slide-thickness", read(thickness ?? "0"));
+  // From a place of the map a slider goes on with its half opening.
+  const place = half_opening ?? detail.found.halfOpening?.toFixed(6);
+  const isThick = half_opening !== undefined && thickness !== undefined;
+  if (place !== undefined) {
+    put("ask-half-opening", place);
+    put("slide-half-opening", read(place) / DEGREE);
   }
+  put("ask-thickness", isThick ? thickness : "");
+  put("slide-thickness", isThick ? read(thickness) : 0);
   put("ask-friction", friction ?? friction_angle);
-  put("slide-friction", friction === undefined ? Math.tan(read(friction_angle)) : read(friction));
+  put("slide-friction", Math.min(friction === undefined ? Math.tan(read(friction_angle)) : read(friction), 2));
 });
 
 function fields() {

@@ -38,6 +38,7 @@ HARNESS = """<script>
     note({ weight, half_opening, ...(isAngle ? { friction_angle: friction } : { friction }), ...(thickness && { thickness }) });
   }
   note({ weight: "heyman", thickness: "0.3", friction: "0.6" });
+  const fields = ["ask-half-opening", "ask-thickness", "slide-thickness"].map((id) => at(id).value);
   const transfer = new DataTransfer();
   for (const [name, text] of WORK.files) transfer.items.add(new File([text], name));
   dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, cancelable: true }));
@@ -54,7 +55,7 @@ HARNESS = """<script>
   at("slide-friction").dispatchEvent(new Event("change"));
   const pre = document.createElement("pre");
   pre.id = "noted";
-  pre.textContent = JSON.stringify({ noted, sentences, made, hash: location.hash });
+  pre.textContent = JSON.stringify({ noted, sentences, made, fields, hash: location.hash });
   document.body.append(pre);
 })();
 </script>"""
@@ -183,6 +184,7 @@ def main():
             assert truth.split(";")[0] == sentence.removeprefix(name).split(";")[0], (truth, sentence)
         assert sum("accepted" in text for text in found["sentences"]) == len(list((REPOSITORY / "proofs/states").glob("*.json"))) + 1
     assert len(set(modes[: len(ARCHES)])) == 7 and modes[len(ARCHES) : len(ARCHES) + 4] == [None, "[s,r,r]", "[s,r,r]", "[r,r,r]"], modes
+    assert found["fields"][1] == "" and abs(float(found["fields"][0]) - 1.918) < 1e-3, found["fields"]
     # A place of the map is a candidate, and says so.
     assert found["noted"][-1][0].startswith("Candidate, not proved"), found["noted"][-1]
     assert "friction=0.2" in found["hash"], found["hash"]

@@ -37,7 +37,7 @@ pub(crate) fn candidate(problem: &Problem, start: &[f64]) -> Option<Candidate> {
             row.iter().zip(&residuals).map(|(x, residual)| x * residual.value().mid().hi()).sum()
         };
         let steps: Vec<f64> = inverse.iter().map(step).collect();
-        root.iter_mut().zip(&steps).for_each(|(x, step)| *x = *x - &DoubleDouble::exact(*step));
+        root.iter_mut().zip(&steps).for_each(|(x, step)| *x = *x - DoubleDouble::exact(*step));
     }
     let is_finite = root.iter().all(|x| x.hi().is_finite());
     let at = place(&root);
