@@ -99,6 +99,9 @@ def test_a_forked_process_does_not_hang():
 def test_ctrl_c_stops_an_array():
     pytest.importorskip("numpy")
     program = """
+import signal
+# What runs in the background may be born deaf to it.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 import couplet, numpy
 random = numpy.random.default_rng(1)
 def tell(done, all_):

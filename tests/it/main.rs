@@ -12,8 +12,6 @@ mod hard;
 mod program;
 #[cfg(all(unix, feature = "study", feature = "cli"))]
 mod snapshot;
-#[cfg(all(feature = "mpfr", feature = "cli"))]
-mod tilt;
 mod tool;
 
 #[cfg(feature = "mpfr")]
@@ -26,6 +24,7 @@ mod certificates;
 mod checker;
 #[cfg(all(feature = "mpfr", feature = "cli"))]
 mod command_line;
+#[cfg(all(feature = "mpfr", feature = "cli"))]
 mod complementarity;
 #[cfg(feature = "check")]
 mod constants;
@@ -58,5 +57,7 @@ mod states;
 mod static_programme;
 #[cfg(feature = "proptest")]
 mod strategies;
+#[cfg(all(feature = "mpfr", feature = "cli"))]
+mod tilt;
 #[cfg(all(feature = "mpfr", feature = "cli"))]
 mod voussoirs;
