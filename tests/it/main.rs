@@ -12,6 +12,7 @@ mod hard;
 mod program;
 #[cfg(all(unix, feature = "study", feature = "cli"))]
 mod snapshot;
+#[cfg(all(feature = "mpfr", feature = "cli"))]
 mod tool;
 
 #[cfg(feature = "mpfr")]
