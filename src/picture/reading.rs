@@ -40,7 +40,7 @@ fn what_is_not_well_formed_is_refused() {
 }
 
 /// Where the texts of a document are, with the page.
-#[cfg(all(feature = "plots", any(feature = "study", feature = "cli")))]
+#[cfg(feature = "plots")]
 pub(crate) mod boxes {
     use crate::picture::png;
     use resvg::tiny_skia::Rect;
