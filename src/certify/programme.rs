@@ -190,7 +190,7 @@ impl Search {
         let (by_a, by_b) = (cross(&b.row, &along), cross(&along, &a.row));
         let start: Forces = [0, 1, 2].map(|k| -(by_a[k] * a.load + by_b[k] * b.load) / size);
         let (mut least, mut most): (Option<DoubleBall>, Option<DoubleBall>) = (None, None);
-        let mut is_whole = true;
+        let (mut is_whole, mut is_open) = (true, false);
         let others = self.all.iter().enumerate().filter(|(k, _)| *k != i && *k != j);
         for (_, other) in others {
             let (slope, value) = (dot(&other.row, &along), other.at(&start));
@@ -207,7 +207,7 @@ impl Search {
                 }
                 is_whole &= (-value).is_positive().is_proved();
             } else {
-                is_whole = false;
+                (is_whole, is_open) = (false, true);
             }
             if let (Some(least), Some(most)) = (&least, &most)
                 && most.is_less_than(least).is_proved()
@@ -217,6 +217,10 @@ impl Search {
         }
         if let (Some(least), Some(most)) = (&least, &most) {
             is_whole &= least.is_less_than(most).is_proved();
+        }
+        // A bound left out makes a stretch longer, which loses nothing; but a ray has no vertex where a stretch would end.
+        if is_open && (least.is_none() || most.is_none()) {
+            return Err(Undecided::new("whether a line is admissible as a whole"));
         }
         let at = |t: DoubleBall| [0, 1, 2].map(|k| start[k] + along[k] * t);
         let ends: Vec<Forces> = [least, most].into_iter().flatten().map(at).collect();

@@ -149,6 +149,9 @@ impl Proof {
             TiltCandidate::Limited(near) => {
                 let (high, limits) = self.bound_above(&near.touches)?;
                 let low = self.bound_below(&near.limit, &near.inside)?;
+                if high.is_less_than(&low).is_proved() {
+                    return Err(Undecided::new("a bound of the acceleration"));
+                }
                 Ok(Some(([low, high], limits)))
             }
         }
@@ -172,6 +175,14 @@ impl Proof {
         }
         let question = "a bound of the acceleration";
         if apart.len() != kept.len() + 1 {
+            return Err(Undecided::new(question));
+        }
+        // A joint beyond the springings is none of the arch.
+        let is_of_arch = |touch: &Touch| {
+            let size = Ball::exact(touch.joint.clone().abs(), self.bits);
+            !touch.is_inside || (self.half_opening.clone() - size).is_positive().is_proved()
+        };
+        if !apart.iter().all(is_of_arch) {
             return Err(Undecided::new(question));
         }
         let rows: Vec<TiltedRow<Ball>> = apart.iter().map(|touch| self.row(touch)).collect();
@@ -327,6 +338,10 @@ mod tests {
             moved.iter_mut().filter(|touch| touch.is_inside).for_each(|touch| touch.joint += 0.01);
             let (higher, _) = proof.bound_above(&moved).unwrap();
             assert!((higher - best).is_positive().is_proved(), "{alpha} {mu}");
+            // A joint that the arch does not have.
+            let mut beyond = near.touches.clone();
+            beyond.iter_mut().filter(|touch| touch.is_inside).for_each(|touch| touch.joint += 3);
+            assert!(proof.bound_above(&beyond).is_err(), "{alpha} {mu}");
             let other_way = [0, 1, 2, 3].map(|k| {
                 let way = Float::with_val(200, &near.inside[k] - &near.limit[k]);
                 Float::with_val(200, &near.limit[k] - way)

@@ -21,9 +21,9 @@ use std::sync::OnceLock;
 pub(super) const CLAIMS: &[Claim] = &[Claim {
     id: "asymmetric-begins",
     place: "Eq. (19)",
-    statement: "where [s,r,r] meets [s,s], the symmetric state has an asymmetric mechanism of the first kind from alpha near 126.21° \
-                (Milankovitch) or 125.63° (Heyman) on up to T, and none before; where [r,r,r] meets [s,r,r], one of the second kind from \
-                128.73° on up to T, and none before",
+    statement: "the equations of the line where [s,r,r] meets [s,s] have a symmetric solution with an asymmetric mechanism of the first kind \
+                at each alpha from near 126.21° (Milankovitch) or 125.63° (Heyman) on up to T, and one without at each from 90° on before; \
+                those of the line where [r,r,r] meets [s,r,r] one of the second kind from 128.73° on up to T, and one without before",
     decide: begins,
 }];
 
@@ -153,10 +153,9 @@ impl Edge {
         let at = self.at(&equations.half_opening, &root);
         let at = at.ok_or_else(|| Undecided::new("the number of unknowns"))?;
         let motion = at.motion(self.mode);
-        let mut rates = motion.0.iter().map(|joint| joint.rate.is_positive());
         let is_decided = match exists {
-            true => rates.all(Ternary::is_proved),
-            false => rates.any(|rate| rate == Ternary::False),
+            true => motion.0.iter().all(|joint| joint.rate.is_positive().is_proved()),
+            false => motion.0.iter().any(|joint| (-joint.rate.clone()).is_positive().is_proved()),
         };
         let centre = || root.iter().map(|x| Float::with_val(BITS, x.mid())).collect();
         is_decided.then(centre).ok_or_else(|| Undecided::new("the sign of a rate"))
@@ -183,7 +182,7 @@ fn begins(d: &mut Derivation) -> Result<Finding, Undecided> {
         let Edge { weight, mode, begins: [fails, holds] } = edge;
         decided.clone()?;
         let words = format!(
-            "{}, {}: a rate is negative for alpha from 90° to {}°, and all are positive from {}° to T",
+            "{}, {}: at each alpha from 90° to {}° a solution has a negative rate, and at each from {}° to T one has positive rates",
             weight.name(),
             mode.name(),
             Rational::from((*fails, 100)).to_f64(),
@@ -214,7 +213,8 @@ fn begins(d: &mut Derivation) -> Result<Finding, Undecided> {
     let words = "at a symmetric state, twice sin(alpha + beta_s) times the slip of the inner joint";
     d.identity(words, &misfit, &expected, &Relations::none())?;
     d.conclude(
-        "The first bracket is positive, as the arm above the haunch is. So nothing of the kind exists where cos(alpha) >= 0, and \
+        "The solutions are sought one from the next, from T on; that they are one curve, which is admissible, is not proved here. \
+         The first bracket is positive, as the arm above the haunch is. So nothing of the kind exists where cos(alpha) >= 0, and \
          the condition is up |cot(alpha)| > (1 - eta/2) sin(beta_r), with up the height of the crown's extrados above the intrados \
          of the haunch.",
     );

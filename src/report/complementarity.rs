@@ -61,11 +61,11 @@ pub struct ComplementarityArches(pub Vec<ComplementarityArch>);
 
 /// How the solutions are sought, and what is not proved.
 const SEARCH: [&str; 5] = [
-    "Among symmetric states there is one such thickness (couplet prove unique-thickness), except at",
-    "the friction of pure sliding. Asymmetric states are sought with three kinds of mechanisms, along",
-    "those with a sliding shoulder, from the symmetric one to larger vertical forces in the crown.",
-    "What the search finds is proved; that there is nothing else is not: other asymmetric states may",
-    "exist. With unlimited friction nothing slides, and none is sought.",
+    "Among symmetric states there is at most one such thickness (couplet prove unique-thickness),",
+    "except at the friction of pure sliding. Asymmetric states are sought with three kinds of",
+    "mechanisms, along those with a sliding shoulder, from the symmetric one to larger vertical forces",
+    "in the crown. What the search finds is proved; that there is nothing else is not: other asymmetric",
+    "states may exist. With unlimited friction nothing slides, and none is sought.",
 ];
 
 /// What an asymmetric solution means.

@@ -57,7 +57,7 @@ pub(super) fn range(joints: &Joints<'_>, thickness: &Ball, ties: Ties) -> Result
     }
     let bound = |end: &ThrustEnd| match end {
         ThrustEnd::At(contacts) => {
-            Some((contacts.clone(), together(joints, contacts, &ring).bound()))
+            Some((contacts.clone(), together(joints, contacts, &ring).ok()?.bound()))
         }
         _ => None,
     };
@@ -78,11 +78,18 @@ pub(super) fn range(joints: &Joints<'_>, thickness: &Ball, ties: Ties) -> Result
     Ok(Range::Stands([least, most]))
 }
 
-/// What a slip, or two hinges, say of the thrust.
-fn together(joints: &Joints<'_>, contacts: &[JointContact], ring: &Ring<Ball>) -> Row<Ball> {
+/// What a slip, or two hinges, say of the thrust: nothing, if they say it of the crown moment too.
+fn together(
+    joints: &Joints<'_>,
+    contacts: &[JointContact],
+    ring: &Ring<Ball>,
+) -> Result<Row<Ball>, Undecided> {
     let zero = ring.thickness.int(0);
     let none = Row { thrust: zero.clone(), moment: zero.clone(), load: zero };
-    contacts.iter().fold(none, |sum, contact| sum.plus(&joints.row(*contact, ring)))
+    let row = contacts.iter().fold(none, |sum, contact| sum.plus(&joints.row(*contact, ring)));
+    let is_free = row.moment.mid().is_zero() && row.moment.rad().is_zero();
+    require(is_free, "whether the thrust is bounded")?;
+    Ok(row)
 }
 
 fn falls(
@@ -90,7 +97,8 @@ fn falls(
     ring: &Ring<Ball>,
     contacts: [Vec<JointContact>; 2],
 ) -> Result<Range, Undecided> {
-    let rows = contacts.each_ref().map(|contacts| together(joints, contacts, ring));
+    let [lower, upper] = &contacts;
+    let rows = [together(joints, lower, ring)?, together(joints, upper, ring)?];
     leave_no_thrust(rows.each_ref())?;
     let [least, most] = rows.map(|row| Some(row.bound()));
     let [lower, upper] = contacts;
@@ -107,7 +115,7 @@ fn reached(
     side: Side,
     contacts: &[JointContact],
 ) -> Result<Ball, Undecided> {
-    let row = together(joints, contacts, ring);
+    let row = together(joints, contacts, ring)?;
     let slope = match side {
         Side::Least => -row.thrust.clone(),
         Side::Largest => row.thrust.clone(),
@@ -149,7 +157,7 @@ fn unbounded(
     let question = "whether the thrust is bounded";
     require(side == Side::Largest, question)?;
     let last = joints.last();
-    let hinges = together(joints, &[(Contact::Extrados, last), (Contact::Intrados, 0)], ring);
+    let hinges = together(joints, &[(Contact::Extrados, last), (Contact::Intrados, 0)], ring)?;
     let has_no_arm = ties.has_no_arm && joints.stones.has_joint_at_crown();
     require(has_no_arm || is_positive(&-hinges.thrust), question)?;
     let slip = joints.row((Contact::Outwards, last), ring);

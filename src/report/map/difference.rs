@@ -80,6 +80,16 @@ fn outward(bound: f64, is_upper: bool) -> String {
     format!("{:+.4}", whole / 1e4 + 0.0)
 }
 
+/// A width to two digits, rounded up.
+fn no_less(width: f64) -> String {
+    let text = format!("{width:.1e}");
+    // A tenth more is more by two units of the last digit at least.
+    match text.parse::<f64>() {
+        Ok(shown) if shown >= width => text,
+        _ => format!("{:.1e}", width * 1.1),
+    }
+}
+
 pub(in crate::report) fn table(report: &MapDifferences, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(
         out,
@@ -97,18 +107,18 @@ pub(in crate::report) fn table(report: &MapDifferences, out: &mut dyn io::Write)
         let [least, most] = difference.bounds();
         writeln!(
             out,
-            "{:<8}  {from:<6}  {to:<6}  {}  {}  {:<6}  {:.1e}  {}",
+            "{:<8}  {from:<6}  {to:<6}  {}  {}  {:<6}  {}  {}",
             difference.divide,
             outward(least, false),
             outward(most, true),
             difference.steps().len(),
-            difference.width(),
+            no_less(difference.width()),
             lines(difference).join(", "),
         )?;
     }
     writeln!(
         out,
-        "\nproved: for each friction angle between these the difference is in the tube, and between its least and its most"
+        "\nproved: for each friction angle between these, here rounded, the difference is in the tube, and between its least and its most"
     )
 }
 
