@@ -49,6 +49,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let eta = arguments.thickness.as_deref().unwrap_or_default();
     let eta = measures::thickness(measured.as_ref(), eta)?;
     if let Some(tilt) = &arguments.tilt {
+        if measured.is_some_and(|measured| measured.measures.has_forces()) {
+            let message = "--tilt tells no forces: leave out --density and --depth";
+            return Err(Failure::Input(message.to_owned()));
+        }
         return tilted(arguments, &arches, &eta, tilt);
     }
     let all = measures::quantities(

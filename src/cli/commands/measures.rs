@@ -31,9 +31,9 @@ pub(super) struct MeasureArguments {
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     radius: Option<Length>,
 
-    /// Circle at which these are measured: intrados, centreline or extrados.
-    #[arg(long, value_name = "CIRCLE", default_value = "centreline")]
-    measured_at: Circle,
+    /// Circle at which these are measured: intrados, centreline (if not given) or extrados.
+    #[arg(long, value_name = "CIRCLE")]
+    measured_at: Option<Circle>,
 
     /// Density of the material (2400kg/m3, 24kN/m3); with --depth, forces are told in kN.
     #[arg(long, value_name = "DENSITY", requires = "depth", allow_hyphen_values = true)]
@@ -108,10 +108,15 @@ impl MeasureArguments {
                 let message = "forces need a size: give --span and --rise, or --radius";
                 return Err(Failure::Input(message.to_owned()));
             }
+            (None, None) if self.measured_at.is_some() => {
+                let message = "--measured-at needs a size: give --span and --rise, or --radius";
+                return Err(Failure::Input(message.to_owned()));
+            }
             (None, None) => return Ok(None),
         };
+        let circle = self.measured_at.unwrap_or_default();
         let loaded = self.density.clone().zip(self.depth.clone());
-        let measures = Measures::new(self.measured_at, radius, loaded);
+        let measures = Measures::new(circle, radius, loaded);
         Ok(Some(Measured { half_opening, measures }))
     }
 }

@@ -135,6 +135,7 @@ fn wrong_measures_are_one_line() {
         ("--span 10m --rise 3m --density 2400kg/m3", "--depth"),
         ("--span 10m --rise 3m --density 2400 --depth 1m", "'2400' is not a density"),
         ("--half-opening 1 --density 24kN/m3 --depth 1m", "need a size"),
+        ("--half-opening 1 --measured-at intrados", "--measured-at needs a size"),
         ("--span 10m --rise 3m --measured-at middle", "intrados, centreline, extrados"),
         ("--span 10m --rise 3m --quantity weight_kn", "there is no weight_kn here"),
         ("--span 10m --rise 3m --at T", "cannot be used"),
