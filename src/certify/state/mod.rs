@@ -30,12 +30,14 @@
 //! | `raise` | raises the precision until everything is decided |
 //! | `inquiry` | several questions about one arch, which share its state |
 //! | `column` | many frictions of one half opening, which share its proofs |
+//! | `doubles` | many arches in arrays of doubles |
 //! | `quick` | the same proofs in balls of double-doubles, where these are enough |
 
 mod assess;
 mod certify;
 mod column;
 mod digits;
+mod doubles;
 mod enough;
 mod figure;
 pub mod find;
@@ -56,6 +58,7 @@ pub use assess::{Assessment, Wanted};
 pub use certify::{Certify, NoState};
 pub use column::Column;
 pub use digits::{Answer, AssessmentDigits, Digits, LimitDigits};
+pub use doubles::{Doubles, Row, RowVerdict};
 pub use enough::Enough;
 pub use figure::Figure;
 pub use inquiry::Inquiry;

@@ -1,0 +1,292 @@
+//! Many arches, in arrays of doubles: a half opening, a friction and perhaps a thickness each.
+//!
+//! A double is the number that it is, exactly. Rows of one half opening share its proofs ([`Column`]), wherever they
+//! stand, and no bit depends on it.
+
+use super::certify::Certify;
+use super::column::Column;
+use super::digits::{Answer, AssessmentDigits};
+use super::figure::Figure;
+use crate::arch::SelfWeight;
+use crate::certify::Undecided;
+use crate::number::ExactNumber;
+use crate::problem::{Arch, Friction, Mode, Quantity, is_thickness};
+use rayon::prelude::*;
+use rug::Rational;
+use std::collections::HashMap;
+
+/// With so many digits a decimal number tells the double.
+const DIGITS: usize = 17;
+/// As many rows of a half opening as cost less together.
+const SHARED: usize = 4;
+
+/// What became of a row, by the code that it has in arrays.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(u8)]
+pub enum RowVerdict {
+    /// The arch stands: at some thickness, or at the one that it has.
+    Stands = 0,
+    /// It does not.
+    Falls = 1,
+    /// Nothing is known.
+    Undecided = 2,
+    /// The row makes no sense: a number is none, or out of its range.
+    Refused = 3,
+}
+
+/// What is known of a row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// What became of it.
+    pub verdict: RowVerdict,
+    /// How an arch collapses at its least thickness, where that is asked and known.
+    pub mode: Option<Mode>,
+    /// For each quantity the double nearest to the value with outward bounds: not a number where there is no value,
+    /// infinite where it is.
+    pub values: Vec<[f64; 3]>,
+}
+
+impl Row {
+    /// The place of the mode in [`Mode::ALL`]; 255 where there is none.
+    pub fn mode_code(&self) -> u8 {
+        let place = self.mode.and_then(|mode| Mode::ALL.iter().position(|of| *of == mode));
+        place.and_then(|place| u8::try_from(place).ok()).unwrap_or(u8::MAX)
+    }
+
+    fn without(verdict: RowVerdict, quantities: &[Quantity]) -> Self {
+        Self { verdict, mode: None, values: vec![[f64::NAN; 3]; quantities.len()] }
+    }
+
+    /// With those of the figures that are asked for.
+    fn with<'a>(
+        (verdict, mode): (RowVerdict, Option<Mode>),
+        quantities: &[Quantity],
+        figures: impl Iterator<Item = (Quantity, Option<&'a Figure>)>,
+    ) -> Self {
+        let mut row = Self { mode, ..Self::without(verdict, quantities) };
+        for (of, figure) in figures {
+            let places = quantities.iter().zip(&mut row.values).filter(|(asked, _)| **asked == of);
+            for (_, value) in places {
+                *value = match figure {
+                    Some(figure) => [figure.double, figure.binary.lower, figure.binary.upper],
+                    None => [f64::INFINITY; 3],
+                };
+            }
+        }
+        row
+    }
+
+    fn state(found: Result<&Answer, &Undecided>, quantities: &[Quantity]) -> Self {
+        match found {
+            Ok(Answer::Stands(digits)) => {
+                let is = (RowVerdict::Stands, Some(digits.mode));
+                Self::with(is, quantities, digits.figures())
+            }
+            Ok(Answer::Falls { enough, .. }) => {
+                let sliding = enough.as_ref().and_then(|enough| enough.sliding_friction.as_ref());
+                let sliding = sliding.map(|figure| (Quantity::SlidingFriction, Some(figure)));
+                Self::with((RowVerdict::Falls, None), quantities, sliding.into_iter())
+            }
+            Err(_) => Self::without(RowVerdict::Undecided, quantities),
+        }
+    }
+
+    fn assessment(found: &Result<AssessmentDigits, Undecided>, quantities: &[Quantity]) -> Self {
+        let Ok(digits) = found else { return Self::without(RowVerdict::Undecided, quantities) };
+        let verdict = match digits.stands {
+            Ok(true) => RowVerdict::Stands,
+            Ok(false) => RowVerdict::Falls,
+            Err(_) => RowVerdict::Undecided,
+        };
+        Self::with((verdict, None), quantities, digits.figures())
+    }
+}
+
+/// A double as the number that it is; none for one that is no number.
+fn exact(x: f64) -> Option<ExactNumber> {
+    Rational::from_f64(x).map(|x| ExactNumber::from(&x))
+}
+
+fn friction(mu: f64) -> Option<Friction> {
+    if mu == f64::INFINITY {
+        return Some(Friction::Infinite);
+    }
+    exact(mu).map(Friction::Coefficient)
+}
+
+/// What is asked of every row of arrays of doubles.
+///
+/// ```
+/// use couplet::certify::state::{Doubles, RowVerdict};
+/// use couplet::prelude::*;
+/// let asked = Doubles { weight: SelfWeight::Milankovitch, quantities: vec![Quantity::Thickness] };
+/// let rows = asked.rows(&[2.45, 2.45, 4.0], &[1.35, 0.1, 1.0], None);
+/// assert_eq!((rows[0].mode, rows[0].values[0][0]), (Mode::named("rrs"), 0.65024378080138357));
+/// assert_eq!(rows[1].verdict, RowVerdict::Falls);
+/// assert_eq!(rows[2].verdict, RowVerdict::Refused);
+/// ```
+///
+/// See also: [`Certify::certify_alone`] and [`Certify::certify_thickness`], which answer one.
+#[derive(Clone, Debug)]
+pub struct Doubles {
+    /// The self-weight model.
+    pub weight: SelfWeight,
+    /// The quantities, of [`Quantity::STATE`], or of [`Quantity::ASSESSMENT`] where there are thicknesses. Any other has
+    /// no value.
+    pub quantities: Vec<Quantity>,
+}
+
+impl Doubles {
+    /// The answers for half openings in `(0, pi)`, rad, and frictions from 0 to infinity, both of one length; with
+    /// thicknesses, of the same length and in `(0, 2]`, for arches that have these. What is out of its range is refused.
+    ///
+    /// Inside a pool of rayon its threads share the work; elsewhere all is done in the thread that calls.
+    pub fn rows(
+        &self,
+        half_openings: &[f64],
+        frictions: &[f64],
+        thicknesses: Option<&[f64]>,
+    ) -> Vec<Row> {
+        let arches: Vec<(f64, f64)> =
+            half_openings.iter().copied().zip(frictions.iter().copied()).collect();
+        if let Some(etas) = thicknesses {
+            let all: Vec<_> = arches.into_iter().zip(etas).collect();
+            return each(&all, |&((alpha, mu), &eta)| self.assessment(alpha, mu, eta));
+        }
+        let columns = self.columns(half_openings);
+        each(&arches, |&(alpha, mu)| self.state(alpha, mu, columns.get(&alpha.to_bits())))
+    }
+
+    fn refused(&self) -> Row {
+        Row::without(RowVerdict::Refused, &self.quantities)
+    }
+
+    fn arch(&self, alpha: f64, mu: f64) -> Option<Arch> {
+        Arch::new(self.weight, exact(alpha)?, friction(mu)?).ok()
+    }
+
+    /// The state of an arch; in its column, where there is one.
+    fn state(&self, alpha: f64, mu: f64, column: Option<&Column>) -> Row {
+        let quantities = &self.quantities;
+        if let Some(column) = column {
+            if let Some(found) = column.shared_at(mu) {
+                return Row::state(Ok(found), quantities);
+            }
+            let found = friction(mu).and_then(|mu| column.certify_alone(mu).ok());
+            return found
+                .map_or_else(|| self.refused(), |found| Row::state(found.as_deref(), quantities));
+        }
+        let Some(arch) = self.arch(alpha, mu) else { return self.refused() };
+        let found = match quantities.iter().any(|of| of.is_friction()) {
+            true => arch.certify(DIGITS),
+            false => arch.certify_alone(DIGITS),
+        };
+        Row::state(found.as_ref(), quantities)
+    }
+
+    fn assessment(&self, alpha: f64, mu: f64, eta: f64) -> Row {
+        let eta = exact(eta).filter(is_thickness);
+        let Some((arch, eta)) = self.arch(alpha, mu).zip(eta) else { return self.refused() };
+        Row::assessment(&arch.certify_thickness(&eta, DIGITS), &self.quantities)
+    }
+
+    /// The half openings of so many rows that a column is cheaper.
+    fn columns(&self, alphas: &[f64]) -> HashMap<u64, Column> {
+        if self.quantities.iter().any(|of| of.is_friction()) {
+            return HashMap::new();
+        }
+        let mut counts: HashMap<u64, usize> = HashMap::new();
+        alphas.iter().for_each(|alpha| *counts.entry(alpha.to_bits()).or_default() += 1);
+        let many: Vec<u64> = counts
+            .into_iter()
+            .filter(|(_, count)| *count >= SHARED)
+            .map(|(bits, _)| bits)
+            .collect();
+        let column = |bits: &u64| {
+            let alpha = exact(f64::from_bits(*bits))?;
+            Some((*bits, Column::new(self.weight, alpha, DIGITS).ok()?))
+        };
+        each(&many, column).into_iter().flatten().collect()
+    }
+}
+
+/// The same of each, in the threads of the pool that this is called in, if it is one: the global pool is not asked for,
+/// as a forked process would wait for it for ever.
+fn each<A: Sync, B: Send>(all: &[A], of: impl Fn(&A) -> B + Send + Sync) -> Vec<B> {
+    match rayon::current_thread_index() {
+        Some(_) => all.par_iter().map(of).collect(),
+        None => all.iter().map(of).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn asked(quantities: &[Quantity]) -> Doubles {
+        Doubles { weight: SelfWeight::Milankovitch, quantities: quantities.to_vec() }
+    }
+
+    /// Rows of half openings that occur once, and so often that they share a column.
+    fn grid() -> (Vec<f64>, Vec<f64>) {
+        let alphas = [0.7, 1.4, 2.45, 2.61, 3.0];
+        let mus = [0.05, 0.3, 0.6, 1.35, 2.5, f64::INFINITY];
+        let rows = alphas.iter().flat_map(|&alpha| mus.iter().map(move |&mu| (alpha, mu)));
+        rows.chain([(1.1, 0.4), (1.2, 0.4)]).unzip()
+    }
+
+    /// Bits, as what is not a number is not equal to itself.
+    fn bits(rows: &[Row]) -> Vec<(RowVerdict, u8, Vec<[u64; 3]>)> {
+        let row = |row: &Row| {
+            let values = row.values.iter().map(|value| value.map(f64::to_bits)).collect();
+            (row.verdict, row.mode_code(), values)
+        };
+        rows.iter().map(row).collect()
+    }
+
+    #[test]
+    fn a_row_is_what_it_is_alone_whatever_the_threads() {
+        let asked = asked(&[Quantity::Thrust, Quantity::Thickness]);
+        let (alphas, mus) = grid();
+        let together = bits(&asked.rows(&alphas, &mus, None));
+        let alone =
+            alphas.iter().zip(&mus).flat_map(|(&alpha, &mu)| asked.rows(&[alpha], &[mu], None));
+        assert_eq!(together, bits(&alone.collect::<Vec<_>>()));
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
+        assert_eq!(together, bits(&pool.install(|| asked.rows(&alphas, &mus, None))));
+        let falls = together.iter().filter(|(verdict, ..)| *verdict == RowVerdict::Falls).count();
+        assert!((5..25).contains(&falls), "{falls}");
+    }
+
+    #[test]
+    fn a_value_is_that_of_the_arch() {
+        let asked = asked(&[Quantity::RotationalFriction, Quantity::Thickness]);
+        let row = &asked.rows(&[1.5], &[0.5], None)[0];
+        let arch = Arch::parse("milankovitch", "1.5", "0.5").unwrap();
+        let state = arch.least(17).unwrap();
+        let rotational = state.frictions.unwrap().rotational.unwrap();
+        assert_eq!(
+            [row.values[0][0], row.values[1][0]],
+            [rotational.double, state.thickness.double]
+        );
+        assert_eq!(row.mode, Some(state.mode));
+        let [value, lower, upper] = row.values[1];
+        assert!(lower <= value && value <= upper && lower < upper);
+    }
+
+    #[test]
+    fn a_row_that_makes_no_sense_is_refused_and_no_other() {
+        let asked = asked(&[Quantity::GeometricSafety]);
+        let nan = f64::NAN;
+        let rows = [(nan, 1.0, 0.1), (1.0, nan, 0.1), (1.0, 1.0, nan), (4.0, 1.0, 0.1)];
+        let rows =
+            [&rows[..], &[(1.0, -1.0, 0.1), (1.0, 1.0, 0.0), (1.0, 1.0, 2.5), (-0.0, 1.0, 1.0)]];
+        for &(alpha, mu, eta) in rows.concat().iter() {
+            let found = asked.rows(&[1.0, alpha], &[1.0, mu], Some(&[0.1, eta]));
+            let verdicts = found.iter().map(|row| row.verdict).collect::<Vec<_>>();
+            assert_eq!(verdicts, [RowVerdict::Stands, RowVerdict::Refused], "{alpha} {mu} {eta}");
+            assert!(found[1].values[0].iter().all(|x| x.is_nan()) && found[1].mode_code() == 255);
+        }
+        assert!(asked.rows(&[], &[], None).is_empty());
+    }
+}
