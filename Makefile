@@ -1,7 +1,7 @@
 # `make` builds couplet and prints the landmark constants; `make test` runs every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build test lint docs msrv deny snapshots pictures constants states checker combinations crates examples exporters wheel page page-test bench peers \
+.PHONY: run build test lint docs msrv deny snapshots pictures constants states checker combinations crates examples exporters c header wheel page page-test bench peers \
         proofs witness m4 coq
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
@@ -99,6 +99,22 @@ exporters: m4
 	$(call need,command -v g++ gfortran octave-cli python3 pdflatex && kpsewhich siunitx.sty booktabs.sty,\
 	g++ gfortran octave python3 texlive-latex-recommended texlive-science,not every language is there)
 	cargo test --locked $(ALL) --test it export::
+
+# The library for C: target/c, with its header. The examples and tests are compiled against it and run in every language
+# that is there; what the command says is what they have to say.
+c: build
+	$(call need,command -v gcc g++,g++,the tests of the library for C need a compiler)
+	cargo fmt --package couplet-c --check
+	cargo clippy --locked --package couplet-c --all-targets -- -D warnings
+	c/build.sh
+	@mkdir -p target && : > $(SKIPPED)
+	COUPLET_C=$(CURDIR)/target/c COUPLET=$(CURDIR)/target/release/couplet COUPLET_SKIPPED=$(SKIPPED) \
+	  cargo test --locked --package couplet-c
+	@sort -u $(SKIPPED)
+
+# The header of that library, made anew of its source.
+header:
+	UPDATE_SNAPSHOTS=1 cargo test --locked --package couplet-c --test it header::the_header
 
 # The Python package, built and tested in fresh virtual environments.
 wheel: m4

@@ -16,8 +16,8 @@ use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
 use std::io;
 
-/// Landmarks or arches.
-pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+/// Writes landmarks or arches as JSON, for a program that wants no other format.
+pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     match report.scope {
         Scope::Constants => write(&Document::new(report), out),
         Scope::Point => {

@@ -69,6 +69,7 @@ pub use complementarity::{AtThickness, ComplementarityArch, ComplementarityArche
 pub use drawn::{Axes, Branches, Drawing, Mark, Marked, Plane, Shown, Unit, View};
 pub use format::{Content, Format};
 pub use given::GivenDoubles;
+pub use json::answers as write_json;
 pub use map::{Map, MapDifferences, MapPoint, MapPoints};
 pub use rows::Rows;
 pub use sketched::{Sketched, Style, arches_of_figure};

@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# Builds the library for C and puts it together in a folder, target/c if none is named: include, lib, and what pkg-config
+# reads. The folder may be moved, or copied into /usr/local.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+folder=${1:-target/c}
+version=$(sed -n 's/^version = "\(.*\)"/\1/p' c/Cargo.toml | head -n 1)
+
+cargo build --locked --profile wheel --package couplet-c
+made=${CARGO_TARGET_DIR:-target}/wheel
+
+rm -rf "$folder"
+mkdir -p "$folder/include" "$folder/lib/pkgconfig"
+cp c/include/* "$folder/include"
+cp "$made/libcouplet_c.a" "$folder/lib"
+if [ -e "$made/libcouplet_c.so" ]; then
+    # Programs look for the name with the number, linkers for the one without.
+    cp "$made/libcouplet_c.so" "$folder/lib/libcouplet_c.so.0"
+    ln -s libcouplet_c.so.0 "$folder/lib/libcouplet_c.so"
+else
+    cp "$made"/libcouplet_c.dylib "$made"/couplet_c.dll "$folder/lib" 2>/dev/null || true
+fi
+cat >"$folder/lib/pkgconfig/couplet_c.pc" <<PC
+prefix=\${pcfiledir}/../..
+
+Name: couplet_c
+Description: Certified states and constants of circular masonry arches with finite friction
+Version: $version
+Cflags: -I\${prefix}/include
+Libs: -L\${prefix}/lib -lcouplet_c
+Libs.private: -lm -lpthread -ldl
+PC

@@ -1,0 +1,182 @@
+//! Many arches, in arrays of doubles.
+
+use crate::answer::Answer;
+use crate::asked::{arch, named, wrong};
+use crate::border::{Array, Failure, answered, apart, optional, text};
+use crate::texts::exact;
+use crate::threads::{checked, on_threads};
+use couplet::certify::state::{Certify, Doubles, Row, RowVerdict};
+use couplet::cli::parse;
+use couplet::problem::Quantity;
+use couplet::report;
+use std::ffi::{c_char, c_int};
+use std::mem::MaybeUninit;
+use std::ops::Range;
+
+/// As many rows are answered before they are written: half openings that occur often are counted among these.
+const ROWS: usize = 1 << 16;
+
+/// The states of `n` arches, or with thicknesses whether they stand, proved; each double is exactly the number that it is.
+///
+/// weight: as for `couplet_state`, of all. half_opening, friction: `n` doubles each; infinity is a friction. thickness: `n`
+/// doubles, or NULL. quantities: names with commas ("thickness,thrust"), those of `couplet_state`, or with thicknesses those of
+/// `couplet_assess`; NULL for none. threads: 1 for the calling thread alone, up to 1024, or 0 for one on each core; they end
+/// with the call.
+///
+/// verdict: `n` bytes, `COUPLET_STANDS`, `COUPLET_FALLS`, `COUPLET_UNDECIDED` or `COUPLET_REFUSED`. mode: `n` bytes, which
+/// `couplet_mode_name` names, or NULL. values: for each quantity `n` nearest doubles, then `n` lower bounds, then `n` upper
+/// bounds: the place of row i is `values[(3*q + b)*n + i]`, in a language with columns `values(i, b, q)`. Not a number where
+/// there is no value. NULL without quantities.
+///
+/// A row that makes no sense, or is undecided, is a row: its verdict says so, the code is `COUPLET_OPEN`, and the reason counts
+/// such rows and has that of the first. Rows of one half opening share its proofs, and no bit depends on it, nor on the
+/// threads. Nothing may overlap what is written; if the code is 2 or more, nothing that is written may be used.
+#[unsafe(no_mangle)]
+#[allow(clippy::too_many_arguments, reason = "C has no other way")]
+pub unsafe extern "C" fn couplet_states(
+    weight: *const c_char,
+    n: usize,
+    half_opening: *const f64,
+    friction: *const f64,
+    thickness: *const f64,
+    quantities: *const c_char,
+    threads: usize,
+    verdict: *mut u8,
+    mode: *mut u8,
+    values: *mut f64,
+    answer: *mut *mut Answer,
+) -> c_int {
+    // SAFETY: the caller promises texts, arrays of `n` that nobody else writes, and a place for the answer.
+    unsafe {
+        answered(answer, || {
+            let weight = parse::weight(text(weight, "weight")?).map_err(wrong)?;
+            let possible = match thickness.is_null() {
+                true => &Quantity::STATE[..],
+                false => &Quantity::ASSESSMENT[..],
+            };
+            let names = optional(quantities, "quantities")?.unwrap_or_default();
+            let asked = Doubles { weight, quantities: named(names, possible)? };
+            let threads = checked(threads)?;
+            let count = 3 * asked.quantities.len();
+            let half_opening = Array::new(half_opening, Some(n), "half_opening")?;
+            let friction = Array::new(friction, Some(n), "friction")?;
+            let given = if thickness.is_null() { 0 } else { n };
+            let etas = Array::new(thickness, Some(given), "thickness")?;
+            let verdict = Array::new(verdict, Some(n), "verdict")?;
+            let wanted = if mode.is_null() { 0 } else { n };
+            let mode = Array::new(mode, Some(wanted), "mode")?;
+            let values = Array::new(values, n.checked_mul(count), "values")?;
+            apart(
+                &[half_opening.place(), friction.place(), etas.place()],
+                &[verdict.place(), mode.place(), values.place()],
+            )?;
+            let given = Given {
+                alphas: half_opening.values(),
+                mus: friction.values(),
+                etas: (!thickness.is_null()).then(|| etas.values()),
+            };
+            let mut written =
+                Written { verdict: verdict.places(), mode: mode.places(), values: values.places() };
+            let mut work = || written.answer(&asked, &given);
+            let open = match threads {
+                1 => work(),
+                threads => on_threads(threads, work)?,
+            };
+            Ok(Answer::rows(open.said(&asked, &given)))
+        })
+    }
+}
+
+/// What is given of each row.
+struct Given<'a> {
+    alphas: &'a [f64],
+    mus: &'a [f64],
+    etas: Option<&'a [f64]>,
+}
+
+/// Where answers are written.
+struct Written<'a> {
+    verdict: &'a mut [MaybeUninit<u8>],
+    /// Empty if nobody asks.
+    mode: &'a mut [MaybeUninit<u8>],
+    values: &'a mut [MaybeUninit<f64>],
+}
+
+/// The rows that are not decided.
+#[derive(Default)]
+struct Open {
+    undecided: usize,
+    refused: usize,
+    first: Option<usize>,
+}
+
+impl Written<'_> {
+    fn answer(&mut self, asked: &Doubles, given: &Given) -> Open {
+        let mut open = Open::default();
+        let count = given.alphas.len();
+        for start in (0..count).step_by(ROWS) {
+            let rows = start..count.min(start + ROWS);
+            let etas = given.etas.map(|etas| &etas[rows.clone()]);
+            let found = asked.rows(&given.alphas[rows.clone()], &given.mus[rows.clone()], etas);
+            self.write(rows, &found, &mut open);
+        }
+        open
+    }
+
+    fn write(&mut self, rows: Range<usize>, found: &[Row], open: &mut Open) {
+        let count = self.verdict.len();
+        for (at, row) in rows.zip(found) {
+            self.verdict[at].write(row.verdict as u8);
+            if let Some(mode) = self.mode.get_mut(at) {
+                mode.write(row.mode_code());
+            }
+            for (column, x) in row.values.iter().flatten().enumerate() {
+                self.values[column * count + at].write(*x);
+            }
+            open.count(at, row.verdict);
+        }
+    }
+}
+
+impl Open {
+    fn count(&mut self, at: usize, verdict: RowVerdict) {
+        match verdict {
+            RowVerdict::Stands | RowVerdict::Falls => return,
+            RowVerdict::Undecided => self.undecided += 1,
+            RowVerdict::Refused => self.refused += 1,
+        }
+        self.first = self.first.or(Some(at));
+    }
+
+    /// How many there are, and why the first is; none if all are decided.
+    fn said(&self, asked: &Doubles, given: &Given) -> Option<String> {
+        let first = self.first?;
+        let counts = [(self.undecided, "undecided"), (self.refused, "refused")];
+        let counts = counts.iter().filter(|(count, _)| *count > 0);
+        let counts: Vec<_> = counts.map(|(count, what)| format!("{count} {what}")).collect();
+        let (all, counts) = (given.alphas.len(), counts.join(" and "));
+        let why = given.why(asked, first);
+        Some(format!("of {all} rows {counts}; the first is row {first}, counted from 0: {why}"))
+    }
+}
+
+impl Given<'_> {
+    /// Why a row is not decided.
+    fn why(&self, asked: &Doubles, row: usize) -> String {
+        // What has no exact text is no number.
+        let text = |x: f64| Some(exact(x)).filter(|text| !text.is_empty()).unwrap_or(x.to_string());
+        let [alpha, mu] = [self.alphas[row], self.mus[row]].map(text);
+        let found = arch(asked.weight.name(), &alpha, &mu).and_then(|arch| {
+            let Some(etas) = self.etas else {
+                return Ok(report::Answer::state(1, &arch, &arch.certify_alone(17)));
+            };
+            let eta = parse::thickness(&text(etas[row])).map_err(wrong)?;
+            let found = arch.certify_thickness(&eta, 17);
+            Ok(report::Answer::assessment(1, (&arch, &eta), &found))
+        });
+        match found {
+            Ok(found) => found.reason().unwrap_or_default().into_owned(),
+            Err(Failure::Usage(why) | Failure::Resource(why) | Failure::Fault(why)) => why,
+        }
+    }
+}

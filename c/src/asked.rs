@@ -1,0 +1,311 @@
+//! One question at a time. Every argument is text, read by what reads the command's, so that the same input gets the same
+//! sentence.
+
+use crate::answer::Answer;
+use crate::border::{Array, Failure, answered, optional, text};
+use crate::threads::{checked, on_threads};
+use couplet::arch::SelfWeight;
+use couplet::certify::state::Certify;
+use couplet::certify::state::find::{self as seek, Given, Question};
+use couplet::certify::{self, CertifiedLandmark, Undecided, quantities};
+use couplet::check::{self as checker, Accepted, Certificate, Refusal};
+use couplet::cli::parse;
+use couplet::number::{Ball, ExactNumber};
+use couplet::problem::{Arch, Friction, Landmark, Line, Quantity};
+use couplet::report::{self, Answers, Scope};
+use std::ffi::{c_char, c_int, c_void};
+use std::fmt::Display;
+
+/// The failure of a question that makes no sense.
+pub(crate) fn wrong(error: impl Display) -> Failure {
+    Failure::Usage(error.to_string())
+}
+
+/// The arch of three texts.
+pub(crate) fn arch(weight: &str, half_opening: &str, friction: &str) -> Result<Arch, Failure> {
+    let weight = parse::weight(weight).map_err(wrong)?;
+    Arch::parse(weight.name(), half_opening, friction).map_err(wrong)
+}
+
+/// The digits of a state.
+fn state_digits(digits: usize) -> Result<usize, Failure> {
+    parse::state_digits(&digits.to_string()).map_err(wrong)
+}
+
+/// The quantities of a list with commas, of those that there are; none if it is empty.
+pub(crate) fn named(names: &str, possible: &[Quantity]) -> Result<Vec<Quantity>, Failure> {
+    let all: Vec<&str> = possible.iter().map(|of| of.name()).collect();
+    let quantity = |name: &str| {
+        let quantity = parse::quantity(name.trim()).map_err(wrong)?;
+        let unknown = || {
+            let names = all.join(", ");
+            wrong(format!("there is no {} here; the quantities are {names}", quantity.name()))
+        };
+        possible.contains(&quantity).then_some(quantity).ok_or_else(unknown)
+    };
+    match names.trim().is_empty() {
+        true => Ok(Vec::new()),
+        false => names.split(',').map(quantity).collect(),
+    }
+}
+
+/// The state of an arch at its least thickness, proved: whether it stands at any thickness, the least one, how it collapses
+/// there, and the frictions at which that changes.
+///
+/// weight: "heyman" or "milankovitch". half_opening: from the crown to the shoulder, between 0 and pi, exact text: radians
+/// ("1.4", "pi/2", "7/5") or degrees ("80deg"). friction: a coefficient, 0 or more ("0.6", "3/5", "inf"), or an angle
+/// ("31deg"). digits: significant digits, 1 to 10000; up to 25 cost a tenth of what 30 cost.
+///
+/// Values: thickness (t/r), thrust (H/(w r)), intrinsic_thrust, rotation_joint and sliding_joint (rad from the crown),
+/// sliding_friction, rotational_friction. Verdict: "stands", "falls" or "undecided".
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn couplet_state(
+    weight: *const c_char,
+    half_opening: *const c_char,
+    friction: *const c_char,
+    digits: usize,
+    answer: *mut *mut Answer,
+) -> c_int {
+    // SAFETY: the caller promises texts, and a place for the answer.
+    unsafe {
+        answered(answer, || {
+            let (alpha, mu) = (text(half_opening, "half_opening")?, text(friction, "friction")?);
+            let arch = arch(text(weight, "weight")?, alpha, mu)?;
+            let digits = state_digits(digits)?;
+            let found = report::Answer::state(1, &arch, &arch.certify(digits));
+            Ok(Answer::told(Answers::arch(digits, found)))
+        })
+    }
+}
+
+/// Whether an arch of a thickness stands, its safety factors, and the thrusts that it can bear, proved. The arch is as for
+/// `couplet_state`.
+///
+/// thickness: t/r, above 0 and at most 2, exact text ("0.12", "3/25").
+///
+/// Values: least_thickness, geometric_safety, required_friction, friction_safety, least_thrust, largest_thrust, and the joints
+/// that limit the thrusts. Verdict: "stands", "falls" or "undecided"; a value that stays open beside it makes the code
+/// `COUPLET_OPEN`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn couplet_assess(
+    weight: *const c_char,
+    half_opening: *const c_char,
+    friction: *const c_char,
+    thickness: *const c_char,
+    digits: usize,
+    answer: *mut *mut Answer,
+) -> c_int {
+    // SAFETY: as above.
+    unsafe {
+        answered(answer, || {
+            let (alpha, mu) = (text(half_opening, "half_opening")?, text(friction, "friction")?);
+            let arch = arch(text(weight, "weight")?, alpha, mu)?;
+            let eta = parse::thickness(text(thickness, "thickness")?).map_err(wrong)?;
+            let digits = state_digits(digits)?;
+            let found = arch.certify_thickness(&eta, digits);
+            let found = report::Answer::assessment(1, (&arch, &eta), &found);
+            Ok(Answer::told(Answers::arch(digits, found)))
+        })
+    }
+}
+
+/// A question the other way round: the one answer, with the proof that there is no other. What is not given is NULL.
+///
+/// With a friction: the widest half opening that stands; with a half opening: the least friction; at the thickness, or at
+/// any if that is NULL. With the two modes of a boundary ("rrs/rsr") and either: where one becomes the other.
+///
+/// Values: half_opening (rad), half_opening_degrees, friction, thickness, thrust, rotation_joint, sliding_joint. Verdict:
+/// "found", "nothing" or "undecided".
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn couplet_find(
+    weight: *const c_char,
+    modes: *const c_char,
+    half_opening: *const c_char,
+    friction: *const c_char,
+    thickness: *const c_char,
+    digits: usize,
+    answer: *mut *mut Answer,
+) -> c_int {
+    // SAFETY: as above.
+    unsafe {
+        answered(answer, || {
+            let weight = parse::weight(text(weight, "weight")?).map_err(wrong)?;
+            let modes = optional(modes, "modes")?;
+            let given = (optional(half_opening, "half_opening")?, optional(friction, "friction")?);
+            let question = question(modes, given, optional(thickness, "thickness")?)?;
+            let digits = state_digits(digits)?;
+            let found = seek::find(weight, &question, digits).map_err(wrong)?;
+            let found = report::Answer::finding(1, (weight, &question), &found);
+            let quantities = Quantity::FOUND.to_vec();
+            let scope = Scope::Found;
+            Ok(Answer::told(Answers { scope, quantities, ..Answers::arch(digits, found) }))
+        })
+    }
+}
+
+fn question(
+    modes: Option<&str>,
+    (half_opening, friction): (Option<&str>, Option<&str>),
+    thickness: Option<&str>,
+) -> Result<Question, Failure> {
+    let line: Option<Line> = modes.map(|text| text.parse().map_err(wrong)).transpose()?;
+    let alpha: Option<ExactNumber> =
+        half_opening.map(|text| text.parse().map_err(wrong)).transpose()?;
+    let mu: Option<Friction> = friction.map(|text| text.parse().map_err(wrong)).transpose()?;
+    let thickness = thickness.map(|text| parse::thickness(text).map_err(wrong)).transpose()?;
+    match (line, alpha, mu) {
+        (Some(_), ..) if thickness.is_some() => {
+            Err(wrong("a thickness does not belong to a boundary"))
+        }
+        (Some(_), None, Some(Friction::Infinite)) => {
+            Err(wrong("a boundary needs a limited friction: with inf nothing slides"))
+        }
+        (Some(line), None, Some(mu)) => Ok(Question::Boundary { line, given: Given::Friction(mu) }),
+        (Some(line), Some(alpha), None) => {
+            Ok(Question::Boundary { line, given: Given::HalfOpening(alpha) })
+        }
+        (None, None, Some(friction)) => Ok(Question::HalfOpening { friction, thickness }),
+        (None, Some(half_opening), None) => Ok(Question::Friction { half_opening, thickness }),
+        _ => Err(wrong("give friction or half_opening; the other one is found")),
+    }
+}
+
+/// Constants of a landmark, each proved to exist, to be unique in a box, and to have the digits shown.
+///
+/// landmark: symbol or name: "T" triple, "S" shift, "J" junction, "B" border, "l" rotation-end, "L" overturning-end, "sb"
+/// widest-joint. quantity: one, or several with commas ("thickness", "eta,mu"); NULL for all. digits: 1 to 1000000. threads:
+/// 1 to 1024, or 0 for one on each core; they end with the call.
+///
+/// Verdict: "proved" or "undecided".
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn couplet_constant(
+    landmark: *const c_char,
+    weight: *const c_char,
+    quantity: *const c_char,
+    digits: usize,
+    threads: usize,
+    answer: *mut *mut Answer,
+) -> c_int {
+    // SAFETY: as above.
+    unsafe {
+        answered(answer, || {
+            let (landmark, weight) = point(landmark, weight)?;
+            let possible: Vec<Quantity> = quantities(landmark).collect();
+            let wanted = optional(quantity, "quantity")?.unwrap_or_default();
+            let wanted = match named(wanted, &possible)? {
+                none if none.is_empty() => possible,
+                some => some,
+            };
+            let digits = parse::digits(&digits.to_string()).map_err(wrong)?;
+            let asked: Vec<_> = wanted.into_iter().map(|of| (of, digits)).collect();
+            let found = on_threads(checked(threads)?, || {
+                let point = CertifiedLandmark::new(landmark, weight)?;
+                let constants = point.constants_of(&asked)?;
+                Ok(report::Answer::landmark((landmark, weight), Ok((&point, constants))))
+            })?;
+            let found = found
+                .unwrap_or_else(|open| report::Answer::landmark((landmark, weight), Err(&open)));
+            Ok(Answer::told(Answers::constants(digits, vec![found])))
+        })
+    }
+}
+
+/// The landmark and the weight of two texts.
+///
+/// # Safety
+///
+/// As of [`text`].
+unsafe fn point(
+    landmark: *const c_char,
+    weight: *const c_char,
+) -> Result<(Landmark, SelfWeight), Failure> {
+    // SAFETY: as the caller promises.
+    let (landmark, weight) = unsafe { (text(landmark, "landmark")?, text(weight, "weight")?) };
+    let landmark = parse::landmark(landmark).map_err(wrong)?;
+    Ok((landmark, parse::weight(weight).map_err(wrong)?))
+}
+
+/// The answer that holds a certificate.
+fn certified(made: Result<Certificate, Undecided>) -> Result<Answer, Failure> {
+    match made {
+        Ok(certificate) => Answer::certificate(&certificate),
+        Err(open) => Ok(Answer::undecided(open.to_string())),
+    }
+}
+
+/// A certificate of a landmark, which `couplet_check` accepts without trusting the solver; `couplet_json` has it. Arguments
+/// are as for `couplet_constant`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn couplet_certify_landmark(
+    landmark: *const c_char,
+    weight: *const c_char,
+    digits: usize,
+    threads: usize,
+    answer: *mut *mut Answer,
+) -> c_int {
+    // SAFETY: as above.
+    unsafe {
+        answered(answer, || {
+            let (landmark, weight) = point(landmark, weight)?;
+            let digits = parse::digits(&digits.to_string()).map_err(wrong)?;
+            let certify = || certify::certify_landmark(landmark, weight, digits);
+            certified(on_threads(checked(threads)?, certify)?)
+        })
+    }
+}
+
+/// A certificate of the state of an arch at its least thickness, or why it stands at none; with a thickness, which may be
+/// NULL, that it stands with it or does not. Arguments are as for `couplet_assess`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn couplet_certify_arch(
+    weight: *const c_char,
+    half_opening: *const c_char,
+    friction: *const c_char,
+    thickness: *const c_char,
+    digits: usize,
+    answer: *mut *mut Answer,
+) -> c_int {
+    // SAFETY: as above.
+    unsafe {
+        answered(answer, || {
+            let (alpha, mu) = (text(half_opening, "half_opening")?, text(friction, "friction")?);
+            let arch = arch(text(weight, "weight")?, alpha, mu)?;
+            let eta = optional(thickness, "thickness")?;
+            let eta = eta.map(|text| parse::thickness(text).map_err(wrong)).transpose()?;
+            certified(certify::certify_arch(&arch, eta.as_ref(), state_digits(digits)?))
+        })
+    }
+}
+
+/// Checks the bytes of a certificate: that the equations have the root claimed, and that every digit is right. Nothing that
+/// they say is believed, and any bytes get a verdict.
+///
+/// engine: "astro", pure Rust, up to 50000 digits, which NULL is too; or "mpfr".
+///
+/// Values: those of the certificate, without bounds. Verdict: "accepted"; "refused", with `COUPLET_OPEN`; "not checked" beyond
+/// the digits of the engine, with `COUPLET_RESOURCE`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn couplet_check(
+    certificate: *const c_void,
+    length: usize,
+    engine: *const c_char,
+    answer: *mut *mut Answer,
+) -> c_int {
+    // SAFETY: as above, and that so many bytes are there.
+    unsafe {
+        answered(answer, || {
+            let bytes = Array::<u8>::new(certificate.cast(), Some(length), "certificate")?.values();
+            let checked: fn(&[u8]) -> Result<Accepted, Refusal> =
+                match optional(engine, "engine")?.unwrap_or("astro") {
+                    "astro" => checker::verify,
+                    "mpfr" => |bytes| checker::check::<Ball>(bytes, checker::MAX_DIGITS),
+                    _ => return Err(wrong("an arithmetic is one of astro, mpfr")),
+                };
+            Ok(match checked(bytes) {
+                Ok(accepted) => Answer::accepted(&accepted),
+                Err(limit @ Refusal::Limit(..)) => Answer::not_checked(limit.to_string()),
+                Err(refusal) => Answer::refused(refusal.to_string()),
+            })
+        })
+    }
+}

@@ -1,0 +1,36 @@
+//! couplet for C, and for every language that calls C: thin, over the library. `docs/c.md` is its manual, and
+//! `include/couplet_c.h`, which is made of this source, what a program includes.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `codes` | what functions return, and what stands in arrays |
+//! | `asked` | one question at a time |
+//! | `arrays` | many arches, in arrays of doubles |
+//! | `answer` | what comes back, and what reads it |
+//! | `texts` | small helpers for texts |
+//! | `border` | pointers become slices and texts, a panic becomes a code |
+//! | `threads` | threads of a call |
+#![allow(
+    clippy::missing_safety_doc,
+    reason = "the header says once what a pointer has to be, and C has no other functions"
+)]
+
+// The header has them in this order.
+mod codes;
+
+mod asked;
+
+mod arrays;
+
+mod answer;
+
+mod texts;
+
+mod border;
+mod threads;
+
+pub use answer::*;
+pub use arrays::*;
+pub use asked::*;
+pub use codes::*;
+pub use texts::*;
