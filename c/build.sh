@@ -19,7 +19,9 @@ if [ -e "$made/libcouplet_c.so" ]; then
     cp "$made/libcouplet_c.so" "$folder/lib/libcouplet_c.so.0"
     ln -s libcouplet_c.so.0 "$folder/lib/libcouplet_c.so"
 else
-    cp "$made"/libcouplet_c.dylib "$made"/couplet_c.dll "$folder/lib" 2>/dev/null || true
+    for library in libcouplet_c.dylib couplet_c.dll couplet_c.dll.lib; do
+        if [ -e "$made/$library" ]; then cp "$made/$library" "$folder/lib"; fi
+    done
 fi
 cat >"$folder/lib/pkgconfig/couplet_c.pc" <<PC
 prefix=\${pcfiledir}/../..

@@ -39,3 +39,16 @@ fn the_library_has_the_functions_of_the_header_and_no_others() {
     let static_ones = symbols("libcouplet_c.a", &["-g", "--defined-only"]);
     assert!(declared.iter().all(|name| static_ones.contains(name)));
 }
+
+/// The module for Fortran and the manual have every function too.
+#[test]
+fn every_function_is_in_the_module_and_in_the_manual() {
+    let [module, manual] = ["include/couplet_c.f90", "../docs/c.md"]
+        .map(|file| fs::read_to_string(here().join(file)).unwrap());
+    for name in declared(&made()) {
+        let kinds = ["function", "subroutine"].map(|kind| format!("    {kind} {name}("));
+        let interfaces = kinds.iter().map(|begin| module.matches(begin.as_str()).count());
+        assert_eq!(interfaces.sum::<usize>(), 1, "{name} in Fortran");
+        assert!(manual.contains(&format!("`{name}")), "{name} in docs/c.md");
+    }
+}

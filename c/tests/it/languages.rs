@@ -92,6 +92,17 @@ const STRICT: [&str; 5] = ["-Wall", "-Wextra", "-pedantic", "-Werror", "-g"];
 
 /// Compiles files of this crate and runs the program; what it prints.
 fn run(compiler: &str, options: &[&str], files: &[&str], library: Vec<String>) -> String {
+    let (scratch, program) = compiled(compiler, options, files, library);
+    scratch.run(&program, &[])
+}
+
+/// Compiles files of this crate; where the program is.
+fn compiled(
+    compiler: &str,
+    options: &[&str],
+    files: &[&str],
+    library: Vec<String>,
+) -> (Scratch, String) {
     let scratch = Scratch::new();
     let files: Vec<String> = files.iter().map(|file| path(&here().join(file))).collect();
     let program = scratch.path("program");
@@ -103,7 +114,7 @@ fn run(compiler: &str, options: &[&str], files: &[&str], library: Vec<String>) -
     all.extend(library.iter().map(String::as_str));
     all.push("-lm");
     scratch.run(compiler, &all);
-    scratch.run(&program, &[])
+    (scratch, program)
 }
 
 /// A program of C, shared and static.
@@ -120,6 +131,56 @@ fn c_says_what_the_command_says() {
     if has("gcc", "--version") {
         is_as_expected(&run("gcc", &["-std=c99"], &["examples/arches.c"], shared()));
         is_as_expected(&run("gcc", &["-std=c99"], &["examples/arches.c"], linked()));
+    }
+}
+
+/// What is asked of the library, and the command that asks the same.
+const SAME: [(&str, &str); 11] = [
+    ("state milankovitch 80deg 0.25 40", "state --half-opening 80deg --friction 0.25 --digits 40"),
+    (
+        "state heyman 80deg 0.1 17",
+        "state --weight heyman --half-opening 80deg --friction 0.1 --digits 17",
+    ),
+    ("state milankovitch 3 31deg 5", "state --half-opening 3 --friction-angle 31deg --digits 5"),
+    (
+        "assess milankovitch 80deg 0.6 3/25 17",
+        "assess --half-opening 80deg --friction 0.6 --thickness 3/25 --digits 17",
+    ),
+    (
+        "assess heyman 2 inf 0.01 9",
+        "assess --weight heyman --half-opening 2 --friction inf --thickness 0.01 --digits 9",
+    ),
+    (
+        "find milankovitch - - 0.6 0.15 12",
+        "find half-opening --friction 0.6 --thickness 0.15 --digits 12",
+    ),
+    ("find milankovitch - 80deg - - 12", "find friction --half-opening 80deg --digits 12"),
+    ("find milankovitch rrs/rsr - 1.6 - 17", "find boundary rrs/rsr --friction 1.6 --digits 17"),
+    ("landmark T heyman 25", "certify T --weight heyman --digits 25"),
+    (
+        "arch milankovitch 80deg 0.6 - 10",
+        "certify state --half-opening 80deg --friction 0.6 --digits 10",
+    ),
+    (
+        "arch milankovitch 80deg 0.6 0.12 10",
+        "certify arch --half-opening 80deg --friction 0.6 --thickness 0.12 --digits 10",
+    ),
+];
+
+#[test]
+fn the_json_is_that_of_the_command_to_the_last_byte() {
+    if !has("gcc", "--version") {
+        return;
+    }
+    let (scratch, program) = compiled("gcc", &["-std=c11"], &["tests/programs/ask.c"], shared());
+    for (asked, command) in SAME {
+        let printed = scratch.run(&program, &asked.split(' ').collect::<Vec<_>>());
+        let format: &[&str] =
+            if command.starts_with("certify") { &[] } else { &["--format", "json"] };
+        let words: Vec<&str> = command.split(' ').chain(format.iter().copied()).collect();
+        let said = String::from_utf8(said(&words, b"").stdout).unwrap();
+        assert_eq!(printed, said, "{asked}");
+        assert!(printed.len() > 200, "{asked}");
     }
 }
 
