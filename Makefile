@@ -103,7 +103,7 @@ exporters: m4
 # The library for C: target/c, with its header. The examples and tests are compiled against it and run in every language
 # that is there; what the command says is what they have to say.
 c: build
-	$(call need,command -v gcc g++,g++,the tests of the library for C need a compiler)
+	$(call need,command -v gcc && command -v g++,g++,the tests of the library for C need a compiler)
 	cargo fmt --package couplet-c --check
 	cargo clippy --locked --package couplet-c --all-targets -- -D warnings
 	c/build.sh

@@ -252,6 +252,15 @@ fn what_makes_no_sense_is_refused() {
     is_well("tests/programs/refused.c");
 }
 
+/// The shared library is not led astray by functions of the same name.
+#[test]
+fn a_program_may_have_a_gmp_of_its_own() {
+    if has("gcc", "--version") {
+        let file = "tests/programs/own_gmp.c";
+        assert_eq!(run("gcc", &["-std=c11", "-rdynamic"], &[file], shared()), "well\n");
+    }
+}
+
 #[test]
 fn every_function_answers() {
     is_well("tests/programs/answers.c");
