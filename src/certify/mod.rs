@@ -9,9 +9,11 @@ mod certificate;
 mod closed_value;
 mod cover;
 mod decide;
+mod extent;
 mod fingerprint;
 mod in_doubles;
 mod isolate;
+mod jointed;
 mod landmark;
 mod linear;
 mod posed;
@@ -33,9 +35,14 @@ pub use asymmetric::{
 pub use certificate::certify_landmark;
 pub use closed_value::Exact;
 pub use cover::{between, cover};
+pub use extent::Extent;
 pub use fingerprint::{MAX_FINGERPRINT_DIGITS, fingerprint};
 pub(crate) use isolate::isolate_near;
 pub use isolate::{Isolated, isolate};
+pub use jointed::{
+    Enumeration, JointedMotion, JointedSolution, MOST_ENUMERATED_STONES, Standing, enumerate,
+    least_solution,
+};
 pub use landmark::{CertifiedLandmark, Constant, MAX_DIGITS, Value, quantities};
 pub(crate) use linear::Eliminated;
 pub use programme::{MOST_JOINTED_STONES, Programme, programme};

@@ -17,9 +17,16 @@
 //!    fit, is an upper one.
 //!
 //! **Complete** for the joints that there are: all pairs of conditions are looked at. Between the joints nothing is asked.
+//!
+//! **Of a half arch** the forces are `(h, p)` and two equations of compatibility are left: `v = 0` takes the place of the first condition
+//! of each pair.
+//!
+//! **At the least thickness** the value is exactly zero, which no ball tells from a small one: there (19) has the solution that is proved with
+//! the other thicknesses ([`enumerate`](super::enumerate)).
 
 use super::Undecided;
 use super::arithmetic::Arithmetic;
+use super::extent::Extent;
 use super::voussoirs::grip;
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
@@ -34,6 +41,8 @@ use crate::solve::rates::{Rates, least_cost};
 pub enum Programme {
     /// No forces satisfy the conditions at all joints.
     NothingAdmissible,
+    /// Its least value is zero: (19) has a solution.
+    Zero,
     /// Its least value is positive, and lies between two numbers.
     Least {
         /// Not above it; positive.
@@ -73,8 +82,12 @@ impl Condition {
     }
 }
 
-/// The conditions at all joints of so many equal stones.
-fn conditions(arch: &Arch, thickness: &ExactNumber, stones: i32) -> Vec<Condition> {
+/// The conditions at all joints of so many equal stones, of a half arch without those of `v`.
+fn conditions(
+    arch: &Arch,
+    thickness: &ExactNumber,
+    (stones, extent): (i32, Extent),
+) -> Vec<Condition> {
     let alpha: DoubleBall = arch.half_opening().enclosure(BITS);
     let eta: DoubleBall = thickness.enclosure(BITS);
     let weight: SelfWeight = arch.weight();
@@ -89,22 +102,25 @@ fn conditions(arch: &Arch, thickness: &ExactNumber, stones: i32) -> Vec<Conditio
             side.joint(&Angle::new(alpha * alpha.ratio(k.abs(), stones)))
         }
     };
-    let joints = (0..=stones).map(|j| joint(2 * j - stones));
-    let all = joints.flat_map(|joint| {
+    let seen = |[h, p, v]: [DoubleBall; 3]| match extent {
+        Extent::Whole => [h, p, v],
+        Extent::Half => [h, p, none],
+    };
+    let all = extent.joints(stones).map(joint).flat_map(|joint| {
         Contact::ALL.map(|contact| Condition {
-            row: static_row(contact, &joint, &ring, &grip),
+            row: seen(static_row(contact, &joint, &ring, &grip)),
             load: contact.row(&joint, &ring, &grip).load,
-            motion: motion_row(contact, &joint, &eta, &none),
+            motion: seen(motion_row(contact, &joint, &eta, &none)),
         })
     });
     all.collect()
 }
 
-/// The programme of an arch of equal stones, 2 to [`MOST_JOINTED_STONES`], at a thickness.
+/// The programme of an arch of equal stones, 2 to [`MOST_JOINTED_STONES`], at a thickness: of the whole arch, or of its half.
 pub fn programme(
     arch: &Arch,
     thickness: &ExactNumber,
-    stones: u64,
+    (stones, extent): (u64, Extent),
 ) -> Result<Programme, Undecided> {
     let number =
         i32::try_from(stones).ok().filter(|n| (2..=MOST_JOINTED_STONES as i32).contains(n));
@@ -112,7 +128,7 @@ pub fn programme(
     if !arch.is_limited() {
         return Err(Undecided::new("whether a joint opens without friction to limit it"));
     }
-    let all = Search::new(conditions(arch, thickness, number));
+    let all = Search::new(conditions(arch, thickness, (number, extent)), extent);
     all.least()
 }
 
@@ -120,6 +136,8 @@ pub fn programme(
 struct Search {
     all: Vec<Condition>,
     columns: Vec<[f64; 4]>,
+    /// What a state of a half arch satisfies beside them: `v = 0`.
+    plane: Option<Condition>,
 }
 
 /// What two conditions leave to all others on the line where they are zero.
@@ -132,45 +150,51 @@ enum Stretch {
 }
 
 impl Search {
-    fn new(all: Vec<Condition>) -> Self {
+    fn new(all: Vec<Condition>, extent: Extent) -> Self {
         let column = |condition: &Condition| {
             let [a, b, c] = condition.motion.map(|x| x.mid());
             [a, b, c, 1.0]
         };
-        Self { columns: all.iter().map(column).collect(), all }
+        let row = [0.0, 0.0, 1.0].map(DoubleBall::exact);
+        let plane = Condition { row, load: row[0], motion: [row[0]; 3] };
+        let plane = (extent == Extent::Half).then_some(plane);
+        Self { columns: all.iter().map(column).collect(), all, plane }
     }
 
     fn least(&self) -> Result<Programme, Undecided> {
         let mut found: Option<(f64, Option<f64>)> = None;
         let mut parallel = Vec::new();
-        for i in 0..self.all.len() {
-            for j in 0..i {
-                let (ends, admissible) = match self.stretch(i, j)? {
-                    Stretch::Empty => continue,
-                    Stretch::Parallel => {
-                        parallel.push([i, j]);
-                        continue;
-                    }
-                    Stretch::Ends(ends, admissible) => (ends, admissible),
-                };
-                for end in &ends {
-                    let (lower, best) = self.bound(end)?;
-                    let upper = if admissible { self.value(end, &best) } else { None };
-                    found = Some(match found {
-                        None => (lower, upper),
-                        Some((low, high)) => {
-                            let high = match (high, upper) {
-                                (Some(a), Some(b)) => Some(f64::min(a, b)),
-                                (a, b) => a.or(b),
-                            };
-                            (low.min(lower), high)
-                        }
-                    });
+        for pair in self.pairs() {
+            let (ends, admissible) = match self.stretch(pair)? {
+                Stretch::Empty => continue,
+                Stretch::Parallel => {
+                    parallel.push(pair);
+                    continue;
                 }
+                Stretch::Ends(ends, admissible) => (ends, admissible),
+            };
+            for end in &ends {
+                let (lower, best) = self.bound(end)?;
+                let upper = if admissible { self.value(end, &best) } else { None };
+                found = Some(match found {
+                    None => (lower, upper),
+                    Some((low, high)) => {
+                        let high = match (high, upper) {
+                            (Some(a), Some(b)) => Some(f64::min(a, b)),
+                            (a, b) => a.or(b),
+                        };
+                        (low.min(lower), high)
+                    }
+                });
             }
         }
-        if has_triangle(&parallel) {
-            return Err(Undecided::new("whether three conditions are parallel"));
+        // In a half arch a vertex is on two lines, and one of them is enough.
+        let is_open = match self.plane {
+            None => has_triangle(&parallel),
+            Some(_) => parallel.len() > 1,
+        };
+        if is_open {
+            return Err(Undecided::new("whether conditions are parallel"));
         }
         Ok(match found {
             None => Programme::NothingAdmissible,
@@ -179,9 +203,19 @@ impl Search {
         })
     }
 
+    /// The conditions that make lines together; a place beyond the last is that of `v = 0`.
+    fn pairs(&self) -> Vec<[usize; 2]> {
+        let count = self.all.len();
+        match self.plane {
+            None => (0..count).flat_map(|i| (0..i).map(move |j| [i, j])).collect(),
+            Some(_) => (0..count).map(|j| [count, j]).collect(),
+        }
+    }
+
     /// What the conditions leave of the line where two of them are zero.
-    fn stretch(&self, i: usize, j: usize) -> Result<Stretch, Undecided> {
-        let (a, b) = (&self.all[i], &self.all[j]);
+    fn stretch(&self, [i, j]: [usize; 2]) -> Result<Stretch, Undecided> {
+        let at = |place| self.all.get(place).or(self.plane.as_ref());
+        let (Some(a), Some(b)) = (at(i), at(j)) else { return Ok(Stretch::Empty) };
         let along = cross(&a.row, &b.row);
         let size = dot(&along, &along);
         if !size.is_positive().is_proved() {
@@ -245,20 +279,27 @@ impl Search {
         Ok((rest.fold(f64::INFINITY, f64::min), best))
     }
 
-    /// An upper bound of the value at admissible forces, with four rates that fit; `None` where they are not proved to be positive.
+    /// An upper bound of the value at admissible forces, with rates that fit, one more than there are equations; `None` where they are not proved to
+    /// be positive.
     fn value(&self, forces: &Forces, best: &Rates) -> Option<f64> {
-        let columns: [usize; 4] = best.moving.clone().try_into().ok()?;
-        let motions = columns.map(|column| self.all[column].motion);
-        // Each rate is the determinant of the other three motions, with alternating signs.
+        let columns = &best.moving;
+        let motion = |k: usize| &self.all[columns[k]].motion;
+        let is_enough = columns.len() == if self.plane.is_some() { 3 } else { 4 };
+        if !is_enough {
+            return None;
+        }
+        // Each rate is the determinant of the other motions, with alternating signs.
         let minor = |skip: usize| {
-            let rest: Vec<&[DoubleBall; 3]> =
-                (0..4).filter(|k| *k != skip).map(|k| &motions[k]).collect();
-            let size = dot(rest[0], &cross(rest[1], rest[2]));
+            let rest: Vec<usize> = (0..columns.len()).filter(|k| *k != skip).collect();
+            let size = match rest[..] {
+                [a, b] => cross(motion(a), motion(b))[2],
+                _ => dot(motion(rest[0]), &cross(motion(rest[1]), motion(rest[2]))),
+            };
             if skip.is_multiple_of(2) { size } else { -size }
         };
-        let rates = [0, 1, 2, 3].map(minor);
-        let sum = rates[0] + rates[1] + rates[2] + rates[3];
-        let levels = rates.map(|rate| rate / sum);
+        let rates: Vec<DoubleBall> = (0..columns.len()).map(minor).collect();
+        let sum = rates.iter().fold(rates[0].int(0), |sum, rate| sum + rate);
+        let levels: Vec<DoubleBall> = rates.into_iter().map(|rate| rate / sum).collect();
         if !levels.iter().all(|level| level.is_positive().is_proved()) {
             return None;
         }
@@ -296,7 +337,7 @@ mod tests {
     use crate::problem::stones::Stones;
 
     fn found(arch: &Arch, eta: &str, stones: u64) -> Programme {
-        programme(arch, &eta.parse().unwrap(), stones).unwrap()
+        programme(arch, &eta.parse().unwrap(), (stones, Extent::Whole)).unwrap()
     }
 
     fn arch(weight: &str, alpha: &str, mu: &str) -> Arch {
@@ -358,7 +399,7 @@ mod tests {
 
     /// All triples of conditions, and all bases of four rates, in doubles.
     fn by_enumeration(arch: &Arch, eta: &str, stones: i32) -> f64 {
-        let all = conditions(arch, &eta.parse().unwrap(), stones);
+        let all = conditions(arch, &eta.parse().unwrap(), (stones, Extent::Whole));
         let n = all.len();
         let middle = |x: &[DoubleBall; 3]| x.map(|x| x.mid());
         let rows: Vec<[f64; 3]> = all.iter().map(|c| middle(&c.row)).collect();
@@ -442,9 +483,9 @@ mod tests {
     #[test]
     fn what_it_cannot_decide_is_not_decided() {
         let eta = "1/2".parse().unwrap();
-        assert!(programme(&arch("heyman", "2.3", "inf"), &eta, 8).is_err());
+        assert!(programme(&arch("heyman", "2.3", "inf"), &eta, (8, Extent::Whole)).is_err());
         for stones in [0, 1, MOST_JOINTED_STONES + 1, u64::MAX] {
-            assert!(programme(&arch("heyman", "2.3", "1"), &eta, stones).is_err());
+            assert!(programme(&arch("heyman", "2.3", "1"), &eta, (stones, Extent::Whole)).is_err());
         }
     }
 }

@@ -1,12 +1,15 @@
 //! Solutions of the complementarity problem (19) of an arch: for a person, CSV, and JSON (`couplet.complementarity/1`).
 
 use super::fields::Fields;
+use super::jointed::{self, bounds};
 use super::words::{contact, model};
 use super::{csv, json};
 use crate::arch::asymmetric::{AsymmetricMode, Place};
 use crate::arch::whole::Side;
 use crate::certify::state::{Answer, Digits, Figure};
-use crate::certify::{AsymmetricDigits, AsymmetricJoint, Programme, Undecided};
+use crate::certify::{
+    AsymmetricDigits, AsymmetricJoint, Enumeration, Extent, Programme, Undecided,
+};
 use crate::number::{Ball, Rounded};
 use crate::problem::Arch;
 use rug::Float;
@@ -21,6 +24,8 @@ pub struct ComplementarityArch {
     pub symmetric: Result<Answer, Undecided>,
     /// The asymmetric solutions, or why one that is found is not proved.
     pub asymmetric: Vec<Result<AsymmetricDigits, Undecided>>,
+    /// All solutions between equal stones, where they are asked for.
+    pub enumeration: Option<Result<Enumeration, Undecided>>,
     /// The programme (20), where it is asked for.
     pub programme: Option<AtThickness>,
 }
@@ -30,8 +35,12 @@ pub struct ComplementarityArch {
 pub struct AtThickness {
     /// The thickness as given.
     pub thickness: String,
+    /// What that is, where it is given by a name.
+    pub named: Option<Figure>,
     /// The stones of the whole arch.
     pub stones: u64,
+    /// Which states are looked at.
+    pub extent: Extent,
     /// What is proved.
     pub found: Result<Programme, Undecided>,
 }
@@ -49,6 +58,7 @@ impl AtThickness {
     fn outcome(&self) -> &'static str {
         match &self.found {
             Ok(Programme::NothingAdmissible) => "nothing_admissible",
+            Ok(Programme::Zero) => "zero",
             Ok(Programme::Least { .. }) => "positive",
             Err(_) => "undecided",
         }
@@ -94,10 +104,14 @@ enum Solution<'a> {
 
 impl ComplementarityArch {
     /// Why something stays open, if it does.
-    pub fn first_open(&self) -> Option<&Undecided> {
+    pub fn first_open(&self) -> Option<Undecided> {
         let asymmetric = self.asymmetric.iter().find_map(|solution| solution.as_ref().err());
         let programme = self.programme.as_ref().and_then(|of| of.found.as_ref().err());
-        self.symmetric.as_ref().err().or(asymmetric).or(programme)
+        let enumeration = self.enumeration.as_ref().and_then(|all| match all {
+            Ok(all) => all.first_open(),
+            Err(undecided) => Some(undecided.clone()),
+        });
+        self.symmetric.as_ref().err().or(asymmetric).or(programme).cloned().or(enumeration)
     }
 
     /// Those that are proved, thin arches first.
@@ -238,16 +252,36 @@ fn one(of: &ComplementarityArch, out: &mut dyn io::Write) -> io::Result<()> {
         false => SEARCH.to_vec(),
     };
     lines.into_iter().try_for_each(|line| writeln!(out, "{line}"))?;
+    if let Some(all) = &of.enumeration {
+        writeln!(out)?;
+        match all {
+            Ok(all) => jointed::table(all, out)?,
+            Err(undecided) => writeln!(out, "the solutions between equal stones are {undecided}")?,
+        }
+    }
     of.programme.as_ref().map_or(Ok(()), |at| programme(at, out))
 }
 
 fn programme(at: &AtThickness, out: &mut dyn io::Write) -> io::Result<()> {
-    let (eta, stones, joints) = (&at.thickness, at.stones, at.stones + 1);
-    writeln!(out, "\nProgramme (20) at thickness {eta}, {stones} equal stones, {joints} joints")?;
+    let (stones, joints) = (at.stones, jointed::joints(at.extent, at.stones));
+    let eta = match &at.named {
+        Some(figure) => format!("{figure}, the least"),
+        None => at.thickness.clone(),
+    };
+    let half = if at.extent == Extent::Half { " of the half arch" } else { "" };
+    writeln!(
+        out,
+        "\nProgramme (20) at thickness {eta}, {stones} equal stones, {joints} joints{half}"
+    )?;
     match (&at.found, at.value()) {
         (Err(undecided), _) => return writeln!(out, "   {undecided}"),
         (Ok(Programme::NothingAdmissible), _) => {
             writeln!(out, "   nothing is admissible at these joints, proved")?;
+        }
+        (Ok(Programme::Zero), _) => {
+            writeln!(out, "   least value 0, exactly")?;
+            let words = "proved: (19) has a solution there, an admissible state with positive rates that fit";
+            return writeln!(out, "   {words}");
         }
         (Ok(Programme::Least { .. }), value) => {
             match value {
@@ -297,9 +331,11 @@ pub(super) fn csv(
         "thrust",
         "crown_moment",
         "vertical_force",
+        "stones",
     ];
     let rows = arches.iter().flat_map(|of| {
-        of.solutions().into_iter().map(|solution| {
+        let jointed = of.enumeration.iter().flatten().flat_map(|all| jointed::rows(&of.arch, all));
+        let anywhere = of.solutions().into_iter().map(|solution| {
             let text = |figure: Option<&Figure>| figure.map_or(String::new(), Figure::to_string);
             let state = solution.asymmetric();
             vec![
@@ -312,8 +348,10 @@ pub(super) fn csv(
                 solution.thrust().to_string(),
                 text(state.map(|state| &state.crown_moment)),
                 text(state.map(|state| &state.vertical_force)),
+                String::new(),
             ]
-        })
+        });
+        anywhere.chain(jointed).collect::<Vec<_>>()
     });
     csv::write(std::iter::once(header.map(str::to_owned).to_vec()).chain(rows), out)
 }
@@ -341,9 +379,14 @@ fn entry(of: &ComplementarityArch) -> Fields {
     let solutions = of.solutions();
     fields.add_list("solutions", solutions.iter().map(|solution| solved(*solution)).collect());
     fields.add("search", SEARCH.join(" "));
+    if let Some(all) = &of.enumeration {
+        fields.add_fields("enumeration", Some(jointed::fields(all)));
+    }
     if let Some(at) = &of.programme {
         let mut programme = Fields::default();
         programme.add("thickness", at.thickness.as_str());
+        programme.add_fields("least_thickness", at.named.as_ref().map(bounds));
+        programme.add("extent", jointed::extent(at.extent));
         programme.add("stones", at.stones);
         programme.add("outcome", at.outcome());
         programme.add("reason", at.found.as_ref().err().map(|open| open.reason.to_string()));
@@ -382,13 +425,5 @@ fn solved(solution: Solution<'_>) -> Fields {
         };
         fields.add_list("joints", state.joints.iter().map(joint).collect());
     }
-    fields
-}
-
-fn bounds(figure: &Figure) -> Fields {
-    let mut fields = Fields::default();
-    fields.add("value", figure.decimal.value.to_string());
-    fields.add("lower", figure.decimal.lower.to_string());
-    fields.add("upper", figure.decimal.upper.to_string());
     fields
 }

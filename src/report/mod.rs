@@ -36,6 +36,7 @@ mod find;
 mod format;
 mod fortran;
 mod given;
+mod jointed;
 mod json;
 pub(crate) mod judged;
 mod julia;

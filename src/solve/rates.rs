@@ -26,6 +26,20 @@ pub fn least_cost(columns: &[[f64; 4]], costs: &[f64]) -> Option<Rates> {
     }
 }
 
+/// A direction `y` in which every column points, `y . column > 0`, as far as possible for entries of at most one; `None` if none is found.
+pub fn parting(columns: &[[f64; 3]]) -> Option<[f64; 3]> {
+    let toward = columns.iter().map(|[a, b, c]| Condition { a: [-a, -b, -c, 1.0], d: 0.0 });
+    let bounds = (0..6).map(|k| {
+        let mut a = [0.0; 4];
+        a[k / 2] = if k % 2 == 0 { 1.0 } else { -1.0 };
+        Condition { a, d: 1.0 }
+    });
+    match largest_last(&toward.chain(bounds).collect::<Vec<_>>()) {
+        Optimum::At { unknowns: [x, y, z, least], .. } if least > 0.0 => Some([x, y, z]),
+        _ => None,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -45,5 +59,15 @@ mod tests {
         found.moving.sort_unstable();
         assert_eq!(found.moving, [2, 3]);
         assert!(least_cost(&columns[..1], &[1.0]).is_none(), "nothing fits");
+    }
+
+    #[test]
+    fn columns_are_parted_from_zero() {
+        let columns = [[1.0, 0.1, 0.0], [-0.9, 0.2, 0.1], [0.0, 0.3, -1.0]];
+        let y = parting(&columns).unwrap();
+        let along = |column: &[f64; 3]| column.iter().zip(y).map(|(a, b)| a * b).sum::<f64>();
+        assert!(columns.iter().all(|column| along(column) > 0.0));
+        let about = [[1.0, 0.0, 0.0], [-1.0, 1.0, 0.0], [-1.0, -1.0, 1.0], [0.0, 0.0, -1.0]];
+        assert!(parting(&about).is_none(), "zero is among them");
     }
 }

@@ -56,6 +56,55 @@ fn the_programme_is_enclosed() {
     assert!(at("0.45").contains("nothing is admissible at these joints, proved"));
 }
 
+/// At the least thickness of the stones it is zero exactly, for the whole arch and for its half.
+#[test]
+fn the_programme_is_zero_at_the_least_thickness() {
+    let arch =
+        ["complementarity", "--alpha", "2.3", "--mu", "1.05", "--stones", "8", "--digits", "6"];
+    for half in [&[][..], &["--half"]] {
+        let words = output(&[&arch[..], &["--eta", "least"], half].concat());
+        assert!(words.contains("at thickness 0.511561, the least"), "{words}");
+        assert!(words.contains("least value 0, exactly"), "{words}");
+        let near = output(&[&arch[..], &["--eta", "0.511562"], half].concat());
+        assert!(near.contains("positive, proved"), "{near}");
+    }
+    let half = output(&[&arch[..], &["--eta", "0.52", "--half"]].concat());
+    assert!(
+        half.contains("5 joints of the half arch") && half.contains("least value 0.0"),
+        "{half}"
+    );
+}
+
+/// All solutions between stones, in every format.
+#[test]
+fn all_solutions_between_stones_are_told() {
+    let arch =
+        ["complementarity", "--alpha", "2.3", "--mu", "1.05", "--stones", "8", "--digits", "8"];
+    let words = output(&arch);
+    for told in [
+        "All solutions of (19) between 8 equal stones, 9 joints of the whole arch",
+        "   0.51156098  symmetric: the least thickness",
+        "   0.68442173  asymmetric; its mirror image is a solution too",
+        "no other thickness up to 2 has a solution but mirror images, proved",
+        "7140 triples",
+    ] {
+        assert!(words.contains(told), "{told}: {words}");
+    }
+    let half = output(&[&arch[..], &["--half"]].concat());
+    assert!(half.contains("no other thickness up to 2 has a symmetric solution, proved"), "{half}");
+    assert!(!half.contains("0.68442173"));
+    let found: Value =
+        serde_json::from_str(&output(&[&arch[..], &["--format", "json"]].concat())).unwrap();
+    let all = &found["enumeration"];
+    assert_eq!((&all["outcome"], &all["looked_at"]), (&"complete".into(), &7140.into()));
+    assert_eq!(all["solutions"][1]["thickness"]["value"], "0.68442173");
+    assert_eq!(all["solutions"][1]["joints"][2]["side"], "crown");
+    let rows = output(&[&arch[..], &["--format", "csv"]].concat());
+    assert!(rows.lines().any(|row| row.ends_with(",8") && row.contains("0.68442173")), "{rows}");
+    let nothing = output(&["complementarity", "--alpha", "pi/2", "--mu", "0.1", "--stones", "6"]);
+    assert!(nothing.contains("none, proved: at no thickness up to 2"), "{nothing}");
+}
+
 /// A person is told of them; rows and files are as they were.
 #[test]
 fn state_and_assess_tell_a_person() {
@@ -80,7 +129,9 @@ fn what_is_wrong_is_said_in_a_line() {
         (&["--half-opening", "2.3", "--friction", "-1"], "friction"),
         (&["--half-opening", "2.3", "--friction", "1", "--format", "svg"], "svg"),
         (&["--half-opening", "2.3", "--friction", "1", "--digits", "0"], "digits"),
-        (&["--half-opening", "2.3", "--friction", "1", "--stones", "8"], "--thickness"),
+        (&["--half-opening", "2.3", "--friction", "1", "--stones", "61"], "at most 60"),
+        (&["--half-opening", "2.3", "--friction", "1", "--half"], "--stones"),
+        (&["--half-opening", "2.3", "--friction", "inf", "--stones", "6"], "limited"),
         (
             &["--half-opening", "2.3", "--friction", "1", "--eta", "1", "--stones", "1"],
             "from 2 to 100",

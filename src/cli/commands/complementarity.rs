@@ -4,7 +4,10 @@ use super::arch::{ArchArguments, Needs};
 use super::output::OutputFile;
 use super::parse;
 use crate::certify::state::Inquiry;
-use crate::certify::{MOST_JOINTED_STONES, asymmetric, programme};
+use crate::certify::{
+    Extent, MOST_ENUMERATED_STONES, MOST_JOINTED_STONES, Programme, Undecided, asymmetric,
+    enumerate, least_solution, programme,
+};
 use crate::cli::failure::Failure;
 use crate::number::ExactNumber;
 use crate::problem::Arch;
@@ -17,22 +20,28 @@ use clap::Args;
 ///
 /// A solution is an admissible state with a motion of the joints that are at their limits, without dilatancy. Among
 /// symmetric ones there is one thickness, the least; some horseshoes have asymmetric ones at a larger thickness. What is
-/// printed is proved; that there are no others is not.
+/// printed is proved; that there are no others is not. With --stones there are joints between so many equal stones only: then
+/// all solutions are found, and that there are no others is proved.
 #[derive(Args)]
 #[command(
-    override_usage = "couplet complementarity --half-opening <ANGLE> --friction <MU> [--thickness <ETA> --stones <N>] [OPTIONS]"
+    override_usage = "couplet complementarity --half-opening <ANGLE> --friction <MU> [--stones <N> [--half] [--thickness <ETA>]] [OPTIONS]"
 )]
 pub(crate) struct Arguments {
     #[command(flatten)]
     arch: ArchArguments,
 
-    /// Enclose the least value of the programme (20) at this thickness-to-radius ratio (0.55, 11/20) too, between equal stones.
-    #[arg(long, visible_alias = "eta", value_name = "ETA", requires = "stones", value_parser = parse::thickness, allow_hyphen_values = true)]
-    thickness: Option<ExactNumber>,
+    /// Enclose the least value of the programme (20) at this thickness-to-radius ratio (0.55, 11/20) instead of all solutions, between
+    /// the stones; at the `least` thickness of these it is zero.
+    #[arg(long, visible_alias = "eta", value_name = "ETA", requires = "stones", value_parser = at, allow_hyphen_values = true)]
+    thickness: Option<At>,
 
-    /// Stones of the whole arch for the programme (20), 2 to 100; its conditions hold at the joints between them.
-    #[arg(long, value_name = "N", requires = "thickness", value_parser = stones, allow_negative_numbers = true)]
+    /// Find all solutions between so many equal stones of the whole arch, 2 to 60, at any thickness up to 2; with --thickness up to 100.
+    #[arg(long, value_name = "N", value_parser = stones, allow_negative_numbers = true)]
     stones: Option<u64>,
+
+    /// Between the stones look at the half arch, whose states are symmetric, instead of the whole.
+    #[arg(long, requires = "stones")]
+    half: bool,
 
     #[arg(long, value_parser = parse::format(Content::Complementarity), help = parse::format_help(Content::Complementarity))]
     format: Option<&'static Format>,
@@ -47,6 +56,20 @@ fn stones(text: &str) -> Result<u64, String> {
     number.ok_or_else(|| format!("stones are a whole number from 2 to {MOST_JOINTED_STONES}"))
 }
 
+/// A thickness, or the least one.
+#[derive(Clone)]
+enum At {
+    Given(ExactNumber),
+    Least,
+}
+
+fn at(text: &str) -> Result<At, String> {
+    match text.trim() {
+        "least" => Ok(At::Least),
+        number => parse::thickness(number).map(At::Given),
+    }
+}
+
 /// A command line that has everything.
 const EXAMPLE: &str = "couplet complementarity --half-opening 2.3 --friction 1.05";
 
@@ -56,23 +79,59 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let format = arguments.file.format(arguments.format, Content::Complementarity, "table")?;
     let file = arguments.file.open_for(format)?;
     let digits = arguments.arch.digits;
-    let asked = arguments.thickness.as_ref().zip(arguments.stones);
-    if asked.is_some() && arches.iter().any(|arch| !arch.is_limited()) {
-        let words = "the programme (20) needs a limited friction: give --friction a number";
+    let extent = if arguments.half { Extent::Half } else { Extent::Whole };
+    let too_many = arguments.stones.filter(|n| *n > MOST_ENUMERATED_STONES);
+    if let (Some(stones), None) = (too_many, &arguments.thickness) {
+        return Err(Failure::Input(format!(
+            "all solutions are found between at most {MOST_ENUMERATED_STONES} stones, not {stones}: with --thickness \
+             {MOST_JOINTED_STONES} are allowed"
+        )));
+    }
+    if arguments.stones.is_some() && arches.iter().any(|arch| !arch.is_limited()) {
+        let words = "conditions between stones need a limited friction: give --friction a number";
         return Err(Failure::Input(words.to_owned()));
     }
-    let answer = |arch: Arch| ComplementarityArch {
-        programme: asked.map(|(thickness, stones)| AtThickness {
-            thickness: thickness.to_string(),
-            stones,
-            found: programme(&arch, thickness, stones),
-        }),
-        symmetric: Inquiry::new(&arch, digits, false).state(digits, false),
-        asymmetric: asymmetric(&arch, digits),
-        arch,
+    let answer = |arch: Arch| {
+        let (enumeration, programme) = match (arguments.stones, &arguments.thickness) {
+            (Some(stones), None) => (Some(enumerate(&arch, stones, extent, digits)), None),
+            (Some(stones), Some(at)) => {
+                (None, Some(at_thickness(&arch, at, (stones, extent), digits)))
+            }
+            (None, _) => (None, None),
+        };
+        ComplementarityArch {
+            symmetric: Inquiry::new(&arch, digits, false).state(digits, false),
+            asymmetric: asymmetric(&arch, digits),
+            enumeration,
+            programme,
+            arch,
+        }
     };
     let answers = ComplementarityArches(arches.into_iter().map(answer).collect());
-    let open = answers.0.iter().find_map(|answer| answer.first_open().cloned());
+    let open = answers.0.iter().find_map(ComplementarityArch::first_open);
     file.write(|out| Report::Complementarity(answers).write(format, out))?;
     open.map_or(Ok(()), |open| Err(Failure::Undecided(open.to_string())))
+}
+
+/// The programme (20) of an arch.
+fn at_thickness(
+    arch: &Arch,
+    at: &At,
+    (stones, extent): (u64, Extent),
+    digits: usize,
+) -> AtThickness {
+    let (thickness, named, found) = match at {
+        At::Given(thickness) => {
+            (thickness.to_string(), None, programme(arch, thickness, (stones, extent)))
+        }
+        At::Least => {
+            let (named, found) = match least_solution(arch, stones, extent, digits) {
+                Ok(Some(solution)) => (Some(solution.thickness), Ok(Programme::Zero)),
+                Ok(None) => (None, Err(Undecided::new("there is no least thickness"))),
+                Err(undecided) => (None, Err(undecided)),
+            };
+            ("least".to_owned(), named, found)
+        }
+    };
+    AtThickness { thickness, named, stones, extent, found }
 }

@@ -1,0 +1,213 @@
+//! The conditions of an arch of equal stones as polynomials in its thickness.
+
+use super::polynomial::Polynomial;
+use crate::arch::Ring;
+use crate::arch::joint::Grip;
+use crate::arch::mechanism::Contact;
+use crate::arch::whole::{Side, motion_row, static_row};
+use crate::certify::arithmetic::Arithmetic;
+use crate::certify::extent::Extent;
+use crate::certify::voussoirs::grip;
+use crate::number::{Angle, Ball, Field, Jet};
+use crate::problem::Arch;
+
+/// A condition `row . (h, p, v, 1) <= 0`, and the motion that goes with it, without dilatancy.
+#[derive(Clone, Debug)]
+pub(super) struct Condition<T> {
+    /// By its sign.
+    pub contact: Contact,
+    /// Its joint: so many halves of a stone from the crown.
+    pub joint: i32,
+    pub row: [Polynomial<T>; 4],
+    pub motion: [Polynomial<T>; 3],
+}
+
+/// Those of an arch.
+pub(super) struct Conditions<T> {
+    /// Four at each joint, in the order of [`Contact::ALL`], from the left.
+    pub all: Vec<Condition<T>>,
+    pub extent: Extent,
+    /// What a state of the half arch satisfies beside them: no vertical force.
+    no_vertical_force: [Polynomial<T>; 4],
+    /// The radius of the intrados, `1 - eta/2`.
+    intrados: Polynomial<T>,
+}
+
+/// The order of jets in the thickness: that of the load.
+const ORDER: usize = 2;
+
+impl<T: Arithmetic> Conditions<T> {
+    /// The conditions in numbers of `bits` bits.
+    pub(super) fn new(arch: &Arch, stones: i32, extent: Extent, bits: u32) -> Self {
+        let alpha: T = arch.half_opening().enclosure(bits);
+        let constant = |x: T| Jet::constant(x, ORDER);
+        let eta = Jet::new(vec![alpha.int(0), alpha.int(1)], ORDER);
+        let ring = Ring::new(arch.weight(), &eta);
+        let grip: Grip<Jet<T>> =
+            grip(arch.friction(), bits).map(|x: Ball| constant(T::from_ball(&x, bits)));
+        let joint = |k: i32| match k {
+            0 => Angle::zero(&alpha),
+            _ => {
+                let side = if k < 0 { Side::Left } else { Side::Right };
+                side.joint(&Angle::new(alpha.clone() * alpha.ratio(k.abs(), stones)))
+            }
+        };
+        let zero = eta.int(0);
+        // What v takes is linear in the thickness: the centroids, of second order, drop out exactly.
+        let seen = |[h, p, v]: [Jet<T>; 3]| match extent {
+            Extent::Whole => {
+                [h, p, Jet::new(v.coefficients().iter().take(2).cloned().collect(), ORDER)]
+            }
+            Extent::Half => [h, p, zero.clone()],
+        };
+        let mut all = Vec::new();
+        for k in extent.joints(stones) {
+            let angle = joint(k).map(constant);
+            for contact in Contact::ALL {
+                let [h, p, v] = seen(static_row(contact, &angle, &ring, &grip));
+                let load = contact.row(&angle, &ring, &grip).load;
+                let motion = seen(motion_row(contact, &angle, &eta, &zero));
+                all.push(Condition {
+                    contact,
+                    joint: k,
+                    row: [&h, &p, &v, &load].map(Polynomial::of),
+                    motion: motion.each_ref().map(Polynomial::of),
+                });
+            }
+        }
+        let entry = |n: i32| Polynomial::constant(alpha.int(n));
+        let intrados = Jet::new(vec![alpha.int(1), -alpha.ratio(1, 2)], ORDER);
+        let no_vertical_force = [0, 0, 1, 0].map(entry);
+        Self { all, extent, no_vertical_force, intrados: Polynomial::of(&intrados) }
+    }
+
+    /// The place of a condition.
+    pub(super) fn place(&self, contact: Contact, joint: i32) -> Option<usize> {
+        self.all.iter().position(|at| at.contact == contact && at.joint == joint)
+    }
+
+    /// The conditions of the mirror image, in order; of a half arch the same.
+    pub(super) fn mirrored(&self, of: &[usize]) -> Vec<usize> {
+        let joints = self.all.len() / 4;
+        let other = |place: usize| {
+            let contact = match place % 4 {
+                2 => 3,
+                3 => 2,
+                hinge => hinge,
+            };
+            4 * (joints - 1 - place / 4) + contact
+        };
+        let mut places = match self.extent {
+            Extent::Whole => of.iter().map(|place| other(*place)).collect(),
+            Extent::Half => of.to_vec(),
+        };
+        places.sort_unstable();
+        places
+    }
+
+    /// How many rates are as many as the equations of compatibility and one more.
+    pub(super) fn rank(&self) -> usize {
+        match self.extent {
+            Extent::Whole => 3,
+            Extent::Half => 2,
+        }
+    }
+
+    /// The state at which three conditions are zero, or two of a half arch: `h, p, v` and one, times a common factor.
+    ///
+    /// Two mirror images are zero together where one is and `v` is zero. Of three hinges at the intrados the factor `1 - eta/2`, which all
+    /// four have, is left out.
+    pub(super) fn meeting(&self, of: &[usize]) -> [Polynomial<T>; 4] {
+        let is_intrados = |place: &usize| self.all[*place].contact == Contact::Intrados;
+        match (of, self.mirror_images(of)) {
+            ([a, b], _) => crossed([&self.all[*a].row, &self.all[*b].row, &self.no_vertical_force]),
+            (_, Some([a, b])) => {
+                crossed([&self.all[a].row, &self.all[b].row, &self.no_vertical_force])
+            }
+            (_, None) if of.iter().all(is_intrados) => {
+                let reduced = [0, 1, 2].map(|k| {
+                    let [h, p, v, load] = &self.all[of[k]].row;
+                    [h.first(), p.clone(), v.first(), load.clone()]
+                });
+                let [h, p, v, whole] = crossed(reduced.each_ref());
+                let times = |x: &Polynomial<T>| Polynomial::alternating(&[[&self.intrados, x]]);
+                [h, times(&p), v, times(&whole)]
+            }
+            _ => crossed([0, 1, 2].map(|k| &self.all[of[k]].row)),
+        }
+    }
+
+    /// Of three conditions, two of which are mirror images, one of these and the third.
+    fn mirror_images(&self, of: &[usize]) -> Option<[usize; 2]> {
+        let [a, b, c] = *of else { return None };
+        let are = |a: usize, b: usize| self.mirrored(&[a]) == [b];
+        match (are(a, b), are(a, c), are(b, c)) {
+            (true, ..) => Some([a, c]),
+            (_, true, _) => Some([a, b]),
+            (.., true) => Some([b, a]),
+            _ => None,
+        }
+    }
+
+    /// The left side of a condition at the state of [`meeting`](Self::meeting), times the common factor.
+    pub(super) fn value(&self, place: usize, meeting: &[Polynomial<T>; 4]) -> Polynomial<T> {
+        let [h, p, v, load] = &self.all[place].row;
+        let [a, b, c, d] = meeting;
+        let minus = [b, d].map(|x| x.clone().negative());
+        Polynomial::alternating(&[[h, a], [p, &minus[0]], [v, c], [load, &minus[1]]])
+    }
+
+    /// Rates, up to a common factor, of one condition more than the equations of compatibility, with which the motion fits.
+    pub(super) fn rates(&self, of: &[usize]) -> Vec<Polynomial<T>> {
+        let motion = |k: usize| &self.all[of[k]].motion;
+        let cross = |i: usize, j: usize, [x, y]: [usize; 2]| {
+            let (a, b) = (motion(i), motion(j));
+            Polynomial::alternating(&[[&a[x], &b[y]], [&a[y], &b[x]]])
+        };
+        let rate = |k: usize| {
+            let rest: Vec<usize> = (0..of.len()).filter(|i| *i != k).collect();
+            let size = match rest[..] {
+                [i, j] => cross(i, j, [0, 1]),
+                _ => self.determinant(&[rest[0], rest[1], rest[2]].map(|i| of[i])),
+            };
+            if k.is_multiple_of(2) { size } else { size.negative() }
+        };
+        (0..of.len()).map(rate).collect()
+    }
+
+    /// The determinant of three motions: zero where they fit with each other.
+    pub(super) fn determinant(&self, of: &[usize; 3]) -> Polynomial<T> {
+        let [a, b, c] = of.map(|k| &self.all[k].motion);
+        let minor = |i: usize, j: usize| Polynomial::alternating(&[[&b[i], &c[j]], [&b[j], &c[i]]]);
+        Polynomial::alternating(&[
+            [&a[0], &minor(1, 2)],
+            [&a[1], &minor(0, 2)],
+            [&a[2], &minor(0, 1)],
+        ])
+    }
+
+    /// Rates of three motions that fit with each other, from two of their three equations.
+    pub(super) fn rates_of_three(&self, of: &[usize; 3], by: [usize; 2]) -> Vec<Polynomial<T>> {
+        let cross = |i: usize, j: usize| {
+            let (a, b) = (&self.all[of[i]].motion, &self.all[of[j]].motion);
+            Polynomial::alternating(&[[&a[by[0]], &b[by[1]]], [&a[by[1]], &b[by[0]]]])
+        };
+        vec![cross(1, 2), cross(2, 0), cross(0, 1)]
+    }
+}
+
+/// Four numbers at right angles to three rows, up to a common factor.
+fn crossed<T: Arithmetic>([a, b, c]: [&[Polynomial<T>; 4]; 3]) -> [Polynomial<T>; 4] {
+    let minor = |i: usize, j: usize| Polynomial::alternating(&[[&a[i], &b[j]], [&a[j], &b[i]]]);
+    let [m01, m02, m03] = [minor(0, 1), minor(0, 2), minor(0, 3)];
+    let [m12, m13, m23] = [minor(1, 2), minor(1, 3), minor(2, 3)];
+    let det = |ab: &Polynomial<T>, ac: &Polynomial<T>, bc: &Polynomial<T>, at: [usize; 3]| {
+        Polynomial::alternating(&[[ab, &c[at[2]]], [ac, &c[at[1]]], [bc, &c[at[0]]]])
+    };
+    [
+        det(&m12, &m13, &m23, [1, 2, 3]),
+        det(&m02, &m03, &m23, [0, 2, 3]).negative(),
+        det(&m01, &m03, &m13, [0, 1, 3]),
+        det(&m01, &m02, &m12, [0, 1, 2]).negative(),
+    ]
+}

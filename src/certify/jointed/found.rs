@@ -1,0 +1,81 @@
+//! What is proved of the solutions of (19) between equal stones.
+
+use crate::arch::mechanism::Contact;
+use crate::arch::whole::Side;
+use crate::certify::Undecided;
+use crate::certify::extent::Extent;
+use crate::certify::state::Figure;
+
+/// A solution at the joints between equal stones, with its digits, correctly rounded.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct JointedSolution {
+    /// Whether its state and its motion are symmetric; the mirror image of another one is a solution too.
+    pub is_symmetric: bool,
+    /// `eta`.
+    pub thickness: Figure,
+    /// `h`.
+    pub thrust: Figure,
+    /// `p`, the moment of the forces in the crown about the centre.
+    pub crown_moment: Figure,
+    /// `v`, the part of the weight of the right half that the left one carries; zero in a symmetric state.
+    pub vertical_force: Figure,
+    /// The joints that give way, from the right springing to the left, or to the crown of a half arch.
+    pub joints: Vec<JointedMotion>,
+}
+
+/// A joint that gives way.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct JointedMotion {
+    /// How, on its side.
+    pub contact: Contact,
+    /// On which side of the crown; `None` at the crown.
+    pub side: Option<Side>,
+    /// The angle from the crown, rad.
+    pub angle: Figure,
+    /// The rotation, or the slip in units of `r`, where the hinges of each face turn by one together.
+    pub rate: Figure,
+}
+
+/// The thicknesses at which there is an admissible state.
+#[derive(Clone, Debug)]
+pub enum Standing {
+    /// From this one on, up to 2.
+    From(Box<Figure>),
+    /// All up to 2.
+    Always,
+    /// None up to 2.
+    Never,
+}
+
+/// All solutions between equal stones.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Enumeration {
+    /// Which states are looked at.
+    pub extent: Extent,
+    /// The stones of the whole arch.
+    pub stones: u64,
+    /// Where there is anything admissible.
+    pub standing: Standing,
+    /// The solutions, thin arches first, each alone at its thickness but for its mirror image; or why the digits of one stay open.
+    pub solutions: Vec<Result<JointedSolution, Undecided>>,
+    /// The pieces of `(0, 2]` on which nothing is proved, by their bounds. On all the rest there are no other solutions.
+    pub open: Vec<[f64; 2]>,
+    /// The triples of conditions that are looked at, or the pairs of a half arch.
+    pub triples: u64,
+}
+
+impl Enumeration {
+    /// Why something stays open, if anything does.
+    pub fn first_open(&self) -> Option<Undecided> {
+        let open = self.solutions.iter().find_map(|solution| solution.as_ref().err());
+        let piece = || {
+            self.open
+                .first()
+                .map(|_| Undecided::new("whether there is a solution at some thicknesses"))
+        };
+        open.cloned().or_else(piece)
+    }
+}

@@ -1,0 +1,109 @@
+//! The solution at the least thickness of the stones.
+//!
+//! That the state there is admissible, and none in a thinner arch, is proved with the [voussoirs](crate::certify::voussoirs()). Without dilatancy the rates of
+//! its three conditions are others than the multipliers, but positive too: then it is a solution of (19). Of the whole
+//! arch it is one with each rate shared by both sides.
+
+use super::conditions::Conditions;
+use super::event::Kind;
+use super::found::JointedSolution;
+use super::refine::{Digits, State, zero_near};
+use super::vertex::Start;
+use crate::arch::mechanism::Contact;
+use crate::certify::Undecided;
+use crate::certify::arithmetic::Arithmetic;
+use crate::certify::extent::Extent;
+use crate::certify::state::raise;
+use crate::certify::voussoirs::VoussoirDigits;
+use crate::number::{Ball, DoubleBall, Enclosure, Field, bits_of};
+use crate::problem::stones::{JointContact, Stones};
+
+/// Bits beyond those of the digits.
+const GUARD: u32 = 64;
+
+/// A joint of the half arch, in halves of a stone from the crown.
+fn joint(number: i32, (_, index): &JointContact) -> Option<i32> {
+    Some(2 * i32::try_from(*index).ok()? + number % 2)
+}
+
+/// The conditions of a half arch that are zero at its least thickness and move. A crown that bears nothing, where an arch overturns, opens: both of its
+/// hinges turn.
+fn moving(stones: &Stones, state: &VoussoirDigits) -> [JointContact; 3] {
+    let opens = state.contacts[0] == (Contact::Inwards, 0) && stones.has_joint_at_crown();
+    match (opens, state.contacts) {
+        (true, [_, haunch, shoulder]) => [(Contact::Extrados, 0), haunch, shoulder],
+        (false, same) => same,
+    }
+}
+
+/// Their places.
+fn places<T: Arithmetic>(
+    conditions: &Conditions<T>,
+    number: i32,
+    contacts: &[JointContact],
+) -> Option<Vec<usize>> {
+    contacts.iter().map(|at| conditions.place(at.0, joint(number, at)?)).collect()
+}
+
+/// Where the search begins: at the least thickness, with its conditions on both sides.
+pub(super) fn start(
+    conditions: &Conditions<DoubleBall>,
+    (stones, number): (&Stones, i32),
+    state: &VoussoirDigits,
+) -> Option<Start> {
+    let below = state.thickness.double.next_down();
+    let moving = moving(stones, state);
+    // A crown that bears nothing is at all of its limits.
+    let crown = Contact::ALL.map(|contact| (contact, 0));
+    let crown = crown.iter().filter(|_| moving != state.contacts);
+    let contacts: Vec<JointContact> = moving.iter().chain(crown).copied().collect();
+    let half = places(conditions, number, &contacts)?;
+    let mirrored = conditions.mirrored(&half);
+    let mut touching: Vec<usize> = half.into_iter().chain(mirrored).collect();
+    touching.sort_unstable();
+    touching.dedup();
+    Some(Start { below, touching })
+}
+
+/// The solution at the least thickness.
+pub(super) fn solution(
+    digits: &Digits<'_>,
+    found: &VoussoirDigits,
+) -> Result<JointedSolution, Undecided> {
+    let contacts = moving(digits.stones, found);
+    raise(bits_of(digits.digits) + GUARD, |bits| {
+        let half = Digits { extent: Extent::Half, ..*digits };
+        let conditions = half.conditions(bits);
+        let question = || Undecided::new("which conditions are zero at the least thickness");
+        let of = places(&conditions, digits.number, &contacts).ok_or_else(question)?;
+        // The outer two fix the forces; the order is that of the rates.
+        let kind = Kind::Statics(vec![of[0], of[2]], of[1]);
+        let polynomial = conditions.value(of[1], &conditions.meeting(&[of[0], of[2]]));
+        let thickness = zero_near(&polynomial, found.thickness.double, bits)?;
+        // The zero next to a number is the one that is proved to be the least thickness: it is the only one between them.
+        let [low, high] = [&found.thickness.decimal.lower, &found.thickness.decimal.upper]
+            .map(|bound| Ball::enclosing(&bound.to_rational(), bits));
+        let around = thickness.hull(&low).hull(&high);
+        if !polynomial.derivative().at(&around).excludes_zero() {
+            return Err(question());
+        }
+        let state = State::at(&conditions, &kind, thickness)?;
+        if digits.extent == Extent::Half {
+            return Ok(digits.rounded(&conditions, &state, true));
+        }
+        let whole = digits.conditions(bits);
+        let mut moving = Vec::new();
+        for (place, rate) in &state.moving {
+            let at = &conditions.all[*place];
+            let right = whole.place(at.contact, at.joint).ok_or_else(question)?;
+            let left = whole.mirrored(&[right])[0];
+            if left == right {
+                moving.push((right, rate.clone()));
+            } else {
+                let share = rate.clone() / rate.int(2);
+                moving.extend([(right, share.clone()), (left, share)]);
+            }
+        }
+        Ok(digits.rounded(&whole, &State { moving, ..state }, true))
+    })
+}

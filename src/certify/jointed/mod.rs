@@ -1,0 +1,410 @@
+//! All solutions of the complementarity problem (19) of an arch of equal stones, at any thickness up to 2.
+//!
+//! The conditions hold at the joints between the stones. Their coefficients are polynomials in the thickness `eta`:
+//! of the rows of the static matrix, and of the matrix of compatibility without dilatancy.
+//!
+//! 1. **A vertex is enough.** A solution is an admissible state with rates of conditions that are zero there. The states at which these
+//!    are zero are a face of the admissible ones, and have the same rates; the face has a vertex, as the hinges' rows leave no direction free. And of the
+//!    conditions that are zero at a vertex three have independent rows, or two in a half arch.
+//! 2. **All triples are looked at**, each on all of the range: on a piece of thicknesses it is proved to be no vertex, or to bear no motion together
+//!    with every condition that may be zero there (`vertex`); or to have exactly one solution (`event`); or the piece is halved. What stays open after many
+//!    halvings is said. So **completeness** rests on signs of polynomials in balls and on nothing that is found by a
+//!    search: neither the order of the pieces nor the directions `y` are trusted.
+//! 3. **Where the range begins.** Below the least thickness nothing is admissible, as proved with the voussoirs: an admissible state and its
+//!    mirror image have a symmetric one between them. At the least thickness is the symmetric solution (`least`). Next to it all conditions that
+//!    touch there are nearly zero on every piece; the slopes of the polynomials tell their signs.
+//! 4. **Digits** of a solution follow from its equations in balls of more bits (`refine`).
+//!
+//! Where a joint bears nothing, `N = T = 0`, both of its slips are zero and their motions are opposite: a solution of (19) by the letter,
+//! in which nothing moves. It is not counted: of the two slips of a joint one rate at most is positive.
+
+mod conditions;
+mod event;
+mod found;
+mod least;
+mod polynomial;
+mod refine;
+mod sweep;
+mod vertex;
+
+pub use found::{Enumeration, JointedMotion, JointedSolution, Standing};
+
+use super::Undecided;
+use super::extent::Extent;
+use super::programme::MOST_JOINTED_STONES;
+use super::voussoirs::{Voussoirs, voussoirs};
+use crate::number::DoubleBall;
+use crate::problem::Arch;
+use crate::problem::stones::Stones;
+use conditions::Conditions;
+use event::Event;
+use refine::Digits;
+use sweep::sweep;
+use vertex::Piece;
+
+/// More stones are refused: the cost grows with the cube of their number.
+pub const MOST_ENUMERATED_STONES: u64 = 60;
+
+/// Bits of what is given, before it is rounded to doubles.
+const BITS: u32 = 106;
+/// Digits of the least thickness where it begins.
+const START_DIGITS: usize = 17;
+
+/// All solutions of (19) between so many equal stones, 2 to [`MOST_ENUMERATED_STONES`], to `digits` significant digits.
+///
+/// Undecided without limit of friction, as then nothing limits a slip, and where the least thickness is.
+pub fn enumerate(
+    arch: &Arch,
+    stones: u64,
+    extent: Extent,
+    digits: usize,
+) -> Result<Enumeration, Undecided> {
+    let (equal, number, found) = standing((arch, stones, MOST_ENUMERATED_STONES), digits)?;
+    let nothing = |standing| Enumeration {
+        extent,
+        stones,
+        standing,
+        solutions: Vec::new(),
+        open: Vec::new(),
+        triples: 0,
+    };
+    let state = match found {
+        Voussoirs::Slides | Voussoirs::TooThick => return Ok(nothing(Standing::Never)),
+        Voussoirs::AnyThickness => None,
+        Voussoirs::Stands(state) => Some(state),
+    };
+    let conditions: Conditions<DoubleBall> = Conditions::new(arch, number, extent, BITS);
+    let start = state.as_ref().and_then(|state| least::start(&conditions, (&equal, number), state));
+    let low = state.as_ref().map_or(0.0, |state| state.thickness.double.next_down());
+    let swept = sweep(&conditions, Piece { low, high: 2.0 }, start.as_ref());
+    let of = Digits { arch, stones: &equal, number, extent, digits };
+    let least: Option<Result<JointedSolution, Undecided>> =
+        state.as_ref().map(|state| least::solution(&of, state));
+    let others = alone(&conditions, swept.events).into_iter().map(|event| of.of(&event));
+    Ok(Enumeration {
+        standing: match (&least, &state) {
+            (Some(Ok(least)), _) => Standing::From(Box::new(least.thickness.clone())),
+            (_, Some(state)) => Standing::From(Box::new(state.thickness.clone())),
+            (_, None) => Standing::Always,
+        },
+        solutions: least.into_iter().chain(others).collect(),
+        open: joined(swept.open),
+        triples: swept.triples,
+        ..nothing(Standing::Always)
+    })
+}
+
+/// The solution at the least thickness of so many equal stones, 2 to [`MOST_JOINTED_STONES`], to `digits` significant digits; `None` if there is no least
+/// thickness. There the programme (20) is zero.
+pub fn least_solution(
+    arch: &Arch,
+    stones: u64,
+    extent: Extent,
+    digits: usize,
+) -> Result<Option<JointedSolution>, Undecided> {
+    let (equal, number, found) = standing((arch, stones, MOST_JOINTED_STONES), digits)?;
+    let of = Digits { arch, stones: &equal, number, extent, digits };
+    match found {
+        Voussoirs::Stands(state) => least::solution(&of, &state).map(Some),
+        _ => Ok(None),
+    }
+}
+
+/// The stones, and from which thickness on they stand.
+fn standing(
+    (arch, stones, most): (&Arch, u64, u64),
+    digits: usize,
+) -> Result<(Stones, i32, Voussoirs), Undecided> {
+    let number = i32::try_from(stones).ok().filter(|_| (2..=most).contains(&stones));
+    let number = number.ok_or_else(|| Undecided::new("the number of stones"))?;
+    if !arch.is_limited() {
+        return Err(Undecided::new("whether a joint opens without friction to limit it"));
+    }
+    let equal = Stones::equal(stones, arch.half_opening().clone());
+    let equal = equal.map_err(|error| Undecided::new(error.to_string()))?;
+    let found = voussoirs(&equal, arch.weight(), arch.friction(), digits.max(START_DIGITS))?;
+    Ok((equal, number, found))
+}
+
+/// Each solution once: a vertex on two pieces, and others with the same conditions, find it again. On pieces that overlap their
+/// polynomial is monotone, so that together they have one zero.
+fn alone(conditions: &Conditions<DoubleBall>, mut events: Vec<Event>) -> Vec<Event> {
+    let name = |event: &Event| {
+        let own = event.kind.conditions();
+        let other = conditions.mirrored(&own);
+        own.min(other)
+    };
+    events.sort_by(|a, b| name(a).cmp(&name(b)).then(a.piece.low.total_cmp(&b.piece.low)));
+    events.dedup_by(|b, a| name(a) == name(b) && b.piece.low <= a.piece.high);
+    events.sort_by(|a, b| a.piece.low.total_cmp(&b.piece.low));
+    events
+}
+
+/// Pieces as few intervals.
+fn joined(mut pieces: Vec<Piece>) -> Vec<[f64; 2]> {
+    pieces.sort_by(|a, b| a.low.total_cmp(&b.low));
+    let mut all: Vec<[f64; 2]> = Vec::new();
+    for Piece { low, high } in pieces {
+        match all.last_mut() {
+            Some(last) if low <= last[1] => last[1] = last[1].max(high),
+            _ => all.push([low, high]),
+        }
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arch::joint::Grip;
+    use crate::arch::mechanism::Contact;
+    use crate::arch::whole::{motion_row, static_row};
+    use crate::arch::{Ring, SelfWeight};
+    use crate::certify::{Programme, programme};
+    use crate::number::Angle;
+
+    fn arch(weight: &str, alpha: &str, mu: &str) -> Arch {
+        Arch::parse(weight, alpha, mu).unwrap()
+    }
+
+    fn found(arch: &Arch, stones: u64, extent: Extent) -> Vec<JointedSolution> {
+        let all = enumerate(arch, stones, extent, 12).unwrap();
+        assert!(all.first_open().is_none(), "{arch:?} {stones}: {:?}", all.open);
+        all.solutions.into_iter().map(Result::unwrap).collect()
+    }
+
+    /// An arch in doubles, by joints of the whole arch.
+    struct Doubles {
+        weight: SelfWeight,
+        alpha: f64,
+        mu: f64,
+        stones: i32,
+    }
+
+    type Rows = Vec<([f64; 4], [f64; 3])>;
+
+    impl Doubles {
+        /// The rows of all conditions with their motions.
+        fn rows(&self, eta: f64) -> Rows {
+            let (ring, grip) = (Ring::new(self.weight, &eta), Grip { shear: 1.0, normal: self.mu });
+            let joints = (-self.stones..=self.stones).step_by(2);
+            let at = |k: i32| Angle::new(self.alpha * f64::from(k) / f64::from(self.stones));
+            let of = |joint: Angle<f64>| {
+                Contact::ALL.map(|contact| {
+                    let [h, p, v] = static_row(contact, &joint, &ring, &grip);
+                    let load = contact.row(&joint, &ring, &grip).load;
+                    ([h, p, v, load], motion_row(contact, &joint, &eta, &0.0))
+                })
+            };
+            joints.map(at).flat_map(of).collect()
+        }
+    }
+
+    fn determinant<const N: usize>(mut rows: [[f64; N]; N]) -> f64 {
+        let mut product = 1.0;
+        for k in 0..N {
+            let larger =
+                |a: usize, b: usize| if rows[b][k].abs() > rows[a][k].abs() { b } else { a };
+            let pivot = (k..N).reduce(larger).unwrap();
+            if rows[pivot][k] == 0.0 {
+                return 0.0;
+            }
+            if pivot != k {
+                rows.swap(pivot, k);
+                product = -product;
+            }
+            product *= rows[k][k];
+            for i in k + 1..N {
+                let part = rows[i][k] / rows[k][k];
+                (k..N).for_each(|j| rows[i][j] -= part * rows[k][j]);
+            }
+        }
+        product
+    }
+
+    /// Whether conditions are zero together at an admissible state and have rates that fit.
+    fn is_solution(rows: &Rows, of: &[usize; 4]) -> bool {
+        let triples = [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]].map(|t| t.map(|k| of[k]));
+        let whole =
+            |t: &[usize; 3]| determinant(t.map(|k| [rows[k].0[0], rows[k].0[1], rows[k].0[2]]));
+        let largest =
+            |a: [usize; 3], b: [usize; 3]| if whole(&b).abs() > whole(&a).abs() { b } else { a };
+        let best = triples.into_iter().reduce(largest).unwrap();
+        let det = whole(&best);
+        let state = [0, 1, 2].map(|place| {
+            let replaced = best.map(|k| {
+                let mut row = [rows[k].0[0], rows[k].0[1], rows[k].0[2]];
+                row[place] = -rows[k].0[3];
+                row
+            });
+            determinant(replaced) / det
+        });
+        let value =
+            |row: &[f64; 4]| row[0] * state[0] + row[1] * state[1] + row[2] * state[2] + row[3];
+        if det.abs() < 1e-9 || rows.iter().any(|(row, _)| value(row) > 1e-8) {
+            return false;
+        }
+        let rate = |k: usize| {
+            let rest: Vec<usize> = (0..4).filter(|i| *i != k).map(|i| of[i]).collect();
+            let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
+            sign * determinant([rows[rest[0]].1, rows[rest[1]].1, rows[rest[2]].1])
+        };
+        let rates = [0, 1, 2, 3].map(rate);
+        let sum: f64 = rates.iter().sum();
+        sum.abs() > 1e-9 && rates.iter().all(|rate| rate / sum > -1e-9)
+    }
+
+    /// All thicknesses with a solution whose four conditions are zero together, by looking at all sets of four: where their determinant
+    /// changes its sign on a grid.
+    fn by_brute_force(of: &Doubles) -> Vec<f64> {
+        let grid: Vec<f64> = (1..=80).map(|k| f64::from(k) / 40.0 + 1e-4).collect();
+        let rows: Vec<Rows> = grid.iter().map(|eta| of.rows(*eta)).collect();
+        let count = rows[0].len();
+        let mut all: Vec<f64> = Vec::new();
+        // Opposite slips of a joint are no motion.
+        let is_idle =
+            |four: &[usize; 4]| four.windows(2).any(|w| w[0] % 4 == 2 && w[1] == w[0] + 1);
+        let mut look = |four: [usize; 4]| {
+            if is_idle(&four) {
+                return;
+            }
+            let values: Vec<f64> =
+                rows.iter().map(|rows| determinant(four.map(|k| rows[k].0))).collect();
+            for k in 1..grid.len() {
+                let (mut low, mut high) = (grid[k - 1], grid[k]);
+                if values[k - 1] * values[k] >= 0.0 || values[k].abs() < 1e-13 {
+                    continue;
+                }
+                for _ in 0..50 {
+                    let middle = 0.5 * (low + high);
+                    let rows = of.rows(middle);
+                    let same = determinant(four.map(|k| rows[k].0)) * values[k - 1] > 0.0;
+                    if same { low = middle } else { high = middle }
+                }
+                if is_solution(&of.rows(low), &four)
+                    && !all.iter().any(|eta| (eta - low).abs() < 1e-7)
+                {
+                    all.push(low);
+                }
+            }
+        };
+        for i in 0..count {
+            for j in i + 1..count {
+                for k in j + 1..count {
+                    (k + 1..count).for_each(|l| look([i, j, k, l]));
+                }
+            }
+        }
+        all.sort_by(f64::total_cmp);
+        all
+    }
+
+    /// Another way, which knows neither vertices nor pieces, finds the same thicknesses.
+    #[test]
+    fn brute_force_finds_the_same() {
+        let mut several = 0;
+        for (weight, alpha, mu, stones) in
+            [("milankovitch", "2.3", "1.05", 4), ("heyman", "2.35", "1.15", 4)]
+        {
+            let arch = arch(weight, alpha, mu);
+            let of = Doubles {
+                weight: arch.weight(),
+                alpha: arch.half_opening().enclosure::<DoubleBall>(53).mid(),
+                mu: mu.parse().unwrap(),
+                stones,
+            };
+            let brute = by_brute_force(&of);
+            let found: Vec<f64> = found(&arch, stones as u64, Extent::Whole)
+                .iter()
+                .map(|solution| solution.thickness.double)
+                .collect();
+            assert_eq!(brute.len(), found.len(), "{alpha} {mu}: {brute:?} {found:?}");
+            assert!(
+                brute.iter().zip(&found).all(|(a, b)| (a - b).abs() < 1e-7),
+                "{brute:?} {found:?}"
+            );
+            several = several.max(found.len());
+        }
+        assert!(several > 0);
+    }
+
+    /// The symmetric solution is that of the voussoirs; a half arch has no other, the whole one may.
+    #[test]
+    fn a_half_arch_has_one_solution_and_the_whole_may_have_more() {
+        for (weight, alpha, mu, stones, count) in [
+            ("milankovitch", "2.3", "1.05", 8, 2),
+            ("heyman", "2.3", "1.1", 6, 1),
+            ("milankovitch", "pi/2", "0.5", 5, 1),
+            ("heyman", "2.45", "1.35", 7, 1),
+        ] {
+            let arch = arch(weight, alpha, mu);
+            let equal = Stones::equal(stones, arch.half_opening().clone()).unwrap();
+            let Ok(Voussoirs::Stands(state)) =
+                voussoirs(&equal, arch.weight(), arch.friction(), 12)
+            else {
+                panic!("{alpha} {mu}")
+            };
+            let least = state.thickness.to_string();
+            let half = found(&arch, stones, Extent::Half);
+            assert_eq!(half.len(), 1, "{alpha} {mu} {stones}");
+            let whole = found(&arch, stones, Extent::Whole);
+            assert_eq!(whole.len(), count, "{alpha} {mu} {stones}");
+            assert!(whole[0].is_symmetric && whole[0].thickness.to_string() == least);
+            assert_eq!(half[0].thickness.to_string(), least);
+            assert!(whole[1..].iter().all(|other| !other.is_symmetric));
+        }
+    }
+
+    /// The programme (20) falls to zero at the asymmetric solution, on both sides of it.
+    #[test]
+    fn the_programme_vanishes_where_a_solution_is() {
+        let arch = arch("milankovitch", "2.3", "1.05");
+        let eta = found(&arch, 8, Extent::Whole)[1].thickness.double;
+        assert!((eta - 0.684_421_733_0).abs() < 1e-10);
+        let least = |by: f64| {
+            let at = format!("{:.9}", eta + by).parse().unwrap();
+            match programme(&arch, &at, (8, Extent::Whole)) {
+                Ok(Programme::Least { upper: Some(upper), .. }) => upper,
+                other => panic!("{by}: {other:?}"),
+            }
+        };
+        for side in [-1.0, 1.0] {
+            let [near, far] = [1e-5, 1e-3].map(|by| least(side * by));
+            assert!(near < far / 50.0 && near > far / 200.0, "{side}: {near} {far}");
+        }
+    }
+
+    /// Three hinges whose rows become parallel, as the thrust between them has no limit, are no vertex there.
+    #[test]
+    fn a_vertex_may_go_to_infinity() {
+        assert_eq!(found(&arch("milankovitch", "1", "3"), 4, Extent::Whole).len(), 1);
+    }
+
+    /// With two or three stones and much friction every thickness is enough: next to zero nothing is told apart, and it is said.
+    #[test]
+    fn what_stays_open_is_said() {
+        let all = enumerate(&arch("heyman", "2", "5"), 2, Extent::Whole, 6).unwrap();
+        assert!(matches!(all.standing, Standing::Always) && all.solutions.is_empty());
+        assert!(all.first_open().is_some() && all.open[0][0] == 0.0 && all.open[0][1] < 1e-9);
+    }
+
+    /// As many stones as a table of other values has: there the programme (20) has been seen to vanish.
+    #[test]
+    #[ignore = "long"]
+    fn an_arch_of_many_stones_has_two_solutions() {
+        let all = found(&arch("milankovitch", "2.3", "1.0454"), 26, Extent::Whole);
+        assert_eq!(all.len(), 2);
+        assert!((0.5760..0.5764).contains(&all[1].thickness.double));
+    }
+
+    /// Where nothing stands there is nothing, and what is beyond the range is refused.
+    #[test]
+    fn nothing_stands_and_nothing_is_asked() {
+        let none = enumerate(&arch("heyman", "pi/2", "0.1"), 6, Extent::Whole, 6).unwrap();
+        assert!(matches!(none.standing, Standing::Never) && none.solutions.is_empty());
+        for stones in [0, 1, MOST_ENUMERATED_STONES + 1] {
+            assert!(enumerate(&arch("heyman", "2", "1"), stones, Extent::Half, 6).is_err());
+        }
+        assert!(enumerate(&arch("heyman", "2", "inf"), 6, Extent::Whole, 6).is_err());
+    }
+}

@@ -1,0 +1,183 @@
+//! The digits of a solution that is alone on its piece.
+
+use super::conditions::{Condition, Conditions};
+use super::event::{Event, Kind};
+use super::found::{JointedMotion, JointedSolution};
+use super::polynomial::Polynomial;
+use crate::arch::mechanism::Contact;
+use crate::arch::whole::Side;
+use crate::certify::Undecided;
+use crate::certify::extent::Extent;
+use crate::certify::state::{Figure, raise};
+use crate::number::{Ball, Enclosure, ExactNumber, bits_of};
+use crate::problem::Arch;
+use crate::problem::stones::Stones;
+use rug::{Float, Rational};
+
+/// An arch of equal stones, in as many digits as are asked for.
+#[derive(Clone, Copy)]
+pub(super) struct Digits<'a> {
+    pub arch: &'a Arch,
+    pub stones: &'a Stones,
+    pub number: i32,
+    pub extent: Extent,
+    pub digits: usize,
+}
+
+/// Bits beyond those of the digits.
+const GUARD: u32 = 64;
+
+/// A thickness with its forces, and the conditions with their rates.
+pub(super) struct State {
+    pub thickness: Ball,
+    /// `h, p, v`.
+    pub forces: [Ball; 3],
+    pub moving: Vec<(usize, Ball)>,
+}
+
+fn open(question: &'static str) -> Undecided {
+    Undecided::new(question)
+}
+
+impl State {
+    /// The state of a solution at its thickness, with positive rates. The hinges of one face turn by as much as those of the other: by one
+    /// together, or without hinges all rates add up to one.
+    pub(super) fn at(
+        conditions: &Conditions<Ball>,
+        kind: &Kind,
+        thickness: Ball,
+    ) -> Result<Self, Undecided> {
+        let (of, places, rates) = match kind {
+            Kind::Statics(of, other) => {
+                let places: Vec<usize> = of.iter().copied().chain([*other]).collect();
+                let rates = conditions.rates(&places);
+                (of.clone(), places, rates)
+            }
+            Kind::Motion(of, by) => (of.to_vec(), of.to_vec(), conditions.rates_of_three(of, *by)),
+        };
+        let rates: Vec<Ball> = rates.iter().map(|rate| rate.at(&thickness)).collect();
+        let contact = |place: &usize| conditions.all[*place].contact;
+        let turns = |place: &usize| contact(place) == Contact::Extrados;
+        let has_hinges = places.iter().any(turns);
+        let counted = places.iter().zip(&rates).filter(|(place, _)| turns(place) || !has_hinges);
+        let zero = thickness.clone() - &thickness;
+        let sum = counted.fold(zero, |sum, (_, rate)| sum + rate);
+        let levels: Vec<Ball> = rates.into_iter().map(|rate| rate / &sum).collect();
+        if !levels.iter().all(|level| level.is_positive().is_proved()) {
+            return Err(open("whether each joint moves its way"));
+        }
+        let [h, p, v, whole] = conditions.meeting(&of).map(|entry| entry.at(&thickness));
+        let forces = [h, p, v].map(|x| x / &whole);
+        Ok(Self { thickness, forces, moving: places.into_iter().zip(levels).collect() })
+    }
+}
+
+impl Digits<'_> {
+    /// The conditions in balls.
+    pub(super) fn conditions(&self, bits: u32) -> Conditions<Ball> {
+        Conditions::new(self.arch, self.number, self.extent, bits)
+    }
+
+    /// The solution on a piece.
+    pub(super) fn of(&self, event: &Event) -> Result<JointedSolution, Undecided> {
+        raise(bits_of(self.digits) + GUARD, |bits| {
+            let conditions = self.conditions(bits);
+            let polynomial = match &event.kind {
+                Kind::Statics(of, other) => conditions.value(*other, &conditions.meeting(of)),
+                Kind::Motion(of, _) => conditions.determinant(of),
+            };
+            let thickness = zero_near(&polynomial, event.piece.middle(), bits)?;
+            let [low, high] = [event.piece.low, event.piece.high].map(|x| Float::with_val(64, x));
+            if thickness.lower() < low || thickness.upper() > high {
+                return Err(open("which zero of the conditions it is"));
+            }
+            let mut state = State::at(&conditions, &event.kind, thickness)?;
+            // Of two mirror images the one with a positive vertical force.
+            if (-state.forces[2].clone()).is_positive().is_proved() {
+                for (place, _) in &mut state.moving {
+                    *place = conditions.mirrored(&[*place])[0];
+                }
+                state.forces[2] = -state.forces[2].clone();
+            }
+            Ok(self.rounded(&conditions, &state, false))
+        })
+    }
+
+    /// The digits of a state; `None` if a rounding is not decided.
+    pub(super) fn rounded(
+        &self,
+        conditions: &Conditions<Ball>,
+        state: &State,
+        is_symmetric: bool,
+    ) -> Option<JointedSolution> {
+        let figure = |x: &Ball| Figure::new(x, self.digits);
+        let whole = |n: i32| ExactNumber::from(&Rational::from(n));
+        let zero = Figure::exact(&whole(0), 1);
+        let [h, p, v] = &state.forces;
+        let mut moving: Vec<(&Condition<Ball>, &Ball)> =
+            state.moving.iter().map(|(place, rate)| (&conditions.all[*place], rate)).collect();
+        moving.sort_by_key(|(condition, _)| -condition.joint);
+        let contacts: Vec<Contact> =
+            moving.iter().map(|(condition, _)| condition.contact).collect();
+        let of_face = |contact| contacts.iter().filter(|other| **other == contact).count();
+        let joints = moving.into_iter().map(|(condition, rate)| {
+            let side = match condition.joint {
+                0 => None,
+                k if k > 0 => Some(Side::Right),
+                _ => Some(Side::Left),
+            };
+            let index = u64::from(condition.joint.unsigned_abs() / 2);
+            let angle = match (side, self.stones.exact_joint(index)) {
+                (None, _) => zero.clone()?,
+                (_, Some(exact)) => Figure::exact(&exact, self.digits)?,
+                _ => figure(&self.stones.joint(index, state.thickness.prec()))?,
+            };
+            let contact = side.map_or(condition.contact, |side| side.contact(condition.contact));
+            // One hinge of a face turns by one exactly, two mirror images by a half: no ball tells.
+            let rate = match (contact.is_hinge(), of_face(contact), is_symmetric) {
+                (true, 1, _) => Figure::exact(&whole(1), self.digits)?,
+                (true, 2, true) => {
+                    Figure::exact(&ExactNumber::from(&Rational::from((1, 2))), self.digits)?
+                }
+                _ => figure(rate)?,
+            };
+            Some(JointedMotion { contact, side, angle, rate })
+        });
+        Some(JointedSolution {
+            is_symmetric,
+            thickness: figure(&state.thickness)?,
+            thrust: figure(h)?,
+            crown_moment: figure(p)?,
+            vertical_force: if is_symmetric { zero.clone()? } else { figure(v)? },
+            joints: joints.collect::<Option<_>>()?,
+        })
+    }
+}
+
+/// Encloses a zero of a polynomial next to a number, by a change of sign.
+pub(super) fn zero_near(
+    polynomial: &Polynomial<Ball>,
+    near: f64,
+    bits: u32,
+) -> Result<Ball, Undecided> {
+    let slope = polynomial.derivative();
+    let exact = |x: &Float| Ball::exact(x.clone(), bits);
+    let mut x = Float::with_val(bits, near);
+    for _ in 0..8 + bits.ilog2() {
+        let step = polynomial.at(&exact(&x)).mid().clone() / slope.at(&exact(&x)).mid();
+        if step.is_finite() {
+            x -= step;
+        }
+    }
+    // What the coefficients leave open, and a little more.
+    let [value, along] = [polynomial.at(&exact(&x)), slope.at(&exact(&x))];
+    let room = Float::with_val(64, value.rad().to_float() / along.mid().clone().abs()) * 4u32;
+    let least = Float::with_val(64, 1) >> (bits - 4);
+    let room = if room.is_finite() && room > least { room } else { least };
+    let [low, high] =
+        [-room.clone(), room].map(|by| Ball::exact(Float::with_val(bits + 64, &x + &by), bits));
+    let [below, above] = [&low, &high].map(|x| polynomial.at(x));
+    let changes =
+        below.excludes_zero() && above.excludes_zero() && (*below.mid() > 0) != (*above.mid() > 0);
+    if changes { Ok(low.hull(&high)) } else { Err(open("whether a condition changes its sign")) }
+}

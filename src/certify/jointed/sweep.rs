@@ -1,0 +1,101 @@
+//! All vertices and all thicknesses.
+//!
+//! Each triple of conditions is looked at on the whole range of thicknesses; a piece on which nothing is proved of it is halved. A triple and its mirror
+//! image share their fate.
+
+use super::conditions::Conditions;
+use super::event::{Event, event};
+use super::vertex::{Passed, Piece, Start, Vertex, in_doubles};
+use crate::number::DoubleBall;
+use rayon::prelude::*;
+
+/// What is left of the range of thicknesses.
+#[derive(Debug, Default)]
+pub(super) struct Swept {
+    /// Solutions, each alone on its piece.
+    pub events: Vec<Event>,
+    /// Pieces on which nothing is proved.
+    pub open: Vec<Piece>,
+    /// How many triples there are.
+    pub triples: u64,
+}
+
+/// Pieces of a triple at most.
+const PIECES: usize = 4_000;
+/// Halvings at most.
+const DEPTH: u32 = 44;
+/// Until so many halvings a piece is halved where a triple seems to be no vertex.
+const COARSE: u32 = 10;
+
+impl Swept {
+    fn with(mut self, other: Self) -> Self {
+        self.events.extend(other.events);
+        self.open.extend(other.open);
+        self.triples += other.triples;
+        self
+    }
+}
+
+/// Looks at all triples of conditions of the whole arch, or pairs of the half, on a range of thicknesses.
+pub(super) fn sweep(
+    conditions: &Conditions<DoubleBall>,
+    range: Piece,
+    start: Option<&Start>,
+) -> Swept {
+    let rows = in_doubles(conditions);
+    let count = conditions.all.len();
+    let look = |of: Vec<usize>| match conditions.mirrored(&of) < of {
+        true => Swept { triples: 1, ..Swept::default() },
+        false => one(Vertex::new(conditions, of), range, start, &rows),
+    };
+    let with_first = |i: usize| {
+        let seconds = i + 1..count;
+        let all: Vec<Vec<usize>> = match conditions.rank() {
+            2 => seconds.map(|j| vec![i, j]).collect(),
+            _ => seconds.flat_map(|j| (j + 1..count).map(move |k| vec![i, j, k])).collect(),
+        };
+        all.into_iter().map(look).fold(Swept::default(), Swept::with)
+    };
+    let parts: Vec<Swept> = (0..count).into_par_iter().map(with_first).collect();
+    parts.into_iter().fold(Swept::default(), Swept::with)
+}
+
+fn one(
+    mut vertex: Vertex<'_>,
+    range: Piece,
+    start: Option<&Start>,
+    rows: &[[[f64; 3]; 4]],
+) -> Swept {
+    let mut found = Swept { triples: 1, ..Swept::default() };
+    let mut pending = vec![(range, 0)];
+    let mut pieces = 0;
+    while let Some((piece, depth)) = pending.pop() {
+        pieces += 1;
+        if pieces > PIECES || depth > DEPTH {
+            found.open.push(piece);
+            continue;
+        }
+        let passed = vertex.is_passed_by_one(&piece, rows);
+        if passed == Passed::Proved {
+            continue;
+        }
+        if passed == Passed::Unlikely || depth > COARSE {
+            let Some(near) = vertex.near(&piece, start) else { continue };
+            if vertex.bears_no_motion(&near.others, &piece) {
+                continue;
+            }
+            if let Some(event) = event(&mut vertex, &piece, range, start) {
+                found.events.push(event);
+                continue;
+            }
+        }
+        let middle = piece.middle();
+        if middle <= piece.low || middle >= piece.high {
+            found.open.push(piece);
+            continue;
+        }
+        pending.push((Piece { low: middle, ..piece }, depth + 1));
+        pending.push((Piece { high: middle, ..piece }, depth + 1));
+    }
+    found
+}
