@@ -97,7 +97,7 @@ pub mod cli;
 pub mod judge;
 pub mod number;
 #[doc(hidden)]
-#[cfg(feature = "mpfr")]
+#[cfg(feature = "check")]
 pub mod picture;
 pub mod problem;
 #[cfg(all(feature = "mpfr", feature = "cli"))]
@@ -105,6 +105,8 @@ pub mod report;
 #[doc(hidden)]
 #[cfg(all(feature = "mpfr", feature = "cli"))]
 pub mod scene;
+#[cfg(feature = "check")]
+pub mod sketch;
 #[doc(hidden)]
 #[cfg(feature = "mpfr")]
 pub mod solve;

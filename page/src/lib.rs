@@ -4,13 +4,17 @@
 //! [`output`] says. Nothing here looks for a candidate: the script of the map does, in doubles, and is not believed.
 
 mod candidate;
+mod drawing;
+mod given;
 mod prove;
+mod rounding;
+mod standing;
 
 use couplet::check::{Refusal, summary, verify};
 use serde::Serialize;
 use std::cell::RefCell;
 
-pub use prove::{Answer, Question, proof};
+pub use prove::{Answer, Proved, Question, proof};
 
 thread_local! {
     static INPUT: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
@@ -62,8 +66,8 @@ pub extern "C" fn check() -> usize {
 #[unsafe(no_mangle)]
 pub extern "C" fn prove() -> usize {
     answered(|bytes| match serde_json::from_slice::<Question>(bytes) {
-        Ok(question) => Answer::from(proof(&question)),
-        Err(error) => Answer::from(Err(error.to_string())),
+        Ok(question) => Answer::of(&question),
+        Err(error) => Answer::Open { reason: error.to_string(), command: None },
     })
 }
 

@@ -4,35 +4,47 @@
 //! it accepted is the one that the page hands out.
 
 use crate::candidate::{Candidate, candidate, dyadic};
-use couplet::arch::Unknown;
+use crate::drawing::Drawing;
+use crate::given::{Given, given};
+use crate::rounding::rounded;
+use crate::standing;
+use couplet::arch::{Configuration, Unknown};
 use couplet::check::{
     Certificate, ClaimFile, Refusal, SCHEMA, ValueFile, Witness, check_certificate,
 };
-use couplet::number::{AstroInterval, DoubleDouble, DoubleDoubleBall};
-use couplet::problem::{Arch, Known, Mode, Problem, Quantity, Verdict};
+use couplet::number::{
+    AstroInterval, DoubleDouble, DoubleDoubleBall, Drawable, Dyadic, Enclosure, Engine, Ternary,
+};
+use couplet::problem::{Known, Mode, Nearest, Problem, Quantity, Standing, Verdict};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// What is to be proved of an arch, in texts that the command line reads too, and where its root seems to be.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields, default)]
 pub struct Question {
     /// `heyman` or `milankovitch`.
     pub weight: String,
     /// In radians, or with `deg` or `pi`.
-    pub half_opening: String,
+    pub half_opening: Option<String>,
+    /// Instead of it, lengths with units.
+    pub span: Option<String>,
+    /// With the span.
+    pub rise: Option<String>,
     /// A coefficient, an angle in degrees, or `inf`.
     pub friction: String,
+    /// The thickness of the arch, a ratio; with span and rise also a length.
+    pub thickness: Option<String>,
     /// The label of a mode, `slides` or `too_wide`.
     pub subject: String,
-    /// A thickness, which the least one of the mode is said to be above.
-    pub thickness: Option<String>,
     /// A start for each unknown, by its name.
     pub start: BTreeMap<String, f64>,
     /// How many digits are wanted; fewer are given where these are not decided.
     pub digits: usize,
     /// Whether the certificate is wanted, checked in the second arithmetic too.
     pub file: bool,
+    /// `still` or `moving` for a picture.
+    pub drawing: Option<String>,
 }
 
 /// What is proved, or why not.
@@ -40,24 +52,47 @@ pub struct Question {
 #[serde(untagged)]
 pub enum Answer {
     /// The checker accepts it.
-    Proved {
-        /// How many digits the values have.
-        digits: usize,
-        /// The values, correctly rounded, by their names.
-        values: BTreeMap<&'static str, String>,
-        /// The file, if it was wanted.
-        certificate: Option<String>,
-    },
+    Proved(Box<Proved>),
     /// It does not.
     Open {
         /// Why.
         reason: String,
+        /// The command that makes the certificate, if the arch can be read.
+        command: Option<String>,
     },
 }
 
-impl From<Result<Answer, String>> for Answer {
-    fn from(found: Result<Answer, String>) -> Self {
-        found.unwrap_or_else(|reason| Self::Open { reason })
+/// What is proved of an arch.
+#[derive(Debug, Default, Serialize)]
+pub struct Proved {
+    /// Of what: as it was asked.
+    pub subject: String,
+    /// How many digits the values of the state have.
+    pub digits: usize,
+    /// Values by their names, each a correct rounding.
+    pub values: BTreeMap<&'static str, String>,
+    /// Whether the arch stands with its thickness, if it has one: `None` if it is too near to the least to tell.
+    pub stands: Option<bool>,
+    /// Whether a line of thrust that fits its thickness is proved too.
+    pub has_line: bool,
+    /// The file, if it was wanted.
+    pub certificate: Option<String>,
+    /// The picture, if it was wanted and there is one.
+    pub drawing: Option<String>,
+    /// The command that makes the certificate.
+    pub command: String,
+}
+
+impl Answer {
+    /// What is proved of what was asked.
+    pub fn of(question: &Question) -> Self {
+        match proof(question) {
+            Ok(proved) => Self::Proved(Box::new(proved)),
+            Err(reason) => {
+                let command = given(question).ok().map(|given| given.command());
+                Self::Open { reason, command }
+            }
+        }
     }
 }
 
@@ -67,39 +102,147 @@ const LARGE: [i32; 4] = [-14, -20, -28, -40];
 const SMALL: i32 = -78;
 
 /// Proves it, by a certificate that the checker accepts.
-pub fn proof(question: &Question) -> Result<Answer, String> {
-    let problem = problem(question)?;
-    let unknowns = problem.system().unknowns;
+pub fn proof(question: &Question) -> Result<Proved, String> {
+    let given = given(question)?;
+    let subject = subject(&question.subject, &given)?;
     let start = |unknown: &Unknown| question.start.get(unknown.name()).copied();
-    let start: Option<Vec<f64>> = unknowns.iter().map(start).collect();
-    let start = start.ok_or("a start is missing")?;
-    let found = candidate(&problem, &start).ok_or("no candidate was found")?;
+    let start: Option<Vec<f64>> = subject.system().unknowns.iter().map(start).collect();
+    let certificate = certified(&subject, &start.ok_or("a start is missing")?, question.digits)?;
+    let values = check::<DoubleDoubleBall>(&certificate)?;
+    let at = enclosed(&subject, &certificate);
+    let (digits, command) = (certificate.digits, given.command());
+    let mut proved = Proved { digits, values, command, ..Proved::default() };
+    proved.subject.clone_from(&question.subject);
+    proved.values.extend(given.values(question.digits));
+    let mode = match &subject {
+        Problem::State { mode, .. } => Some(*mode),
+        _ => None,
+    };
+    let least = mode.map(|_| &at.thickness);
+    let eta: Option<DoubleDoubleBall> = given.thickness.as_ref().map(|eta| eta.enclosure(BITS));
+    if let (Some(radius), Some(least)) = (&given.radius, least) {
+        let metres = radius.enclosure::<DoubleDoubleBall>(BITS) * least;
+        proved.values.extend(rounded(&metres, question.digits).map(|x| ("least_thickness_m", x)));
+    }
+    // From the least thickness on it stands.
+    proved.stands = match (eta, least) {
+        (None, _) => None,
+        (Some(_), None) => Some(false),
+        (Some(eta), Some(least)) => match (eta - least).is_positive() {
+            Ternary::True => Some(true),
+            Ternary::False => Some(false),
+            Ternary::Undecided => None,
+        },
+    };
+    if let (Some(eta), Some(least)) = (eta, least) {
+        proved.values.extend(rounded(&(eta / least), SAFETY).map(|x| ("geometric_safety", x)));
+    }
+    // The line of thrust of an arch that stands has a certificate of its own.
+    let stands = match (proved.stands, eta) {
+        (Some(true), Some(eta)) => standing(&given, &at, eta, question.digits).ok(),
+        _ => None,
+    };
+    proved.has_line = stands.is_some();
+    if let Some(how) = &question.drawing {
+        let at = match eta {
+            Some(eta) => at.clone().with(Unknown::Thickness, eta),
+            None => at.clone(),
+        };
+        let arch = &given.arch;
+        let (weight, is_limited) = (arch.weight(), arch.is_limited());
+        let drawing = |at| Drawing { weight, at, is_limited, title: "The arch" };
+        proved.drawing = match (eta, mode, &stands) {
+            (None, Some(mode), _) => drawing(&at).state(mode, how == "moving"),
+            (Some(_), _, Some((line, _))) => {
+                let moment = Engine::exact(&line.crown_moment, BITS as usize);
+                let at = at.with(Unknown::Thrust, Engine::exact(&line.thrust, BITS as usize));
+                Some(drawing(&at).standing(moment))
+            }
+            (Some(_), Some(_), None) => Some(drawing(&at).bare()),
+            _ => None,
+        };
+    }
+    if question.file {
+        let file = match (proved.stands, mode, &given.thickness) {
+            (Some(true), ..) => {
+                let found = stands.map(|(_, certificate)| certificate);
+                found.ok_or("no line of thrust inside the arch is found here")?
+            }
+            (Some(false), Some(mode), Some(thickness)) => {
+                let verdict = Verdict::TooThin { mode, thickness: thickness.clone() };
+                let problem = Problem::Verdict { verdict, arch: given.arch.clone() };
+                let start: Vec<f64> =
+                    subject.system().values(&at).iter().map(Drawable::double).collect();
+                certified(&problem, &start, question.digits)?
+            }
+            (None, Some(_), Some(_)) => return Err("the thickness is too near to the least".into()),
+            _ => certificate,
+        };
+        // In the second arithmetic too.
+        check::<AstroInterval>(&file)?;
+        proved.certificate = Some(written(&file)?);
+    }
+    Ok(proved)
+}
+
+/// Bits of a double-double.
+const BITS: u32 = 106;
+/// Digits of a safety.
+const SAFETY: usize = 4;
+
+fn subject(name: &str, given: &Given) -> Result<Problem, String> {
+    let arch = given.arch.clone();
+    Ok(match name {
+        "slides" => Problem::Verdict { verdict: Verdict::Slides, arch },
+        "too_wide" => Problem::Verdict { verdict: Verdict::TooWide, arch },
+        name => {
+            let mode = Mode::named(name).ok_or("there is no such subject")?;
+            Problem::State { mode, arch }
+        }
+    })
+}
+
+/// A line of thrust inside an arch that is thicker than its least thickness, and the certificate of it.
+fn standing(
+    given: &Given,
+    least: &Configuration<DoubleDoubleBall>,
+    eta: DoubleDoubleBall,
+    digits: usize,
+) -> Result<(Standing, Certificate), String> {
+    let arch = &given.arch;
+    let thickness = given.thickness.clone().ok_or("no thickness is given")?;
+    let at = least.map_ref(Drawable::double).with(Unknown::Thickness, eta.double());
+    let line = standing::line(arch.weight(), &at, arch.is_limited(), least.thrust.double());
+    let line = line.ok_or("no line of thrust inside the arch is found here")?;
+    let exact = |x: f64| -> Dyadic { dyadic(DoubleDouble::exact(x)) };
+    let (thrust, crown_moment) = (exact(line.thrust), exact(line.moment));
+    let found = Standing { thickness, thrust, crown_moment, nearest: line.nearest };
+    let verdict = Verdict::Stands(found.clone());
+    let problem = Problem::Verdict { verdict, arch: arch.clone() };
+    let start = if line.nearest == Nearest::Haunch { vec![line.joint] } else { Vec::new() };
+    Ok((found, certified(&problem, &start, digits)?))
+}
+
+/// A certificate with as many of these digits as are decided, accepted in balls of double-doubles.
+fn certified(problem: &Problem, start: &[f64], digits: usize) -> Result<Certificate, String> {
+    let found = candidate(problem, start).ok_or("no candidate was found")?;
     let mut last = String::new();
-    for digits in (1..=question.digits.min(16)).rev() {
-        match accepted(&problem, &found, digits) {
-            Ok(certificate) => return answer(certificate, question.file),
+    for digits in (1..=digits.min(16)).rev() {
+        match accepted(problem, &found, digits) {
             Err(rounding @ Refusal::Rounding(_)) => last = rounding.to_string(),
-            Err(refusal) => return Err(refusal.to_string()),
+            found => return found.map_err(|refusal| refusal.to_string()),
         }
     }
     Err(last)
 }
 
-fn problem(question: &Question) -> Result<Problem, String> {
-    let Question { weight, half_opening, friction, subject, .. } = question;
-    let arch = Arch::parse(weight, half_opening, friction).map_err(|error| error.to_string())?;
-    let verdict = |verdict| Problem::Verdict { verdict, arch: arch.clone() };
-    match &subject[..] {
-        "slides" => return Ok(verdict(Verdict::Slides)),
-        "too_wide" => return Ok(verdict(Verdict::TooWide)),
-        _ => {}
-    }
-    let mode = Mode::named(subject).ok_or("there is no such subject")?;
-    let Some(thickness) = &question.thickness else {
-        return Ok(Problem::State { mode, arch });
-    };
-    let thickness = thickness.parse().map_err(|error| format!("thickness: {error}"))?;
-    Ok(verdict(Verdict::TooThin { mode, thickness }))
+/// Where the root of a certificate is proved to be.
+fn enclosed(problem: &Problem, certificate: &Certificate) -> Configuration<DoubleDoubleBall> {
+    let bits = BITS as usize;
+    let sides = certificate.root.centre.iter().zip(&certificate.root.radius);
+    let root: Vec<DoubleDoubleBall> =
+        sides.map(|(centre, radius)| Engine::around(centre, radius, bits)).collect();
+    problem.system().place(problem.given(BITS), &root)
 }
 
 /// The certificate with the largest box that is accepted, in balls of double-doubles.
@@ -155,24 +298,17 @@ fn values(problem: &Problem, found: &Candidate, digits: usize) -> Vec<ValueFile>
     quantities.filter_map(value).collect()
 }
 
-fn answer(certificate: Certificate, file: bool) -> Result<Answer, String> {
-    let engine = match file {
-        true => check_certificate::<AstroInterval>,
-        false => check_certificate::<DoubleDoubleBall>,
-    };
-    let accepted =
-        engine(&certificate, certificate.digits).map_err(|refusal| refusal.to_string())?;
-    let values = accepted.values.into_iter().map(|(of, value)| (of.name(), value)).collect();
-    let text = || {
-        let mut bytes = Vec::new();
-        certificate.write(&mut bytes).ok()?;
-        String::from_utf8(bytes).ok()
-    };
-    Ok(Answer::Proved {
-        digits: certificate.digits,
-        values,
-        certificate: if file { text() } else { None },
-    })
+/// Its values, if the checker accepts it.
+fn check<E: Engine>(certificate: &Certificate) -> Result<BTreeMap<&'static str, String>, String> {
+    let accepted = check_certificate::<E>(certificate, certificate.digits);
+    let accepted = accepted.map_err(|refusal| refusal.to_string())?;
+    Ok(accepted.values.into_iter().map(|(of, value)| (of.name(), value)).collect())
+}
+
+fn written(certificate: &Certificate) -> Result<String, String> {
+    let mut bytes = Vec::new();
+    certificate.write(&mut bytes).map_err(|error| error.to_string())?;
+    String::from_utf8(bytes).map_err(|error| error.to_string())
 }
 
 #[cfg(test)]
@@ -183,32 +319,26 @@ mod tests {
     fn question(arch: [&str; 3], subject: &str, start: &[(&str, f64)]) -> Question {
         let [weight, half_opening, friction] = arch.map(str::to_owned);
         let start = start.iter().map(|(name, x)| ((*name).to_owned(), *x)).collect();
-        let subject = subject.to_owned();
-        Question {
-            weight,
-            half_opening,
-            friction,
-            subject,
-            thickness: None,
-            start,
-            digits: 12,
-            file: true,
-        }
+        let (subject, half_opening) = (subject.to_owned(), Some(half_opening));
+        let question = Question { weight, half_opening, friction, ..Question::default() };
+        Question { subject, start, digits: 12, file: true, ..question }
     }
 
     const RIGHT: [&str; 3] = ["heyman", "90deg", "0.38"];
     const START: [(&str, f64); 3] =
         [("rotation_joint", 0.96), ("thickness", 0.122), ("thrust", 0.6)];
 
+    fn sentence(proved: &Proved) -> String {
+        let checked = checked(proved.certificate.as_ref().unwrap().as_bytes());
+        assert!(checked.accepted, "{}", checked.sentence);
+        checked.sentence
+    }
+
     #[test]
     fn a_state_is_proved_from_a_rough_start() {
-        let Answer::Proved { digits, values, certificate } =
-            proof(&question(RIGHT, "[s,r,r]", &START)).unwrap()
-        else {
-            panic!()
-        };
-        assert_eq!((digits, &values["thickness"][..]), (12, "0.122191586363"));
-        assert!(checked(certificate.unwrap().as_bytes()).accepted);
+        let found = proof(&question(RIGHT, "[s,r,r]", &START)).unwrap();
+        assert_eq!((found.digits, &found.values["thickness"][..]), (12, "0.122191586363"));
+        assert!(sentence(&found).contains("[s,r,r]"));
     }
 
     #[test]
@@ -221,22 +351,80 @@ mod tests {
         assert!(proof(&question(RIGHT, "[s,r,r]", &START[..2])).is_err(), "no start");
     }
 
+    /// The verdict is that of the least thickness, 0.12219, and each has its certificate; next to it there is none.
     #[test]
-    fn a_thinner_arch_is_proved_too_thin_and_no_other() {
-        let thin = |thickness: &str| {
+    fn a_thickness_is_enough_or_not_enough_with_a_certificate() {
+        let of = |thickness: &str| {
             let thickness = Some(thickness.to_owned());
-            proof(&Question { thickness, ..question(RIGHT, "[s,r,r]", &START) })
+            let drawing = Some("moving".to_owned());
+            proof(&Question { thickness, drawing, ..question(RIGHT, "[s,r,r]", &START) })
         };
-        assert!(thin("0.122").is_ok());
-        assert!(thin("0.1222").is_err());
+        for (thickness, safety) in [("0.1222", "1"), ("0.2", "1.637"), ("1.9", "15.55")] {
+            let found = of(thickness).unwrap();
+            assert_eq!((found.stands, &found.values["geometric_safety"][..]), (Some(true), safety));
+            assert!(sentence(&found).contains("stands half_opening"));
+            let drawing = found.drawing.unwrap();
+            assert!(drawing.contains("id=\"thrust\"") && !drawing.contains("mechanism"));
+        }
+        for thickness in ["0.122", "0.01"] {
+            let found = of(thickness).unwrap();
+            assert_eq!(found.stands, Some(false));
+            assert!(sentence(&found).contains("does not stand"));
+            assert!(!found.drawing.unwrap().contains("id=\"thrust\""));
+        }
+        // The least thickness to 40 digits: this arithmetic does not tell on which side it is.
+        assert!(of("0.1221915863625461515247988393786000989752").unwrap_err().contains("too near"));
+        assert!(of("2.1").is_err() && of("0").is_err() && of("x").is_err());
+    }
+
+    #[test]
+    fn an_arch_is_given_by_its_span_and_rise_too() {
+        let start = [("rotation_joint", 0.7), ("thickness", 0.0258), ("thrust", 0.81)];
+        let of = |span: &str, rise: &str, thickness: &str| {
+            let (span, rise) = (Some(span.to_owned()), Some(rise.to_owned()));
+            let thickness = Some(thickness.to_owned());
+            let question = question(["heyman", "1", "0.6"], "[r,r,r]", &start);
+            proof(&Question { half_opening: None, span, rise, thickness, ..question })
+        };
+        let found = of("10m", "3m", "60cm").unwrap();
+        for (name, value) in [
+            ("half_opening_degrees", "61.9275130641"),
+            ("radius_m", "5.66666666667"),
+            ("least_thickness_m", "0.146209784922"),
+            ("given_thickness", "0.105882352941"),
+            ("given_thickness_m", "0.6"),
+            ("geometric_safety", "4.104"),
+        ] {
+            assert_eq!(found.values[name], value, "{name}");
+        }
+        assert!(sentence(&found).contains("2 atan 3/5"));
+        assert!(
+            found.command.ends_with(
+                "--half-opening '2atan(3/5)' --friction 0.6 --thickness 9/85 -o arch.json"
+            )
+        );
+        assert!(of("10", "3m", "60cm").is_err() && of("10m", "3m", "60").is_err());
+    }
+
+    #[test]
+    fn the_picture_has_the_blocks_of_the_mode_and_moves_if_asked() {
+        let of = |drawing: &str| {
+            let drawing = Some(drawing.to_owned());
+            proof(&Question { drawing, ..question(RIGHT, "[s,r,r]", &START) }).unwrap().drawing
+        };
+        let (still, moving) = (of("still").unwrap(), of("moving").unwrap());
+        // Two blocks of each half; a hinge at each haunch and at the crown, both shoulders slide.
+        assert_eq!(still.matches("<g transform=").count(), 4);
+        assert_eq!(still.matches("<circle").count(), 3);
+        assert!(!still.contains("animate") && moving.matches("<animateTransform").count() == 8);
     }
 
     #[test]
     fn too_little_friction_is_proved() {
         let start = [("friction", 0.31), ("thrust", 0.66), ("sliding_joint", 0.47)];
         let slides = |mu| proof(&question(["heyman", "90deg", mu], "slides", &start));
-        let Answer::Proved { values, .. } = slides("0.3").unwrap() else { panic!() };
-        assert!(values["friction"].starts_with("0.309"), "{values:?}");
+        let found = slides("0.3").unwrap();
+        assert!(found.values["friction"].starts_with("0.309"), "{:?}", found.values);
         assert!(slides("0.31").is_err());
     }
 }

@@ -55,6 +55,8 @@ mod double_double;
 mod double_double_ball;
 mod double_sine;
 mod double_sine_table;
+#[cfg(feature = "check")]
+mod drawable;
 mod dual;
 #[cfg(feature = "check")]
 mod dyadic;
@@ -93,6 +95,8 @@ pub use double_ball::DoubleBall;
 pub(crate) use double_ball::power_of_two;
 pub use double_double::DoubleDouble;
 pub use double_double_ball::DoubleDoubleBall;
+#[cfg(feature = "check")]
+pub use drawable::Drawable;
 pub use dual::Dual;
 #[cfg(feature = "check")]
 pub use dyadic::{Dyadic, MAX_EXPONENT, ParseDyadicError};

@@ -3,28 +3,28 @@
 //! | file | what it does |
 //! |---|---|
 //! | `sketch` | which arch: at its least thickness, at a landmark, or as it stands |
-//! | `forces` | a thrust with the lines that belong to it |
+//! | `forces` | the forces of a state, and of an end of a range of thrusts |
 //! | `range` | the crown moments that fit a thrust, where there is more than one |
-//! | `line` | a line as a chain of points |
-//! | `collapse` | a mode: joints, rates, twists, the balance of power |
-//! | `moved` | the blocks after a finite motion |
 //!
 //! Joints, contacts, rates and thrusts are enclosures of what is proved; the points of lines and of moved blocks are
-//! doubles for the eye.
+//! doubles for the eye: [`sketch`](crate::sketch) computes them in any enclosure.
 
-mod collapse;
 mod forces;
-mod line;
-mod moved;
 mod range;
 #[allow(clippy::module_inception, reason = "the folder is named after what it makes")]
 mod sketch;
 
-pub use collapse::Collapse;
-pub use forces::{Forces, Mark};
-pub use line::Line;
-pub use moved::{Block, moved};
+pub use crate::sketch::{Block, Line, moved};
 pub use sketch::{NoSketch, Sketch, Subject};
+
+use crate::number::Ball;
+
+/// How an arch falls in a mode.
+pub type Collapse = crate::sketch::Collapse<Ball>;
+/// A thrust with its lines.
+pub type Forces = crate::sketch::Forces<Ball>;
+/// A joint at its limit.
+pub type Mark = crate::sketch::Mark<Ball>;
 
 #[cfg(test)]
 mod tests;

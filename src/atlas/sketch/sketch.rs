@@ -1,15 +1,15 @@
 //! Which arch is drawn: at its least thickness, at a landmark, or as it stands.
 
-use super::collapse::Collapse;
-use super::forces::{Forces, Mark, is_zero, joints_of};
-use super::line::double;
+use super::forces::{forces_of_limit, forces_of_mode};
+use super::{Collapse, Forces, Mark};
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::certify::state::{
     Assessment, Fall, Outcome, assessment_enclosed, raised, sliding_configuration, state_enclosed,
 };
 use crate::certify::{CertifiedLandmark, Undecided};
-use crate::number::{Ball, Enclosure, ExactNumber, Rounded, Ternary};
+use crate::number::{Ball, Drawable, Enclosure, ExactNumber, Rounded, Ternary};
 use crate::problem::{Arch, Fixed, Landmark, Mode, Quantity};
+use crate::sketch::joints_of;
 
 /// An arch to be drawn.
 #[derive(Clone, Debug)]
@@ -141,7 +141,7 @@ impl Sketch {
             let mut forces = Vec::new();
             for (limit, is_least) in assessment.thrust.iter().zip([true, false]) {
                 if let Ok(Some(limit)) = limit {
-                    forces.extend(Forces::of_limit(weight, &at, is_limited, limit, is_least)?);
+                    forces.extend(forces_of_limit(weight, &at, is_limited, limit, is_least)?);
                 }
             }
             let (arch, thickness) = (Box::new(arch.clone()), thickness.clone());
@@ -214,12 +214,12 @@ impl Sketch {
 
     /// The half opening, rad.
     pub fn half_opening(&self) -> f64 {
-        double(&self.at.half_opening.rad)
+        self.at.half_opening.rad.double()
     }
 
     /// The thickness, in units of `r`.
     pub fn thickness(&self) -> f64 {
-        double(&self.at.thickness)
+        self.at.thickness.double()
     }
 
     /// The radii of the intrados and the extrados.
@@ -230,7 +230,7 @@ impl Sketch {
 
     /// Whether the line of friction jumps at the crown: without thrust it is at its limit next to it.
     pub fn has_jump(&self) -> bool {
-        !self.is_limited && self.forces.iter().any(|forces| is_zero(&forces.thrust))
+        !self.is_limited && self.forces.iter().any(|forces| Drawable::is_zero(&forces.thrust))
     }
 
     fn of_modes(
@@ -240,10 +240,13 @@ impl Sketch {
         modes: &[Mode],
         is_dilatant: bool,
     ) -> Result<Self, Undecided> {
-        let collapse = |mode: &Mode| Collapse::new(weight, *mode, &at, is_dilatant);
-        let collapses = modes.iter().map(collapse).collect::<Result<Vec<_>, _>>()?;
+        let collapse = |mode: &Mode| {
+            let found = Collapse::new(weight, *mode, &at, is_dilatant);
+            found.map_err(|open| Undecided::new(open.to_string()))
+        };
+        let collapses = modes.iter().map(collapse).collect::<Result<Vec<_>, Undecided>>()?;
         let mode = modes.first().copied().unwrap_or(Mode::Sliding);
-        let mut forces = Forces::of_mode(weight, mode, &at, is_limited)?;
+        let mut forces = forces_of_mode(weight, mode, &at, is_limited)?;
         // All joints that give way in some mode.
         for mark in modes.iter().skip(1).flat_map(|mode| joints_of(*mode, &at)) {
             let is_same =
@@ -259,7 +262,7 @@ impl Sketch {
 /// Refuses an arch that is too narrow for a picture.
 fn wide(arch: &Arch) -> Result<(), NoSketch> {
     let alpha: Ball = arch.half_opening().enclosure(64);
-    match double(&alpha) < LEAST {
+    match alpha.double() < LEAST {
         true => Err(NoSketch::TooNarrow(arch.half_opening().to_string())),
         false => Ok(()),
     }

@@ -1,13 +1,12 @@
 //! Around an arch that is measured: span, rise and thickness, and the reaction of a shoulder.
 
-use super::blocks::arrow;
 use super::caption::shown;
 use super::metres::Metres;
-use super::scale::Scale;
 use crate::atlas::{Line, Sketch, Subject};
 use crate::picture::color::{GUIDE, INK, WHITE};
 use crate::picture::{Anchor, Path, Point, Stroke, Svg, Type, text};
 use crate::problem::measures::Circle;
+use crate::sketch::{Scale, arrow};
 
 /// On the left, for the rise and for a force.
 pub(super) const SIDE: f64 = 164.0;

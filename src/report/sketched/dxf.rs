@@ -3,9 +3,9 @@
 
 use super::Sketched;
 use super::arcs::{Bulge, arcs};
-use super::blocks::Blocks;
 use crate::arch::mechanism::Contact;
 use crate::atlas::{Collapse, Line, Sketch};
+use crate::sketch::Blocks;
 use std::io;
 
 /// The layers and their colours by number.
@@ -248,7 +248,7 @@ pub(in crate::report) fn dxf(report: &Sketched, out: &mut dyn io::Write) -> io::
                 let mut widest = radii[1];
                 if let Some(collapse) = collapse {
                     let amplitude = report.style.amplitude;
-                    let blocks = Blocks::new(sketch, collapse, amplitude, false, &[]);
+                    let blocks = Blocks::new(collapse, &sketch.at, amplitude, false, &[]);
                     widest = blocks.corners().map(|[x, _]| x).fold(widest, f64::max);
                     mechanism(dxf, &blocks, radii, sides);
                 }

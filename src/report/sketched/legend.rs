@@ -1,10 +1,10 @@
 //! What is what, in a row below the arches.
 
 use super::Sketched;
-use super::look;
 use crate::atlas::Subject;
 use crate::picture::color::{INK, WHITE};
 use crate::picture::{Path, Point, Stroke, Svg, Type, text};
+use crate::sketch::look;
 
 /// An entry: a sample and its name.
 enum Sample {

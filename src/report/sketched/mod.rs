@@ -1,15 +1,13 @@
-//! Arches as pictures: the arch, its lines of thrust and of friction, and how it falls.
+//! Arches as pictures: the arch, its lines of thrust and of friction, and how it falls, with all that is said of them.
+//! [`sketch`](crate::sketch) draws the arch itself.
 //!
 //! | file | what it does |
 //! |---|---|
 //! | `picture` | the page: panels, legend, caption |
-//! | `panel` | one arch |
-//! | `blocks` | the blocks as they fall, at rest or moving |
+//! | `panel` | one arch with its heading and names |
 //! | `strip` | a thin arch, unrolled |
 //! | `metres` | what an arch measures |
 //! | `dimensions` | that beside the picture |
-//! | `scale` | from units of `r` to the page |
-//! | `look` | colours and lines |
 //! | `legend` | what is what |
 //! | `caption` | what is said above and below |
 //! | `notation` | the symbols, as Figure 1 has them |
@@ -19,7 +17,6 @@
 //! | `arcs` | a chain of points as few arcs |
 
 mod arcs;
-mod blocks;
 mod caption;
 mod dimensions;
 mod dxf;
@@ -27,12 +24,10 @@ mod figures;
 mod json;
 mod lean;
 mod legend;
-mod look;
 mod metres;
 mod notation;
 mod panel;
 mod picture;
-mod scale;
 mod strip;
 
 pub(super) use dxf::dxf;
@@ -89,11 +84,6 @@ impl Style {
     /// How a figure of the paper is drawn.
     pub fn of_figure(number: usize) -> Self {
         Self { notation: number == 1, ..Self::default() }
-    }
-
-    /// The halves on which an arch falls.
-    fn sides(&self) -> &'static [f64] {
-        if self.half || self.notation { &[1.0] } else { &[1.0, -1.0] }
     }
 }
 

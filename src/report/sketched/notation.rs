@@ -1,13 +1,11 @@
 //! The symbols of the problem in an arch, as Figure 1 of the paper has them: angles and forces, an element with its centroid in
 //! both models of self-weight on the left.
 
-use super::blocks::arrow;
-use super::look;
-use super::scale::Scale;
 use crate::arch::{Ring, SelfWeight};
 use crate::atlas::Sketch;
 use crate::picture::color::{INK, WHITE};
 use crate::picture::{Anchor, Color, Path, Point, Stroke, Svg, Type};
+use crate::sketch::{Scale, arrow, look};
 
 /// The heading.
 pub(super) const TITLE: [&str; 2] =

@@ -1,23 +1,20 @@
-//! One arch: its outline, its lines, the joints at their limits, and the blocks as they fall.
+//! One arch with its heading, the names of its joints, and its measures.
 
-use super::blocks::Blocks;
 use super::caption::{label, title};
 use super::dimensions::{self, Dimensions};
-use super::look;
 use super::metres::Metres;
 use super::notation::{self, Notation};
-use super::scale::Scale;
 use super::{Sketched, Style};
-use crate::arch::mechanism::Contact;
-use crate::atlas::{Collapse, Line, Sketch, Subject};
+use crate::atlas::{Collapse, Sketch, Subject};
 use crate::picture::color::{GUIDE, INK, WHITE};
 use crate::picture::{Anchor, Path, Point, Stroke, Svg, Type};
+use crate::sketch::{Blocks, CROWN, Lines, Scale, View};
 
 /// One arch with a mode in which it falls.
 pub(super) struct Panel<'a> {
     pub sketch: &'a Sketch,
     pub collapse: Option<&'a Collapse>,
-    pub blocks: Option<Blocks>,
+    pub view: View<'a>,
     pub style: Style,
     /// What it measures, if it does.
     pub metres: Option<Metres>,
@@ -30,55 +27,24 @@ const LABEL: f64 = 16.0;
 pub(super) const HEAD: f64 = 48.0;
 /// From the outermost point of a joint to its name, in units of the page.
 const AWAY: f64 = 13.0;
-/// A joint nearer to the crown than this part of the half arch is the crown.
-const CROWN: f64 = 1e-6;
 
 impl<'a> Panel<'a> {
     pub(super) fn all(drawn: &'a Sketched) -> Vec<Self> {
         let style = drawn.style;
         let panel = |(sketch, collapse): (&'a Sketch, Option<&'a Collapse>)| {
-            let joints = stones(sketch, style.stones);
-            let blocks = collapse.map(|collapse| {
-                Blocks::new(sketch, collapse, style.amplitude, style.animate, &joints)
-            });
-            Self { sketch, collapse, blocks, style, metres: drawn.metres(sketch) }
+            let view = view(sketch, collapse, style);
+            Self { sketch, collapse, view, style, metres: drawn.metres(sketch) }
         };
         drawn.panels().map(panel).collect()
     }
 
-    /// The halves that are drawn.
-    fn sides(&self) -> &'static [f64] {
-        if self.style.half { &[1.0] } else { &[1.0, -1.0] }
-    }
-
-    /// Left and right ends in units of `r`, whichever half falls.
-    fn widest(&self, right: f64) -> f64 {
-        if self.style.half { -0.05 * self.sketch.radii()[1] } else { -right }
-    }
-
     /// What it takes in units of `r` and around it on the page: left, right, below and above the centre.
     pub(super) fn extent(&self) -> [f64; 4] {
-        let [inner, outer] = self.sketch.radii();
-        let alpha = self.sketch.half_opening();
-        let wide = if alpha > std::f64::consts::FRAC_PI_2 { outer } else { outer * alpha.sin() };
-        let low = [inner, outer].map(|radius| radius * alpha.cos());
-        let mut extent = [0.0, wide, low[0].min(low[1]), outer];
-        let corners = self.blocks.iter().flat_map(Blocks::corners);
-        for [x, y] in corners {
-            extent = [0.0, extent[1].max(x), extent[2].min(y), extent[3].max(y)];
-        }
-        extent[0] = self.widest(extent[1]);
-        extent
+        self.view.extent()
     }
 
     pub(super) fn draw(&self, svg: &mut Svg, scale: &Scale, at: (Point, f64)) {
         let sketch = self.sketch;
-        let (alpha, radii) = (sketch.half_opening(), sketch.radii());
-        // Where blocks move, their stones do.
-        let joints = match &self.blocks {
-            Some(_) if !self.style.notation => Vec::new(),
-            _ => stones(sketch, self.style.stones),
-        };
         let ((left, top), width) = at;
         let [heading, words] = match self.style.notation {
             true => notation::TITLE.map(str::to_owned),
@@ -87,23 +53,7 @@ impl<'a> Panel<'a> {
         let middle = left + width / 2.0;
         svg.text(&heading, (middle, top + 12.0), Type::new(TITLE, INK).at(Anchor::Middle));
         svg.text(&words, (middle, top + 36.0), Type::new(LABEL, INK).at(Anchor::Middle));
-        svg.group("arch", |svg| {
-            for side in self.sides() {
-                svg.fill(&scale.sector([0.0, alpha], radii, *side), look::STONE);
-                if !joints.is_empty() {
-                    svg.stroke(&scale.joints(&joints, radii, *side), look::JOINT);
-                }
-            }
-        });
-        self.bands(svg, scale);
-        if let Some(blocks) = &self.blocks {
-            svg.group("mechanism", |svg| {
-                self.style.sides().iter().for_each(|side| blocks.draw(svg, scale, *side));
-            });
-        }
-        svg.group("outline", |svg| {
-            svg.stroke(&self.outline(scale), look::OUTLINE);
-        });
+        self.view.body(svg, scale);
         if !self.style.notation {
             self.names(svg, scale);
         }
@@ -113,110 +63,14 @@ impl<'a> Panel<'a> {
             let half = self.style.half;
             Dimensions { sketch, half, metres, scale, ends: [x, right, low] }.draw(svg);
         }
-        self.lines(svg, scale);
-        self.marks(svg, scale);
+        self.view.lines(svg, scale);
+        self.view.marks(svg, scale);
         if self.style.notation {
             svg.group("notation", |svg| Notation { sketch, scale }.draw(svg));
         }
-        if let Some(blocks) = self.blocks.as_ref().filter(|_| self.style.arrows) {
-            svg.group("arrows", |svg| {
-                self.style.sides().iter().for_each(|side| blocks.arrows(svg, scale, *side));
-            });
+        if self.style.arrows {
+            self.view.arrows(svg, scale);
         }
-    }
-
-    /// Once round the arch.
-    fn outline(&self, scale: &Scale) -> Path {
-        let (alpha, radii) = (self.sketch.half_opening(), self.sketch.radii());
-        let from = if self.style.half { 0.0 } else { -alpha };
-        scale.sector([from, alpha], radii, 1.0)
-    }
-
-    /// Between two lines of thrust.
-    fn bands(&self, svg: &mut Svg, scale: &Scale) {
-        let lines: Vec<&Line> =
-            self.sketch.forces.iter().flat_map(|forces| &forces.thrust_lines).collect();
-        let [one, other] = lines[..] else { return };
-        svg.group("between", |svg| {
-            for side in self.sides() {
-                let there = one.places().map(|point| scale.at(point, *side));
-                let back = other.places().rev().map(|point| scale.at(point, *side));
-                svg.tint(&Path::around(there.chain(back)), look::BAND, look::FAINT);
-            }
-        });
-    }
-
-    fn along(&self, line: &Line, scale: &Scale) -> Path {
-        let right = line.places().map(|point| scale.at(point, 1.0));
-        if self.style.half {
-            return Path::through(right);
-        }
-        let left = line.places().skip(1).rev().map(|point| scale.at(point, -1.0));
-        Path::through(left.chain(right))
-    }
-
-    fn lines(&self, svg: &mut Svg, scale: &Scale) {
-        let is_standing = matches!(self.sketch.subject, Subject::Standing { .. });
-        for (place, forces) in self.sketch.forces.iter().enumerate() {
-            let name = match (is_standing, place) {
-                (true, 0) => "-least",
-                (true, _) => "-largest",
-                _ => "",
-            };
-            let (thrust, friction) = match (place, forces.thrust_lines.len()) {
-                (0, 1) => (look::THRUST, look::FRICTION),
-                (0, _) => (look::EXTREME, look::FRICTION),
-                _ => (look::LARGEST, look::LARGEST_FRICTION),
-            };
-            svg.group(&format!("friction{name}"), |svg| {
-                svg.stroke(&self.along(&forces.friction_line, scale), friction);
-                if self.sketch.has_jump() {
-                    let [_, outer] = self.sketch.radii();
-                    let ends = [1.0, outer].map(|radius| scale.polar(0.0, radius, 1.0));
-                    svg.stroke(&Path::through(ends), friction);
-                }
-            });
-            svg.group(&format!("thrust{name}"), |svg| {
-                for line in &forces.thrust_lines {
-                    svg.stroke(&self.along(line, scale), thrust);
-                }
-            });
-        }
-    }
-
-    /// The joints at their limits: in the mode of this panel, where there is one.
-    pub(super) fn at_limit(&self) -> Vec<(Contact, f64)> {
-        match self.collapse {
-            Some(collapse) => collapse.joints_at_limit(),
-            None => {
-                let forces = self.sketch.forces.iter();
-                forces.flat_map(|forces| forces.marks.iter().map(|mark| mark.place())).collect()
-            }
-        }
-    }
-
-    fn marks(&self, svg: &mut Svg, scale: &Scale) {
-        let [inner, outer] = self.sketch.radii();
-        let marks = self.at_limit();
-        let crown = CROWN * self.sketch.half_opening();
-        let sides = |joint: f64| if joint < crown { &[1.0][..] } else { self.style.sides() };
-        svg.group("sliding", |svg| {
-            for (_, joint) in marks.iter().filter(|(contact, _)| !contact.is_hinge()) {
-                for side in sides(*joint) {
-                    let ends = [inner, outer].map(|radius| scale.polar(*joint, radius, *side));
-                    svg.stroke(&Path::through(ends), look::SLIDES);
-                }
-            }
-        });
-        svg.group("hinges", |svg| {
-            for (contact, joint) in marks.iter().filter(|(contact, _)| contact.is_hinge()) {
-                let radius = if *contact == Contact::Extrados { outer } else { inner };
-                for side in sides(*joint) {
-                    let at = scale.polar(*joint, radius, *side);
-                    svg.ring(at, look::HINGE_RADIUS, WHITE, look::HINGE);
-                }
-            }
-        });
     }
 
     /// The names of the joints, outside the arch: the rotational joint and the half opening on the right, the sliding joint on the
@@ -227,14 +81,14 @@ impl<'a> Panel<'a> {
         let beyond = |joint: f64, side: f64| {
             // Further out than the blocks there.
             let near = |[x, y]: &[f64; 2]| (x.atan2(*y) - joint).abs() < 0.3;
-            let corners = self.blocks.iter().flat_map(Blocks::corners).filter(near);
+            let corners = self.view.blocks.iter().flat_map(Blocks::corners).filter(near);
             let out = corners.map(|[x, y]| x.hypot(y)).fold(outer, f64::max);
             let room = AWAY / scale.radius;
             let ends = [outer + 0.4 * room, out + 0.7 * room].map(|r| scale.polar(joint, r, side));
             (ends, scale.polar(joint, out + room, side))
         };
         let mut names: Vec<(f64, f64, String)> = Vec::new();
-        for (contact, joint) in self.at_limit() {
+        for (contact, joint) in self.view.marks.iter().copied() {
             let is_inner = joint > CROWN * alpha && joint < (1.0 - CROWN) * alpha;
             let symbol = if contact.is_hinge() { "βᵣ" } else { "βₛ" };
             let side = if contact.is_hinge() || self.style.half { 1.0 } else { -1.0 };
@@ -283,6 +137,34 @@ impl Panel<'_> {
                 [side, ABOVE + dimensions::BELOW + force]
             }
         }
+    }
+}
+
+/// What is drawn of an arch, in the mode of its panel where there is one.
+fn view<'a>(sketch: &'a Sketch, collapse: Option<&Collapse>, style: Style) -> View<'a> {
+    let stones = stones(sketch, style.stones);
+    let marks = match collapse {
+        Some(collapse) => collapse.joints_at_limit(),
+        None => {
+            let forces = sketch.forces.iter();
+            forces.flat_map(|forces| forces.marks.iter().map(|mark| mark.place())).collect()
+        }
+    };
+    let lines = sketch.forces.iter();
+    let lines = lines.map(|of| Lines { thrust: &of.thrust_lines, friction: &of.friction_line });
+    View {
+        half_opening: sketch.half_opening(),
+        radii: sketch.radii(),
+        lines: lines.collect(),
+        is_standing: matches!(sketch.subject, Subject::Standing { .. }),
+        has_jump: sketch.has_jump(),
+        marks,
+        blocks: collapse.map(|collapse| {
+            Blocks::new(collapse, &sketch.at, style.amplitude, style.animate, &stones)
+        }),
+        stones,
+        half: style.half,
+        falls_right: style.notation,
     }
 }
 

@@ -4,10 +4,10 @@ use super::Sketched;
 use super::caption::{heading, paragraphs};
 use super::legend::Legend;
 use super::panel::{ABOVE, HEAD, Panel};
-use super::scale::Scale;
 use super::strip::{self, Strip};
 use crate::picture::color::INK;
 use crate::picture::{Svg, Type, text};
+use crate::sketch::Scale;
 use std::io;
 
 const MARGIN: f64 = 20.0;

@@ -1,11 +1,11 @@
 //! A thin arch, unrolled: along it the joints, across it the thickness, enlarged.
 
-use super::look;
 use super::panel::Panel;
 use crate::arch::mechanism::Contact;
 use crate::atlas::{Line, Sketch, Subject};
 use crate::picture::color::{INK, WHITE};
 use crate::picture::{Anchor, Path, Point, Svg, Type, text};
+use crate::sketch::look;
 
 /// The frame of an arch that is unrolled.
 pub(super) struct Strip {
@@ -78,7 +78,7 @@ impl Strip {
                 };
                 forces.thrust_lines.iter().for_each(|line| svg.stroke(&along(line), thrust));
             }
-            for (contact, joint) in panel.at_limit() {
+            for (contact, joint) in panel.view.marks.iter().copied() {
                 let sides = if joint > 0.0 { sides } else { &[1.0] };
                 for side in sides {
                     let [low, high] = [inner, outer].map(|offset| at(side * joint, offset));

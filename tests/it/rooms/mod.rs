@@ -15,18 +15,19 @@ use std::fmt::Debug;
 use std::fs;
 
 /// From the top: what a room may use stands before it.
-pub(crate) const ROOMS: [&str; 16] = [
+pub(crate) const ROOMS: [&str; 17] = [
     "number",
     "symbolic",
     "arch",
     "problem",
     "check",
+    "picture",
+    "sketch",
     "solve",
     "certify",
     "judge",
     "atlas",
     "claims",
-    "picture",
     "study",
     "strategies",
     "report",

@@ -1,5 +1,5 @@
-// What the page shows of the arch under the cross: { weight, thickness or half_opening, friction or friction_angle },
-// as texts that couplet reads too. The part of the address behind # holds the same.
+// What the page shows of the arch under the cross: { weight, thickness or half_opening or span and rise, friction or
+// friction_angle }, as texts that couplet reads too. The part of the address behind # holds the same.
 
 const DEGREE = Math.PI / 180;
 const WORDS = {
@@ -27,6 +27,19 @@ function read(text) {
   return Number(number ?? (unit === "pi" ? 1 : NaN)) * factor / Number(below ?? 1);
 }
 
+/** A length in metres, as couplet reads it: 10m, 60cm, 33ft. */
+function metres(text) {
+  const [, number, unit] = /^(.*?)\s*(cm|mm|m|ft|in)$/.exec(text.trim()) ?? [];
+  return number === undefined ? NaN : read(number) * { m: 1, cm: 0.01, mm: 0.001, ft: 0.3048, in: 0.0254 }[unit];
+}
+
+/** Whether the shape of an arch is given, and not its place on the map. */
+const isShape = ({ half_opening, span }) => half_opening !== undefined || span !== undefined;
+
+/** The half opening; with span and rise twice the arctangent of the rise by half the span. */
+const opening = ({ half_opening, span, rise }) =>
+  span === undefined ? read(half_opening) : 2 * Math.atan(2 * metres(rise ?? "") / metres(span));
+
 /** As many of six digits as are sure, with a relative error; of thin arches doubles lose some more. */
 function sure(x, error, digits = 6) {
   const [low, high] = [1 - error, 1 + error].map((factor) => (x * factor).toPrecision(digits));
@@ -39,8 +52,9 @@ function solve(given) {
   const phi = given.friction === undefined ? read(given.friction_angle ?? "") : Math.atan(read(given.friction));
   if (!(phi > 0 && phi <= Math.PI / 2)) return "a friction is positive (0.6, inf), a friction angle up to 90deg";
   let eta = read(given.thickness ?? "");
-  if (given.half_opening !== undefined) {
-    const alpha = read(given.half_opening);
+  if (isShape(given)) {
+    const alpha = opening(given);
+    if (given.span !== undefined && !(alpha > 0)) return "a span and a rise are lengths (10m, 60cm, 33ft)";
     if (!(alpha > 0 && alpha < Math.PI)) return "a half opening is between 0 and 180deg";
     eta = least(delta, alpha, phi);
     if (eta === null) return "falls: no thickness is enough";
@@ -71,10 +85,10 @@ function show(given, isKept) {
       sliding_joint: /,s/.test(mode) ? angle(sliding) : "none",
     };
     for (const [id, value] of Object.entries(values)) at(id).textContent = value;
-    at("arch").innerHTML = arch(found);
+    draw(found);
     cross(found);
   }
-  const question = given.half_opening === undefined ? "find half-opening" : given.thickness === undefined ? "state" : "assess";
+  const question = !isShape(given) ? "find half-opening" : given.thickness === undefined ? "state" : "assess";
   const options = Object.entries(given).map(([key, value]) => `--${key.replace("_", "-")} ${value}`);
   at("command").replaceChildren(...[`couplet ${question}`, ...options].flatMap((words) => {
     const span = document.createElement("span");
@@ -84,9 +98,10 @@ function show(given, isKept) {
   if (isKept) history.replaceState(null, "", `#${new URLSearchParams(given)}`);
   shown = found;
   // What else there is on a page may follow.
-  dispatchEvent(new CustomEvent("shown", { detail: { given, found } }));
+  dispatchEvent(new CustomEvent("shown", { detail: { given, found, isKept } }));
 }
 let shown;
+let draw = (found) => { at("arch").innerHTML = arch(found); };
 
 /** The arch at its least thickness, with its hinges, its joints that slide, and its line of thrust. */
 function arch({ mode, eta, fac, halfOpening: alpha, thrust, rotation, sliding, crownMoment }) {
@@ -110,7 +125,7 @@ function arch({ mode, eta, fac, halfOpening: alpha, thrust, rotation, sliding, c
   const reach = outer * Math.sin(Math.min(alpha, Math.PI / 2)), low = Math.max(-inner * Math.cos(alpha), -outer * Math.cos(alpha));
   const margin = 0.08 * outer, box = [-reach - margin, -outer - margin, 2 * (reach + margin), low + outer + 2 * margin];
   const thrustLine = mode === "[s,s]" ? "" : `<path class="thrust" d="M${forces.join("L")}"/>`;
-  return `<svg viewBox="${box.map((x) => x.toFixed(4)).join(" ")}" aria-hidden="true"><path class="ring" d="M${ring.join("L")}Z"/>`
+  return `<svg class="plain" viewBox="${box.map((x) => x.toFixed(4)).join(" ")}" aria-hidden="true"><path class="ring" d="M${ring.join("L")}Z"/>`
     + `${thrustLine}${marks.join("")}</svg>`;
 }
 

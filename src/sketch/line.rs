@@ -1,6 +1,6 @@
 //! A line through the arch as a chain of points.
 
-use crate::number::{Angle, Ball, Field};
+use crate::number::{Angle, Drawable};
 
 /// A line from the crown to the shoulder.
 #[derive(Clone, Debug)]
@@ -22,11 +22,6 @@ const PART: f64 = 2e-3;
 /// A chord is halved so often at most.
 const HALVINGS: u32 = 12;
 
-/// The nearest double of a ball as narrow as those here.
-pub(super) fn double(x: &Ball) -> f64 {
-    x.nearest_double().unwrap_or_else(|| x.mid().to_f64())
-}
-
 /// To the right and up.
 fn place([angle, offset]: [f64; 2], thickness: f64) -> [f64; 2] {
     let radius = 1.0 + offset * thickness;
@@ -35,21 +30,21 @@ fn place([angle, offset]: [f64; 2], thickness: f64) -> [f64; 2] {
 
 impl Line {
     /// The line of a radius at each joint, in units of `r`, down to the shoulder at `half_opening`.
-    pub(super) fn new(
-        [half_opening, thickness]: [&Ball; 2],
-        radius: impl Fn(&Angle<Ball>) -> Ball,
+    pub fn new<T: Drawable>(
+        [half_opening, thickness]: [&T; 2],
+        radius: impl Fn(&Angle<T>) -> T,
     ) -> Self {
-        let alpha = double(half_opening);
+        let alpha = half_opening.double();
         let within = Within { chord: CHORD * alpha.min(1.0), offset: PART };
-        let eta = double(thickness);
+        let eta = thickness.double();
         let at = |beta: f64| {
             // The shoulder itself, not its nearest double.
             let joint = match beta == alpha {
                 true => half_opening.clone(),
-                false => Ball::exact(rug::Float::with_val(53, beta), half_opening.prec()),
+                false => half_opening.of_double(beta),
             };
             let aside = radius(&Angle::new(joint)) - thickness.int(1);
-            [beta, double(&(aside / thickness))]
+            [beta, (aside / thickness).double()]
         };
         let steps = (alpha / STEP).ceil().max(8.0) as u32;
         let mut points = vec![at(0.0)];
@@ -97,13 +92,14 @@ fn refine(
 }
 
 /// The centreline.
-pub(super) fn centreline(half_opening: &Ball, thickness: &Ball) -> Line {
+pub(super) fn centreline<T: Drawable>(half_opening: &T, thickness: &T) -> Line {
     Line::new([half_opening, thickness], |joint| joint.rad.int(1))
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "mpfr"))]
 mod tests {
     use super::*;
+    use crate::number::{Ball, Field};
 
     /// Of a thin arch too, whose lines bend within it as much as those of any other.
     #[test]

@@ -1,52 +1,60 @@
 //! A mode of collapse: joints, rates, twists, the balance of power.
 
-use super::line::double;
 use crate::arch::mechanism::{Contact, Mechanism, Twist};
 use crate::arch::{Configuration, Ring, SelfWeight};
-use crate::certify::Undecided;
-use crate::number::{Ball, Enclosure, Field, Ternary};
+use crate::number::{Drawable, Ternary};
 use crate::problem::Mode;
-use rug::Rational;
 
 /// How an arch falls in a mode: rates that are proved to be positive.
 #[derive(Clone, Debug)]
-pub struct Collapse {
+pub struct Collapse<T> {
     /// The mode.
     pub mode: Mode,
     /// Its joints and rates; the first free rate is one.
-    pub mechanism: Mechanism<Ball>,
+    pub mechanism: Mechanism<T>,
     /// The twists of the blocks, from the shoulder.
-    pub twists: Vec<Twist<Ball>>,
+    pub twists: Vec<Twist<T>>,
     /// How fast the crown goes down.
-    pub crown_drop: Ball,
+    pub crown_drop: T,
     /// The power of the weight of the half arch, in `w r`.
-    pub power: Ball,
+    pub power: T,
     /// What friction takes of it.
-    pub friction_power: Ball,
+    pub friction_power: T,
     /// Whether joints that slide open too.
     pub is_dilatant: bool,
 }
 
-impl Collapse {
+/// What of a mechanism these enclosures do not tell.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum NoCollapse {
+    /// Not every rate is proved to be positive.
+    #[error("the rates of {0}")]
+    Rates(Mode),
+    /// The blocks do not fit together, or the weight works by another amount than friction takes.
+    #[error("the balance of {0}")]
+    Balance(Mode),
+}
+
+impl<T: Drawable> Collapse<T> {
     /// How each joint gives way, and where, rad; a crown that opens along its whole joint is none.
     pub fn joints_at_limit(&self) -> Vec<(Contact, f64)> {
         let joints = self.mechanism.joints.iter().chain(self.mechanism.crown_hinge());
-        joints.map(|joint| (joint.contact, double(&joint.at.rad))).collect()
+        joints.map(|joint| (joint.contact, joint.at.rad.double())).collect()
     }
 
     /// The mechanism of a mode in its state, with certain signs and a balance that is not refuted.
-    pub(super) fn new(
+    pub fn new(
         weight: SelfWeight,
         mode: Mode,
-        at: &Configuration<Ball>,
+        at: &Configuration<T>,
         is_dilatant: bool,
-    ) -> Result<Self, Undecided> {
+    ) -> Result<Self, NoCollapse> {
         let none = at.thrust.int(0);
         let dilatancy = if is_dilatant { at.friction.clone() } else { none.clone() };
         let mechanism = mode.mechanism(at, &dilatancy);
         let joints = || mechanism.joints.iter().chain(&mechanism.crown);
         if joints().any(|joint| joint.rate.is_positive() != Ternary::True) {
-            return Err(Undecided::new(format!("the rates of {mode}")));
+            return Err(NoCollapse::Rates(mode));
         }
         let ring = Ring::new(weight, &at.thickness);
         let (power, twists) = (mechanism.power(&ring), mechanism.twists(&at.thickness));
@@ -55,9 +63,8 @@ impl Collapse {
             false => mechanism.friction_power(&at.thrust, &at.friction),
         };
         let [turn, across] = mechanism.gap(&at.thickness);
-        let zero = Rational::new();
-        if ![turn, across, power.clone() - &friction_power].iter().all(|x| x.contains(&zero)) {
-            return Err(Undecided::new(format!("the balance of {mode}")));
+        if ![turn, across, power.clone() - &friction_power].iter().all(|x| x.overlaps(&none)) {
+            return Err(NoCollapse::Balance(mode));
         }
         let top = [none.clone(), none];
         let crown_drop = twists.last().map_or(top[0].clone(), |twist| {

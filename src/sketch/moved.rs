@@ -1,10 +1,9 @@
 //! The blocks after a finite motion.
 
 use super::collapse::Collapse;
-use super::line::double;
 use crate::arch::Configuration;
 use crate::arch::mechanism::Motion;
-use crate::number::Ball;
+use crate::number::Drawable;
 
 /// A rigid block of the right half.
 #[derive(Clone, Debug)]
@@ -24,11 +23,15 @@ const LARGEST: f64 = 1.5;
 
 /// The blocks from the shoulder, moved so far that no corner has moved by more than `amplitude`, in units of `r`, and one
 /// by so much.
-pub fn moved(collapse: &Collapse, at: &Configuration<Ball>, amplitude: f64) -> Vec<Block> {
-    let at = at.map_ref(double);
+pub fn moved<T: Drawable>(
+    collapse: &Collapse<T>,
+    at: &Configuration<T>,
+    amplitude: f64,
+) -> Vec<Block> {
+    let at = at.map_ref(T::double);
     let dilatancy = if collapse.is_dilatant { at.friction } else { 0.0 };
     let ends: Vec<f64> =
-        collapse.mechanism.joints.iter().map(|joint| double(&joint.at.rad)).collect();
+        collapse.mechanism.joints.iter().map(|joint| joint.at.rad.double()).collect();
     let blocks = |by: f64| -> Vec<Block> {
         let moves = collapse.mode.moves(&at, &by, &dilatancy);
         let uppers = ends.iter().copied().skip(1).chain([0.0]);

@@ -1,12 +1,16 @@
 //! The blocks as they fall, at rest or moving.
 
+use super::Collapse;
 use super::look;
+use super::moved::{Block, moved};
 use super::scale::Scale;
-use crate::atlas::{Block, Sketch, moved};
+use crate::arch::Configuration;
+use crate::number::Drawable;
 use crate::picture::{Path, Point, Rigid, Svg};
 
 /// The blocks of a mode, displaced by an amplitude; and on the way there, if they move.
-pub(super) struct Blocks {
+#[derive(Clone, Debug)]
+pub struct Blocks {
     /// The blocks where they are drawn.
     pub fallen: Vec<Block>,
     /// The blocks at each step of a motion that begins and ends there.
@@ -21,15 +25,16 @@ const STEPS: u32 = 12;
 const SECONDS: f64 = 5.0;
 
 impl Blocks {
-    /// Those of the mode of a sketch; `joints` are those between stones.
-    pub(super) fn new(
-        sketch: &Sketch,
-        collapse: &crate::atlas::Collapse,
+    /// Those of a mode, no corner moved by more than an amplitude in units of `r`; `joints` are those between stones.
+    pub fn new<T: Drawable>(
+        collapse: &Collapse<T>,
+        at: &Configuration<T>,
         amplitude: f64,
         animate: bool,
         joints: &[f64],
     ) -> Self {
-        let at = |share: f64| moved(collapse, &sketch.at, amplitude * share);
+        let eta = at.thickness.double();
+        let at = |share: f64| moved(collapse, at, amplitude * share);
         let steps = if animate { 2 * STEPS } else { 0 };
         // Slow at both ends.
         let share =
@@ -37,13 +42,13 @@ impl Blocks {
         Self {
             fallen: at(1.0),
             steps: (0..=steps).filter(|_| animate).map(|k| at(share(k))).collect(),
-            radii: sketch.radii(),
+            radii: [1.0 - eta / 2.0, 1.0 + eta / 2.0],
             joints: joints.to_vec(),
         }
     }
 
-    /// The outlines of a half.
-    pub(super) fn draw(&self, svg: &mut Svg, scale: &Scale, side: f64) {
+    /// The outlines of a half, 1 for the right one and -1 for the left.
+    pub fn draw(&self, svg: &mut Svg, scale: &Scale, side: f64) {
         for (place, block) in self.fallen.iter().enumerate() {
             let steps: Vec<Rigid> = self
                 .steps
@@ -69,7 +74,7 @@ impl Blocks {
     }
 
     /// Arrows from where the blocks were to where they are.
-    pub(super) fn arrows(&self, svg: &mut Svg, scale: &Scale, side: f64) {
+    pub fn arrows(&self, svg: &mut Svg, scale: &Scale, side: f64) {
         for block in &self.fallen {
             let [from, to] = block.between;
             let half = (to - from) / 2.0;
@@ -82,7 +87,7 @@ impl Blocks {
     }
 
     /// The corners, to the right and up.
-    pub(super) fn corners(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
+    pub fn corners(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
         let radii = self.radii;
         self.fallen.iter().flat_map(move |block| {
             let [from, to] = block.between;
@@ -105,7 +110,7 @@ fn rigid(block: &Block, scale: &Scale, side: f64) -> Rigid {
 }
 
 /// An arrow; one that is too short is left out.
-pub(super) fn arrow(svg: &mut Svg, tail: Point, head: Point) {
+pub(crate) fn arrow(svg: &mut Svg, tail: Point, head: Point) {
     let (dx, dy) = (head.0 - tail.0, head.1 - tail.1);
     let length = dx.hypot(dy);
     if length < 9.0 {

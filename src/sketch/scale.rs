@@ -4,26 +4,28 @@ use crate::picture::{Path, Point};
 
 /// Where the centre of an arch is on the page, and how large the radius is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Scale {
+pub struct Scale {
+    /// The centre of the centreline.
     pub center: Point,
+    /// The radius of the centreline.
     pub radius: f64,
 }
 
 impl Scale {
     /// A point to the right and up of the centre; `side` is -1 for the left half. To a hundredth of the page's unit, which no
     /// eye sees and files are shorter by.
-    pub(super) fn at(&self, [x, y]: [f64; 2], side: f64) -> Point {
+    pub fn at(&self, [x, y]: [f64; 2], side: f64) -> Point {
         let to = |length: f64| (100.0 * length).round() / 100.0;
         (to(self.center.0 + side * self.radius * x), to(self.center.1 - self.radius * y))
     }
 
     /// A point by its joint and radius.
-    pub(super) fn polar(&self, joint: f64, radius: f64, side: f64) -> Point {
+    pub fn polar(&self, joint: f64, radius: f64, side: f64) -> Point {
         self.at([radius * joint.sin(), radius * joint.cos()], side)
     }
 
     /// The part of a ring between two joints, once round.
-    pub(super) fn sector(&self, [from, to]: [f64; 2], [inner, outer]: [f64; 2], side: f64) -> Path {
+    pub fn sector(&self, [from, to]: [f64; 2], [inner, outer]: [f64; 2], side: f64) -> Path {
         let mut path = Path::default();
         path.start(self.polar(from, outer, side));
         path.arc(self.center, self.radius * outer, [side * from, side * to]);
@@ -36,7 +38,7 @@ impl Scale {
     }
 
     /// Joints that divide a part of a ring.
-    pub(super) fn joints(&self, joints: &[f64], [inner, outer]: [f64; 2], side: f64) -> Path {
+    pub fn joints(&self, joints: &[f64], [inner, outer]: [f64; 2], side: f64) -> Path {
         let mut path = Path::default();
         for joint in joints {
             path.start(self.polar(*joint, inner, side));

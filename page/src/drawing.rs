@@ -1,0 +1,66 @@
+//! The picture of an arch, by what draws the pictures of `couplet draw`.
+
+use couplet::arch::{Configuration, SelfWeight};
+use couplet::number::{DoubleDoubleBall, Drawable};
+use couplet::problem::Mode;
+use couplet::sketch::{Blocks, Collapse, Forces, Lines, View, joints_of, moment_of, picture};
+
+/// The width in units of the picture.
+const WIDTH: f64 = 560.0;
+/// How far the corner that moves most is moved, in units of `r`.
+const AMPLITUDE: f64 = 0.12;
+
+/// What is drawn of an arch.
+pub(crate) struct Drawing<'a> {
+    pub(crate) weight: SelfWeight,
+    pub(crate) at: &'a Configuration<DoubleDoubleBall>,
+    pub(crate) is_limited: bool,
+    pub(crate) title: &'a str,
+}
+
+impl Drawing<'_> {
+    /// At its least thickness: its lines, its joints, how it falls, and that moving if it is wanted.
+    pub(crate) fn state(&self, mode: Mode, moves: bool) -> Option<String> {
+        let moment = moment_of(self.weight, mode, self.at)?;
+        let marks = joints_of(mode, self.at);
+        let forces = Forces::new(self.weight, self.at, self.is_limited, &[moment], marks);
+        let collapse = Collapse::new(self.weight, mode, self.at, false).ok()?;
+        let blocks = Blocks::new(&collapse, self.at, AMPLITUDE, moves, &[]);
+        Some(self.drawn(Some(&forces), collapse.joints_at_limit(), Some(blocks)))
+    }
+
+    /// As it stands, with the line of a crown moment.
+    pub(crate) fn standing(&self, moment: DoubleDoubleBall) -> String {
+        let forces = Forces::new(self.weight, self.at, self.is_limited, &[moment], Vec::new());
+        self.drawn(Some(&forces), Vec::new(), None)
+    }
+
+    /// Without a line.
+    pub(crate) fn bare(&self) -> String {
+        self.drawn(None, Vec::new(), None)
+    }
+
+    fn drawn(
+        &self,
+        forces: Option<&Forces<DoubleDoubleBall>>,
+        marks: Vec<(couplet::arch::mechanism::Contact, f64)>,
+        blocks: Option<Blocks>,
+    ) -> String {
+        let eta = self.at.thickness.double();
+        let lines = forces.iter();
+        let lines = lines.map(|of| Lines { thrust: &of.thrust_lines, friction: &of.friction_line });
+        let view = View {
+            half_opening: self.at.half_opening.rad.double(),
+            radii: [1.0 - eta / 2.0, 1.0 + eta / 2.0],
+            lines: lines.collect(),
+            is_standing: false,
+            has_jump: !self.is_limited && forces.is_some_and(|of| of.thrust.is_zero()),
+            marks,
+            blocks,
+            stones: Vec::new(),
+            half: false,
+            falls_right: false,
+        };
+        picture(&view, WIDTH, self.title)
+    }
+}

@@ -1,0 +1,99 @@
+//! What is given of an arch, read as the command reads it.
+
+use crate::prove::Question;
+use crate::rounding::rounded;
+use couplet::number::{DoubleDouble, DoubleDoubleBall, ExactNumber, Field, Real};
+use couplet::problem::measures::{Circle, Length, Measures, of_span_and_rise};
+use couplet::problem::{Arch, Friction, Known, is_thickness};
+
+/// What is given of an arch.
+pub(crate) struct Given {
+    /// The arch.
+    pub(crate) arch: Arch,
+    /// Its thickness, if it has one.
+    pub(crate) thickness: Option<ExactNumber>,
+    /// The radius of its centreline in metres, if it is measured.
+    pub(crate) radius: Option<ExactNumber>,
+}
+
+/// Bits of a double-double.
+const BITS: u32 = 106;
+
+/// Reads it; span and rise are those of the centreline.
+pub(crate) fn given(question: &Question) -> Result<Given, String> {
+    let Question { weight, half_opening, span, rise, friction, thickness, .. } = question;
+    let length = |text: &str| text.parse::<Length>().map_err(|error| error.to_string());
+    let mut measures = None;
+    let half_opening = match (half_opening, span, rise) {
+        (Some(half_opening), None, None) => half_opening.clone(),
+        (None, Some(span), Some(rise)) => {
+            let (half_opening, radius) = of_span_and_rise(&length(span)?, &length(rise)?);
+            measures = Some(Measures::new(Circle::Centreline, radius, None));
+            half_opening.to_string()
+        }
+        _ => return Err("an arch has a half opening, or a span and a rise".into()),
+    };
+    let arch = Arch::parse(weight, &half_opening, friction).map_err(|error| error.to_string())?;
+    let thickness = thickness.as_ref().map(|text| match (text.parse(), &measures) {
+        (Ok(thickness), _) if is_thickness(&thickness) => Ok(thickness),
+        (Ok(_), _) => Err("a thickness is above 0, and 2 at most".to_owned()),
+        (Err(_), Some(measures)) => {
+            measures.thickness(&length(text)?).map_err(|error| error.to_string())
+        }
+        (Err(error), None) => Err(format!("thickness: {error}")),
+    });
+    let radius = measures.as_ref().map(Measures::radius);
+    Ok(Given { arch, thickness: thickness.transpose()?, radius })
+}
+
+/// As a shell reads it.
+fn quoted(value: &impl ToString) -> String {
+    let text = value.to_string();
+    if text.contains('(') { format!("'{text}'") } else { text }
+}
+
+impl Given {
+    /// The command that makes the certificate.
+    pub(crate) fn command(&self) -> String {
+        let (subject, thickness) = match &self.thickness {
+            Some(eta) => ("arch", format!(" --thickness {}", quoted(eta))),
+            None => ("state", String::new()),
+        };
+        let (weight, arch) = (self.arch.weight().name(), &self.arch);
+        let [alpha, mu] = [quoted(arch.half_opening()), quoted(arch.friction())];
+        format!(
+            "couplet certify {subject} --weight {weight} --half-opening {alpha} --friction {mu}{thickness} -o arch.json"
+        )
+    }
+
+    /// What is given in other units, each correctly rounded to as many of `digits` digits as are decided.
+    pub(crate) fn values(&self, digits: usize) -> Vec<(&'static str, String)> {
+        let at = self.arch.given::<DoubleDoubleBall>(BITS);
+        let alpha = &at.half_opening.rad;
+        let radian = alpha.int(180) / alpha.pi();
+        let mut all = vec![
+            ("half_opening", rounded(alpha, digits)),
+            ("half_opening_degrees", rounded(&(radian * alpha), digits)),
+        ];
+        if *self.arch.friction() == Friction::Infinite {
+            let infinite = |name| (name, Some("∞".to_owned()));
+            all.extend([infinite("given_friction")]);
+            all.push(("friction_angle_degrees", Some("90".to_owned())));
+        } else {
+            let near = at.friction.mid().hi().atan();
+            let near = DoubleDoubleBall::exact(DoubleDouble::exact(near));
+            let angle = Known::AngleOfTangent(at.friction).enclosed(&near, BITS as usize);
+            let angle = angle.map(|angle| radian * angle);
+            all.push(("given_friction", rounded(&at.friction, digits)));
+            all.push(("friction_angle_degrees", angle.and_then(|angle| rounded(&angle, digits))));
+        }
+        let exact = |x: &ExactNumber| rounded(&x.enclosure(BITS), digits);
+        all.extend(self.thickness.as_ref().map(|eta| ("given_thickness", exact(eta))));
+        all.extend(self.radius.as_ref().map(|radius| ("radius_m", exact(radius))));
+        if let (Some(eta), Some(radius)) = (&self.thickness, &self.radius) {
+            let [eta, radius] = [eta, radius].map(|x| x.enclosure::<DoubleDoubleBall>(BITS));
+            all.push(("given_thickness_m", rounded(&(eta * radius), digits)));
+        }
+        all.into_iter().filter_map(|(name, value)| Some((name, value?))).collect()
+    }
+}
