@@ -6,7 +6,7 @@
 use crate::candidate::{Candidate, candidate, dyadic};
 use crate::drawing::Drawing;
 use crate::given::{Given, given};
-use crate::rounding::rounded;
+use crate::rounding::{rounded, with_zeros};
 use crate::standing;
 use couplet::arch::{Configuration, Unknown};
 use couplet::check::{
@@ -135,7 +135,7 @@ pub fn proof(question: &Question) -> Result<Proved, String> {
         },
     };
     if let (Some(eta), Some(least)) = (eta, least) {
-        proved.values.extend(rounded(&(eta / least), SAFETY).map(|x| ("geometric_safety", x)));
+        proved.values.extend(with_zeros(&(eta / least), SAFETY).map(|x| ("geometric_safety", x)));
     }
     // The line of thrust of an arch that stands has a certificate of its own.
     let stands = match (proved.stands, eta) {
@@ -359,7 +359,7 @@ mod tests {
             let drawing = Some("moving".to_owned());
             proof(&Question { thickness, drawing, ..question(RIGHT, "[s,r,r]", &START) })
         };
-        for (thickness, safety) in [("0.1222", "1"), ("0.2", "1.637"), ("1.9", "15.55")] {
+        for (thickness, safety) in [("0.1222", "1.000"), ("0.2", "1.637"), ("1.9", "15.55")] {
             let found = of(thickness).unwrap();
             assert_eq!((found.stands, &found.values["geometric_safety"][..]), (Some(true), safety));
             assert!(sentence(&found).contains("stands half_opening"));

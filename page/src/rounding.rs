@@ -7,13 +7,18 @@ const BITS: usize = 106;
 
 /// The correct rounding to as many of `digits` digits as are decided, without zeros at the end of a fraction.
 pub(crate) fn rounded(x: &DoubleDoubleBall, digits: usize) -> Option<String> {
+    Some(shortened(&with_zeros(x, digits)?))
+}
+
+/// The same with these zeros, which say how near a quotient is to one.
+pub(crate) fn with_zeros(x: &DoubleDoubleBall, digits: usize) -> Option<String> {
     let mut tens = Tens::new(BITS);
     (1..=digits).rev().find_map(|digits| {
         let text = format!("{:.*e}", digits - 1, x.mid().hi());
         let written = Written::parse(&text)?;
         let [low, high]: [DoubleDoubleBall; 2] = written.bounds(digits, &mut tens)?;
         let is_proved = low.is_less_than(x).and(x.is_less_than(&high)).is_proved();
-        is_proved.then(|| shortened(&written.to_string()))
+        is_proved.then(|| written.to_string())
     })
 }
 
@@ -37,5 +42,6 @@ mod tests {
         assert_eq!(rounded(&third.widened(1e-5), 12).unwrap(), "0.3333");
         assert_eq!(rounded(&third.widened(1.0), 12), None);
         assert_eq!(rounded(&third.ratio(5, 2), 12).unwrap(), "2.5");
+        assert_eq!(with_zeros(&third.ratio(5, 2), 4).unwrap(), "2.500");
     }
 }

@@ -19,8 +19,10 @@ const boxes = new Map(maps.map((one) => [one.id, one.querySelector("svg").viewBo
 const whole = () => boxes.get(map().id);
 let view = whole();
 
-/** A number as couplet reads it: 0.1, 3/25, 80deg, pi/2, inf. */
+/** A number as couplet reads it: 0.1, 3/25, 80deg, pi/2, 2atan(3/5), inf. */
 function read(text) {
+  const [, tangent] = /^2atan\(([^()]*)\)$/.exec(text) ?? [];
+  if (tangent !== undefined) return 2 * Math.atan(read(tangent));
   if (/^(inf|∞)$/i.test(text)) return Infinity;
   const [, number, unit, below] = /^(\d*\.?\d+(?:e-?\d+)?)?(deg|°|pi)?(?:\/(\d+))?$/i.exec(text.replace(/\s/g, "")) ?? [];
   const factor = { deg: DEGREE, "°": DEGREE, pi: Math.PI }[unit?.toLowerCase()] ?? 1;
