@@ -27,6 +27,8 @@ use check::Command;
 use commands::Command;
 #[cfg(feature = "mpfr")]
 pub use commands::parse;
+#[cfg(feature = "parquet")]
+pub use commands::sweep;
 
 /// Certified constants of the finite-friction Couplet–Heyman problem: how thin a circular masonry
 /// arch can be and still stand, and how it falls.

@@ -9,6 +9,7 @@
 //! | `item_report` | what an item asked for, as a report |
 //! | `explain` | the plan as a tree, with what `expected` says of the arches |
 //! | `manifest` | which outputs are complete, told by their content |
+//! | `sweep`, `read_sweep` | the plan of a sweep, `couplet.sweep/1` |
 //!
 //! ```
 //! use couplet::scene::{Plan, Run, read};
@@ -46,8 +47,10 @@ mod read_drawing;
 mod read_map;
 mod read_numbers;
 mod read_output;
+mod read_sweep;
 mod run;
 mod schema;
+mod sweep;
 mod value;
 
 pub use cost::Cost;
@@ -59,8 +62,10 @@ pub use plan::{
     ArchNode, ClaimNode, CurveNode, DrawingNode, LandmarkNode, Needs, Plan, ThicknessNode,
 };
 pub use read::{read, read_bytes};
+pub use read_sweep::read_sweep;
 pub use run::{Costs, Run};
 pub use schema::{
     Drawn, EXAMPLE, Item, Kind, MAX_ARCH_DIGITS, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, MapLine, SCHEMA,
     Scene, SceneArch, SceneDrawing, SceneMap, What,
 };
+pub use sweep::{SWEEP_DIGITS, SWEEP_EXAMPLE, SWEEP_SCHEMA, SweepArches, SweepPlan};

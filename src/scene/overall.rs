@@ -34,7 +34,7 @@ impl Overall {
 }
 
 /// The weights that a table names, if it does.
-fn weights(reader: &mut Reader, table: &DeTable) -> Option<Option<Vec<SelfWeight>>> {
+pub(super) fn weights(reader: &mut Reader, table: &DeTable) -> Option<Option<Vec<SelfWeight>>> {
     let names = SelfWeight::ALL.map(|weight| (weight.name(), weight));
     match table.get("weight") {
         Some(value) if value.get_ref().as_str() == Some("both") => {

@@ -25,14 +25,19 @@ struct Totals {
 
 /// Reads a scene from a file's bytes; see [`read`].
 pub fn read_bytes(bytes: &[u8]) -> Result<Scene, Vec<Fault>> {
+    read(text_of(bytes, "a scene")?)
+}
+
+/// The text of a file of this kind.
+pub(super) fn text_of<'b>(bytes: &'b [u8], kind: &str) -> Result<&'b str, Vec<Fault>> {
     let fault = |before: &str, message: String| {
         Err(vec![Fault { place: Source::new(before).place(before.len()), message }])
     };
     if bytes.len() > MAX_BYTES {
-        return fault("", format!("a scene has at most {MAX_BYTES} bytes"));
+        return fault("", format!("{kind} has at most {MAX_BYTES} bytes"));
     }
     match str::from_utf8(bytes) {
-        Ok(text) => read(text),
+        Ok(text) => Ok(text),
         Err(error) => {
             let before = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
             fault(&before, "not TOML: this is not valid UTF-8".to_owned())
@@ -43,20 +48,13 @@ pub fn read_bytes(bytes: &[u8]) -> Result<Scene, Vec<Fault>> {
 /// Reads a scene. Nothing is computed; the faults are all there are, in the order of the file.
 pub fn read(text: &str) -> Result<Scene, Vec<Fault>> {
     let mut reader = Reader::new(text);
-    let (root, errors) = DeTable::parse_recoverable(text);
-    if !errors.is_empty() {
-        for error in errors {
-            let span = error.span().unwrap_or(0..0);
-            reader.fault(span, format!("not TOML: {}", error.message().replace('\n', " ")));
-        }
-        return Err(reader.sorted());
-    }
+    let root = reader.parsed(text)?;
     let items = scene(&mut reader, root.get_ref());
     if reader.faults.is_empty() { Ok(Scene { items }) } else { Err(reader.sorted()) }
 }
 
 fn scene(reader: &mut Reader, root: &DeTable) -> Vec<Item> {
-    if !schema(reader, root) {
+    if !reader.has_schema(root, SCHEMA, "a scene") {
         return Vec::new();
     }
     let keys: Vec<&str> = SCENE_KEYS.into_iter().chain(Kind::ALL.map(Kind::name)).collect();
@@ -79,21 +77,6 @@ fn scene(reader: &mut Reader, root: &DeTable) -> Vec<Item> {
         .into_iter()
         .filter_map(|(kind, span, table)| item(reader, kind, &span, table, &overall, &mut totals))
         .collect()
-}
-
-/// Whether the scene is of the version that is read here: of another nothing can be said.
-fn schema(reader: &mut Reader, root: &DeTable) -> bool {
-    match root.get("schema") {
-        Some(value) if value.get_ref().as_str() == Some(SCHEMA) => true,
-        Some(value) => {
-            reader.is_not("schema", value, &format!("one that is read here: \"{SCHEMA}\""));
-            false
-        }
-        None => {
-            reader.fault(0..0, format!("schema is missing; a scene has schema = \"{SCHEMA}\""));
-            true
-        }
-    }
 }
 
 /// The tables of the items in the order of the file.

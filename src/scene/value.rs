@@ -20,10 +20,43 @@ impl<'s> Reader<'s> {
         Self { source: Source::new(text), faults: Vec::new() }
     }
 
-    /// The faults in the order of the file, each once.
-    pub(super) fn sorted(mut self) -> Vec<Fault> {
+    /// The table that the text is, or what is wrong with it as TOML.
+    pub(super) fn parsed<'t>(&mut self, text: &'t str) -> Result<Spanned<DeTable<'t>>, Vec<Fault>> {
+        let (root, errors) = DeTable::parse_recoverable(text);
+        if errors.is_empty() {
+            return Ok(root);
+        }
+        for error in errors {
+            let span = error.span().unwrap_or(0..0);
+            self.fault(span, format!("not TOML: {}", error.message().replace('\n', " ")));
+        }
+        self.sort();
+        Err(std::mem::take(&mut self.faults))
+    }
+
+    /// Whether a file is of the version that is read here: of another nothing can be said.
+    pub(super) fn has_schema(&mut self, root: &DeTable, schema: &str, what: &str) -> bool {
+        match root.get("schema") {
+            Some(value) if value.get_ref().as_str() == Some(schema) => true,
+            Some(value) => {
+                self.is_not("schema", value, &format!("one that is read here: \"{schema}\""));
+                false
+            }
+            None => {
+                self.fault(0..0, format!("schema is missing; {what} has schema = \"{schema}\""));
+                true
+            }
+        }
+    }
+
+    fn sort(&mut self) {
         self.faults.sort();
         self.faults.dedup();
+    }
+
+    /// The faults in the order of the file, each once.
+    pub(super) fn sorted(mut self) -> Vec<Fault> {
+        self.sort();
         self.faults
     }
 

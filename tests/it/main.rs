@@ -58,6 +58,8 @@ mod states;
 mod static_programme;
 #[cfg(feature = "proptest")]
 mod strategies;
+#[cfg(feature = "parquet")]
+mod sweep;
 #[cfg(all(feature = "mpfr", feature = "cli"))]
 mod tilt;
 #[cfg(all(feature = "mpfr", feature = "cli"))]

@@ -165,6 +165,7 @@ outputs! {
     help_draw: run("couplet draw --help");
     help_figure: run("couplet figure --help");
     help_states: run("couplet states --help");
+    help_sweep: run("couplet sweep --help");
     help_sample: run("couplet sample --help");
     help_judge: run("couplet judge --help");
     help_audit: run("couplet audit --help");

@@ -26,6 +26,10 @@ mod state;
 mod states;
 #[cfg(feature = "study")]
 mod study;
+#[cfg(feature = "parquet")]
+pub mod sweep;
+#[cfg(not(feature = "parquet"))]
+mod sweep;
 mod voussoirs;
 
 use super::failure::Failure;
@@ -44,6 +48,7 @@ pub(super) enum Command {
     Draw(draw::Arguments),
     Figure(figure::Arguments),
     States(states::Arguments),
+    Sweep(sweep::Arguments),
     Sample(sample::Arguments),
     Judge(judge::Arguments),
     Audit(audit::Arguments),
@@ -76,6 +81,7 @@ impl Command {
             Self::Draw(arguments) => draw::run(arguments),
             Self::Figure(arguments) => figure::run(arguments),
             Self::States(arguments) => states::run(arguments),
+            Self::Sweep(arguments) => sweep::run(arguments),
             Self::Sample(arguments) => sample::run(arguments),
             Self::Judge(arguments) => judge::run(arguments),
             Self::Audit(arguments) => audit::run(arguments),

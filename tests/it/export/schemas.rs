@@ -117,6 +117,25 @@ const RESULTS: &str = "weight,alpha,mu,eta,mode,sliding_joint\nheyman,pi/2,0.38,
     heyman,pi/2,0.3958320381380695,0.1,rrr,1\nheyman,pi/2,0.3,,none,\nheyman,x,1,1,,\nheyman,1,1,,,\n\
     milankovitch,1,1,inf,,\n";
 
+/// The records of sweeps of every kind; none without the feature.
+fn sweeps(scratch: &Scratch) -> Vec<String> {
+    scratch.write("states.csv", "alpha,mu\n1,1\n");
+    let states = ["states", "-", "--format", "parquet"];
+    scratch.write("states.parquet", fed(&states, "alpha,mu\n1,1\n").stdout);
+    let plans = [
+        "weight = \"both\"\n[grid]\nalpha = [1, 2]\nphi = \"35deg\"\n",
+        "[sample]\ncount = 2\n",
+        "[data]\nfiles = [\"states.csv\", \"states.parquet\", \"none.csv\"]\n",
+    ];
+    for plan in plans.iter().filter(|_| cfg!(feature = "parquet")) {
+        scratch.write("plan.toml", format!("schema = \"couplet.sweep/1\"\n{plan}"));
+        couplet(&["sweep", &scratch.path("plan.toml"), "-o", &scratch.path("sweeps")]);
+    }
+    let names = scratch.files("sweeps");
+    assert!(names.len() == 3 || !cfg!(feature = "parquet"), "{names:?}");
+    names.iter().map(|name| scratch.read(&format!("sweeps/{name}/_plan.json"))).collect()
+}
+
 #[test]
 fn what_is_written_is_as_the_schemas_say() {
     let mut seen = BTreeSet::new();
@@ -128,6 +147,7 @@ fn what_is_written_is_as_the_schemas_say() {
     let out = scratch.path("out");
     assert_eq!(couplet(&["run", &scratch.path("scene.toml"), "-o", &out]).status.code(), Some(0));
     let mut documents = vec![scratch.read("out/a.json"), scratch.read("out/b.json")];
+    documents.extend(sweeps(&scratch));
     // Nearer to the tangent of the half opening than can be told.
     let open = rug::Float::with_val(40_000, 0.5).tan().to_string_radix(10, Some(11_000));
     let near = ["--alpha", "pi/2", "--mu", "0.3958320381380695", "--weight", "heyman"];
@@ -277,6 +297,7 @@ fn what_is_written_is_as_the_schemas_say() {
     }
     let all = fs::read_dir(folder()).unwrap();
     let all = all.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let all = all.filter(|name| cfg!(feature = "parquet") || name != "sweep-1.json");
     assert_eq!(seen, all.collect(), "every schema was held against something");
 }
 

@@ -70,6 +70,18 @@ impl Table {
         Ok(Self { header, lines, dialect, has_remarks, is_broken: false })
     }
 
+    /// Whether a remark is the header, which the first row tells.
+    #[cfg(feature = "parquet")]
+    pub(crate) fn has_remarks(&self) -> bool {
+        self.has_remarks
+    }
+
+    /// The number of the line at which the next row begins, or what is skipped before it.
+    #[cfg(feature = "parquet")]
+    pub(crate) fn next_line(&self) -> u64 {
+        self.lines.number
+    }
+
     /// Whether numbers may have a decimal comma: where a semicolon separates.
     pub(crate) fn has_decimal_commas(&self) -> bool {
         self.dialect == Dialect::Separated(b';')

@@ -1,0 +1,161 @@
+//! Pieces of a Parquet file: rows of its row groups.
+
+use super::pieces::{CHANGED, columns, hash_of_pieces};
+use super::query::Query;
+use crate::arch::SelfWeight;
+use crate::cli::commands::rows::{Cells, Reader, Spelling};
+use crate::cli::failure::reason;
+use crate::number::ExactNumber;
+use ::parquet::basic::Compression;
+use ::parquet::column::reader::{ColumnReader, ColumnReaderImpl};
+use ::parquet::data_type::{ByteArray, DataType};
+use ::parquet::errors::ParquetError;
+use ::parquet::file::metadata::RowGroupMetaData;
+use ::parquet::file::reader::{FileReader, SerializedFileReader};
+use rug::Rational;
+use serde::{Deserialize, Serialize};
+use std::fs::File;
+use std::path::Path;
+
+/// A piece.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct GroupSlice {
+    pub rows: u64,
+    group: usize,
+    /// Rows of the group before it.
+    skip: u64,
+    /// Of the columns of the group that are read.
+    sha256: String,
+}
+
+/// The names of the columns of a file; those within others are none.
+fn header(reader: &SerializedFileReader<File>) -> Vec<String> {
+    let schema = reader.metadata().file_metadata().schema_descr_ptr();
+    schema.columns().iter().map(|column| column.path().string()).collect()
+}
+
+fn failed(error: ParquetError) -> String {
+    error.to_string()
+}
+
+/// The hash of the columns of a group that are read.
+fn hash(file: &mut File, group: &RowGroupMetaData, places: &[usize]) -> Result<String, String> {
+    let pieces: Vec<(u64, u64)> =
+        places.iter().map(|&place| group.column(place).byte_range()).collect();
+    hash_of_pieces(file, &pieces).map_err(|error| reason(&error))
+}
+
+/// The pieces of a file, with at most so many rows each; or what is wrong with the file.
+pub(super) fn slices(path: &Path, rows: u64) -> Result<Vec<GroupSlice>, String> {
+    let mut file = File::open(path).map_err(|error| reason(&error))?;
+    let reader = SerializedFileReader::new(file.try_clone().map_err(|error| reason(&error))?);
+    let reader = reader.map_err(failed)?;
+    let (_, places) = columns(&header(&reader))?;
+    let mut slices = Vec::new();
+    for (number, group) in reader.metadata().row_groups().iter().enumerate() {
+        for column in places.iter().map(|&place| group.column(place)) {
+            let codec = column.compression();
+            if !matches!(codec, Compression::UNCOMPRESSED | Compression::SNAPPY) {
+                return Err(format!(
+                    "it is compressed with {codec}; none and SNAPPY are read here"
+                ));
+            }
+            if column.column_descr().max_rep_level() > 0
+                || column.column_descr().max_def_level() > 1
+            {
+                return Err(format!("its column '{}' is no list of values", column.column_path()));
+            }
+        }
+        let sha256 = hash(&mut file, group, &places)?;
+        let length = u64::try_from(group.num_rows()).unwrap_or(0);
+        slices.extend((0..length).step_by(rows as usize).map(|skip| GroupSlice {
+            rows: rows.min(length - skip),
+            group: number,
+            skip,
+            sha256: sha256.clone(),
+        }));
+    }
+    Ok(slices)
+}
+
+/// The rows of a piece whose first row is the one of the file with this number, from 0; each with its number, from 1.
+pub(super) fn read(
+    path: &Path,
+    slice: &GroupSlice,
+    first: u64,
+    weight: SelfWeight,
+) -> Result<Vec<(u64, Query)>, String> {
+    let mut file = File::open(path).map_err(|error| reason(&error))?;
+    let reader = SerializedFileReader::new(file.try_clone().map_err(|error| reason(&error))?);
+    let reader = reader.map_err(|_| CHANGED.to_owned())?;
+    let (columns, places) = columns(&header(&reader))?;
+    if slice.group >= reader.num_row_groups() {
+        return Err(CHANGED.into());
+    }
+    let group = reader.get_row_group(slice.group).map_err(failed)?;
+    if hash(&mut file, group.metadata(), &places)? != slice.sha256 {
+        return Err(CHANGED.into());
+    }
+    let read = |place: &usize| {
+        let is_optional = group.metadata().column(*place).column_descr().max_def_level() > 0;
+        texts(group.get_column_reader(*place)?, slice, is_optional)
+    };
+    let texts = places.iter().map(read).collect::<Result<Vec<_>, _>>().map_err(failed)?;
+    let reader = Reader { columns, weight, doubles: false, spelling: Spelling::default() };
+    let query = |row: usize| {
+        let cells: Cells = texts.iter().map(|column| Some(column[row].clone())).collect();
+        (first + row as u64 + 1, Query::of_row(&reader, &cells))
+    };
+    Ok((0..slice.rows as usize).map(query).collect())
+}
+
+/// The cells of a column as exact texts; empty where there is none.
+fn texts(
+    column: ColumnReader,
+    slice: &GroupSlice,
+    is_optional: bool,
+) -> Result<Vec<String>, ParquetError> {
+    let how = (slice, is_optional);
+    match column {
+        ColumnReader::DoubleColumnReader(reader) => cells(reader, how, |x| exact(*x)),
+        ColumnReader::FloatColumnReader(reader) => cells(reader, how, |x| exact(f64::from(*x))),
+        ColumnReader::Int32ColumnReader(reader) => cells(reader, how, ToString::to_string),
+        ColumnReader::Int64ColumnReader(reader) => cells(reader, how, ToString::to_string),
+        ColumnReader::ByteArrayColumnReader(reader) => cells(reader, how, |text: &ByteArray| {
+            String::from_utf8_lossy(text.data()).trim().to_owned()
+        }),
+        _ => Err(ParquetError::General("a column is neither of numbers nor of texts".into())),
+    }
+}
+
+/// A double as the number that it is.
+fn exact(x: f64) -> String {
+    match Rational::from_f64(x) {
+        Some(x) => ExactNumber::from(&x).to_string(),
+        None => x.to_string(),
+    }
+}
+
+fn cells<T: DataType>(
+    mut column: ColumnReaderImpl<T>,
+    (slice, is_optional): (&GroupSlice, bool),
+    text: impl Fn(&T::T) -> String,
+) -> Result<Vec<String>, ParquetError> {
+    let (skip, rows) = (slice.skip as usize, slice.rows as usize);
+    let (mut values, mut there) = (Vec::new(), Vec::new());
+    let skipped = column.skip_records(skip)?;
+    let levels = is_optional.then_some(&mut there);
+    let (read, ..) = column.read_records(rows, levels, None, &mut values)?;
+    if skipped != skip || read != rows {
+        return Err(ParquetError::General("rows are missing".into()));
+    }
+    let mut values = values.iter().map(text);
+    Ok(match is_optional {
+        true => {
+            let mut cell = |level: i16| if level > 0 { values.next() } else { None };
+            there.into_iter().map(|level| cell(level).unwrap_or_default()).collect()
+        }
+        false => values.collect(),
+    })
+}

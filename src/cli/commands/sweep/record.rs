@@ -1,0 +1,212 @@
+//! The record of a sweep, `couplet.sweep/1`: everything that its rows depend on, in one form however the plan has it.
+//!
+//! Its SHA-256 is the name of the sweep, and of the folder of its parts: two different sweeps cannot meet in a folder,
+//! and the same sweep always finds its own.
+
+use super::cost::rows_of_a_part;
+use super::pieces::hash_of;
+use super::slices::Slices;
+use crate::arch::SelfWeight;
+use crate::problem::Quantity;
+use crate::scene::{SWEEP_SCHEMA, SweepArches, SweepPlan};
+use serde::{Deserialize, Serialize};
+use std::ops::Range;
+use std::path::Path;
+
+/// What a sweep is, in names and exact texts.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Record {
+    pub schema: String,
+    /// The version of the program: another one may prove what this one leaves undecided.
+    pub couplet: String,
+    pub weights: Vec<String>,
+    pub quantities: Vec<String>,
+    pub digits: usize,
+    /// Rows in all.
+    pub rows: u64,
+    /// The most rows of a part.
+    pub chunk: u64,
+    pub arches: Arches,
+}
+
+/// Where the arches come from.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "snake_case")]
+pub(super) enum Arches {
+    /// Every weight with every half opening and every friction.
+    Grid { half_opening: Vec<String>, friction: Vec<String> },
+    /// Drawn from a seed.
+    Sample { seed: u64, hard: bool },
+    /// The rows of files, each told by its name and its content.
+    Data { files: Vec<DataFile> },
+}
+
+/// A file of a data set.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct DataFile {
+    /// As the plan names it.
+    pub file: String,
+    /// What is wrong with it; then it has no rows.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fault: Option<String>,
+    /// Its pieces, each the rows of a part.
+    pub slices: Slices,
+}
+
+impl Record {
+    /// Of a plan whose paths begin in a folder. Files of a data set are read once.
+    pub(super) fn new(plan: &SweepPlan, base: &Path) -> Self {
+        let chunk = rows_of_a_part(plan);
+        let weights: Vec<String> = plan.weights.iter().map(|w| w.name().to_owned()).collect();
+        let (rows, arches) = match &plan.arches {
+            SweepArches::Grid { half_openings, frictions } => {
+                let rows = [weights.len(), half_openings.len(), frictions.len()];
+                let half_opening = half_openings.iter().map(ToString::to_string).collect();
+                let friction = frictions.iter().map(ToString::to_string).collect();
+                (rows.iter().product::<usize>() as u64, Arches::Grid { half_opening, friction })
+            }
+            SweepArches::Sample { count, seed, hard } => {
+                (*count as u64, Arches::Sample { seed: *seed, hard: *hard })
+            }
+            SweepArches::Data { files } => {
+                let file = |name: &String| match Slices::of(&base.join(name), chunk) {
+                    Ok(slices) => DataFile { file: name.clone(), fault: None, slices },
+                    Err(fault) => DataFile {
+                        file: name.clone(),
+                        fault: Some(fault),
+                        slices: Slices::default(),
+                    },
+                };
+                let files: Vec<DataFile> = files.iter().map(file).collect();
+                let rows = files.iter().map(|file| file.slices.rows()).sum();
+                (rows, Arches::Data { files })
+            }
+        };
+        Self {
+            schema: SWEEP_SCHEMA.to_owned(),
+            couplet: env!("CARGO_PKG_VERSION").to_owned(),
+            weights,
+            quantities: plan.quantities.iter().map(|of| of.name().to_owned()).collect(),
+            digits: plan.digits,
+            rows,
+            chunk,
+            arches,
+        }
+    }
+
+    /// The one form: JSON on one line.
+    pub(super) fn text(&self) -> String {
+        // Only texts and whole numbers: nothing that JSON cannot hold.
+        serde_json::to_string(self).unwrap_or_default()
+    }
+
+    /// SHA-256 of the one form.
+    pub(super) fn hash(&self) -> String {
+        hash_of(self.text().as_bytes())
+    }
+
+    /// The weights.
+    pub(super) fn weights(&self) -> Vec<SelfWeight> {
+        self.weights.iter().filter_map(|name| SelfWeight::named(name)).collect()
+    }
+
+    /// The quantities.
+    pub(super) fn quantities(&self) -> Vec<Quantity> {
+        self.quantities.iter().filter_map(|name| Quantity::named(name)).collect()
+    }
+
+    /// The ranges of rows of the parts, in order. A part of a grid has whole columns, or a piece of one.
+    pub(super) fn parts(&self) -> Vec<Range<u64>> {
+        let pieces = |rows: u64, length: u64| {
+            (0..rows)
+                .step_by(length.max(1) as usize)
+                .map(move |first| first..(first + length).min(rows))
+        };
+        match &self.arches {
+            Arches::Grid { friction, .. } => {
+                let column = friction.len() as u64;
+                if column <= self.chunk {
+                    return pieces(self.rows, self.chunk / column.max(1) * column).collect();
+                }
+                let columns = pieces(self.rows, column);
+                columns
+                    .flat_map(|of| {
+                        pieces(column, self.chunk)
+                            .map(move |r| of.start + r.start..of.start + r.end)
+                    })
+                    .collect()
+            }
+            Arches::Sample { .. } => pieces(self.rows, self.chunk).collect(),
+            Arches::Data { files } => {
+                let mut first = 0;
+                let all = files.iter().flat_map(|file| file.slices.lengths());
+                all.map(|rows| {
+                    first += rows;
+                    first - rows..first
+                })
+                .collect()
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::read_sweep;
+
+    fn record(rest: &str) -> Record {
+        let text = format!("schema = \"couplet.sweep/1\"\n{rest}");
+        Record::new(&read_sweep(text.as_bytes()).unwrap(), Path::new(""))
+    }
+
+    #[test]
+    fn the_same_sweep_has_one_name_and_another_has_another() {
+        let usual = "[grid]\nhalf_opening = [1, 2]\nfriction = [0.5, 1]\n";
+        let name = record(usual).hash();
+        for same in [
+            "# A remark.\n[grid]\nmu = [0.5, \"1\"]\nalpha = { from = 1, to = 2, steps = 2 }\n",
+            "weight = \"milankovitch\"\ndigits = 17\nquantities = \"thickness\"\n\
+             [grid]\nhalf_opening = [1, 2]\nfriction = [0.5, 1]\n",
+        ] {
+            assert_eq!(record(same).hash(), name, "{same}");
+        }
+        for (from, to) in
+            [("0.5", "0.25"), ("[1, 2]", "[2, 1]"), ("[1, 2]", "1"), ("0.5", "\"1/2\"")]
+        {
+            assert_ne!(record(&usual.replace(from, to)).hash(), name, "{to}");
+        }
+        for more in
+            ["digits = 18\n", "chunk = 1\n", "weight = \"heyman\"\n", "quantities = \"thrust\"\n"]
+        {
+            assert_ne!(record(&format!("{more}{usual}")).hash(), name, "{more}");
+        }
+        let (one, other) =
+            (record("[sample]\ncount = 9\n"), record("[sample]\ncount = 9\nseed = 2\n"));
+        assert_ne!(one.hash(), other.hash());
+        assert_eq!(serde_json::from_str::<Record>(&one.text()).unwrap(), one);
+    }
+
+    #[test]
+    fn parts_are_whole_columns_or_pieces_of_one_and_leave_nothing_out() {
+        let of = |chunk: u64| {
+            let grid =
+                "[grid]\nhalf_opening = [1, 2, 2.5]\nfriction = { from = 0, to = 1, steps = 5 }\n";
+            record(&format!("weight = \"both\"\nchunk = {chunk}\n{grid}")).parts()
+        };
+        assert_eq!(of(12), [0..10, 10..20, 20..30]);
+        assert_eq!(of(5).len(), 6);
+        assert_eq!(of(3)[..3], [0..3, 3..5, 5..8]);
+        assert_eq!((of(100).len(), of(100)[0].clone()), (1, 0..30));
+        for chunk in 1..=31 {
+            let parts = of(chunk);
+            assert_eq!((parts[0].start, parts[parts.len() - 1].end), (0, 30));
+            assert!(parts.windows(2).all(|pair| pair[0].end == pair[1].start), "{chunk}");
+            assert!(parts.iter().all(|part| part.end - part.start <= chunk), "{chunk}");
+        }
+        let sample = record("chunk = 4\n[sample]\ncount = 9\n").parts();
+        assert_eq!(sample, [0..4, 4..8, 8..9]);
+    }
+}

@@ -1,0 +1,274 @@
+//! Looks through a sweep that was made: its parts, its rows, and what is proved of some of them.
+
+use super::answers::Verdict;
+use super::queries::queries;
+use super::query::{Asked, Query};
+use super::store::There;
+use super::sweep::{Sweep, SweepError};
+use super::table::{Cells, Notes, Table};
+use crate::certify::certify_arch;
+use crate::check::{Accepted, verify as check};
+use crate::problem::{Arch, Problem};
+use ::parquet::data_type::ByteArray;
+use rayon::prelude::*;
+use rug::{Integer, Rational};
+use std::collections::BTreeSet;
+use std::fs::File;
+use std::ops::Range;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// What was looked through, and what is wrong.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Verified {
+    /// Parts that are there and whole.
+    pub parts: usize,
+    /// Their rows.
+    pub rows: u64,
+    /// Rows that were proved again, and are the same bit for bit.
+    pub again: usize,
+    /// Rows with a certificate that the second arithmetic accepts.
+    pub certified: usize,
+    /// What is wrong.
+    pub faults: Vec<String>,
+}
+
+/// The most rows that are certified.
+const CERTIFIED: usize = 20;
+/// Digits of a certificate: a double is told by them, and nearly always on which side of it the truth is.
+const DIGITS: usize = 20;
+
+/// Looks through some parts: name, content and notes of each, its inputs, and that its rows are complete. `sample`
+/// rows, drawn from the name of the sweep, are proved again without what rows share, and some of them certified.
+pub fn verify(
+    sweep: &Sweep,
+    parts: &[usize],
+    sample: usize,
+    tick: &(dyn Fn(u64) + Sync),
+) -> Result<Verified, SweepError> {
+    let files = sweep.store.files().map_err(|error| sweep.unread(&error))?;
+    let ranges: Vec<Range<u64>> = parts.iter().map(|&part| sweep.rows(part)).collect();
+    let certified = AtomicUsize::new(0);
+    let chosen = chosen(&ranges, sample, sweep.store.plan());
+    let none = Vec::new();
+    let each = |&part: &usize| {
+        let rows = sweep.rows(part);
+        let there = sweep.store.there(files.get(&part).unwrap_or(&none), &rows, false);
+        let found = match there.map_err(|error| sweep.unread(&error))? {
+            There::Missing => Verified::wrong(format!("part {part} is missing or spoiled")),
+            There::Foreign(name) => Verified::wrong(format!("{name} does not belong here")),
+            There::Whole(name, _) => {
+                let chosen: Vec<u64> = chosen.range(rows.clone()).copied().collect();
+                let found = look(sweep, part, &name, &chosen, &certified);
+                found.unwrap_or_else(|fault| Verified::wrong(format!("{name}: {fault}")))
+            }
+        };
+        tick(rows.end - rows.start);
+        Ok(found)
+    };
+    let each = parts.par_iter().map(each).collect::<Result<Vec<_>, _>>()?;
+    let mut all = Verified::default();
+    if !sweep.store.is_named() {
+        all.faults.push("the folder has not the name of its sweep".into());
+    }
+    let strangers = files.keys().filter(|part| **part >= sweep.parts());
+    all.faults.extend(strangers.map(|part| format!("the sweep has no part {part}")));
+    for found in each {
+        all.parts += found.parts;
+        all.rows += found.rows;
+        all.again += found.again;
+        all.certified += found.certified;
+        all.faults.extend(found.faults);
+    }
+    Ok(all)
+}
+
+/// Looks through a part that is whole.
+fn look(
+    sweep: &Sweep,
+    part: usize,
+    name: &str,
+    chosen: &[u64],
+    certified: &AtomicUsize,
+) -> Result<Verified, String> {
+    let rows = sweep.rows(part);
+    let open = || File::open(sweep.folder().join(name)).map_err(|error| error.to_string());
+    let notes = Notes::of(&open()?).ok_or("it says nothing of itself")?;
+    let table = Table::read(open()?).map_err(|error| error.to_string())?;
+    let queries = queries(&sweep.record, &rows, &sweep.base)?;
+    let asked = Table::asked(&sweep.record, &queries);
+    for (column, cells) in &asked.0 {
+        if table.column(column) != Some(cells) {
+            return Err(format!("its column {column} is not what the plan asks"));
+        }
+    }
+    let Some(Cells::Text(verdicts)) = table.column("verdict") else {
+        return Err("it has no verdicts".into());
+    };
+    for verdict in Verdict::ALL {
+        let is = |cell: &&Option<ByteArray>| {
+            cell.as_ref().is_some_and(|cell| cell.data() == verdict.name().as_bytes())
+        };
+        if verdicts.iter().filter(is).count() as u64 != notes.counts[verdict as usize] {
+            return Err(format!("its rows are not counted right: {}", verdict.name()));
+        }
+    }
+    let mut all = Verified { parts: 1, rows: rows.end - rows.start, ..Verified::default() };
+    for &number in chosen {
+        let place = (number - rows.start) as usize;
+        match row(sweep, &table, place, &queries[place], certified) {
+            Ok(has_certificate) => {
+                all.again += 1;
+                all.certified += usize::from(has_certificate);
+            }
+            Err(fault) => all.faults.push(format!("{name}: row {number}: {fault}")),
+        }
+    }
+    Ok(all)
+}
+
+/// Proves a row again; whether it was certified too.
+fn row(
+    sweep: &Sweep,
+    table: &Table,
+    place: usize,
+    query: &Query,
+    certified: &AtomicUsize,
+) -> Result<bool, String> {
+    let Ok(asked) = &query.asked else { return Ok(false) };
+    let found = sweep.wanted.alone(asked);
+    let again = Table::answered(&sweep.wanted, std::slice::from_ref(&found));
+    for (column, cells) in &again.0 {
+        let same = table.column(column).is_some_and(|there| is_same(there, place, cells));
+        if !same {
+            return Err(format!("its {column} is not what is proved"));
+        }
+    }
+    let is_known = matches!(found.verdict, Verdict::Stands | Verdict::Falls);
+    if !is_known || certified.fetch_add(1, Ordering::Relaxed) >= CERTIFIED {
+        return Ok(false);
+    }
+    let Some(accepted) = accepted(asked)? else { return Ok(false) };
+    let is_so = match (&accepted.problem, found.verdict) {
+        (Problem::State { mode, .. }, Verdict::Stands) => Some(*mode) == found.mode,
+        (Problem::Verdict { .. }, Verdict::Falls) => true,
+        _ => false,
+    };
+    if !is_so {
+        return Err("its certificate is of another verdict or mode".into());
+    }
+    if found.verdict == Verdict::Falls {
+        return Ok(true);
+    }
+    for (quantity, value) in sweep.wanted.quantities.iter().zip(&found.values) {
+        let of = accepted.values.iter().find(|(of, _)| of == quantity);
+        if let (Some(value), Some((_, text))) = (value, of)
+            && !agrees(text, value.double, value.side)
+        {
+            return Err(format!("its {} is not that of its certificate", quantity.name()));
+        }
+    }
+    Ok(true)
+}
+
+impl Verified {
+    fn wrong(fault: String) -> Self {
+        Self { faults: vec![fault], ..Self::default() }
+    }
+}
+
+/// A certificate of an arch that the second arithmetic accepts; none where none can be made.
+fn accepted(asked: &Asked) -> Result<Option<Accepted>, String> {
+    let (alpha, friction) = ((*asked.half_opening).clone(), (*asked.friction).clone());
+    let arch = Arch::new(asked.weight, alpha, friction).map_err(|error| error.to_string())?;
+    let Ok(certificate) = certify_arch(&arch, None, DIGITS) else { return Ok(None) };
+    let mut bytes = Vec::new();
+    certificate.write(&mut bytes).map_err(|error| error.to_string())?;
+    check(&bytes).map(Some).map_err(|refusal| format!("its certificate is refused: {refusal}"))
+}
+
+/// Whether a double, with the side on which the truth is, is compatible with a value that is correctly rounded to
+/// [`DIGITS`] digits.
+fn agrees(text: &str, double: f64, side: Option<i32>) -> bool {
+    let value = text.parse::<crate::number::ExactNumber>().map(|value| value.to_rational());
+    let (Ok(value), Some(nearest)) = (value, Rational::from_f64(double)) else { return false };
+    let gap = |x: f64| Rational::from_f64(x).map(|x| Rational::from(&x - &nearest).abs());
+    let (Some(above), Some(below)) = (gap(double.next_up()), gap(double.next_down())) else {
+        return false;
+    };
+    // More than half a unit of the last digit, and at most half the distance of neighbours.
+    let rounding = value.clone().abs() / Integer::from(Integer::u_pow_u(10, DIGITS as u32 - 1));
+    let half = above.max(below) / 2;
+    let difference = value - nearest;
+    let is_near = difference.clone().abs() <= half + &rounding;
+    let is_aside = match side {
+        Some(1) => difference > -rounding,
+        Some(-1) => difference < rounding,
+        Some(_) => difference.abs() <= rounding,
+        None => true,
+    };
+    is_near && is_aside
+}
+
+/// Whether a cell is the one of a table of one row, bit for bit.
+fn is_same(there: &Cells, place: usize, one: &Cells) -> bool {
+    match (there, one) {
+        (Cells::Text(there), Cells::Text(one)) => there[place] == one[0],
+        (Cells::Double(there), Cells::Double(one)) => {
+            there[place].map(f64::to_bits) == one[0].map(f64::to_bits)
+        }
+        (Cells::Whole(there), Cells::Whole(one)) => there[place] == one[0],
+        (Cells::Short(there), Cells::Short(one)) => there[place] == one[0],
+        _ => false,
+    }
+}
+
+/// Rows of some ranges, drawn from the name of a sweep.
+fn chosen(ranges: &[Range<u64>], count: usize, name: &str) -> BTreeSet<u64> {
+    let all: u64 = ranges.iter().map(|rows| rows.end - rows.start).sum();
+    let mut chosen = BTreeSet::new();
+    let mut state = u64::from_str_radix(&name[..16], 16).unwrap_or_default();
+    while (chosen.len() as u64) < all.min(count as u64) {
+        // splitmix64 (Steele, Lea and Flood, 2014).
+        state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        let mut place = ((u128::from(z ^ (z >> 31)) * u128::from(all)) >> 64) as u64;
+        for rows in ranges {
+            let length = rows.end - rows.start;
+            if place < length {
+                chosen.insert(rows.start + place);
+                break;
+            }
+            place -= length;
+        }
+    }
+    chosen
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_value_agrees_with_its_double_and_with_no_other() {
+        // 1/10 is below its nearest double.
+        let (text, tenth) = ("0.10000000000000000000", 0.1f64);
+        assert!(agrees(text, tenth, Some(-1)) && agrees(text, tenth, None));
+        assert!(!agrees(text, tenth, Some(1)) && !agrees(text, tenth, Some(0)));
+        assert!(
+            !agrees(text, tenth.next_up(), Some(-1)) && !agrees(text, tenth.next_down(), Some(1))
+        );
+        assert!(agrees("0.50000000000000000000", 0.5, Some(0)) && !agrees("x", 0.5, None));
+    }
+
+    #[test]
+    fn as_many_rows_are_drawn_as_are_asked_and_there_are() {
+        let ranges = [0..10, 20..25];
+        let name = "0123456789abcdef";
+        let drawn = chosen(&ranges, 7, name);
+        assert_eq!((drawn.len(), &drawn), (7, &chosen(&ranges, 7, name)));
+        assert!(drawn.iter().all(|row| ranges.iter().any(|rows| rows.contains(row))));
+        assert_eq!(chosen(&ranges, 100, name).len(), 15);
+        assert_eq!(chosen(&[], 5, name).len(), 0);
+    }
+}

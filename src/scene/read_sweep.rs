@@ -1,0 +1,248 @@
+//! From TOML to the plan of a sweep, or to everything that is wrong with it.
+
+use super::fault::Fault;
+use super::overall::weights;
+use super::read::text_of;
+use super::read_arches::frictions;
+use super::read_numbers::{Meaning, Numbers, SceneNumber, numbers};
+use super::schema::MAX_ARCH_DIGITS;
+use super::sweep::{MAX_CHUNK, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepPlan};
+use super::value::{Reader, Value};
+use crate::arch::SelfWeight;
+use crate::number::{ExactNumber, ParseExactError};
+use crate::problem::{Friction, Quantity};
+use std::ops::Range;
+use toml::de::{DeTable, DeValue};
+
+/// The kinds of arches, of which a plan has one.
+const KINDS: [&str; 3] = ["grid", "sample", "data"];
+const KEYS: [&str; 8] =
+    ["schema", "weight", "quantities", "digits", "chunk", "grid", "sample", "data"];
+
+/// Reads a plan from a file's bytes. Nothing is computed; the faults are all there are, in the order of the file.
+pub fn read_sweep(bytes: &[u8]) -> Result<SweepPlan, Vec<Fault>> {
+    let text = text_of(bytes, "a plan")?;
+    let mut reader = Reader::new(text);
+    let root = reader.parsed(text)?;
+    let plan = plan(&mut reader, root.get_ref());
+    match plan.filter(|_| reader.faults.is_empty()) {
+        Some(plan) => Ok(plan),
+        None => Err(reader.sorted()),
+    }
+}
+
+fn plan(reader: &mut Reader, root: &DeTable) -> Option<SweepPlan> {
+    if !reader.has_schema(root, SWEEP_SCHEMA, "a plan") {
+        return None;
+    }
+    reader.unknown_keys(root, "a plan", &KEYS, &[]);
+    let given = weights(reader, root);
+    let quantities = match root.get("quantities") {
+        Some(value) => {
+            let known = Quantity::STATE.map(|quantity| (quantity.name(), quantity));
+            reader.names("quantities", value, &known)
+        }
+        None => Some(vec![Quantity::Thickness]),
+    };
+    let digits = match root.get("digits") {
+        Some(value) => reader.whole("digits", value, SWEEP_DIGITS..=MAX_ARCH_DIGITS),
+        None => Some(SWEEP_DIGITS),
+    };
+    let chunk = match root.get("chunk") {
+        Some(value) => reader.whole("chunk", value, 1..=MAX_CHUNK).map(Some),
+        None => Some(None),
+    };
+    let (kind, arches) = arches(reader, root)?;
+    let (given, quantities) = (given?, quantities?);
+    let at = root.get("weight").map(toml::Spanned::span);
+    let mut refuse = |message: &str| reader.fault(at.clone().unwrap_or(0..0), message.to_owned());
+    match (&given, kind) {
+        (Some(_), "sample") => refuse("a sample draws its own weights; leave weight out"),
+        (Some(all), "data") if all.len() > 1 => {
+            refuse("a data set has one weight, that of the rows without one");
+        }
+        _ => {}
+    }
+    Some(SweepPlan {
+        weights: given.unwrap_or(vec![SelfWeight::Milankovitch]),
+        quantities: Quantity::STATE.into_iter().filter(|of| quantities.contains(of)).collect(),
+        digits: digits?,
+        chunk: chunk?,
+        arches: arches?,
+    })
+}
+
+/// The kind of the arches, and the arches if nothing is wrong with them.
+fn arches(reader: &mut Reader, root: &DeTable) -> Option<(&'static str, Option<SweepArches>)> {
+    let there: Vec<_> =
+        KINDS.into_iter().filter_map(|kind| Some((kind, root.get(kind)?))).collect();
+    let (kind, value) = match there[..] {
+        [one] => one,
+        [] => {
+            reader.fault(0..0, "the plan has no arches; give [grid], [sample] or [data]".into());
+            return None;
+        }
+        [_, (_, value), ..] => {
+            let message = "a plan has one of [grid], [sample] and [data]";
+            reader.fault(value.span(), message.into());
+            return None;
+        }
+    };
+    let DeValue::Table(table) = value.get_ref() else {
+        reader.is_not(kind, value, &format!("a table [{kind}]"));
+        return None;
+    };
+    let arches = match kind {
+        "grid" => grid(reader, &value.span(), table),
+        "sample" => sample(reader, &value.span(), table),
+        _ => data(reader, &value.span(), table),
+    };
+    Some((kind, arches))
+}
+
+fn grid(reader: &mut Reader, span: &Range<usize>, table: &DeTable) -> Option<SweepArches> {
+    let keys = ["half_opening", "friction", "friction_angle"];
+    reader.unknown_keys(table, "[grid]", &keys, &["alpha", "mu", "phi"]);
+    let half_openings = match Meaning::HalfOpening.given(reader, table) {
+        Some(value) => numbers(reader, Meaning::HalfOpening, value),
+        None => {
+            let allowed = Meaning::HalfOpening.allowed();
+            reader.fault(span.clone(), format!("half_opening is missing; give {allowed}"));
+            None
+        }
+    };
+    let frictions = frictions(reader, span, table);
+    let (half_openings, (meaning, frictions)) = (half_openings?, frictions?);
+    let mut written = |numbers: Numbers| {
+        let fault = |error: ParseExactError| reader.fault(span.clone(), error.to_string());
+        numbers.all().map_err(fault).ok()
+    };
+    let half_openings: Vec<ExactNumber> =
+        written(half_openings)?.into_iter().filter_map(|given| given.number).collect();
+    let friction = |given: SceneNumber| match (given.number, meaning) {
+        (None, _) => Friction::Infinite,
+        (Some(phi), Meaning::FrictionAngle) => Friction::Angle(phi),
+        (Some(mu), _) => Friction::Coefficient(mu),
+    };
+    let frictions = written(frictions)?.into_iter().map(friction).collect();
+    Some(SweepArches::Grid { half_openings, frictions })
+}
+
+fn sample(reader: &mut Reader, span: &Range<usize>, table: &DeTable) -> Option<SweepArches> {
+    reader.unknown_keys(table, "[sample]", &["count", "seed", "hard"], &[]);
+    let count = match table.get("count") {
+        Some(value) => reader.whole("count", value, 1..=MAX_SAMPLE),
+        None => {
+            reader.fault(span.clone(), "count is missing; give a whole number".into());
+            None
+        }
+    };
+    let seed = match table.get("seed") {
+        Some(value) => reader.whole("seed", value, 0..=usize::MAX >> 1),
+        None => Some(1),
+    };
+    let hard = match table.get("hard") {
+        Some(value) => reader.truth("hard", value),
+        None => Some(false),
+    };
+    Some(SweepArches::Sample { count: count?, seed: seed? as u64, hard: hard? })
+}
+
+fn data(reader: &mut Reader, span: &Range<usize>, table: &DeTable) -> Option<SweepArches> {
+    reader.unknown_keys(table, "[data]", &["files"], &[]);
+    let Some(value) = table.get("files") else {
+        let message = "files is missing; give paths, as \"arches.csv\"";
+        reader.fault(span.clone(), message.into());
+        return None;
+    };
+    let before = reader.faults.len();
+    let mut files: Vec<String> = Vec::new();
+    for element in reader.elements("files", value, "paths of files") {
+        if let Some(path) = path(reader, element, &files) {
+            files.push(path);
+        }
+    }
+    (reader.faults.len() == before).then_some(SweepArches::Data { files })
+}
+
+fn path(reader: &mut Reader, element: &Value, before: &[String]) -> Option<String> {
+    let text = reader.text("files", element)?;
+    if text.is_empty() || text.contains(char::is_control) {
+        reader.is_not("files", element, "the path of a file");
+        return None;
+    }
+    if before.iter().any(|other| other == text) {
+        let shown = reader.source.shown(element.span());
+        reader.fault(element.span(), format!("files {shown} is listed twice"));
+        return None;
+    }
+    Some(text.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::sweep::SWEEP_EXAMPLE;
+    use super::*;
+
+    fn faults(text: &str) -> String {
+        let faults = read_sweep(text.as_bytes()).err().unwrap();
+        let line = |fault: &Fault| format!("{}: {}", fault.place.line, fault.message);
+        faults.iter().map(line).collect::<Vec<_>>().join("\n")
+    }
+
+    #[test]
+    fn the_example_is_a_plan_whichever_table_it_has() {
+        let plan = read_sweep(SWEEP_EXAMPLE.as_bytes()).unwrap();
+        let SweepArches::Grid { half_openings, frictions } = plan.arches else { panic!() };
+        assert_eq!((half_openings.len(), frictions.len(), plan.chunk), (40, 100, Some(4000)));
+        assert_eq!(half_openings[39].to_string(), "140deg");
+        let head = "schema = \"couplet.sweep/1\"\n";
+        for table in ["sample", "data"] {
+            let lines = SWEEP_EXAMPLE.lines().skip_while(|line| *line != format!("# [{table}]"));
+            let lines = lines.take_while(|line| !line.is_empty());
+            let lines: Vec<&str> = lines.map(|line| line.trim_start_matches("# ")).collect();
+            let plan = read_sweep((head.to_owned() + &lines.join("\n")).as_bytes()).unwrap();
+            match plan.arches {
+                SweepArches::Sample { count, seed, hard } => {
+                    assert_eq!((count, seed, hard), (1_000_000, 1, false));
+                }
+                SweepArches::Data { files } => assert_eq!(files.len(), 2),
+                SweepArches::Grid { .. } => panic!("{table}"),
+            }
+        }
+    }
+
+    #[test]
+    fn every_fault_of_a_plan_is_told() {
+        let head = "schema = \"couplet.sweep/1\"\n";
+        for (rest, words) in [
+            ("", "the plan has no arches; give [grid], [sample] or [data]"),
+            ("[grid]\nfriction = 1\n", "2: half_opening is missing"),
+            (
+                "[grid]\nhalf_opening = 4\nfriction = 1\n",
+                "3: half_opening 4 is not between 0 and pi",
+            ),
+            ("[sample]\ncount = 0\n", "3: count 0 is not a whole number from 1"),
+            ("[sample]\nseed = 1\n", "2: count is missing"),
+            ("weight = \"heyman\"\n[sample]\ncount = 9\n", "2: a sample draws its own weights"),
+            ("weight = \"both\"\n[data]\nfiles = \"a\"\n", "2: a data set has one weight"),
+            ("[data]\nfiles = [\"a\", \"a\"]\n", "3: files \"a\" is listed twice"),
+            ("digits = 16\n[sample]\ncount = 9\n", "2: digits 16 is not a whole number from 17"),
+            ("[sample]\ncount = 9\n[data]\nfiles = \"a\"\n", "4: a plan has one of"),
+            (
+                "chunks = 3\n[sample]\ncount = 9\n",
+                "unknown key \"chunks\" in a plan (did you mean \"chunk\"?)",
+            ),
+            (
+                "quantities = \"safety\"\n[sample]\ncount = 9\n",
+                "2: quantities \"safety\" is not one of",
+            ),
+        ] {
+            let found = faults(&(head.to_owned() + rest));
+            assert!(found.contains(words), "{found}");
+        }
+        assert!(faults("[sample]\ncount = 9\n").contains("schema is missing; a plan has schema ="));
+        assert!(faults("schema = \"couplet.sweep/2\"\n").contains("is not one that is read here"));
+        assert!(faults("schema = ").contains("not TOML"));
+    }
+}

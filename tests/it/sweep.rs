@@ -1,0 +1,448 @@
+//! `couplet sweep`: the same bytes whoever computes them and whatever happens meanwhile.
+
+use crate::export::parquet::read;
+use crate::program::{Scratch, command, couplet, refused, said, start};
+use couplet::certify::state::{Answer, Certify};
+use couplet::problem::Arch;
+use parquet::record::Field;
+use rug::Rational;
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
+use std::fs;
+use std::time::{Duration, Instant};
+
+const HEAD: &str = "schema = \"couplet.sweep/1\"\n";
+
+/// A folder with a plan, whose text is given behind its first line.
+fn planned(plan: &str) -> Scratch {
+    let scratch = Scratch::new();
+    scratch.write("plan.toml", HEAD.to_owned() + plan);
+    scratch
+}
+
+/// Runs the plan of a folder into `out`, with more arguments; exit code, standard output and standard error.
+fn sweep(scratch: &Scratch, out: &str, more: &[&str]) -> (Option<i32>, String, String) {
+    let (plan, out) = (scratch.path("plan.toml"), scratch.path(out));
+    said(&couplet(&[&["sweep", &plan, "-o", &out], more].concat()))
+}
+
+/// The names and the content of all files of the only sweep in a folder.
+fn files(scratch: &Scratch, out: &str) -> BTreeMap<String, Vec<u8>> {
+    let sweeps = scratch.files(out);
+    assert_eq!(sweeps.len(), 1, "{sweeps:?}");
+    let folder = format!("{out}/{}", sweeps[0]);
+    let content = |name: String| {
+        let content = fs::read(scratch.path(&format!("{folder}/{name}"))).unwrap();
+        (name, content)
+    };
+    scratch.files(&folder).into_iter().map(content).collect()
+}
+
+/// The path of the only sweep in a folder.
+fn folder(scratch: &Scratch, out: &str) -> String {
+    scratch.path(&format!("{out}/{}", scratch.files(out)[0]))
+}
+
+fn parts(files: &BTreeMap<String, Vec<u8>>) -> Vec<&Vec<u8>> {
+    files.iter().filter(|(name, _)| name.starts_with("part-")).map(|(_, bytes)| bytes).collect()
+}
+
+/// All rows of the only sweep in a folder.
+fn rows(scratch: &Scratch, out: &str) -> Vec<BTreeMap<String, Field>> {
+    let files = files(scratch, out);
+    parts(&files).into_iter().flat_map(|part| read(part.clone()).0).collect()
+}
+
+fn text(field: &Field) -> &str {
+    if let Field::Str(text) = field { text } else { "" }
+}
+
+const GRID: &str = "chunk = 24\nquantities = [\"thickness\", \"thrust\", \"sliding_joint\"]\n[grid]\n\
+    half_opening = [0.5, \"80deg\", 2.3, 2.62]\nfriction = { from = 0.05, to = 1.2, steps = 12 }\n";
+
+#[test]
+fn each_row_of_a_grid_is_what_its_arch_has_alone() {
+    let scratch = planned(GRID);
+    let (code, out, _) = sweep(&scratch, "out", &[]);
+    assert_eq!(code, Some(0));
+    assert!(
+        out.ends_with(": 48 rows in 2 parts (2 computed, 0 kept): stands 24, falls 24\n"),
+        "{out}"
+    );
+    let rows = rows(&scratch, "out");
+    let mut sides = [0; 3];
+    for (place, row) in rows.iter().enumerate() {
+        assert_eq!(row["row"], Field::Long(place as i64));
+        let (weight, alpha, mu) =
+            (text(&row["weight"]), text(&row["half_opening"]), text(&row["friction"]));
+        let Answer::Stands(state) =
+            Arch::parse(weight, alpha, mu).unwrap().certify_alone(40).unwrap()
+        else {
+            assert_eq!((text(&row["verdict"]), &row["mode"]), ("falls", &Field::Null));
+            assert_eq!((&row["thickness"], &row["thickness_side"]), (&Field::Null, &Field::Null));
+            continue;
+        };
+        assert_eq!((text(&row["verdict"]), text(&row["mode"])), ("stands", state.mode.label()));
+        for (name, figure) in [
+            ("thickness", Some(&state.thickness)),
+            ("thrust", Some(&state.thrust)),
+            ("sliding_joint", state.sliding_joint.as_ref()),
+        ] {
+            let (value, side) = (&row[name], &row[&format!("{name}_side")]);
+            let Some(figure) = figure else {
+                assert_eq!((value, side), (&Field::Null, &Field::Null));
+                continue;
+            };
+            let (Field::Double(value), Field::Byte(side)) = (value, side) else {
+                panic!("{row:?}")
+            };
+            assert_eq!(value.to_bits(), figure.double.to_bits());
+            // Forty digits tell on which side of the double the value is.
+            let exact = Rational::from_f64(*value).unwrap();
+            let digits: couplet::number::ExactNumber =
+                figure.decimal.value.to_string().parse().unwrap();
+            assert_eq!(*side, digits.to_rational().cmp(&exact) as i8, "{name} {alpha} {mu}");
+            sides[(side + 1) as usize] += 1;
+        }
+        assert_eq!(row["reason"], Field::Null);
+    }
+    assert!(sides[0] > 5 && sides[2] > 5, "{sides:?}");
+}
+
+#[test]
+fn the_bytes_are_the_same_for_one_thread_for_more_and_in_shares() {
+    let scratch = planned(GRID);
+    sweep(&scratch, "one", &["--threads", "1"]);
+    sweep(&scratch, "more", &["--threads", "3"]);
+    for share in ["2/2", "1/2"] {
+        assert_eq!(sweep(&scratch, "shares", &["--only", share]).0, Some(0));
+    }
+    let one = files(&scratch, "one");
+    assert_eq!(parts(&one).len(), 2);
+    assert_eq!((&files(&scratch, "more"), &files(&scratch, "shares")), (&one, &one));
+    let name = scratch.files("one")[0].clone();
+    let plan = Sha256::digest(&one["_plan.json"]);
+    let hash: String = plan.iter().map(|byte| format!("{byte:02x}")).collect();
+    assert_eq!(name, format!("sweep-{}", &hash[..16]), "the name is the hash of the record");
+    let (_, notes) = read(parts(&one)[1].clone());
+    assert_eq!(
+        (notes["couplet.plan"].as_str(), notes["couplet.rows"].as_str()),
+        (&hash[..], "24..48")
+    );
+    assert_eq!(notes["couplet.schema"], "couplet.sweep/1");
+}
+
+#[test]
+fn what_is_missing_or_spoiled_is_computed_again_and_nothing_else() {
+    let scratch = planned("chunk = 5\n[sample]\ncount = 20\n");
+    sweep(&scratch, "out", &[]);
+    let whole = files(&scratch, "out");
+    let names: Vec<&String> = whole.keys().filter(|name| name.starts_with("part-")).collect();
+    let path = |place: usize| format!("{}/{}", folder(&scratch, "out"), names[place]);
+    fs::remove_file(path(0)).unwrap();
+    // Cut behind the footer's beginning, and a byte in the middle.
+    let content = &whole[names[1]];
+    fs::write(path(1), &content[..content.len() - 9]).unwrap();
+    let mut content = whole[names[2]].clone();
+    content[60] ^= 1;
+    fs::write(path(2), &content).unwrap();
+    let before = fs::metadata(path(3)).unwrap().modified().unwrap();
+    let (code, out, _) = sweep(&scratch, "out", &[]);
+    assert_eq!(code, Some(0));
+    assert!(out.contains("(3 computed, 1 kept)"), "{out}");
+    assert_eq!(files(&scratch, "out"), whole);
+    assert_eq!(fs::metadata(path(3)).unwrap().modified().unwrap(), before);
+}
+
+#[test]
+fn nothing_is_lost_when_a_worker_is_killed() {
+    let scratch = planned("chunk = 60\n[sample]\ncount = 1200\n");
+    let (plan, out) = (scratch.path("plan.toml"), scratch.path("out"));
+    let share =
+        |share: &str| start(&["sweep", &plan, "-o", &out, "--only", share, "--threads", "1"]);
+    let (mut killed, other) = (share("1/2"), share("2/2"));
+    let begun = Instant::now();
+    let is_begun = || {
+        let sweeps = scratch.files("out");
+        let names = sweeps.first().map(|name| scratch.files(&format!("out/{name}")));
+        // A part of an even number is of the first share.
+        let of_first =
+            |name: &String| name.as_bytes().get(12).is_some_and(|c| (c - b'0').is_multiple_of(2));
+        names.is_some_and(|names| {
+            names.iter().filter(|name| name.starts_with("part-")).any(of_first)
+        })
+    };
+    while !is_begun() && begun.elapsed() < Duration::from_secs(60) {
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    killed.kill().unwrap();
+    killed.wait().unwrap();
+    assert_eq!(other.wait_with_output().unwrap().status.code(), Some(0));
+    let (code, out, _) = sweep(&scratch, "out", &["--verify", "5"]);
+    assert_eq!(code, Some(0));
+    assert!(
+        out.contains("1200 rows in 20 parts are there and as the plan asks; 5 rows proved again"),
+        "{out}"
+    );
+    sweep(&scratch, "fresh", &[]);
+    let mut found = files(&scratch, "out");
+    // What the killed one was writing, if it was, is read by nobody and cleared later.
+    found.retain(|name, _| !name.starts_with(".couplet-"));
+    assert_eq!(found, files(&scratch, "fresh"));
+}
+
+#[test]
+#[cfg(unix)]
+fn a_full_disk_is_one_line_and_leaves_nothing_half_written() {
+    let scratch = planned("chunk = 200\n[sample]\ncount = 200\n");
+    // No file may have more than 8 blocks of 512 bytes or a kilobyte, as the shell has it; a part has more.
+    let line = "trap '' XFSZ; ulimit -f 8; exec \"$0\" sweep \"$1\" -o \"$2\" --threads 1";
+    let program = command(&[]).get_program().to_owned();
+    let mut limited = std::process::Command::new("sh");
+    limited.args(["-c", line]).arg(program).args([scratch.path("plan.toml"), scratch.path("out")]);
+    let (code, out, message) = said(&limited.output().unwrap());
+    assert_eq!((code, out.as_str()), (Some(3), ""), "{message}");
+    assert!(
+        message.starts_with("couplet: cannot write ") && message.lines().count() == 1,
+        "{message}"
+    );
+    assert_eq!(files(&scratch, "out").keys().collect::<Vec<_>>(), ["_plan.json"]);
+    assert_eq!(sweep(&scratch, "out", &[]).0, Some(0), "it goes on when there is room");
+}
+
+#[test]
+fn another_plan_is_another_sweep_and_the_first_stays() {
+    let scratch = planned(GRID);
+    sweep(&scratch, "out", &[]);
+    let first = files(&scratch, "out");
+    let name = scratch.files("out")[0].clone();
+    scratch.write("plan.toml", HEAD.to_owned() + &GRID.replace("2.62", "2.63"));
+    let (code, _, message) = sweep(&scratch, "out", &[]);
+    assert_eq!(code, Some(0));
+    assert!(
+        message.contains("other sweeps stay as they are") && message.contains(&name),
+        "{message}"
+    );
+    assert_eq!(scratch.files("out").len(), 2);
+    for (file, content) in &first {
+        assert_eq!(&fs::read(scratch.path(&format!("out/{name}/{file}"))).unwrap(), content);
+    }
+    // The first plan in other words finds its parts.
+    let words = "# As before.\n".to_owned() + HEAD + &GRID.replace("0.05", "\"0.05\"");
+    scratch.write("plan.toml", words);
+    assert!(
+        sweep(&scratch, "out", &[])
+            .1
+            .contains(&format!("{name}: 48 rows in 2 parts (0 computed, 2 kept)"))
+    );
+}
+
+#[test]
+fn a_sample_is_what_the_command_draws() {
+    let scratch = planned("chunk = 700\n[sample]\ncount = 1001\nseed = 5\nhard = true\n");
+    assert_eq!(sweep(&scratch, "out", &["--only", "2/2"]).0, Some(0));
+    let rows = rows(&scratch, "out");
+    let drawn = |seed: &str, count: &str| {
+        let sample = couplet(&["sample", "--hard", "--seed", seed, "--count", count]);
+        let sample = crate::program::text(&sample.stdout);
+        sample.lines().skip(1).map(str::to_owned).collect::<Vec<_>>()
+    };
+    let sample = [drawn("5", "1000"), drawn("6", "1")].concat();
+    assert_eq!(rows.len(), 301);
+    for (row, line) in rows.iter().zip(&sample[700..]) {
+        let cells = [text(&row["weight"]), text(&row["half_opening"]), text(&row["friction"])];
+        assert!(line.contains(&cells.join(",")), "{line} is not {cells:?}");
+    }
+}
+
+const TABLE: &str =
+    "id;alpha;mu\n1;80deg;0,6\n2;x;1\n3;1,2;\n4;\"1.3\n\";1\n\n5;2,5;inf\n6;1\n7;1;35deg\n";
+
+#[test]
+fn a_bad_row_is_a_row_and_a_bad_file_is_named() {
+    let scratch = planned(
+        "chunk = 2\n[data]\nfiles = [\"a.csv\", \"none.csv\", \"numpy.txt\", \"json\", \"thick\"]\n",
+    );
+    scratch.write("a.csv", TABLE);
+    scratch.write("numpy.txt", "# alpha mu\n0.5 0.6\n# A remark.\n\n1 nan\n1.5 0.7\n");
+    scratch.write("json", "[{\"alpha\": 1}]");
+    scratch.write("thick", "alpha,mu,eta\n1,1,1\n");
+    let (code, out, message) = sweep(&scratch, "out", &[]);
+    assert_eq!(code, Some(2));
+    assert!(out.contains("10 rows in 6 parts (6 computed, 0 kept): stands 6, refused 4"), "{out}");
+    let lines: Vec<&str> = message.lines().collect();
+    assert_eq!(lines[0], "couplet: none.csv: no such file or folder");
+    assert!(
+        lines[1].starts_with("couplet: json: it is JSON") && lines[2].contains("thick"),
+        "{message}"
+    );
+    assert_eq!(lines[3], "couplet: 3 files or pieces could not be read; the rest is there");
+    let rows = rows(&scratch, "out");
+    let told: Vec<(&str, i64, &str, &str)> = rows
+        .iter()
+        .map(|row| {
+            let Field::Long(line) = row["line"] else { panic!("{row:?}") };
+            (text(&row["file"]), line, text(&row["verdict"]), text(&row["reason"]))
+        })
+        .collect();
+    let expected = [
+        ("a.csv", 2, "stands", ""),
+        ("a.csv", 3, "refused", "'x' is not a number"),
+        ("a.csv", 4, "refused", "the friction is empty"),
+        ("a.csv", 5, "stands", ""),
+        ("a.csv", 8, "stands", ""),
+        ("a.csv", 9, "refused", "2 fields where the header has 3"),
+        ("a.csv", 10, "stands", ""),
+        ("numpy.txt", 2, "stands", ""),
+        ("numpy.txt", 5, "refused", "'nan' is not a friction"),
+        ("numpy.txt", 6, "stands", ""),
+    ];
+    for ((found, expected), place) in told.iter().zip(expected).zip(0..) {
+        assert_eq!((found.0, found.1, found.2), (expected.0, expected.1, expected.2));
+        assert!(
+            found.3.starts_with(expected.3) && found.3.is_empty() == expected.3.is_empty(),
+            "{found:?}"
+        );
+        assert_eq!(rows[place]["row"], Field::Long(place as i64));
+    }
+    assert_eq!(text(&rows[0]["friction"]), "0.6");
+    assert_eq!(text(&rows[1]["half_opening"]), "x");
+    // Another content of the same file is another sweep; and an opened one does not read it.
+    scratch.write("a.csv", TABLE.replace("80deg", "81deg"));
+    sweep(&scratch, "out", &[]);
+    assert_eq!(scratch.files("out").len(), 2);
+}
+
+#[test]
+fn a_file_that_changes_meanwhile_is_named_and_the_rest_goes_on() {
+    let scratch = planned("chunk = 1\n[data]\nfiles = [\"a.csv\", \"b.csv\"]\n");
+    for name in ["a.csv", "b.csv"] {
+        scratch.write(name, "alpha,mu\n1,1\n2,1\n");
+    }
+    sweep(&scratch, "out", &[]);
+    scratch.write("a.csv", "alpha,mu\n1,1\n2,3\n");
+    let looked = said(
+        &command(&["sweep", &folder(&scratch, "out")])
+            .current_dir(scratch.folder())
+            .output()
+            .unwrap(),
+    );
+    assert_eq!(looked.0, Some(1));
+    assert!(looked.2.contains("a.csv: it has changed since the sweep began"), "{}", looked.2);
+    assert!(looked.1.contains("3 rows in 3 parts are there"), "{}", looked.1);
+}
+
+/// Parquet written by `couplet` itself is read: doubles are the numbers that they are.
+#[test]
+fn a_parquet_file_is_read_like_the_table_of_its_numbers() {
+    let scratch = planned("chunk = 2\n[data]\nfiles = \"in.parquet\"\n");
+    let states = "alpha,mu\n0.5,0.6\n1/3,inf\nx,1\n1.5,tan(35deg)\n";
+    let written = crate::program::fed(&["states", "--format", "parquet", "--digits", "3"], states);
+    scratch.write("all.parquet", &written.stdout);
+    scratch.write("in.parquet", &written.stdout);
+    let (code, out, _) = sweep(&scratch, "out", &[]);
+    assert_eq!(code, Some(2));
+    assert!(out.contains("refused 1"), "{out}");
+    let rows = rows(&scratch, "out");
+    let third = rows.iter().find(|row| text(&row["half_opening"]) == "1/3").unwrap();
+    assert_eq!((text(&third["friction"]), text(&third["verdict"])), ("inf", "stands"));
+}
+
+#[test]
+fn what_was_forged_is_found() {
+    let scratch = planned(
+        "chunk = 50\n[grid]\nhalf_opening = 0.5\nfriction = { from = 0.15, to = 0.5, steps = 50 }\n",
+    );
+    sweep(&scratch, "out", &[]);
+    let home = folder(&scratch, "out");
+    let looked = || said(&couplet(&["sweep", &home, "--verify", "50"]));
+    let (code, out, message) = looked();
+    assert_eq!((code, message.as_str()), (Some(0), ""));
+    assert!(out.contains("50 rows proved again bit for bit, 20 of them certified"), "{out}");
+    let name = files(&scratch, "out").into_keys().find(|name| name.starts_with("part-")).unwrap();
+    let content = fs::read(format!("{home}/{name}")).unwrap();
+    let put = |name: &str, content: &[u8]| fs::write(format!("{home}/{name}"), content).unwrap();
+    let named = |content: &[u8]| {
+        let hash: String =
+            Sha256::digest(content).iter().map(|byte| format!("{byte:02x}")).collect();
+        format!("part-00000000-{}.parquet", &hash[..16])
+    };
+    // The last bit of a value, in a file with the name of its content.
+    let Some(Field::Double(value)) = read(content.clone()).0[49].get("thickness").cloned() else {
+        panic!()
+    };
+    let bytes = value.to_le_bytes();
+    let place = content.windows(8).position(|window| window == bytes).unwrap();
+    let mut forged = content.clone();
+    forged[place] ^= 1;
+    fs::remove_file(format!("{home}/{name}")).unwrap();
+    put(&named(&forged), &forged);
+    let (code, _, message) = looked();
+    assert_eq!(code, Some(1));
+    assert!(message.contains("its thickness is not what is proved"), "{message}");
+    fs::remove_file(format!("{home}/{}", named(&forged))).unwrap();
+    // Another content under the name, no part, a part twice, and a part that the sweep does not have.
+    put(&name, &forged);
+    assert!(looked().2.contains("part 0 is missing or spoiled"));
+    fs::remove_file(format!("{home}/{name}")).unwrap();
+    assert!(looked().2.contains("part 0 is missing or spoiled"));
+    put(&name, &content);
+    let mut twice = content.clone();
+    // Within the text of what wrote it, at the end.
+    let tool = twice.windows(8).rposition(|window| window == b"couplet ").unwrap();
+    twice[tool] = b'C';
+    put(&named(&twice), &twice);
+    assert!(looked().2.contains("does not belong here"));
+    let (code, _, message) = sweep(&scratch, "out", &[]);
+    assert_eq!(code, Some(2), "{message}");
+    assert!(message.contains("another build; take it away"), "{message}");
+    fs::rename(
+        format!("{home}/{}", named(&twice)),
+        format!("{home}/{}", name.replace("-00000000-", "-00000007-")),
+    )
+    .unwrap();
+    assert!(looked().2.contains("the sweep has no part 7"));
+}
+
+#[test]
+fn more_digits_are_there_as_text() {
+    let scratch = planned("digits = 20\n[grid]\nhalf_opening = \"80deg\"\nfriction = \"inf\"\n");
+    sweep(&scratch, "out", &[]);
+    let row = &rows(&scratch, "out")[0];
+    let state = ["state", "--alpha", "80deg", "--mu", "inf", "--digits", "20", "--quantity", "eta"];
+    let state = said(&couplet(&[&state[..], &["--plain"]].concat())).1;
+    assert_eq!(text(&row["thickness_text"]), state.trim());
+    assert_eq!(row["friction_double"], Field::Double(f64::INFINITY));
+}
+
+wrong_uses! {
+    a_share_that_is_none: ["sweep", "p.toml", "--only", "0/4"] => "a share is K/N, the K-th of N";
+    a_share_beyond: ["sweep", "p.toml", "--only", "5/4"] => "a share is K/N, the K-th of N";
+    no_plan: ["sweep"] => "PLAN";
+    a_folder_that_is_no_sweep: ["sweep", "/"] => "it is not the folder of a sweep";
+}
+
+#[test]
+fn faults_of_a_plan_are_told_with_their_places() {
+    let scratch = planned("weight = \"heymann\"\n[grid]\nhalf_opening = 1\n");
+    let (code, _, message) = sweep(&scratch, "out", &[]);
+    assert_eq!(code, Some(2));
+    assert!(message.contains("plan.toml:2:10: weight \"heymann\" is not one of"), "{message}");
+    assert!(message.contains("plan.toml:3:1: friction is missing"), "{message}");
+    assert!(message.ends_with("plan.toml has 2 errors; nothing was computed\n"), "{message}");
+    assert!(scratch.files("out").is_empty());
+    refused(&["sweep", &scratch.path(""), "-o", "x"], "", "--output belongs to a plan");
+}
+
+#[test]
+fn the_plans_of_the_page_are_plans() {
+    let page = include_str!("../../docs/sweeps.md");
+    let plans: Vec<&str> =
+        page.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
+    assert_eq!(plans.len(), 3);
+    for plan in plans {
+        assert!(couplet::scene::read_sweep(plan.as_bytes()).is_ok(), "{plan}");
+    }
+    let printed = said(&couplet(&["sweep", "--schema"])).1;
+    assert!(couplet::scene::read_sweep(printed.as_bytes()).is_ok());
+}
