@@ -1,7 +1,7 @@
 # `make` builds couplet and prints the landmark constants; `make test` runs every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build test lint docs msrv deny snapshots pictures constants states checker combinations crates examples exporters c header wheel page page-test bench peers \
+.PHONY: run build test lint docs msrv deny snapshots pictures constants states checker malachite combinations crates examples exporters c header wheel page page-test bench peers \
         proofs witness m4 coq
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
@@ -78,6 +78,14 @@ checker:
 	cargo build --release --locked --no-default-features --features check,cli --target-dir target/checker
 	@! cargo tree --locked --no-default-features --features check,cli -e normal,build | grep -E "rug|gmp-mpfr"
 	cargo test --locked --no-default-features --features check,cli --target-dir target/checker
+	@! cargo tree --locked --no-default-features --features check,cli -e normal,build | grep malachite
+	@! cargo tree --locked --no-default-features --features check,cli,malachite -e normal,build | grep -E "rug|gmp-mpfr"
+	cargo test --locked --no-default-features --features check,cli,malachite --target-dir target/checker
+
+# The tests that run over every arithmetic, with malachite among them: roundings beside MPFR's, enclosures, refusals.
+malachite: m4
+	cargo test --locked --features malachite --test it -- ends:: number_suite:: certificates:: second_arithmetic \
+	  constants:: checker::
 
 # Every sensible build without a warning, and what must not be in it.
 combinations: m4

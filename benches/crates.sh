@@ -9,7 +9,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
 echo "features crates seconds"
-for features in none check check,cli mpfr mpfr,study mpfr,proptest default default,plots default,parquet; do
+for features in none check check,malachite check,cli mpfr mpfr,study mpfr,proptest default default,plots default,parquet; do
     chosen="--locked --no-default-features --features=${features/none/}"
     # shellcheck disable=SC2086
     crates=$(cargo tree $chosen -e normal,build --prefix none --no-dedupe | awk '{print $1, $2}' | sort -u | wc -l)

@@ -16,6 +16,8 @@ mod visible;
 
 #[cfg(feature = "cli")]
 pub(crate) use crate::number::visible;
+#[cfg(feature = "malachite")]
+pub use checker::MALACHITE_DIGITS;
 pub use checker::{
     ASTRO_DIGITS, Accepted, EXTRA_BITS, MAX_DIGITS, WITNESS_BITS, check, check_certificate, verify,
 };

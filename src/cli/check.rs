@@ -1,6 +1,10 @@
 //! `couplet check`: also the whole of the small program.
 
 use super::failure::{Failure, print, reason};
+#[cfg(feature = "malachite")]
+use crate::check::MALACHITE_DIGITS;
+#[cfg(any(feature = "malachite", feature = "mpfr"))]
+use crate::check::check;
 use crate::check::{Accepted, MAX_DIGITS, Refusal, summary, verify, visible_name};
 use clap::Args;
 use std::ffi::{OsStr, OsString};
@@ -19,7 +23,8 @@ pub(super) struct Arguments {
     #[arg(value_name = "FILE", required = true)]
     files: Vec<OsString>,
 
-    /// Arithmetic: astro (pure Rust, up to 50000 digits) or mpfr (where it is built in).
+    /// Arithmetic: astro (pure Rust, shares nothing with MPFR, up to 50000 digits); where they are built in, mpfr, and
+    /// malachite (pure Rust, quicker than astro, up to 50000 digits; in part MPFR's algorithms, so no witness beside mpfr).
     #[arg(long, default_value = "astro", value_parser = engine)]
     engine: EngineChoice,
 }
@@ -27,6 +32,8 @@ pub(super) struct Arguments {
 #[derive(Clone, Copy)]
 enum EngineChoice {
     Astro,
+    #[cfg(feature = "malachite")]
+    Malachite,
     #[cfg(feature = "mpfr")]
     Mpfr,
 }
@@ -34,11 +41,32 @@ enum EngineChoice {
 fn engine(text: &str) -> Result<EngineChoice, String> {
     match text {
         "astro" => Ok(EngineChoice::Astro),
+        #[cfg(feature = "malachite")]
+        "malachite" => Ok(EngineChoice::Malachite),
         #[cfg(feature = "mpfr")]
         "mpfr" => Ok(EngineChoice::Mpfr),
-        #[cfg(not(feature = "mpfr"))]
-        "mpfr" => Err("mpfr is not built in; the arithmetic is astro".into()),
-        _ => Err("an arithmetic is one of astro, mpfr".into()),
+        _ if ["malachite", "mpfr"].contains(&text) => {
+            Err(format!("{text} is not built in; here are {BUILT_IN}"))
+        }
+        _ => Err(format!("an arithmetic is one of {BUILT_IN}")),
+    }
+}
+
+const BUILT_IN: &str = match (cfg!(feature = "malachite"), cfg!(feature = "mpfr")) {
+    (false, false) => "astro",
+    (false, true) => "astro, mpfr",
+    (true, false) => "astro, malachite",
+    (true, true) => "astro, malachite, mpfr",
+};
+
+impl EngineChoice {
+    /// What has to be known of an acceptance by this arithmetic.
+    fn remark(self) -> &'static str {
+        match self {
+            #[cfg(feature = "malachite")]
+            Self::Malachite => "  (by malachite, which is no witness beside mpfr)",
+            _ => "",
+        }
     }
 }
 
@@ -78,7 +106,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (mut refused, mut open) = (0, 0);
     for name in &arguments.files {
         let said = match verdict(name, arguments.engine) {
-            Verdict::Accepted(accepted) => format!("accepted  {}", summary(&accepted)),
+            Verdict::Accepted(accepted) => {
+                format!("accepted  {}{}", summary(&accepted), arguments.engine.remark())
+            }
             Verdict::Refused(reason) => {
                 refused += 1;
                 format!("refused: {reason}")
@@ -129,8 +159,12 @@ fn verdict(name: &OsStr, engine: EngineChoice) -> Verdict {
 fn checked(bytes: &[u8], engine: EngineChoice) -> Result<Accepted, Refusal> {
     match engine {
         EngineChoice::Astro => verify(bytes),
+        #[cfg(feature = "malachite")]
+        EngineChoice::Malachite => {
+            check::<crate::number::MalachiteInterval>(bytes, MALACHITE_DIGITS)
+        }
         #[cfg(feature = "mpfr")]
-        EngineChoice::Mpfr => crate::check::check::<crate::number::Ball>(bytes, MAX_DIGITS),
+        EngineChoice::Mpfr => check::<crate::number::Ball>(bytes, MAX_DIGITS),
     }
 }
 

@@ -15,10 +15,11 @@ pub(super) static LONG: LazyLock<String> = LazyLock::new(|| {
 });
 
 /// The features, and whether they are built in.
-const FEATURES: [(&str, bool); 8] = [
+const FEATURES: [(&str, bool); 9] = [
     ("mpfr", cfg!(feature = "mpfr")),
     ("system-gmp", cfg!(feature = "system-gmp")),
     ("check", cfg!(feature = "check")),
+    ("malachite", cfg!(feature = "malachite")),
     ("cli", cfg!(feature = "cli")),
     ("study", cfg!(feature = "study")),
     ("plots", cfg!(feature = "plots")),
@@ -33,10 +34,13 @@ fn arithmetic() -> String {
     let mpfr = [mpfr::VERSION_MAJOR, mpfr::VERSION_MINOR, mpfr::VERSION_PATCHLEVEL];
     let [gmp, mpfr] = [gmp, mpfr].map(|parts| parts.map(|part| part.to_string()).join("."));
     let from = if cfg!(feature = "system-gmp") { ", of the system or newer" } else { "" };
-    format!("GMP {gmp}, MPFR {mpfr}{from}; astro-float")
+    format!("GMP {gmp}, MPFR {mpfr}{from}; {PURE_RUST}")
 }
 
 #[cfg(not(feature = "mpfr"))]
 fn arithmetic() -> String {
-    "astro-float".to_owned()
+    PURE_RUST.to_owned()
 }
+
+const PURE_RUST: &str =
+    if cfg!(feature = "malachite") { "astro-float, malachite" } else { "astro-float" };

@@ -1,7 +1,7 @@
 //! The arithmetic a certificate is checked in.
 
-use super::Dyadic;
-use crate::number::{AstroInterval, DoubleBall, DoubleDoubleBall, Enclosure};
+use super::interval::{End, Interval};
+use super::{DoubleBall, DoubleDoubleBall, Dyadic, Enclosure};
 
 /// Enclosures that can be made from exact binary numbers.
 ///
@@ -27,7 +27,7 @@ pub trait Engine: Enclosure {
     }
 }
 
-impl Engine for AstroInterval {
+impl<E: End> Engine for Interval<E> {
     fn exact(value: &Dyadic, bits: usize) -> Self {
         Self::dyadic(value.is_negative(), value.words(), value.exponent(), bits)
     }

@@ -9,6 +9,7 @@
 //! | [`rug::Float`] | MPFR, round to nearest: candidates | [`Field`], [`Real`] |
 //! | [`Ball`] | MPFR midpoint and radius: enclosures | [`Field`], [`Real`], [`Enclosure`] |
 //! | [`AstroInterval`] | two astro-float ends, rounded outward: the second arithmetic | [`Field`], [`Real`], [`Enclosure`] |
+//! | `MalachiteInterval` (feature `malachite`) | the same with other ends: quicker, and not independent of MPFR | [`Field`], [`Real`], [`Enclosure`] |
 //! | [`rug::Rational`] | exact | [`Field`] |
 //! | [`Surd`] | `a + b√d`, exact | [`Field`] |
 //! | [`symbolic::Fraction`](crate::symbolic::Fraction) | a formula, exact | [`Field`] |
@@ -68,7 +69,10 @@ mod exact;
 mod gmp;
 mod gradient;
 mod halving;
+mod interval;
 mod jet;
+#[cfg(feature = "malachite")]
+mod malachite;
 #[cfg(feature = "mpfr")]
 mod short_ball;
 mod shown;
@@ -87,7 +91,7 @@ mod words;
 mod written;
 
 pub use angle::Angle;
-pub use astro::AstroInterval;
+pub use astro::{Astro, AstroInterval};
 #[cfg(feature = "check")]
 pub use decimal::{Decimal, ParseDecimalError};
 pub use double_ball::DoubleBall;
@@ -112,7 +116,10 @@ pub use gmp::{
     rational_like, rounded_double, terminating,
 };
 pub use gradient::Gradient;
+pub use interval::{Direction, End, Interval};
 pub use jet::Jet;
+#[cfg(feature = "malachite")]
+pub use malachite::{Malachite, MalachiteInterval};
 #[cfg(feature = "mpfr")]
 pub use short_ball::ShortBall;
 pub use shown::{shown, visible};

@@ -1,7 +1,7 @@
 //! The certificates in `proofs/constants` and `proofs/states` are accepted, and are those that the program makes.
 
 use couplet::arch::SelfWeight;
-use couplet::check::check;
+use couplet::check::{Accepted, check};
 use couplet::number::AstroInterval;
 use couplet::problem::Landmark;
 use couplet::problem::Problem;
@@ -14,12 +14,22 @@ fn stored(folder: &str) -> Vec<PathBuf> {
     files.filter(|path| path.extension().is_some_and(|e| e == "json")).collect()
 }
 
+fn accepted(text: &str) -> Accepted {
+    let accepted = check::<AstroInterval>(text.as_bytes(), 1000).unwrap();
+    #[cfg(feature = "malachite")]
+    {
+        let others = check::<couplet::number::MalachiteInterval>(text.as_bytes(), 1000);
+        assert_eq!(others.as_ref(), Ok(&accepted));
+    }
+    accepted
+}
+
 #[test]
 fn every_landmark_has_an_accepted_certificate() {
     let mut subjects: Vec<(Landmark, SelfWeight)> = Vec::new();
     for path in stored("constants") {
         let text = fs::read_to_string(&path).unwrap();
-        let accepted = check::<AstroInterval>(text.as_bytes(), 1000).unwrap();
+        let accepted = accepted(&text);
         let Problem::Landmark { landmark, weight } = accepted.problem else { panic!("{path:?}") };
         #[cfg(feature = "mpfr")]
         {
@@ -41,7 +51,7 @@ fn every_landmark_has_an_accepted_certificate() {
 fn the_stored_states_are_those_that_the_program_makes() {
     for path in stored("states") {
         let text = fs::read_to_string(&path).unwrap();
-        let accepted = check::<AstroInterval>(text.as_bytes(), 1000).unwrap();
+        let accepted = accepted(&text);
         let (Problem::State { arch, .. } | Problem::Verdict { arch, .. }) = accepted.problem else {
             panic!("{path:?}")
         };

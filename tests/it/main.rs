@@ -16,8 +16,6 @@ mod snapshot;
 mod tool;
 
 #[cfg(feature = "mpfr")]
-mod astro_bits;
-#[cfg(feature = "mpfr")]
 mod branches;
 #[cfg(feature = "mpfr")]
 mod certificates;
@@ -35,6 +33,8 @@ mod coq;
 mod door;
 #[cfg(all(feature = "mpfr", feature = "cli"))]
 mod draw;
+#[cfg(feature = "mpfr")]
+mod ends;
 #[cfg(all(feature = "mpfr", feature = "cli"))]
 mod export;
 #[cfg(feature = "mpfr")]

@@ -3,7 +3,6 @@
 mod anchor;
 mod arctangent;
 mod arctangents;
-mod astro;
 mod ball;
 mod binary;
 mod burst;
@@ -13,6 +12,7 @@ mod degrees;
 mod expansion;
 mod gaussian;
 mod hexadecimal;
+mod interval;
 mod lattice;
 mod magnitude;
 mod mpfr;
@@ -40,4 +40,4 @@ pub use rounded::{Rounded, bits_of, terminating};
 pub use rounded_double::rounded_double;
 pub use surd::Surd;
 
-use super::{Angle, AstroInterval, Decimal, Enclosure, ExactField, Field, Real, Ternary};
+use super::{Angle, Decimal, Enclosure, ExactField, Field, Real, Ternary};

@@ -1,6 +1,6 @@
 //! A claim that is none is told.
 
-use super::originals::{both, state};
+use super::originals::{alike, state};
 use super::refusals::{Cases, MAX_DIGITS, Original, Spoiled, arch, point};
 use couplet::check::Refusal;
 use serde_json::json;
@@ -162,6 +162,6 @@ refusals! {
 fn another_landmark_has_other_unknowns() {
     let mut copy = point().0.clone();
     copy["claim"]["landmark"] = json!("S");
-    let mismatch = both(copy.to_string().as_bytes(), MAX_DIGITS);
+    let mismatch = alike(copy.to_string().as_bytes(), MAX_DIGITS);
     assert!(matches!(mismatch, Err(Refusal::Mismatch { place: "unknowns", .. })), "{mismatch:?}");
 }

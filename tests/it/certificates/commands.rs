@@ -107,7 +107,7 @@ fn a_file_without_a_name_cannot_be_read() {
 
 wrong_uses! {
     no_file_to_check: ["check"] => "FILE";
-    an_engine_that_is_none: ["check", "--engine", "gmp", "T.json"] => "one of astro, mpfr";
+    an_engine_that_is_none: ["check", "--engine", "gmp", "T.json"] => "one of astro, ";
     digits_for_a_check: ["check", "--digits", "5", "T.json"] => "--digits";
     nothing_to_certify: ["certify"] => "SUBJECT";
     a_subject_that_is_none: ["certify", "Q"] => "one of T, S, J, B, l, L, sb";

@@ -1,6 +1,6 @@
 //! What is no certificate is told with its place.
 
-use super::originals::both;
+use super::originals::alike;
 use super::refusals::{Cases, MAX_DIGITS, Original, Spoiled, arch, point};
 use couplet::check::Refusal;
 use serde_json::{Value, json};
@@ -195,8 +195,8 @@ fn long_lists() -> Cases {
 fn one_byte_order_mark_is_no_part_of_the_file() {
     let plain = point().0.to_string();
     let marked = format!("\u{feff}{plain}");
-    assert_eq!(both(marked.as_bytes(), MAX_DIGITS), both(plain.as_bytes(), MAX_DIGITS));
-    assert!(both(plain.as_bytes(), MAX_DIGITS).is_ok());
+    assert_eq!(alike(marked.as_bytes(), MAX_DIGITS), alike(plain.as_bytes(), MAX_DIGITS));
+    assert!(alike(plain.as_bytes(), MAX_DIGITS).is_ok());
 }
 
 /// The table above leaves out each field of each object, but for the landmark, without which a claim may

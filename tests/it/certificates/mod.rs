@@ -1,4 +1,4 @@
-//! Certificates and their spoiled copies: each is refused for exactly its reason, in both arithmetics.
+//! Certificates and their spoiled copies: each is refused for exactly its reason, in every arithmetic.
 
 #[macro_use]
 mod refusals;
@@ -24,7 +24,7 @@ use couplet::arch::SelfWeight;
 use couplet::certify::certify_landmark;
 use couplet::check::Refusal;
 use couplet::problem::{Landmark, Problem};
-use originals::{both, landmark, state};
+use originals::{alike, landmark, state};
 use refusals::MAX_DIGITS;
 use std::collections::BTreeSet;
 
@@ -98,7 +98,7 @@ fn the_originals_are_accepted() {
     for base in
         [landmark("T"), landmark("l"), landmark("sb"), state("2.45", "1.35"), state("2.5", "inf")]
     {
-        both(base.to_string().as_bytes(), MAX_DIGITS).unwrap();
+        alike(base.to_string().as_bytes(), MAX_DIGITS).unwrap();
     }
 }
 
@@ -108,7 +108,7 @@ fn every_landmark_at_60_digits_is_accepted_and_fewer_digits_too() {
         for weight in SelfWeight::ALL {
             for digits in [1, 2, 3, 60] {
                 let certificate = certify_landmark(landmark, weight, digits).unwrap();
-                let accepted = both(&serde_json::to_vec(&certificate).unwrap(), digits).unwrap();
+                let accepted = alike(&serde_json::to_vec(&certificate).unwrap(), digits).unwrap();
                 assert_eq!(accepted.problem, Problem::Landmark { landmark, weight });
                 assert_eq!(
                     (accepted.digits, accepted.values.len()),

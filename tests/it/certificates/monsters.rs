@@ -1,7 +1,7 @@
 //! Files that are large, deep or large in what they ask for: refused quickly, in few words and with
 //! little memory.
 
-use super::originals::{both, landmark, state};
+use super::originals::{alike, landmark, state};
 use couplet::check::{Refusal, check};
 use couplet::number::AstroInterval;
 use cpu_time::ThreadTime;
@@ -40,7 +40,7 @@ fn is_refused(name: &str, bytes: &[u8]) {
     let took = start.elapsed();
     assert!(took < Duration::from_secs(2), "{name}: {took:?}");
     assert!(refusal.len() < 400 && !refusal.contains(char::is_control), "{name}: {refusal}");
-    assert_eq!(both(bytes, MAX_DIGITS).unwrap_err().to_string(), refusal, "{name}");
+    assert_eq!(alike(bytes, MAX_DIGITS).unwrap_err().to_string(), refusal, "{name}");
 }
 
 /// One test for each monster, and the list of all.
@@ -113,12 +113,12 @@ monsters! {
 fn a_long_name_of_the_tool_is_accepted() {
     let mut copy = landmark("L").clone();
     copy["tool"] = json!(long());
-    both(copy.to_string().as_bytes(), MAX_DIGITS).unwrap();
+    alike(copy.to_string().as_bytes(), MAX_DIGITS).unwrap();
 }
 
 #[test]
 fn a_file_of_spaces_is_refused() {
-    assert!(matches!(both(&vec![b' '; 1 << 24], MAX_DIGITS), Err(Refusal::Format(_))));
+    assert!(matches!(alike(&vec![b' '; 1 << 24], MAX_DIGITS), Err(Refusal::Format(_))));
 }
 
 /// The program refuses them all with a quarter of a gigabyte.

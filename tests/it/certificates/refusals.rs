@@ -1,6 +1,6 @@
 //! A table of spoiled certificates: one test for each, which names why it has to be refused.
 
-use super::originals::{both, landmark, state};
+use super::originals::{alike, landmark, state};
 use couplet::check::Refusal;
 use serde_json::Value;
 
@@ -67,10 +67,10 @@ impl Original {
 /// Spoiled copies of one kind with their reasons.
 pub(super) type Cases = Vec<(Spoiled, Refusal)>;
 
-/// Both arithmetics refuse each copy for exactly its reason.
+/// Every arithmetic refuses each copy for exactly its reason.
 pub(super) fn refused(cases: Cases) {
     for (Spoiled { what, bytes }, expected) in cases {
-        let found = both(&bytes, MAX_DIGITS).expect_err(&what);
+        let found = alike(&bytes, MAX_DIGITS).expect_err(&what);
         match (&found, &expected) {
             // The place in the file and the types expected are serde's words.
             (Refusal::Format(found), Refusal::Format(expected)) => {

@@ -1,6 +1,6 @@
 //! Every size is looked at.
 
-use super::originals::both;
+use super::originals::alike;
 use super::refusals::{Cases, MAX_DIGITS, point};
 use couplet::check::Refusal;
 use serde_json::{Value, json};
@@ -43,7 +43,7 @@ fn the_last_bit_that_is_allowed_is_accepted() {
     for (whole, _, bits) in LARGEST {
         let mut copy = point().0.clone();
         *copy.pointer_mut(whole).unwrap() = longer(whole, bits);
-        let accepted = both(copy.to_string().as_bytes(), MAX_DIGITS);
+        let accepted = alike(copy.to_string().as_bytes(), MAX_DIGITS);
         accepted.unwrap_or_else(|refusal| panic!("{whole}: {refusal}"));
     }
 }

@@ -1,13 +1,13 @@
 //! Whatever is done to a certificate: what is still accepted is still true.
 
-use super::originals::{both, landmark, state, verdict};
+use super::originals::{alike, answers, landmark, state, verdict};
 use super::spoiler::{Step, spoil, spoil_bytes};
 use crate::hard::config;
 use couplet::arch::SelfWeight;
 use couplet::certify::state::{Answer, Certify, Fall};
 use couplet::certify::{CertifiedLandmark, Value as Constant};
-use couplet::check::{Accepted, check};
-use couplet::number::{AstroInterval, Ball, ExactNumber, Rounded};
+use couplet::check::Accepted;
+use couplet::number::{ExactNumber, Rounded};
 use couplet::problem::{Landmark, Problem, Quantity, Verdict};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
@@ -92,7 +92,7 @@ fn is_so(problem: &Problem) -> bool {
 /// Whether one of the arithmetics accepts it (at the edge one may and the other not); if so, every value
 /// has to be the right one.
 fn accepted_and_true(bytes: &[u8]) -> bool {
-    let verdicts = [check::<AstroInterval>(bytes, MAX_DIGITS), check::<Ball>(bytes, MAX_DIGITS)];
+    let verdicts = answers(bytes, MAX_DIGITS);
     let Some(accepted) = verdicts.into_iter().find_map(Result::ok) else { return false };
     assert!(is_so(&accepted.problem), "{:?}", accepted.problem);
     for (quantity, text) in &accepted.values {
@@ -164,7 +164,7 @@ fn what_is_accepted_after_changes_of_bytes_is_true() {
 /// The right values of another claim are not those of this one.
 #[test]
 fn the_oracle_sees_what_is_false() {
-    let accepted = both(landmark("T").to_string().as_bytes(), MAX_DIGITS).unwrap();
+    let accepted = alike(landmark("T").to_string().as_bytes(), MAX_DIGITS).unwrap();
     let (quantity, text) = &accepted.values[0];
     assert_eq!(truth(&accepted, *quantity), Some(decimal(text)));
     let fewer = Accepted { digits: accepted.digits - 1, ..accepted.clone() };

@@ -1,6 +1,6 @@
 //! Certificates of the other verdicts, and their spoiled copies.
 
-use super::originals::{both, verdict};
+use super::originals::{alike, verdict};
 use super::refusals::{Cases, MAX_DIGITS, Original, Spoiled};
 use crate::arches::{H, arch};
 #[cfg(feature = "cli")]
@@ -224,7 +224,7 @@ refusals! {
 #[test]
 fn the_originals_are_accepted() {
     for original in all() {
-        both(original.0.to_string().as_bytes(), MAX_DIGITS).unwrap();
+        alike(original.0.to_string().as_bytes(), MAX_DIGITS).unwrap();
     }
     for (original, nearest) in [
         (stands(), "haunch"),
@@ -245,7 +245,7 @@ fn around_its_limit_a_claim_is_accepted_on_one_side_only() {
         let semicircle = arch(weight, "pi/2", "0.38");
         for thickness in ["0.1", "0.1221", "0.1223", "0.2"] {
             let made = certify_arch(&semicircle, Some(&number(thickness)), 5).unwrap();
-            let accepted = both(&serde_json::to_vec(&made).unwrap(), MAX_DIGITS).unwrap();
+            let accepted = alike(&serde_json::to_vec(&made).unwrap(), MAX_DIGITS).unwrap();
             let Problem::Verdict { verdict, .. } = accepted.problem else { panic!("{thickness}") };
             let stands = matches!(verdict, Verdict::Stands(_));
             assert_eq!(stands, made.claim.stands.is_some(), "{thickness}");
@@ -320,7 +320,7 @@ fn what_is_certified_is_said() {
 fn an_arch_next_to_half_a_turn_has_a_certificate() {
     let arch = arch(H, "0.99999999999999999999999999999999999999999pi", "1");
     let certificate = certify_arch(&arch, None, 10).unwrap();
-    let accepted = both(&serde_json::to_vec(&certificate).unwrap(), MAX_DIGITS).unwrap();
+    let accepted = alike(&serde_json::to_vec(&certificate).unwrap(), MAX_DIGITS).unwrap();
     assert!(matches!(accepted.problem, Problem::Verdict { verdict: Verdict::TooWide, .. }));
 }
 

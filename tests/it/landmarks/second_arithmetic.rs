@@ -1,15 +1,25 @@
-//! The proof of every landmark once more in the second arithmetic.
+//! The proof of every landmark once more in intervals.
 
 use super::certified;
 use couplet::arch::{Configuration, SelfWeight};
 use couplet::check::krawczyk;
-use couplet::number::{AstroInterval, Ball, Field};
+use couplet::number::{Astro, Ball, End, Field, Interval};
 use couplet::problem::{Landmark, System};
 use rug::Float;
 
-/// Krawczyk over astro-float intervals, on boxes around the ball midpoints; the images overlap the balls.
 #[test]
 fn the_second_arithmetic_proves_the_same_points() {
+    the_same_points::<Astro>();
+}
+
+#[cfg(feature = "malachite")]
+#[test]
+fn malachite_proves_the_same_points() {
+    the_same_points::<couplet::number::Malachite>();
+}
+
+/// Krawczyk over intervals, on boxes around the ball midpoints; the images overlap the balls.
+fn the_same_points<E: End>() {
     const PREC: usize = 256;
     for landmark in Landmark::ALL {
         for weight in SelfWeight::ALL {
@@ -18,9 +28,8 @@ fn the_second_arithmetic_proves_the_same_points() {
             let refined = point.enclosure(PREC as u32 + 64).unwrap();
             let values: Vec<Ball> =
                 system.unknowns.iter().map(|&u| refined.value(u).unwrap()).collect();
-            let image = astro_image(&system, &values, PREC).unwrap_or_else(|| {
-                panic!("{landmark:?} {weight:?} is not proved by the second arithmetic")
-            });
+            let image = image_in::<E>(&system, &values, PREC)
+                .unwrap_or_else(|| panic!("{landmark:?} {weight:?} is not proved"));
             for (ball, interval) in values.iter().zip(&image) {
                 let (low, high) = interval.ends().unwrap();
                 assert!(ball.lower() <= high && low <= ball.upper(), "{landmark:?} {weight:?}");
@@ -29,13 +38,13 @@ fn the_second_arithmetic_proves_the_same_points() {
             // A false twin: a box that does not hold the root is refused.
             let moved: Vec<Ball> =
                 values.iter().map(|x| x.clone() + x.clone() * x.ratio(1, 1 << 20)).collect();
-            assert!(astro_image(&system, &moved, PREC).is_none(), "{landmark:?} {weight:?}");
+            assert!(image_in::<E>(&system, &moved, PREC).is_none(), "{landmark:?} {weight:?}");
         }
     }
 }
 
-fn astro_image(system: &System, values: &[Ball], prec: usize) -> Option<Vec<AstroInterval>> {
-    let interval = |low: &Float, high: &Float| AstroInterval::between(low, high, prec);
+fn image_in<E: End>(system: &System, values: &[Ball], prec: usize) -> Option<Vec<Interval<E>>> {
+    let interval = |low: &Float, high: &Float| Interval::between(low, high, prec);
     let mid = |x: &Ball| Float::with_val(128, x.mid());
     let centre: Vec<_> = values.iter().map(|x| interval(&mid(x), &mid(x))).collect();
     let radius = Float::with_val(128, 1) >> 100;
@@ -57,7 +66,7 @@ fn astro_image(system: &System, values: &[Ball], prec: usize) -> Option<Vec<Astr
         .into_iter()
         .map(|row| row.into_iter().map(|y| interval(&y, &y)).collect())
         .collect();
-    let given = || Configuration::zero(&AstroInterval::integer(0, prec));
+    let given = || Configuration::zero(&Interval::integer(0, prec));
     let residuals = system.residuals(&system.place(given(), &centre));
     let slopes = system.residuals(&system.variables(&system.place(given(), &domain)));
     let image = krawczyk::image(&centre, &residuals, &slopes, &preconditioner, &domain);

@@ -3,8 +3,13 @@
 
 use super::sample::Sample;
 use crate::hard::{config, hard_rational};
-use couplet::number::{AstroInterval, Ball, Dual, Enclosure, Field, Magnitude, Real, Ternary};
+#[cfg(feature = "malachite")]
+use couplet::number::Malachite;
+use couplet::number::{
+    Astro, Ball, Dual, Enclosure, End, Field, Interval, Magnitude, Real, Ternary,
+};
 use proptest::prelude::*;
+use rug::float::Constant;
 use rug::{Float, Rational};
 
 /// All elementary results of two exact arguments, in one enclosure type.
@@ -39,6 +44,59 @@ fn any_float(bits: u32) -> impl Strategy<Value = Float> {
     )
 }
 
+/// Multiples of a quarter turn to some bits, and numbers of any size that are none.
+fn hard_angle() -> impl Strategy<Value = Float> {
+    let quarters = (1u32..60, 8u32..900, -3i32..=3).prop_map(|(n, bits, ulps)| {
+        let mut x = Float::with_val(bits, Float::with_val(bits + 64, Constant::Pi) * n / 2u32);
+        for _ in 0..ulps.abs() {
+            if ulps < 0 { x.next_down() } else { x.next_up() }
+        }
+        x
+    });
+    let tiny = (any_float(100), 0i32..3000).prop_map(|(x, shift)| x >> shift);
+    let large = (any_float(100), 0i32..300).prop_map(|(x, shift)| x << shift);
+    prop_oneof![quarters, any_float(128), tiny, large]
+}
+
+fn overlaps_a_ball<E: End>(x: &Float, y: &Float, prec: usize) -> Result<(), TestCaseError> {
+    let (a, b) = (Ball::exact(x.clone(), prec as u32), Ball::exact(y.clone(), prec as u32));
+    let (c, d) = (Interval::<E>::between(x, x, prec), Interval::<E>::between(y, y, prec));
+    for (index, (ball, interval)) in results(&a, &b).iter().zip(results(&c, &d)).enumerate() {
+        let Some((low, high)) = interval.ends() else {
+            prop_assert!(!ball.is_bounded(), "{index} {x} {y}");
+            continue;
+        };
+        prop_assert!(
+            ball.lower() <= high && low <= ball.upper(),
+            "{index} {x} {y}: {ball:?} {low} {high}"
+        );
+    }
+    Ok(())
+}
+
+/// The sines of both ends and of the middle of an interval, or of a point, lie in its image; that of a point is narrow.
+fn holds_the_sines<E: End>(x: &Float, wide: Option<i32>, bits: usize) -> Result<(), TestCaseError> {
+    let far = Float::with_val(4000, wide.map_or(0, |_| 1)) >> wide.unwrap_or(0);
+    let end = Float::with_val(4000, x + &far);
+    let (sin, cos) = Interval::<E>::between(x, &end, bits).sin_cos();
+    let images = [sin.ends().unwrap(), cos.ends().unwrap()];
+    for x in [x.clone(), Float::with_val(4000, x + Float::with_val(4000, &far / 2)), end] {
+        let truths = [Float::with_val(4000, x.sin_ref()), Float::with_val(4000, x.cos_ref())];
+        for ((low, high), truth) in images.iter().zip(truths) {
+            prop_assert!(*low <= truth && truth <= *high, "{x} {bits}: {low} {high}");
+            let width = Float::with_val(64, high - low);
+            let is_large = x.get_exp().is_some_and(|e| e > bits as i32 + 64);
+            let narrow = Float::with_val(64, truth.abs() >> (bits as i32 - 2));
+            prop_assert!(wide.is_some() || is_large || width <= narrow, "{x} {bits}: {low} {high}");
+        }
+    }
+    Ok(())
+}
+
+fn is_less<E: End>(x: &Rational, y: &Rational) -> Ternary {
+    Interval::<E>::enclosing(x, 64).is_less_than(&Interval::enclosing(y, 64))
+}
+
 proptest! {
     #![proptest_config(config(400))]
 
@@ -56,19 +114,20 @@ proptest! {
         }
     }
 
-    /// Two arithmetics that share nothing agree.
+    /// Arithmetics that share nothing agree.
     #[test]
-    fn both_arithmetics_overlap(x in any_float(128), y in any_float(128), words in 1usize..12) {
-        let prec = 64 * words;
-        let (a, b) = (Ball::exact(x.clone(), prec as u32), Ball::exact(y.clone(), prec as u32));
-        let (c, d) = (AstroInterval::between(&x, &x, prec), AstroInterval::between(&y, &y, prec));
-        for (index, (ball, interval)) in results(&a, &b).iter().zip(results(&c, &d)).enumerate() {
-            let Some((low, high)) = interval.ends() else {
-                prop_assert!(!ball.is_bounded(), "{index} {x} {y}");
-                continue;
-            };
-            prop_assert!(ball.lower() <= high && low <= ball.upper(), "{index} {x} {y}: {ball:?} {low} {high}");
-        }
+    fn all_arithmetics_overlap(x in any_float(128), y in any_float(128), words in 1usize..12) {
+        overlaps_a_ball::<Astro>(&x, &y, 64 * words)?;
+        #[cfg(feature = "malachite")]
+        overlaps_a_ball::<Malachite>(&x, &y, 64 * words - 63 + words * words)?;
+    }
+
+    /// Next to a multiple of a quarter turn by any number of bits, and anywhere else.
+    #[test]
+    fn sines_of_all_arithmetics_overlap(x in hard_angle(), bits in 64usize..1500, wide in prop_oneof![Just(None), (0i32..90).prop_map(Some)]) {
+        holds_the_sines::<Astro>(&x, wide, bits)?;
+        #[cfg(feature = "malachite")]
+        holds_the_sines::<Malachite>(&x, wide, bits)?;
     }
 
     /// Wide arguments: the image of every number inside lies in the image of the ball.
@@ -95,7 +154,9 @@ proptest! {
     #[test]
     fn decided_comparisons_are_true(x in hard_rational(), y in hard_rational()) {
         let ball = Ball::enclosing(&x, 80).is_less_than(&Ball::enclosing(&y, 80));
-        let astro = AstroInterval::enclosing(&x, 64).is_less_than(&AstroInterval::enclosing(&y, 64));
+        let astro = is_less::<Astro>(&x, &y);
+        #[cfg(feature = "malachite")]
+        prop_assert_eq!(astro, is_less::<Malachite>(&x, &y));
         for answer in [ball, astro] {
             match answer {
                 Ternary::True => prop_assert!(x < y),
@@ -140,7 +201,7 @@ fn a_divisor_that_holds_zero_gives_the_whole_line() {
 fn a_huge_argument_of_sine_is_refused_quickly() {
     let x: Float = Float::with_val(64, 1) << 500_000_000;
     let ball = Ball::exact(x.clone(), 64).sin_cos();
-    let interval = AstroInterval::between(&x, &x, 64).sin_cos();
+    let interval = Interval::<Astro>::between(&x, &x, 64).sin_cos();
     assert!(ball.0.contains(&Rational::from(1)) && ball.0.contains(&Rational::from(-1)));
     assert_eq!(interval.0.ends().unwrap().0, -1);
 }

@@ -58,7 +58,8 @@ fn real_functions<T: Sample + Real>(slope: Slope, x: &Rational) {
 }
 
 macro_rules! suite {
-    ($($name:ident: $type:ty, $slope:expr $(, $real:ident)?;)*) => {$(
+    ($($(#[$only:meta])? $name:ident: $type:ty, $slope:expr $(, $real:ident)?;)*) => {$(
+        $(#[$only])?
         mod $name {
             use super::*;
 
@@ -104,6 +105,8 @@ suite! {
     double_ball: DoubleBall, Slope::None, real_functions;
     double_double_ball: DoubleDoubleBall, Slope::None, real_functions;
     astro: AstroInterval, Slope::None, real_functions;
+    #[cfg(feature = "malachite")]
+    malachite: couplet::number::MalachiteInterval, Slope::None, real_functions;
     rational: Rational, Slope::None;
     dual_of_balls: Dual<Ball>, Slope::One, real_functions;
     dual_of_double_balls: Dual<DoubleBall>, Slope::One, real_functions;

@@ -1,7 +1,7 @@
 //! How every number type is made and compared.
 
 use couplet::number::{
-    AstroInterval, Ball, DoubleBall, DoubleDoubleBall, Dual, Enclosure, ExactNumber, Field,
+    Ball, DoubleBall, DoubleDoubleBall, Dual, Enclosure, End, ExactNumber, Field, Interval,
 };
 use rug::{Float, Rational};
 
@@ -58,9 +58,9 @@ impl Sample for Ball {
     }
 }
 
-impl Sample for AstroInterval {
+impl<E: End> Sample for Interval<E> {
     fn sample(value: &Rational) -> Self {
-        AstroInterval::enclosing(value, BITS as usize)
+        Interval::enclosing(value, BITS as usize)
     }
     fn agrees(&self, other: &Self) -> bool {
         self.overlaps(other)

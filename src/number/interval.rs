@@ -1,0 +1,537 @@
+//! Intervals: all numbers from one end to another, each end rounded outward.
+//!
+//! What an interval is and how its ends combine is written once, here; what an [`End`] is, and who rounds it, in a file
+//! for each arithmetic. A failure, or an end on the wrong side, becomes the whole line.
+
+use super::halving::Halving;
+use super::{Enclosure, Field, Real, Ternary};
+use std::cmp::Ordering;
+use std::fmt::Debug;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Which way a number that does not fit is rounded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// To the next number below.
+    Down,
+    /// To the next number above.
+    Up,
+}
+
+use Direction::{Down, Up};
+
+/// A floating-point number that may stand at an end of an interval, infinite or not.
+///
+/// Each operation has the precision of its result, in bits, and its direction: the answer is at most the true one if that
+/// is [`Direction::Down`], at least the true one if it is [`Direction::Up`], and no number at all where there is none. Too
+/// large or too small for an exponent makes no exception. More bits than those asked for do no harm.
+pub trait End: Clone + Debug {
+    /// From so many bits on sines are computed by products, which are quicker than what the arithmetic has.
+    const HALVED: usize;
+
+    /// An end of the whole line.
+    fn infinite(negative: bool) -> Self;
+
+    /// The number `± mantissa * 2^exponent`, exactly; the mantissa in words, the least significant first and the last not
+    /// zero. `None` where its size is too large or too small for a number.
+    fn dyadic(negative: bool, mantissa: &[u64], exponent: i32) -> Option<Self>;
+
+    /// Sign, mantissa and exponent, as they are given to [`End::dyadic`]; zero has no words. `None` for what is not finite.
+    fn parts(&self) -> Option<(bool, Vec<u64>, i32)>;
+
+    /// Which of two is the larger; `None` if one of them is no number.
+    fn order(&self, other: &Self) -> Option<Ordering>;
+
+    /// Where it lies from zero; `None` if it is no number.
+    fn sign(&self) -> Option<Ordering>;
+
+    /// Whether it is a number and not infinite.
+    fn is_finite(&self) -> bool;
+
+    /// The least power of two above its size; `None` for zero and for what is not finite.
+    fn exponent(&self) -> Option<i64>;
+
+    /// The one of two that lies on the side given of the other; no number if one of them is none.
+    fn beyond(self, other: &Self, side: Ordering) -> Self {
+        match self.order(other) {
+            Some(order) if order == side => self,
+            None if self.sign().is_none() => self,
+            _ => other.clone(),
+        }
+    }
+
+    /// The number on the other side of zero.
+    fn negated(&self) -> Self;
+
+    /// The same number if it has at most so many bits; rounded otherwise.
+    fn rounded(&self, prec: usize, to: Direction) -> Self;
+
+    /// `self + other`.
+    fn plus(&self, other: &Self, prec: usize, to: Direction) -> Self;
+
+    /// `self - other`.
+    fn minus(&self, other: &Self, prec: usize, to: Direction) -> Self;
+
+    /// `self * other`.
+    fn times(&self, other: &Self, prec: usize, to: Direction) -> Self;
+
+    /// `self / other`.
+    fn over(&self, other: &Self, prec: usize, to: Direction) -> Self;
+
+    /// The square root; no number below zero.
+    fn root(&self, prec: usize, to: Direction) -> Self;
+
+    /// The constant `pi`.
+    fn pi(prec: usize, to: Direction) -> Self;
+
+    /// A number below and one above its sine, and the same of its cosine; `None` where it fails. Neither tiny nor much
+    /// longer than its bits ([`Interval`] asks for nothing else).
+    fn sin_cos(&self, prec: usize) -> Option<[(Self, Self); 2]>;
+}
+
+/// The least precision, bits.
+const LEAST: usize = 64;
+
+/// All real numbers from one end to another, and the precision of results.
+#[derive(Clone, Debug)]
+pub struct Interval<E> {
+    low: E,
+    high: E,
+    pub(super) prec: usize,
+}
+
+impl<E: End> Interval<E> {
+    /// The integer `n`, with results to be rounded to `prec` bits, at least 64.
+    pub fn integer(n: i32, prec: usize) -> Self {
+        Self::dyadic(n < 0, &[n.unsigned_abs().into()], 0, prec)
+    }
+
+    /// The number `± mantissa * 2^exponent`, exactly, with results to be rounded to `prec` bits, at least 64; the mantissa in
+    /// words of 64 bits, the least significant first. The whole line where the arithmetic has no such exponent.
+    pub fn dyadic(negative: bool, mantissa: &[u64], exponent: i32, prec: usize) -> Self {
+        let size = mantissa.iter().rposition(|word| *word != 0).map_or(0, |last| last + 1);
+        match E::dyadic(negative, &mantissa[..size], exponent) {
+            Some(point) => Self { low: point.clone(), high: point, prec: prec.max(LEAST) },
+            None => Self::whole(prec),
+        }
+    }
+
+    /// All numbers from one end to the other; the whole line if they are not in order.
+    pub(super) fn new(low: E, high: E, prec: usize) -> Self {
+        let is_ordered = low.order(&high).is_some_and(Ordering::is_le);
+        let is_low = low.is_finite() || low.sign() == Some(Ordering::Less);
+        let is_high = high.is_finite() || high.sign() == Some(Ordering::Greater);
+        if !is_ordered || !is_low || !is_high {
+            return Self::whole(prec);
+        }
+        Self { low, high, prec: prec.max(LEAST) }
+    }
+
+    /// The whole line.
+    pub fn whole(prec: usize) -> Self {
+        Self { low: E::infinite(true), high: E::infinite(false), prec: prec.max(LEAST) }
+    }
+
+    /// The same set, its ends rounded outward if they have more bits, with results to be rounded to `prec` bits, at least
+    /// 64.
+    pub fn with_precision(&self, prec: usize) -> Self {
+        let prec = prec.max(LEAST);
+        Self::new(self.low.rounded(prec, Down), self.high.rounded(prec, Up), prec)
+    }
+
+    /// All numbers that are at most as large as the largest of this set, whatever their sign.
+    pub fn symmetric(&self) -> Self {
+        let below = self.low.negated();
+        let is_above = below.order(&self.high).is_some_and(Ordering::is_gt);
+        let size = if is_above { below } else { self.high.clone() };
+        Self::new(size.negated(), size, self.prec)
+    }
+
+    /// The lower and the upper end.
+    #[cfg(feature = "mpfr")]
+    pub(super) fn low_and_high(&self) -> [&E; 2] {
+        [&self.low, &self.high]
+    }
+
+    fn is_non_negative(&self) -> bool {
+        self.low.sign().is_some_and(Ordering::is_ge)
+    }
+
+    fn is_non_positive(&self) -> bool {
+        self.high.sign().is_some_and(Ordering::is_le)
+    }
+
+    /// From the least to the largest product of two ends.
+    fn corners(&self, other: &Self, prec: usize) -> Self {
+        let ends = [
+            (&self.low, &other.low),
+            (&self.low, &other.high),
+            (&self.high, &other.low),
+            (&self.high, &other.high),
+        ];
+        let pick = |to, side| {
+            let products = ends.iter().map(|(a, b)| a.times(b, prec, to));
+            products.reduce(|best, next| next.beyond(&best, side)).expect("four corners")
+        };
+        Self::new(pick(Down, Ordering::Less), pick(Up, Ordering::Greater), prec)
+    }
+
+    /// Sine and cosine of an exact number from 1/8 to 3, by products; `None` for others and next to a right angle, where
+    /// one of them may be small, and for few bits.
+    fn by_halving(&self) -> Option<(Self, Self)> {
+        if self.prec < E::HALVED {
+            return None;
+        }
+        let negative = self.is_non_positive();
+        let size = if negative { -self.clone() } else { self.clone() };
+        let is_within = size.ratio(1, 8).is_less_than(&size).and(size.is_less_than(&size.int(3)));
+        if !is_within.is_proved() {
+            return None;
+        }
+        let plan = Halving::new(self.prec)?;
+        let scaled = |exponent: usize| Self::dyadic(false, &[1], -(exponent as i32), plan.bits);
+        let y = size * scaled(plan.halvings);
+        let (sin, cos) = plan.sin_cos(&y, &scaled(plan.tail).symmetric());
+        // A cosine that is nearly zero has lost too many bits.
+        let (size, least) = (cos.square(), scaled(32));
+        if !least.is_less_than(&size).is_proved() {
+            return None;
+        }
+        let sin = if negative { -sin } else { sin };
+        Some((sin.with_precision(self.prec), cos.with_precision(self.prec)))
+    }
+
+    /// Sine and cosine of a number so small that its square is lost beside one, and of zero:
+    /// `x (1 - x²/6) < sin x < x` and `1 - x² < cos x <= 1`.
+    fn nearly_itself(&self) -> (Self, Self) {
+        let square = self.square();
+        let below = self.int(1) - &square;
+        let factor = Self { low: below.low.clone(), ..self.int(1) };
+        (self.clone() * &factor, factor)
+    }
+}
+
+impl<E: End> Field for Interval<E> {
+    fn int(&self, n: i32) -> Self {
+        Self::integer(n, self.prec)
+    }
+
+    fn square(&self) -> Self {
+        let prec = self.prec;
+        if self.is_non_negative() {
+            let (low, high) =
+                (self.low.times(&self.low, prec, Down), self.high.times(&self.high, prec, Up));
+            return Self::new(low, high, prec);
+        }
+        if self.is_non_positive() {
+            return (-self.clone()).square();
+        }
+        let size = self.symmetric().high;
+        Self::new(self.int(0).low, size.times(&size, prec, Up), prec)
+    }
+}
+
+impl<E: End> Real for Interval<E> {
+    fn pi(&self) -> Self {
+        Self::new(E::pi(self.prec, Down), E::pi(self.prec, Up), self.prec)
+    }
+
+    fn sqrt(&self) -> Self {
+        if !self.is_non_negative() {
+            return Self::whole(self.prec);
+        }
+        Self::new(self.low.root(self.prec, Down), self.high.root(self.prec, Up), self.prec)
+    }
+
+    /// Sine and cosine at the lower end, widened by the width: neither has a slope above one.
+    fn sin_cos(&self) -> (Self, Self) {
+        let prec = self.prec;
+        let unit = self.int(1).symmetric();
+        // Beyond that size the place in the turn would need more bits of pi than anything here.
+        let (bits, exponent) = (prec as i64, self.low.exponent());
+        if !self.is_bounded() || exponent.is_some_and(|e| e > bits + 64) {
+            return (unit.clone(), unit);
+        }
+        let at = Self { high: self.low.clone(), ..self.clone() };
+        let is_tiny = exponent.is_none_or(|e| 2 * e < -bits);
+        let known = if is_tiny { Some(at.nearly_itself()) } else { at.by_halving() };
+        let (sin, cos) = known.unwrap_or_else(|| {
+            let set = |(low, high)| Self::new(low, high, prec);
+            let both = at.low.sin_cos(prec).map(|[sin, cos]| (set(sin), set(cos)));
+            both.unwrap_or_else(|| (unit.clone(), unit.clone()))
+        });
+        let width = self.high.minus(&self.low, prec, Up);
+        let within = |set: Self| {
+            let low = set.low.minus(&width, prec, Down);
+            let high = set.high.plus(&width, prec, Up);
+            Self::new(
+                low.beyond(&unit.low, Ordering::Greater),
+                high.beyond(&unit.high, Ordering::Less),
+                prec,
+            )
+        };
+        (within(sin), within(cos))
+    }
+}
+
+impl<E: End> Enclosure for Interval<E> {
+    fn is_positive(&self) -> Ternary {
+        if self.low.sign().is_some_and(Ordering::is_gt) {
+            Ternary::True
+        } else if self.is_non_positive() {
+            Ternary::False
+        } else {
+            Ternary::Undecided
+        }
+    }
+
+    fn is_bounded(&self) -> bool {
+        self.low.is_finite() && self.high.is_finite()
+    }
+
+    fn midpoint(&self) -> Self {
+        if !self.is_bounded() {
+            return self.int(0);
+        }
+        let half = Self::dyadic(false, &[1], -1, self.prec);
+        let middle = self.low.plus(&self.high, self.prec, Down).times(&half.low, self.prec, Down);
+        Self::new(middle.clone(), middle, self.prec)
+    }
+
+    fn centred(&self) -> Self {
+        let middle = self.midpoint();
+        (self.clone() - &middle).symmetric()
+    }
+
+    fn lies_inside(&self, outer: &Self) -> bool {
+        let below = |a: &E, b: &E| a.order(b).is_some_and(Ordering::is_lt);
+        self.is_bounded() && below(&outer.low, &self.low) && below(&self.high, &outer.high)
+    }
+
+    fn overlaps(&self, other: &Self) -> bool {
+        let below = |a: &E, b: &E| a.order(b).is_some_and(Ordering::is_lt);
+        !below(&self.high, &other.low) && !below(&other.high, &self.low)
+    }
+}
+
+impl<E: End> Neg for Interval<E> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { low: self.high.negated(), high: self.low.negated(), prec: self.prec }
+    }
+}
+
+impl<E: End> Add<&Interval<E>> for Interval<E> {
+    type Output = Self;
+    fn add(self, other: &Self) -> Self {
+        let prec = self.prec.max(other.prec);
+        Self::new(
+            self.low.plus(&other.low, prec, Down),
+            self.high.plus(&other.high, prec, Up),
+            prec,
+        )
+    }
+}
+
+impl<E: End> Sub<&Interval<E>> for Interval<E> {
+    type Output = Self;
+    fn sub(self, other: &Self) -> Self {
+        let prec = self.prec.max(other.prec);
+        Self::new(
+            self.low.minus(&other.high, prec, Down),
+            self.high.minus(&other.low, prec, Up),
+            prec,
+        )
+    }
+}
+
+impl<E: End> Mul<&Interval<E>> for Interval<E> {
+    type Output = Self;
+    fn mul(self, other: &Self) -> Self {
+        if self.is_non_positive() && !self.is_non_negative() {
+            return -((-self) * other);
+        }
+        if other.is_non_positive() && !other.is_non_negative() {
+            return -(self * -other.clone());
+        }
+        let prec = self.prec.max(other.prec);
+        if self.is_non_negative() && other.is_non_negative() {
+            let (low, high) =
+                (self.low.times(&other.low, prec, Down), self.high.times(&other.high, prec, Up));
+            return Self::new(low, high, prec);
+        }
+        self.corners(other, prec)
+    }
+}
+
+impl<E: End> Div<&Interval<E>> for Interval<E> {
+    type Output = Self;
+    fn div(self, other: &Self) -> Self {
+        let prec = self.prec.max(other.prec);
+        if !other.excludes_zero() {
+            return Self::whole(prec);
+        }
+        if other.is_non_positive() {
+            return -self / -other.clone();
+        }
+        let by_low = if self.is_non_negative() { &other.high } else { &other.low };
+        let by_high = if self.is_non_positive() { &other.high } else { &other.low };
+        Self::new(self.low.over(by_low, prec, Down), self.high.over(by_high, prec, Up), prec)
+    }
+}
+
+owned_operators!([E: End] Interval<E>);
+
+/// Runs a generic test for the ends of each arithmetic that is built in.
+#[cfg(test)]
+macro_rules! for_each_end {
+    ($test:ident) => {
+        $test::<$crate::number::Astro>();
+        #[cfg(feature = "malachite")]
+        $test::<$crate::number::Malachite>();
+    };
+}
+
+#[cfg(test)]
+pub(super) use for_each_end;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn power<E: End>(exponent: i32) -> Interval<E> {
+        Interval::dyadic(false, &[1], exponent, 128)
+    }
+
+    /// Whatever the exponents come to, the sign stays right, and the truth inside.
+    fn exponents_end<E: End>() {
+        let (mut large, mut small): (Interval<E>, Interval<E>) =
+            (power(1 << 27), power(-(1 << 27)));
+        for _ in 0..8 {
+            (large, small) = (large.square(), small.square());
+            assert_ne!(power(1 << 27).is_less_than(&large), Ternary::False, "{large:?}");
+            let is_small = small.is_less_than(&power(-(1 << 27)));
+            assert!(small.is_non_negative() && is_small.is_proved(), "{small:?}");
+            assert_eq!(small.high.sign(), Some(Ordering::Greater));
+        }
+        assert!(!large.is_bounded(), "there is an end: {large:?}");
+        assert!(!(large.clone() - &large).is_bounded() && !(large.int(1) / &small).is_bounded());
+        assert_eq!((-large.clone()).is_positive(), Ternary::False);
+        let product = large.clone() * &small;
+        assert!(product.overlaps(&large.int(1)), "{product:?}");
+    }
+
+    /// Numbers from outside may have any exponent.
+    fn any_exponent_is_held<E: End>() {
+        for exponent in
+            [i32::MIN, i32::MIN + 1, -(1 << 30), -(1 << 29) - 1, 1 << 29, 1 << 30, i32::MAX]
+        {
+            let x: Interval<E> = power(exponent);
+            let is_size = |half: &Interval<E>| half.is_less_than(&x) != Ternary::False;
+            assert!(exponent < 0 || is_size(&x.int(1)), "{exponent}");
+            assert!(exponent > 0 || x.is_less_than(&x.int(1)) != Ternary::False, "{exponent}");
+            assert_ne!((-x.clone()).is_positive(), Ternary::True, "{exponent}");
+            let (sin, cos) = x.sin_cos();
+            assert!(sin.is_bounded() && cos.is_bounded(), "{exponent}");
+        }
+    }
+
+    /// Below every precision there is one that works.
+    fn no_bits_are_some_bits<E: End>() {
+        for prec in [0, 1, 2, 63] {
+            let third = Interval::<E>::integer(1, prec) / Interval::<E>::integer(3, prec);
+            assert!((third.clone() * third.int(3)).overlaps(&third.int(1)));
+            assert!(third.with_precision(0).overlaps(&third) && third.is_bounded());
+            assert!(
+                third.sin_cos().0.is_less_than(&third).is_proved() && third.sqrt().is_bounded()
+            );
+        }
+    }
+
+    /// Zero, and numbers that are lost beside one; the same a little further from it, where they are not.
+    fn small_angles<E: End>() {
+        let zero: Interval<E> = Interval::integer(0, 128);
+        let (sin, cos) = zero.sin_cos();
+        for (value, truth) in [(sin, 0), (cos, 1)] {
+            let is_exact = value.low.order(&value.high) == Some(Ordering::Equal);
+            assert!(is_exact && value.overlaps(&zero.int(truth)), "{value:?}");
+        }
+        for exponent in [-10_000_000, -100_000, -200, -66, -65, -64, -63, -40] {
+            for negative in [false, true] {
+                let x =
+                    Interval::<E>::dyadic(negative, &[u64::MAX, u64::MAX, 3], exponent - 130, 256);
+                let x = x.with_precision(128);
+                let (sin, cos) = x.sin_cos();
+                let (size, near) = if negative { (-x, -sin) } else { (x, sin) };
+                let least = size.clone() - size.square() * &size;
+                assert!(
+                    near.is_less_than(&size) != Ternary::False
+                        && least.is_less_than(&near) != Ternary::False
+                );
+                let least = size.clone() - size.clone() * power::<E>(-78);
+                assert!(
+                    least.is_less_than(&near).is_proved() && near.is_positive().is_proved(),
+                    "{exponent}"
+                );
+                let one = size.int(1);
+                assert!(
+                    (one.clone() - size.square()).is_less_than(&cos) != Ternary::False,
+                    "{exponent}"
+                );
+                assert!(
+                    cos.is_less_than(&one) != Ternary::False
+                        && (one - power::<E>(-77)).is_less_than(&cos).is_proved()
+                );
+            }
+        }
+    }
+
+    /// Angles whose place in the turn is not looked for.
+    fn large_angles<E: End>() {
+        for exponent in [200, 10_000_000, 500_000_000] {
+            let (sin, cos) = power::<E>(exponent).sin_cos();
+            for value in [sin, cos] {
+                assert!(value.overlaps(&value.int(1)) && value.overlaps(&value.int(-1)));
+                assert!(value.is_less_than(&value.int(2)).is_proved());
+            }
+        }
+    }
+
+    /// What is no number, or nowhere, is the whole line and nothing less.
+    fn nowhere_is_everywhere<E: End>() {
+        let (zero, one) = (Interval::<E>::integer(0, 64), Interval::<E>::integer(1, 64));
+        let unit = one.symmetric();
+        let whole = Interval::<E>::whole(64);
+        for set in [
+            one.clone() / &zero,
+            one.clone() / &unit,
+            unit.sqrt(),
+            (-one.clone()).sqrt(),
+            whole.clone() * &zero,
+            whole.clone() - &whole,
+            whole.square() * &unit,
+        ] {
+            assert!(!set.is_bounded() && set.is_positive() == Ternary::Undecided, "{set:?}");
+            assert!(
+                set.overlaps(&one.int(i32::MAX)) && set.overlaps(&one.int(i32::MIN)),
+                "{set:?}"
+            );
+            assert!(!set.lies_inside(&whole) && !set.excludes_zero());
+            assert!(set.sin_cos().0.lies_inside(&one.int(2).symmetric()));
+        }
+    }
+
+    #[test]
+    fn numbers_at_the_limits() {
+        for_each_end!(exponents_end);
+        for_each_end!(any_exponent_is_held);
+        for_each_end!(no_bits_are_some_bits);
+        for_each_end!(nowhere_is_everywhere);
+    }
+
+    #[test]
+    fn angles_at_the_limits() {
+        for_each_end!(small_angles);
+        for_each_end!(large_angles);
+    }
+}
