@@ -42,8 +42,8 @@ addEventListener("shown", ({ detail: { given, found } }) => {
   const isThick = isShape(given) && thickness !== undefined;
   put("ask-thickness", isThick ? thickness : "");
   put("slide-thickness", isThick ? ratio(given) : 0);
-  put("ask-friction", friction ?? friction_angle);
-  put("slide-friction", Math.min(friction === undefined ? Math.tan(read(friction_angle)) : read(friction), 2));
+  put("ask-friction", friction ?? friction_angle ?? "");
+  put("slide-friction", Math.min(friction === undefined ? Math.tan(read(friction_angle ?? "")) : read(friction), 2));
 });
 
 for (const [name, text] of [["half-opening", (x) => `${x}deg`], ["friction", (x) => x], ["thickness", (x) => (Number(x) ? x : "")]]) {

@@ -56,8 +56,8 @@ function tell({ given, found, isAsked }, answer) {
   at("summary").textContent = `${subject}: ${WORDS[subject]}`;
   const angle = (name) => values[name] && `${values[name]} rad${values[`${name}_degrees`] ? `, ${values[`${name}_degrees`]}°` : ""}`;
   const texts = {
-    mode: subject, half_opening: angle("half_opening"), thickness: values.thickness, friction: values.given_friction,
-    friction_angle: values.friction_angle_degrees && `${values.friction_angle_degrees}°`, thrust: values.thrust,
+    mode: subject, half_opening: angle("given_half_opening"), thickness: values.thickness, friction: values.given_friction,
+    friction_angle: values.given_friction_angle_degrees && `${values.given_friction_angle_degrees}°`, thrust: values.thrust,
   };
   for (const [id, text] of Object.entries(texts)) if (text) row(id, text, "proved");
   for (const id of ["rotation_joint", "sliding_joint"]) row(id, angle(id) ?? "none", "proved");

@@ -66,26 +66,30 @@ impl Given {
         )
     }
 
-    /// What is given in other units, each correctly rounded to as many of `digits` digits as are decided.
+    /// What is given in other units, each correctly rounded to as many of `digits` digits as are decided. The names are not
+    /// those of results: a limit may be one of the same quantity.
     pub(crate) fn values(&self, digits: usize) -> Vec<(&'static str, String)> {
         let at = self.arch.given::<DoubleDoubleBall>(BITS);
         let alpha = &at.half_opening.rad;
         let radian = alpha.int(180) / alpha.pi();
         let mut all = vec![
-            ("half_opening", rounded(alpha, digits)),
-            ("half_opening_degrees", rounded(&(radian * alpha), digits)),
+            ("given_half_opening", rounded(alpha, digits)),
+            ("given_half_opening_degrees", rounded(&(radian * alpha), digits)),
         ];
         if *self.arch.friction() == Friction::Infinite {
             let infinite = |name| (name, Some("∞".to_owned()));
             all.extend([infinite("given_friction")]);
-            all.push(("friction_angle_degrees", Some("90".to_owned())));
+            all.push(("given_friction_angle_degrees", Some("90".to_owned())));
         } else {
             let near = at.friction.mid().hi().atan();
             let near = DoubleDoubleBall::exact(DoubleDouble::exact(near));
             let angle = Known::AngleOfTangent(at.friction).enclosed(&near, BITS as usize);
             let angle = angle.map(|angle| radian * angle);
             all.push(("given_friction", rounded(&at.friction, digits)));
-            all.push(("friction_angle_degrees", angle.and_then(|angle| rounded(&angle, digits))));
+            all.push((
+                "given_friction_angle_degrees",
+                angle.and_then(|angle| rounded(&angle, digits)),
+            ));
         }
         let exact = |x: &ExactNumber| rounded(&x.enclosure(BITS), digits);
         all.extend(self.thickness.as_ref().map(|eta| ("given_thickness", exact(eta))));

@@ -388,7 +388,7 @@ mod tests {
         };
         let found = of("10m", "3m", "60cm").unwrap();
         for (name, value) in [
-            ("half_opening_degrees", "61.9275130641"),
+            ("given_half_opening_degrees", "61.9275130641"),
             ("radius_m", "5.66666666667"),
             ("least_thickness_m", "0.146209784922"),
             ("given_thickness", "0.105882352941"),
@@ -426,5 +426,14 @@ mod tests {
         let found = slides("0.3").unwrap();
         assert!(found.values["friction"].starts_with("0.309"), "{:?}", found.values);
         assert!(slides("0.31").is_err());
+    }
+
+    /// The limit is not what is given.
+    #[test]
+    fn too_wide_an_arch_is_proved_beyond_the_limit() {
+        let start = [("half_opening", 2.65)];
+        let found = proof(&question(["milankovitch", "3", "inf"], "too_wide", &start)).unwrap();
+        let [limit, given] = ["half_opening", "given_half_opening"].map(|name| &found.values[name]);
+        assert!(limit.starts_with("2.648388") && given == "3", "{:?}", found.values);
     }
 }

@@ -44,6 +44,7 @@ const opening = ({ half_opening, span, rise }) =>
 
 /** As many of six digits as are sure, with a relative error; of thin arches doubles lose some more. */
 function sure(x, error, digits = 6) {
+  if (!(error < 0.5)) return "beyond doubles";
   const [low, high] = [1 - error, 1 + error].map((factor) => (x * factor).toPrecision(digits));
   return low === high || digits === 1 ? low : sure(x, error, digits - 1);
 }
