@@ -24,6 +24,7 @@ pub(crate) mod root;
 mod short;
 pub mod state;
 mod tilt;
+mod tilt_of_stones;
 mod undecided;
 mod verdict;
 mod voussoirs;
@@ -48,6 +49,7 @@ pub(crate) use linear::Eliminated;
 pub use programme::{MOST_JOINTED_STONES, Programme, programme};
 pub use refine::{Refined, refine, refine_watched, stages};
 pub use tilt::{LargestTilt, TiltDigits, TiltLimit, tilted};
+pub use tilt_of_stones::{MOST_TILTED_STONES, tilted_stones};
 pub use undecided::Undecided;
 pub use verdict::certify_arch;
 pub use voussoirs::{

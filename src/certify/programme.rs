@@ -480,6 +480,23 @@ mod tests {
         assert!(has_triangle(&[[1, 0], [2, 1], [2, 0]]));
     }
 
+    /// Next to a friction angle of the half opening a line may be admissible for ever, or end far away: an end that is lost would be a wrong
+    /// value, so that nothing is said. Beside it all is decided.
+    #[test]
+    fn a_line_that_may_have_no_end_is_not_decided() {
+        let of = |mu: &str, extent| {
+            let arch = arch("milankovitch", "0.5", mu);
+            programme(&arch, &"0.7".parse().unwrap(), (4, extent))
+        };
+        for extent in [Extent::Whole, Extent::Half] {
+            let open = of("0.54630248984379051325", extent).unwrap_err();
+            assert_eq!(open.reason, "whether a line is admissible as a whole");
+            for mu in ["0.546", "0.547"] {
+                assert!(matches!(of(mu, extent), Ok(Programme::Least { .. })), "{mu}");
+            }
+        }
+    }
+
     #[test]
     fn what_it_cannot_decide_is_not_decided() {
         let eta = "1/2".parse().unwrap();

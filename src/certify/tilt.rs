@@ -34,6 +34,8 @@ pub struct TiltLimit {
     pub is_springing: bool,
     /// Whether it is on the right half, to which the acceleration pushes.
     pub is_right: bool,
+    /// The joint between two stones, from the crown; `None` where there is one at every angle.
+    pub joint: Option<u64>,
 }
 
 /// The largest acceleration with an admissible state.
@@ -56,6 +58,8 @@ pub struct TiltDigits {
     pub largest: Result<LargestTilt, Undecided>,
 }
 
+/// What stays open where no direction with room is found.
+const UNBOUNDED: &str = "whether the acceleration is bounded";
 /// Bits beyond a third, as the state from below is nearer to the limit than these.
 const GUARD: u32 = 16;
 
@@ -79,9 +83,16 @@ pub fn tilted(
         (is_below || is_above).then_some(is_below)
     };
     let mut is_admissible = None;
+    // Whether it is bounded at all is seen in doubles, with room or not: more bits tell no more.
+    let mut hopeless: Option<Undecided> = None;
     let largest = raise(first, |bits| {
+        if let Some(open) = &hopeless {
+            return Err(open.clone());
+        }
         let proof = Proof::new(arch, thickness, bits);
-        let bounds = proof.largest()?;
+        let bounds = proof.largest().inspect_err(|open| {
+            hopeless = (open.reason == UNBOUNDED).then(|| open.clone());
+        })?;
         is_admissible = is_admissible.or_else(|| compared(&proof, &bounds));
         Ok(match bounds {
             None => Some(LargestTilt::Unlimited),
@@ -90,9 +101,10 @@ pub fn tilted(
         })
     });
     // An acceleration nearer to the largest than its digits tell takes more bits.
-    let is_admissible = match is_admissible {
-        Some(decided) => Ok(decided),
-        None => raise(2 * first, |bits| {
+    let is_admissible = match (is_admissible, hopeless) {
+        (Some(decided), _) => Ok(decided),
+        (None, Some(open)) => Err(open),
+        (None, None) => raise(2 * first, |bits| {
             let proof = Proof::new(arch, thickness, bits);
             let compared = compared(&proof, &proof.largest()?);
             let open = || Undecided::new("whether the acceleration is below the largest");
@@ -208,6 +220,7 @@ impl Proof {
             contact: touch.contact,
             is_springing: !touch.is_inside,
             is_right: touch.joint > 0,
+            joint: None,
         };
         let bound = -sum(&|row| row.load.clone()) / slope;
         Ok((bound, touches.iter().map(limit).collect()))
@@ -249,7 +262,7 @@ impl Proof {
             self.is_admissible(&Line { unknowns: &unknowns, weight: &zero })
         };
         let found = (3..30).step_by(3).find_map(|k| holds(k).ok());
-        found.ok_or_else(|| Undecided::new("whether the acceleration is bounded"))
+        found.ok_or_else(|| Undecided::new(UNBOUNDED))
     }
 
     /// All margins are positive on the whole arch.

@@ -1,12 +1,13 @@
 //! Arches under a horizontal acceleration: for a person, CSV, and JSON (`couplet.tilt/1`).
 
 use super::fields::Fields;
-use super::words::{contact, model};
+use super::words::{contact, division, model};
 use super::{csv, json};
 use crate::arch::SelfWeight;
 use crate::arch::whole::Side;
 use crate::certify::state::Figure;
 use crate::certify::{LargestTilt, TiltDigits, TiltLimit, Undecided};
+use crate::problem::stones::Stones;
 use std::io;
 
 /// An arch of a given thickness under an acceleration, and what is proved of it.
@@ -16,6 +17,8 @@ pub struct TiltedArch {
     pub weight: SelfWeight,
     /// Half opening, friction, thickness and acceleration as given.
     pub given: [String; 4],
+    /// Its stones, where it has joints between these only.
+    pub stones: Option<Stones>,
     /// Whether its friction is limited.
     pub is_limited: bool,
     /// What is proved; `None` if it does not even stand without acceleration.
@@ -77,9 +80,17 @@ impl TiltedArch {
                 slip if !slip.is_hinge() && !self.is_limited => "opens",
                 other => contact(other),
             };
-            match limit.is_springing {
-                true => format!("{words} at the {name} springing"),
-                false => format!("{words} on the {name}"),
+            let is_at_crown = |stones: &Stones| stones.has_joint_at_crown();
+            match (limit.is_springing, limit.joint.zip(self.stones.as_ref())) {
+                (true, _) => format!("{words} at the {name} springing"),
+                (false, None) => format!("{words} on the {name}"),
+                (false, Some((0, stones))) if is_at_crown(stones) => {
+                    format!("{words} at the crown")
+                }
+                (false, Some((joint, stones))) => {
+                    let number = joint + u64::from(!is_at_crown(stones));
+                    format!("{words} at joint {number} on the {name}")
+                }
             }
         };
         match self.largest() {
@@ -101,8 +112,12 @@ pub(super) fn table(
         let weight = model(arch.weight);
         writeln!(
             out,
-            "Arch of half opening {alpha}, thickness {eta}, friction {mu}, {weight}, tilt {tilt}\n"
+            "Arch of half opening {alpha}, thickness {eta}, friction {mu}, {weight}, tilt {tilt}"
         )?;
+        if let Some(stones) = &arch.stones {
+            writeln!(out, "{}", division(stones))?;
+        }
+        writeln!(out)?;
         match (arch.outcome(), &arch.found) {
             (_, Ok(None)) => {
                 writeln!(out, "collapses, proved: it does not stand without tilt either")?;
@@ -112,9 +127,11 @@ pub(super) fn table(
                 writeln!(out, "stands, proved: nothing slides, and no joint is under tension")?
             }
             ("admissible", _) => {
+                let joints =
+                    if arch.stones.is_some() { "between the stones" } else { "on the whole arch" };
                 writeln!(
                     out,
-                    "has an admissible state, proved: on the whole arch no joint slides or is under tension"
+                    "has an admissible state, proved: {joints} no joint slides or is under tension"
                 )?;
                 writeln!(
                     out,
@@ -148,7 +165,7 @@ const GIVEN: [&str; 4] = ["half_opening", "friction", "thickness", "tilt"];
 
 pub(super) fn csv(TiltedArches(arches): &TiltedArches, out: &mut dyn io::Write) -> io::Result<()> {
     let header = ["weight"].into_iter().chain(GIVEN);
-    let header = header.chain(["outcome", "largest_tilt", "limited_by", "reason"]);
+    let header = header.chain(["outcome", "largest_tilt", "limited_by", "reason", "stones"]);
     let row = |arch: &TiltedArch| {
         let largest = match arch.largest() {
             Some(LargestTilt::Limited(figure, _)) => figure.to_string(),
@@ -156,7 +173,8 @@ pub(super) fn csv(TiltedArches(arches): &TiltedArches, out: &mut dyn io::Write) 
             None => String::new(),
         };
         let reason = arch.first_open().map_or(String::new(), |open| open.reason.to_string());
-        let found = [arch.outcome().to_owned(), largest, arch.limits().join("; "), reason];
+        let stones = arch.stones.as_ref().map(division).unwrap_or_default();
+        let found = [arch.outcome().to_owned(), largest, arch.limits().join("; "), reason, stones];
         let given = arch.given.iter().cloned();
         [arch.weight.name().to_owned()].into_iter().chain(given).chain(found).collect()
     };
@@ -183,6 +201,7 @@ pub(super) fn json(TiltedArches(arches): &TiltedArches, out: &mut dyn io::Write)
         let is_unbounded = arch.largest().map(|largest| matches!(largest, LargestTilt::Unlimited));
         fields.add("is_unbounded", is_unbounded);
         fields.add("limited_by", arch.limits());
+        fields.add("stones", arch.stones.as_ref().map(division));
         fields
     };
     let entries: Vec<Fields> = arches.iter().map(entry).collect();

@@ -3,6 +3,7 @@
 use crate::arch::SelfWeight;
 use crate::arch::mechanism::Contact;
 use crate::certify::state::Fall;
+use crate::problem::stones::Stones;
 use crate::problem::{Landmark, Quantity};
 use std::fmt::Display;
 
@@ -98,6 +99,17 @@ pub(crate) fn hexadecimal(x: f64) -> String {
     let digits = digits.trim_end_matches('0');
     let point = if digits.is_empty() { "" } else { "." };
     format!("{sign}0x1{point}{digits}p{exponent:+}")
+}
+
+/// How an arch is divided into stones.
+pub(super) fn division(stones: &Stones) -> String {
+    match stones {
+        Stones::Equal { stones, .. } => format!("{stones} equal stones"),
+        Stones::Joints(angles) => {
+            let angles: Vec<String> = angles.iter().map(ToString::to_string).collect();
+            format!("joints at {}", angles.join(", "))
+        }
+    }
 }
 
 #[cfg(test)]

@@ -269,6 +269,56 @@ impl Search {
     }
 }
 
+/// What is probably true of the largest acceleration of an arch of stones.
+#[derive(Clone, Debug)]
+pub enum StoneTilt {
+    /// These conditions limit it, by place; if none of them is a hinge, with a crown moment that leaves room.
+    Limited {
+        /// The conditions.
+        active: Vec<usize>,
+        /// `p`.
+        moment: f64,
+    },
+    /// There is none: this `h, p, v` may be added for each unit of the acceleration.
+    Unlimited([f64; 3]),
+    /// Nothing is admissible at any.
+    Nothing,
+}
+
+/// The largest acceleration under conditions `a . (h, p, v, k) + load <= 0`.
+pub fn of_stones(rows: &[([f64; 4], f64)]) -> StoneTilt {
+    let conditions: Vec<Condition> =
+        rows.iter().map(|(a, load)| Condition { a: *a, d: -load }).collect();
+    match largest_last(&conditions) {
+        Optimum::At { unknowns, active } => {
+            // In the middle of what hinges leave to p, if only slips count.
+            let (mut least, mut most) = (f64::MIN, f64::MAX);
+            for row in &conditions {
+                let [h, p, v, k] = row.a;
+                let room = row.d - h * unknowns[0] - v * unknowns[2] - k * unknowns[3];
+                if p > 0.0 {
+                    most = most.min(room / p);
+                } else if p < 0.0 {
+                    least = least.max(room / p);
+                }
+            }
+            StoneTilt::Limited {
+                active: active.into_iter().map(|(place, _)| place).collect(),
+                moment: (least + most) / 2.0,
+            }
+        }
+        Optimum::Unbounded => {
+            let along: Vec<Condition> =
+                conditions.iter().map(|row| Condition { d: 0.0, ..*row }).collect();
+            match inside(&along, 1.0) {
+                Some([h, p, v, _]) => StoneTilt::Unlimited([h, p, v]),
+                None => StoneTilt::Nothing,
+            }
+        }
+        Optimum::Nothing => StoneTilt::Nothing,
+    }
+}
+
 /// The state at an acceleration that is farthest from all conditions.
 fn inside(conditions: &[Condition], tilt: f64) -> Option<[f64; 4]> {
     let slack = |row: &Condition| {

@@ -67,3 +67,56 @@ fn a_wrong_tilt_is_one_line() {
         assert!(error.lines().count() == 1 && error.contains(why), "{arguments}: {error}");
     }
 }
+
+/// Arches of stones under an acceleration, in every format.
+#[test]
+fn stones_are_tilted() {
+    let of = |line: &str| {
+        let words: Vec<&str> = ["voussoirs"].into_iter().chain(line.split(' ')).collect();
+        let output = couplet(&words);
+        let [out, error] =
+            [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());
+        (output.status.code(), out, error)
+    };
+    let arch = "--alpha pi/2 --mu 0.4 --eta 0.15 --stones 11 --digits 8";
+    let (code, words, error) = of(&format!("{arch} --tilt 0.05"));
+    assert_eq!(code, Some(0), "{error}");
+    assert!(words.contains("11 equal stones") && words.contains("at joint"), "{words}");
+    assert!(words.contains("has an admissible state, proved: between the stones"), "{words}");
+    let json: Value =
+        serde_json::from_str(&of(&format!("{arch} --tilt 0.05 --format json")).1).unwrap();
+    let largest = json["largest_tilt"]["value"].as_str().unwrap();
+    assert!(words.contains(largest) && json["stones"] == "11 equal stones", "{json}");
+    // With a joint at every angle it bears less.
+    assert!(largest.parse::<f64>().unwrap() > 0.052_468, "{largest}");
+    assert!(of(&format!("{arch} --tilt 0.2")).1.contains("collapses, proved: no state"));
+    assert!(of(&format!("{arch} --tilt 0.05 --format csv")).1.ends_with(",11 equal stones\n"));
+    let joints = "--joints 0,0.5,1,pi/2 --mu inf --eta 0.15 --tilt 0.05";
+    assert!(of(joints).1.contains("stands, proved"));
+    let thin = of("--alpha pi/2 --mu 0.4 --eta 0.01 --stones 11 --tilt 0.05");
+    assert!(thin.1.contains("without tilt either"), "{thin:?}");
+    for (line, why) in [
+        ("--alpha 1 --mu 1 --stones 9 --tilt 0.1", "--thickness"),
+        ("--alpha 1 --mu 1 --stones 9..11 --eta 0.1 --tilt 0.1", "one number"),
+        ("--alpha 1 --mu 1 --stones 2002 --eta 0.1 --tilt 0.1", "at most 2000"),
+        ("--alpha 1 --mu 0 --stones 9 --eta 0.1 --tilt 0.1", "friction above 0"),
+        ("--alpha 1 --mu 1 --stones 9 --eta 0.1 --tilt -1", "is negative"),
+        ("--alpha 1 --mu 1 --stones 9 --eta 0.1 --tilt 0.1 --format svg", "svg"),
+    ] {
+        let (code, _, error) = of(line);
+        assert_eq!(code, Some(2), "{line}");
+        assert!(error.lines().count() == 1 && error.contains(why), "{line}: {error}");
+    }
+}
+
+/// An acceleration is a ratio: forces in kilonewtons are not told with it.
+#[test]
+fn a_tilt_has_no_dimension() {
+    let arch = "--alpha 1 --mu 1 --radius 3m --eta 0.6m --tilt 0.1";
+    let (code, out, error) = of(arch);
+    assert_eq!(code, Some(0), "{error}");
+    assert!(out.contains("thickness 1/5"), "{out}");
+    let (code, out, error) = of(&format!("{arch} --density 2000kg/m3 --depth 1m"));
+    assert_eq!((code, &out[..]), (Some(2), ""));
+    assert!(error.lines().count() == 1 && error.contains("--tilt tells no forces"), "{error}");
+}

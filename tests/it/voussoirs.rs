@@ -491,3 +491,60 @@ fn unchecked_stones_prove_nothing() {
         assert!(found.is_err(), "{stones:?} {friction}: {found:?}");
     }
 }
+
+/// With joints where the arch with all joints turns and slides, the same three conditions hold: the value is the same, to twice the digits to which
+/// the joints are. With a joint moved it is lower.
+#[test]
+fn joints_where_the_arch_gives_way_lose_nothing() {
+    for (weight, alpha, mu) in [
+        ("milankovitch", "pi/2", "0.35"),
+        ("heyman", "1.2", "inf"),
+        ("milankovitch", "2.45", "1.35"),
+    ] {
+        let arch = Arch::parse(weight, alpha, mu).unwrap();
+        let Ok(Answer::Stands(state)) = Inquiry::new(&arch, 24, false).state(24, false) else {
+            panic!("{alpha} {mu}")
+        };
+        let of = |moved: f64| {
+            let rounded = |figure: &Figure| figure.to_string();
+            let turns = match moved == 0.0 {
+                true => rounded(&state.rotation_joint),
+                false => (state.rotation_joint.double + moved).to_string(),
+            };
+            let joints = [Some("0".to_owned()), state.sliding_joint.as_ref().map(rounded)];
+            let joints = joints.into_iter().flatten().chain([turns, alpha.to_owned()]);
+            let stones = Stones::joints(joints.map(|joint| joint.parse().unwrap()).collect());
+            match found(&stones.unwrap(), arch.weight(), mu, 24) {
+                Voussoirs::Stands(found) => (found.thickness.to_string(), found.thickness.double),
+                other => panic!("{other:?}"),
+            }
+        };
+        assert_eq!(of(0.0).0, state.thickness.to_string(), "{alpha} {mu}");
+        assert!(of(0.01).1 < state.thickness.double - 1e-7, "{alpha} {mu}: false twin");
+    }
+}
+
+/// Exact ties: a semicircle of thickness 2 bears any thrust, and two stones whose shoulder bears no shear force need no friction.
+#[test]
+fn ties_are_decided() {
+    let of = |line: &str| {
+        let words: Vec<&str> = ["voussoirs", "--digits", "6", "--format", "json"]
+            .into_iter()
+            .chain(line.split(' '))
+            .collect();
+        let output = couplet(&words);
+        assert_eq!(output.status.code(), Some(0), "{line}");
+        serde_json::from_slice::<Value>(&output.stdout).unwrap()["assessment"].clone()
+    };
+    for stones in [3, 4, 8, 9] {
+        for mu in ["0.6", "inf"] {
+            let found = of(&format!("--alpha pi/2 --mu {mu} --stones {stones} --eta 2"));
+            assert!(found["required_friction"]["value"].is_string(), "{stones} {mu}: {found}");
+        }
+    }
+    let found = of("--alpha 0.5 --mu 0.7 --stones 2 --eta 0.3");
+    assert_eq!(found["required_friction"]["value"], "0", "{found}");
+    // With an intrados near the centre's height the thrust is not free to be so small.
+    let found = of("--alpha 2 --mu 5 --stones 2 --eta 0.3");
+    assert_ne!(found["required_friction"]["value"], "0", "{found}");
+}

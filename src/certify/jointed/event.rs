@@ -141,6 +141,9 @@ mod tests {
         assert_eq!(known("1.05", &turned, [0.6843, 0.6846]), [false, true]);
         let passed = [(Intrados, 8), (Extrados, 0), (Outwards, 0)];
         assert_eq!(known("1.05", &passed, [0.6843, 0.6846]), [false, true]);
+        // The mirror image has the same thickness.
+        let mirrored = [(Inwards, -8), (Extrados, 0), (Inwards, 0)];
+        assert_eq!(known("1.05", &mirrored, [0.6843, 0.6846]), [true, false]);
         // A piece that ends at the solution, and one that is too wide to tell.
         assert_eq!(known("1.05", &of, [0.6844, 0.684_421_733]), [true, false]);
         assert_eq!(known("1.05", &of, [0.6, 1.2]), [false, false]);

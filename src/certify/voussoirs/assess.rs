@@ -7,7 +7,7 @@ use super::thrusts::{End, Range, Ties, range};
 use crate::arch::Ring;
 use crate::certify::Undecided;
 use crate::certify::state::{Figure, raise};
-use crate::number::{Ball, ExactNumber};
+use crate::number::{Ball, Enclosure, ExactNumber};
 use crate::problem::stones::{JointContact, Stones};
 use crate::problem::{
     Arch, Friction, friction_angle_is_half_opening, has_no_arm_at_crown, is_thickness,
@@ -70,6 +70,7 @@ pub(super) fn assessed(
     let ties = Ties {
         never_slides: friction_angle_is_half_opening(arch),
         has_no_arm: has_no_arm_at_crown(arch, thickness),
+        is_solid: thickness.is_rational() && thickness.to_rational() == 2,
     };
     let joints = |friction: &Friction, bits| Joints::new(stones, arch.weight(), friction, bits);
     let eta = |bits| thickness.enclosure::<Ball>(bits);
@@ -108,7 +109,8 @@ pub(super) fn assessed(
     };
     let required_friction = raise(first, |bits| required(bits).map(figure));
     let friction_safety = raise(first, |bits| {
-        let needed = required(bits)?;
+        // Where none is needed any is enough.
+        let needed = required(bits)?.filter(|needed| needed.excludes_zero());
         Ok(figure(coefficient(own, bits).zip(needed).map(|(mu, needed)| mu / needed)))
     });
     Ok(VoussoirAssessment { standing, geometric_safety, required_friction, friction_safety })

@@ -2,7 +2,8 @@
 //!
 //! As the thrust grows the shoulder asks for more friction and every other joint for less: `d(T/N)/dh = -beta/N²`. So the least is
 //! at the thrust at which an inner joint and the shoulder ask for the same, or, where that is not in the
-//! range of thrusts with unlimited friction, at the nearer end of it.
+//! range of thrusts with unlimited friction, at the nearer end of it. Two stones have no inner joint: none asks for any where
+//! the shoulder bears no shear force.
 
 use super::admissible::friction_holds;
 use super::joints::{Joints, is_positive, require};
@@ -12,7 +13,7 @@ use crate::arch::joint::{Grip, even_thrust};
 use crate::arch::mechanism::Contact;
 use crate::arch::statics::{normal_force, shear_force};
 use crate::certify::Undecided;
-use crate::number::{Ball, Field};
+use crate::number::{Angle, Ball, Field};
 use crate::solve::voussoir_thrust::{Needed, needed};
 use rug::Float;
 
@@ -27,6 +28,16 @@ pub(super) fn required(
     let near = thrusts.map(|thrust| thrust.map(|x| Float::with_val(joints.bits, x.mid())));
     let last = joints.last();
     let shoulder = (Contact::Outwards, last);
+    if last == 1 && joints.stones.has_joint_at_crown() {
+        let Angle { rad, sin, cos } = joints.angle(last);
+        let thrust = rad * cos / sin;
+        let above = thrusts[0].is_none_or(|least| is_positive(&(thrust.clone() - least)));
+        let below = thrusts[1].is_none_or(|most| is_positive(&(most.clone() - &thrust)));
+        // There N(alpha) = alpha/sin(alpha), and N = h at the crown.
+        if above && below && is_positive(&thrust) {
+            return Ok(thrust.int(0));
+        }
+    }
     let needed = needed(&joints.search(), near.each_ref().map(Option::as_ref));
     let (thrust, contacts) = match (needed, thrusts) {
         (Needed::Even(joint), [least, most]) => {

@@ -41,6 +41,15 @@ pub(super) struct Ties {
     pub never_slides: bool,
     /// The thrust has no lever arm between the intrados of the crown and the extrados of the shoulder.
     pub has_no_arm: bool,
+    /// The thickness is 2: the intrados is the centre, and no joint gives it a lever arm.
+    pub is_solid: bool,
+}
+
+impl Ties {
+    /// A semicircle of thickness 2: its shoulder is level and its intrados the centre, so that without limit of friction no thrust is too large.
+    fn is_solid_semicircle(self) -> bool {
+        self.is_solid && self.has_no_arm
+    }
 }
 
 /// The range of thrusts at a thickness.
@@ -50,7 +59,9 @@ pub(super) fn range(joints: &Joints<'_>, thickness: &Ball, ties: Ties) -> Result
     let ring = Ring::new(joints.weight, thickness);
     let mut ends = Vec::new();
     for side in Side::BOTH {
-        match thrust_end(&search, &near, side) {
+        let is_free = side == Side::Largest && ties.is_solid_semicircle() && !joints.is_limited;
+        let end = if is_free { ThrustEnd::Unbounded } else { thrust_end(&search, &near, side) };
+        match end {
             ThrustEnd::Contradiction(both) => return falls(joints, &ring, both),
             found => ends.push(found),
         }
@@ -158,10 +169,40 @@ fn unbounded(
     require(side == Side::Largest, question)?;
     let last = joints.last();
     let hinges = together(joints, &[(Contact::Extrados, last), (Contact::Intrados, 0)], ring)?;
-    let has_no_arm = ties.has_no_arm && joints.stones.has_joint_at_crown();
+    let has_no_arm = ties.has_no_arm && (joints.stones.has_joint_at_crown() || ties.is_solid);
     require(has_no_arm || is_positive(&-hinges.thrust), question)?;
     let slip = joints.row((Contact::Outwards, last), ring);
-    let never_slides = ties.never_slides && joints.is_limited;
+    let never_slides = match joints.is_limited {
+        true => ties.never_slides,
+        false => ties.is_solid_semicircle(),
+    };
     require(never_slides || is_positive(&-slip.thrust), question)?;
     Ok(End { thrust: None, contacts: Vec::new() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arch::SelfWeight;
+    use crate::problem::stones::Stones;
+
+    /// What two hinges say is free of the crown moment only if they are at opposite faces.
+    #[test]
+    fn conditions_together_are_free_of_the_crown_moment_or_refused() {
+        let stones = Stones::equal(8, "1".parse().unwrap()).unwrap();
+        let friction = "0.5".parse().unwrap();
+        let joints = Joints::new(&stones, SelfWeight::Heyman, &friction, 100);
+        let ring = Ring::new(joints.weight, &Ball::integer(1, 100));
+        let free = |contacts: &[JointContact]| together(&joints, contacts, &ring).is_ok();
+        assert!(free(&[(Contact::Extrados, 0), (Contact::Intrados, 3)]));
+        assert!(free(&[(Contact::Inwards, 2)]) && free(&[(Contact::Outwards, 4)]));
+        for contacts in [
+            &[(Contact::Extrados, 0), (Contact::Extrados, 4)][..],
+            &[(Contact::Intrados, 0), (Contact::Intrados, 4)],
+            &[(Contact::Extrados, 0)],
+            &[(Contact::Intrados, 2), (Contact::Inwards, 2)],
+        ] {
+            assert!(!free(contacts), "{contacts:?}");
+        }
+    }
 }

@@ -4,14 +4,13 @@ use super::arch::{ArchArguments, Needs};
 use super::measures::{self, MeasureArguments, Measured};
 use super::output::AnswerOutput;
 use super::state::{hinted, print};
-use crate::arch::SelfWeight;
+use super::tilt::acceleration;
 use crate::certify::state::{Inquiry, Wanted, measured_assessment};
 use crate::cli::failure::Failure;
-use crate::number::{ExactNumber, shown};
-use crate::problem::{Arch, Friction, Quantity};
+use crate::number::ExactNumber;
+use crate::problem::{Arch, Quantity};
 use crate::report::{Answer, Content, Format, Report, TiltedArch, TiltedArches};
 use clap::Args;
-use rug::Rational;
 
 /// Print whether an arch of a given thickness stands, its safety factors, and the thrusts it can bear.
 #[derive(Args)]
@@ -93,12 +92,7 @@ fn tilted(
         let message = format!("--tilt is not written as {}; the formats are {names}", format.name);
         return Err(Failure::Input(message));
     }
-    let tilt = acceleration(text)?;
-    if arches.iter().any(|arch| is_zero(arch.friction())) {
-        return Err(Failure::Input(
-            "without friction nothing stands: --tilt asks for a friction above 0".to_owned(),
-        ));
-    }
+    let tilt = acceleration(text, arches)?;
     let output = arguments.output.open()?;
     let digits = arguments.arch.digits;
     let answer = |arch: &Arch| {
@@ -114,38 +108,11 @@ fn tilted(
             eta.to_string(),
             tilt.to_string(),
         ];
-        TiltedArch { weight: arch.weight(), given, is_limited: arch.is_limited(), found }
+        let (weight, is_limited) = (arch.weight(), arch.is_limited());
+        TiltedArch { weight, given, stones: None, is_limited, found }
     };
     let answers = TiltedArches(arches.iter().map(answer).collect());
     let open = answers.0.iter().find_map(TiltedArch::first_open).cloned();
     output.write(|out| Report::Tilted(answers).write(format, out))?;
     open.map_or(Ok(()), |open| Err(Failure::Undecided(open.to_string())))
-}
-
-/// Whether there is none.
-fn is_zero(friction: &Friction) -> bool {
-    match friction {
-        Friction::Coefficient(x) | Friction::Angle(x) => x.to_rational() == 0,
-        Friction::Infinite => false,
-    }
-}
-
-/// A horizontal acceleration: a ratio to that of gravity, or an angle of the ground.
-fn acceleration(text: &str) -> Result<Friction, Failure> {
-    let wrong = |why: &str| Err(Failure::Input(format!("the tilt '{}' {why}", shown(text))));
-    let tilt: Friction = match text.parse() {
-        Ok(tilt) => tilt,
-        Err(_) => return wrong("is no acceleration: give a number (0.1) or an angle (5deg)"),
-    };
-    // What a friction may be, an acceleration may.
-    let allowed =
-        Arch::new(SelfWeight::Heyman, ExactNumber::from(&Rational::from(1)), tilt.clone());
-    match (&tilt, allowed.map(|arch| arch.is_limited())) {
-        (Friction::Coefficient(_), Err(_)) => {
-            wrong("is negative: give its size, for to the other side the arch is its mirror image")
-        }
-        (Friction::Angle(_), Err(_) | Ok(false)) => wrong("is not an angle from 0 to below 90deg"),
-        (_, Ok(true)) => Ok(tilt),
-        _ => wrong("is no acceleration: give a number (0.1) or an angle (5deg)"),
-    }
 }

@@ -30,6 +30,7 @@ mod study;
 pub mod sweep;
 #[cfg(not(feature = "parquet"))]
 mod sweep;
+mod tilt;
 mod voussoirs;
 
 use super::failure::Failure;

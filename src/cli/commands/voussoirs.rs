@@ -3,13 +3,19 @@
 use super::arch::{ArchArguments, Needs};
 use super::output::OutputFile;
 use super::parse::{self, thickness};
+use super::tilt::acceleration;
 use crate::certify::state::{Answer, Figure, Inquiry};
-use crate::certify::{Voussoirs, assess_voussoirs, voussoir_loss, voussoirs};
+use crate::certify::{
+    MOST_TILTED_STONES, VoussoirStanding, Voussoirs, assess_voussoirs, tilted_stones,
+    voussoir_loss, voussoirs,
+};
 use crate::cli::failure::Failure;
 use crate::number::ExactNumber;
 use crate::problem::Arch;
 use crate::problem::stones::{MOST_STONES, Stones, StonesError};
-use crate::report::{Content, Format, GivenThickness, Report, VoussoirArch, VoussoirArches};
+use crate::report::{
+    Content, Format, GivenThickness, Report, TiltedArch, TiltedArches, VoussoirArch, VoussoirArches,
+};
 use clap::Args;
 
 /// Print the least thickness of an arch of given stones, and how it collapses there, with a proof.
@@ -44,6 +50,11 @@ pub(crate) struct Arguments {
     #[arg(long, visible_alias = "eta", value_name = "ETA", allow_hyphen_values = true)]
     thickness: Option<String>,
 
+    /// A uniform horizontal acceleration over that of gravity (0.1), or the angle by which the ground is tilted (5deg): whether an arch of this
+    /// thickness and of at most 2000 stones has an admissible state left, and the largest one with which it has.
+    #[arg(long, value_name = "K", requires = "thickness", allow_hyphen_values = true)]
+    tilt: Option<String>,
+
     #[arg(long, value_parser = parse::format(Content::Voussoirs), help = parse::format_help(Content::Voussoirs))]
     format: Option<&'static Format>,
 
@@ -74,6 +85,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if is_range && eta.is_some() {
         return Err(Failure::Input(ONE_NUMBER.to_owned()));
     }
+    if let (Some(tilt), Some(eta), [stones]) = (&arguments.tilt, &eta, &stones[..]) {
+        return tilted(arguments, &arches, (stones, eta), tilt);
+    }
     let format = arguments.file.format(arguments.format, Content::Voussoirs, "table")?;
     if format.is_picture && !is_range {
         return Err(Failure::Input(RANGE.to_owned()));
@@ -94,6 +108,52 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let answers = VoussoirArches { arches, is_range };
     let open = answers.arches.iter().find_map(VoussoirArch::first_open).cloned();
     file.write(|out| Report::Voussoirs(answers).write(format, out))?;
+    open.map_or(Ok(()), |open| Err(Failure::Undecided(open.to_string())))
+}
+
+/// The arches under an acceleration.
+fn tilted(
+    arguments: &Arguments,
+    arches: &[Arch],
+    (stones, eta): (&Stones, &ExactNumber),
+    tilt: &str,
+) -> Result<(), Failure> {
+    let format = arguments.file.format(arguments.format, Content::Tilted, "table")?;
+    if format.tilt.is_none() {
+        let names = Format::names(Content::Tilted);
+        let message = format!("--tilt is not written as {}; the formats are {names}", format.name);
+        return Err(Failure::Input(message));
+    }
+    if stones.count() > MOST_TILTED_STONES / 2 + 1 {
+        let message =
+            format!("--tilt looks at every joint: give at most {MOST_TILTED_STONES} stones");
+        return Err(Failure::Input(message));
+    }
+    let tilt = acceleration(tilt, arches)?;
+    let file = arguments.file.open_for(format)?;
+    let digits = arguments.arch.digits;
+    let answer = |arch: &Arch| {
+        let (weight, friction) = (arch.weight(), arch.friction());
+        let standing = assess_voussoirs(stones, weight, friction, eta, digits);
+        let found = match standing.and_then(|found| found.standing) {
+            Ok(VoussoirStanding::Stands(_)) => {
+                tilted_stones(arch, stones, eta, &tilt, digits).map(Some)
+            }
+            Ok(VoussoirStanding::Falls(_)) => Ok(None),
+            Err(undecided) => Err(undecided),
+        };
+        let given = [
+            arch.half_opening().to_string(),
+            friction.to_string(),
+            eta.to_string(),
+            tilt.to_string(),
+        ];
+        let (stones, is_limited) = (Some(stones.clone()), arch.is_limited());
+        TiltedArch { weight, given, stones, is_limited, found }
+    };
+    let answers = TiltedArches(arches.iter().map(answer).collect());
+    let open = answers.0.iter().find_map(TiltedArch::first_open).cloned();
+    file.write(|out| Report::Tilted(answers).write(format, out))?;
     open.map_or(Ok(()), |open| Err(Failure::Undecided(open.to_string())))
 }
 

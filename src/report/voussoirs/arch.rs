@@ -102,13 +102,7 @@ impl VoussoirArch {
 
     /// How it is divided, in words.
     pub(super) fn division(&self) -> String {
-        match &self.stones {
-            Stones::Equal { stones, .. } => format!("{stones} equal stones"),
-            Stones::Joints(angles) => {
-                let angles: Vec<String> = angles.iter().map(ToString::to_string).collect();
-                format!("joints at {}", angles.join(", "))
-            }
-        }
+        words::division(&self.stones)
     }
 }
 

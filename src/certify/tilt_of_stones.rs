@@ -1,0 +1,294 @@
+//! The largest horizontal acceleration at which an arch of stones of a given thickness has an admissible state, proved.
+//!
+//! Between stones it is a linear programme in `h, p, v` and `k`. **From above**: conditions that are zero together at one state, with positive multipliers
+//! that leave `k` alone, leave this `k` as a bound. **From below**: that state satisfies all other conditions, each with room but for the fourth of a
+//! joint whose other three are zero, and which bears nothing. So the largest acceleration is that of the state, exactly. Four conditions fix the state, or three slips, which leave room for `p`. What a search
+//! says of which they are is trusted for nothing.
+//!
+//! What it means is said in [`tilted`](super::tilted): with friction an admissible state does not exclude a motion.
+
+use super::Undecided;
+use super::state::{Figure, raise};
+use super::tilt::{LargestTilt, TiltDigits, TiltLimit};
+use super::voussoirs::grip;
+use crate::arch::joint::Grip;
+use crate::arch::mechanism::Contact;
+use crate::arch::tilt::{TiltedRow, row};
+use crate::arch::whole::Side;
+use crate::arch::{Ring, SelfWeight};
+use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, bits_of};
+use crate::problem::stones::Stones;
+use crate::problem::{Arch, Friction, is_thickness};
+use crate::solve::tilt::{StoneTilt, of_stones};
+use rug::Float;
+
+/// More stones are refused: the programme has four conditions at each joint.
+pub const MOST_TILTED_STONES: u64 = 2_000;
+
+/// Bits beyond those of the digits.
+const GUARD: u32 = 64;
+
+/// A condition of a stone's joint.
+struct Condition {
+    contact: Contact,
+    side: Side,
+    /// From the crown.
+    joint: u64,
+    row: TiltedRow<Ball>,
+}
+
+/// What holds for an arch of stones that stands at this thickness under an acceleration, to `digits` significant digits.
+pub fn tilted_stones(
+    arch: &Arch,
+    stones: &Stones,
+    thickness: &ExactNumber,
+    tilt: &Friction,
+    digits: usize,
+) -> Result<TiltDigits, Undecided> {
+    if !is_thickness(thickness) {
+        return Err(Undecided::new("the thickness is not between 0 and 2"));
+    }
+    stones.check().map_err(|error| Undecided::new(error.to_string()))?;
+    if stones.count() > MOST_TILTED_STONES / 2 + 1 {
+        return Err(Undecided::new("the number of stones"));
+    }
+    let first = bits_of(digits) + GUARD;
+    let mut is_admissible = None;
+    let largest = raise(first, |bits| {
+        let conditions = conditions(arch, stones, thickness, bits);
+        let Some((there, limits)) = largest_of(&conditions, bits)? else {
+            is_admissible = Some(true);
+            return Ok(Some(LargestTilt::Unlimited));
+        };
+        is_admissible = is_admissible.or_else(|| compared(&there, tilt, bits));
+        let figure = Figure::new(&there, digits);
+        Ok(figure.map(|figure| LargestTilt::Limited(Box::new(figure), limits)))
+    });
+    let is_admissible = match is_admissible {
+        Some(decided) => Ok(decided),
+        None => raise(2 * first, |bits| {
+            let conditions = conditions(arch, stones, thickness, bits);
+            let found = largest_of(&conditions, bits)?;
+            let decided = found.map_or(Some(true), |(there, _)| compared(&there, tilt, bits));
+            let open = || Undecided::new("whether the acceleration is below the largest");
+            decided.map(Some).ok_or_else(open)
+        }),
+    };
+    Ok(TiltDigits { is_admissible, largest })
+}
+
+/// Whether an acceleration is below the largest; `None` if that is not told.
+fn compared(largest: &Ball, tilt: &Friction, bits: u32) -> Option<bool> {
+    let given = grip(tilt, bits);
+    let room = largest.clone() - given.normal / given.shear;
+    room.excludes_zero().then(|| *room.mid() > 0)
+}
+
+fn conditions(arch: &Arch, stones: &Stones, thickness: &ExactNumber, bits: u32) -> Vec<Condition> {
+    let weight: SelfWeight = arch.weight();
+    let ring = Ring::new(weight, &thickness.enclosure::<Ball>(bits));
+    let grip: Grip<Ball> = grip(arch.friction(), bits);
+    let zero = ring.thickness.int(0);
+    let joint = |index: u64| {
+        let crown = index == 0 && stones.has_joint_at_crown();
+        let angle = if crown { Angle::zero(&zero) } else { Angle::new(stones.joint(index, bits)) };
+        let sides: &[Side] = if crown { &[Side::Right] } else { &[Side::Right, Side::Left] };
+        let at = |side: &Side| {
+            let at = side.joint(&angle);
+            let of = |contact: &Contact| Condition {
+                contact: *contact,
+                side: *side,
+                joint: index,
+                row: row(*contact, &at, &ring, &grip),
+            };
+            // Both hinges together ask for a normal force: without limit of friction this is all.
+            let asked = if arch.is_limited() { &Contact::ALL[..] } else { &Contact::ALL[..2] };
+            asked.iter().map(of).collect::<Vec<_>>()
+        };
+        sides.iter().flat_map(at).collect::<Vec<_>>()
+    };
+    (0..stones.count()).flat_map(joint).collect()
+}
+
+/// The largest acceleration with the conditions that leave it; `None` if there is none.
+fn largest_of(all: &[Condition], bits: u32) -> Result<Option<(Ball, Vec<TiltLimit>)>, Undecided> {
+    let double = |x: &Ball| x.mid().to_f64();
+    let rows: Vec<([f64; 4], f64)> = all
+        .iter()
+        .map(|of| (of.row.coefficients.each_ref().map(double), double(&of.row.load)))
+        .collect();
+    match of_stones(&rows) {
+        StoneTilt::Nothing => Err(Undecided::new("whether any state is admissible")),
+        StoneTilt::Unlimited(direction) => unlimited(all, &direction, bits).map(|()| None),
+        StoneTilt::Limited { active, moment } => limited(all, &active, moment, bits).map(Some),
+    }
+}
+
+/// The state at which some conditions are zero, if it is the best and satisfies all others.
+fn limited(
+    all: &[Condition],
+    active: &[usize],
+    moment: f64,
+    bits: u32,
+) -> Result<(Ball, Vec<TiltLimit>), Undecided> {
+    let open = || Undecided::new("which conditions limit the acceleration");
+    let of: Vec<&Condition> = active.iter().filter_map(|place| all.get(*place)).collect();
+    let is_pinned = of.iter().any(|condition| condition.contact.is_hinge());
+    // Without a hinge nothing is said of p.
+    let kept: &[usize] = if is_pinned { &[0, 1, 2, 3] } else { &[0, 2, 3] };
+    if of.len() != kept.len() {
+        return Err(open());
+    }
+    let matrix: Vec<Vec<Ball>> = of
+        .iter()
+        .map(|at| kept.iter().map(|k| at.row.coefficients[*k].clone()).collect())
+        .collect();
+    let whole = determinant(&matrix);
+    if !whole.excludes_zero() {
+        return Err(open());
+    }
+    let last = kept.len() - 1;
+    let replaced = |column: usize, by: &dyn Fn(usize) -> Ball| {
+        let mut matrix = matrix.clone();
+        matrix.iter_mut().enumerate().for_each(|(i, row)| row[column] = by(i));
+        determinant(&matrix) / &whole
+    };
+    // Each multiplier is what the last unknown would be with that condition alone on the right.
+    let zero = whole.int(0);
+    for i in 0..of.len() {
+        let multiplier = replaced(last, &|j| zero.int(i32::from(i == j)));
+        if !multiplier.is_positive().is_proved() {
+            return Err(open());
+        }
+    }
+    let mut unknowns = [0, 1, 2, 3].map(|_| Ball::exact(Float::with_val(bits, moment), bits));
+    for (column, k) in kept.iter().enumerate() {
+        unknowns[*k] = replaced(column, &|i| -of[i].row.load.clone());
+    }
+    let one = zero.int(1);
+    // Three conditions of a joint leave it no force: the fourth is zero too.
+    let bears_nothing = |at: &Condition| {
+        let same = |other: &&&Condition| (other.joint, other.side) == (at.joint, at.side);
+        of.iter().filter(same).count() == 3
+    };
+    let others = all.iter().enumerate().filter(|(place, _)| !active.contains(place));
+    let others = others.filter(|(_, at)| !bears_nothing(at));
+    let holds = |of: &Condition| (-of.row.at(&unknowns, &one)).is_positive().is_proved();
+    if !others.into_iter().all(|(_, of)| holds(of)) {
+        return Err(Undecided::new("whether a state is admissible at every joint"));
+    }
+    let springing = all.iter().map(|of| of.joint).max().unwrap_or(0);
+    let limit = |of: &&Condition| TiltLimit {
+        contact: of.contact,
+        is_springing: of.joint == springing,
+        is_right: of.side == Side::Right,
+        joint: Some(of.joint),
+    };
+    let [.., tilt] = unknowns;
+    Ok((tilt, of.iter().map(limit).collect()))
+}
+
+/// Any amount of a direction, with its acceleration of one, may be added to a state.
+fn unlimited(all: &[Condition], direction: &[f64; 3], bits: u32) -> Result<(), Undecided> {
+    let [h, p, v] = direction.map(|x| Ball::exact(Float::with_val(bits, x), bits));
+    let (one, zero) = (h.int(1), h.int(0));
+    let unknowns = [h, p, v, one];
+    let falls = |of: &Condition| (-of.row.at(&unknowns, &zero)).is_positive().is_proved();
+    match all.iter().all(falls) {
+        true => Ok(()),
+        false => Err(Undecided::new("whether the acceleration is bounded")),
+    }
+}
+
+/// The determinant of a small matrix, by its first column.
+fn determinant(matrix: &[Vec<Ball>]) -> Ball {
+    if let [row] = matrix {
+        return row[0].clone();
+    }
+    let zero = matrix[0][0].int(0);
+    (0..matrix.len()).fold(zero, |sum, i| {
+        let rest: Vec<Vec<Ball>> =
+            (0..matrix.len()).filter(|j| *j != i).map(|j| matrix[j][1..].to_vec()).collect();
+        let term = matrix[i][0].clone() * determinant(&rest);
+        if i.is_multiple_of(2) { sum + term } else { sum - term }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certify::tilted;
+
+    fn found(arch: [&str; 3], stones: u64, eta: &str, tilt: &str) -> TiltDigits {
+        let [weight, alpha, mu] = arch;
+        let arch = Arch::parse(weight, alpha, mu).unwrap();
+        let stones = Stones::equal(stones, arch.half_opening().clone()).unwrap();
+        tilted_stones(&arch, &stones, &eta.parse().unwrap(), &tilt.parse().unwrap(), 12).unwrap()
+    }
+
+    fn value(found: &TiltDigits) -> f64 {
+        match &found.largest {
+            Ok(LargestTilt::Limited(figure, _)) => figure.double,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    /// Many stones bear a little more than an arch with a joint at every angle, and come near it; fewer bear more.
+    #[test]
+    fn many_stones_come_near_an_arch_with_all_joints() {
+        for (alpha, mu, eta) in
+            [("pi/2", "inf", "0.15"), ("pi/2", "0.4", "0.15"), ("1.2", "0.6", "0.1")]
+        {
+            let arch = Arch::parse("milankovitch", alpha, mu).unwrap();
+            let all = tilted(&arch, &eta.parse().unwrap(), &"0.01".parse().unwrap(), 12).unwrap();
+            let all = value(&all);
+            let [few, many] =
+                [20, 200].map(|n| value(&found(["milankovitch", alpha, mu], n, eta, "0.01")));
+            assert!(few >= many && many >= all - 1e-11, "{alpha} {mu}: {few} {many} {all}");
+            assert!(many - all < 1e-3, "{alpha} {mu}: {many} {all}");
+        }
+    }
+
+    /// On either side of the largest.
+    #[test]
+    fn an_acceleration_is_compared_with_the_largest() {
+        let arch = ["milankovitch", "pi/2", "0.4"];
+        let largest = value(&found(arch, 11, "0.15", "0"));
+        let at = |tilt: f64| found(arch, 11, "0.15", &format!("{tilt:.9}")).is_admissible;
+        assert_eq!((at(largest - 1e-8), at(largest + 1e-8)), (Ok(true), Ok(false)));
+    }
+
+    #[test]
+    fn a_flat_thick_arch_has_no_limit() {
+        let largest = found(["heyman", "0.5", "2"], 6, "0.7", "5").largest;
+        assert!(matches!(largest, Ok(LargestTilt::Unlimited)), "{largest:?}");
+    }
+
+    /// Conditions that are not those of the limit prove nothing, and nor does a direction that passes one.
+    #[test]
+    fn forged_conditions_are_refused() {
+        let arch = Arch::parse("heyman", "pi/2", "0.6").unwrap();
+        let stones = Stones::equal(9, arch.half_opening().clone()).unwrap();
+        let all = conditions(&arch, &stones, &"0.15".parse().unwrap(), 200);
+        let (tilt, limits) = largest_of(&all, 200).unwrap().unwrap();
+        let place = |limit: &TiltLimit| {
+            let is = |of: &Condition| {
+                (of.contact, Some(of.joint), of.side == Side::Right)
+                    == (limit.contact, limit.joint, limit.is_right)
+            };
+            all.iter().position(is).unwrap()
+        };
+        let active: Vec<usize> = limits.iter().map(place).collect();
+        let again = limited(&all, &active, 0.0, 200).unwrap();
+        assert!(again.0.overlaps(&tilt));
+        for k in 0..4 {
+            let mut forged = active.clone();
+            forged[k] = (0..all.len()).find(|place| !active.contains(place)).unwrap();
+            assert!(limited(&all, &forged, 0.0, 200).is_err(), "{k}");
+            forged[k] = active[(k + 1) % 4];
+            assert!(limited(&all, &forged, 0.0, 200).is_err(), "{k}");
+        }
+        assert!(limited(&all, &active[..3], 0.0, 200).is_err());
+        assert!(unlimited(&all, &[1.0, 1.0, 0.0], 200).is_err());
+    }
+}
