@@ -1,6 +1,7 @@
 """Chromium without a window, driven through a pipe by its own protocol: real pointers and keys, and what the console says."""
 
 import base64
+import fcntl
 import json
 import os
 import subprocess
@@ -14,19 +15,19 @@ class Browser:
         self.size, self.dark, self.touch = size, dark, touch
 
     def __enter__(self):
-        self.folder = tempfile.TemporaryDirectory()
+        self.folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         here, to_browser = os.pipe()
         from_browser, there = os.pipe()
         quiet = ["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--hide-scrollbars"]
         line = ["chromium", *quiet, "--remote-debugging-pipe", f"--user-data-dir={self.folder.name}", "about:blank"]
 
-        # The browser reads from its file 3 and writes to its file 4.
-        def files():
-            os.dup2(os.dup(here), 3) if here != 3 else None
-            os.dup2(os.dup(there), 4) if there != 4 else None
-
-        # Above 4, so that neither is written over.
+        # The browser reads from its file 3 and writes to its file 4; above 4 neither is written over.
         here, there = [self.above(file) for file in (here, there)]
+
+        def files():
+            os.dup2(here, 3)
+            os.dup2(there, 4)
+
         self.process = subprocess.Popen(line, preexec_fn=files, pass_fds=(3, 4, here, there), stderr=subprocess.DEVNULL)
         os.close(here)
         os.close(there)
@@ -44,8 +45,6 @@ class Browser:
 
     @staticmethod
     def above(file):
-        import fcntl
-
         moved = fcntl.fcntl(file, fcntl.F_DUPFD, 10)
         os.close(file)
         return moved
@@ -72,7 +71,10 @@ class Browser:
         sent = {"id": self.count, "method": method, "params": parameters}
         if self.session:
             sent["sessionId"] = self.session
-        os.write(self.to, json.dumps(sent).encode() + b"\0") if len(json.dumps(sent)) < 60_000 else self.write(sent)
+        # A pipe may take a long message in pieces.
+        data = json.dumps(sent).encode() + b"\0"
+        while data:
+            data = data[os.write(self.to, data) :]
         while True:
             got = self.message()
             if got.get("id") == self.count:
@@ -80,12 +82,6 @@ class Browser:
                     raise RuntimeError(f"{method}: {got['error']}")
                 return got["result"]
             self.keep(got)
-
-    def write(self, sent):
-        """A long message, in pieces that the pipe takes."""
-        data = json.dumps(sent).encode() + b"\0"
-        while data:
-            data = data[os.write(self.to, data) :]
 
     def keep(self, event):
         said = event.get("params", {})

@@ -3,7 +3,7 @@
 /** Digits that are proved, where they are decided. */
 const DIGITS = 10;
 /** Seconds after which the command is shown instead. */
-const PATIENCE = 2;
+let patience = 2;
 
 const frictionText = ({ friction, friction_angle }) => friction ?? `tan(${friction_angle})`;
 
@@ -34,10 +34,10 @@ function questions(given, found, wanted) {
 
 /** The answer of the checker, with its subject or the reason why there is none. */
 async function prove(given, found, wanted) {
-  const late = setTimeout(() => prover.stop(), PATIENCE * 1000);
+  const late = setTimeout(() => prover.stop(), patience * 1000);
   const answer = await prover.ask("prove", questions(given, found, wanted));
   clearTimeout(late);
-  return answer ?? { reason: `the proof takes longer than ${PATIENCE} seconds here` };
+  return answer ?? { reason: `the proof takes longer than ${patience} seconds here` };
 }
 
 let last = null, next = null, isBusy = false;
