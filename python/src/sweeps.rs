@@ -57,6 +57,9 @@ pub(crate) fn sweep_begin(
     })
 }
 
+/// A part, its rows, and the counts of its verdicts if it is there.
+type Surveyed = (usize, u64, Option<[u64; 4]>);
+
 /// For each part of a share its number, its rows, and the counts of its verdicts if it is there.
 #[pyfunction]
 pub(crate) fn sweep_survey(
@@ -65,7 +68,7 @@ pub(crate) fn sweep_survey(
     base: PathBuf,
     share: (usize, usize),
     threads: usize,
-) -> PyResult<Vec<(usize, u64, Option<[u64; 4]>)>> {
+) -> PyResult<Vec<Surveyed>> {
     let sweep = opened(&folder, &base)?;
     let parts = sweep.share(share.0, share.1);
     let survey = py.detach(|| on_threads(threads, || sweep.survey(&parts)))?.map_err(wrong)?;
