@@ -64,7 +64,8 @@ deny:
 constants: build
 	./target/release/couplet certify all --digits 100 --output proofs/constants
 
-# One certified state of each collapse mode, for Coq; a test says whether they are up to date.
+# One certified state of each collapse mode, for Coq, and one asymmetric solution of (19) of each kind, for each weight; a test
+# says whether they are up to date.
 states: build
 	mkdir -p proofs/states
 	while read -r name weight alpha mu; do \
@@ -72,6 +73,11 @@ states: build
 	    --output proofs/states/$$name.json || exit 1; \
 	done < proofs/states/arches.txt
 	./target/release/couplet prove --coq proofs/coq/generated --state proofs/states/*.json
+	mkdir -p proofs/asymmetric
+	while read -r name weight alpha mu mode; do \
+	  ./target/release/couplet certify asymmetric --weight $$weight --alpha $$alpha --mu $$mu --mode $$mode --digits 30 \
+	    --output proofs/asymmetric/$$name.json || exit 1; \
+	done < proofs/asymmetric/arches.txt
 
 # The checker of certificates alone, which must need neither GMP nor MPFR: `couplet check`, and its tests.
 checker:
@@ -168,7 +174,7 @@ witness:
 	  echo "couplet: the third check needs Python 3.10 or newer with venv and python-flint (pip install python-flint)" >&2; \
 	  exit 1; }
 	@if python3 -c 'import flint' 2>/dev/null; then python=python3; else python=$(ARB)/bin/python3; fi; \
-	$$python proofs/check_with_arb.py proofs/constants/*.json proofs/states/*.json
+	$$python proofs/check_with_arb.py proofs/constants/*.json proofs/states/*.json proofs/asymmetric/*.json
 
 # GMP's configure script, run by the first build, needs m4.
 m4:

@@ -72,7 +72,7 @@ class Dual:
 sin, cos = (lambda x: x.sin()), (lambda x: x.cos())
 fac = lambda η, δ: 1 + δ * η * η / 12
 SYMBOL = {"half_opening": "α", "rotation_joint": "β", "sliding_joint": "βs", "thickness": "η", "thrust": "h",
-          "friction": "μ"}
+          "friction": "μ", "crown_hinge": "b0", "crown_moment": "p", "vertical_force": "v"}
 QUOTIENT = {
     "(2)": ("h", lambda β, η, δ, **_: (
         (2 - η) * β * sin(β) - 2 * (1 - cos(β)) * fac(η, δ), 2 + η - (2 - η) * cos(β))),
@@ -89,7 +89,30 @@ QUOTIENT = {
 quotient = lambda label, v: QUOTIENT[label][1](**v)
 
 
+# The margins of the whole arch at a joint x, with their first and second derivatives.
+def margin(name, order, x, v):
+    h, p, η, δ, μ, y, c, s = *(v[name] for name in "h p η δ μ".split()), x - v["v"], cos(x), sin(x)
+    N = (h * c + y * s, (1 - h) * s + y * c, (2 - h) * c - y * s)[order]
+    T = (y * c - h * s, (1 - h) * c - y * s, (h - 2) * s - y * c)[order]
+    M = (p + fac(η, δ) * (1 - c), fac(η, δ) * s, fac(η, δ) * c)[order]
+    return {"E": (2 + η) * N / 2 - M, "I": M - (2 - η) * N / 2, "S": μ * N - T, "O": μ * N + T}[name]
+
+
+MARGIN = {
+    "E(b0) = 0": ("E", 0, lambda v: v["b0"]), "E'(b0) = 0": ("E", 1, lambda v: v["b0"]),
+    "I(-b1) = 0": ("I", 0, lambda v: -v["β"]), "I'(-b1) = 0": ("I", 1, lambda v: -v["β"]),
+    "O(alpha) = 0": ("O", 0, lambda v: v["α"]), "E(alpha) = 0": ("E", 0, lambda v: v["α"]),
+    "O(-b2) = 0": ("O", 0, lambda v: -v["βs"]), "O'(-b2) = 0": ("O", 1, lambda v: -v["βs"]),
+}
+FITS = "(2 - eta) cos(b1 + alpha) = (2 + eta) cos(alpha - b0)"
+
+
 def residual(label, v):
+    if label in MARGIN:
+        name, order, joint = MARGIN[label]
+        return margin(name, order, joint(v), v)
+    if label == FITS:
+        return (2 - v["η"]) * cos(v["β"] + v["α"]) - (2 + v["η"]) * cos(v["α"] - v["b0"])
     if label == "beta_s^2 = h (1 - h)":
         return v["βs"] * v["βs"] - v["h"] * (1 - v["h"])
     if label == "d/d eta of (2) = (5)":
@@ -129,6 +152,23 @@ TOO_WIDE = ("half_opening, thrust, sliding_joint", "(3), (18), beta_s^2 = h (1 -
 STANDS = {"crown": ("", "", {"β": ZERO}), "haunch": ("rotation_joint", "(5)", {}), "shoulder": ("", "", {})}
 
 
+# The kinds of asymmetric solutions: unknowns, equations, and the joints that give way.
+WHOLE = "thrust, crown_moment, vertical_force, thickness, crown_hinge, rotation_joint"
+COMMON = "E(b0) = 0, E'(b0) = 0, I(-b1) = 0, I'(-b1) = 0, O(alpha) = 0, "
+SLIDES_OUT, CROWN_HINGE, HAUNCH_HINGE = (
+    "slides outwards, right shoulder", "hinge at the extrados, right crown", "hinge at the intrados, left haunch")
+ASYMMETRIC = {
+    "inner_sliding": (WHOLE + ", sliding_joint", COMMON + "O(-b2) = 0, O'(-b2) = 0", {}),
+    "shoulder_opening": (WHOLE, COMMON + "E(alpha) = 0", {}),
+    "shoulder_sliding": (WHOLE, COMMON + FITS, {}),
+}
+CONTACTS = {
+    "inner_sliding": [SLIDES_OUT, CROWN_HINGE, "slides inwards, left inner", HAUNCH_HINGE],
+    "shoulder_opening": [SLIDES_OUT, "hinge at the extrados, right shoulder", CROWN_HINGE, HAUNCH_HINGE],
+    "shoulder_sliding": [SLIDES_OUT, CROWN_HINGE, HAUNCH_HINGE],
+}
+
+
 def short_integer(text, limit, where):
     """An integer of at most eight digits, whatever its leading zeros, and at most `limit` in size."""
     parts = re.fullmatch(r"(-?)0*([0-9]{1,8})", text)
@@ -163,7 +203,8 @@ def exact_friction(text):
 
 
 KINDS = {"landmark": {}, "slides": {}, "too_wide": {}, "state": {"mode": str}, "too_thin": {"mode": str, "thickness": str},
-         "stands": {"thickness": str, "thrust": str, "crown_moment": str, "nearest": str}}
+         "stands": {"thickness": str, "thrust": str, "crown_moment": str, "nearest": str},
+         "asymmetric": {"mode": str, "contacts": list}}
 
 
 class Claim:
@@ -210,6 +251,9 @@ class Claim:
             self.bits, self.nearest = max(bits_of(thing["thrust"]), bits_of(thing["crown_moment"])), thing["nearest"]
             self.given["h"] = lambda v: h
             return STANDS.get(self.nearest)
+        if self.kind == "asymmetric":
+            need(thing["contacts"] == CONTACTS.get(self.name), "claim: not the joints of the kind")
+            return ASYMMETRIC.get(self.name)
         return MODES.get(self.name)
 
     def variables(self, x):
@@ -374,19 +418,87 @@ def verdict_signs(claim, v):
             yield "half opening - widest half opening", claim.beyond("α", v)
 
 
+def rates(kind, v):
+    """The rates of the joints that give way, by their names, where the hinge next to the crown turns by one."""
+    α, β, b0, outer, inner = v["α"], v["β"], v["b0"], (2 + v["η"]) / 2, (2 - v["η"]) / 2
+    across, up = outer * cos(b0) - inner * cos(β), -outer * sin(b0) - inner * sin(β)
+    if kind == "shoulder_sliding":
+        return {"shoulder_slip": across / sin(α)}
+    a, b, other = ((-sin(v["βs"]), cos(v["βs"]), "inner_slip") if kind == "inner_sliding" else
+                   (inner * cos(β) - outer * cos(α), outer * sin(α) + inner * sin(β), "shoulder_opening"))
+    det = sin(α) * b - a * cos(α)
+    return {"shoulder_slip": (across * b - a * up) / det, other: (sin(α) * up - cos(α) * across) / det}
+
+
+def asymmetric_signs(claim, v):
+    """What has to be positive of an asymmetric solution besides the margins."""
+    next_joint = v["βs"] if claim.name == "inner_sliding" else v["β"]
+    yield from [("eta", v["η"]), ("2 - eta", 2 - v["η"]), ("v", v["v"]), ("alpha - b0", v["α"] - v["b0"]),
+                ("the order of the hinges", v["b0"] + next_joint), ("alpha - b1", v["α"] - v["β"])]
+    if claim.name == "inner_sliding":
+        yield "b1 - b2", v["β"] - v["βs"]
+    yield from rates(claim.name, v).items()
+
+
+PIECE, LAST, FEW = 3, 30, 192  # pieces from 2^-3 to 2^-30; bits in which they are looked at
+
+
+def nowhere_negative(name, v, touching, springing):
+    """Is a margin nowhere negative on [-alpha, alpha], if it and its slope are zero at some joints, and it at alpha if
+    `springing`?"""
+    near = []
+    around = lambda x, k: x + (-arb((1, -k))).union(arb((1, -k)))
+    for x in touching:
+        near += [y for y in (around(x, k) for k in range(2, 24)) if margin(name, 2, y, v) > 0][:1]
+    if springing:
+        near += [y for y in (around(v["α"], k) for k in range(2, 24)) if margin(name, 1, y, v) < 0][:1]
+    if len(near) < len(touching) + springing:
+        return False
+    most = 4 << PIECE
+    pieces = [(2 * i + 1 - most, PIECE) for i in range(most)]
+    while pieces:
+        m, k = pieces.pop()
+        middle, offset = arb((m, -k)), around(arb(0), k)
+        x = middle + offset
+        least = lambda: (margin(name, 0, middle, v) + margin(name, 1, middle, v) * offset
+                         + margin(name, 2, x, v) * offset * offset / 2)
+        if x > v["α"] or x < -v["α"] or any(y.contains_interior(x) for y in near) or least() > 0:
+            continue
+        if k == LAST:
+            return False
+        pieces += [(2 * m - 1, k + 1), (2 * m + 1, k + 1)]
+    return True
+
+
+def admissible_everywhere(claim, v):
+    """Is no margin negative on the whole arch?"""
+    opens, slides = claim.name == "shoulder_opening", claim.name == "inner_sliding"
+    joints = {"E": ([v["b0"]], opens), "I": ([-v["β"]], False), "S": ([], False), "O": ([-v["βs"]] if slides else [], True)}
+    for name, (touching, springing) in joints.items():
+        need(nowhere_negative(name, v, touching, springing), f"{name} is not shown to be nowhere negative")
+
+
 def quantities(claim, v):
     kind = claim.kind
     q = {name: v[symbol] for name, symbol in SYMBOL.items() if symbol in v}
     if "friction" in q:
         q["friction_angle"] = q["friction"].atan() if q["friction"].is_finite() else arb.pi() / 2
-    for name in q.keys() & {"half_opening", "friction_angle", "rotation_joint", "sliding_joint"}:
+    for name in q.keys() & {"half_opening", "friction_angle", "rotation_joint", "sliding_joint", "crown_hinge"}:
         q[name + "_degrees"] = 180 * q[name] / arb.pi()
     if "η" in v and "h" in v:
         q["intrinsic_thrust"] = v["η"] * v["h"]
     if kind not in ("landmark", "state"):  # only what is solved for
         solved = lambda name: any(name.startswith(unknown) for unknown in claim.unknowns)
         both = {"thickness", "thrust"} <= set(claim.unknowns)
-        return {name: x for name, x in q.items() if (both if name == "intrinsic_thrust" else solved(name))}
+        motion = {}
+        if kind == "asymmetric":
+            motion = rates(claim.name, v)
+            N = lambda x: v["h"] * cos(x) + (x - v["v"]) * sin(x)
+            taken = N(v["α"]) * motion["shoulder_slip"]
+            if claim.name == "inner_sliding":
+                taken += N(-v["βs"]) * motion["inner_slip"]
+            motion["power"] = v["μ"] * taken
+        return motion | {name: x for name, x in q.items() if (both if name == "intrinsic_thrust" else solved(name))}
     if kind != "landmark":  # what is given is not a result
         return {name: x for name, x in q.items() if name.split("_")[0] not in ("half", "friction")}
     q["A"] = v["α"] * sin(v["α"]) / (1 - cos(v["α"]))
@@ -462,9 +574,13 @@ def check(data):
     v = claim.variables(small.ball())
     need(v["α"] > 0 and v["α"] < arb.pi(), "half opening not between 0 and pi")
     signs = (landmark_signs(claim, v) if claim.kind == "landmark" else
-             state_signs(claim.name, v) if claim.kind == "state" else verdict_signs(claim, v))
+             state_signs(claim.name, v) if claim.kind == "state" else
+             asymmetric_signs(claim, v) if claim.kind == "asymmetric" else verdict_signs(claim, v))
     for name, value in signs:
         need(value > 0, f"not shown to be positive: {name}")
+    if claim.kind == "asymmetric":
+        with ctx.workprec(FEW):
+            admissible_everywhere(claim, {name: +x for name, x in v.items()})
 
     # Point 6: decimals.
     known, seen = quantities(claim, v), set()

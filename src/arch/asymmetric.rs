@@ -16,8 +16,9 @@
 use super::joint::Grip;
 use super::mechanism::{Contact, Joint};
 use super::whole::{Forces, Motion, Side, margin, margin_along, motion_row};
-use super::{Ring, SelfWeight};
+use super::{Configuration, Ring, SelfWeight};
 use crate::number::{Angle, Field, Real};
+use std::fmt;
 
 /// How an asymmetric mechanism closes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -68,6 +69,12 @@ impl AsymmetricMode {
     }
 }
 
+impl fmt::Display for AsymmetricMode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
 /// Where a joint is that gives way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
@@ -79,6 +86,18 @@ pub enum Place {
     Haunch,
     /// Between them, at `b2`.
     Inner,
+}
+
+impl Place {
+    /// The name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Shoulder => "shoulder",
+            Self::Crown => "crown",
+            Self::Haunch => "haunch",
+            Self::Inner => "inner",
+        }
+    }
 }
 
 /// The variables of a state.
@@ -123,6 +142,25 @@ impl<T: Real> Asymmetric<T> {
     }
 }
 
+impl<T: Field> From<&Configuration<T>> for Asymmetric<T> {
+    /// The same variables: the haunch is the rotational joint. A friction that is unlimited has no such form.
+    fn from(at: &Configuration<T>) -> Self {
+        Self {
+            half_opening: at.half_opening.clone(),
+            grip: Grip { shear: at.friction.int(1), normal: at.friction.clone() },
+            thickness: at.thickness.clone(),
+            forces: Forces {
+                thrust: at.thrust.clone(),
+                moment: at.crown_moment.clone(),
+                vertical: at.vertical_force.clone(),
+            },
+            crown_hinge: at.crown_hinge.clone(),
+            haunch: at.rotation_joint.clone(),
+            sliding_joint: at.sliding_joint.clone(),
+        }
+    }
+}
+
 impl<T: Field> Asymmetric<T> {
     /// The joint of a place by its angle from the crown.
     pub fn angle(&self, place: Place) -> &Angle<T> {
@@ -146,25 +184,44 @@ impl<T: Field> Asymmetric<T> {
         margin(side.contact(contact), &joint, ring, &self.grip, &self.forces)
     }
 
+    /// The line of thrust touches the extrados at the hinge next to the crown: the margin there, and its slope.
+    pub fn crown(&self, ring: &Ring<T>) -> [T; 2] {
+        self.touching((Contact::Extrados, Side::Right, Place::Crown), ring)
+    }
+
+    /// The line of thrust touches the intrados at the haunch: the margin there, and its slope.
+    pub fn haunch(&self, ring: &Ring<T>) -> [T; 2] {
+        self.touching((Contact::Intrados, Side::Left, Place::Haunch), ring)
+    }
+
+    /// The right shoulder slides outwards: the margin there.
+    pub fn shoulder_slides(&self, ring: &Ring<T>) -> T {
+        self.at_limit((Contact::Outwards, Side::Right, Place::Shoulder), ring)
+    }
+
+    /// The right shoulder opens about its extrados: the margin there.
+    pub fn shoulder_opens(&self, ring: &Ring<T>) -> T {
+        self.at_limit((Contact::Extrados, Side::Right, Place::Shoulder), ring)
+    }
+
+    /// The inner joint slides inwards: the margin there, and its slope.
+    pub fn inner_slides(&self, ring: &Ring<T>) -> [T; 2] {
+        self.touching((Contact::Inwards, Side::Left, Place::Inner), ring)
+    }
+
     /// What all three kinds have: the two hinges touch, and the right shoulder slides. Five equations.
     pub fn common(&self, weight: SelfWeight) -> Vec<T> {
         let ring = Ring::new(weight, &self.thickness);
-        let crown = self.touching((Contact::Extrados, Side::Right, Place::Crown), &ring);
-        let haunch = self.touching((Contact::Intrados, Side::Left, Place::Haunch), &ring);
-        let shoulder = self.at_limit((Contact::Outwards, Side::Right, Place::Shoulder), &ring);
-        crown.into_iter().chain(haunch).chain([shoulder]).collect()
+        let touching = self.crown(&ring).into_iter().chain(self.haunch(&ring));
+        touching.chain([self.shoulder_slides(&ring)]).collect()
     }
 
     /// What the kind has besides: as many equations as it has unknowns beyond four, all of them zero in a state.
     pub fn closing(&self, mode: AsymmetricMode, weight: SelfWeight) -> Vec<T> {
         let ring = Ring::new(weight, &self.thickness);
         match mode {
-            AsymmetricMode::InnerSliding => {
-                self.touching((Contact::Inwards, Side::Left, Place::Inner), &ring).into()
-            }
-            AsymmetricMode::ShoulderOpening => {
-                vec![self.at_limit((Contact::Extrados, Side::Right, Place::Shoulder), &ring)]
-            }
+            AsymmetricMode::InnerSliding => self.inner_slides(&ring).into(),
+            AsymmetricMode::ShoulderOpening => vec![self.shoulder_opens(&ring)],
             AsymmetricMode::ShoulderSliding => vec![self.misfit(&ring)],
         }
     }
@@ -175,7 +232,7 @@ impl<T: Field> Asymmetric<T> {
     }
 
     /// `(2 - eta) cos(b1 + alpha) - (2 + eta) cos(alpha - b0)`: by how much the hinges and the shoulder alone do not fit.
-    fn misfit(&self, ring: &Ring<T>) -> T {
+    pub fn misfit(&self, ring: &Ring<T>) -> T {
         let Self { half_opening: alpha, crown_hinge: crown, haunch, .. } = self;
         let below = haunch.cos.clone() * &alpha.cos - haunch.sin.clone() * &alpha.sin;
         let above = crown.cos.clone() * &alpha.cos + crown.sin.clone() * &alpha.sin;

@@ -180,6 +180,7 @@ mod tests {
             thickness: Rational::from((1, 3)),
             thrust: h.clone(),
             friction: mu.clone(),
+            ..Configuration::zero(&mu)
         };
         let ring = Ring::new(weight, &at.thickness);
         let outer = -contact::extrados_margin_at_shoulder(weight, &at, &p);
@@ -225,6 +226,7 @@ mod tests {
             thickness: Rational::from((1, 3)),
             thrust: Rational::from((2, 7)),
             friction: Rational::from((5, 4)),
+            ..Configuration::zero(&Rational::new())
         };
         let known = contact::rates_of_rotation(&at);
         assert_eq!(rates[1].clone() / &rates[0], known.haunch / &known.crown);

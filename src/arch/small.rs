@@ -82,6 +82,8 @@ impl<T: Stumpff> Scaled<T> {
             Unknown::Thickness => self.thickness = value,
             Unknown::Thrust => self.deficit = value,
             Unknown::Friction => self.friction = value,
+            // No symmetric state has them.
+            Unknown::CrownHinge | Unknown::CrownMoment | Unknown::VerticalForce => {}
         }
         self
     }
@@ -277,6 +279,7 @@ mod tests {
             thickness: thickness(at),
             thrust: x.int(1) - rest(at),
             friction: x.square() * &x * &at.friction,
+            ..Configuration::zero(&x)
         }
     }
 

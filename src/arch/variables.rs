@@ -17,6 +17,12 @@ pub enum Unknown {
     Thrust,
     /// `mu`, in `[0, inf]`.
     Friction,
+    /// `b0`, the hinge right of the crown of an asymmetric state, in `(-alpha, alpha)`.
+    CrownHinge,
+    /// `p`, the moment of the forces in the crown about the centre.
+    CrownMoment,
+    /// `v`, the vertical force in the crown.
+    VerticalForce,
 }
 
 impl Unknown {
@@ -29,12 +35,18 @@ impl Unknown {
             Self::Thickness => "thickness",
             Self::Thrust => "thrust",
             Self::Friction => "friction",
+            Self::CrownHinge => "crown_hinge",
+            Self::CrownMoment => "crown_moment",
+            Self::VerticalForce => "vertical_force",
         }
     }
 
     /// Whether its sine and cosine are needed.
     pub fn is_angle(self) -> bool {
-        matches!(self, Self::HalfOpening | Self::RotationJoint | Self::SlidingJoint)
+        matches!(
+            self,
+            Self::HalfOpening | Self::RotationJoint | Self::SlidingJoint | Self::CrownHinge
+        )
     }
 }
 
@@ -54,6 +66,12 @@ pub struct Configuration<T> {
     pub thrust: T,
     /// `mu`.
     pub friction: T,
+    /// `b0`; like what follows zero in a symmetric state.
+    pub crown_hinge: Angle<T>,
+    /// `p`.
+    pub crown_moment: T,
+    /// `v`.
+    pub vertical_force: T,
 }
 
 impl<T: Real> Configuration<T> {
@@ -66,6 +84,9 @@ impl<T: Real> Configuration<T> {
             Unknown::Thickness => self.thickness = value,
             Unknown::Thrust => self.thrust = value,
             Unknown::Friction => self.friction = value,
+            Unknown::CrownHinge => self.crown_hinge = Angle::new(value),
+            Unknown::CrownMoment => self.crown_moment = value,
+            Unknown::VerticalForce => self.vertical_force = value,
         }
         self
     }
@@ -78,10 +99,13 @@ impl<T: Field> Configuration<T> {
         Self {
             half_opening: angle.clone(),
             rotation_joint: angle.clone(),
-            sliding_joint: angle,
+            sliding_joint: angle.clone(),
             thickness: zero.clone(),
             thrust: zero.clone(),
-            friction: zero,
+            friction: zero.clone(),
+            crown_hinge: angle,
+            crown_moment: zero.clone(),
+            vertical_force: zero,
         }
     }
 }
@@ -102,6 +126,7 @@ impl Configuration<rug::Rational> {
             thickness: (1, 3).into(),
             thrust: (1, 7).into(),
             friction: (5, 4).into(),
+            ..Self::zero(&rug::Rational::new())
         }
     }
 }
@@ -116,6 +141,9 @@ impl<T> Configuration<T> {
             Unknown::Thickness => &self.thickness,
             Unknown::Thrust => &self.thrust,
             Unknown::Friction => &self.friction,
+            Unknown::CrownHinge => &self.crown_hinge.rad,
+            Unknown::CrownMoment => &self.crown_moment,
+            Unknown::VerticalForce => &self.vertical_force,
         }
     }
 
@@ -125,7 +153,12 @@ impl<T> Configuration<T> {
             Unknown::HalfOpening => Some(&self.half_opening),
             Unknown::RotationJoint => Some(&self.rotation_joint),
             Unknown::SlidingJoint => Some(&self.sliding_joint),
-            Unknown::Thickness | Unknown::Thrust | Unknown::Friction => None,
+            Unknown::CrownHinge => Some(&self.crown_hinge),
+            Unknown::Thickness
+            | Unknown::Thrust
+            | Unknown::Friction
+            | Unknown::CrownMoment
+            | Unknown::VerticalForce => None,
         }
     }
 
@@ -144,6 +177,9 @@ impl<T> Configuration<T> {
             thickness: f(&self.thickness),
             thrust: f(&self.thrust),
             friction: f(&self.friction),
+            crown_hinge: angle(&self.crown_hinge),
+            crown_moment: f(&self.crown_moment),
+            vertical_force: f(&self.vertical_force),
         }
     }
 
@@ -160,6 +196,9 @@ impl<T> Configuration<T> {
             thickness: number(Unknown::Thickness, self.thickness),
             thrust: number(Unknown::Thrust, self.thrust),
             friction: number(Unknown::Friction, self.friction),
+            crown_hinge: angle(Unknown::CrownHinge, self.crown_hinge),
+            crown_moment: number(Unknown::CrownMoment, self.crown_moment),
+            vertical_force: number(Unknown::VerticalForce, self.vertical_force),
         }
     }
 }

@@ -43,6 +43,14 @@ pub enum Side {
 }
 
 impl Side {
+    /// The name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Right => "right",
+            Self::Left => "left",
+        }
+    }
+
     /// The joint at an angle from the crown, on this side.
     pub fn joint<T: Field>(self, angle: &Angle<T>) -> Angle<T> {
         match self {

@@ -4,9 +4,9 @@
 //!
 //! 1. **The state.** The equations of an [`AsymmetricMode`] have exactly one solution in a box (Krawczyk): joints are at their
 //!    limits where the mechanism moves.
-//! 2. **Admissible on the whole arch**, at every joint of `[-alpha, alpha]`, by balls that cover it: each of the four margins is
-//!    positive, but next to a joint that touches its limit, where the margin and its slope are zero at the root and the curvature is
-//!    positive, and at the shoulder that slides, where the margin falls to zero. Margins at the two faces add up to `eta N`, so that
+//! 2. **Admissible on the whole arch**, at every joint of `[-alpha, alpha]`, as [`check`](crate::check) sees it too: each of the
+//!    four margins is positive, but next to a joint that touches its limit, where the margin and its slope are zero at the root and
+//!    the curvature is positive, and at the shoulder that slides, where the margin falls to zero. Margins at the two faces add up to `eta N`, so that
 //!    `N >= 0` needs no word.
 //! 3. **The motion.** The blocks fit by the choice of the rates, and every rate is positive. So each condition of Eq. (19)
 //!    holds: `phi <= 0`, `lambda >= 0`, `phi^T lambda = 0`, and compatibility without dilatancy.
@@ -15,17 +15,17 @@
 //! The mirror image is a solution at the same thickness. **What is found is proved; that there are no others is not.**
 
 use super::Undecided;
-use super::root::{self, Form};
+use super::posed::Posed;
+use super::root::{no_candidate, root_near};
 use super::state::{Figure, raise};
 use super::voussoirs::grip;
-use super::whole::{Touching, Whole};
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode, Place};
-use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
 use crate::arch::whole::{Motion, Side};
-use crate::arch::{Ring, SelfWeight};
-use crate::number::{Ball, Enclosure, ExactNumber, Real, Stumpff, bits_of};
-use crate::problem::Arch;
+use crate::arch::{Configuration, Ring};
+use crate::check::whole;
+use crate::number::{Ball, Enclosure, ExactNumber, bits_of};
+use crate::problem::{Arch, Problem};
 use crate::solve::asymmetric::{AsymmetricCandidate, asymmetric as candidates};
 use rug::Float;
 
@@ -122,37 +122,27 @@ pub(crate) fn found(arch: &Arch) -> Vec<AsymmetricCandidate> {
     candidates(arch.weight(), half_opening.mid().to_f64(), &grip)
 }
 
-/// The equations of a kind of solution.
-struct Equations {
-    mode: AsymmetricMode,
-    weight: SelfWeight,
-    half_opening: Ball,
-    grip: Grip<Ball>,
-}
-
-impl Form<Ball> for Equations {
-    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
-        let Grip { shear, normal } = &self.grip;
-        let grip = Grip { shear: number(shear), normal: number(normal) };
-        let at = Asymmetric::from_unknowns(&number(&self.half_opening), grip, x);
-        at.map_or_else(Vec::new, |at| at.residuals(self.mode, self.weight))
-    }
-
-    /// Nothing is divided by but integers.
-    fn is_regular<T: Enclosure + Stumpff>(&self, _: impl Fn(&Ball) -> T, _: &[T]) -> bool {
-        true
-    }
-}
-
 fn require(is_proved: bool, question: &'static str) -> Result<(), Undecided> {
     if is_proved { Ok(()) } else { Err(Undecided::new(question)) }
+}
+
+/// The root next to a candidate, unique in a box.
+pub(super) fn root(
+    problem: &Problem,
+    candidate: &AsymmetricCandidate,
+    bits: u32,
+) -> Result<Configuration<Ball>, Undecided> {
+    let (system, given) = (problem.system(), problem.given(bits));
+    let start = candidate.unknowns.iter().map(|x| Float::with_val(bits, x)).collect();
+    let root = root_near(&Posed { system: &system, given: &given }, bits, start)?;
+    Ok(system.place(given, &root))
 }
 
 impl CertifiedAsymmetric {
     /// The solution of a kind that the search finds for an arch, proved in balls of `bits` bits.
     pub(crate) fn of(arch: &Arch, mode: AsymmetricMode, bits: u32) -> Result<Self, Undecided> {
         let candidate = found(arch).into_iter().find(|candidate| candidate.mode == mode);
-        Self::new(arch, &candidate.ok_or_else(root::no_candidate)?, bits)
+        Self::new(arch, &candidate.ok_or_else(no_candidate)?, bits)
     }
 
     /// The proof, in balls of `bits` bits.
@@ -161,61 +151,28 @@ impl CertifiedAsymmetric {
         candidate: &AsymmetricCandidate,
         bits: u32,
     ) -> Result<Self, Undecided> {
-        let (mode, weight) = (candidate.mode, arch.weight());
-        let half_opening: Ball = arch.half_opening().enclosure(bits);
-        let grip = grip(arch.friction(), bits);
-        let equations = Equations { mode, weight, half_opening, grip };
-        let start = candidate.unknowns.iter().map(|x| Float::with_val(bits, x)).collect();
-        let root = root::root_near(&equations, bits, start)?;
-        let Equations { half_opening, grip, .. } = equations;
-        let at = Asymmetric::from_unknowns(&half_opening, grip, &root);
-        let at = at.ok_or_else(|| Undecided::new("the number of unknowns"))?;
-        Self::proved(mode, weight, at)
+        let problem = Problem::Asymmetric { mode: candidate.mode, arch: arch.clone() };
+        Self::proved(&problem, &root(&problem, candidate, bits)?, bits)
     }
 
     /// The rest of the proof, for variables that enclose a root of the equations.
-    fn proved(
-        mode: AsymmetricMode,
-        weight: SelfWeight,
-        at: Asymmetric<Ball>,
-    ) -> Result<Self, Undecided> {
-        let is_positive = |x: &Ball| x.is_positive().is_proved();
-        let ring = Ring::new(weight, &at.thickness);
-        require(is_positive(&ring.thickness), "whether the thickness is positive")?;
-        require(is_positive(&ring.intrados()), "whether the thickness is below 2")?;
-        let at_limit = at.residuals(mode, weight).iter().all(|residual| !residual.excludes_zero());
-        require(at_limit, "whether the joints are at their limits")?;
-        let motion = at.motion(mode);
-        // From the right springing to the left, so that the blocks between them are what they seem.
-        let places = mode.contacts().iter().map(|(_, side, place)| (*side, *place));
-        let mut places: Vec<(Side, Place)> = places.collect();
-        places.dedup();
-        let order: Vec<Ball> =
-            places.iter().map(|(side, place)| side.joint(at.angle(*place)).rad).collect();
-        let mut pairs = order.iter().zip(order.iter().skip(1));
-        let falls = pairs.all(|(right, left)| is_positive(&(right.clone() - left)));
-        require(falls, "in which order the joints are")?;
-        require(
-            is_positive(&(at.half_opening.rad.clone() - &at.haunch.rad)),
-            "whether the haunch is inside the arch",
-        )?;
-        let touching = mode.contacts().iter().map(|&(contact, side, place)| Touching {
-            contact: side.contact(contact),
-            joint: match place {
-                Place::Shoulder => None,
-                inside => Some(side.joint(at.angle(inside)).rad),
-            },
-        });
-        let whole = Whole {
-            half_opening: &at.half_opening.rad,
-            ring: ring.clone(),
-            grip: at.grip.clone(),
-            forces: at.forces.clone(),
+    fn proved(problem: &Problem, at: &Configuration<Ball>, bits: u32) -> Result<Self, Undecided> {
+        let Problem::Asymmetric { mode, arch } = problem else {
+            return Err(Undecided::new("what is asked"));
         };
-        whole.is_admissible(&touching.collect::<Vec<_>>())?;
-        let rates = motion.0.iter().all(|joint| is_positive(&joint.rate));
-        require(rates, "whether each joint moves its way")?;
-        let power = motion.power(&ring);
+        let (mode, weight) = (*mode, arch.weight());
+        let residuals = problem.system().residuals(at);
+        let at_limit = residuals.iter().all(|residual| !residual.excludes_zero());
+        require(at_limit, "whether the joints are at their limits")?;
+        if let Some(condition) = problem.first_failure(at, bits) {
+            return Err(Undecided::new(condition.label()));
+        }
+        let at = Asymmetric::from(at);
+        if let Some(contact) = whole::first_failure(mode, weight, &at) {
+            return Err(Undecided::new(whole::label(contact)));
+        }
+        let motion = at.motion(mode);
+        let power = motion.power(&Ring::new(weight, &at.thickness));
         let balance = power.overlaps(&motion.friction_power(&at.forces));
         require(balance, "whether the weight works by as much as friction takes")?;
         Ok(Self { mode, at, motion, power })
@@ -326,29 +283,31 @@ mod tests {
     /// The proof refuses what is not a solution: a contact moved, a rate turned, a friction or a thickness that is another.
     #[test]
     fn false_twins_are_refused() {
-        let CertifiedAsymmetric { mode, at, .. } = certified("2.3", "1.05");
-        let weight = SelfWeight::Milankovitch;
+        let arch = arch("milankovitch", "2.3", "1.05");
+        let candidate = &found(&arch)[0];
+        let problem = Problem::Asymmetric { mode: candidate.mode, arch };
+        let at = root(&problem, candidate, 128).unwrap();
         let like = at.thickness.clone();
         let small = like.ratio(1, 1000);
-        let reason = |at: Asymmetric<Ball>| {
-            CertifiedAsymmetric::proved(mode, weight, at).err().map(|open| open.reason.to_string())
+        let reason = |at: &Configuration<Ball>| {
+            let proved = CertifiedAsymmetric::proved(&problem, at, 128);
+            proved.err().map(|open| open.reason.to_string())
         };
-        assert_eq!(reason(at.clone()), None);
-        let refused = |spoil: &dyn Fn(&mut Asymmetric<Ball>), words: &str| {
+        assert_eq!(reason(&at), None);
+        let refused = |spoil: &dyn Fn(&mut Configuration<Ball>)| {
             let mut twin = at.clone();
             spoil(&mut twin);
-            let reason = reason(twin).unwrap_or_default();
-            assert!(reason.contains(words), "{words}: {reason}");
+            let reason = reason(&twin).unwrap_or_default();
+            assert!(reason.contains("at their limits"), "{reason}");
         };
         let moved = |angle: &Angle<Ball>, by: &Ball| Angle::new(angle.rad.clone() + by);
         let tenth = like.ratio(1, 10);
-        refused(&|at| at.haunch = moved(&at.haunch, &tenth), "at their limits");
-        refused(&|at| at.crown_hinge = moved(&at.crown_hinge, &tenth), "at their limits");
-        refused(&|at| at.grip.normal = at.grip.normal.clone() - &small, "at their limits");
-        refused(&|at| at.thickness = at.thickness.clone() - &small, "at their limits");
-        refused(&|at| at.forces.vertical = at.forces.vertical.clone() + &small, "at their limits");
-        refused(&|at| at.sliding_joint = moved(&at.haunch, &small), "at their limits");
-        refused(&|at| at.thickness = at.thickness.int(3), "below 2");
+        refused(&|at| at.rotation_joint = moved(&at.rotation_joint, &tenth));
+        refused(&|at| at.crown_hinge = moved(&at.crown_hinge, &tenth));
+        refused(&|at| at.friction = at.friction.clone() - &small);
+        refused(&|at| at.thickness = at.thickness.clone() - &small);
+        refused(&|at| at.vertical_force = at.vertical_force.clone() + &small);
+        refused(&|at| at.sliding_joint = moved(&at.rotation_joint, &small));
     }
 
     /// Where the third kind holds, the equations of the first have a root too, whose inner joint would have to slide
@@ -362,7 +321,7 @@ mod tests {
         let unknowns = third.unknowns.iter().copied().chain([joint]).collect();
         let first = AsymmetricCandidate { mode: AsymmetricMode::InnerSliding, unknowns };
         let refused = CertifiedAsymmetric::new(&arch, &first, 128).unwrap_err();
-        assert_eq!(refused.reason, "whether each joint moves its way");
+        assert_eq!(refused.reason, "an inner joint that slides inwards");
     }
 
     /// Block by block, the weight works by as much as friction takes; not if a joint slides the other way.

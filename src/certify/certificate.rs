@@ -111,7 +111,9 @@ pub(super) fn attempt(
 /// its limit, or a line of thrust to the intrados, which is as near as its witnesses are long.
 fn further(problem: &Problem, attempt: u32) -> u32 {
     match problem {
-        Problem::Verdict { .. } => problem.witness_bits() as u32 + ((GUARD << attempt) - GUARD) / 2,
+        Problem::Verdict { .. } | Problem::Asymmetric { .. } => {
+            problem.witness_bits() as u32 + ((GUARD << attempt) - GUARD) / 2
+        }
         _ => 0,
     }
 }

@@ -5,6 +5,7 @@
 
 mod arithmetic;
 mod asymmetric;
+mod asymmetric_certificate;
 mod certificate;
 mod closed_value;
 mod cover;
@@ -28,11 +29,11 @@ mod tilt_of_stones;
 mod undecided;
 mod verdict;
 mod voussoirs;
-mod whole;
 
 pub use asymmetric::{
     AsymmetricDigits, AsymmetricJoint, CertifiedAsymmetric, asymmetric, asymmetric_thicknesses,
 };
+pub use asymmetric_certificate::{asymmetric_kinds, certify_asymmetric};
 pub use certificate::certify_landmark;
 pub use closed_value::Exact;
 pub use cover::{between, cover};

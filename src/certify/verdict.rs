@@ -93,7 +93,12 @@ fn state_root(
     Ok(Root { problem, centre, values })
 }
 
-fn rounded(quantity: Quantity, ball: &Ball, digits: usize) -> Result<ValueFile, Undecided> {
+/// A value of a certificate.
+pub(super) fn rounded(
+    quantity: Quantity,
+    ball: &Ball,
+    digits: usize,
+) -> Result<ValueFile, Undecided> {
     let rounding = || Undecided::new(format!("the rounding of {}", quantity.name()));
     let figure = Figure::new(ball, digits).ok_or_else(rounding)?;
     Ok(value_file(quantity, &Value::Finite(figure.decimal)))
@@ -217,6 +222,7 @@ mod tests {
                 Problem::Verdict { verdict: Verdict::Stands(_), .. } => "stands",
                 Problem::State { .. } => "state",
                 Problem::Landmark { .. } => "landmark",
+                Problem::Asymmetric { .. } => "asymmetric",
             }
         };
         for (alpha, mu) in [

@@ -9,13 +9,15 @@
 //!    that only the residuals at its centre are evaluated to full precision.
 //! 3. **The claim**: the physical range; for a state, that it is admissible on the whole half arch, that
 //!    no thinner arch stands, and that it is the mode stated; for a landmark, the same of each mode that
-//!    meets there; for another verdict, what decides it.
+//!    meets there; for another verdict, what decides it; for an asymmetric solution, that it is admissible on the
+//!    whole arch and that its joints move their way.
 //! 4. **The decimals** are the correct rounding of everything in the small box.
 
 use super::decimals::Decimals;
 use super::format::{Certificate, Witness};
 use super::krawczyk;
 use super::refusal::Refusal;
+use super::whole;
 use crate::arch::{Configuration, Unknown};
 use crate::number::{Angle, AstroInterval, Dual, Dyadic, Enclosure, Engine};
 use crate::problem::{Problem, Quantity, System, Verdict};
@@ -153,6 +155,12 @@ pub fn check_certificate<E: Engine>(
     let near = at.map_ref(|x| x.with_bits(wide));
     if let Some(condition) = holds(&near, wide).and_then(|_| holds(&at, bits)) {
         return Err(Refusal::Condition(condition.label()));
+    }
+    // That an asymmetric solution is admissible is seen on the whole arch.
+    if let Problem::Asymmetric { mode, arch } = &problem
+        && let Some(contact) = whole::first_failure(*mode, arch.weight(), &(&near).into())
+    {
+        return Err(Refusal::Condition(whole::label(contact)));
     }
     let values = Decimals::new(&problem, &at, digits, bits).accept(&certificate.values)?;
     // What stands needs no value.

@@ -4,6 +4,9 @@ use super::given::{friction_text, given_text, read_friction, read_given};
 use super::object::{given, given_object, list};
 use super::refusal::Refusal;
 use super::visible::shortened;
+use crate::arch::asymmetric::{AsymmetricMode, Place};
+use crate::arch::mechanism::Contact;
+use crate::arch::whole::Side;
 use crate::arch::{SelfWeight, Unknown};
 use crate::number::{Dyadic, ExactNumber};
 use crate::problem::{
@@ -12,7 +15,7 @@ use crate::problem::{
 };
 use serde::{Deserialize, Serialize};
 
-/// What is claimed, in names and text: of its six subjects exactly one.
+/// What is claimed, in names and text: of its seven subjects exactly one.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ClaimFile {
@@ -36,6 +39,9 @@ pub struct ClaimFile {
     /// An arch that stands.
     #[serde(default, deserialize_with = "given_object", skip_serializing_if = "Option::is_none")]
     pub stands: Option<StandsFile>,
+    /// An asymmetric solution of the complementarity problem (19) of a whole arch.
+    #[serde(default, deserialize_with = "given_object", skip_serializing_if = "Option::is_none")]
+    pub asymmetric: Option<AsymmetricFile>,
     /// The names of what is solved for, in the order of every vector.
     #[serde(deserialize_with = "list")]
     pub unknowns: Vec<String>,
@@ -98,6 +104,21 @@ pub struct StandsFile {
     pub nearest: String,
 }
 
+/// An arch and how it gives way on one side.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct AsymmetricFile {
+    /// `inner_sliding`, `shoulder_opening` or `shoulder_sliding`: how the mechanism closes.
+    pub mode: String,
+    /// As in [`ArchFile`].
+    pub half_opening: String,
+    /// As in [`ArchFile`], and limited.
+    pub friction: String,
+    /// The joints that give way, from the right springing to the left: how, on which side, and where.
+    #[serde(deserialize_with = "list")]
+    pub contacts: Vec<String>,
+}
+
 impl ClaimFile {
     /// The problem in the words of the file.
     pub fn new(problem: &Problem) -> Self {
@@ -116,6 +137,12 @@ impl ClaimFile {
                 let ArchFile { half_opening, friction } = ArchFile::new(arch);
                 let mode = mode.label().to_owned();
                 Self { state: Some(StateFile { mode, half_opening, friction }), ..claim }
+            }
+            Problem::Asymmetric { mode, arch } => {
+                let ArchFile { half_opening, friction } = ArchFile::new(arch);
+                let (contacts, mode) = (contacts(*mode), mode.name().to_owned());
+                let file = AsymmetricFile { mode, half_opening, friction, contacts };
+                Self { asymmetric: Some(file), ..claim }
             }
             Problem::Verdict { verdict, arch } => {
                 let given = ArchFile::new(arch);
@@ -147,7 +174,7 @@ impl ClaimFile {
     /// The problem, if every name is known and the unknowns and equations are those of the subject.
     pub fn resolve(&self) -> Result<Problem, Refusal> {
         let weight = named("weight", &self.weight, SelfWeight::ALL, SelfWeight::name)?;
-        let Self { landmark, state, slides, too_wide, too_thin, stands, .. } = self;
+        let Self { landmark, state, slides, too_wide, too_thin, stands, asymmetric, .. } = self;
         let subjects = [
             landmark.as_ref().map(|symbol| {
                 let landmark = named("landmark", symbol, Landmark::ALL, Landmark::symbol)?;
@@ -184,6 +211,19 @@ impl ClaimFile {
                 };
                 Ok(Problem::Verdict { verdict: Verdict::Stands(standing), arch })
             }),
+            asymmetric.as_ref().map(|asymmetric| {
+                let arch = arch(weight, &asymmetric.half_opening, &asymmetric.friction)?;
+                if !arch.is_limited() {
+                    return Err(refused("friction", &asymmetric.friction));
+                }
+                let (all, name) = (AsymmetricMode::ALL, AsymmetricMode::name);
+                let mode = named("mode", &asymmetric.mode, all, name)?;
+                let expected = contacts(mode);
+                match asymmetric.contacts == expected {
+                    true => Ok(Problem::Asymmetric { mode, arch }),
+                    false => Err(mismatch("contacts", &expected)),
+                }
+            }),
         ];
         let mut subjects = subjects.into_iter().flatten();
         let (Some(problem), None) = (subjects.next(), subjects.next()) else {
@@ -197,7 +237,7 @@ impl ClaimFile {
             [("unknowns", &self.unknowns, unknowns), ("equations", &self.equations, equations)]
         {
             if *given != expected {
-                return Err(Refusal::Mismatch { place, expected: expected.join(", ") });
+                return Err(mismatch(place, &expected));
             }
         }
         Ok(problem)
@@ -220,6 +260,19 @@ fn named<T: Copy, const N: usize>(
     all.into_iter()
         .find(|x| name(*x) == text)
         .ok_or_else(|| Refusal::Name { place, text: shortened(text) })
+}
+
+fn mismatch(place: &'static str, expected: &[impl AsRef<str>]) -> Refusal {
+    let expected: Vec<&str> = expected.iter().map(AsRef::as_ref).collect();
+    Refusal::Mismatch { place, expected: expected.join(", ") }
+}
+
+/// The joints that give way, in words.
+fn contacts(mode: AsymmetricMode) -> Vec<String> {
+    let words = |(contact, side, place): &(Contact, Side, Place)| {
+        format!("{}, {} {}", contact.name(), side.name(), place.name())
+    };
+    mode.contacts().iter().map(words).collect()
 }
 
 fn refused(place: &'static str, text: &str) -> Refusal {

@@ -38,6 +38,7 @@ impl<'a, E: Engine> Decimals<'a, E> {
         for value in file {
             let quantity = Quantity::LANDMARK
                 .into_iter()
+                .chain(Quantity::ASYMMETRIC)
                 .find(|quantity| quantity.name() == value.quantity)
                 .filter(|quantity| self.problem.has(*quantity))
                 .filter(|quantity| values.iter().all(|(known, _)| known != quantity));

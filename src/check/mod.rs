@@ -13,6 +13,7 @@ mod object;
 mod refusal;
 mod summary;
 mod visible;
+pub(crate) mod whole;
 
 #[cfg(feature = "cli")]
 pub(crate) use crate::number::visible;
@@ -21,7 +22,7 @@ pub use checker::MALACHITE_DIGITS;
 pub use checker::{
     ASTRO_DIGITS, Accepted, EXTRA_BITS, MAX_DIGITS, WITNESS_BITS, check, check_certificate, verify,
 };
-pub use claim::{ArchFile, ClaimFile, StandsFile, StateFile, TooThinFile};
+pub use claim::{ArchFile, AsymmetricFile, ClaimFile, StandsFile, StateFile, TooThinFile};
 pub use format::{Certificate, SCHEMA, ValueFile, Witness};
 pub use refusal::Refusal;
 pub use summary::summary;

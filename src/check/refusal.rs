@@ -15,7 +15,7 @@ pub enum Refusal {
     Schema(String),
     /// No subject, or more than one.
     #[error(
-        "claim: needs exactly one of 'landmark', 'state', 'slides', 'too_wide', 'too_thin', 'stands'"
+        "claim: needs exactly one of 'landmark', 'state', 'slides', 'too_wide', 'too_thin', 'stands', 'asymmetric'"
     )]
     Subject,
     /// A name that does not exist.
@@ -26,10 +26,10 @@ pub enum Refusal {
         /// What stands there.
         text: String,
     },
-    /// The claim lists other equations or unknowns than its subject has.
+    /// The claim lists other equations, unknowns or contacts than its subject has.
     #[error("claim: the {place} are not those of the subject, {expected}")]
     Mismatch {
-        /// `unknowns` or `equations`.
+        /// `unknowns`, `equations` or `contacts`.
         place: &'static str,
         /// What they should be.
         expected: String,

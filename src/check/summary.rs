@@ -11,6 +11,9 @@ pub fn summary(accepted: &Accepted) -> String {
     let (subject, limit) = match &accepted.problem {
         Problem::Landmark { landmark, .. } => (landmark.symbol().to_owned(), None),
         Problem::State { mode, arch } => (format!("{mode} {}", described(arch)), None),
+        Problem::Asymmetric { mode, arch } => {
+            (format!("asymmetric solution of (19), {mode}, {}", described(arch)), None)
+        }
         Problem::Verdict { verdict, arch } => {
             let arch = described(arch);
             match verdict {

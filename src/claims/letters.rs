@@ -17,5 +17,6 @@ pub(super) fn variables() -> Configuration<Fraction> {
         thickness: Symbol::Thickness.number(),
         thrust: Symbol::Thrust.number(),
         friction: Symbol::Friction.number(),
+        ..Configuration::zero(&Symbol::Thrust.number())
     }
 }

@@ -216,6 +216,7 @@ pub(super) fn room_of_pure_sliding(
         thickness: h.int(1),
         thrust: h.clone(),
         friction: h.int(0),
+        ..Configuration::zero(&h)
     };
     Ok([
         ("h > 0 at alpha = 1", h.clone()),

@@ -29,6 +29,8 @@ pub enum Condition {
     FrictionAtShoulder,
     /// `mu` is above what the steepest joint asks for.
     FrictionInside,
+    /// The joints that give way left of the crown are left of the hinge next to it.
+    HingesInOrder,
     /// `beta_r > beta_s`.
     SlidesAboveHaunch,
     /// `beta_r < beta_s`.
@@ -37,6 +39,8 @@ pub enum Condition {
     OpensAtShoulder,
     /// The mechanism slides the way friction allows.
     SlidesTheRightWay,
+    /// The inner joint slides inwards.
+    SlidesInwards,
     /// The shoulder bounds the thrust from above: `sin(alpha) > mu cos(alpha)`.
     ShoulderBoundsThrust,
     /// The same, unless the weight of the mechanism grows with the thrust.
@@ -126,12 +130,18 @@ impl Condition {
             Self::Above(Unknown::Thickness) => "a positive thickness",
             Self::Above(Unknown::Thrust) => "a positive thrust",
             Self::Above(Unknown::Friction) => "a positive friction",
+            Self::Above(Unknown::CrownHinge) => "a hinge right of the crown",
+            Self::Above(Unknown::CrownMoment) => "a positive moment in the crown",
+            Self::Above(Unknown::VerticalForce) => "a positive vertical force in the crown",
             Self::Below(Unknown::HalfOpening) => "a half opening below pi",
             Self::Below(Unknown::RotationJoint) => "a rotational joint above the shoulder",
             Self::Below(Unknown::SlidingJoint) => "a sliding joint above the shoulder",
             Self::Below(Unknown::Thickness) => "a thickness below the physical limit",
             Self::Below(Unknown::Thrust) => "a thrust below one",
-            Self::Below(Unknown::Friction) => "a bounded friction",
+            Self::Below(Unknown::CrownHinge) => "a crown hinge above the shoulder",
+            Self::Below(Unknown::Friction | Unknown::CrownMoment | Unknown::VerticalForce) => {
+                "a bounded variable"
+            }
             Self::Compression => "compression at the shoulder",
             Self::IntradosAtCrown => "the line of thrust leaves the intrados at the crown",
             Self::ExtradosAtShoulder => "the line of thrust inside the extrados at the shoulder",
@@ -140,6 +150,8 @@ impl Condition {
             Self::SteepestAboveShoulder => "the steepest joint above the shoulder",
             Self::FrictionAtShoulder => "friction enough at the shoulder",
             Self::FrictionInside => "friction enough inside",
+            Self::HingesInOrder => "a crown hinge on the side of the shoulder that slides",
+            Self::SlidesInwards => "an inner joint that slides inwards",
             Self::SlidesAboveHaunch => "a sliding joint nearer to the crown",
             Self::SlidesBelowHaunch => "a rotational joint nearer to the crown",
             Self::OpensAtShoulder => "a mechanism that opens at the shoulder",

@@ -1,5 +1,7 @@
-//! The equations by their numbers in the paper, and the two forms in which they are used.
+//! The equations by their numbers in the paper, and the two forms in which they are used; those of an asymmetric
+//! state, which have none, by what they say.
 
+use crate::arch::asymmetric::Asymmetric;
 use crate::arch::small::{self, Scaled};
 use crate::arch::{Configuration, Ring, SelfWeight, sliding, thrust};
 use crate::number::{Dual, Field};
@@ -27,11 +29,30 @@ pub enum Equation {
     InnerSliding,
     /// `beta_s² = h (1 - h)`, the other half of (18).
     Steepest,
+    /// The line of thrust meets the extrados at the hinge next to the crown. Like what follows of an
+    /// [asymmetric state](crate::arch::asymmetric).
+    CrownHinge,
+    /// It touches it there.
+    CrownTangency,
+    /// The line of thrust meets the intrados at the left haunch.
+    HaunchHinge,
+    /// It touches it there.
+    HaunchTangency,
+    /// The right shoulder is at its limit of friction.
+    ShoulderSlides,
+    /// An inner joint of the left half is at its limit of friction.
+    InnerSlides,
+    /// It is where friction is nearest to its limit.
+    InnerSteepest,
+    /// The line of thrust meets the extrados at the right shoulder.
+    ShoulderOpens,
+    /// The two hinges and the shoulder alone fit.
+    Fits,
 }
 
 impl Equation {
-    /// All equations, in the order of the paper.
-    pub const ALL: [Self; 9] = [
+    /// All equations, in the order of the paper; then those of asymmetric states.
+    pub const ALL: [Self; 18] = [
         Self::LowerThrust,
         Self::UpperThrust,
         Self::WholeThrust,
@@ -41,7 +62,21 @@ impl Equation {
         Self::ShoulderSliding,
         Self::InnerSliding,
         Self::Steepest,
+        Self::CrownHinge,
+        Self::CrownTangency,
+        Self::HaunchHinge,
+        Self::HaunchTangency,
+        Self::ShoulderSlides,
+        Self::InnerSlides,
+        Self::InnerSteepest,
+        Self::ShoulderOpens,
+        Self::Fits,
     ];
+
+    /// Whether it is one of the paper's, of half an arch.
+    pub fn is_symmetric(self) -> bool {
+        self as usize <= Self::Steepest as usize
+    }
 
     /// The number in the paper, and what is special about it.
     pub fn label(self) -> &'static str {
@@ -55,6 +90,15 @@ impl Equation {
             Self::ShoulderSliding => "(17)",
             Self::InnerSliding => "(18)",
             Self::Steepest => "beta_s^2 = h (1 - h)",
+            Self::CrownHinge => "E(b0) = 0",
+            Self::CrownTangency => "E'(b0) = 0",
+            Self::HaunchHinge => "I(-b1) = 0",
+            Self::HaunchTangency => "I'(-b1) = 0",
+            Self::ShoulderSlides => "O(alpha) = 0",
+            Self::InnerSlides => "O(-b2) = 0",
+            Self::InnerSteepest => "O'(-b2) = 0",
+            Self::ShoulderOpens => "E(alpha) = 0",
+            Self::Fits => "(2 - eta) cos(b1 + alpha) = (2 + eta) cos(alpha - b0)",
         }
     }
 
@@ -87,6 +131,31 @@ impl Equation {
                 sliding::inner(&at.sliding_joint, &at.thrust).residual(&at.friction)
             }
             Self::Steepest => sliding::steepest(&at.sliding_joint.rad, &at.thrust),
+            Self::CrownHinge
+            | Self::CrownTangency
+            | Self::HaunchHinge
+            | Self::HaunchTangency
+            | Self::ShoulderSlides
+            | Self::InnerSlides
+            | Self::InnerSteepest
+            | Self::ShoulderOpens
+            | Self::Fits => self.asymmetric(&at.into(), &ring()),
+        }
+    }
+
+    /// The residual of an equation of an asymmetric state: a margin or its slope along the arch, which are zero.
+    fn asymmetric<T: Field>(self, at: &Asymmetric<T>, ring: &Ring<T>) -> T {
+        let [value, slope] = match self {
+            Self::CrownHinge | Self::CrownTangency => at.crown(ring),
+            Self::HaunchHinge | Self::HaunchTangency => at.haunch(ring),
+            Self::InnerSlides | Self::InnerSteepest => at.inner_slides(ring),
+            Self::ShoulderSlides => return at.shoulder_slides(ring),
+            Self::ShoulderOpens => return at.shoulder_opens(ring),
+            _ => return at.misfit(ring),
+        };
+        match self {
+            Self::CrownTangency | Self::HaunchTangency | Self::InnerSteepest => slope,
+            _ => value,
         }
     }
 
@@ -106,7 +175,7 @@ impl Equation {
             }
             Self::ShoulderSliding => sliding::shoulder(&at.half_opening, &at.thrust).denominator,
             Self::InnerSliding => sliding::inner(&at.sliding_joint, &at.thrust).denominator,
-            Self::DoubleThickness | Self::Steepest => return None,
+            _ => return None,
         })
     }
 
@@ -120,7 +189,7 @@ impl Equation {
             Self::ShoulderSliding => small::shoulder(at).residual(&at.friction),
             Self::InnerSliding => small::inner(at).residual(&at.friction),
             Self::Steepest => small::steepest(at),
-            Self::UpperThrust | Self::TangencyAtCrown | Self::DoubleThickness => return None,
+            _ => return None,
         })
     }
 }

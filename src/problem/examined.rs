@@ -70,10 +70,13 @@ impl<'a, E: Enclosure> Examined<'a, E> {
             Condition::Below(Unknown::HalfOpening) => alpha.pi() - alpha,
             Condition::Below(Unknown::RotationJoint) => alpha.clone() - &at.rotation_joint.rad,
             Condition::Below(Unknown::SlidingJoint) => alpha.clone() - &at.sliding_joint.rad,
+            Condition::Below(Unknown::CrownHinge) => alpha.clone() - &at.crown_hinge.rad,
             Condition::Below(Unknown::Thickness) => alpha.int(2) - &at.thickness,
             Condition::Below(Unknown::Thrust) => alpha.int(1) - &at.thrust,
             // Any number is.
-            Condition::Below(Unknown::Friction) => alpha.int(1),
+            Condition::Below(Unknown::Friction | Unknown::CrownMoment | Unknown::VerticalForce) => {
+                alpha.int(1)
+            }
             Condition::Compression => statics::normal_force(&at.half_opening, &at.thrust),
             Condition::IntradosAtCrown => contact::crown_slope(weight, at),
             Condition::ExtradosAtShoulder => {
@@ -105,9 +108,11 @@ impl<'a, E: Enclosure> Examined<'a, E> {
                 self.at_largest_thrust(|weight| self.growth(&weight))
             }
             // These are about what a state does not have: they are not shown.
-            Condition::Beyond(_) | Condition::InsideIntrados | Condition::NearestAtShoulder => {
-                alpha.int(0)
-            }
+            Condition::Beyond(_)
+            | Condition::InsideIntrados
+            | Condition::NearestAtShoulder
+            | Condition::HingesInOrder
+            | Condition::SlidesInwards => alpha.int(0),
         }
     }
 }

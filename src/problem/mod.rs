@@ -10,6 +10,7 @@
 //! | `arch` | an arch: weight, half opening, friction |
 //! | [`measures`] | an arch in metres, and the weight of its material |
 //! | [`stones`] | the joints of an arch of voussoirs |
+//! | `asymmetric` | an asymmetric solution of (19): system, conditions, quantities |
 //! | `ties` | what is exactly zero in an arch |
 //! | `problem` | a landmark or the state of an arch: system, what is given, conditions |
 //! | `condition` | what makes a state admissible, and the thinnest |
@@ -22,6 +23,8 @@
 
 #[cfg(feature = "check")]
 mod arch;
+#[cfg(feature = "check")]
+mod asymmetric;
 mod condition;
 mod equation;
 mod examined;

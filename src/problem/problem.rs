@@ -1,12 +1,14 @@
 //! A problem: its equations, what is given, and the conditions on its root.
 
+use super::asymmetric;
 use super::verdict::{beyond, standing_margin};
 use super::{Arch, Condition, Examined, Fixed, Known, Landmark, Mode, Quantity, System, Verdict};
+use crate::arch::asymmetric::AsymmetricMode;
 use crate::arch::{Configuration, SelfWeight, Unknown, thrust};
 use crate::number::{Enclosure, Engine};
 
-/// A landmark, an arch with the mode in which it collapses at its least thickness, or another verdict on an arch: what
-/// a proof is about, and what a certificate claims.
+/// A landmark, an arch with the mode in which it collapses at its least thickness, another verdict on an arch, or an
+/// asymmetric solution of (19): what a proof is about, and what a certificate claims.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Problem {
     /// A landmark point.
@@ -30,6 +32,13 @@ pub enum Problem {
         /// The arch.
         arch: Arch,
     },
+    /// An asymmetric solution of the complementarity problem (19) of a whole arch with limited friction.
+    Asymmetric {
+        /// How its mechanism closes.
+        mode: AsymmetricMode,
+        /// The arch.
+        arch: Arch,
+    },
 }
 
 impl Problem {
@@ -37,7 +46,9 @@ impl Problem {
     pub fn weight(&self) -> SelfWeight {
         match self {
             Self::Landmark { weight, .. } => *weight,
-            Self::State { arch, .. } | Self::Verdict { arch, .. } => arch.weight(),
+            Self::State { arch, .. }
+            | Self::Verdict { arch, .. }
+            | Self::Asymmetric { arch, .. } => arch.weight(),
         }
     }
 
@@ -47,6 +58,7 @@ impl Problem {
             Self::Landmark { landmark, weight } => landmark.system(*weight),
             Self::State { mode, arch } => mode.system(arch.weight()),
             Self::Verdict { verdict, arch } => verdict.system(arch),
+            Self::Asymmetric { mode, arch } => asymmetric::system(*mode, arch.weight()),
         }
     }
 
@@ -54,13 +66,14 @@ impl Problem {
     pub fn given<E: Engine>(&self, bits: u32) -> Configuration<E> {
         match self {
             Self::Landmark { .. } => Configuration::zero(&E::zero(bits as usize)),
-            Self::State { arch, .. } => arch.given(bits),
+            Self::State { arch, .. } | Self::Asymmetric { arch, .. } => arch.given(bits),
             Self::Verdict { verdict, arch } => verdict.given(arch, bits),
         }
     }
 
     /// What has to be positive at the root, for the state of each mode that is spoken of: the physical range,
-    /// that it is admissible, that no thinner arch stands, and what tells its mode from others.
+    /// that it is admissible, that no thinner arch stands, and what tells its mode from others. That an asymmetric
+    /// solution is admissible is no sign at a point: [`check`](crate::check) looks at the whole arch.
     pub fn conditions(&self) -> Vec<(Mode, Vec<Condition>)> {
         match self {
             Self::Landmark { landmark, weight } => landmark.conditions(*weight),
@@ -78,6 +91,8 @@ impl Problem {
                 };
                 vec![(mode, verdict.conditions(arch))]
             }
+            // Its mechanism is none of the modes.
+            Self::Asymmetric { mode, .. } => vec![(Mode::Sliding, asymmetric::conditions(*mode))],
         }
     }
 
@@ -90,6 +105,10 @@ impl Problem {
                 (_, Condition::Beyond(unknown)) => beyond(unknown, &self.given(bits), at),
                 (Self::Verdict { verdict: Verdict::Stands(standing), .. }, condition) => {
                     standing_margin(condition, self.weight(), standing, at, bits)
+                        .unwrap_or_else(|| state.margin(condition))
+                }
+                (Self::Asymmetric { mode, .. }, condition) => {
+                    asymmetric::margin(*mode, condition, at)
                         .unwrap_or_else(|| state.margin(condition))
                 }
                 _ => state.margin(condition),
@@ -120,6 +139,7 @@ impl Problem {
                 mode.slides_inside()
             }
             (Self::Verdict { verdict, arch }, _) => verdict.has(arch, quantity),
+            (Self::Asymmetric { mode, .. }, _) => asymmetric::has(*mode, quantity),
             (_, Quantity::IntrinsicThrust) => {
                 system.knows(Unknown::Thickness) && system.knows(Unknown::Thrust)
             }
@@ -134,6 +154,11 @@ impl Problem {
         quantity: Quantity,
         at: &Configuration<E>,
     ) -> Option<Known<E>> {
+        if let Self::Asymmetric { mode, arch } = self
+            && let Some(x) = asymmetric::moving(*mode, arch.weight(), quantity, at)
+        {
+            return Some(Known::Enclosed(x));
+        }
         let infinite = self.system().fixed_value(Unknown::Friction) == Some(Fixed::Infinite);
         Some(Known::Enclosed(match quantity.in_radians().unwrap_or(quantity) {
             Quantity::Friction if infinite => return Some(Known::Infinite),

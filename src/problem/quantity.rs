@@ -32,6 +32,22 @@ pub enum Quantity {
     SlidingJointDegrees,
     /// `A = alpha cot(alpha/2)`.
     OpeningVariable,
+    /// `p`, the moment of the forces in the crown about the centre. Like what follows of an asymmetric solution of (19).
+    CrownMoment,
+    /// `v`, the vertical force in the crown.
+    VerticalForce,
+    /// `b0`, the hinge right of the crown, rad from there.
+    CrownHinge,
+    /// The same in degrees.
+    CrownHingeDegrees,
+    /// The slip of the shoulder where the hinge next to the crown turns by one.
+    ShoulderSlip,
+    /// By how much the shoulder opens then.
+    ShoulderOpening,
+    /// The slip of the inner joint then.
+    InnerSlip,
+    /// The power of the weight then, which is that of friction.
+    Power,
     /// The friction below which no arch of this half opening stands.
     SlidingFriction,
     /// The friction from which collapse is purely rotational; infinite where none is enough.
@@ -93,6 +109,18 @@ impl Quantity {
         Self::SlidingJoint,
         Self::SlidingJointDegrees,
         Self::OpeningVariable,
+    ];
+
+    /// What an asymmetric solution of (19) has besides; its haunch is the rotational joint.
+    pub const ASYMMETRIC: [Self; 8] = [
+        Self::CrownMoment,
+        Self::VerticalForce,
+        Self::CrownHinge,
+        Self::CrownHingeDegrees,
+        Self::ShoulderSlip,
+        Self::ShoulderOpening,
+        Self::InnerSlip,
+        Self::Power,
     ];
 
     /// What the state of an arch at its least thickness can have, in the order in which it is shown.
@@ -170,6 +198,20 @@ impl Quantity {
                 row("sliding_joint_degrees", "beta_s, deg", r"$\beta_s$, deg")
             }
             Self::OpeningVariable => row("A", "alpha cot(alpha/2)", r"$A = \alpha \cot(\alpha/2)$"),
+            Self::CrownMoment => row("crown_moment", "p", r"$p$"),
+            Self::VerticalForce => row("vertical_force", "v", r"$v$"),
+            Self::CrownHinge => row("crown_hinge", "b0, rad", r"$b_0$, rad"),
+            Self::CrownHingeDegrees => row("crown_hinge_degrees", "b0, deg", r"$b_0$, deg"),
+            Self::ShoulderSlip => {
+                row("shoulder_slip", "slip of the shoulder", "slip of the shoulder")
+            }
+            Self::ShoulderOpening => {
+                row("shoulder_opening", "opening of the shoulder", "opening of the shoulder")
+            }
+            Self::InnerSlip => {
+                row("inner_slip", "slip of the inner joint", "slip of the inner joint")
+            }
+            Self::Power => row("power", "w r", r"$w r$"),
             Self::SlidingFriction => {
                 row("sliding_friction", "mu at pure sliding", r"$\mu$ at pure sliding")
             }
@@ -244,6 +286,7 @@ impl Quantity {
             Self::HalfOpeningDegrees => Some(Self::HalfOpening),
             Self::RotationJointDegrees => Some(Self::RotationJoint),
             Self::SlidingJointDegrees => Some(Self::SlidingJoint),
+            Self::CrownHingeDegrees => Some(Self::CrownHinge),
             _ => None,
         }
     }
@@ -252,7 +295,11 @@ impl Quantity {
     pub fn is_angle(self) -> bool {
         matches!(
             self,
-            Self::FrictionAngle | Self::HalfOpening | Self::RotationJoint | Self::SlidingJoint
+            Self::FrictionAngle
+                | Self::HalfOpening
+                | Self::RotationJoint
+                | Self::SlidingJoint
+                | Self::CrownHinge
         )
     }
 
@@ -294,7 +341,14 @@ impl Quantity {
             Self::Thrust | Self::IntrinsicThrust => Some(Unknown::Thrust),
             Self::RotationJoint | Self::RotationJointDegrees => Some(Unknown::RotationJoint),
             Self::SlidingJoint | Self::SlidingJointDegrees => Some(Unknown::SlidingJoint),
-            Self::SlidingFriction
+            Self::CrownMoment => Some(Unknown::CrownMoment),
+            Self::VerticalForce => Some(Unknown::VerticalForce),
+            Self::CrownHinge | Self::CrownHingeDegrees => Some(Unknown::CrownHinge),
+            Self::ShoulderSlip
+            | Self::ShoulderOpening
+            | Self::InnerSlip
+            | Self::Power
+            | Self::SlidingFriction
             | Self::RotationalFriction
             | Self::LeastThickness
             | Self::GeometricSafety

@@ -2,10 +2,9 @@
 
 use super::fields::Fields;
 use super::jointed::{self, bounds};
-use super::words::{contact, model};
+use super::words::model;
 use super::{csv, json};
-use crate::arch::asymmetric::{AsymmetricMode, Place};
-use crate::arch::whole::Side;
+use crate::arch::asymmetric::AsymmetricMode;
 use crate::certify::state::{Answer, Digits, Figure};
 use crate::certify::{
     AsymmetricDigits, AsymmetricJoint, Enumeration, Extent, Programme, Undecided,
@@ -189,23 +188,6 @@ fn words(mode: AsymmetricMode) -> &'static str {
     }
 }
 
-/// Where a joint is, in a word.
-fn place(joint: &AsymmetricJoint) -> &'static str {
-    match joint.place {
-        Place::Shoulder => "shoulder",
-        Place::Crown => "crown",
-        Place::Haunch => "haunch",
-        Place::Inner => "inner",
-    }
-}
-
-fn side(side: Side) -> &'static str {
-    match side {
-        Side::Right => "right",
-        Side::Left => "left",
-    }
-}
-
 pub(super) fn table(
     ComplementarityArches(arches): &ComplementarityArches,
     out: &mut dyn io::Write,
@@ -312,8 +294,8 @@ fn details(state: &AsymmetricDigits, out: &mut dyn io::Write) -> io::Result<()> 
     let width = angles.iter().map(String::len).max().unwrap_or(0).max(16);
     writeln!(out, "   {:<22} {:<15} {:<width$}  rate", "joint", "", "angle from crown")?;
     state.joints.iter().zip(&angles).try_for_each(|(joint, angle)| {
-        let at = format!("{}, {}", side(joint.side), place(joint));
-        writeln!(out, "   {:<22} {at:<15} {angle:<width$}  {}", contact(joint.contact), joint.rate)
+        let at = format!("{}, {}", joint.side.name(), joint.place.name());
+        writeln!(out, "   {:<22} {at:<15} {angle:<width$}  {}", joint.contact.name(), joint.rate)
     })
 }
 
@@ -416,9 +398,9 @@ fn solved(solution: Solution<'_>) -> Fields {
         fields.add_fields("power", Some(bounds(&state.power)));
         let joint = |joint: &AsymmetricJoint| {
             let mut fields = Fields::default();
-            fields.add("contact", contact(joint.contact));
-            fields.add("side", side(joint.side));
-            fields.add("place", place(joint));
+            fields.add("contact", joint.contact.name());
+            fields.add("side", joint.side.name());
+            fields.add("place", joint.place.name());
             fields.add_fields("angle", Some(bounds(&joint.angle)));
             fields.add_fields("rate", Some(bounds(&joint.rate)));
             fields

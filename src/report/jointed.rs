@@ -1,7 +1,6 @@
 //! All solutions of the complementarity problem (19) between equal stones: lines for a person, rows, and an object.
 
 use super::fields::Fields;
-use super::words::contact;
 use crate::arch::whole::Side;
 use crate::certify::state::Figure;
 use crate::certify::{Enumeration, Extent, JointedMotion, JointedSolution, Standing, Undecided};
@@ -106,7 +105,7 @@ fn one(solution: &JointedSolution, out: &mut dyn io::Write) -> io::Result<()> {
     let width = angles.iter().map(String::len).max().unwrap_or(0).max(16);
     writeln!(out, "      {:<22} {:<7} {:<width$}  rate", "joint", "", "angle from crown")?;
     solution.joints.iter().zip(&angles).try_for_each(|(joint, angle)| {
-        let (how, side) = (contact(joint.contact), side(joint));
+        let (how, side) = (joint.contact.name(), side(joint));
         writeln!(out, "      {how:<22} {side:<7} {angle:<width$}  {}", joint.rate)
     })
 }
@@ -175,7 +174,7 @@ fn solved(solution: &JointedSolution) -> Fields {
     fields.add_fields("vertical_force", Some(bounds(&solution.vertical_force)));
     let joint = |joint: &JointedMotion| {
         let mut fields = Fields::default();
-        fields.add("contact", contact(joint.contact));
+        fields.add("contact", joint.contact.name());
         fields.add("side", side(joint));
         fields.add_fields("angle", Some(bounds(&joint.angle)));
         fields.add_fields("rate", Some(bounds(&joint.rate)));

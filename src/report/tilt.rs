@@ -1,7 +1,7 @@
 //! Arches under a horizontal acceleration: for a person, CSV, and JSON (`couplet.tilt/1`).
 
 use super::fields::Fields;
-use super::words::{contact, division, model};
+use super::words::{division, model};
 use super::{csv, json};
 use crate::arch::SelfWeight;
 use crate::arch::whole::Side;
@@ -78,7 +78,7 @@ impl TiltedArch {
             let name = if limit.is_right { "right" } else { "left" };
             let words = match side.contact(limit.contact) {
                 slip if !slip.is_hinge() && !self.is_limited => "opens",
-                other => contact(other),
+                other => other.name(),
             };
             let is_at_crown = |stones: &Stones| stones.has_joint_at_crown();
             match (limit.is_springing, limit.joint.zip(self.stones.as_ref())) {

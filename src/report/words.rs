@@ -1,7 +1,6 @@
 //! Words and numbers as every format writes them.
 
 use crate::arch::SelfWeight;
-use crate::arch::mechanism::Contact;
 use crate::certify::state::Fall;
 use crate::problem::stones::Stones;
 use crate::problem::{Landmark, Quantity};
@@ -41,16 +40,6 @@ pub(crate) fn did_you_mean(written: &str, names: &[&str]) -> String {
         .filter(|name| names.contains(name))
         .or(nearest)
         .map_or(String::new(), |name| format!(" (did you mean \"{name}\"?)"))
-}
-
-/// How a joint is at its limit.
-pub(crate) fn contact(contact: Contact) -> &'static str {
-    match contact {
-        Contact::Extrados => "hinge at the extrados",
-        Contact::Intrados => "hinge at the intrados",
-        Contact::Inwards => "slides inwards",
-        Contact::Outwards => "slides outwards",
-    }
 }
 
 /// Whose self-weight model it is.

@@ -73,7 +73,8 @@ pub(super) fn left_out(plan: &Plan, costs: Option<&Costs>) -> Vec<String> {
     }
     if let Some(costs) = costs {
         let total = costs.total();
-        let unused = Equation::ALL.iter().filter(|equation| total.tally.of(**equation) == 0);
+        let paper = Equation::ALL.iter().filter(|equation| equation.is_symmetric());
+        let unused = paper.filter(|equation| total.tally.of(**equation) == 0);
         let unused = list(unused.map(|equation| equation.label()));
         if !unused.is_empty() {
             lines.push(format!("equations {unused}: nothing needed them"));

@@ -1,6 +1,8 @@
-//! The certificates in `proofs/constants` and `proofs/states` are accepted, and are those that the program makes.
+//! The certificates in `proofs/constants`, `proofs/states` and `proofs/asymmetric` are accepted, and are those that the program makes.
 
 use couplet::arch::SelfWeight;
+#[cfg(feature = "mpfr")]
+use couplet::arch::asymmetric::AsymmetricMode;
 use couplet::check::{Accepted, check};
 use couplet::number::AstroInterval;
 use couplet::problem::Landmark;
@@ -59,4 +61,22 @@ fn the_stored_states_are_those_that_the_program_makes() {
         let made = serde_json::to_string_pretty(&made).unwrap() + "\n";
         assert!(text == made, "{}: run `make states`", path.display());
     }
+}
+
+#[cfg(feature = "mpfr")]
+#[test]
+fn the_stored_asymmetric_solutions_are_those_that_the_program_makes() {
+    let mut kinds = Vec::new();
+    for path in stored("asymmetric") {
+        let text = fs::read_to_string(&path).unwrap();
+        let accepted = accepted(&text);
+        let Problem::Asymmetric { mode, arch } = accepted.problem else { panic!("{path:?}") };
+        let made = couplet::certify::certify_asymmetric(&arch, mode, accepted.digits).unwrap();
+        let made = serde_json::to_string_pretty(&made).unwrap() + "\n";
+        assert!(text == made, "{}: run `make states`", path.display());
+        kinds.push((mode.name(), arch.weight().flag()));
+    }
+    kinds.sort_unstable();
+    let all = AsymmetricMode::ALL.map(|mode| [0, 1].map(|flag| (mode.name(), flag)));
+    assert_eq!(kinds, all.concat());
 }

@@ -23,6 +23,16 @@ impl Contact {
     /// All four.
     pub const ALL: [Self; 4] = [Self::Extrados, Self::Intrados, Self::Inwards, Self::Outwards];
 
+    /// The name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Extrados => "hinge at the extrados",
+            Self::Intrados => "hinge at the intrados",
+            Self::Inwards => "slides inwards",
+            Self::Outwards => "slides outwards",
+        }
+    }
+
     /// Whether the joint is a hinge.
     pub fn is_hinge(self) -> bool {
         matches!(self, Self::Extrados | Self::Intrados)

@@ -168,6 +168,7 @@ mod tests {
             thickness: 0.55,
             thrust: 0.2,
             friction: 1.3,
+            ..Configuration::zero(&0.0)
         }
     }
 

@@ -103,7 +103,7 @@ impl<T> State<T> {
             Unknown::SlidingJoint => self.sliding_joint.as_ref(),
             Unknown::Thickness => Some(&self.thickness),
             Unknown::Thrust => Some(&self.thrust),
-            Unknown::HalfOpening | Unknown::Friction => None,
+            _ => None,
         }
     }
 }

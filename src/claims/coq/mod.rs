@@ -111,6 +111,9 @@ fn symbol(unknown: Unknown) -> &'static str {
         Unknown::Thickness => "eta",
         Unknown::Thrust => "h",
         Unknown::Friction => "mu",
+        Unknown::CrownHinge => "b0",
+        Unknown::CrownMoment => "p",
+        Unknown::VerticalForce => "v",
     }
 }
 

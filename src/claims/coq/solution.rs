@@ -83,6 +83,8 @@ fn equation(equation: Equation, system: &System) -> String {
         Equation::ShoulderSliding => format!("{mu} = mu_ss {alpha} {h}"),
         Equation::InnerSliding => format!("{mu} = mu_is {h}"),
         Equation::Steepest => format!("{joint} = Arch.beta_s {h}"),
+        // Of asymmetric states, which have no such file.
+        asymmetric => asymmetric.label().to_owned(),
     }
 }
 
@@ -97,8 +99,8 @@ fn lemma(equation: Equation) -> Option<&'static str> {
         Equation::DoubleThickness => "cleared_double_thickness",
         Equation::ShoulderSliding => "cleared_shoulder_sliding",
         Equation::InnerSliding => "cleared_inner_sliding",
-        // With the equation before it.
-        Equation::Steepest => return None,
+        // With the equation before it; those of asymmetric states have no other form.
+        _ => return None,
     })
 }
 

@@ -4,11 +4,14 @@ use super::arch::{Needs, ShapeArguments};
 use super::output::{Output, is_standard};
 use super::parse::{self, thickness};
 use crate::arch::SelfWeight;
-use crate::certify::{Undecided, certify_arch, certify_landmark};
+use crate::arch::asymmetric::AsymmetricMode;
+use crate::certify::{
+    Undecided, asymmetric_kinds, certify_arch, certify_asymmetric, certify_landmark,
+};
 use crate::check::Certificate;
 use crate::cli::failure::Failure;
 use crate::number::ExactNumber;
-use crate::problem::Landmark;
+use crate::problem::{Arch, Landmark};
 use clap::Args;
 use rayon::prelude::*;
 use std::fs;
@@ -17,11 +20,11 @@ use std::path::{Path, PathBuf};
 /// Write certificates that `couplet check` accepts without trusting the solver.
 ///
 /// Of a landmark; of the state of an arch at its least thickness, or why it stands at no thickness; with --thickness,
-/// that an arch stands with it or does not.
+/// that an arch stands with it or does not; of an asymmetric solution of the complementarity problem (19).
 #[derive(Args)]
 pub(crate) struct Arguments {
-    /// A landmark (T, S, J, B, l, L, sb), `state` for the state of an arch, `arch` for an arch of a thickness, or `all`
-    /// for all landmarks.
+    /// A landmark (T, S, J, B, l, L, sb), `state` for the state of an arch, `arch` for an arch of a thickness,
+    /// `asymmetric` for an asymmetric solution of (19), or `all` for all landmarks.
     #[arg(value_name = "SUBJECT", value_parser = target)]
     target: Target,
 
@@ -37,6 +40,11 @@ pub(crate) struct Arguments {
         allow_hyphen_values = true
     )]
     thickness: Option<ExactNumber>,
+
+    /// For `asymmetric`, how the mechanism closes: inner_sliding, shoulder_opening or shoulder_sliding; the one that is
+    /// found if not given.
+    #[arg(long, value_name = "MODE", value_parser = asymmetric_mode)]
+    mode: Option<AsymmetricMode>,
 
     /// Self-weight model, heyman or milankovitch; milankovitch if not given, both for `all`.
     #[arg(long, value_parser = parse::weight)]
@@ -56,6 +64,7 @@ enum Target {
     Landmark(Landmark),
     State,
     Arch,
+    Asymmetric,
     All,
 }
 
@@ -63,25 +72,37 @@ fn target(text: &str) -> Result<Target, String> {
     match text {
         "state" => Ok(Target::State),
         "arch" => Ok(Target::Arch),
+        "asymmetric" => Ok(Target::Asymmetric),
         "all" => Ok(Target::All),
         symbol => parse::landmark(symbol)
             .map(Target::Landmark)
-            .map_err(|error| format!("{error}, or state, arch or all")),
+            .map_err(|error| format!("{error}, or state, arch, asymmetric or all")),
     }
+}
+
+fn asymmetric_mode(text: &str) -> Result<AsymmetricMode, String> {
+    let names = AsymmetricMode::ALL.map(AsymmetricMode::name);
+    let mode = AsymmetricMode::ALL.into_iter().find(|mode| mode.name() == text);
+    mode.ok_or_else(|| format!("it is one of {}", names.join(", ")))
 }
 
 /// Command lines that have everything.
 const STATE: &str = "couplet certify state --half-opening 80deg --friction 0.6";
 const ARCH: &str = "couplet certify arch --half-opening 80deg --friction 0.6 --thickness 0.1";
 
+const ASYMMETRIC: &str = "couplet certify asymmetric --half-opening 2.3 --friction 1.05";
+
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let is_arch = matches!(arguments.target, Target::State | Target::Arch);
+    let is_arch = matches!(arguments.target, Target::State | Target::Arch | Target::Asymmetric);
     if !is_arch && arguments.shape.is_given() {
-        let message = "a half opening and a friction belong to `state` and `arch`";
+        let message = "a half opening and a friction belong to `state`, `arch` and `asymmetric`";
         return Err(Failure::Input(message.into()));
     }
     if arguments.target != Target::Arch && arguments.thickness.is_some() {
         return Err(Failure::Input("a thickness belongs to `arch`".into()));
+    }
+    if arguments.target != Target::Asymmetric && arguments.mode.is_some() {
+        return Err(Failure::Input("a mode belongs to `asymmetric`".into()));
     }
     let weight = arguments.weight.unwrap_or(SelfWeight::Milankovitch);
     let output = || Output::open(arguments.output.as_deref());
@@ -90,6 +111,20 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Target::Landmark(landmark) => {
             let output = output()?;
             let made = certify_landmark(landmark, weight, arguments.digits);
+            write(output, &made.map_err(undecided)?)
+        }
+        Target::Asymmetric => {
+            let needs = Needs { missing: Vec::new(), example: ASYMMETRIC };
+            let arch = arguments.shape.arch(weight, &needs)?;
+            if !arch.is_limited() {
+                let words =
+                    "an asymmetric solution needs a limited friction: give --friction a number";
+                return Err(Failure::Input(words.into()));
+            }
+            parse::state_digits(&arguments.digits.to_string()).map_err(Failure::Input)?;
+            let mode = arguments.mode.map_or_else(|| only_kind(&arch), Ok)?;
+            let output = output()?;
+            let made = certify_asymmetric(&arch, mode, arguments.digits);
             write(output, &made.map_err(undecided)?)
         }
         Target::State | Target::Arch => {
@@ -104,6 +139,19 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             let output = output()?;
             let made = certify_arch(&arch, thickness, arguments.digits);
             write(output, &made.map_err(undecided)?)
+        }
+    }
+}
+
+/// The kind of the asymmetric solution that is found, if it is one alone.
+fn only_kind(arch: &Arch) -> Result<AsymmetricMode, Failure> {
+    let kinds = asymmetric_kinds(arch);
+    match kinds[..] {
+        [kind] => Ok(kind),
+        [] => Err(Failure::Undecided("no asymmetric solution is found".into())),
+        _ => {
+            let names: Vec<&str> = kinds.iter().map(|kind| kind.name()).collect();
+            Err(Failure::Input(format!("it has several: give --mode {}", names.join(" or "))))
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::Sketched;
 use super::lean;
 use super::metres::{Loads, Metres, Size};
-use crate::arch::mechanism::{Contact, Joint, Twist};
+use crate::arch::mechanism::{Joint, Twist};
 use crate::atlas::{Block, Collapse, Forces, Line, Sketch, Subject, moved};
 use crate::number::Ball;
 use crate::problem::Mode;
@@ -36,15 +36,6 @@ fn enclosure(x: &Ball) -> Json {
     let [lower, upper] = [x.lower().to_f64_round(Round::Down), x.upper().to_f64_round(Round::Up)];
     let double = x.nearest_double().unwrap_or_else(|| x.mid().to_f64());
     json!({ "lower": lower, "upper": upper, "double": double })
-}
-
-fn contact(contact: Contact) -> &'static str {
-    match contact {
-        Contact::Extrados => "hinge at the extrados",
-        Contact::Intrados => "hinge at the intrados",
-        Contact::Inwards => "slides inwards",
-        Contact::Outwards => "slides outwards",
-    }
 }
 
 #[derive(Serialize)]
@@ -99,7 +90,7 @@ fn forces(forces: &Forces, metres: Option<&Metres>, unit: f64) -> Json {
     let at_limit = forces
         .marks
         .iter()
-        .map(|mark| json!({ "contact": contact(mark.contact), "joint": figure(&mark.at) }));
+        .map(|mark| json!({ "contact": mark.contact.name(), "joint": figure(&mark.at) }));
     let polyline = |line: &Line| polyline(line, unit);
     let loads = metres.and_then(|of| of.loads.as_ref());
     json!({
@@ -115,7 +106,7 @@ fn forces(forces: &Forces, metres: Option<&Metres>, unit: f64) -> Json {
 
 fn joint(joint: &Joint<Ball>) -> Json {
     json!({
-        "contact": contact(joint.contact),
+        "contact": joint.contact.name(),
         "joint": figure(&joint.at.rad),
         "rate": figure(&joint.rate),
     })

@@ -110,7 +110,7 @@ impl VoussoirArch {
 pub(super) fn at_limit(arch: &VoussoirArch, (contact, joint): &JointContact) -> &'static str {
     match contact {
         slip if !slip.is_hinge() && arch.stones.may_open(*joint, arch.is_limited()) => "opens",
-        other => words::contact(*other),
+        other => other.name(),
     }
 }
 

@@ -3,6 +3,7 @@
 #[macro_use]
 mod refusals;
 
+mod asymmetric;
 mod claim;
 #[cfg(feature = "cli")]
 mod commands;
@@ -59,12 +60,28 @@ const VARIANTS: usize = 20;
 /// Each table of refusals has cases of these variants and of no other.
 #[test]
 fn every_variant_has_a_case() {
-    let tables: [(Vec<Refusal>, &[&str]); 7] = [
+    let tables: [(Vec<Refusal>, &[&str]); 8] = [
         (file::expected(), &["Encoding", "Format"]),
         (claim::expected(), &["Digits", "Given", "Limit", "Mismatch", "Name", "Schema", "Subject"]),
         (sizes::expected(), &["Large", "Radius", "Size"]),
         (witnesses::expected(), &["Contraction", "Denominator", "Outside"]),
         (conditions::expected(), &["Condition"]),
+        (
+            asymmetric::expected(),
+            &[
+                "Condition",
+                "Contraction",
+                "Decimal",
+                "Format",
+                "Given",
+                "Mismatch",
+                "Name",
+                "NoValues",
+                "Quantity",
+                "Rounding",
+                "Subject",
+            ],
+        ),
         (values::expected(), &["Decimal", "NoValues", "Quantity", "Rounding"]),
         (
             verdicts::expected(),

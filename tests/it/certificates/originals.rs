@@ -3,7 +3,8 @@
 
 use crate::arches::{M, arch, number};
 use couplet::arch::SelfWeight;
-use couplet::certify::{certify_arch, certify_landmark};
+use couplet::arch::asymmetric::AsymmetricMode;
+use couplet::certify::{certify_arch, certify_asymmetric, certify_landmark};
 use couplet::check::{
     Accepted, Certificate, ClaimFile, Refusal, SCHEMA, ValueFile, Witness, check,
 };
@@ -66,6 +67,18 @@ pub(super) fn verdict(half_opening: &str, friction: &str, thickness: &str) -> &'
     kept(format!("{half_opening} {friction} {thickness}"), || {
         let thickness = number(thickness);
         certify_arch(&arch(M, half_opening, friction), Some(&thickness), 20).unwrap()
+    })
+}
+
+/// The certificate of an asymmetric solution with 20 digits.
+pub(super) fn asymmetric(
+    weight: SelfWeight,
+    half_opening: &str,
+    friction: &str,
+    mode: AsymmetricMode,
+) -> &'static Value {
+    kept(format!("{weight:?} {half_opening} {friction} {mode}"), || {
+        certify_asymmetric(&arch(weight, half_opening, friction), mode, 20).unwrap()
     })
 }
 

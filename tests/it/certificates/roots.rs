@@ -42,6 +42,7 @@ fn of_all_the_roots_one_is_accepted() {
                 Unknown::Thickness => 2.0 * random(),
                 Unknown::Thrust => random(),
                 Unknown::Friction => 3.0 * random(),
+                other => panic!("{other:?} is of no symmetric state"),
             });
             let start: Vec<f64> = start.collect();
             let Some(certificate) = find_root(problem, &start) else { continue };

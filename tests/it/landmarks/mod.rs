@@ -229,6 +229,7 @@ fn plain_nearby(
             thickness: dual(1),
             thrust: dual(2),
             friction: optional(3),
+            ..Configuration::zero(&zero)
         };
         let residuals: Vec<_> = equations.iter().map(|e| e.residual(weight, &at)).collect();
         let jacobian =

@@ -34,11 +34,7 @@ pub(super) struct Asked {
 impl Query {
     /// Of an arch.
     pub(super) fn new(row: u64, arch: &Arch) -> Self {
-        let friction = match arch.friction() {
-            Friction::Coefficient(mu) => mu.nearest_double(),
-            Friction::Infinite => Some(f64::INFINITY),
-            Friction::Angle(_) => GivenDoubles::new(arch, None).friction,
-        };
+        let doubles = GivenDoubles::new(arch, None);
         let texts = [
             arch.weight().name().to_owned(),
             arch.half_opening().to_string(),
@@ -48,7 +44,7 @@ impl Query {
             row,
             origin: None,
             texts: texts.map(|text| ByteArray::from(text.into_bytes())),
-            doubles: [arch.half_opening().nearest_double(), friction],
+            doubles: [doubles.half_opening_rad, doubles.friction],
             asked: Ok(Asked {
                 weight: arch.weight(),
                 half_opening: Arc::new(arch.half_opening().clone()),
