@@ -19,6 +19,7 @@ from ._arrays import whole as _whole
 from ._certified import Certified
 from ._core import CoupletError, UndecidedError, __version__
 from ._exact import exact as _exact
+from ._sweeps import Swept, sweep
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -39,6 +40,7 @@ __all__ = [
     "Decision",
     "Found",
     "State",
+    "Swept",
     "UndecidedError",
     "__version__",
     "assess",
@@ -51,6 +53,7 @@ __all__ = [
     "state",
     "states",
     "states_columns",
+    "sweep",
 ]
 
 #: The modes of collapse, joints from the shoulder inward; the codes of ``states`` are places in it.

@@ -144,7 +144,7 @@ class _Asked:
         if (order[1:] > order[:-1]).all():
             order = None
         names = [name for name, _ in self.fields()]
-        with _Bar(progress, self.size) as bar:
+        with Bar(progress, self.size) as bar:
             begin, count = 0, _FIRST
             while begin < self.size:
                 rows = slice(begin, begin + count)
@@ -183,7 +183,7 @@ def _doubles(np: Any, values: Any, what: str) -> Any:
     raise CoupletError(f"the {what} are no doubles but {array.dtype}; couplet.state takes exact text and fractions")
 
 
-class _Bar:
+class Bar:
     """Tells progress, or does not."""
 
     def __init__(self, progress: Any, size: int) -> None:
@@ -196,7 +196,7 @@ class _Bar:
                 return
             self.bar = tqdm(total=size, unit=" arches")
 
-    def __enter__(self) -> _Bar:
+    def __enter__(self) -> Bar:
         return self
 
     def __call__(self, done: int) -> None:

@@ -1,5 +1,7 @@
 """What is compiled: every argument is text, every answer texts and doubles. Private; the package is the door."""
 
+from os import PathLike
+from pathlib import Path
 from typing import Any, Final
 
 __all__ = [
@@ -20,6 +22,10 @@ __all__ = [
     "run",
     "state",
     "states",
+    "sweep_begin",
+    "sweep_part",
+    "sweep_survey",
+    "sweep_verify",
 ]
 
 __version__: Final[str]
@@ -52,3 +58,15 @@ def run(arguments: list[str]) -> int: ...
 def states(
     weight: str, arrays: tuple[bytes, bytes, bytes | None], names: list[str], threads: int
 ) -> tuple[bytes, bytes, list[list[bytes]]]: ...
+def sweep_begin(
+    plan: bytes, base: str | PathLike[str], output: str | PathLike[str]
+) -> tuple[Path, list[str], list[str]]: ...
+def sweep_part(
+    folder: str | PathLike[str], base: str | PathLike[str], part: int, threads: int
+) -> tuple[int, int, int, int]: ...
+def sweep_survey(
+    folder: str | PathLike[str], base: str | PathLike[str], share: tuple[int, int], threads: int
+) -> list[tuple[int, int, tuple[int, int, int, int] | None]]: ...
+def sweep_verify(
+    folder: str | PathLike[str], base: str | PathLike[str], share: tuple[int, int], sample: int, threads: int
+) -> tuple[int, int, int, int, list[str]]: ...

@@ -6,11 +6,14 @@
 //! | `asked` | one question at a time |
 //! | `rows` | many arches, in arrays of doubles |
 //! | `told` | an answer as Python gets it |
+//! | `sweeps` | any number of arches, in Parquet files |
 //! | `pool` | threads of our own |
 
 mod asked;
 mod pool;
 mod rows;
+#[cfg(feature = "parquet")]
+mod sweeps;
 mod told;
 
 use pyo3::prelude::*;
@@ -37,6 +40,9 @@ mod _core {
     };
     #[pymodule_export]
     use super::rows::states;
+    #[cfg(feature = "parquet")]
+    #[pymodule_export]
+    use super::sweeps::{sweep_begin, sweep_part, sweep_survey, sweep_verify};
     #[pymodule_export]
     use super::{CoupletError, UndecidedError};
 

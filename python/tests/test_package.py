@@ -64,7 +64,7 @@ def test_what_is_missing_is_named_in_one_line():
     assert missing(lambda name: None if name in ("cc", "gcc") else name) is None
 
 
-@pytest.mark.parametrize("module", ["couplet", "couplet._arrays", "couplet._certified", "couplet._answers"])
+@pytest.mark.parametrize("module", ["couplet", "couplet._arrays", "couplet._certified", "couplet._answers", "couplet._sweeps"])
 def test_the_examples_of_the_documentation(module):
     pytest.importorskip("numpy")
     module = sys.modules[module]

@@ -6,7 +6,10 @@ use crate::arch::SelfWeight;
 use crate::certify::Undecided;
 use crate::certify::state::{Answer, Certify, Column, Figure};
 use crate::problem::{Arch, Mode, Quantity};
+use std::borrow::Cow;
 use std::collections::HashMap;
+use std::ptr;
+use std::sync::Arc;
 
 /// As many rows of a half opening as cost less together.
 const SHARED: usize = 4;
@@ -126,16 +129,17 @@ impl Wanted {
         self.quantities.iter().any(|of| of.is_friction())
     }
 
-    /// Of the rows of a part, in their order.
-    pub(super) fn all(&self, queries: &[Query]) -> Vec<Found> {
-        let mut found: Vec<Option<Found>> = vec![None; queries.len()];
+    /// Of the rows of a part, in their order; those that share an answer share it here.
+    pub(super) fn all(&self, queries: &[Query]) -> Vec<Arc<Found>> {
+        let mut found: Vec<Option<Arc<Found>>> = vec![None; queries.len()];
         // The rows of each half opening; one after the other, so that one column is held at a time.
         let mut groups: Vec<Vec<usize>> = Vec::new();
         let mut group_of: HashMap<(SelfWeight, &[u8]), usize> = HashMap::new();
         for (place, query) in queries.iter().enumerate() {
             match &query.asked {
                 Err(reason) => {
-                    found[place] = Some(self.without(Verdict::Refused, Some(reason.clone())))
+                    found[place] =
+                        Some(Arc::new(self.without(Verdict::Refused, Some(reason.clone()))))
                 }
                 Ok(asked) => {
                     let key = (asked.weight, query.texts[1].data());
@@ -149,13 +153,26 @@ impl Wanted {
         }
         for group in groups {
             let column = self.column(queries, &group);
+            let mut last: Option<(&Answer, Arc<Found>)> = None;
             for place in group {
                 let Ok(asked) = &queries[place].asked else { continue };
-                let shared = column.as_ref().and_then(|column| {
-                    let answer = column.certify_alone((*asked.friction).clone()).ok()?;
-                    Some(self.found(answer.as_deref()))
+                let answer = column
+                    .as_ref()
+                    .and_then(|column| column.certify_alone((*asked.friction).clone()).ok());
+                found[place] = Some(match (answer, &last) {
+                    (Some(Ok(Cow::Borrowed(answer))), Some((of, found)))
+                        if ptr::eq(*of, answer) =>
+                    {
+                        Arc::clone(found)
+                    }
+                    (Some(Ok(Cow::Borrowed(answer))), _) => {
+                        let found = Arc::new(self.found(Ok(answer)));
+                        last = Some((answer, Arc::clone(&found)));
+                        found
+                    }
+                    (Some(answer), _) => Arc::new(self.found(answer.as_deref())),
+                    (None, _) => Arc::new(self.alone(asked)),
                 });
-                found[place] = Some(shared.unwrap_or_else(|| self.alone(asked)));
             }
         }
         found.into_iter().flatten().collect()

@@ -34,7 +34,11 @@ pub(super) struct Asked {
 impl Query {
     /// Of an arch.
     pub(super) fn new(row: u64, arch: &Arch) -> Self {
-        let doubles = GivenDoubles::new(arch, None);
+        let friction = match arch.friction() {
+            Friction::Coefficient(mu) => mu.nearest_double(),
+            Friction::Infinite => Some(f64::INFINITY),
+            Friction::Angle(_) => GivenDoubles::new(arch, None).friction,
+        };
         let texts = [
             arch.weight().name().to_owned(),
             arch.half_opening().to_string(),
@@ -44,7 +48,7 @@ impl Query {
             row,
             origin: None,
             texts: texts.map(|text| ByteArray::from(text.into_bytes())),
-            doubles: [doubles.half_opening_rad, doubles.friction],
+            doubles: [arch.half_opening().nearest_double(), friction],
             asked: Ok(Asked {
                 weight: arch.weight(),
                 half_opening: Arc::new(arch.half_opening().clone()),

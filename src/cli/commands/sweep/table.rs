@@ -3,6 +3,7 @@
 use super::answers::{Found, Verdict, Wanted};
 use super::query::Query;
 use super::record::{Arches, Record};
+use crate::problem::Mode;
 use crate::scene::SWEEP_SCHEMA;
 use ::parquet::basic::{Compression, Encoding, LogicalType, Repetition, Type as PhysicalType};
 use ::parquet::column::reader::{ColumnReader, ColumnReaderImpl};
@@ -48,7 +49,7 @@ pub(super) struct Notes {
 }
 
 /// The rows of a part, as they are asked and as they are answered.
-pub(super) type Rows<'a> = (&'a [Query], &'a [Found]);
+pub(super) type Rows<'a> = (&'a [Query], &'a [Arc<Found>]);
 
 impl Table {
     /// The columns that are asked: row, file and line of a data set, texts and doubles.
@@ -87,11 +88,15 @@ impl Table {
     }
 
     /// The columns that are answered.
-    pub(super) fn answered(wanted: &Wanted, found: &[Found]) -> Self {
+    pub(super) fn answered(wanted: &Wanted, found: &[Arc<Found>]) -> Self {
         // The texts of names are shared.
         let verdicts = Verdict::ALL.map(|verdict| ByteArray::from(verdict.name()));
-        let verdict = |found: &Found| Some(verdicts[found.verdict as usize].clone());
-        let mode = |found: &Found| found.mode.map(|mode| ByteArray::from(mode.label()));
+        let verdict = |found: &Arc<Found>| Some(verdicts[found.verdict as usize].clone());
+        let modes = Mode::ALL.map(|mode| (mode, ByteArray::from(mode.label())));
+        let mode = |found: &Arc<Found>| {
+            let (_, label) = modes.iter().find(|(mode, _)| Some(*mode) == found.mode)?;
+            Some(label.clone())
+        };
         let mut columns = vec![
             ("verdict".to_owned(), Cells::Text(found.iter().map(verdict).collect())),
             ("mode".to_owned(), Cells::Text(found.iter().map(mode).collect())),
@@ -108,7 +113,7 @@ impl Table {
                 columns.push((format!("{name}_text"), Cells::Text(text.collect())));
             }
         }
-        let reason = |found: &Found| found.reason.as_deref().map(ByteArray::from);
+        let reason = |found: &Arc<Found>| found.reason.as_deref().map(ByteArray::from);
         columns.push(("reason".into(), Cells::Text(found.iter().map(reason).collect())));
         Self(columns)
     }

@@ -15,6 +15,7 @@ use rug::{Integer, Rational};
 use std::collections::BTreeSet;
 use std::fs::File;
 use std::ops::Range;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// What was looked through, and what is wrong.
@@ -135,7 +136,7 @@ fn row(
     certified: &AtomicUsize,
 ) -> Result<bool, String> {
     let Ok(asked) = &query.asked else { return Ok(false) };
-    let found = sweep.wanted.alone(asked);
+    let found = Arc::new(sweep.wanted.alone(asked));
     let again = Table::answered(&sweep.wanted, std::slice::from_ref(&found));
     for (column, cells) in &again.0 {
         let same = table.column(column).is_some_and(|there| is_same(there, place, cells));

@@ -1,0 +1,264 @@
+"""Sweeps: any number of arches, each proved, as a partitioned Parquet data set.
+
+Everything that is guaranteed is in one part: a function of the folder and of a number, which writes the same bytes whoever
+calls it. An engine only calls it for the parts that are missing, and may call it twice.
+"""
+
+from __future__ import annotations
+
+import os
+from functools import partial
+from importlib import import_module
+from itertools import islice
+
+from . import _core
+from ._arrays import VERDICTS, Bar, whole
+from ._core import CoupletError
+from ._exact import exact
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Iterator, Mapping
+    from typing import Any
+
+    #: A part, the counts of its verdicts if it was written, and otherwise what is wrong and whether that ends the sweep.
+    Done = tuple[int, tuple[int, int, int, int] | None, str, bool]
+    Work = Callable[[int], Done]
+
+#: Parts that are asked of an engine at a time, for each core: it is never without work, and holds few.
+_IN_FLIGHT = 4
+#: A part is tried so often, where its process dies.
+_TRIES = 20
+
+
+class Swept:
+    """What a sweep has made.
+
+    Attributes:
+        folder: the data set, for any reader of Parquet.
+        rows: the rows that are there, of the share that was asked for.
+        computed, kept: parts that were computed now, and that were there.
+        counts: how many rows have which verdict.
+        lost: files or pieces of a data set that cannot be read, and why.
+        others: sweeps beside this one, which are as they were.
+    """
+
+    __slots__ = ("folder", "rows", "computed", "kept", "counts", "lost", "others", "_base", "_share")
+
+    def __init__(self, folder: str, base: str, share: tuple[int, int], others: list[str], lost: list[str]) -> None:
+        self.folder, self._base, self._share, self.others, self.lost = folder, base, share, others, lost
+        self.rows = self.computed = self.kept = 0
+        self.counts = dict.fromkeys(VERDICTS, 0)
+
+    def _add(self, counts: Iterable[int]) -> None:
+        for verdict, count in zip(VERDICTS, counts):
+            self.counts[verdict] += count
+            self.rows += count
+
+    def __repr__(self) -> str:
+        counts = ", ".join(f"{verdict} {count}" for verdict, count in self.counts.items() if count)
+        return f"Swept({self.folder!r}, rows={self.rows}, computed={self.computed}, kept={self.kept}: {counts})"
+
+    def verify(self, sample: int = 100, *, threads: int = 0) -> dict[str, Any]:
+        """Looks through the parts: content, notes and inputs of each, and that no row is missing. ``sample`` rows are proved
+        again bit for bit, up to 20 of them with a certificate that the second arithmetic checks.
+
+        Returns: a dictionary of ``parts`` and ``rows`` that are as the plan asks, rows proved ``again``, rows
+        ``certified``, and ``faults``, a list of what is wrong.
+        """
+        found = _core.sweep_verify(self.folder, self._base, self._share, sample, whole(threads))
+        return dict(zip(("parts", "rows", "again", "certified", "faults"), found))
+
+
+def sweep(
+    plan: str | os.PathLike[str] | Mapping[str, Any],
+    output: str | os.PathLike[str] = "",
+    engine: Any = None,
+    *,
+    workers: int = 0,
+    only: tuple[int, int] = (1, 1),
+    progress: bool | Callable[[int, int], object] = False,
+) -> Swept:
+    """Proves any number of arches and writes them as a partitioned Parquet data set (docs/sweeps.md).
+
+    The bytes are those of the command ``couplet sweep``, whatever the engine and however many workers. A sweep that was
+    stopped goes on where it was: parts that are there and whole are kept, by their content.
+
+    Args:
+        plan: the path of a plan (TOML), or its keys as a dictionary. Of a dictionary a float is the double that it is, text is
+            exact, and files are looked for from the working folder.
+        output: where the folder of the sweep is, made if need be. Workers on other machines have to see the same one.
+        engine: None, threads of this process; 'processes', new ones (a script needs ``if __name__ == "__main__"``); 'ray';
+            'dask', on this machine; or a ``distributed.Client``.
+        workers: how many; 0 for one on each core, or what the engine has.
+        only: (k, n) for the k-th of n shares of the parts, from 1.
+        progress: True for a bar, if tqdm is installed; or what is called with the rows done and all rows.
+
+    Raises: CoupletError if the plan makes no sense; OSError if something cannot be written.
+
+        >>> import tempfile
+        >>> grid = {"half_opening": ["80deg", 2.25], "friction": {"from": "0.1", "to": 1, "steps": 10}}
+        >>> couplet.sweep({"grid": grid}, tempfile.mkdtemp()).counts
+        {'stands': 9, 'falls': 11, 'undecided': 0, 'refused': 0}
+    """
+    if not hasattr(_core, "sweep_begin"):
+        raise CoupletError("this couplet was built without the feature parquet, and a sweep is Parquet")
+    run = _engine(engine)
+    k, n = only
+    if not 1 <= k <= n:
+        raise CoupletError("only is (k, n), the k-th of n: (1, 4), (2, 4), (3, 4), (4, 4)")
+    workers = whole(workers)
+    if isinstance(plan, (str, os.PathLike)):
+        base = os.path.dirname(os.path.abspath(plan))
+        with open(plan, "rb") as file:
+            text = file.read()
+    else:
+        base, text = os.getcwd(), _toml({"schema": "couplet.sweep/1", **plan}).encode()
+    path, others, lost = _core.sweep_begin(text, base, os.path.abspath(output))
+    made = Swept(os.fspath(path), base, (k, n), others, lost)
+    survey = _core.sweep_survey(made.folder, base, (k, n), workers)
+    rows = {part: length for part, length, counts in survey if counts is None}
+    for _, _, there in survey:
+        if there is not None:
+            made.kept += 1
+            made._add(there)
+    done = 0
+    with Bar(progress, sum(rows.values())) as bar:
+        for part, counts, fault, ends in run(made.folder, base, list(rows), workers):
+            if ends:
+                raise OSError(fault)
+            if counts is None:
+                made.lost.append(f"part {part}: {fault}")
+            else:
+                made.computed += 1
+                made._add(counts)
+            done += rows[part]
+            bar(done)
+    made.lost.sort()
+    return made
+
+
+def _part(folder: str, base: str, threads: int, part: int) -> Done:
+    """A part; what is wrong is told, not raised: engines wrap exceptions, each in its own way."""
+    try:
+        return part, _core.sweep_part(folder, base, part, threads), "", False
+    except CoupletError as error:
+        return part, None, str(error), False
+    except OSError as error:
+        return part, None, str(error), True
+
+
+def _engine(engine: Any) -> Callable[[str, str, list[int], int], Iterator[Done]]:
+    known: dict[Any, Callable[[str, str, list[int], int], Iterator[Done]]]
+    known = {None: _threads, "processes": _processes, "ray": _ray, "dask": partial(_dask, None)}
+    if hasattr(engine, "submit") and hasattr(engine, "scheduler_info"):
+        return partial(_dask, engine)
+    if engine is not None and not isinstance(engine, str) or engine not in known:
+        raise CoupletError("an engine is one of None, processes, ray, dask, or a distributed.Client")
+    return known[engine]
+
+
+def _threads(folder: str, base: str, parts: list[int], workers: int) -> Iterator[Done]:
+    from concurrent.futures import ThreadPoolExecutor, as_completed
+
+    workers = workers or os.cpu_count() or 1
+    pool = ThreadPoolExecutor(workers)
+    try:
+        futures = [pool.submit(_part, folder, base, workers, part) for part in parts]
+        for future in as_completed(futures):
+            yield future.result()
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def _processes(folder: str, base: str, parts: list[int], workers: int) -> Iterator[Done]:
+    from concurrent.futures import ProcessPoolExecutor, as_completed
+    from concurrent.futures.process import BrokenProcessPool
+    from multiprocessing import get_context
+
+    left, tries = dict.fromkeys(parts), 0
+    while left:
+        pool = ProcessPoolExecutor(workers or None, get_context("spawn"), _end_with_the_driver)
+        try:
+            futures = [pool.submit(_part, folder, base, 1, part) for part in left]
+            for future in as_completed(futures):
+                done = future.result()
+                del left[done[0]]
+                yield done
+        except BrokenProcessPool:
+            # A worker was killed, and with it the pool: what is left goes to a new one.
+            tries += 1
+            if tries == _TRIES:
+                raise
+        finally:
+            pool.shutdown(cancel_futures=True)
+
+
+def _end_with_the_driver() -> None:
+    """A worker whose driver was killed would wait for parts for ever."""
+    from multiprocessing import connection, parent_process
+    from threading import Thread
+
+    driver = parent_process()
+    if driver is not None:
+
+        def watch(sentinel: int = driver.sentinel) -> None:
+            connection.wait([sentinel])
+            os._exit(1)
+
+        Thread(target=watch, daemon=True).start()
+
+
+def _ray(folder: str, base: str, parts: list[int], workers: int) -> Iterator[Done]:
+    os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
+    ray: Any = import_module("ray")
+    if not ray.is_initialized():
+        ray.init(num_cpus=workers or None, include_dashboard=False, log_to_driver=False)
+    task = ray.remote(num_cpus=1, max_retries=_TRIES)(_part)
+    left = iter(parts)
+    many = _IN_FLIGHT * int(ray.cluster_resources().get("CPU", 1))
+    waiting = [task.remote(folder, base, 1, part) for part in islice(left, many)]
+    while waiting:
+        done, waiting = ray.wait(waiting)
+        waiting += [task.remote(folder, base, 1, part) for part in islice(left, len(done))]
+        yield from ray.get(done)
+
+
+def _dask(client: Any, folder: str, base: str, parts: list[int], workers: int) -> Iterator[Done]:
+    distributed: Any = import_module("distributed")
+    if client is None:
+        # A worker that dies makes every part that it was given suspect, not only the one that it had.
+        with distributed.dask.config.set({"distributed.scheduler.allowed-failures": _TRIES}):
+            with distributed.Client(n_workers=workers or os.cpu_count(), threads_per_worker=1, dashboard_address=None) as own:
+                yield from _dask(own, folder, base, parts, workers)
+        return
+    left = iter(parts)
+    many = _IN_FLIGHT * max(1, sum(client.nthreads().values()))
+    ask = partial(client.submit, _part, folder, base, 1, pure=False, retries=_TRIES)
+    waiting = distributed.as_completed([ask(part) for part in islice(left, many)])
+    for future in waiting:
+        for part in islice(left, 1):
+            waiting.add(ask(part))
+        yield future.result()
+
+
+def _toml(table: Mapping[str, Any]) -> str:
+    """A plan as TOML, with numbers as they are."""
+    return "".join(f"{key} = {_value(value)}\n" for key, value in table.items())
+
+
+def _value(value: Any) -> str:
+    import json
+
+    if hasattr(value, "items"):
+        return "{ " + ", ".join(f"{key} = {_value(inner)}" for key, inner in value.items()) + " }"
+    if isinstance(value, (bool, str)):
+        return json.dumps(value, ensure_ascii=False)
+    if isinstance(value, int):
+        return str(value)
+    if hasattr(value, "tolist"):
+        # Of NumPy.
+        value = value.tolist()
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(_value(inner) for inner in value) + "]"
+    return json.dumps(exact(value, "number"))

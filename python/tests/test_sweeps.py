@@ -1,0 +1,207 @@
+"""Sweeps: the same bytes by every engine, and after every failure."""
+
+import multiprocessing
+import os
+import signal
+import subprocess
+import sys
+import threading
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+import couplet
+
+PLAN = """schema = "couplet.sweep/1"
+chunk = 50
+[sample]
+count = 1000
+"""
+
+
+def written(output):
+    """The name of the only sweep in a folder, and its files."""
+    (folder,) = Path(output).iterdir()
+    return folder.name, {file.name: file.read_bytes() for file in folder.iterdir()}
+
+
+@pytest.fixture
+def plan(tmp_path):
+    path = tmp_path / "plan.toml"
+    path.write_text(PLAN)
+    return path
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    """What the command writes."""
+    home = tmp_path_factory.mktemp("sweep")
+    (home / "plan.toml").write_text(PLAN)
+    line = [sys.executable, "-m", "couplet", "sweep", str(home / "plan.toml"), "-o", str(home / "out")]
+    done = subprocess.run(line, capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
+    return written(home / "out")
+
+
+def test_the_bytes_are_those_of_the_command(plan, whole, tmp_path):
+    told = []
+    made = couplet.sweep(plan, tmp_path / "out", progress=lambda done, rows: told.append((done, rows)))
+    assert written(tmp_path / "out") == whole
+    assert (made.rows, made.computed, made.kept, made.lost) == (1000, 20, 0, [])
+    assert sum(made.counts.values()) == 1000 and made.counts["stands"] > 100
+    assert told[-1] == (1000, 1000) and len(told) == 20
+    assert Path(made.folder) == tmp_path / "out" / whole[0]
+    again = couplet.sweep(plan, str(tmp_path / "out"))
+    assert (again.computed, again.kept, again.counts) == (0, 20, made.counts)
+    found = made.verify(30, threads=2)
+    assert (found["parts"], found["rows"], found["again"], found["certified"], found["faults"]) == (20, 1000, 30, 20, [])
+
+
+def test_shares_are_the_whole(plan, whole, tmp_path):
+    for share in [(3, 3), (1, 3), (2, 3)]:
+        couplet.sweep(plan, tmp_path / "out", only=share, workers=1)
+    assert written(tmp_path / "out") == whole
+
+
+def test_processes_of_which_some_are_killed(plan, whole, tmp_path):
+    killed = []
+
+    def tell(done, rows):
+        # Two in a row: the second is one of the new pool.
+        if done >= 200 * (len(killed) + 1) and len(killed) < 2:
+            child = multiprocessing.active_children()[0]
+            os.kill(child.pid, signal.SIGKILL)
+            killed.append(child.pid)
+
+    made = couplet.sweep(plan, tmp_path / "out", "processes", workers=2, progress=tell)
+    assert len(set(killed)) == 2 and made.rows == 1000
+    name, files = written(tmp_path / "out")
+    files = {file: content for file, content in files.items() if not file.startswith(".couplet-")}
+    assert (name, files) == whole
+
+
+DRIVER = """
+import sys, couplet
+if __name__ == "__main__":
+    couplet.sweep(sys.argv[1], sys.argv[2], "processes", workers=2, progress=lambda *done: print(*done, flush=True))
+"""
+
+
+def test_a_driver_that_is_killed(plan, whole, tmp_path):
+    (tmp_path / "driver.py").write_text(DRIVER)
+    line = [sys.executable, str(tmp_path / "driver.py"), str(plan), str(tmp_path / "out")]
+    driver = subprocess.Popen(line, stdout=subprocess.PIPE, text=True)
+    assert driver.stdout.readline()
+    driver.kill()
+    driver.communicate()
+    made = couplet.sweep(plan, tmp_path / "out")
+    assert made.kept >= 1 and made.rows == 1000
+    name, files = written(tmp_path / "out")
+    files = {file: content for file, content in files.items() if not file.startswith(".couplet-")}
+    assert (name, files) == whole
+
+
+def test_ray(plan, whole, tmp_path):
+    ray = pytest.importorskip("ray")
+    try:
+        couplet.sweep(plan, tmp_path / "out", "ray", workers=2)
+    finally:
+        ray.shutdown()
+    assert written(tmp_path / "out") == whole
+
+
+def test_dask(plan, whole, tmp_path):
+    pytest.importorskip("distributed")
+    couplet.sweep(plan, tmp_path / "out", "dask", workers=2)
+    assert written(tmp_path / "out") == whole
+
+
+def test_a_client_of_dask_with_a_worker_that_is_killed(plan, whole, tmp_path):
+    distributed = pytest.importorskip("distributed")
+    with distributed.Client(n_workers=2, threads_per_worker=1, dashboard_address=None) as client:
+        pids = client.run(os.getpid)
+
+        def kill():
+            os.kill(next(iter(pids.values())), signal.SIGKILL)
+
+        threading.Timer(0.05, kill).start()
+        couplet.sweep(plan, tmp_path / "out", client)
+    name, files = written(tmp_path / "out")
+    files = {file: content for file, content in files.items() if not file.startswith(".couplet-")}
+    assert (name, files) == whole
+
+
+def test_a_plan_of_numbers_of_python(tmp_path):
+    grid = {"half_opening": [Fraction(1, 3), 2.25, "80deg"], "friction": {"from": "0.1", "to": 1, "steps": 4}}
+    made = couplet.sweep({"quantities": ["thrust"], "chunk": 4, "grid": grid}, tmp_path / "dict")
+    text = (
+        'schema = "couplet.sweep/1"\nquantities = "thrust"\nchunk = 4\n[grid]\n'
+        'half_opening = ["1/3", "9/4", "80deg"]\nfriction = { from = 0.1, to = 1, steps = 4 }\n'
+    )
+    (tmp_path / "plan.toml").write_text(text)
+    couplet.sweep(tmp_path / "plan.toml", tmp_path / "text")
+    assert written(tmp_path / "dict") == written(tmp_path / "text")
+    assert made.rows == 12
+    np = pytest.importorskip("numpy")
+    grid = {"half_opening": np.array([0.1, 0.5]), "friction": 1}
+    plan = couplet.sweep({"grid": grid}, tmp_path / "doubles").folder + "/_plan.json"
+    assert "3602879701896397/36028797018963968" in Path(plan).read_text()
+
+
+def test_the_table_is_read_by_others(tmp_path, monkeypatch):
+    dataset = pytest.importorskip("pyarrow.dataset")
+    parquet = pytest.importorskip("pyarrow.parquet")
+    grid = {"half_opening": ["0.5", "80deg"], "friction": ["0.1", "0.3", "inf"]}
+    folder = couplet.sweep({"grid": grid, "chunk": 3, "digits": 20}, tmp_path).folder
+    rows = dataset.dataset(folder).to_table().to_pylist()
+    assert [row["row"] for row in rows] == list(range(6))
+    for row in rows:
+        state = couplet.state(row["half_opening"], row["friction"], digits=20)
+        assert (row["verdict"], row["mode"]) == (state.verdict, state.mode)
+        if state.verdict == "stands":
+            assert row["thickness_text"] == state.thickness.text
+            assert row["thickness"] == state.thickness.double
+            lower, upper = state.thickness.lower, state.thickness.upper
+            assert row["thickness_side"] == (1 if lower == row["thickness"] else -1) and lower < upper
+    part = next(Path(folder).glob("part-*"))
+    notes = parquet.read_metadata(part).metadata
+    assert notes[b"couplet.schema"] == b"couplet.sweep/1"
+    # What others write, compressed as they do, is read.
+    table = dataset.dataset(folder).to_table(columns=["half_opening_rad", "friction_double"])
+    table = table.rename_columns(["alpha", "mu"])
+    parquet.write_table(table, tmp_path / "in.parquet", row_group_size=4)
+    monkeypatch.chdir(tmp_path)
+    again = couplet.sweep({"data": {"files": "in.parquet"}}, tmp_path / "again")
+    found = dataset.dataset(again.folder).to_table().to_pylist()
+    exact = [couplet.state(row["half_opening_rad"], row["friction_double"], digits=17) for row in rows]
+    assert [row["thickness"] for row in found] == [state.thickness and state.thickness.double for state in exact]
+    assert [row["line"] for row in found] == list(range(1, 7))
+    parquet.write_table(table, tmp_path / "in.parquet", compression="zstd")
+    (fault,) = couplet.sweep({"data": {"files": "in.parquet"}}, tmp_path / "zstd").lost
+    assert "it is compressed with ZSTD" in fault
+
+
+def test_bad_rows_are_rows(tmp_path):
+    (tmp_path / "a.csv").write_text("alpha,mu\n1,1\nx,1\n")
+    (tmp_path / "plan.toml").write_text('schema = "couplet.sweep/1"\n[data]\nfiles = ["a.csv", "b.csv"]\n')
+    made = couplet.sweep(tmp_path / "plan.toml", tmp_path / "out")
+    assert made.counts == {"stands": 1, "falls": 0, "undecided": 0, "refused": 1}
+    assert made.lost == ["b.csv: no such file or folder"]
+
+
+def test_what_makes_no_sense(tmp_path, plan):
+    for wrong, words in [
+        (lambda: couplet.sweep({"grid": {"half_opening": 4, "friction": 1}}, tmp_path), "not between 0 and pi"),
+        (lambda: couplet.sweep({}, tmp_path), "the plan has no arches"),
+        (lambda: couplet.sweep(plan, tmp_path, "spark"), "an engine is one of None, processes, ray, dask"),
+        (lambda: couplet.sweep(plan, tmp_path, only=(3, 2)), "only is (k, n)"),
+        (lambda: couplet.sweep(plan, tmp_path, workers=-1), "threads are a whole number"),
+    ]:
+        with pytest.raises(couplet.CoupletError) as caught:
+            wrong()
+        assert words in str(caught.value)
+    with pytest.raises(FileNotFoundError):
+        couplet.sweep(tmp_path / "none.toml", tmp_path)
+    with pytest.raises(OSError, match="cannot write"):
+        couplet.sweep(plan, "/dev/null/results")
