@@ -6,10 +6,12 @@
 //! times its half-widths.
 
 use super::cubic::{BITS, exact};
-use super::form::{Form, Spot, Variable};
+use super::form::Form;
 use super::place::root_of_square;
+use super::spot::Spot;
 use super::trace::Piece;
 use super::tube::Tube;
+use super::variable::Variable;
 use crate::arch::haunch::opening_variable_at_half;
 use crate::number::{Ball, Dual, Enclosure, Field, Jet, Magnitude, Real, Stumpff};
 

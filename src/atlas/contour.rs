@@ -1,6 +1,6 @@
 //! What is the same along a level.
 
-use super::form::Variable;
+use super::variable::Variable;
 use crate::number::{Ball, ExactNumber, arctangent};
 use crate::problem::Friction;
 use std::fmt;

@@ -1,17 +1,19 @@
 //! Where a curve of the map has a half opening, a thickness or a friction: once, or nowhere, either proved.
 
-use super::cubic::exact;
-use super::form::{Form, Variable};
+use super::cell::Cell;
+use super::form::Form;
+use super::law::Law;
 use super::place::Place;
-use super::search;
-use super::trace::{Piece, Trace};
-use super::tube::{Node, Tube};
+use super::trace::Trace;
+use super::tube::Tube;
+use super::variable::Variable;
 use crate::certify::Undecided;
 use crate::certify::root::{self, root_near};
 use crate::number::{Ball, Enclosure, Real, Stumpff, Ternary};
 use rug::Float;
 
 /// The one point of a curve in which a variable has a value.
+#[derive(Clone, Debug)]
 pub(super) struct Crossing {
     pub form: Form,
     s: Ball,
@@ -39,72 +41,43 @@ impl root::Form<Ball> for AtValue<'_> {
     }
 }
 
+/// The equations of a form and perhaps another one: the parameter is the first unknown.
+struct Closed<'a> {
+    form: &'a Form,
+    also: Option<Law>,
+}
+
+impl root::Form<Ball> for Closed<'_> {
+    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
+        let (s, unknowns) = (&x[0], &x[1..]);
+        let mut residuals = self.form.residuals(&number, s, unknowns);
+        residuals.extend(self.also.map(|law| self.form.residual(law, &number, s, unknowns)));
+        residuals
+    }
+
+    fn is_regular<T: Enclosure + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> bool {
+        self.form.divisors(&number, &x[0], &x[1..]).iter().all(Enclosure::excludes_zero)
+    }
+}
+
+/// The equations of a form at a parameter.
+struct AtParameter<'a> {
+    form: &'a Form,
+    s: &'a Ball,
+}
+
+impl root::Form<Ball> for AtParameter<'_> {
+    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
+        self.form.residuals(&number, &number(self.s), x)
+    }
+
+    fn is_regular<T: Enclosure + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> bool {
+        self.form.divisors(&number, &number(self.s), x).iter().all(Enclosure::excludes_zero)
+    }
+}
+
 /// Bits in which crossings are enclosed.
 pub(super) const BITS: u32 = 128;
-
-/// A part of a piece on which the value may be.
-struct Cell<'a> {
-    form: &'a Form,
-    nodes: [Node; 2],
-    tube: Tube,
-}
-
-impl<'a> Cell<'a> {
-    fn new(piece: &Piece<'a>) -> Option<Self> {
-        let nodes = piece.nodes().map(Node::clone);
-        Some(Self { form: piece.form(), nodes, tube: piece.tube()?.clone() })
-    }
-
-    fn range(&self) -> [f64; 2] {
-        self.nodes.each_ref().map(|node| node.sketch.s)
-    }
-
-    /// The values of a variable in its nodes.
-    fn ends(&self, variable: Variable) -> Option<[Ball; 2]> {
-        let [from, to] = self
-            .nodes
-            .each_ref()
-            .map(|node| self.form.value(variable, &exact(node.sketch.s), &node.root).cloned());
-        Some([from?, to?])
-    }
-
-    /// Whether the value may be on it.
-    fn may_have(&self, variable: Variable, value: &Ball) -> bool {
-        let [low, high] = self.range().map(exact);
-        let all = low.hull(&high);
-        let values = self.form.value(variable, &all, &self.tube.enclosure(&all)).cloned();
-        values.is_none_or(|values| values.overlaps(value))
-    }
-
-    /// Whether the variable rises on all of it, or falls.
-    fn rises(&self, variable: Variable) -> Option<bool> {
-        let one = exact(1.0);
-        let slope = self.form.value(variable, &one, &self.tube.slopes)?;
-        match (slope.is_positive(), slope.excludes_zero()) {
-            (Ternary::True, _) => Some(true),
-            (Ternary::False, true) => Some(false),
-            _ => None,
-        }
-    }
-
-    /// Its two halves, in tubes of their own, which hold the same branch: the root between them is in its tube.
-    fn halves(&self) -> Option<[Self; 2]> {
-        let [low, high] = self.range();
-        let middle = low + (high - low) / 2.0;
-        let s = exact(middle);
-        let start = self.tube.enclosure(&s).iter().map(|x| x.mid().to_f64()).collect();
-        let node = Node::prove(self.form, search::point(self.form, middle, start)?)?;
-        if !self.tube.holds(&s, &node.root) {
-            return None;
-        }
-        let half = |nodes: [Node; 2]| {
-            let tube = Tube::prove(self.form, &nodes[0], &nodes[1])?;
-            Some(Self { form: self.form, nodes, tube })
-        };
-        let [from, to] = self.nodes.clone();
-        Some([half([from, node.clone()])?, half([node, to])?])
-    }
-}
 
 /// How often a piece is halved.
 const DEPTH: u32 = 12;
@@ -159,6 +132,29 @@ impl Run<'_> {
 }
 
 impl Crossing {
+    /// A root of a form with one equation more than its own, proved to be the only one in a box.
+    pub(super) fn proved(
+        form: &Form,
+        also: Option<Law>,
+        start: Vec<Float>,
+    ) -> Result<Self, Undecided> {
+        let mut root = root_near(&Closed { form, also }, BITS, start)?;
+        let s = root.remove(0);
+        Ok(Self { form: form.clone(), s, root })
+    }
+
+    /// The point of a tube at a parameter, in more digits than the tube tells.
+    pub(super) fn in_tube(form: &Form, tube: &Tube, s: &Ball) -> Option<Self> {
+        let start = tube.enclosure(s).iter().map(|x| Float::with_val(BITS, x.mid())).collect();
+        let root = root_near(&AtParameter { form, s }, BITS, start).ok()?;
+        tube.holds(s, &root).then(|| Self { form: form.clone(), s: s.clone(), root })
+    }
+
+    /// A point that is known to be on a form.
+    pub(super) fn known(form: &Form, s: Ball, root: Vec<Ball>) -> Self {
+        Self { form: form.clone(), s, root }
+    }
+
     /// Where a curve has the value; `None` where it is proved to have it nowhere.
     ///
     /// On each run of parts next to each other on which the value may be, the variable rises, or falls: so it is there once
@@ -235,22 +231,17 @@ impl Crossing {
         is_covered.then(|| Self { form: form.clone(), s, root })
     }
 
+    /// The left side of another equation.
+    pub(super) fn residual(&self, law: Law) -> Ball {
+        self.form.residual(law, &Ball::clone, &self.s, &self.root)
+    }
+
     pub(super) fn place(&self) -> Place {
         Place::new(&self.form, &self.s, &self.root)
     }
 
     pub(super) fn value(&self, variable: Variable) -> Ball {
-        let at = self.form.spot(&Ball::clone, &self.s, &self.root);
-        match variable {
-            Variable::HalfOpening => at.half_opening,
-            Variable::FrictionAngle => at.friction_angle,
-            Variable::Inclination => at.inclination.rad,
-            Variable::JointSquare => at.joint_square,
-            Variable::Thickness => at.thickness,
-            Variable::Ratio => at.ratio,
-            Variable::OpeningRatio => at.opening_ratio,
-            Variable::JointRatio => at.joint_ratio,
-        }
+        self.form.spot(&Ball::clone, &self.s, &self.root).get(variable).clone()
     }
 }
 

@@ -17,7 +17,9 @@
 //! `chi` is the inclination of the force on the inner joint that slides.
 
 use super::end::End;
-use super::form::{Form, Joint, Law, Thrust, Variable};
+use super::form::{Form, Joint, Thrust};
+use super::law::Law;
+use super::variable::Variable;
 use crate::arch::SelfWeight;
 use crate::problem::Line;
 use std::fmt;

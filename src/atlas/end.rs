@@ -1,6 +1,6 @@
 //! Where a curve ends, by values that are proved.
 
-use super::form::Variable;
+use super::variable::Variable;
 use crate::arch::{SelfWeight, Unknown};
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::number::{Ball, Field, Magnitude, Real};
@@ -106,6 +106,9 @@ impl EndValues {
             Variable::Ratio => Ball::integer(2, BITS),
             Variable::OpeningRatio => cube_root_of_four(),
             Variable::JointRatio => cube_root_of_four().square() / Ball::integer(2, BITS),
+            // Of symmetric states.
+            Variable::VerticalForce | Variable::CrownHinge => Ball::integer(0, BITS),
+            Variable::CrownMoment => Ball::whole(BITS),
         }
     }
 }

@@ -15,9 +15,10 @@
 use super::contour::Contour;
 use super::crossing::{BITS, Crossing};
 use super::curve::Curve;
-use super::form::Variable;
 use super::part::Part;
+use super::place::Place;
 use super::trace::Trace;
+use super::variable::Variable;
 use crate::arch::SelfWeight;
 use crate::certify::Undecided;
 use crate::number::{Ball, Enclosure, Ternary};
@@ -103,6 +104,12 @@ impl Level {
     pub fn width(&self) -> f64 {
         let pieces = self.parts.iter().flat_map(Part::pieces);
         pieces.filter_map(|piece| piece.width()).fold(0.0, f64::max)
+    }
+
+    /// The quantities at a friction angle, of a half opening or a thickness; `None` in pure sliding, where an inner joint slides, and where a proof
+    /// fails.
+    pub fn at_friction_angle(&self, phi: &Ball) -> Option<Place> {
+        Part::among(&self.parts, phi)
     }
 
     /// Whether a piece is not proved.

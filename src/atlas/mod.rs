@@ -16,6 +16,8 @@
 //! ```
 
 mod arc;
+mod asymmetric;
+mod cell;
 mod cells;
 mod contour;
 mod crossing;
@@ -25,25 +27,28 @@ mod difference;
 mod domain;
 mod end;
 mod form;
+mod law;
 mod level;
 mod part;
 mod place;
 mod point;
 mod search;
 mod sketch;
+mod spot;
 mod tangent;
 mod trace;
 mod tube;
+mod variable;
 mod walk;
 
 pub use arc::{Arc, Coordinate, arc};
+pub use asymmetric::{Border, BorderLine, Branch, Meeting, NoBranch, Stretch};
 pub use cells::{Areas, Column, Row};
 pub use contour::Contour;
 pub use curve::Curve;
 pub use difference::{Difference, DifferencePoint, Divide, LEAST_DIFFERENCE, Step};
 pub use domain::{Corner, Side, boundary};
 pub use end::End;
-pub use form::Variable;
 pub use level::{Level, NoLevel};
 pub use part::Part;
 pub use place::Place;
@@ -51,3 +56,4 @@ pub use point::{NoPoint, point};
 pub use sketch::{Block, Collapse, Forces, Line, Mark, NoSketch, Sketch, Subject, moved};
 pub use tangent::tangent;
 pub use trace::{LEAST_TOLERANCE, Piece, Point, Trace};
+pub use variable::Variable;

@@ -2,13 +2,15 @@
 //! between the points in which it meets the lines to the next modes, or straight.
 
 use super::crossing::{BITS, Crossing};
-use super::form::{Form, Joint, Law, Thrust, Variable};
+use super::form::{Form, Joint, Thrust};
+use super::law::Law;
 use super::place::Place;
 use super::trace::{Piece, Point, pieces_of, points_of};
+use super::variable::Variable;
 use super::walk::{Walk, walk};
 use crate::arch::SelfWeight;
 use crate::certify::Undecided;
-use crate::number::{Ball, Field, Real};
+use crate::number::{Ball, Enclosure, Field, Real};
 use crate::problem::Mode;
 use rug::float::Round;
 
@@ -32,24 +34,9 @@ impl Part {
         tolerance: f64,
     ) -> Result<Self, Undecided> {
         let form = form(mode, from.form.weight, given);
-        let quarter_turn = given.1.pi() / given.1.int(2);
-        let start = from.value(form.parameter);
-        let end = to.map_or(quarter_turn, |to| to.value(form.parameter));
-        let guess = form.unknowns.iter().map(|u| from.value(*u).mid().to_f64()).collect();
-        let [low, high] =
-            [start.lower().to_f64_round(Round::Down), end.upper().to_f64_round(Round::Up)];
-        let failed = |what: &str| Undecided::new(format!("{mode}: {what}"));
-        let walk = walk(&form, low, guess, high, tolerance)
-            .ok_or_else(|| failed("a node cannot be proved"))?;
-        let meets = |crossing: &Crossing, is_first: bool| {
-            let tube = if is_first { walk.tubes.first() } else { walk.tubes.last() };
-            let root: Vec<Ball> = form.unknowns.iter().map(|u| crossing.value(*u)).collect();
-            let s = crossing.value(form.parameter);
-            tube.and_then(Option::as_ref).is_some_and(|tube| tube.holds(&s, &root))
-        };
-        if !meets(from, true) || !to.is_none_or(|to| meets(to, false)) {
-            return Err(failed("it is not proved to meet the next line"));
-        }
+        let failed = |undecided: Undecided| undecided.about(&mode.to_string());
+        let walk = chained(&form, from, to, tolerance).map_err(failed)?;
+        let end = given.1.pi() / given.1.int(2);
         let at_end = match (to, walk.tubes.last()) {
             (Some(to), _) => to.place(),
             (None, Some(Some(tube))) => {
@@ -83,6 +70,30 @@ impl Part {
         Self { mode: Mode::Rotational, ends: [from, to], chain: None }
     }
 
+    /// The quantities at a friction angle, of a part that is traced by it or that is the same for all of them; `None`
+    /// elsewhere.
+    fn at_friction_angle(&self, phi: &Ball) -> Option<Place> {
+        let Some((form, walk)) = &self.chain else {
+            let from = self.ends[0].friction_angle.as_ref()?;
+            let is_here = self.mode == Mode::Rotational && !phi.is_less_than(from).is_proved();
+            return is_here.then(|| self.ends[0].clone());
+        };
+        if form.parameter != Variable::FrictionAngle {
+            return None;
+        }
+        let mut pieces = pieces_of(form, walk);
+        let piece = pieces.find(|piece| {
+            let [low, high] = piece.range();
+            phi.lower() >= low && phi.upper() <= high
+        })?;
+        Some(Crossing::in_tube(form, piece.tube()?, phi)?.place())
+    }
+
+    /// The quantities at a friction angle on one of some parts that follow each other.
+    pub(super) fn among(parts: &[Self], phi: &Ball) -> Option<Place> {
+        parts.iter().find_map(|part| part.at_friction_angle(phi))
+    }
+
     /// The quantities of its two ends.
     pub fn ends(&self) -> &[Place; 2] {
         &self.ends
@@ -107,6 +118,35 @@ impl Part {
     /// The pieces, gaps among them; a straight part has none.
     pub fn pieces(&self) -> impl Iterator<Item = Piece<'_>> {
         self.chain.iter().flat_map(|(form, walk)| pieces_of(form, walk))
+    }
+}
+
+/// Nodes and tubes of a form from one point to another, or to the right angle of unlimited friction: both points are
+/// proved to be on it.
+pub(super) fn chained(
+    form: &Form,
+    from: &Crossing,
+    to: Option<&Crossing>,
+    tolerance: f64,
+) -> Result<Walk, Undecided> {
+    let start = from.value(form.parameter);
+    let quarter_turn = start.pi() / start.int(2);
+    let end = to.map_or(quarter_turn, |to| to.value(form.parameter));
+    let guess = form.unknowns.iter().map(|u| from.value(*u).mid().to_f64()).collect();
+    // Rounding downward makes a zero negative.
+    let [low, high] =
+        [start.lower().to_f64_round(Round::Down) + 0.0, end.upper().to_f64_round(Round::Up)];
+    let walk = walk(form, low, guess, high, tolerance)
+        .ok_or_else(|| Undecided::new("a node cannot be proved"))?;
+    let meets = |crossing: &Crossing, is_first: bool| {
+        let tube = if is_first { walk.tubes.first() } else { walk.tubes.last() };
+        let root: Vec<Ball> = form.unknowns.iter().map(|u| crossing.value(*u)).collect();
+        let s = crossing.value(form.parameter);
+        tube.and_then(Option::as_ref).is_some_and(|tube| tube.holds(&s, &root))
+    };
+    match meets(from, true) && to.is_none_or(|to| meets(to, false)) {
+        true => Ok(walk),
+        false => Err(Undecided::new("it is not proved to meet the next line")),
     }
 }
 

@@ -1,6 +1,8 @@
 //! The quantities of a point of a curve.
 
-use super::form::{Form, Thrust, Variable};
+use super::form::{Form, Thrust};
+use super::law::Law;
+use super::variable::Variable;
 use crate::arch::cycloid;
 use crate::number::{Ball, Field, Real};
 
@@ -24,6 +26,10 @@ pub struct Place {
     pub rotation_joint: Option<Ball>,
     /// `beta_s`, rad.
     pub sliding_joint: Option<Ball>,
+    /// `v`, of an asymmetric state.
+    pub vertical_force: Option<Ball>,
+    /// `b0`, rad, of an asymmetric state, whose haunch is the rotational joint.
+    pub crown_hinge: Option<Ball>,
 }
 
 impl Place {
@@ -40,7 +46,8 @@ impl Place {
             let (sin, cos) = phi.sin_cos();
             sin / cos
         });
-        let slides_inside = form.thrust == Thrust::Sliding;
+        let slides = |law| matches!(law, &Law::Cycloid | &Law::InnerSlides);
+        let slides_inside = form.thrust == Thrust::Sliding && form.laws.iter().any(slides);
         Self {
             half_opening: Some(at.half_opening),
             friction_angle,
@@ -52,7 +59,10 @@ impl Place {
                 true => Some(root_of_square(&at.joint_square)),
                 false => (!slides_purely).then(|| s.int(0)),
             },
-            sliding_joint: slides_inside.then(|| cycloid::joint(&at.inclination)),
+            sliding_joint: slides_inside
+                .then(|| cycloid::joint(&at.inclination) - &at.vertical_force),
+            vertical_force: form.knows(Variable::VerticalForce).then_some(at.vertical_force),
+            crown_hinge: form.knows(Variable::CrownHinge).then_some(at.crown_hinge),
         }
     }
 

@@ -1,8 +1,9 @@
 //! A point of a curve at an exact parameter, to any number of digits.
 
-use super::form::{Form, Thrust, Variable};
+use super::form::{Form, Thrust};
 use super::place::Place;
 use super::trace::Trace;
+use super::variable::Variable;
 use crate::certify::Undecided;
 use crate::certify::root::{self, root_near};
 use crate::number::{Ball, Enclosure, ExactNumber, Real, Rounded, Stumpff, bits_of};

@@ -5,7 +5,7 @@
 
 use super::curve::Curve;
 use super::end::{End, EndValues};
-use super::form::Variable;
+use super::variable::Variable;
 use crate::arch::SelfWeight;
 use crate::certify::{Eliminated, Undecided};
 use crate::number::{Ball, Dual, Enclosure};

@@ -3,9 +3,10 @@
 use super::cubic::exact;
 use super::curve::{Curve, Leg};
 use super::end::{End, EndValues};
-use super::form::{Form, Variable};
+use super::form::Form;
 use super::place::Place;
 use super::tube::{Node, Tube};
+use super::variable::Variable;
 use super::walk::{Walk, walk, width};
 use crate::arch::SelfWeight;
 use crate::certify::Undecided;

@@ -1,8 +1,9 @@
 //! From one end of a form to the other, in pieces as long as the tolerance lets them be.
 
-use super::form::{Form, Variable};
+use super::form::Form;
 use super::search::{self, Sketch};
 use super::tube::{Node, Tube};
+use super::variable::Variable;
 
 /// Nodes in order, and what lies between each and the next: a tube, or nothing where none is proved.
 #[derive(Clone, Debug)]

@@ -1,0 +1,126 @@
+//! The equations of each kind of mechanism, for one half opening or for all.
+
+use super::super::form::{Form, Joint, Thrust};
+use super::super::law::Law;
+use super::super::variable::Variable;
+use crate::arch::SelfWeight;
+use crate::arch::asymmetric::AsymmetricMode;
+use crate::number::Ball;
+
+/// The equation by which a kind closes.
+pub(super) fn closing(kind: AsymmetricMode) -> Law {
+    match kind {
+        AsymmetricMode::InnerSliding => Law::InnerSlides,
+        AsymmetricMode::ShoulderOpening => Law::ShoulderOpens,
+        AsymmetricMode::ShoulderSliding => Law::HingesFit,
+    }
+}
+
+/// The same the other way round.
+pub(super) fn closed_by(law: Law) -> Option<AsymmetricMode> {
+    AsymmetricMode::ALL.into_iter().find(|kind| closing(*kind) == law)
+}
+
+macro_rules! laws {
+    ($($closing:ident),*) => {
+        &[
+            Law::CarriedShoulder,
+            Law::OnCrown,
+            Law::TouchesCrown,
+            Law::OnHaunch,
+            Law::TouchesHaunch,
+            $(Law::$closing),*
+        ]
+    };
+}
+
+/// The laws of a symmetric state, whose line of thrust is level in the crown.
+macro_rules! symmetric {
+    ($closing:ident) => {
+        &[Law::CarriedShoulder, Law::OnCrown, Law::OnHaunch, Law::TouchesHaunch, Law::$closing]
+    };
+}
+
+/// The states of a kind of a half opening, by the vertical force. The inclination is that with the thrust `cos² chi`,
+/// whether a joint slides or not.
+pub(super) fn over_vertical_force(
+    kind: AsymmetricMode,
+    weight: SelfWeight,
+    half_opening: &Ball,
+) -> Form {
+    use Variable::{CrownHinge, CrownMoment, FrictionAngle, Inclination, JointSquare, Thickness};
+    Form {
+        weight,
+        parameter: Variable::VerticalForce,
+        unknowns: &[Inclination, FrictionAngle, CrownMoment, Thickness, CrownHinge, JointSquare],
+        laws: match kind {
+            AsymmetricMode::InnerSliding => laws!(InnerSlides),
+            AsymmetricMode::ShoulderOpening => laws!(ShoulderOpens),
+            AsymmetricMode::ShoulderSliding => laws!(HingesFit),
+        },
+        thrust: Thrust::Sliding,
+        joint: Joint::Crown,
+        given: Some((Variable::HalfOpening, half_opening.clone())),
+    }
+}
+
+/// The symmetric state of a half opening in which a kind ends: one equation more than unknowns.
+pub(super) fn symmetric(kind: AsymmetricMode, weight: SelfWeight, half_opening: &Ball) -> Form {
+    use Variable::{CrownMoment, FrictionAngle, Inclination, JointSquare, Thickness};
+    Form {
+        weight,
+        parameter: FrictionAngle,
+        unknowns: &[Inclination, CrownMoment, Thickness, JointSquare],
+        laws: match kind {
+            AsymmetricMode::InnerSliding => symmetric!(InnerSlides),
+            AsymmetricMode::ShoulderOpening => symmetric!(ShoulderOpens),
+            AsymmetricMode::ShoulderSliding => symmetric!(HingesFit),
+        },
+        thrust: Thrust::Sliding,
+        joint: Joint::Crown,
+        given: Some((Variable::HalfOpening, half_opening.clone())),
+    }
+}
+
+/// The symmetric states in which the hinges and the shoulders fit, by the half opening.
+pub(super) fn beginning(weight: SelfWeight) -> Form {
+    use Variable::{CrownMoment, FrictionAngle, Inclination, JointSquare, Thickness};
+    Form {
+        weight,
+        parameter: Variable::HalfOpening,
+        unknowns: &[FrictionAngle, Inclination, CrownMoment, Thickness, JointSquare],
+        laws: symmetric!(HingesFit),
+        thrust: Thrust::Sliding,
+        joint: Joint::Crown,
+        given: None,
+    }
+}
+
+/// The states in which one kind becomes the other, by the half opening.
+pub(super) fn between(kinds: [AsymmetricMode; 2], weight: SelfWeight) -> Form {
+    use AsymmetricMode::{InnerSliding, ShoulderOpening};
+    use Variable::{
+        CrownHinge, CrownMoment, FrictionAngle, Inclination, JointSquare, Thickness, VerticalForce,
+    };
+    Form {
+        weight,
+        parameter: Variable::HalfOpening,
+        unknowns: &[
+            FrictionAngle,
+            Inclination,
+            CrownMoment,
+            Thickness,
+            CrownHinge,
+            JointSquare,
+            VerticalForce,
+        ],
+        laws: match (kinds.contains(&InnerSliding), kinds.contains(&ShoulderOpening)) {
+            (true, true) => laws!(InnerSlides, ShoulderOpens),
+            (true, false) => laws!(InnerSlides, HingesFit),
+            (false, _) => laws!(HingesFit, ShoulderOpens),
+        },
+        thrust: Thrust::Sliding,
+        joint: Joint::Crown,
+        given: None,
+    }
+}

@@ -1,0 +1,130 @@
+//! The equations of the forms, one by one.
+
+use super::spot::Spot;
+use crate::arch::asymmetric::AsymmetricMode;
+use crate::arch::haunch::{opening_variable_at_half, touching_root};
+use crate::arch::{Ring, SelfWeight, cycloid, thrust};
+use crate::number::{Angle, Real, Stumpff};
+
+/// An equation of a form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Law {
+    /// (18), the friction angle.
+    Cycloid,
+    /// (17).
+    Shoulder,
+    /// (17) of a flat arch, in `q`.
+    FlatShoulder,
+    /// `alpha = phi + q chi`.
+    Ratio,
+    /// (17) of a flat arch that turns at the haunch, in `p` and `s`.
+    FlatTurningShoulder,
+    /// (4) less (5) of the same.
+    FlatTurning,
+    /// `alpha = p chi`.
+    OpeningRatio,
+    /// `beta_r² = s chi²`.
+    JointRatio,
+    /// (5).
+    Tangency,
+    /// The thrust that (2) and (5) have in common.
+    Touching,
+    /// The square root of that, regular where the thrust vanishes.
+    TouchingRoot,
+    /// The same put into (5): what (2) and (5) leave of the thickness and the joint.
+    Rotation,
+    /// (4).
+    Whole,
+    /// (4) less (5): the half opening of the rotational states.
+    WholeTangency,
+    /// (3).
+    Upper,
+    /// (17) of a shoulder that carries less by the vertical force.
+    CarriedShoulder,
+    /// (18) of the left half, which carries more by the vertical force: an inner joint slides.
+    InnerSlides,
+    /// The line of thrust is on the extrados next to the crown, and touches it.
+    OnCrown,
+    TouchesCrown,
+    /// It is on the intrados at the left haunch, and touches it.
+    OnHaunch,
+    TouchesHaunch,
+    /// It is on the extrados of the right shoulder.
+    ShoulderOpens,
+    /// Two hinges and a sliding shoulder move without another joint.
+    HingesFit,
+}
+
+impl Law {
+    pub(super) fn residual<T: Real + Stumpff>(self, weight: SelfWeight, at: &Spot<T>) -> T {
+        let ring = || Ring::new(weight, &at.thickness);
+        let tangency = || thrust::tangency(&at.haunch.times_cotangent, &ring());
+        let touching = || thrust::touching(&at.haunch.versine, &at.haunch.excess, &ring());
+        let whole = || {
+            let quarter = at.half_opening.square() / at.thrust.int(4);
+            thrust::whole_through(&opening_variable_at_half(&quarter.stumpff(2)), &ring())
+        };
+        match self {
+            Self::Cycloid => cycloid::friction_angle(&at.inclination) - &at.friction_angle,
+            Self::Shoulder => {
+                cycloid::shoulder(&at.half_opening, &at.shoulder_inclination(), &at.thrust)
+            }
+            Self::FlatShoulder => cycloid::flat_shoulder(&at.ratio, &at.inclination.rad),
+            Self::Ratio => {
+                at.half_opening.clone()
+                    - &at.friction_angle
+                    - at.ratio.clone() * &at.inclination.rad
+            }
+            Self::FlatTurningShoulder => at.flat().shoulder(weight, &at.inclination.rad),
+            Self::FlatTurning => at.flat().turning(weight, &at.half_opening),
+            Self::OpeningRatio => {
+                at.half_opening.clone() - at.opening_ratio.clone() * &at.inclination.rad
+            }
+            Self::JointRatio => {
+                at.joint_square.clone() - at.inclination.rad.square() * &at.joint_ratio
+            }
+            Self::Tangency => tangency().residual(&at.thrust),
+            Self::Touching => touching().residual(&at.thrust),
+            Self::TouchingRoot => touching_root(&at.inclination.cos, &at.joint_square, &ring()),
+            Self::Rotation => tangency().difference(&touching()),
+            Self::Whole => whole().residual(&at.thrust),
+            Self::WholeTangency => whole().difference(&tangency()),
+            Self::Upper => at.upper(weight).residual(&at.thrust),
+            Self::CarriedShoulder => {
+                let carried = at.half_opening.clone() - &at.vertical_force;
+                cycloid::shoulder(&carried, &at.shoulder_inclination(), &at.thrust)
+            }
+            Self::InnerSlides => {
+                at.friction_angle.clone()
+                    - cycloid::friction_angle(&at.inclination)
+                    - &at.vertical_force
+            }
+            Self::OnCrown => at.at_crown(weight)[0].clone(),
+            Self::TouchesCrown => at.at_crown(weight)[1].clone(),
+            Self::OnHaunch => at.at_haunch(weight)[0].clone(),
+            Self::TouchesHaunch => at.at_haunch(weight)[1].clone(),
+            Self::ShoulderOpens => at.closing(AsymmetricMode::ShoulderOpening, weight),
+            Self::HingesFit => at.closing(AsymmetricMode::ShoulderSliding, weight),
+        }
+    }
+
+    pub(super) fn divisor<T: Real + Stumpff>(self, weight: SelfWeight, at: &Spot<T>) -> Option<T> {
+        match self {
+            Self::Upper => Some(at.upper(weight).denominator),
+            Self::Shoulder => {
+                let Angle { sin, cos, .. } = at.shoulder_inclination();
+                // The force on the shoulder less its part along the joint: N over cos(phi).
+                Some(at.thrust.clone() * cos + at.half_opening.clone() * sin)
+            }
+            Self::CarriedShoulder => {
+                let Angle { sin, cos, .. } = at.shoulder_inclination();
+                let carried = at.half_opening.clone() - &at.vertical_force;
+                Some(at.thrust.clone() * cos + carried * sin)
+            }
+            Self::Tangency | Self::Rotation | Self::WholeTangency => {
+                Some(Ring::new(weight, &at.thickness).intrados())
+            }
+            _ => None,
+        }
+    }
+}
