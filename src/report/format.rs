@@ -2,6 +2,7 @@
 
 use super::answers::Answers;
 use super::audit::{self, Audit};
+use super::branch::{self, BranchArches};
 use super::claims::{self, Claims, Index};
 use super::complementarity::{self, ComplementarityArches};
 use super::judged::{self, JudgeSummary, JudgedLines};
@@ -46,6 +47,8 @@ pub enum Content {
     Tilted,
     /// Solutions of the complementarity problem.
     Complementarity,
+    /// Asymmetric solutions over friction.
+    Branch,
     /// Arches to be drawn.
     Drawing,
 }
@@ -84,6 +87,7 @@ pub struct Format {
     pub(super) voussoirs: Option<Writer<VoussoirArches>>,
     pub(crate) tilt: Option<Writer<TiltedArches>>,
     pub(super) complementarity: Option<Writer<ComplementarityArches>>,
+    pub(super) branch: Option<Writer<BranchArches>>,
     pub(super) drawing: Option<Writer<Sketched>>,
 }
 
@@ -109,6 +113,7 @@ const fn text(name: &'static str, extension: &'static str) -> Format {
         voussoirs: None,
         tilt: None,
         complementarity: None,
+        branch: None,
         drawing: None,
     }
 }
@@ -129,6 +134,7 @@ static FORMATS: [Format; 19] = [
         voussoirs: Some(voussoirs::table),
         tilt: Some(tilt::table),
         complementarity: Some(complementarity::table),
+        branch: Some(branch::table),
         ..text("table", "txt")
     },
     Format { claims: Some(claims::text), index: Some(claims::index_text), ..text("text", "txt") },
@@ -144,6 +150,7 @@ static FORMATS: [Format; 19] = [
         voussoirs: Some(voussoirs::json),
         tilt: Some(tilt::json),
         complementarity: Some(complementarity::json),
+        branch: Some(branch::json),
         drawing: Some(sketched::json),
         ..language("json", "json", json::answers)
     },
@@ -159,6 +166,7 @@ static FORMATS: [Format; 19] = [
         voussoirs: Some(voussoirs::csv),
         tilt: Some(tilt::csv),
         complementarity: Some(complementarity::csv),
+        branch: Some(branch::csv),
         ..text("csv", "csv")
     },
     Format {
@@ -181,6 +189,7 @@ static FORMATS: [Format; 19] = [
         voussoirs: Some(voussoirs::svg),
         map: Some(map::svg),
         map_differences: Some(map::difference_svg),
+        branch: Some(branch::svg),
         drawing: Some(sketched::svg),
         ..text("svg", "svg")
     },
@@ -213,6 +222,7 @@ const PNG: Format = Format {
     is_picture: true,
     map: Some(map::png),
     map_differences: Some(map::difference_png),
+    branch: Some(branch::png),
     voussoirs: Some(voussoirs::png),
     drawing: Some(sketched::png),
     ..text("png", "png")
@@ -227,6 +237,7 @@ const PNG: Format = Format {
     voussoirs: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
     map: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
     map_differences: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
+    branch: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
     drawing: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
     ..text("png", "png")
 };
@@ -249,6 +260,7 @@ impl Format {
             Content::Voussoirs => format.voussoirs.is_some(),
             Content::Tilted => format.tilt.is_some(),
             Content::Complementarity => format.complementarity.is_some(),
+            Content::Branch => format.branch.is_some(),
             Content::Drawing => format.drawing.is_some(),
         })
     }

@@ -24,6 +24,7 @@
 mod answer;
 mod answers;
 mod audit;
+mod branch;
 mod c;
 mod claims;
 mod columns;
@@ -65,6 +66,7 @@ pub(crate) mod words;
 pub use answer::{Answer, Fingerprint, Kept, Proof, Status, Subject};
 pub use answers::{Answers, Scope};
 pub use audit::Audit;
+pub use branch::{BranchArch, BranchArches};
 pub use claims::{Claims, Index};
 pub use complementarity::{AtThickness, ComplementarityArch, ComplementarityArches};
 pub use drawn::{Axes, Branches, Drawing, Mark, Marked, Plane, Shown, Unit, View};
@@ -103,6 +105,8 @@ pub enum Report {
     Tilted(TiltedArches),
     /// Solutions of the complementarity problem.
     Complementarity(ComplementarityArches),
+    /// Asymmetric solutions over friction.
+    Branches(BranchArches),
     /// Arches to be drawn.
     Sketched(Sketched),
 }
@@ -121,6 +125,7 @@ impl Report {
             Self::Tilted(arches) => format.tilt.map(|write| write(arches, out)),
             Self::Voussoirs(arches) => format.voussoirs.map(|write| write(arches, out)),
             Self::Complementarity(arches) => format.complementarity.map(|write| write(arches, out)),
+            Self::Branches(arches) => format.branch.map(|write| write(arches, out)),
             Self::Sketched(sketched) => format.drawing.map(|write| write(sketched, out)),
         };
         written.unwrap_or_else(|| Err(io::ErrorKind::Unsupported.into()))

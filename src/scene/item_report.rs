@@ -141,7 +141,8 @@ fn map(
     }
     let (view, axes, command) = (asked.view, asked.axes, asked.command.clone());
     let drawing = Drawing { view, axes, marks, command };
-    let map = Map { tolerance: asked.tolerance, traces, levels, landmarks, drawing };
+    let map =
+        Map { tolerance: asked.tolerance, traces, levels, borders: Vec::new(), landmarks, drawing };
     open.extend(map.open().into_iter().chain(names));
     (Some(Report::Map(map)), open)
 }

@@ -127,7 +127,7 @@ fn what_is_wrong_is_said_in_a_line() {
         (&["--friction", "1"][..], "--half-opening is missing"),
         (&["--half-opening", "0", "--friction", "1"], "half opening"),
         (&["--half-opening", "2.3", "--friction", "-1"], "friction"),
-        (&["--half-opening", "2.3", "--friction", "1", "--format", "svg"], "svg"),
+        (&["--half-opening", "2.3", "--friction", "1", "--format", "svg"], "only as table"),
         (&["--half-opening", "2.3", "--friction", "1", "--digits", "0"], "digits"),
         (&["--half-opening", "2.3", "--friction", "1", "--stones", "61"], "at most 60"),
         (&["--half-opening", "2.3", "--friction", "1", "--half"], "--stones"),
@@ -145,4 +145,77 @@ fn what_is_wrong_is_said_in_a_line() {
         assert_eq!(error.trim_end().lines().count(), 1, "{error}");
         assert!(error.contains(words), "{error}");
     }
+}
+
+/// The branch meets what `state` says, at its ends and between them; CSV and JSON have the same nodes.
+#[test]
+fn a_branch_begins_and_ends_on_the_least_thickness() {
+    let line = ["complementarity", "--half-opening", "2.3", "--branch", "--digits", "20"];
+    let found: Value =
+        serde_json::from_str(&output(&[&line[..], &["--format", "json"]].concat())).unwrap();
+    assert_eq!(found["verdict"], "proved");
+    let points = found["points"].as_array().unwrap();
+    let value = |point: &Value, name: &str| point[name]["value"].as_str().unwrap().to_owned();
+    let thicknesses = ["thickness", "least_thickness"];
+    let [first, change, last] = &points[..] else { panic!("{points:?}") };
+    for end in [first, last] {
+        let [own, least] = thicknesses.map(|name| value(end, name));
+        assert_eq!((own, end["symmetric"].as_bool()), (least, Some(true)));
+    }
+    assert_eq!(value(change, "thickness"), "0.60334349864365555821");
+    let mu = value(change, "friction");
+    let state = output(&["state", "--alpha", "2.3", "--mu", &mu, "--digits", "15", "--plain"]);
+    let least = value(change, "least_thickness")[..14].to_owned();
+    assert!(state.lines().any(|line| line.starts_with(&least)), "{least}: {state}");
+    // Of one friction the solution is between the two.
+    let [(true, ..), (false, _, other)] =
+        &solutions(&["--half-opening", "2.3", "--friction", "1.06"])[..]
+    else {
+        panic!("one of each")
+    };
+    assert!(value(first, "thickness") < *other && *other < value(change, "thickness"));
+    let parts = found["parts"].as_array().unwrap();
+    let nodes = parts.iter().chain(found["least"].as_array().unwrap());
+    let nodes: usize = nodes.map(|part| part["nodes"].as_array().unwrap().len()).sum();
+    let table = output(&[&line[..], &["--format", "csv"]].concat());
+    assert_eq!(table.lines().count(), nodes + 1);
+    assert!(parts.iter().all(|part| part["admissible"] == true), "{parts:?}");
+}
+
+#[test]
+fn where_there_is_no_branch_it_is_said() {
+    let words = output(&["complementarity", "--half-opening", "2", "--branch"]);
+    assert!(words.contains("no branch leaves the least thickness: at the friction"), "{words}");
+    assert!(words.contains("is not proved"), "{words}");
+    let drawn = couplet(&["complementarity", "--half-opening", "2", "--branch", "--format", "svg"]);
+    assert_eq!(drawn.status.code(), Some(1));
+    assert!(text(&drawn.stderr).contains("nothing to draw"), "{drawn:?}");
+    for (line, words) in [
+        (&["--branch"][..], "--half-opening is missing"),
+        (&["--branch", "--half-opening", "0"], "half opening"),
+        (&["--branch", "--half-opening", "4"], "half opening"),
+        (&["--branch", "--half-opening", "2.3", "--friction", "1"], "--friction"),
+        (&["--branch", "--half-opening", "2.3", "--tolerance", "2"], "tolerance"),
+        (&["--half-opening", "2.3", "--friction", "1", "--tolerance", "1e-3"], "--branch"),
+        (&["--branch", "--half-opening", "2.3", "--digits", "31"], "30"),
+        (&["--branch", "--half-opening", "2.3", "--format", "html"], "html"),
+    ] {
+        let output = couplet(&[&["complementarity"], line].concat());
+        let error = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{line:?}: {error}");
+        assert_eq!(error.trim_end().lines().count(), 1, "{error}");
+        assert!(error.contains(words), "{error}");
+    }
+}
+
+/// Its parts, its ends and what is not proved are in the picture.
+#[test]
+fn a_branch_is_drawn_beside_the_least_thickness() {
+    let drawn =
+        output(&["complementarity", "--half-opening", "2.21", "--branch", "--format", "svg"]);
+    for id in ["least", "inner_sliding", "shoulder_sliding", "legend"] {
+        assert!(drawn.contains(&format!("id=\"{id}\"")), "{id}");
+    }
+    assert!(!drawn.contains("id=\"shoulder_opening\""), "there is none");
+    assert!(drawn.contains("that there are no others is not proved"));
 }

@@ -68,6 +68,16 @@ impl ArchArguments {
     }
 }
 
+impl ArchArguments {
+    /// The half opening alone, between 0 and pi.
+    pub(super) fn half_opening(&self, needs: &Needs) -> Result<ExactNumber, Failure> {
+        let weight = SelfWeight::Milankovitch;
+        let any_friction =
+            ShapeArguments { friction: Some("inf".to_owned()), ..self.shape.clone() };
+        Ok(any_friction.arch(weight, needs)?.half_opening().clone())
+    }
+}
+
 /// What a command needs beside the arch, and a command line that has everything.
 pub(super) struct Needs {
     /// Options that are missing.

@@ -1,18 +1,22 @@
 //! `couplet complementarity`.
 
 use super::arch::{ArchArguments, Needs};
+use super::map::{is_written, tolerance};
 use super::output::OutputFile;
 use super::parse;
+use crate::atlas::{Branch, Contour, Level, NoBranch, NoLevel};
 use crate::certify::state::Inquiry;
 use crate::certify::{
     Extent, MOST_ENUMERATED_STONES, MOST_JOINTED_STONES, Programme, Undecided, asymmetric,
     enumerate, least_solution, programme,
 };
 use crate::cli::failure::Failure;
+use crate::cli::line::typed;
 use crate::number::ExactNumber;
 use crate::problem::Arch;
 use crate::report::{
-    AtThickness, ComplementarityArch, ComplementarityArches, Content, Format, Report,
+    AtThickness, BranchArch, BranchArches, ComplementarityArch, ComplementarityArches, Content,
+    Format, Report,
 };
 use clap::Args;
 
@@ -24,7 +28,7 @@ use clap::Args;
 /// all solutions are found, and that there are no others is proved.
 #[derive(Args)]
 #[command(
-    override_usage = "couplet complementarity --half-opening <ANGLE> --friction <MU> [--stones <N> [--half] [--thickness <ETA>]] [OPTIONS]"
+    override_usage = "couplet complementarity --half-opening <ANGLE> --friction <MU> [--stones <N> [--half] [--thickness <ETA>]] [OPTIONS]\n       couplet complementarity --half-opening <ANGLE> --branch [OPTIONS]"
 )]
 pub(crate) struct Arguments {
     #[command(flatten)]
@@ -43,7 +47,15 @@ pub(crate) struct Arguments {
     #[arg(long, requires = "stones")]
     half: bool,
 
-    #[arg(long, value_parser = parse::format(Content::Complementarity), help = parse::format_help(Content::Complementarity))]
+    /// Instead, the asymmetric solutions of the half opening over friction, as curves beside the least thickness.
+    #[arg(long, conflicts_with_all = ["friction", "friction_angle", "thickness", "stones"])]
+    branch: bool,
+
+    /// With --branch, largest half-width of a tube, in rad and in thicknesses, from 1e-12 to 1; 1e-4 if not given.
+    #[arg(long, value_name = "WIDTH", value_parser = tolerance, allow_negative_numbers = true)]
+    tolerance: Option<f64>,
+
+    #[arg(long, value_parser = parse::format(Content::Branch), help = parse::format_help(Content::Branch))]
     format: Option<&'static Format>,
 
     #[command(flatten)]
@@ -74,9 +86,16 @@ fn at(text: &str) -> Result<At, String> {
 const EXAMPLE: &str = "couplet complementarity --half-opening 2.3 --friction 1.05";
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if arguments.branch {
+        return branches(arguments);
+    }
+    if arguments.tolerance.is_some() {
+        return Err(Failure::Input("--tolerance is for --branch".into()));
+    }
     let needs = Needs { missing: Vec::new(), example: EXAMPLE };
     let arches = arguments.arch.arches(&needs, None)?;
     let format = arguments.file.format(arguments.format, Content::Complementarity, "table")?;
+    is_written("without --branch a solution", Content::Complementarity, format)?;
     let file = arguments.file.open_for(format)?;
     let digits = arguments.arch.digits;
     let extent = if arguments.half { Extent::Half } else { Extent::Whole };
@@ -134,4 +153,48 @@ fn at_thickness(
         }
     };
     AtThickness { thickness, named, stones, extent, found }
+}
+
+/// A command line of a branch.
+const BRANCH: &str = "couplet complementarity --half-opening 2.3 --branch";
+/// The half-width of a tube that is asked for if none is given.
+const TOLERANCE: f64 = 1e-4;
+/// Digits of the points of a branch, at most.
+const DIGITS: usize = 30;
+
+fn branches(arguments: &Arguments) -> Result<(), Failure> {
+    let half_opening =
+        arguments.arch.half_opening(&Needs { missing: Vec::new(), example: BRANCH })?;
+    let digits = arguments.arch.digits;
+    if digits > DIGITS {
+        return Err(Failure::Input(format!("with --branch digits are 1 to {DIGITS}")));
+    }
+    let format = arguments.file.format(arguments.format, Content::Branch, "table")?;
+    let file = arguments.file.open_for(format)?;
+    let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
+    let found = |weight| -> Result<(Branch, Level), NoBranch> {
+        let branch = Branch::new(weight, &half_opening, tolerance)?;
+        let contour = Contour::HalfOpening(half_opening.clone());
+        let least = Level::new(weight, &contour, tolerance).map_err(|none| match none {
+            NoLevel::Undecided(_, open) => NoBranch::from(open),
+            outside => Undecided::new(outside.to_string()).into(),
+        })?;
+        Ok((branch, least))
+    };
+    let arch =
+        |weight| BranchArch { weight, half_opening: half_opening.clone(), found: found(weight) };
+    let arches: Vec<BranchArch> = arguments.arch.weight.all().into_iter().map(arch).collect();
+    let open: Vec<String> = arches.iter().flat_map(BranchArch::open).collect();
+    let is_empty = arches.iter().all(|arch| arch.found.is_err());
+    if let (true, true, Some(Err(why))) =
+        (format.is_picture, is_empty, arches.first().map(|arch| &arch.found))
+    {
+        return Err(Failure::Undecided(format!("there is nothing to draw: {why}")));
+    }
+    let report = Report::Branches(BranchArches { tolerance, digits, arches, command: typed() });
+    file.write(|out| report.write(format, out))?;
+    match open.is_empty() {
+        true => Ok(()),
+        false => Err(Failure::Undecided(open.join("; "))),
+    }
 }

@@ -1,7 +1,7 @@
 //! Curves of the map, levels and landmarks, computed on all cores.
 
 use crate::arch::SelfWeight;
-use crate::atlas::{Contour, Curve, Level, NoLevel, Trace};
+use crate::atlas::{Border, Contour, Curve, Level, NoLevel, Trace};
 use crate::certify::{CertifiedLandmark, Undecided, quantities};
 use crate::cli::failure::Failure;
 use crate::problem::Landmark;
@@ -79,4 +79,12 @@ pub(super) fn levels(
         }
     }
     Ok(levels)
+}
+
+/// The lines between asymmetric branches.
+pub(super) fn borders(weights: &[SelfWeight], tolerance: f64) -> Result<Vec<Border>, Failure> {
+    let all = weights.par_iter().map(|weight| Border::all(*weight, tolerance));
+    let all: Result<Vec<Vec<Border>>, Undecided> = all.collect();
+    all.map(|all| all.into_iter().flatten().collect())
+        .map_err(|open| Failure::Undecided(open.to_string()))
 }

@@ -115,7 +115,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let levels = levels(&contours, &weights, &traces, tolerance, &mut open)?;
     let drawing = Drawing { view, axes: Axes::default(), marks: Vec::new(), command: typed() };
     let landmarks = Vec::new();
-    let map = Map { tolerance, traces, levels, landmarks, drawing };
+    let map = Map { tolerance, traces, levels, borders: Vec::new(), landmarks, drawing };
     open.extend(map.open());
     let report = Report::Map(map);
     file.write(|out| report.write(format, out))?;

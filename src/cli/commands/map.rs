@@ -1,7 +1,7 @@
 //! `couplet map`.
 
 use super::axes::AxesArguments;
-use super::curves::{landmarks, levels, traced};
+use super::curves::{borders, landmarks, levels, traced};
 use super::output::{Output, OutputFile};
 use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
@@ -97,7 +97,7 @@ pub(crate) struct Arguments {
         conflicts_with_all = [
             "curves", "half_openings", "thicknesses", "frictions", "weight", "at", "plane", "lines",
             "half_opening_unit", "friction_unit", "scale", "half_opening_range", "friction_range",
-            "thickness_range", "marks", "bare",
+            "thickness_range", "marks", "bare", "asymmetric",
         ]
     )]
     difference: bool,
@@ -112,6 +112,11 @@ pub(crate) struct Arguments {
 
     #[command(flatten)]
     axes: AxesArguments,
+
+    /// What the branches of asymmetric solutions of the complementarity problem (19) reach, as lines over the half opening; without
+    /// --curve only these. In a picture with --plane opening-friction.
+    #[arg(long, conflicts_with_all = ["lines", "at"])]
+    asymmetric: bool,
 
     /// For a map, an arch to mark, with its proved state: half opening, friction and, if it has one, thickness
     /// (80deg,0.6,0.15). May be repeated.
@@ -220,6 +225,11 @@ impl Arguments {
             };
             return Err(Failure::Input(message));
         }
+        let is_drawn = is_picture && self.plane == Plane::OpeningFriction;
+        if self.asymmetric && (format.is_page() || (is_picture && !is_drawn)) {
+            let message = "--asymmetric is drawn with --plane opening-friction, as svg or png";
+            return Err(Failure::Input(message.into()));
+        }
         if !self.marks.is_empty() && (!(is_picture || format.is_page()) || self.lines) {
             let message = "a --mark is for a map as svg, png or html, without --lines";
             return Err(Failure::Input(message.into()));
@@ -254,7 +264,8 @@ fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
     let curves = arguments.curves();
     let contours = arguments.contours();
     let is_drawn = format.is_picture || format.is_page();
-    let is_whole = curves.is_empty() && (contours.is_empty() || is_drawn);
+    let is_alone = contours.is_empty() && !arguments.asymmetric;
+    let is_whole = curves.is_empty() && (is_alone || is_drawn);
     let is_asked = |curve: &Curve| is_whole || curves.contains(curve);
     let weights = arguments.weights(format);
     let all = Curve::of_weights(&weights).into_iter();
@@ -272,7 +283,11 @@ fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
         false => contours,
     };
     let levels = levels(&contours, &weights, &traces, tolerance, &mut open)?;
-    let map = Map { tolerance, traces, levels, landmarks, drawing };
+    let borders = match arguments.asymmetric {
+        true => borders(&weights, tolerance)?,
+        false => Vec::new(),
+    };
+    let map = Map { tolerance, traces, levels, borders, landmarks, drawing };
     open.extend(map.open());
     let report = Report::Map(map);
     file.write(|out| report.write(format, out))?;
@@ -323,7 +338,7 @@ fn one_point(arguments: &Arguments, parameter: &str) -> Result<(), Failure> {
 }
 
 /// Refuses a format that cannot hold what is asked for.
-fn is_written(what: &str, content: Content, format: &Format) -> Result<(), Failure> {
+pub(super) fn is_written(what: &str, content: Content, format: &Format) -> Result<(), Failure> {
     let formats: Vec<&str> = Format::all(content).map(|format| format.name).collect();
     match formats.contains(&format.name) {
         true => Ok(()),

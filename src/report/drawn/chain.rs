@@ -33,15 +33,15 @@ impl Chain {
         Self::of_pieces(trace.pieces(), &start, &canvas.axes)
     }
 
-    /// A level on a canvas, to unlimited friction or to the physical limit.
-    pub(super) fn of_level(level: &Level, canvas: &Canvas) -> Option<Self> {
+    /// A level along two axes, to unlimited friction or to the physical limit.
+    pub(super) fn of_level(level: &Level, axes: &[Axis; 2]) -> Option<Self> {
         let mut whole = Self::default();
         for (k, part) in level.parts.iter().enumerate() {
             let chain = match part.parameter() {
-                Some(_) => Self::of_pieces(part.pieces(), &part.ends()[0], &canvas.axes)?,
+                Some(_) => Self::of_pieces(part.pieces(), &part.ends()[0], axes)?,
                 None => {
                     let at = |place: &Place| {
-                        let [x, y] = canvas.axes.each_ref().map(|axis| axis.place(place));
+                        let [x, y] = axes.each_ref().map(|axis| axis.place(place));
                         Some((x?, y?))
                     };
                     let [from, to] = part.ends();

@@ -1,5 +1,6 @@
 //! What a map shows, in its frame or in an inset.
 
+use super::asymmetric::Asymmetric;
 use super::canvas::Canvas;
 use super::chain::{Chain, larger};
 use super::plane::Plane;
@@ -19,6 +20,8 @@ pub(super) struct Content {
     pub levels: Vec<(Contour, Chain)>,
     /// Overturning, at unlimited friction.
     pub edge: Option<Chain>,
+    /// What asymmetric branches reach.
+    pub asymmetric: Option<Asymmetric>,
     /// The landmarks.
     pub landmarks: Vec<(Landmark, Point)>,
     canvas: Canvas,
@@ -41,12 +44,14 @@ impl Content {
             _ => &[],
         };
         let lines = lines().chain(ends.iter().copied());
-        let level = |level: &&Level| Some((level.contour.clone(), Chain::of_level(level, canvas)?));
+        let level =
+            |level: &&Level| Some((level.contour.clone(), Chain::of_level(level, &canvas.axes)?));
         Self {
             areas: Mode::ALL.into_iter().filter_map(area).collect(),
             lines: lines.filter_map(|curve| Some((curve, chain(curve)?))).collect(),
             levels: sheet.levels.iter().filter_map(level).collect(),
             edge: chain(Curve::Overturning),
+            asymmetric: Asymmetric::new(sheet, canvas),
             landmarks: sheet.landmarks(canvas),
             canvas: *canvas,
         }
@@ -56,7 +61,8 @@ impl Content {
     pub(super) fn off(&self, frame: &Frame) -> [f64; 2] {
         let lines = self.lines.iter().map(|(_, chain)| chain);
         let levels = self.levels.iter().map(|(_, chain)| chain);
-        lines.chain(levels).map(|chain| chain.off(frame)).fold([0.0; 2], larger)
+        let asymmetric = self.asymmetric.iter().flat_map(Asymmetric::chains);
+        lines.chain(levels).chain(asymmetric).map(|chain| chain.off(frame)).fold([0.0; 2], larger)
     }
 
     /// Where a landmark is.
@@ -69,6 +75,9 @@ impl Content {
         for (mode, way) in &self.areas {
             let id = format!("{of}domain-{}", look::code(*mode));
             svg.group(&id, |svg| look::fill(svg, *mode, &domain::area(way, frame)));
+        }
+        if let Some(asymmetric) = &self.asymmetric {
+            asymmetric.fill(svg, frame, of);
         }
         for (contour, chain) in &self.levels {
             let id = format!("{of}level-{}", contour.to_string().replace([' ', '/'], "-"));
@@ -89,6 +98,9 @@ impl Content {
                     svg.stroke(&open, look::OPEN);
                 }
             });
+        }
+        if let Some(asymmetric) = &self.asymmetric {
+            asymmetric.draw(svg, frame, of);
         }
         if let (Some(edge), true) = (&self.edge, self.canvas.plane != Plane::OpeningThickness) {
             let id = format!("{of}domain-r");

@@ -8,7 +8,7 @@ use super::mark::{self, Mark};
 use super::plane::Plane;
 use super::sheet::Sheet;
 use crate::arch::SelfWeight;
-use crate::atlas::{Level, Trace};
+use crate::atlas::{Border, Level, Trace};
 use crate::picture::Frame;
 use std::io;
 
@@ -78,12 +78,17 @@ impl Drawing {
             let picture = MapPicture { sheet, canvas, marks, command: &self.command };
             FramedMap { weight: sheet.weight, svg: picture.svg(), frames: picture.frames() }
         };
-        Sheet::all(traces, levels).iter().map(framed).collect()
+        Sheet::all(traces, levels, &[]).iter().map(framed).collect()
     }
 
     /// The picture of some curves and levels as SVG; nothing to draw is an error.
-    pub(in crate::report) fn svg(&self, traces: &[Trace], levels: &[Level]) -> io::Result<String> {
-        let sheets = Sheet::all(traces, levels);
+    pub(in crate::report) fn svg(
+        &self,
+        traces: &[Trace],
+        levels: &[Level],
+        borders: &[Border],
+    ) -> io::Result<String> {
+        let sheets = Sheet::all(traces, levels, borders);
         let command = &self.command;
         Ok(match self.view {
             View::Map(plane) => {

@@ -1,5 +1,6 @@
 //! The map of one weight: domains, lines, landmarks, and insets where they are close.
 
+use super::asymmetric;
 use super::canvas::Canvas;
 use super::caption::caption;
 use super::content::Content;
@@ -42,6 +43,9 @@ impl MapPicture<'_> {
         let (Page { frame, .. }, _) = Page::new(canvas, "", &[], has_levels);
         let off = content.off(&frame);
         let mut words = caption(self.shows(), &[self.sheet], canvas, off, self.command);
+        if content.asymmetric.is_some() {
+            words[0].push_str(&asymmetric::words(self.sheet.weight));
+        }
         words.splice(1..1, mark::words(self.marks));
         let (page, mut svg) = Page::new(canvas, self.shows(), &words, has_levels);
         let frame = &page.frame;
@@ -79,6 +83,9 @@ impl MapPicture<'_> {
         names.modes(&mut svg, &named);
         if canvas.is_usual {
             self.say_where_nothing_stands(&mut svg, frame);
+        }
+        if let Some(asymmetric) = &content.asymmetric {
+            asymmetric.legend(&mut svg, frame);
         }
         mark::draw(&mut svg, &marks, "");
         svg.finish()

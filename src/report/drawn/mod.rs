@@ -19,6 +19,8 @@
 //! | `map` | the map of one weight |
 //! | `lines`, `known` | the lines of both weights, with their landmarks and tangents in digits |
 //! | `branches`, `graph` | the pure states along the half opening, as graphs |
+//! | `asymmetric` | what asymmetric branches reach |
+//! | `branch` | asymmetric solutions beside the least thickness, as graphs |
 //! | `difference` | what two weights make of the lines, as graphs |
 //! | `caption` | what is said below |
 //!
@@ -26,6 +28,8 @@
 //! cubic: the line in the picture is nowhere further from the true one than the tube is wide, but for the thousandth of
 //! a unit to which the file is rounded.
 
+mod asymmetric;
+mod branch;
 mod branches;
 mod canvas;
 mod caption;
@@ -49,6 +53,7 @@ mod plane;
 mod sheet;
 mod spot;
 
+pub(super) use branch::branches;
 pub use branches::Branches;
 pub use canvas::{Axes, Shown, Unit};
 pub(super) use difference::differences;

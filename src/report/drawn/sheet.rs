@@ -3,7 +3,7 @@
 use super::canvas::Canvas;
 use super::chain::Chain;
 use crate::arch::SelfWeight;
-use crate::atlas::{Curve, End, Level, Trace};
+use crate::atlas::{Border, Curve, End, Level, Trace};
 use crate::picture::Point;
 use crate::problem::Landmark;
 
@@ -15,16 +15,23 @@ pub(super) struct Sheet<'a> {
     pub traces: Vec<&'a Trace>,
     /// Its levels.
     pub levels: Vec<&'a Level>,
+    /// Its lines between asymmetric branches.
+    pub borders: Vec<&'a Border>,
 }
 
 impl<'a> Sheet<'a> {
     /// One for each weight of some curves.
-    pub(super) fn all(traces: &'a [Trace], levels: &'a [Level]) -> Vec<Self> {
+    pub(super) fn all(
+        traces: &'a [Trace],
+        levels: &'a [Level],
+        borders: &'a [Border],
+    ) -> Vec<Self> {
         let of = |weight| {
             let traces: Vec<&Trace> =
                 traces.iter().filter(|trace| trace.weight == weight).collect();
             let levels = levels.iter().filter(|level| level.weight == weight).collect();
-            (!traces.is_empty()).then_some(Self { weight, traces, levels })
+            let borders = borders.iter().filter(|border| border.weight == weight).collect();
+            (!traces.is_empty()).then_some(Self { weight, traces, levels, borders })
         };
         SelfWeight::ALL.into_iter().filter_map(of).collect()
     }

@@ -23,7 +23,7 @@ fn picture(weights: &[SelfWeight], view: View, tolerance: f64) -> String {
     };
     let level = |contour: &Contour| Level::among(&traces, weights[0], contour, tolerance).unwrap();
     let levels: Vec<Level> = contours.iter().map(level).collect();
-    drawing.svg(&traces, &levels).unwrap()
+    drawing.svg(&traces, &levels, &[]).unwrap()
 }
 
 /// The same as `picture`, with marks.
@@ -40,7 +40,7 @@ fn marked(plane: Plane) -> String {
     let marks = arches.map(mark).into();
     let axes = Axes::default();
     let drawing = Drawing { view: View::Map(plane), axes, marks, command: "couplet map".into() };
-    drawing.svg(&traces, &[]).unwrap()
+    drawing.svg(&traces, &[], &[]).unwrap()
 }
 
 /// Each mark is there once in the map or in an inset, and is explained once.
@@ -87,7 +87,7 @@ fn on_other_axes() -> Vec<(String, String)> {
             .collect();
         let view = View::Map(plane);
         let drawing = Drawing { view, axes, marks: Vec::new(), command: "couplet map".into() };
-        (format!("figure-axes-{name}"), drawing.svg(&traces, &levels).unwrap())
+        (format!("figure-axes-{name}"), drawing.svg(&traces, &levels, &[]).unwrap())
     };
     cases.map(picture).into()
 }
@@ -204,7 +204,7 @@ fn nothing_is_no_picture() {
         marks: Vec::new(),
         command: String::new(),
     };
-    assert!(drawing.svg(&[], &[]).is_err());
+    assert!(drawing.svg(&[], &[], &[]).is_err());
 }
 
 /// Some curves alone are drawn as they are, without domains.
@@ -215,7 +215,7 @@ fn a_line_alone_is_drawn() {
     for view in [View::Map(Plane::ThicknessFriction), View::Lines] {
         let drawing =
             Drawing { view, axes: Axes::default(), marks: Vec::new(), command: "couplet".into() };
-        let text = drawing.svg(&traces, &[]).unwrap();
+        let text = drawing.svg(&traces, &[], &[]).unwrap();
         assert!(text.contains("line-rrr-srr") && !text.contains("domain-"));
     }
 }

@@ -3,7 +3,7 @@
 use super::Map;
 use super::domains::domains;
 use super::rows::{COLUMNS, Column, Row, weight_of};
-use crate::atlas::{Level, Part, Trace, Variable};
+use crate::atlas::{Border, Level, Part, Trace, Variable};
 use crate::report::fields::Fields;
 use crate::report::json;
 use serde::Serialize;
@@ -16,6 +16,7 @@ struct MapFile {
     tolerance: f64,
     curves: Vec<CurveEntry>,
     levels: Vec<LevelEntry>,
+    asymmetric: Vec<BorderEntry>,
     domains: Vec<Fields>,
 }
 
@@ -84,13 +85,36 @@ impl LevelEntry {
     }
 }
 
+#[derive(Serialize)]
+struct BorderEntry {
+    weight: &'static str,
+    line: String,
+    parameter: &'static str,
+    pieces: usize,
+    widest_tube: f64,
+    nodes: Vec<Fields>,
+}
+
+impl BorderEntry {
+    fn new(border: &Border) -> Self {
+        Self {
+            weight: border.weight.name(),
+            line: border.line.name(),
+            parameter: Variable::HalfOpening.name(),
+            pieces: border.pieces().count(),
+            widest_tube: border.width(),
+            nodes: Row::of_border(border).iter().map(node).collect(),
+        }
+    }
+}
+
 /// An infinite number is the text `inf`.
 fn number(x: f64) -> Json {
     if x.is_finite() { x.into() } else { "inf".into() }
 }
 
 /// What the rows say of a node, without what the curve says.
-fn node(row: &Row) -> Fields {
+pub(in crate::report) fn node(row: &Row) -> Fields {
     let of_node =
         COLUMNS.iter().filter(|(name, _)| !["weight", "curve", "mode", "node"].contains(name));
     let field = |(name, column): &(&'static str, Column)| {
@@ -112,6 +136,7 @@ pub(in crate::report) fn json(report: &Map, out: &mut dyn io::Write) -> io::Resu
         tolerance: report.tolerance,
         curves: report.traces.iter().map(CurveEntry::new).collect(),
         levels: report.levels.iter().map(LevelEntry::new).collect(),
+        asymmetric: report.borders.iter().map(BorderEntry::new).collect(),
         domains: domains(),
     };
     json::write(&file, out)

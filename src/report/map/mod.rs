@@ -22,7 +22,7 @@ pub(super) use difference::{
     csv as difference_csv, json as difference_json, svg as difference_svg,
     table as difference_table,
 };
-pub(super) use json::json;
+pub(super) use json::{json, node};
 pub(super) use page::html;
 #[cfg(feature = "parquet")]
 pub(super) use parquet::parquet;
@@ -30,12 +30,12 @@ pub(super) use parquet::parquet;
 pub(super) use picture::png;
 pub(super) use picture::svg;
 pub(super) use point::{csv as point_csv, json as point_json, table as point_table};
-pub(super) use rows::csv;
+pub(super) use rows::{COLUMNS, Row, csv, lower, upper};
 pub(super) use table::table;
 
 use super::answer::Answer;
 use super::drawn::Drawing;
-use crate::atlas::{Level, Trace};
+use crate::atlas::{Border, Level, Trace};
 
 /// The curves of the map, each proved piece by piece.
 #[derive(Debug)]
@@ -46,6 +46,8 @@ pub struct Map {
     pub traces: Vec<Trace>,
     /// The lines of half openings.
     pub levels: Vec<Level>,
+    /// The lines between asymmetric branches.
+    pub borders: Vec<Border>,
     /// The landmarks, for a page.
     pub landmarks: Vec<Answer>,
     /// How a picture shows them.
@@ -59,6 +61,12 @@ impl Map {
         let curves = curves.map(|trace| format!("{}, {}", trace.curve, trace.weight.name()));
         let levels = self.levels.iter().filter(|level| level.has_gap());
         let levels = levels.map(|level| level.contour.to_string());
-        curves.chain(levels).map(|name| format!("{name}: not every piece is proved")).collect()
+        let borders = self.borders.iter().filter(|border| border.has_gap());
+        let borders = borders.map(|of| format!("{}, {}", of.line.name(), of.weight.name()));
+        curves
+            .chain(levels)
+            .chain(borders)
+            .map(|name| format!("{name}: not every piece is proved"))
+            .collect()
     }
 }

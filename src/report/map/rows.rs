@@ -1,20 +1,21 @@
 //! A row for each node of a curve, in the columns that every format of data has.
 
 use super::Map;
-use crate::atlas::{Level, Part, Piece, Place, Point, Trace, Variable};
+use crate::atlas::{
+    Border, Branch, Contour, Level, Part, Piece, Place, Point, Stretch, Trace, Variable,
+};
 use crate::number::{Ball, Enclosure};
-use crate::problem::Mode;
 use crate::report::csv;
 use rug::Float;
 use rug::float::Round;
 use std::io;
 
 /// A node with the piece that begins there; behind the last node there is none.
-pub(super) struct Row<'a> {
+pub(in crate::report) struct Row<'a> {
     index: usize,
     weight: Option<&'static str>,
     curve: String,
-    mode: Option<Mode>,
+    mode: Option<String>,
     point: Point,
     piece: Option<Piece<'a>>,
     /// The piece whose cubic ends here, for the last node.
@@ -22,7 +23,7 @@ pub(super) struct Row<'a> {
 }
 
 /// How the cells of a column are found; each may be missing.
-pub(super) enum Column {
+pub(in crate::report) enum Column {
     Text(fn(&Row) -> Option<String>),
     Double(fn(&Row) -> Option<f64>),
     Integer(fn(&Row) -> Option<u64>),
@@ -31,13 +32,26 @@ pub(super) enum Column {
 
 use Column::{Double, Integer, Text, Truth};
 
+impl Column {
+    /// The cell of a row, empty where there is nothing.
+    pub(in crate::report) fn text(&self, row: &Row) -> String {
+        let text = match self {
+            Text(cell) => cell(row),
+            Double(cell) => cell(row).map(|x| format!("{x:?}")),
+            Integer(cell) => cell(row).map(|x| x.to_string()),
+            Truth(cell) => cell(row).map(|x| x.to_string()),
+        };
+        text.unwrap_or_default()
+    }
+}
+
 /// The columns. Bounds are rounded outward, as decimals and as doubles. Between two nodes the curve is as near as `tube`, in half
 /// opening, friction angle and thickness, to the cubic in the parameter that goes through `…_node` with the
 /// slopes `…_rate`.
-pub(super) const COLUMNS: [(&str, Column); 30] = [
+pub(in crate::report) const COLUMNS: [(&str, Column); 30] = [
     ("weight", Text(|row| Some(row.weight?.to_owned()))),
     ("curve", Text(|row| Some(row.curve.clone()))),
-    ("mode", Text(|row| Some(row.mode?.to_string()))),
+    ("mode", Text(|row| row.mode.clone())),
     ("node", Integer(|row| Some(row.index as u64))),
     ("end", Text(|row| Some(row.point.end?.to_string()))),
     ("parameter", Double(|row| Some(row.point.parameter).filter(|s| s.is_finite()))),
@@ -80,13 +94,27 @@ impl<'a> Row<'a> {
     }
 
     /// The rows of a part of a level, whose name it has.
-    pub(super) fn of_part(level: &Level, part: &'a Part) -> Vec<Self> {
-        let named = (Some(level.weight.name()), level.contour.to_string(), Some(part.mode));
+    pub(in crate::report) fn of_part(level: &Level, part: &'a Part) -> Vec<Self> {
+        let named =
+            (Some(level.weight.name()), level.contour.to_string(), Some(part.mode.to_string()));
         Self::all(&named, part.points(), &part.pieces().collect::<Vec<_>>())
     }
 
+    /// The rows of a part of an asymmetric branch, by the vertical force.
+    pub(in crate::report) fn of_stretch(branch: &Branch, stretch: &'a Stretch) -> Vec<Self> {
+        let curve = Contour::HalfOpening(branch.half_opening.clone()).to_string();
+        let named = (Some(branch.weight.name()), curve, Some(stretch.kind.name().to_owned()));
+        Self::all(&named, stretch.points(), &stretch.pieces().collect::<Vec<_>>())
+    }
+
+    /// The rows of a line between asymmetric branches.
+    pub(super) fn of_border(border: &'a Border) -> Vec<Self> {
+        let named = (Some(border.weight.name()), border.line.name(), None);
+        Self::all(&named, border.points(), &border.pieces().collect::<Vec<_>>())
+    }
+
     fn all(
-        (weight, curve, mode): &(Option<&'static str>, String, Option<Mode>),
+        (weight, curve, mode): &(Option<&'static str>, String, Option<String>),
         points: Vec<Point>,
         pieces: &[Piece<'a>],
     ) -> Vec<Self> {
@@ -94,7 +122,7 @@ impl<'a> Row<'a> {
             index,
             weight: *weight,
             curve: curve.clone(),
-            mode: *mode,
+            mode: mode.clone(),
             point,
             piece: pieces.get(index).copied(),
             before: index.checked_sub(1).and_then(|i| pieces.get(i)).copied(),
@@ -108,10 +136,11 @@ impl<'a> Row<'a> {
             .levels
             .iter()
             .flat_map(|level| level.parts.iter().flat_map(move |part| Self::of_part(level, part)));
-        report.traces.iter().flat_map(Self::of_trace).chain(levels).collect()
+        let borders = report.borders.iter().flat_map(Self::of_border);
+        report.traces.iter().flat_map(Self::of_trace).chain(levels).chain(borders).collect()
     }
 
-    fn place(&self) -> &Place {
+    pub(in crate::report) fn place(&self) -> &Place {
         &self.point.place
     }
 
@@ -150,12 +179,12 @@ fn outward(x: &Float, round: Round) -> f64 {
     }
 }
 
-pub(super) fn lower(ball: Option<&Ball>) -> Option<f64> {
+pub(in crate::report) fn lower(ball: Option<&Ball>) -> Option<f64> {
     let ball = ball.filter(|ball| ball.is_bounded())?;
     Some(outward(&ball.lower(), Round::Down))
 }
 
-pub(super) fn upper(ball: Option<&Ball>) -> Option<f64> {
+pub(in crate::report) fn upper(ball: Option<&Ball>) -> Option<f64> {
     let ball = ball.filter(|ball| ball.is_bounded())?;
     Some(outward(&ball.upper(), Round::Up))
 }
@@ -163,18 +192,9 @@ pub(super) fn upper(ball: Option<&Ball>) -> Option<f64> {
 /// A row for each node, with a header.
 pub(in crate::report) fn csv(report: &Map, out: &mut dyn io::Write) -> io::Result<()> {
     let header = COLUMNS.iter().map(|(name, _)| (*name).to_owned()).collect();
-    let rows = Row::of_map(report).into_iter().map(|row| {
-        let cell = |(_, column): &(&str, Column)| {
-            let text = match column {
-                Text(cell) => cell(&row),
-                Double(cell) => cell(&row).map(|x| format!("{x:?}")),
-                Integer(cell) => cell(&row).map(|x| x.to_string()),
-                Truth(cell) => cell(&row).map(|x| x.to_string()),
-            };
-            text.unwrap_or_default()
-        };
-        COLUMNS.iter().map(cell).collect()
-    });
+    let rows = Row::of_map(report)
+        .into_iter()
+        .map(|row| COLUMNS.iter().map(|(_, column)| column.text(&row)).collect());
     csv::write(std::iter::once(header).chain(rows), out)
 }
 

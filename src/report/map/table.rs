@@ -2,7 +2,7 @@
 
 use super::Map;
 use super::rows::weight_of;
-use crate::atlas::{Part, Piece, Trace};
+use crate::atlas::{Border, Part, Piece, Trace};
 use crate::report::words::count;
 use std::io;
 
@@ -40,7 +40,8 @@ pub(in crate::report) fn table(report: &Map, out: &mut dyn io::Write) -> io::Res
         writeln!(out, "{}{:<6}  {:.1e}", row(cells), trace.pieces().count(), trace.width())?;
         gaps(trace.gaps(), out)?;
     }
-    if !lines.is_empty() && !report.levels.is_empty() {
+    let are_alone = report.levels.is_empty() && report.borders.is_empty();
+    if !lines.is_empty() && !are_alone {
         writeln!(out)?;
     }
     for level in &report.levels {
@@ -52,13 +53,20 @@ pub(in crate::report) fn table(report: &Map, out: &mut dyn io::Write) -> io::Res
             .iter()
             .try_for_each(|part| gaps(part.pieces().filter(|piece| !piece.is_proved()), out))?;
     }
+    for border in &report.borders {
+        let (line, weight) = (border.line.name(), border.weight.name());
+        let (pieces, width) = (border.pieces().count(), border.width());
+        writeln!(out, "{line}, {weight}: {pieces} pieces, widest {width:.1e}")?;
+        gaps(border.pieces().filter(|piece| !piece.is_proved()), out)?;
+    }
     writeln!(out, "\n{}", verdict(report))
 }
 
 /// What is proved of all pieces, in words.
 pub(super) fn verdict(report: &Map) -> String {
     let of_levels = report.levels.iter().flat_map(|level| &level.parts).flat_map(Part::pieces);
-    let all = report.traces.iter().flat_map(Trace::pieces).chain(of_levels);
+    let of_borders = report.borders.iter().flat_map(Border::pieces);
+    let all = report.traces.iter().flat_map(Trace::pieces).chain(of_levels).chain(of_borders);
     match all.filter(|piece| !piece.is_proved()).count() {
         0 => {
             "proved: for each value of the parameter exactly one solution in the tube, from end to end"

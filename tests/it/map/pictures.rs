@@ -203,3 +203,37 @@ fn what_makes_no_picture_is_refused() {
         refused(arguments, "", words);
     }
 }
+
+/// What asymmetric solutions reach is drawn in one plane, and is data without any.
+#[test]
+fn what_asymmetric_solutions_reach_is_drawn() {
+    let line = ["map", "--tolerance", "1e-2", "--asymmetric", "--bare"];
+    let with = |more: &[&str]| couplet(&[&line[..], more].concat());
+    let opening = ["--plane", "opening-friction", "--format", "svg"];
+    let svg = text(&with(&opening).stdout);
+    for id in
+        ["asymmetric", "line-asymmetric-begins", "line-inner-sliding-shoulder-opening", "legend"]
+    {
+        assert!(svg.contains(&format!("<g id=\"{id}\">")), "{id}");
+    }
+    assert!(svg.contains("that there are no other solutions is not"), "said below");
+    let heyman = text(&with(&[&opening[..], &["--weight", "heyman"]].concat()).stdout);
+    assert!(heyman.contains("turn back") && !svg.contains("turn back"));
+    let without = text(&couplet(&[&["map", "--tolerance", "1e-2"], &opening[..]].concat()).stdout);
+    assert!(!without.contains("asymmetric") && !without.contains("legend"));
+    let data = text(&couplet(&["map", "--asymmetric", "--format", "csv"]).stdout);
+    assert!(data.lines().skip(1).all(|row| row.starts_with("milankovitch,")), "{data}");
+    assert!(data.contains(",inner_sliding/shoulder_opening,"));
+    for wrong in [
+        &["--format", "svg"][..],
+        &["--format", "html"],
+        &["--plane", "opening-thickness", "--format", "svg"],
+    ] {
+        let (code, _, error) = said(&with(wrong));
+        assert_eq!(code, Some(2));
+        assert!(
+            error.contains("--plane opening-friction") && error.lines().count() == 1,
+            "{error}"
+        );
+    }
+}

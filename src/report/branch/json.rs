@@ -1,0 +1,83 @@
+//! JSON: the points of a branch, its parts with their nodes, and the line of the least thickness.
+
+use super::{BranchArch, BranchArches, PROOF, events, quantities, rounded};
+use crate::atlas::{Level, NoBranch, Part, Stretch, Variable};
+use crate::number::Ball;
+use crate::report::fields::Fields;
+use crate::report::json as file;
+use crate::report::map::{Row, node};
+use std::io;
+
+pub(in crate::report) fn json(all: &BranchArches, out: &mut dyn io::Write) -> io::Result<()> {
+    let entries: Vec<Fields> = all.arches.iter().map(|arch| entry(arch, all)).collect();
+    match &entries[..] {
+        [one] => file::write(one, out),
+        all => file::write(&all, out),
+    }
+}
+
+fn entry(arch: &BranchArch, all: &BranchArches) -> Fields {
+    let mut fields = Fields::default();
+    fields.add("schema", "couplet.branch/1");
+    fields.add("weight", arch.weight.name());
+    fields.add("half_opening", arch.half_opening.to_string());
+    fields.add("tolerance", all.tolerance);
+    fields.add("verdict", arch.verdict());
+    let reason = match &arch.found {
+        Err(NoBranch::Nowhere(why)) => Some((*why).to_owned()),
+        _ => arch.open().first().cloned(),
+    };
+    fields.add("reason", reason);
+    let found = arch.found.as_ref().ok();
+    let points = found.into_iter().flat_map(|(branch, least)| {
+        events(branch).into_iter().map(move |(meeting, event)| {
+            let mut fields = Fields::default();
+            fields.add("event", event);
+            fields.add("symmetric", meeting.is_symmetric());
+            for (name, _, value) in quantities(&meeting.place(), least) {
+                fields.add_fields(name, bounds(&value, all.digits));
+            }
+            fields
+        })
+    });
+    fields.add_list("points", points.collect());
+    let parts = found.into_iter().flat_map(|(branch, _)| {
+        branch.stretches.iter().map(move |(_, stretch)| {
+            let nodes = Row::of_stretch(branch, stretch).iter().map(node).collect();
+            part(stretch, nodes)
+        })
+    });
+    fields.add_list("parts", parts.collect());
+    let least = found.map(|(_, least)| least.parts.iter().map(|part| of_least(least, part)));
+    fields.add_list("least", least.into_iter().flatten().collect());
+    fields.add("proof", PROOF.join(" "));
+    fields
+}
+
+fn part(stretch: &Stretch, nodes: Vec<Fields>) -> Fields {
+    let mut fields = Fields::default();
+    fields.add("kind", stretch.kind.name());
+    fields.add("parameter", Variable::VerticalForce.name());
+    fields.add("falls", stretch.falls());
+    fields.add("admissible", stretch.is_admissible().is_ok());
+    fields.add("pieces", stretch.pieces().count());
+    fields.add_list("nodes", nodes);
+    fields
+}
+
+fn of_least(least: &Level, part: &Part) -> Fields {
+    let mut fields = Fields::default();
+    fields.add("mode", part.mode.label());
+    fields.add("parameter", part.parameter().map(Variable::name));
+    fields.add_list("nodes", Row::of_part(least, part).iter().map(node).collect());
+    fields
+}
+
+fn bounds(value: &Ball, digits: usize) -> Option<Fields> {
+    let rounded = rounded(value, digits)?;
+    let mut fields = Fields::default();
+    fields.add("value", rounded.value.to_string());
+    fields.add("lower", rounded.lower.to_string());
+    fields.add("upper", rounded.upper.to_string());
+    Some(fields)
+}
