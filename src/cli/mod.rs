@@ -156,9 +156,22 @@ fn usage(error: &clap::Error) -> u8 {
         clap::error::ErrorKind::UnknownArgument => "; --help lists the options".into(),
         _ => String::new(),
     };
+    let line = missing(error).unwrap_or(line);
     let line = visible(line.strip_prefix("error: ").unwrap_or(&line));
     eprintln!("couplet: {line}{possible}");
     2
+}
+
+/// What is missing, in one clause.
+fn missing(error: &clap::Error) -> Option<String> {
+    use clap::error::{ContextKind, ContextValue, ErrorKind};
+    let (ErrorKind::MissingRequiredArgument, Some(ContextValue::Strings(names))) =
+        (error.kind(), error.get(ContextKind::InvalidArg))
+    else {
+        return None;
+    };
+    let verb = if names.len() == 1 { "is" } else { "are" };
+    Some(format!("{} {verb} missing", names.join(", ")))
 }
 
 /// The commands of this build, for a message about an unknown one.

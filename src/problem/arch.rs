@@ -46,7 +46,7 @@ pub enum ArchError {
     #[error("the friction {0} is negative")]
     Friction(String),
     /// The friction angle is not between 0 and a right angle.
-    #[error("the friction angle {0} is not between 0 and pi/2 (90deg)")]
+    #[error("the friction angle {0} is not between 0 and pi/2 (90deg){hint}", hint = meant_friction_angle(.0))]
     FrictionAngle(String),
     /// The self-weight model has no such name.
     #[error("'{0}' is not a self-weight model: heyman or milankovitch")]
@@ -192,6 +192,18 @@ fn meant_degrees(half_opening: &ExactNumber) -> String {
     }
 }
 
+/// The same of a friction angle.
+fn meant_friction_angle(angle: &str) -> String {
+    let in_degrees = |angle: &ExactNumber| {
+        let is_large = angle.is_rational() && *angle.factor() >= ratio(2, 1);
+        is_large && is_between(&angle.degrees(), true, 2)
+    };
+    match angle.parse().ok().filter(in_degrees) {
+        Some(angle) => format!("; did you mean {}?", angle.degrees()),
+        None => String::new(),
+    }
+}
+
 fn ratio(numerator: i32, denominator: i32) -> BigRational {
     BigRational::new(numerator.into(), denominator.into())
 }
@@ -267,6 +279,10 @@ mod tests {
         assert!(Arch::parse("heyman", "3.1415926535897932384", "1").is_ok());
         assert!(matches!(refused("heyman", "1", "-1"), ArchError::Friction(_)));
         assert!(matches!(refused("heyman", "1", "tan(91deg)"), ArchError::FrictionAngle(_)));
+        let degrees =
+            "the friction angle 31 is not between 0 and pi/2 (90deg); did you mean 31deg?";
+        assert_eq!(refused("heyman", "1", "tan(31)").to_string(), degrees);
+        assert!(!refused("heyman", "1", "tan(91)").to_string().contains("mean"));
         assert!(matches!(refused("heymann", "1", "1"), ArchError::SelfWeight(_)));
         assert!(Arch::parse("Heyman", "1", "1").is_ok(), "whatever the case");
         assert_eq!(

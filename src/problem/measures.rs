@@ -59,6 +59,9 @@ pub enum MeasureError {
     /// No number, or no unit behind it.
     #[error("'{0}' is not a density: give a number and its unit, kg/m3 or kN/m3 (2400kg/m3)")]
     Density(String),
+    /// A length or a density is zero or negative.
+    #[error("{0} is not above 0")]
+    NotPositive(String),
     /// The intrados would have no radius.
     #[error("the thickness {thickness} is too large for this {circle}: at most {most}, its {rule}")]
     Thickness {
@@ -89,14 +92,27 @@ const LENGTHS: [(&str, i32); 5] =
 const DENSITIES: [(&str, i32); 4] =
     [("kg/m3", 980_665), ("kg/m³", 980_665), ("kN/m3", 100_000_000), ("kN/m³", 100_000_000)];
 
-/// A rational number above zero with one of these units behind it, in the unit's base.
-fn with_unit(text: &str, units: &[(&str, i32)], base: i32) -> Option<BigRational> {
+/// A rational number above zero with one of these units behind it, in the unit's base; or why it is none.
+fn with_unit(
+    text: &str,
+    units: &[(&str, i32)],
+    base: i32,
+    is_none: fn(String) -> MeasureError,
+) -> Result<BigRational, MeasureError> {
+    let value = quantity(text, units, base).ok_or_else(|| is_none(shown(text)))?;
+    match value > BigInt::ZERO.into() {
+        true => Ok(value),
+        false => Err(MeasureError::NotPositive(shown(text))),
+    }
+}
+
+fn quantity(text: &str, units: &[(&str, i32)], base: i32) -> Option<BigRational> {
     let text = text.trim();
     let found = units.iter().find_map(|(unit, size)| Some((text.strip_suffix(unit)?, size)));
     let (number, size) = found?;
     let number: ExactNumber = number.trim_end().parse().ok()?;
     let value = number.factor() * BigRational::new((*size).into(), base.into());
-    (number.is_rational() && value > BigInt::ZERO.into()).then_some(value)
+    number.is_rational().then_some(value)
 }
 
 impl FromStr for Length {
@@ -104,8 +120,7 @@ impl FromStr for Length {
 
     /// Reads `10m`, `3.5 m`, `60cm`, `600mm`, `33ft`, `7in`, with a decimal or a fraction.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let length = with_unit(text, &LENGTHS, 10_000);
-        length.map(Self).ok_or_else(|| MeasureError::Length(shown(text)))
+        with_unit(text, &LENGTHS, 10_000, MeasureError::Length).map(Self)
     }
 }
 
@@ -114,8 +129,7 @@ impl FromStr for UnitWeight {
 
     /// Reads `24kN/m3`, or a density, `2400kg/m3`, in standard gravity.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let weight = with_unit(text, &DENSITIES, 100_000_000);
-        weight.map(Self).ok_or_else(|| MeasureError::Density(shown(text)))
+        with_unit(text, &DENSITIES, 100_000_000, MeasureError::Density).map(Self)
     }
 }
 
@@ -270,11 +284,13 @@ mod tests {
         ] {
             assert_eq!(length(text).0, quotient(n, d), "{text}");
         }
-        for text in
-            ["10", "m", "0m", "-1m", "1e2000m", "10 miles", "10deg", "pi m", "inf m", "1,5m"]
-        {
+        for text in ["10", "m", "1e2000m", "10 miles", "10deg", "pi m", "inf m", "1,5m"] {
             let error = text.parse::<Length>().unwrap_err().to_string();
             assert!(error.contains("60cm"), "{error}");
+        }
+        for text in ["0m", "-1m"] {
+            let error = text.parse::<Length>().unwrap_err().to_string();
+            assert_eq!(error, format!("{text} is not above 0"));
         }
         let weight = |text: &str| text.parse::<UnitWeight>().unwrap().0;
         assert_eq!(weight("24kN/m3"), quotient(24, 1));

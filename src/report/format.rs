@@ -270,6 +270,23 @@ impl Format {
         list(Self::all(content).map(|format| format.name))
     }
 
+    /// What the names of their files end with: `.txt, .json or .csv`.
+    pub fn extensions(content: Content) -> String {
+        let mut ends: Vec<String> = Vec::new();
+        for format in Self::all(content) {
+            let end = format!(".{}", format.extension);
+            if !ends.contains(&end) {
+                ends.push(end);
+            }
+        }
+        match ends.split_last() {
+            Some((last, others)) if !others.is_empty() => {
+                format!("{} or {last}", list(others.iter().map(String::as_str)))
+            }
+            _ => ends.concat(),
+        }
+    }
+
     /// The format of a name, or of what the name of a file ends with, whatever the case.
     pub fn named(content: Content, name: &str) -> Option<&'static Self> {
         let named = Self::all(content).find(|format| format.name.eq_ignore_ascii_case(name));

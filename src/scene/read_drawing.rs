@@ -53,24 +53,32 @@ pub(super) fn drawing(
     };
     let [dilatant, half, arrows, animate] =
         ["dilatant", "half", "arrows", "animate"].map(|key| truth(reader, key));
+    // All that is wrong is told at once.
+    let (amplitude, stones) = (amplitude(reader, table), stones(reader, table));
+    let mode = table.get("mode").map_or(Some(None), |value| mode(reader, value).map(Some));
+    let weights = overall.weights(reader, table, &[SelfWeight::Milankovitch]);
+    let weight = match weights.as_deref() {
+        Some([weight]) => Some(*weight),
+        Some(_) => {
+            reader.fault(span.clone(), "a drawing shows one weight".to_owned());
+            None
+        }
+        None => None,
+    };
+    // Of what is wrong any other does, to read the rest.
+    let any = weight.unwrap_or(SelfWeight::Milankovitch);
+    let about = (any, mode.flatten(), dilatant.unwrap_or(false));
+    let drawn = arch(reader, span, table, about);
+    let (drawn, mode) = (drawn?, mode?);
+    weight?;
     let style = Style {
-        amplitude: amplitude(reader, table)?,
+        amplitude: amplitude?,
         half: half?,
         arrows: arrows?,
-        stones: stones(reader, table)?,
+        stones: stones?,
         animate: animate?,
         notation: false,
     };
-    let mode = match table.get("mode") {
-        Some(value) => Some(mode(reader, value)?),
-        None => None,
-    };
-    let weights = overall.weights(reader, table, &[SelfWeight::Milankovitch])?;
-    let [weight] = weights[..] else {
-        reader.fault(span.clone(), "a drawing shows one weight".to_owned());
-        return None;
-    };
-    let drawn = arch(reader, span, table, (weight, mode, dilatant?))?;
     let is_svg = format.is_some_and(|format| format.name == "svg");
     let wrong = match &drawn {
         _ if style.animate && !is_svg => Some("only svg moves; leave out animate"),
@@ -115,21 +123,26 @@ fn arch(
         let drawn = Drawn::Landmark { landmark, weight, is_dilatant };
         return (reader.faults.len() == before).then_some(drawn);
     }
-    let Some((_, alpha)) = alpha else {
-        let allowed = Meaning::HalfOpening.allowed();
-        reader.fault(span.clone(), format!("half_opening is missing; give {allowed}, or at"));
-        return None;
+    let alpha = match alpha {
+        Some((_, alpha)) => single(reader, Meaning::HalfOpening, alpha),
+        None => {
+            let allowed = Meaning::HalfOpening.allowed();
+            reader.fault(span.clone(), format!("half_opening is missing; give {allowed}, or at"));
+            None
+        }
     };
-    let alpha = single(reader, Meaning::HalfOpening, alpha)?;
-    let thickness = match eta {
-        Some((meaning, value)) => Some(single(reader, meaning, value)?.number?),
+    let has_thickness = eta.is_some();
+    let thickness = eta.map(|(meaning, value)| single(reader, meaning, value)?.number);
+    if let (true, None, Some(Mode::Sliding)) = (has_thickness, &mu, mode) {
+        let arch = Arch::new(weight, alpha?.number?, Friction::Infinite).ok()?;
+        return Some(Drawn::Sliding { arch, thickness: thickness??, is_dilatant });
+    }
+    let all = frictions(reader, span, table);
+    let thickness = match thickness {
+        Some(thickness) => Some(thickness?),
         None => None,
     };
-    if let (Some(thickness), None, Some(Mode::Sliding)) = (&thickness, &mu, mode) {
-        let arch = Arch::new(weight, alpha.number?, Friction::Infinite).ok()?;
-        return Some(Drawn::Sliding { arch, thickness: thickness.clone(), is_dilatant });
-    }
-    let (meaning, all) = frictions(reader, span, table)?;
+    let (alpha, (meaning, all)) = (alpha?, all?);
     let friction = match (mu, all.len()) {
         (Some((_, value)), many) if many != 1 => {
             reader.is_not(meaning.key(), value, "one number: a drawing shows one arch");

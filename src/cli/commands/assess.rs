@@ -86,7 +86,7 @@ fn tilted(
     eta: &ExactNumber,
     text: &str,
 ) -> Result<(), Failure> {
-    let format = arguments.output.format();
+    let format = arguments.output.format()?;
     if format.tilt.is_none() {
         let names = Format::names(Content::Tilted);
         let message = format!("--tilt is not written as {}; the formats are {names}", format.name);

@@ -23,14 +23,15 @@ pub(crate) struct Arguments {
     #[arg(long, default_value = "both", value_parser = parse::weights)]
     weight: Weights,
 
-    #[arg(long, default_value = "table", value_parser = parse::format(Content::Audit), help = parse::format_help(Content::Audit))]
-    format: &'static Format,
+    #[arg(long, value_parser = parse::format(Content::Audit), help = parse::usual_format_help(Content::Audit, "table"))]
+    format: Option<&'static Format>,
 
     #[command(flatten)]
     file: OutputFile,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let format = arguments.file.format(arguments.format, Content::Audit, "table")?;
     let output = arguments.file.open()?;
     let undecided = |undecided: Undecided| Failure::Undecided(undecided.to_string());
     let is_asked =
@@ -46,5 +47,5 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         printed: audit_of(&points).map_err(undecided)?,
         comparisons: compare_weights_of(&points).map_err(undecided)?,
     });
-    output.write(|out| report.write(arguments.format, out))
+    output.write(|out| report.write(format, out))
 }

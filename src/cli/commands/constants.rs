@@ -43,7 +43,7 @@ pub(crate) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let (format, digits) = (arguments.output.format(), arguments.digits);
+    let (format, digits) = (arguments.output.format()?, arguments.digits);
     let wanted = arguments.output.quantities(&Quantity::LANDMARK)?;
     let hashed = format.has_certificates;
     let is_named = |landmark: &Landmark| {

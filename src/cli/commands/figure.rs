@@ -87,10 +87,7 @@ fn draw(
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let format = arguments.file.format(arguments.format, Content::Map, "svg")?;
-    if !format.is_picture {
-        return Err(Failure::Input(format!("a figure is svg or png, not {}", format.name)));
-    }
+    let format = arguments.file.format(arguments.format, Content::Figure, "svg")?;
     if let Some(shown) = arches_of_figure(arguments.number) {
         return draw(arguments, format, shown);
     }

@@ -64,7 +64,7 @@ fn line(text: &str) -> Result<Line, String> {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let question = question(arguments)?;
     let quantities = arguments.output.quantities(&found_by(&question))?;
-    let (file, format) = (arguments.output.open()?, arguments.output.format());
+    let (file, format) = (arguments.output.open()?, arguments.output.format()?);
     let digits = arguments.arch.digits;
     let answer = |(line, weight)| {
         let found = find(weight, &question, digits);

@@ -65,6 +65,11 @@ impl Measured {
 pub(super) fn thickness(measured: Option<&Measured>, text: &str) -> Result<ExactNumber, Failure> {
     let eta = match measured.and_then(|measured| measured.thickness(text)) {
         Some(eta) => eta?,
+        None if measured.is_none() && text.parse::<Length>().is_ok() => {
+            return Err(Failure::Input(format!(
+                "the thickness {text} is a length: give --span and --rise, or --radius, or the ratio to the radius (0.12)"
+            )));
+        }
         None => parse::thickness(text).map_err(Failure::Input)?,
     };
     match measured {

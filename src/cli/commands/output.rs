@@ -3,7 +3,7 @@
 use super::parse;
 use crate::cli::failure::Failure;
 use crate::problem::Quantity;
-use crate::report::words::list;
+use crate::report::words::{list, shortened};
 use crate::report::{Content, Format};
 use clap::Args;
 use std::fs::{self, File};
@@ -15,8 +15,8 @@ use tempfile::NamedTempFile;
 /// How and where answers are written.
 #[derive(Args)]
 pub(super) struct AnswerOutput {
-    #[arg(long, default_value = "table", value_parser = parse::format(Content::Answers), help = parse::format_help(Content::Answers))]
-    format: &'static Format,
+    #[arg(long, value_parser = parse::format(Content::Answers), help = parse::usual_format_help(Content::Answers, "table"))]
+    format: Option<&'static Format>,
 
     /// Only the values, one a line: short for --format plain.
     #[arg(long, conflicts_with = "format")]
@@ -40,9 +40,9 @@ pub(super) struct OutputFile {
 
 impl AnswerOutput {
     /// The format asked for.
-    pub(super) fn format(&self) -> &'static Format {
+    pub(super) fn format(&self) -> Result<&'static Format, Failure> {
         let plain = Format::named(Content::Answers, "plain").filter(|_| self.plain);
-        plain.unwrap_or(self.format)
+        self.file.format(plain.or(self.format), Content::Answers, "table")
     }
 
     /// The quantities asked for, of those that there are; all if none is named.
@@ -60,7 +60,7 @@ impl AnswerOutput {
 
     /// Opens the destination, before any work is done.
     pub(super) fn open(&self) -> Result<Output, Failure> {
-        self.file.open_for(self.format())
+        self.file.open_for(self.format()?)
     }
 }
 
@@ -85,20 +85,28 @@ impl OutputFile {
         content: Content,
         usual: &str,
     ) -> Result<&'static Format, Failure> {
-        let extension = || self.output.as_deref()?.extension()?.to_str();
-        let by_name = || Format::of_extension(content, extension()?);
-        if let (None, None, Content::Drawing, Some(end)) = (given, by_name(), content, extension())
-        {
-            let names = Format::names(content);
-            let message = format!("the end .{end} tells no format: give --format, one of {names}");
-            return Err(Failure::Input(message));
-        }
-        let format = given.or_else(by_name).or_else(|| Format::named(content, usual));
+        let given = given.map_or_else(|| self.by_name(content), |given| Ok(Some(given)))?;
+        let format = given.or_else(|| Format::named(content, usual));
         let format = format.ok_or_else(|| Failure::Input(format!("{usual} is no format")))?;
         match format.missing() {
             Some(missing) => Err(Failure::Input(missing)),
             None => Ok(format),
         }
+    }
+
+    /// The format that the end of the file's name tells, if it has one.
+    pub(super) fn by_name(&self, content: Content) -> Result<Option<&'static Format>, Failure> {
+        let named = self.output.as_deref().filter(|path| !is_standard(path));
+        let Some(end) = named.and_then(Path::extension) else { return Ok(None) };
+        let end = end.to_string_lossy();
+        let format = Format::of_extension(content, &end);
+        format.map(Some).ok_or_else(|| {
+            let ends = Format::extensions(content);
+            let end = shortened(&end);
+            Failure::Input(format!(
+                "the end .{end} tells no format: name the file {ends}, or give --format"
+            ))
+        })
     }
 
     /// Whether it is not standard output.

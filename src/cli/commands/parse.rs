@@ -99,6 +99,14 @@ pub(super) fn format_help(content: Content) -> String {
     format!("Output format: {}", Format::names(content))
 }
 
+/// The same where one is usual.
+pub(super) fn usual_format_help(content: Content, usual: &str) -> String {
+    let names = format_help(content);
+    format!(
+        "{names}; if not given what the name of the file ends with tells it, else it is {usual}"
+    )
+}
+
 /// A number of significant digits.
 pub fn digits(text: &str) -> Result<usize, String> {
     text.parse()

@@ -38,8 +38,8 @@ pub(crate) struct Arguments {
     #[arg(long)]
     show: bool,
 
-    #[arg(long, default_value = "text", value_parser = parse::format(Content::Claims), help = parse::format_help(Content::Claims))]
-    format: &'static Format,
+    #[arg(long, value_parser = parse::format(Content::Claims), help = parse::usual_format_help(Content::Claims, "text"))]
+    format: Option<&'static Format>,
 
     #[command(flatten)]
     file: OutputFile,
@@ -61,9 +61,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         };
         return write_coq(folder, files);
     }
-    if arguments.index
-        && !Format::all(Content::Index).any(|format| format.name == arguments.format.name)
-    {
+    let format = arguments.file.format(arguments.format, Content::Claims, "text")?;
+    if arguments.index && !Format::all(Content::Index).any(|index| index.name == format.name) {
         let names = Format::names(Content::Index);
         return Err(Failure::Input(format!("the index is written only as {names}")));
     }
@@ -83,7 +82,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         true => Report::Index(Index { decisions }),
         false => Report::Claims(Claims { decisions, show: arguments.show, timed: true }),
     };
-    output.write(|out| report.write(arguments.format, out))?;
+    output.write(|out| report.write(format, out))?;
     match undecided.is_empty() {
         true => Ok(()),
         false => Err(Failure::Undecided(format!("not everything was decided: {undecided}"))),

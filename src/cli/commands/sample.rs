@@ -20,22 +20,35 @@ pub(crate) struct Arguments {
     hard: bool,
 
     /// How many, up to 10000000.
-    #[arg(long, value_name = "N", default_value = "100", allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(0..=10_000_000))]
+    #[arg(long, value_name = "N", default_value = "100", allow_negative_numbers = true, value_parser = count)]
     count: u64,
 
     /// What they are drawn from: any whole number from 0 on.
-    #[arg(long, default_value = "1", allow_negative_numbers = true)]
+    #[arg(long, default_value = "1", allow_negative_numbers = true, value_parser = seed)]
     seed: u64,
 
-    #[arg(long, default_value = "csv", value_parser = parse::format(Content::Samples), help = parse::format_help(Content::Samples))]
-    format: &'static Format,
+    #[arg(long, value_parser = parse::format(Content::Samples), help = parse::usual_format_help(Content::Samples, "csv"))]
+    format: Option<&'static Format>,
 
     #[command(flatten)]
     output: OutputFile,
 }
 
+/// The most arches that are drawn.
+const MOST: u64 = 10_000_000;
+
+fn count(text: &str) -> Result<u64, String> {
+    let count = text.parse().ok().filter(|count| *count <= MOST);
+    count.ok_or_else(|| format!("a count is a whole number from 0 to {MOST}"))
+}
+
+fn seed(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| format!("a seed is a whole number from 0 to {}", u64::MAX))
+}
+
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let Some(lines) = arguments.format.samples else { return Ok(()) };
+    let format = arguments.output.format(arguments.format, Content::Samples, "csv")?;
+    let Some(lines) = format.samples else { return Ok(()) };
     arguments.output.open()?.write(|out| {
         out.write_all(&(lines.header)()?)?;
         let samples = samples(arguments.seed, arguments.hard);

@@ -74,8 +74,8 @@ pub(super) fn hinted(
     (arch, digits): (&Arch, usize),
     answer: Answer,
 ) -> Answer {
-    match output.format().name {
-        "table" => answer.with_asymmetric(|| asymmetric_thicknesses(arch, digits)),
+    match output.format().map(|format| format.name) {
+        Ok("table") => answer.with_asymmetric(|| asymmetric_thicknesses(arch, digits)),
         _ => answer,
     }
 }
@@ -87,7 +87,7 @@ pub(super) fn print(
     quantities: Vec<Quantity>,
     answers: impl FnOnce() -> Vec<Answer>,
 ) -> Result<(), Failure> {
-    let (file, format) = (output.open()?, output.format());
+    let (file, format) = (output.open()?, output.format()?);
     let answers: Vec<Answer> =
         answers().into_iter().map(|answer| answer.only(&quantities)).collect();
     let open = answers.iter().find_map(Answer::first_open);
@@ -100,7 +100,7 @@ pub(super) fn print(
 
 fn at_landmark(landmark: Landmark, arguments: &Arguments) -> Result<(), Failure> {
     let quantities = arguments.output.quantities(&Quantity::LANDMARK)?;
-    let (output, format) = (arguments.output.open()?, arguments.output.format());
+    let (output, format) = (arguments.output.open()?, arguments.output.format()?);
     let digits = arguments.arch.digits;
     let asked: Vec<(Quantity, usize)> = quantities_of(landmark)
         .filter(|quantity| quantities.contains(quantity))

@@ -55,7 +55,7 @@ pub(crate) struct Arguments {
     #[arg(
         long,
         value_parser = parse::format(Content::Rows),
-        help = parse::format_help(Content::Rows) + "; that of the input if not given"
+        help = parse::format_help(Content::Rows) + "; if not given what the name of the file ends with tells it, else that of the input"
     )]
     format: Option<&'static Format>,
 
@@ -83,7 +83,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let progress = Progress::new(&source);
     let (syntax, digits) = (source.syntax, arguments.digits);
-    let format = arguments.format.or_else(|| Format::named(Content::Rows, syntax.format()));
+    let format = match arguments.format {
+        None => arguments.output.by_name(Content::Rows)?,
+        given => given,
+    };
+    let format = format.or_else(|| Format::named(Content::Rows, syntax.format()));
     let Some((format, open)) = format.and_then(|format| Some((format, format.rows?))) else {
         return Ok(());
     };

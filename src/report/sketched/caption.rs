@@ -23,10 +23,13 @@ pub(super) fn rounded(x: &Ball, digits: usize) -> String {
 
 /// A size correctly rounded.
 pub(super) fn shown(x: &Size, digits: usize) -> String {
-    match (digits..=digits + MORE).find_map(|digits| x.rounded(digits)) {
-        Some(rounded) => shortened(&rounded.value.to_string()),
-        None => "undecided".to_owned(),
-    }
+    shortened(&in_full(x, digits))
+}
+
+/// The same with the zeros at its end, where others of as many digits stand beside it.
+pub(super) fn in_full(x: &Size, digits: usize) -> String {
+    let rounded = (digits..=digits + MORE).find_map(|digits| x.rounded(digits));
+    rounded.map_or_else(|| "undecided".to_owned(), |rounded| rounded.value.to_string())
 }
 
 /// Without the zeros at the end of a decimal fraction.

@@ -1,6 +1,6 @@
 //! Around an arch that is measured: span, rise and thickness, and the reaction of a shoulder.
 
-use super::caption::shown;
+use super::caption::{in_full, shown};
 use super::metres::Metres;
 use crate::atlas::{Line, Sketch, Subject};
 use crate::picture::color::{GUIDE, INK, WHITE};
@@ -126,7 +126,8 @@ impl Dimensions<'_> {
             x if x < -0.3 => (-6.0, Anchor::End),
             _ => (0.0, Anchor::Middle),
         };
-        let at = beyond(middle, if anchor == Anchor::Middle { 15.0 } else { 0.0 });
+        // Off the springing, whose end is beside the line.
+        let at = beyond(middle, 15.0);
         svg.text(&text, (at.0 + x, at.1), Type::new(LABEL, INK).at(anchor).on(WHITE));
     }
 
@@ -150,7 +151,7 @@ impl Dimensions<'_> {
         arrow(svg, (aside + side * ARROW, point.1), (point.0 + side * NEAR, point.1));
         svg.text(&self.thrust(), (aside + side * 9.0, point.1 + 13.0), style.at(anchor));
         arrow(svg, (point.0, point.1 + ARROW), (point.0, point.1 + NEAR));
-        let reaction = format!("V {} kN", shown(&loads.reaction, DIGITS));
+        let reaction = format!("V {} kN", in_full(&loads.reaction, DIGITS));
         svg.text(&reaction, (point.0 + side * 7.0, point.1 + ARROW - 6.0), style.at(anchor));
     }
 
@@ -160,7 +161,7 @@ impl Dimensions<'_> {
         let Some(loads) = &self.metres.loads else { return String::new() };
         let size = |k: usize| forces.get(k).map(|of| loads.thrust(&of.thrust));
         let is_standing = matches!(self.sketch.subject, Subject::Standing { .. });
-        match (size(0).map(|x| shown(&x, DIGITS)), size(1).map(|x| shown(&x, DIGITS))) {
+        match (size(0).map(|x| in_full(&x, DIGITS)), size(1).map(|x| in_full(&x, DIGITS))) {
             (Some(least), Some(largest)) => format!("H {least}–{largest} kN"),
             (Some(least), None) if is_standing => format!("H ≥ {least} kN"),
             (Some(thrust), None) => format!("H {thrust} kN"),

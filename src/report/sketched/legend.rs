@@ -44,10 +44,13 @@ impl Legend {
             }
             (true, _) => {
                 entries.push((Sample::Line(look::THRUST), "line of thrust, least thrust"));
-                entries.push((Sample::Line(look::LARGEST), "largest thrust"));
+                entries.push((Sample::Line(look::LARGEST), "line of thrust, largest thrust"));
                 entries.push((Sample::Band, "between them"));
                 entries.push((Sample::Line(look::FRICTION), "line of friction, least thrust"));
-                entries.push((Sample::Line(look::LARGEST_FRICTION), "largest thrust"));
+                entries.push((
+                    Sample::Line(look::LARGEST_FRICTION),
+                    "line of friction, largest thrust",
+                ));
             }
             _ if forces().any(|forces| forces.thrust_lines.len() > 1) => {
                 entries.push((Sample::Line(look::EXTREME), "extreme lines of thrust"));

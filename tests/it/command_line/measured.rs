@@ -129,7 +129,7 @@ fn wrong_measures_are_one_line() {
     for (arguments, why) in [
         ("--span 10 --rise 3m", "'10' is not a length"),
         ("--span 10m", "--rise"),
-        ("--span 10m --rise -3m", "'-3m' is not a length"),
+        ("--span 10m --rise -3m", "-3m is not above 0"),
         ("--span 10m --rise 3m --radius 5m", "contradicts"),
         ("--span 10m --rise 3m --half-opening 1", "cannot be used"),
         ("--span 10m --rise 3m --density 2400kg/m3", "--depth"),

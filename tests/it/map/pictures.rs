@@ -143,7 +143,7 @@ fn what_makes_no_picture_is_refused() {
         (&["map", "--plane", "opening-friction", "-o", "map.html"], "a page shows the whole map"),
         (&["map", "--curve", "limit", "--format", "html"], "a page shows the whole map"),
         (&["map", "--lines", "--format", "html"], "a page shows the whole map"),
-        (&["figure", "6", "-o", "map.html"], "a figure is svg or png, not html"),
+        (&["figure", "6", "-o", "map.html"], "name the file .svg or .png"),
         (
             &["map", "--thickness", "1", "-o", "map.svg"],
             "over thickness and friction lines of a half opening are drawn",
@@ -197,7 +197,7 @@ fn what_makes_no_picture_is_refused() {
         (&["figure", "13"], "a figure is a number from 1 to 12"),
         (&["figure", "6", "--weight", "both"], "figure 6 shows one --weight"),
         (&["figure", "5", "--format", "csv"], "a format is one of svg, png"),
-        (&["figure", "5", "-o", "figure.csv"], "a figure is svg or png, not csv"),
+        (&["figure", "5", "-o", "figure.csv"], "name the file .svg or .png"),
         (&["figure", "5", "--tolerance", "0"], "a tolerance is a number from 1e-12 to 1"),
     ] {
         refused(arguments, "", words);

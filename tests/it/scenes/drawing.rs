@@ -118,4 +118,21 @@ fn faults_of_drawings_have_their_places() {
         let found = faults(table);
         assert!(found.len() == 1 && found[0].starts_with(fault), "{table}: {found:?}");
     }
+    // All that is wrong with one is told at once.
+    let all = faults(
+        "[[drawing]]\nalpha = 4\nmu = -1\neta = 3\nmode = \"rsx\"\namplitude = 2\nstones = 1\nhalf = 1\nweight = \"x\"",
+    );
+    for part in [
+        "half_opening 4",
+        "friction -1",
+        "thickness 3",
+        "mode",
+        "amplitude",
+        "stones",
+        "half 1",
+        "weight",
+    ] {
+        assert!(all.iter().any(|fault| fault.contains(part)), "{part}: {all:?}");
+    }
+    assert_eq!(faults("[[drawing]]").len(), 2, "both are missing");
 }

@@ -94,8 +94,8 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "N", default_value = "5", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(0..=1000))]
     worst: u16,
 
-    #[arg(long, default_value = "table", value_parser = parse::format(Content::Judged), help = format_help())]
-    format: &'static Format,
+    #[arg(long, value_parser = parse::format(Content::Judged), help = format_help())]
+    format: Option<&'static Format>,
 
     #[command(flatten)]
     output: OutputFile,
@@ -106,7 +106,7 @@ fn format_help() -> String {
     format!(
         "{}; {} list every row and put a short summary on standard error, the others are a summary with a \
          histogram and the worst rows",
-        parse::format_help(Content::Judged),
+        parse::usual_format_help(Content::Judged, "table"),
         list(each.map(|format| format.name))
     )
 }
@@ -118,16 +118,17 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let file = visible_name(arguments.file.as_os_str());
         return Err(Failure::Input(format!("refusing to overwrite the input {file}")));
     }
+    let format = arguments.output.format(arguments.format, Content::Judged, "table")?;
     let progress = Progress::new(&source);
     let syntax = source.syntax;
     let input = progress.counted(source.into_input());
     let keep = Keep::new(&arguments.keep);
     let results = match syntax {
         Syntax::Csv => table(columns, input, &keep)?,
-        Syntax::Json => json(columns, input, keep, arguments.format)?,
+        Syntax::Json => json(columns, input, keep, format)?,
     };
     let Results { columns, spelling, kept, rows, has_weight, quantities } = results;
-    let each = arguments.format.judged_lines;
+    let each = format.judged_lines;
     let demand = match arguments.accept {
         Some(digits) => Demand { digits, or_as_printed: false },
         None => Demand::USUAL,
@@ -156,7 +157,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             out.flush()?;
             Ok::<_, io::Error>(())
         })?;
-        if let Some(write) = arguments.format.judged {
+        if let Some(write) = format.judged {
             write(&summary, out)?;
         }
         complete = true;
