@@ -1,10 +1,10 @@
 #!/bin/sh
 # After `make`: wrong copies of generated files do not compile, each for the reason it should.
 #
-# Usage: spoil.sh [MODULE]..., by default a landmark and a state.
+# Usage: spoil.sh [MODULE]..., by default a landmark, a state and an asymmetric solution.
 set -eu
 cd "$(dirname "$0")"
-[ $# -gt 0 ] || set -- TripleMilankovitch StateSlidingRotationalHeyman
+[ $# -gt 0 ] || set -- TripleMilankovitch StateSlidingRotationalHeyman AsymmetricInnerSlidingMilankovitch
 here=$PWD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -62,7 +62,7 @@ spoil_solution() {
   spoiled "a wrong digit in the claim" one_solution \
     's/(Definition narrow.*?\.\d{28})(\d)/$1 . ($2 + 5) % 10/se'
   spoiled "a wrong sign in an equation" derivatives \
-    's/(Definition residuals.*?) - /$1 + /s'
+    's/(Definition residuals.*?\w) - /$1 + /s'
   spoiled "a wrong partial derivative" derivatives \
     's/(Definition jacobian.*?)\bcos\b/$1sin/s'
   spoiled "a singular preconditioner" contracts \
@@ -105,11 +105,32 @@ spoil_state() {
     's/(Theorem least_thickness.*?\.\d{28})(\d)/$1 . ($2 - 1) % 10/se'
 }
 
+# An asymmetric solution: signs, admissibility on the whole arch, the motion.
+spoil_asymmetric() {
+  spoiled "an arch with less friction" slopes_hold \
+    's/(Definition mu : R := 1\.\d)(\d)/$1 . ($2 - 1)/e'
+  spoiled "another equation" cleared \
+    's/(Definition equations.*?)outwards_slope/$1against_outwards/s'
+  spoiled "a joint that slides the other way" signs \
+    's/0 < inner_slip/inner_slip/; s/(inner_slip alpha eta b0 beta_r beta_s)\./$1 < 0./'
+  spoiled "a hinge on the other side" inside_intrados \
+    's/(Lemma inside_intrados.*?)\(- beta_r\)/${1}beta_r/s'
+  spoiled "a neighbourhood that does not bend" inside_extrados \
+    's/(Lemma inside_extrados.*?forall y, \([^)]*\) <= y <= )\([^)]*\)/$1(2.2)/s'
+  spoiled "an arch that is wider" friction_inwards \
+    's/(Lemma friction_inwards.*?)- alpha <= x/${1}- (alpha + 0.1) <= x/s'
+  spoiled "a rate that does not fit" solution \
+    's/(Theorem solution.*?)\(inner_slip/$1(2 * inner_slip/s'
+  spoiled "another thickness claimed" asymmetric_thickness \
+    's/(Corollary asymmetric_thickness.*?\.\d{28})(\d)/$1 . ($2 + 5) % 10/se'
+}
+
 for module; do
   untouched
   spoil_solution
   case $module in
     State*) spoil_state ;;
+    Asymmetric*) spoil_asymmetric ;;
     *) spoil_landmark ;;
   esac
 done

@@ -17,7 +17,9 @@ fn stored(folder: &str, extension: &str) -> Vec<PathBuf> {
 
 /// What the program prints: the landmarks, and the states of the stored certificates.
 fn printed() -> BTreeMap<String, String> {
-    let states = stored("states", "json").into_iter().map(|path| {
+    let slides_inside = |path: &PathBuf| path.to_string_lossy().contains("inner-sliding");
+    let asymmetric = stored("asymmetric", "json").into_iter().filter(slides_inside);
+    let states = stored("states", "json").into_iter().chain(asymmetric).map(|path| {
         let certificate = fs::read(&path).unwrap();
         state(&certificate).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
     });

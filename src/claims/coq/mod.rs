@@ -7,6 +7,7 @@
 //! | `solution` | one solution of a system: what is claimed, the table, its check |
 //! | `landmark` | the file of a landmark |
 //! | `state`, `given`, `sign` | the file of a state: what is given, what its signs are, what follows |
+//! | `asymmetric` | the file of an asymmetric solution of (19) |
 //! | `printed` | what follows for the values that the paper prints |
 //! | `half_opening`, `joint` | the files with one unknown and a very wide bracket |
 //! | `weights` | the two self-weights compared |
@@ -17,6 +18,7 @@
 //! numbers, and calls. **Only the statements matter**: they are in terms of the printed equations of
 //! `Arch.v`, and Coq checks everything else.
 
+mod asymmetric;
 mod given;
 mod half_opening;
 mod joint;

@@ -66,12 +66,14 @@ fn claim(system: &System, symbols: &Symbols, table: &Table) -> Values {
     ]
 }
 
-/// An equation as the paper prints it, in the names of `Arch.v` and `Instance.v`.
+/// An equation as the paper prints it, in the names of `Arch.v` and `Instance.v`; of an asymmetric state in those of `Whole.v`.
 fn equation(equation: Equation, system: &System) -> String {
     let of = |unknown| argument(system, unknown);
     let (alpha, eta) = (of(Unknown::HalfOpening), of(Unknown::Thickness));
     let (beta, h, mu) = (of(Unknown::RotationJoint), of(Unknown::Thrust), of(Unknown::Friction));
     let joint = of(Unknown::SlidingJoint);
+    let (b0, p, v) =
+        (of(Unknown::CrownHinge), of(Unknown::CrownMoment), of(Unknown::VerticalForce));
     let delta = system.weight.flag();
     match equation {
         Equation::LowerThrust => format!("{h} = h_lower {delta} {beta} {eta}"),
@@ -83,12 +85,21 @@ fn equation(equation: Equation, system: &System) -> String {
         Equation::ShoulderSliding => format!("{mu} = mu_ss {alpha} {h}"),
         Equation::InnerSliding => format!("{mu} = mu_is {h}"),
         Equation::Steepest => format!("{joint} = Arch.beta_s {h}"),
-        // Of asymmetric states, which have no such file.
-        asymmetric => asymmetric.label().to_owned(),
+        Equation::CrownHinge => format!("from_extrados {delta} {eta} {h} {p} {v} {b0} = 0"),
+        Equation::CrownTangency => format!("extrados_slope {delta} {eta} {h} {v} {b0} = 0"),
+        Equation::HaunchHinge => format!("from_intrados {delta} {eta} {h} {p} {v} (- {beta}) = 0"),
+        Equation::HaunchTangency => format!("intrados_slope {delta} {eta} {h} {v} (- {beta}) = 0"),
+        Equation::ShoulderSlides => format!("against_outwards {mu} {h} {v} {alpha} = 0"),
+        Equation::InnerSlides => format!("against_outwards {mu} {h} {v} (- {joint}) = 0"),
+        Equation::InnerSteepest => format!("outwards_slope {mu} {h} {v} (- {joint}) = 0"),
+        Equation::ShoulderOpens => format!("from_extrados {delta} {eta} {h} {p} {v} {alpha} = 0"),
+        Equation::Fits => {
+            format!("(2 - {eta}) * cos ({beta} + {alpha}) = (2 + {eta}) * cos ({alpha} - {b0})")
+        }
     }
 }
 
-/// The lemma of `Instance.v` that links the cleared form of an equation to the printed one.
+/// The lemma of `Instance.v` or `Whole.v` that links the cleared form of an equation to the printed one.
 fn lemma(equation: Equation) -> Option<&'static str> {
     Some(match equation {
         Equation::LowerThrust => "cleared_lower",
@@ -99,8 +110,9 @@ fn lemma(equation: Equation) -> Option<&'static str> {
         Equation::DoubleThickness => "cleared_double_thickness",
         Equation::ShoulderSliding => "cleared_shoulder_sliding",
         Equation::InnerSliding => "cleared_inner_sliding",
-        // With the equation before it; those of asymmetric states have no other form.
-        _ => return None,
+        // With the equation before it.
+        Equation::Steepest => return None,
+        _ => "cleared_margin",
     })
 }
 
@@ -164,10 +176,11 @@ fn clearing(system: &System) -> Vec<String> {
     let lemmas: Vec<&str> = system.equations.iter().filter_map(|&e| lemma(e)).collect();
     let last = lemmas.len() - 1;
     let step = |(index, lemma): (usize, &&str)| {
+        let tactic = if *lemma == "cleared_margin" { "margins" } else { "clearing" };
         if index == last {
-            format!("apply {lemma}; clearing.")
+            format!("apply {lemma}; {tactic}.")
         } else {
-            format!("apply both_under; [apply {lemma}; clearing | intros E{index}].")
+            format!("apply both_under; [apply {lemma}; {tactic} | intros E{index}].")
         }
     };
     lemmas.iter().enumerate().map(step).collect()

@@ -7,8 +7,9 @@ use super::sign::sign;
 use super::solution::{Solution, Values};
 use super::table::DECIMALS;
 use super::template::fill;
-use super::{BITS, argument};
+use super::{BITS, argument, asymmetric};
 use crate::arch::Unknown;
+use crate::arch::asymmetric::AsymmetricMode;
 use crate::certify::Undecided;
 use crate::check::{Certificate, Refusal, verify};
 use crate::number::{Ball, Magnitude};
@@ -25,7 +26,8 @@ pub enum StateError {
     Refused(#[from] Refusal),
     /// It is about something else.
     #[error(
-        "it is not the certificate of a state, nor of an arch that slides (`couplet certify state` writes them)"
+        "it is not the certificate of a state, of an arch that slides (`couplet certify state` writes them), or of an asymmetric \
+         solution with an inner joint that slides (`couplet certify asymmetric`)"
     )]
     NotState,
     /// The numbers for Coq were not found.
@@ -35,12 +37,17 @@ pub enum StateError {
 
 /// The file of the state that a certificate is about, name and content, after a check of the certificate.
 ///
-/// Of an arch that slides it is the purely sliding state, which has no thickness but a friction.
+/// Of an arch that slides it is the purely sliding state, which has no thickness but a friction. Of the asymmetric solutions
+/// those with an inner joint that slides have one.
 pub fn state(certificate: &[u8]) -> Result<(String, String), StateError> {
     let problem = verify(certificate)?.problem;
     let (mode, arch) = match &problem {
         Problem::State { mode, arch } => (*mode, arch),
         Problem::Verdict { verdict: Verdict::Slides, arch } => (Mode::Sliding, arch),
+        Problem::Asymmetric { mode: AsymmetricMode::InnerSliding, arch } => {
+            let root = Root::of_certificate(&problem, &Certificate::read(certificate)?)?;
+            return Ok(asymmetric::file(&root, arch)?);
+        }
         _ => return Err(StateError::NotState),
     };
     let root = Root::of_certificate(&problem, &Certificate::read(certificate)?)?;
