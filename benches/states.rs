@@ -2,7 +2,7 @@
 //! random mix; and beside balls of MPFR alone, in turns.
 
 use couplet::arch::SelfWeight;
-use couplet::certify::state::{Answer, Certify, Inquiry, Outcome};
+use couplet::certify::state::{Answer, Certify, Columns, Inquiry, Outcome};
 use couplet::number::ExactNumber;
 use couplet::problem::{Arch, Friction, tally};
 use couplet::solve::start::quick_state;
@@ -42,6 +42,19 @@ fn mix(count: usize) -> Vec<(f64, f64)> {
         .collect()
 }
 
+/// Half openings with frictions over the same, each with each.
+fn grid_of_arches() -> Vec<Arch> {
+    const HALF_OPENINGS: u32 = 25;
+    const FRICTIONS: u32 = 40;
+    let part =
+        |most: f64, place: u32, of: u32| format!("{:.15}", most * f64::from(place) / f64::from(of));
+    let row = |alpha| (1..=FRICTIONS).map(move |mu| (alpha, mu));
+    let places = (1..=HALF_OPENINGS).flat_map(row);
+    places
+        .map(|(alpha, mu)| arch(M, &part(2.648, alpha, HALF_OPENINGS), &part(5.0, mu, FRICTIONS)))
+        .collect()
+}
+
 /// The same as they are typed.
 fn mix_of_texts() -> Vec<(String, String)> {
     let text = |(alpha, mu)| (format!("{alpha:.15}"), format!("{mu:.15}"));
@@ -72,6 +85,16 @@ fn states(criterion: &mut Criterion) {
             let stands = |q: &&Arch| matches!(q.certify_alone(16), Ok(Answer::Stands(_)));
             queries.iter().filter(stands).count()
         });
+    });
+    let grid = grid_of_arches();
+    group.bench_function("proved, grid", |b| {
+        b.iter(|| {
+            let columns = Columns::new(16, true);
+            grid.iter().filter(|q| matches!(columns.certify(q), Ok(Answer::Stands(_)))).count()
+        });
+    });
+    group.bench_function("proved, grid, each alone", |b| {
+        b.iter(|| grid.iter().filter(|q| matches!(q.certify(16), Ok(Answer::Stands(_)))).count());
     });
     group.bench_function("in balls of doubles, mix", |b| {
         b.iter(|| {

@@ -6,6 +6,7 @@ use super::{Decimal, Dyadic, Engine, ParseDecimalError, shown};
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
 use std::fmt;
+use std::hash::{Hash, Hasher};
 use std::str::FromStr;
 
 /// A number given exactly.
@@ -187,6 +188,13 @@ impl PartialEq for ExactNumber {
 }
 
 impl Eq for ExactNumber {}
+
+impl Hash for ExactNumber {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.text.hash(state);
+        self.form.hash(state);
+    }
+}
 
 impl fmt::Display for ExactNumber {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -338,11 +338,13 @@ impl Answer {
         self.values.iter().find(|(of, _)| *of == quantity).map(|(_, value)| value)
     }
 
-    /// The same with only some of its values; with a thrust stays the joint that limits it.
+    /// The same with only some of its values; with a thrust stays the joint that limits it, and the least thickness is
+    /// the thickness of a state.
     pub fn only(mut self, quantities: &[Quantity]) -> Self {
+        let is_least = |of: Quantity| of == Quantity::LeastThickness;
         let asked: Vec<Quantity> = quantities
             .iter()
-            .flat_map(|&quantity| [Some(quantity), quantity.joint()])
+            .flat_map(|&of| [Some(of), of.joint(), is_least(of).then_some(Quantity::Thickness)])
             .flatten()
             .collect();
         self.values.retain(|(quantity, _)| asked.contains(quantity));

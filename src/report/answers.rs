@@ -18,6 +18,8 @@ pub enum Scope {
     Arch,
     /// Many arches.
     Arches,
+    /// Many arches, some of which have a thickness.
+    Mixed,
     /// What was found the other way round.
     Found,
 }
@@ -69,7 +71,22 @@ impl Answers {
     pub fn mixed(digits: usize) -> Self {
         let state = Quantity::STATE.into_iter().filter(|of| *of != Quantity::Thickness);
         let quantities = Quantity::ASSESSMENT.into_iter().chain(state).collect();
-        Self { scope: Scope::Arches, quantities, ..Self::without_arches(digits) }
+        Self { scope: Scope::Mixed, quantities, ..Self::without_arches(digits) }
+    }
+
+    /// Of many arches as they come, with only some of the quantities.
+    pub fn of(self, quantities: &[Quantity]) -> Self {
+        let shown = |of: &Quantity| match (self.scope, of) {
+            (Scope::Mixed, Quantity::Thickness) => Quantity::LeastThickness,
+            _ => *of,
+        };
+        let mut all: Vec<Quantity> = Vec::new();
+        for quantity in quantities.iter().map(shown) {
+            if !all.contains(&quantity) {
+                all.push(quantity);
+            }
+        }
+        Self { quantities: all, ..self }
     }
 
     fn without_arches(digits: usize) -> Self {
@@ -79,12 +96,14 @@ impl Answers {
 
     /// Whether any of the arches may have a thickness.
     pub fn have_assessments(&self) -> bool {
-        self.quantities.iter().any(|quantity| Quantity::ASSESSMENT.contains(quantity))
+        let is_theirs = |quantity: &Quantity| Quantity::ASSESSMENT.contains(quantity);
+        self.scope == Scope::Mixed || self.quantities.iter().any(is_theirs)
     }
 
     /// Whether any of the arches may have none.
     pub fn have_states(&self) -> bool {
-        self.quantities.iter().any(|quantity| Quantity::STATE.contains(quantity))
+        let is_theirs = |quantity: &Quantity| Quantity::STATE.contains(quantity);
+        self.scope == Scope::Mixed || self.quantities.iter().any(is_theirs)
     }
 
     /// Whether a quantity of an arch is shown; in a mixed table the thickness of a state is the least.
@@ -104,7 +123,7 @@ impl Answers {
             Scope::Constants | Scope::Point => {
                 "Landmark constants of the finite-friction Couplet-Heyman problem"
             }
-            Scope::Arch | Scope::Arches | Scope::Found => {
+            Scope::Arch | Scope::Arches | Scope::Mixed | Scope::Found => {
                 "States of circular masonry arches of finite friction"
             }
         }
@@ -114,7 +133,7 @@ impl Answers {
     pub(super) fn schema(&self) -> &'static str {
         match self.scope {
             Scope::Constants | Scope::Point => "couplet.constants/1",
-            Scope::Arch | Scope::Arches | Scope::Found => "couplet.states/2",
+            Scope::Arch | Scope::Arches | Scope::Mixed | Scope::Found => "couplet.states/2",
         }
     }
 }

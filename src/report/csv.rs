@@ -18,7 +18,7 @@ pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<(
             let header = all.iter().take(1).map(|row| row.names().map(str::to_owned).collect());
             write(header.chain(all.iter().map(|row| row.texts().collect())), out)
         }
-        Scope::Arch | Scope::Arches => {
+        Scope::Arch | Scope::Arches | Scope::Mixed => {
             let rows = report.list.iter().map(|answer| record(report, answer, false));
             write(std::iter::once(header(report, false)).chain(rows), out)
         }
@@ -68,7 +68,7 @@ fn constants(report: &Answers) -> Vec<Vec<String>> {
 
 /// Whether the doubles of the values have columns.
 fn has_doubles(report: &Answers) -> bool {
-    report.scope == Scope::Arches && report.have_doubles()
+    matches!(report.scope, Scope::Arches | Scope::Mixed) && report.have_doubles()
 }
 
 fn header(report: &Answers, with_lines: bool) -> Vec<String> {

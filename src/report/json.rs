@@ -32,7 +32,7 @@ pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
                 write(&all.iter().map(|answer| finding(report, answer)).collect::<Vec<_>>(), out)
             }
         },
-        Scope::Arches => {
+        Scope::Arches | Scope::Mixed => {
             let quantities = report.quantities.iter().map(|quantity| quantity.name()).collect();
             let (schema, digits) = ("couplet.arches/2", report.digits);
             write(&ArchesFile { schema, digits, quantities, arches: Entries(report) }, out)

@@ -18,7 +18,7 @@ pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<(
         }
         Scope::Point => report.list.iter().try_for_each(|answer| point(answer, out)),
         Scope::Arch => report.list.iter().try_for_each(|answer| arch(report, answer, out)),
-        Scope::Arches => arches(report, out),
+        Scope::Arches | Scope::Mixed => arches(report, out),
         Scope::Found => find::table(report, out),
     }
 }

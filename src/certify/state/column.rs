@@ -3,19 +3,24 @@
 //! From its rotational friction on an arch has the state that it has at unlimited friction; below its purely sliding
 //! friction it falls; and where none stands at unlimited friction, none stands. Both frictions are proved with that
 //! state, in balls of double-doubles. A friction that is proved to lie beside them needs that comparison alone; one
-//! that these balls cannot tell from them, and every one between them, is proved on its own. So the answers are those
-//! that each arch has alone, to the last digit.
+//! that these balls cannot tell from them, and every one between them, is proved on its own. The two frictions are
+//! those of the half opening, whatever the friction of the arch. So the answers are those that each arch has alone, to
+//! the last digit.
 
 use super::certify::Certify;
-use super::digits::Answer;
+use super::digits::{Answer, Digits};
+use super::enough::{AtOpening, Enough};
+use super::figure::Figure;
 use super::mode::{Asked, outcome, pure_sliding};
 use super::query::{DOUBLE_DOUBLE, Query};
-use super::state::{Fall, Outcome};
+use super::quick::is_quick;
+use super::state::{Fall, Frictions, Outcome};
 use crate::arch::SelfWeight;
 use crate::certify::Undecided;
 use crate::number::{DoubleDouble, DoubleDoubleBall, Enclosure, ExactNumber, Real};
 use crate::problem::{Arch, ArchError, Friction};
 use std::borrow::Cow;
+use std::sync::OnceLock;
 
 /// The arches of one half opening and weight, whatever their friction.
 ///
@@ -45,6 +50,10 @@ pub struct Column {
     /// The friction from which the answer is that at unlimited friction.
     same_from: Option<DoubleDoubleBall>,
     slides: Answer,
+    /// The frictions at which the mode changes, where some arch stands and they are proved; asked for by the first.
+    frictions: OnceLock<Option<Frictions<Figure>>>,
+    /// What would be enough at this half opening, asked for by the first arch that falls.
+    enough: OnceLock<AtOpening>,
 }
 
 impl Column {
@@ -71,7 +80,8 @@ impl Column {
         };
         let answer = same_from.as_ref().and_then(|_| unlimited.certify_alone(digits).ok());
         let slides = Answer::Falls { fall: Fall::Sliding, enough: None };
-        Ok(Self { unlimited, digits, answer, sliding, same_from, slides })
+        let (frictions, enough) = (OnceLock::new(), OnceLock::new());
+        Ok(Self { unlimited, digits, answer, sliding, same_from, slides, frictions, enough })
     }
 
     /// What [`Certify::certify_alone`] finds for the arch of this friction; an error if that is out of its range.
@@ -84,15 +94,74 @@ impl Column {
         {
             return Ok(Ok(Cow::Borrowed(answer)));
         }
-        let (weight, alpha) = (self.unlimited.weight(), self.unlimited.half_opening());
-        let arch = Arch::new(weight, alpha.clone(), friction)?;
-        if let Friction::Angle(phi) = arch.friction() {
-            let (sin, cos) = phi.enclosure::<DoubleDoubleBall>(DOUBLE_DOUBLE).sin_cos();
-            if let Some(answer) = self.shared(&(sin / cos)) {
-                return Ok(Ok(Cow::Borrowed(answer)));
+        Ok(self.alone(&self.arch(friction)?))
+    }
+
+    /// What [`Certify::certify`] finds for the arch of this friction, with the frictions at which its mode changes; an
+    /// error if that is out of its range.
+    ///
+    /// ```
+    /// use couplet::certify::state::{Answer, Column};
+    /// use couplet::prelude::*;
+    /// let column = Column::new(SelfWeight::Milankovitch, "80deg".parse()?, 17)?;
+    /// let Answer::Stands(state) = column.certify("0.6".parse()?)?? else { panic!() };
+    /// assert_eq!(state.frictions.unwrap().sliding.to_string(), "0.22246853419731463");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn certify(&self, friction: Friction) -> Result<Result<Answer, Undecided>, ArchError> {
+        Ok(self.whole(&self.arch(friction)?))
+    }
+
+    /// The arch of a friction.
+    fn arch(&self, friction: Friction) -> Result<Arch, ArchError> {
+        Arch::new(self.unlimited.weight(), self.unlimited.half_opening().clone(), friction)
+    }
+
+    /// What is found for an arch of this half opening and weight, without frictions.
+    pub(super) fn alone(&self, arch: &Arch) -> Result<Cow<'_, Answer>, Undecided> {
+        let shared = match arch.friction() {
+            Friction::Coefficient(mu) => self.shared(&mu.enclosure(DOUBLE_DOUBLE)),
+            Friction::Angle(phi) => {
+                let (sin, cos) = phi.enclosure::<DoubleDoubleBall>(DOUBLE_DOUBLE).sin_cos();
+                self.shared(&(sin / cos))
             }
+            Friction::Infinite => self.answer.as_ref(),
+        };
+        match shared {
+            Some(answer) => Ok(Cow::Borrowed(answer)),
+            None => arch.certify_alone(self.digits).map(Cow::Owned),
         }
-        Ok(arch.certify_alone(self.digits).map(Cow::Owned))
+    }
+
+    /// The same with them.
+    pub(super) fn whole(&self, arch: &Arch) -> Result<Answer, Undecided> {
+        match self.alone(arch).map(Cow::into_owned) {
+            Ok(Answer::Stands(state)) => {
+                if let Some(frictions) = self.frictions() {
+                    let frictions = Some(frictions.clone());
+                    return Ok(Answer::Stands(Box::new(Digits { frictions, ..*state })));
+                }
+            }
+            Ok(Answer::Falls { fall, .. }) => {
+                let is_quick = is_quick(self.digits);
+                let at =
+                    kept(&self.enough, || AtOpening::new(&self.unlimited, self.digits, is_quick));
+                let enough = Enough::new(arch, at, self.digits, is_quick);
+                return Ok(Answer::Falls { fall, enough: Some(Box::new(enough)) });
+            }
+            // With the frictions other things may be left open.
+            Err(_) => {}
+        }
+        arch.certify(self.digits)
+    }
+
+    /// The frictions of the half opening.
+    fn frictions(&self) -> Option<&Frictions<Figure>> {
+        let proved = || match self.unlimited.certify(self.digits) {
+            Ok(Answer::Stands(state)) => state.frictions,
+            _ => None,
+        };
+        kept(&self.frictions, proved).as_ref()
     }
 
     /// The same of a friction that is a double, as the number that it is, if no proof of its own is needed: much
@@ -115,37 +184,75 @@ impl Column {
     }
 }
 
+/// What is proved once. Threads that ask for it at a time each prove it: none waits for another, whose proof may wait for
+/// the work of this one.
+fn kept<T>(place: &OnceLock<T>, proved: impl FnOnce() -> T) -> &T {
+    match place.get() {
+        Some(kept) => kept,
+        None => {
+            let found = proved();
+            place.get_or_init(|| found)
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::number::Rounded;
 
-    fn same(column: &Column, friction: &str) -> bool {
-        let friction: Friction = friction.parse().unwrap();
-        let (weight, alpha) = (column.unlimited.weight(), column.unlimited.half_opening());
-        let alone = Arch::new(weight, alpha.clone(), friction.clone()).unwrap();
-        let alone = alone.certify_alone(column.digits).unwrap();
-        let found = column.certify_alone(friction).unwrap().unwrap();
-        match (&alone, &*found) {
+    fn equal_figures(alone: &Figure, found: &Figure, of: &str) {
+        assert_eq!(alone.decimal, found.decimal, "{of}");
+        let doubles = |x: &Figure| [x.double, x.binary.lower, x.binary.upper].map(f64::to_bits);
+        assert_eq!(doubles(alone), doubles(found), "{of}");
+    }
+
+    fn equal(alone: &Answer, found: &Answer) {
+        match (alone, found) {
             (Answer::Stands(alone), Answer::Stands(found)) => {
                 assert_eq!(alone.mode, found.mode);
-                let figures = alone.figures().zip(found.figures());
-                for ((of, alone), (other, found)) in figures {
-                    let (alone, found) = (alone.unwrap(), found.unwrap());
-                    assert_eq!((of, &alone.decimal), (other, &found.decimal));
-                    let doubles = |x: &super::super::Figure| {
-                        [x.double, x.binary.lower, x.binary.upper].map(f64::to_bits)
-                    };
-                    assert_eq!(doubles(alone), doubles(found), "{of:?}");
+                for ((of, alone), (other, found)) in alone.figures().zip(found.figures()) {
+                    assert_eq!((of, alone.is_some()), (other, found.is_some()));
+                    if let Some((alone, found)) = alone.zip(found) {
+                        equal_figures(alone, found, of.name());
+                    }
                 }
                 assert_eq!(alone.figures().count(), found.figures().count());
             }
-            (Answer::Falls { fall, .. }, Answer::Falls { fall: found, .. }) => {
-                assert_eq!(fall, found)
+            (Answer::Falls { fall, enough }, Answer::Falls { fall: other, enough: found }) => {
+                assert_eq!((fall, enough.is_some()), (other, found.is_some()));
+                let all = |x: &Option<Box<Enough>>| {
+                    let x = x.as_deref()?;
+                    let Enough { sliding_friction, friction, half_opening } = x.clone();
+                    Some([sliding_friction, friction, half_opening])
+                };
+                let all = all(enough).into_iter().flatten().zip(all(found).into_iter().flatten());
+                for (alone, found) in all {
+                    assert_eq!(alone.is_some(), found.is_some());
+                    if let Some((alone, found)) = alone.zip(found) {
+                        equal_figures(&alone, &found, "what would be enough");
+                    }
+                }
             }
             _ => panic!("{alone:?} is not {found:?}"),
         }
+    }
+
+    fn same(column: &Column, friction: &str) -> bool {
+        let friction: Friction = friction.parse().unwrap();
+        let arch = column.arch(friction.clone()).unwrap();
+        let found = column.certify_alone(friction).unwrap().unwrap();
+        equal(&arch.certify_alone(column.digits).unwrap(), &found);
         matches!(found, Cow::Borrowed(_))
+    }
+
+    fn same_with_frictions(column: &Column, friction: &str) {
+        let arch = column.arch(friction.parse().unwrap()).unwrap();
+        let found = column.certify(friction.parse().unwrap()).unwrap();
+        match (arch.certify(column.digits), found) {
+            (Ok(alone), Ok(found)) => equal(&alone, &found),
+            (alone, found) => assert_eq!(alone.err(), found.err(), "{arch}"),
+        }
     }
 
     /// Those that rotate, that overturn and that fall whatever the friction.
@@ -165,6 +272,17 @@ mod tests {
         assert!(shared > 70, "{shared} of 120");
     }
 
+    #[test]
+    fn a_column_has_the_frictions_of_each_of_its_arches_and_what_would_be_enough() {
+        for (weight, digits) in [(SelfWeight::Milankovitch, 17), (SelfWeight::Heyman, 30)] {
+            for alpha in OPENINGS {
+                let column = Column::new(weight, alpha.parse().unwrap(), digits).unwrap();
+                let frictions = ["0", "1e-9", "0.35", "tan(40deg)", "1.35", "50", "inf"];
+                frictions.iter().for_each(|mu| same_with_frictions(&column, mu));
+            }
+        }
+    }
+
     /// Next to the frictions at which the answer changes, to either side: the outward bounds of what is proved of them.
     #[test]
     fn a_column_answers_next_to_where_the_mode_changes() {
@@ -177,6 +295,7 @@ mod tests {
                     let frictions = state.frictions.unwrap();
                     for figure in [frictions.sliding, frictions.rotational.unwrap()] {
                         let Rounded { lower, value, upper, .. } = figure.decimal;
+                        same_with_frictions(&column, &value.to_string());
                         let nearest = [lower, value, upper]
                             .map(|mu| same(&column, &mu.to_string()))
                             .into_iter()

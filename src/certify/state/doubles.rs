@@ -165,10 +165,22 @@ impl Doubles {
         Arch::new(self.weight, exact(alpha)?, friction(mu)?).ok()
     }
 
+    /// Whether the frictions at which the mode changes are asked for.
+    fn has_frictions(&self) -> bool {
+        self.quantities.iter().any(|of| of.is_friction())
+    }
+
     /// The state of an arch; in its column, where there is one.
     fn state(&self, alpha: f64, mu: f64, column: Option<&Column>) -> Row {
         let quantities = &self.quantities;
         if let Some(column) = column {
+            if self.has_frictions() {
+                let found = friction(mu).and_then(|mu| column.certify(mu).ok());
+                return found.map_or_else(
+                    || self.refused(),
+                    |found| Row::state(found.as_ref(), quantities),
+                );
+            }
             if let Some(found) = column.shared_at(mu) {
                 return Row::state(Ok(found), quantities);
             }
@@ -177,7 +189,7 @@ impl Doubles {
                 .map_or_else(|| self.refused(), |found| Row::state(found.as_deref(), quantities));
         }
         let Some(arch) = self.arch(alpha, mu) else { return self.refused() };
-        let found = match quantities.iter().any(|of| of.is_friction()) {
+        let found = match self.has_frictions() {
             true => arch.certify(DIGITS),
             false => arch.certify_alone(DIGITS),
         };
@@ -192,9 +204,6 @@ impl Doubles {
 
     /// The half openings of so many rows that a column is cheaper.
     fn columns(&self, alphas: &[f64]) -> HashMap<u64, Column> {
-        if self.quantities.iter().any(|of| of.is_friction()) {
-            return HashMap::new();
-        }
         let mut counts: HashMap<u64, usize> = HashMap::new();
         alphas.iter().for_each(|alpha| *counts.entry(alpha.to_bits()).or_default() += 1);
         let many: Vec<u64> = counts
@@ -256,6 +265,18 @@ mod tests {
         assert_eq!(together, bits(&pool.install(|| asked.rows(&alphas, &mus, None))));
         let falls = together.iter().filter(|(verdict, ..)| *verdict == RowVerdict::Falls).count();
         assert!((5..25).contains(&falls), "{falls}");
+    }
+
+    #[test]
+    fn a_row_with_frictions_is_what_it_is_alone() {
+        let asked = asked(&[Quantity::SlidingFriction, Quantity::RotationalFriction]);
+        let (alphas, mus) = grid();
+        let together = asked.rows(&alphas, &mus, None);
+        let alone =
+            alphas.iter().zip(&mus).flat_map(|(&alpha, &mu)| asked.rows(&[alpha], &[mu], None));
+        assert_eq!(bits(&together), bits(&alone.collect::<Vec<_>>()));
+        let is_known = |row: &&Row| row.values[0][0] > 0.0;
+        assert!(together.iter().filter(is_known).count() > 20);
     }
 
     #[test]

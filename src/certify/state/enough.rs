@@ -25,36 +25,65 @@ pub struct Enough {
     pub half_opening: Option<Figure>,
 }
 
-/// What would be enough: an arch stands at some thickness exactly if it stands at the physical limit. `quickly` asks
-/// balls of double-doubles first.
-pub(super) fn enough(arch: &Arch, digits: usize, quickly: bool) -> Enough {
-    let limit = &ExactNumber::from(&Rational::from(2));
-    let first = bits_of(digits) + GUARD;
-    let quick = |proof: &dyn Fn(u32) -> Option<Option<Figure>>| match quickly {
-        true => proof(DOUBLE_DOUBLE),
-        false => None,
-    };
-    let raised = |proof: &dyn Fn(u32) -> Result<Option<Option<Figure>>, Undecided>| {
-        raised(arch, digits, proof).ok()
-    };
-    let sliding_friction =
-        quick(&|bits| figure(Some(sliding::<DoubleDoubleBall>(arch, bits).ok()?), digits))
+/// The part of it that the half opening decides, whatever the friction.
+#[derive(Clone, Debug)]
+pub(super) struct AtOpening {
+    sliding_friction: Option<Figure>,
+    friction: Option<Figure>,
+}
+
+impl AtOpening {
+    /// An arch stands at some thickness exactly if it stands at the physical limit. `quickly` asks balls of
+    /// double-doubles first.
+    pub(super) fn new(arch: &Arch, digits: usize, quickly: bool) -> Self {
+        let limit = &limit();
+        let raised = |proof: &dyn Fn(u32) -> Result<Option<Option<Figure>>, Undecided>| {
+            raised(arch, digits, proof).ok()
+        };
+        let sliding_friction = quick(quickly, |bits| {
+            figure(Some(sliding::<DoubleDoubleBall>(arch, bits).ok()?), digits)
+        });
+        let sliding_friction = sliding_friction
             .or_else(|| raised(&|bits| Ok(figure(Some(sliding::<Ball>(arch, bits)?), digits))));
-    let friction =
-        quick(&|bits| figure(required::<DoubleDoubleBall>(arch, limit, bits).ok()?, digits))
+        let friction = quick(quickly, |bits| {
+            figure(required::<DoubleDoubleBall>(arch, limit, bits).ok()?, digits)
+        });
+        let friction = friction
             .or_else(|| raised(&|bits| Ok(figure(required::<Ball>(arch, limit, bits)?, digits))));
-    let half_opening =
-        quick(&|bits| figure(Some(widest::<DoubleDoubleBall>(arch, limit, bits).ok()?), digits));
-    let half_opening = half_opening.or_else(|| {
-        let lost = find::bits_lost(&find::at_thickness(arch, limit, first));
-        let proof = |bits| Ok(figure(Some(widest::<Ball>(arch, limit, bits)?), digits));
-        raise(first.saturating_add(lost), proof).ok()
-    });
-    Enough {
-        sliding_friction: sliding_friction.flatten(),
-        friction: friction.flatten(),
-        half_opening: half_opening.flatten(),
+        Self { sliding_friction: sliding_friction.flatten(), friction: friction.flatten() }
     }
+}
+
+impl Enough {
+    /// With what the half opening decides.
+    pub(super) fn new(arch: &Arch, at: &AtOpening, digits: usize, quickly: bool) -> Self {
+        let limit = &limit();
+        let half_opening = quick(quickly, |bits| {
+            figure(Some(widest::<DoubleDoubleBall>(arch, limit, bits).ok()?), digits)
+        });
+        let half_opening = half_opening.or_else(|| {
+            let first = bits_of(digits) + GUARD;
+            let lost = find::bits_lost(&find::at_thickness(arch, limit, first));
+            let proof = |bits| Ok(figure(Some(widest::<Ball>(arch, limit, bits)?), digits));
+            raise(first.saturating_add(lost), proof).ok()
+        });
+        let AtOpening { sliding_friction, friction } = at.clone();
+        Self { sliding_friction, friction, half_opening: half_opening.flatten() }
+    }
+}
+
+/// What would be enough for an arch.
+pub(super) fn enough(arch: &Arch, digits: usize, quickly: bool) -> Enough {
+    Enough::new(arch, &AtOpening::new(arch, digits, quickly), digits, quickly)
+}
+
+/// The physical limit of the thickness.
+fn limit() -> ExactNumber {
+    ExactNumber::from(&Rational::from(2))
+}
+
+fn quick<T>(quickly: bool, proof: impl FnOnce(u32) -> Option<T>) -> Option<T> {
+    if quickly { proof(DOUBLE_DOUBLE) } else { None }
 }
 
 /// The figure of a value, if it is decided or there is no value.

@@ -30,12 +30,14 @@
 //! | `raise` | raises the precision until everything is decided |
 //! | `inquiry` | several questions about one arch, which share its state |
 //! | `column` | many frictions of one half opening, which share its proofs |
+//! | `columns` | arches as they come, which do so where a half opening comes again |
 //! | `doubles` | many arches in arrays of doubles |
 //! | `quick` | the same proofs in balls of double-doubles, where these are enough |
 
 mod assess;
 mod certify;
 mod column;
+mod columns;
 mod digits;
 mod doubles;
 mod enough;
@@ -57,6 +59,7 @@ mod thrust_range;
 pub use assess::{Assessment, Wanted};
 pub use certify::{Certify, NoState};
 pub use column::Column;
+pub use columns::Columns;
 pub use digits::{Answer, AssessmentDigits, Digits, LimitDigits};
 pub use doubles::{Doubles, Row, RowVerdict};
 pub use enough::Enough;

@@ -20,6 +20,11 @@ use crate::problem::{Arch, Quantity};
 /// Beyond so many digits few values would be decided.
 const MOST_DIGITS: usize = 25;
 
+/// Whether these numbers are asked first.
+pub(super) fn is_quick(digits: usize) -> bool {
+    digits <= MOST_DIGITS
+}
+
 /// An arch in these numbers.
 fn query(arch: &Arch) -> Query<DoubleDoubleBall> {
     Query::new(arch, DOUBLE_DOUBLE)
@@ -27,7 +32,7 @@ fn query(arch: &Arch) -> Query<DoubleDoubleBall> {
 
 /// The state to `digits` digits.
 pub(super) fn state(arch: &Arch, digits: usize, asked: Asked) -> Option<Answer> {
-    if digits > MOST_DIGITS {
+    if !is_quick(digits) {
         return None;
     }
     match outcome(&query(arch), asked).ok()? {
@@ -63,7 +68,7 @@ pub(crate) fn raised_from_doubles<T>(
     digits: usize,
     proof: impl Fn(u32) -> Result<Option<T>, Undecided>,
 ) -> Result<T, Undecided> {
-    let quickly = match digits <= MOST_DIGITS {
+    let quickly = match is_quick(digits) {
         true => proof(DOUBLE_DOUBLE).ok().flatten(),
         false => None,
     };

@@ -23,7 +23,7 @@ pub(super) struct AnswerOutput {
     plain: bool,
 
     /// Only these quantities (thickness, thrust, …; eta, mu, h too), with commas between several.
-    #[arg(long = "quantity", value_name = "NAME", value_delimiter = ',', value_parser = parse::quantity)]
+    #[arg(long = "quantity", alias = "quantities", value_name = "NAME", value_delimiter = ',', value_parser = parse::quantity)]
     quantities: Vec<Quantity>,
 
     #[command(flatten)]
@@ -47,15 +47,7 @@ impl AnswerOutput {
 
     /// The quantities asked for, of those that there are; all if none is named.
     pub(super) fn quantities(&self, all: &[Quantity]) -> Result<Vec<Quantity>, Failure> {
-        if let Some(other) = self.quantities.iter().find(|quantity| !all.contains(quantity)) {
-            let names = list(all.iter().map(|quantity| quantity.name()));
-            let message = format!("there is no {} here; the quantities are {names}", other.name());
-            return Err(Failure::Input(message));
-        }
-        Ok(match self.quantities.is_empty() {
-            true => all.to_vec(),
-            false => self.quantities.clone(),
-        })
+        chosen(&self.quantities, all)
     }
 
     /// Opens the destination, before any work is done.
@@ -118,6 +110,16 @@ impl OutputFile {
     pub(super) fn is_same_file(&self, other: &Path) -> bool {
         self.output.as_ref().is_some_and(|output| is_same_file(output, other))
     }
+}
+
+/// The quantities asked for, of those that there are; all if none is named.
+pub(super) fn chosen(asked: &[Quantity], all: &[Quantity]) -> Result<Vec<Quantity>, Failure> {
+    if let Some(other) = asked.iter().find(|quantity| !all.contains(quantity)) {
+        let names = list(all.iter().map(|quantity| quantity.name()));
+        let message = format!("there is no {} here; the quantities are {names}", other.name());
+        return Err(Failure::Input(message));
+    }
+    Ok(if asked.is_empty() { all.to_vec() } else { asked.to_vec() })
 }
 
 /// Refuses to write a binary file to a terminal.

@@ -1,15 +1,16 @@
 //! `couplet states`.
 
-use super::output::OutputFile;
+use super::output::{OutputFile, chosen};
 use super::parse::{self, thickness};
 use super::rows::{
     Cells, Columns, Input, Keep, Line, Progress, Purpose, Reader, Role, Row, Source, Spelling,
     Syntax, Table, Together, in_order, objects,
 };
 use crate::arch::SelfWeight;
-use crate::certify::state::{Certify, Inquiry, Wanted};
+use crate::certify::state::{Certify, Columns as Shared, Inquiry, Wanted};
 use crate::check::visible_name;
 use crate::cli::failure::Failure;
+use crate::problem::Quantity;
 use crate::report::{Answer, Answers, Content, Format, Status};
 use clap::Args;
 use std::io;
@@ -24,6 +25,9 @@ use std::path::{Path, PathBuf};
 /// least_thickness there. Commas, semicolons, tabs or blanks separate; where semicolons do, a number may have
 /// a decimal comma. `#` may begin the header (NumPy). Values are exact text, as for `state`; also
 /// 0.107D+00 (Fortran), and 0x1.8p+1, which is exactly that double.
+///
+/// Rows of one half opening share its proofs, wherever they stand, and no digit depends on it: a grid takes a
+/// fraction of the time of as many arches.
 ///
 /// Other columns are not read, and `--keep` hands them on. A bad row becomes a row with its error and its
 /// line number; the other rows are answered. Rows are answered as they come: who waits for an answer before
@@ -51,6 +55,11 @@ pub(crate) struct Arguments {
     /// whose name the output has for itself is called input_NAME there; JSON has them in `kept`.
     #[arg(long, value_delimiter = ',', value_name = "NAME,…")]
     keep: Vec<String>,
+
+    /// Only these quantities (thickness, thrust, …; eta, mu, h too), with commas between several. Without a
+    /// friction among them the frictions at which the mode changes are not proved, which saves time.
+    #[arg(long = "quantity", alias = "quantities", value_name = "NAME", value_delimiter = ',', value_parser = parse::quantity)]
+    quantities: Vec<Quantity>,
 
     #[arg(
         long,
@@ -104,13 +113,22 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         true => Answers::mixed(digits),
         false => Answers::arches(digits, false),
     };
+    let mut all = Quantity::STATE.to_vec();
+    if answers.have_assessments() {
+        all.extend(Quantity::ASSESSMENT);
+    }
+    let answers = match arguments.quantities.is_empty() {
+        true => answers,
+        false => answers.of(&chosen(&arguments.quantities, &all)?),
+    };
+    let asked = Asked::new(&answers, format);
     let reader = Reader { columns, weight: arguments.weight, doubles: false, spelling };
     let mut file = open(Answers { kept, ..answers }).map_err(unwritten)?;
     let (mut bad, mut undecided, mut answered) = (0, 0, None);
     let together = if format.is_binary { Together::Chunk } else { Together::WhatIsThere };
     output.write(|out| {
         out.write_all(&file.begin()?)?;
-        let answer = |line| answer(&reader, line, digits, format.is_binary);
+        let answer = |line| answer(&reader, line, &asked);
         let rows = in_order(rows, (&progress, together), answer, |answers: Vec<Answer>| {
             let count =
                 |is: fn(&Answer) -> bool| answers.iter().filter(|answer| is(answer)).count();
@@ -140,37 +158,50 @@ fn unwritten(error: io::Error) -> Failure {
     Failure::writing("the rows", &error)
 }
 
+/// What is asked of every row.
+struct Asked {
+    digits: usize,
+    quantities: Vec<Quantity>,
+    /// What the states share; not for a format that has the error of each double, of which more is known with more bits.
+    shared: Option<Shared>,
+}
+
+impl Asked {
+    fn new(answers: &Answers, format: &Format) -> Self {
+        let (digits, quantities) = (answers.digits, answers.quantities.clone());
+        let frictions = quantities.iter().any(|quantity| quantity.is_friction());
+        let shared = (!format.is_binary).then(|| Shared::new(digits, frictions));
+        Self { digits, quantities, shared }
+    }
+}
+
 /// The answer to a query, or its error.
-fn answer(reader: &Reader, (line, query): Line<Row>, digits: usize, is_binary: bool) -> Answer {
+fn answer(reader: &Reader, (line, query): Line<Row>, asked: &Asked) -> Answer {
     let (answer, kept) = match query {
-        Ok(query) => (asked(reader, line, &query.cells, digits, is_binary), query.kept),
+        Ok(query) => (found(reader, line, &query.cells, asked), query.kept),
         Err(error) => (Err(error), Vec::new()),
     };
     let answer = answer.unwrap_or_else(|error| Answer::refused(line, error));
-    Answer { kept, ..answer }
+    Answer { kept, ..answer.only(&asked.quantities) }
 }
 
-/// A row is asked what it asks: about its thickness if it has one. A binary format has the error of each double, of
-/// which more is known with more bits.
-fn asked(
-    reader: &Reader,
-    line: u64,
-    cells: &Cells,
-    digits: usize,
-    is_binary: bool,
-) -> Result<Answer, String> {
-    let arch = reader.arch(cells)?;
+/// A row is asked what it asks: about its thickness if it has one.
+fn found(reader: &Reader, line: u64, cells: &Cells, asked: &Asked) -> Result<Answer, String> {
+    let (arch, digits) = (reader.arch(cells)?, asked.digits);
     let Some((text, _)) = reader.given(cells, Role::GivenThickness) else {
-        let found = match is_binary {
-            true => Inquiry::new(&arch, digits, true).state(digits, true),
-            false => arch.certify(digits),
+        let found = match &asked.shared {
+            Some(shared) => shared.certify(&arch),
+            None => {
+                let frictions = asked.quantities.iter().any(|quantity| quantity.is_friction());
+                Inquiry::new(&arch, digits, frictions).state(digits, frictions)
+            }
         };
         return Ok(Answer::state(line, &arch, &found));
     };
     let eta = thickness(&reader.spelling.exact(text))?;
-    let found = match is_binary {
-        true => Inquiry::new(&arch, digits, false).assess(&eta, digits, Wanted::Everything),
-        false => arch.certify_thickness(&eta, digits),
+    let found = match &asked.shared {
+        Some(_) => arch.certify_thickness(&eta, digits),
+        None => Inquiry::new(&arch, digits, false).assess(&eta, digits, Wanted::Everything),
     };
     Ok(Answer::assessment(line, (&arch, &eta), &found))
 }

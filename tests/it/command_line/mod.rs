@@ -3,6 +3,7 @@
 mod claims;
 mod constants;
 mod files;
+mod grids;
 mod language;
 mod measured;
 #[cfg(unix)]
