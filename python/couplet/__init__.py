@@ -16,6 +16,7 @@ from . import _core
 from ._answers import Answer, Assessment, Checked, Constants, Decision, Found, State
 from ._arrays import VERDICTS, states, states_columns
 from ._arrays import whole as _whole
+from ._asked import asked as _asked
 from ._certified import Certified
 from ._core import CoupletError, UndecidedError, __version__
 from ._exact import exact as _exact
@@ -86,7 +87,7 @@ def constants(
         '0.679604732098885514787534896210'
     """
     names = [quantities] if isinstance(quantities, str) else list(quantities)
-    told = _core.constants([landmark], weight, names, str(digits), _whole(threads))
+    told = _asked(_core.constants, [landmark], weight, names, str(digits), _whole(threads))
     if len(told) != 1:
         raise CoupletError("one weight at a time: heyman or milankovitch")
     given = (("landmark", told[0]["landmark"]), ("weight", told[0]["weight"]), ("digits", digits))
@@ -115,7 +116,8 @@ def state(
         >>> couplet.state("pi/2", "0.38", weight="heyman", digits=12)
         State(half_opening='pi/2', friction='0.38', weight='heyman', verdict='stands', mode='[s,r,r]', thickness='0.122191586363')
     """
-    told = _core.state(
+    told = _asked(
+        _core.state,
         weight, _exact(half_opening, "half opening"), _exact(friction, "friction"), str(digits), frictions
     )
     given = (("half_opening", half_opening), ("friction", friction), ("weight", told["weight"]))
@@ -144,7 +146,7 @@ def assess(
         ('stands', '1.7479853', 'intrados at the haunch')
     """
     texts = (_exact(half_opening, "half opening"), _exact(friction, "friction"), _exact(thickness, "thickness"))
-    told = _core.assess(weight, *texts, str(digits))
+    told = _asked(_core.assess, weight, *texts, str(digits))
     given = (("half_opening", half_opening), ("friction", friction), ("thickness", thickness), ("weight", weight))
     return Assessment(given, told)
 
@@ -188,7 +190,8 @@ def find(
     need = needs[kind]
     if need is not None and given[need] is None:
         raise CoupletError(f"{need} is missing")
-    told = _core.find(
+    told = _asked(
+        _core.find,
         weight,
         modes,
         None if half_opening is None else _exact(half_opening, "half opening"),
@@ -223,10 +226,11 @@ def certify(
     if landmark is not None:
         if half_opening is not None or friction is not None or thickness is not None:
             raise CoupletError("a half opening, a friction and a thickness belong to an arch, not to a landmark")
-        return _core.certify_landmark(landmark, weight, str(digits), _whole(threads))
+        return _asked(_core.certify_landmark, landmark, weight, str(digits), _whole(threads))
     if half_opening is None or friction is None:
         raise CoupletError("a landmark, or a half opening and a friction, are missing")
-    return _core.certify_arch(
+    return _asked(
+        _core.certify_arch,
         weight,
         _exact(half_opening, "half opening"),
         _exact(friction, "friction"),
@@ -249,14 +253,18 @@ def check(certificate: bytes | bytearray | memoryview | str | os.PathLike[str], 
         'refused'
     """
     if isinstance(certificate, str):
-        certificate = certificate.encode()
+        # What is no text is no certificate, which the checker says.
+        certificate = certificate.encode(errors="surrogatepass")
     elif isinstance(certificate, (bytearray, memoryview)):
         certificate = bytes(certificate)
     elif not isinstance(certificate, bytes):
+        if not hasattr(certificate, "__fspath__"):
+            kind = type(certificate).__name__
+            raise TypeError(f"a certificate is bytes, a str or the path of its file, not {kind}")
         from pathlib import Path
 
         certificate = Path(certificate).read_bytes()
-    return Checked((), _core.check(certificate, engine))
+    return Checked((), _asked(_core.check, certificate, engine))
 
 
 def claims() -> list[tuple[str, str, str]]:
@@ -278,4 +286,4 @@ def prove(*claims: str, threads: int = 0) -> list[Decision]:
     """
     import json
 
-    return [Decision(told) for told in json.loads(_core.prove(list(claims), _whole(threads)))["claims"]]
+    return [Decision(told) for told in json.loads(_asked(_core.prove, list(claims), _whole(threads)))["claims"]]

@@ -14,7 +14,8 @@ if TYPE_CHECKING:
 
 
 class Answer:
-    """An answer. It has three verdicts, and so no truth value: look at ``verdict``.
+    """An answer. It has three verdicts, and so no truth value: look at ``verdict``. ``==`` says whether two are one record: the
+    same question with the same answer, to the same digits.
 
     Attributes:
         verdict: what is proved, or ``'undecided'``: neither it nor its contrary is known.
@@ -54,6 +55,14 @@ class Answer:
 
     def __bool__(self) -> NoReturn:
         raise TypeError(f"{type(self).__name__} has three verdicts and no truth value: look at .verdict")
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not type(self):
+            return NotImplemented
+        return (self._given, self._told) == (other._given, other._told)
+
+    def __hash__(self) -> int:
+        return hash((type(self), self._given, self.verdict, self.reason))
 
     def __reduce__(self) -> tuple[type, tuple[Given, dict[str, Any]]]:
         return type(self), (self._given, self._told)
@@ -330,7 +339,7 @@ class Decision:
     Attributes: ``id``, ``place``, ``statement``; ``verdict`` (``'proved'`` or ``'undecided'``), ``reason``; ``as_printed``
     (``'proved'``, ``'equality'``, ``'measured'``, ``'refuted'``, ``'not stated'``, ``'undecided'``); ``counterexample`` and
     ``corrected`` of a misprint; ``equal``, ``holds_with``, ``fails_with``; ``hypotheses``, ``method``, ``derivation``
-    (its steps), ``seconds``.
+    (its steps), ``seconds``, which ``==`` leaves out.
     """
 
     def __init__(self, told: dict[str, Any]) -> None:
@@ -338,6 +347,17 @@ class Decision:
 
     def __getattr__(self, name: str) -> Any:
         raise AttributeError(name)
+
+    def _lasting(self) -> dict[str, Any]:
+        return {name: value for name, value in vars(self).items() if name != "seconds"}
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not Decision:
+            return NotImplemented
+        return self._lasting() == other._lasting()
+
+    def __hash__(self) -> int:
+        return hash((self.id, self.verdict, self.as_printed))
 
     def __repr__(self) -> str:
         return f"Decision({self.id!r}, verdict={self.verdict!r}, as_printed={self.as_printed!r})"

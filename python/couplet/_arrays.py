@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 
 from . import _core
+from ._asked import asked as _ask
 from ._core import CoupletError
 
 TYPE_CHECKING = False
@@ -63,6 +64,7 @@ def states(
         >>> grid["verdict"].tolist(), float(grid["thickness"][1, 0])
         ([[0, 1], [0, 0]], 0.052296358975188306)
     """
+    _need_numpy()
     import numpy as np
 
     asked = _Asked(np, alpha, mu, thickness, weight, quantities)
@@ -89,6 +91,7 @@ def states_columns(
     ``pandas.DataFrame(...)``, ``polars.DataFrame(...)`` and ``pyarrow.table(...)`` take it as it is. The first columns are
     half_opening, friction and, where it is given, given_thickness.
     """
+    _need_numpy()
     import numpy as np
 
     asked = _Asked(np, alpha, mu, thickness, weight, quantities)
@@ -96,6 +99,16 @@ def states_columns(
     asked.answer(found, threads, progress)
     given = zip(("half_opening", "friction", "given_thickness"), asked.arrays)
     return {**{name: np.array(array) for name, array in given}, **found}
+
+
+def _need_numpy() -> None:
+    try:
+        import numpy
+    except ModuleNotFoundError as error:
+        if error.name != "numpy":
+            raise
+        message = "states and states_columns need NumPy, which is not installed: pip install numpy"
+        raise ModuleNotFoundError(message, name="numpy") from None
 
 
 def whole(threads: int) -> int:
@@ -127,7 +140,7 @@ class _Asked:
         names = [usual] if quantities is None else list(dict.fromkeys(quantities))
         empty = (b"", b"", None if thickness is None else b"")
         # Nothing is computed before every name is known, nor under a name of the paper.
-        _core.states(weight, empty, names, 1)
+        _ask(_core.states, weight, empty, names, 1)
         self.names = list(dict.fromkeys(_core.quantity(name) for name in names))
 
     def fields(self) -> list[tuple[str, bool]]:

@@ -24,7 +24,8 @@ class Certified:
         exact: the exact value, where there is one and it says more (``'2(2√3−3)'``); else None.
         limited_by: what limits a thrust; else None.
 
-    ``str()`` is the text and ``float()`` the double. Two values are not compared: compare their bounds.
+    ``str()`` is the text and ``float()`` the double. ``==`` says whether two are one record: of the same quantity with the
+    same digits and bounds. Of the true values it says nothing: compare their bounds.
     """
 
     __slots__ = ("_quantity", "_told")
@@ -123,6 +124,14 @@ class Certified:
 
     def __repr__(self) -> str:
         return f"Certified({self._quantity!r}, {self._told[0]!r})"
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not Certified:
+            return NotImplemented
+        return (self._quantity, self._told) == (other._quantity, other._told)
+
+    def __hash__(self) -> int:
+        return hash((self._quantity, self._told))
 
     def __reduce__(self) -> tuple[type, tuple[str, Told]]:
         return Certified, (self._quantity, self._told)

@@ -238,7 +238,8 @@ pub(crate) fn claims() -> Vec<(&'static str, &'static str, &'static str)> {
 /// `couplet.claims/2`.
 #[pyfunction]
 pub(crate) fn prove(py: Python<'_>, names: Vec<String>, threads: usize) -> PyResult<String> {
-    let chosen = parse::claims_named(&names).map_err(wrong)?;
+    let chosen = parse::claims_named(&names)
+        .map_err(|error| wrong(format!("{error}; couplet.claims() lists the claims")))?;
     let decisions = py.detach(|| {
         on_threads(threads, || chosen.par_iter().map(|claim| claim.decide()).collect())
     })?;

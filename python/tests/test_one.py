@@ -146,7 +146,29 @@ def test_answers_can_be_sent_to_other_processes():
         couplet.constants("T"),
         couplet.state("80deg", "0.35").thickness,
     ]:
-        assert repr(pickle.loads(pickle.dumps(answer))) == repr(answer) == repr(copy.deepcopy(answer))
+        for other in (pickle.loads(pickle.dumps(answer)), copy.deepcopy(answer)):
+            assert repr(other) == repr(answer)
+            assert other == answer and hash(other) == hash(answer) and len({other, answer}) == 1
+
+
+def test_answers_are_equal_where_they_say_the_same():
+    first = couplet.state("80deg", "0.35", digits=10)
+    assert first == couplet.state("80deg", "0.35", digits=10)
+    others = [
+        couplet.state("80deg", "0.25", digits=10),
+        couplet.state("80deg", "0.35", digits=11),
+        # The same number, which is not the same question.
+        couplet.state("80deg", "0.350", digits=10),
+        couplet.assess("80deg", "0.35", "0.1", digits=10),
+    ]
+    assert not any(first == other for other in [*others, first.thickness, None, "stands"])
+    assert first.thickness != others[0].thickness and first.thickness != first.thrust
+    assert first.thickness != first.thickness.double
+    with pytest.raises(TypeError):
+        first.thickness < others[0].thickness
+    (decision,) = couplet.prove("eq-8")
+    assert pickle.loads(pickle.dumps(decision)) == decision == couplet.prove("eq-8")[0]
+    assert decision not in couplet.prove("eq-16") and len({decision, *couplet.prove("eq-8")}) == 1
 
 
 def test_other_numbers():
@@ -192,7 +214,10 @@ WRONG = [
     (lambda: couplet.certify("T", friction=1), "belong to an arch"),
     (lambda: couplet.certify(friction=1), "are missing"),
     (lambda: couplet.check(b"{}", engine="gmp"), "an arithmetic is one of astro, mpfr"),
-    (lambda: couplet.prove("eq-99"), "unknown claim 'eq-99'"),
+    (lambda: couplet.prove("eq-99"), "unknown claim 'eq-99' (did you mean \"eq-9\"?); couplet.claims() lists the claims"),
+    (lambda: couplet.state("\ud800", 1), "'\\ud800' is no text"),
+    (lambda: couplet.find("boundary", "\ud800", friction=1), "'\\ud800' is no text"),
+    (lambda: couplet.prove("\ud800"), "'\\ud800' is no text"),
 ]
 
 
@@ -208,6 +233,16 @@ def test_bad_input_is_one_sentence(question, sentence):
 def test_what_is_no_number_is_a_type_error(value):
     with pytest.raises(TypeError, match="half opening is a str, int, float, Fraction or Decimal"):
         couplet.state(value, 1)
+
+
+@pytest.mark.parametrize("value", [3, None, ["a"]])
+def test_what_is_no_certificate_is_a_type_error(value):
+    with pytest.raises(TypeError, match="a certificate is bytes, a str or the path of its file, not"):
+        couplet.check(value)
+
+
+def test_a_certificate_that_is_no_text_is_refused():
+    assert couplet.check("\ud800").verdict == couplet.check(b"\xff").verdict == "refused"
 
 
 def test_a_value_shows_no_digit_that_is_not_proved():

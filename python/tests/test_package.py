@@ -33,6 +33,23 @@ def test_importing_brings_nothing_expensive():
     assert not new & {"numpy", "decimal", "fractions", "json", "typing", "dataclasses", "multiprocessing", "mpmath"}
 
 
+def test_without_numpy_arrays_are_one_sentence():
+    program = """
+import sys
+sys.modules["numpy"] = None
+import couplet
+print(couplet.state(1, 1, digits=5).thickness)
+try:
+    couplet.states([1.0], [1.0])
+except ImportError as error:
+    print(error)
+"""
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    thickness, sentence = done.stdout.splitlines()
+    assert thickness == str(couplet.state(1, 1, digits=5).thickness)
+    assert sentence == "states and states_columns need NumPy, which is not installed: pip install numpy"
+
+
 def path():
     return {**os.environ, "PYTHONPATH": str(Path(couplet.__file__).parents[1])}
 

@@ -143,9 +143,7 @@ pub fn claims_named(names: &[String]) -> Result<Vec<Claim>, String> {
     if let Some(unknown) = names.iter().find(|name| !all.iter().any(|claim| claim.is_named(name))) {
         let ids: Vec<&str> = all.iter().map(|claim| claim.id).collect();
         let hint = did_you_mean(unknown, &ids);
-        let message =
-            format!("unknown claim '{}'{hint}; --list shows the claims", shortened(unknown));
-        return Err(message);
+        return Err(format!("unknown claim '{}'{hint}", shortened(unknown)));
     }
     let chosen = |claim: &Claim| names.is_empty() || names.iter().any(|name| claim.is_named(name));
     Ok(all.into_iter().filter(chosen).collect())

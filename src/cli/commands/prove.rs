@@ -66,7 +66,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let names = Format::names(Content::Index);
         return Err(Failure::Input(format!("the index is written only as {names}")));
     }
-    let chosen = parse::claims_named(&arguments.claims).map_err(Failure::Input)?;
+    let chosen = parse::claims_named(&arguments.claims)
+        .map_err(|error| Failure::Input(format!("{error}; --list shows the claims")))?;
     let output = arguments.file.open()?;
     if arguments.list {
         return output.write(|out| list(&chosen, out));
