@@ -88,7 +88,7 @@ fn certified_states_become_theorems() {
     couplet(&["certify", "T", "--digits", "5", "-o", &landmark]);
     for (file, code, reason) in [
         (&bad, 2, "refused: unique"),
-        (&landmark, 2, "not the certificate of a state, nor of an arch that slides"),
+        (&landmark, 2, "not the certificate of a state, of an arch that slides"),
         (&scratch.path("none.json"), 3, "cannot read"),
     ] {
         let empty = scratch.path("empty");
