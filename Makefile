@@ -1,7 +1,7 @@
 # `make` builds couplet and prints the landmark constants; `make test` runs every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build test lint docs msrv deny snapshots pictures constants states checker malachite combinations crates examples exporters c header wheel page page-test bench peers \
+.PHONY: run build test lint docs msrv deny snapshots pictures constants states checker malachite combinations crates examples exporters c header wheel wheel-manylinux page page-test bench peers \
         proofs witness m4 coq
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
@@ -134,6 +134,15 @@ header:
 # The Python package, built and tested in fresh virtual environments.
 wheel: m4
 	@.ci/wheel
+
+# A wheel for every Linux with a glibc from 2.17 on, in target/manylinux: zig is the C compiler and the linker.
+MANYLINUX := target/manylinux
+wheel-manylinux: m4
+	python3 -m venv $(MANYLINUX)/build
+	$(MANYLINUX)/build/bin/pip install --quiet --disable-pip-version-check 'maturin>=1.9.4,<2' ziglang
+	PATH="$(CURDIR)/$(MANYLINUX)/build/bin:$$PATH" MATURIN_PEP517_ARGS="--zig --compatibility manylinux_2_17" \
+	  $(MANYLINUX)/build/bin/pip wheel --quiet --no-deps --no-build-isolation --wheel-dir $(MANYLINUX) ./python
+	@ls -l $(MANYLINUX)/*.whl
 
 # The map as a page that proves what it shows and checks certificates, for any web server or to be opened from disk:
 # target/page/index.html.

@@ -72,7 +72,7 @@ impl DoubleBall {
     pub const WHOLE: Self = Self { mid: 0.0, rad: f64::INFINITY };
 
     /// All numbers within `rad` of `mid`; the whole line unless both are numbers and the second is not negative.
-    #[inline]
+    #[inline(always)]
     pub fn new(mid: f64, rad: f64) -> Self {
         match settled(mid.abs(), rad) {
             Some((true, rad)) => Self { mid, rad },

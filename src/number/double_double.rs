@@ -74,32 +74,32 @@ impl DoubleDouble {
     }
 
     /// The double `x`.
-    #[inline]
+    #[inline(always)]
     pub const fn exact(x: f64) -> Self {
         Self { hi: x, lo: 0.0 }
     }
 
     /// `a + b`, exactly.
-    #[inline]
+    #[inline(always)]
     pub fn sum(a: f64, b: f64) -> Self {
         let (hi, lo) = two_sum(a, b);
         Self { hi, lo }
     }
 
     /// The double nearest to it.
-    #[inline]
+    #[inline(always)]
     pub const fn hi(self) -> f64 {
         self.hi
     }
 
     /// What the nearest double leaves: at most half a unit in its last place.
-    #[inline]
+    #[inline(always)]
     pub const fn lo(self) -> f64 {
         self.lo
     }
 
     /// The square root; NaN below zero.
-    #[inline]
+    #[inline(always)]
     pub fn sqrt(self) -> Self {
         if self.hi == 0.0 {
             return Self::ZERO;
@@ -114,7 +114,7 @@ impl DoubleDouble {
 }
 
 impl Field for DoubleDouble {
-    #[inline]
+    #[inline(always)]
     fn int(&self, n: i32) -> Self {
         Self::exact(f64::from(n))
     }
@@ -122,7 +122,7 @@ impl Field for DoubleDouble {
 
 impl Neg for DoubleDouble {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         Self { hi: -self.hi, lo: -self.lo }
     }
@@ -130,7 +130,7 @@ impl Neg for DoubleDouble {
 
 impl Add<&DoubleDouble> for DoubleDouble {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn add(self, other: &Self) -> Self {
         let (high, error) = two_sum(self.hi, other.hi);
         let (low, last) = two_sum(self.lo, other.lo);
@@ -142,7 +142,7 @@ impl Add<&DoubleDouble> for DoubleDouble {
 
 impl Sub<&DoubleDouble> for DoubleDouble {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn sub(self, other: &Self) -> Self {
         self + -*other
     }
@@ -150,7 +150,7 @@ impl Sub<&DoubleDouble> for DoubleDouble {
 
 impl Mul<&DoubleDouble> for DoubleDouble {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, other: &Self) -> Self {
         let (high, error) = two_product(self.hi, other.hi);
         let (hi, lo) = quick_two_sum(high, error + (self.hi * other.lo + self.lo * other.hi));
@@ -160,7 +160,7 @@ impl Mul<&DoubleDouble> for DoubleDouble {
 
 impl Div<&DoubleDouble> for DoubleDouble {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn div(self, other: &Self) -> Self {
         let quotient = self.hi / other.hi;
         // DWTimesFP1: the divisor times the first quotient.

@@ -31,7 +31,7 @@ impl DoubleDoubleBall {
     pub const WHOLE: Self = Self { mid: DoubleDouble::ZERO, rad: f64::INFINITY };
 
     /// All numbers within `rad` of `mid`; the whole line unless both are numbers and the second is not negative.
-    #[inline]
+    #[inline(always)]
     pub fn new(mid: DoubleDouble, rad: f64) -> Self {
         match settled(mid.hi().abs(), rad) {
             Some((true, rad)) => Self { mid, rad },
