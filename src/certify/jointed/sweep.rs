@@ -18,10 +18,15 @@ pub(super) struct Swept {
     pub open: Vec<Piece>,
     /// How many triples there are.
     pub triples: u64,
+    /// How many pieces were looked at.
+    pieces: usize,
 }
 
 /// Pieces of a triple at most.
 const PIECES: usize = 4_000;
+/// Pieces of all triples with the same first condition: where halving proves nothing of most of them, as in an arch of a thousandth of a radian,
+/// the rest is left open.
+const PIECES_TOGETHER: usize = 400_000;
 /// Halvings at most.
 const DEPTH: u32 = 44;
 /// Until so many halvings a piece is halved where a triple seems to be no vertex.
@@ -32,6 +37,7 @@ impl Swept {
         self.events.extend(other.events);
         self.open.extend(other.open);
         self.triples += other.triples;
+        self.pieces += other.pieces;
         self
     }
 }
@@ -44,9 +50,15 @@ pub(super) fn sweep(
 ) -> Swept {
     let rows = in_doubles(conditions);
     let count = conditions.all.len();
-    let look = |of: Vec<usize>| match conditions.mirrored(&of) < of {
-        true => Swept { triples: 1, ..Swept::default() },
-        false => one(Vertex::new(conditions, of), range, start, &rows),
+    let look = |before: Swept, of: Vec<usize>| {
+        let found = match conditions.mirrored(&of) < of {
+            true => Swept { triples: 1, ..Swept::default() },
+            false if before.pieces > PIECES_TOGETHER => {
+                Swept { triples: 1, open: vec![range], ..Swept::default() }
+            }
+            false => one(Vertex::new(conditions, of), range, start, &rows),
+        };
+        before.with(found)
     };
     let with_first = |i: usize| {
         let seconds = i + 1..count;
@@ -54,7 +66,7 @@ pub(super) fn sweep(
             2 => seconds.map(|j| vec![i, j]).collect(),
             _ => seconds.flat_map(|j| (j + 1..count).map(move |k| vec![i, j, k])).collect(),
         };
-        all.into_iter().map(look).fold(Swept::default(), Swept::with)
+        all.into_iter().fold(Swept::default(), look)
     };
     let parts: Vec<Swept> = (0..count).into_par_iter().map(with_first).collect();
     parts.into_iter().fold(Swept::default(), Swept::with)
@@ -68,10 +80,9 @@ fn one(
 ) -> Swept {
     let mut found = Swept { triples: 1, ..Swept::default() };
     let mut pending = vec![(range, 0)];
-    let mut pieces = 0;
     while let Some((piece, depth)) = pending.pop() {
-        pieces += 1;
-        if pieces > PIECES || depth > DEPTH {
+        found.pieces += 1;
+        if found.pieces > PIECES || depth > DEPTH {
             found.open.push(piece);
             continue;
         }

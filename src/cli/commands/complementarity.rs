@@ -25,7 +25,7 @@ use clap::Args;
 /// A solution is an admissible state with a motion of the joints that are at their limits, without dilatancy. Among
 /// symmetric ones there is one thickness, the least; some horseshoes have asymmetric ones at a larger thickness. What is
 /// printed is proved; that there are no others is not. With --stones there are joints between so many equal stones only: then
-/// all solutions are found, and that there are no others is proved.
+/// all solutions are found, and that there are no others is proved; thicknesses at which it is not are listed.
 #[derive(Args)]
 #[command(
     override_usage = "couplet complementarity --half-opening <ANGLE> --friction <MU> [--stones <N> [--half] [--thickness <ETA>]] [OPTIONS]\n       couplet complementarity --half-opening <ANGLE> --branch [OPTIONS]"
@@ -48,7 +48,7 @@ pub(crate) struct Arguments {
     half: bool,
 
     /// Instead, the asymmetric solutions of the half opening over friction, as curves beside the least thickness.
-    #[arg(long, conflicts_with_all = ["friction", "friction_angle", "thickness", "stones"])]
+    #[arg(long, conflicts_with_all = ["friction", "friction_angle", "thickness", "stones", "half"])]
     branch: bool,
 
     /// With --branch, largest half-width of a tube, in rad and in thicknesses, from 1e-12 to 1; 1e-4 if not given.

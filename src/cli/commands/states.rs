@@ -56,7 +56,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_delimiter = ',', value_name = "NAME,…")]
     keep: Vec<String>,
 
-    /// Only these quantities (thickness, thrust, …; eta, mu, h too), with commas between several. Without a
+    /// Only these quantities (thickness, thrust, …), with commas between several. Without a
     /// friction among them the frictions at which the mode changes are not proved, which saves time.
     #[arg(long = "quantity", alias = "quantities", value_name = "NAME", value_delimiter = ',', value_parser = parse::quantity)]
     quantities: Vec<Quantity>,

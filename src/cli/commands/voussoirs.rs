@@ -51,7 +51,7 @@ pub(crate) struct Arguments {
     thickness: Option<String>,
 
     /// A uniform horizontal acceleration over that of gravity (0.1), or the angle by which the ground is tilted (5deg): whether an arch of this
-    /// thickness and of at most 2000 stones has an admissible state left, and the largest one with which it has.
+    /// thickness and of at most 2001 stones has an admissible state left, and the largest one with which it has.
     #[arg(long, value_name = "K", requires = "thickness", allow_hyphen_values = true)]
     tilt: Option<String>,
 
@@ -106,6 +106,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let arches = arches.iter().flat_map(of_weight).collect();
     let answers = VoussoirArches { arches, is_range };
+    if format.is_picture && answers.arches.iter().all(|arch| arch.loss.is_none()) {
+        let message =
+            "there is nothing to draw: of none of these numbers of stones a loss is proved";
+        return Err(Failure::Input(message.to_owned()));
+    }
     let open = answers.arches.iter().find_map(VoussoirArch::first_open).cloned();
     file.write(|out| Report::Voussoirs(answers).write(format, out))?;
     open.map_or(Ok(()), |open| Err(Failure::Undecided(open.to_string())))

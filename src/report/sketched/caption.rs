@@ -331,7 +331,7 @@ fn standing(assessment: &Assessment, sketch: &Sketch) -> String {
         return match (least, assessment.fall) {
             (_, Some(fall)) => format!("It stands at no thickness: {}. Proved.", fall.reason()),
             (Some(least), _) => format!(
-                "It does not stand: it is thinner than the least thickness {}. Proved.",
+                "It does not stand: it is thinner than the least, t/r = {}. Proved.",
                 rounded(least, DIGITS)
             ),
             _ => "It does not stand. Proved.".into(),
@@ -340,7 +340,7 @@ fn standing(assessment: &Assessment, sketch: &Sketch) -> String {
     let mut said = "It stands, which is proved".to_owned();
     if let (Some(least), Some(safety)) = (least, safety) {
         said += &format!(
-            ": its thickness is {} times the least, {}",
+            ": its thickness is {} times the least, t/r = {}",
             rounded(safety, FEW),
             rounded(least, DIGITS)
         );

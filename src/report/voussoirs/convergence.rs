@@ -95,7 +95,7 @@ fn figure(all: &VoussoirArches) -> Figure {
             lines: vec![
                 line("odd: a keystone".into(), odd, Kind::Points),
                 line("even: a joint at the crown".into(), even, Kind::Points),
-                line(format!("bound of all: {most:.2}/n²"), bound, Kind::Reference),
+                line(format!("the largest shown: {most:.2}/n²"), bound, Kind::Reference),
             ],
         }
     };
