@@ -98,7 +98,7 @@ fn stones_are_tilted() {
     for (line, why) in [
         ("--alpha 1 --mu 1 --stones 9 --tilt 0.1", "--thickness"),
         ("--alpha 1 --mu 1 --stones 9..11 --eta 0.1 --tilt 0.1", "one number"),
-        ("--alpha 1 --mu 1 --stones 2002 --eta 0.1 --tilt 0.1", "at most 2000"),
+        ("--alpha 1 --mu 1 --stones 2002 --eta 0.1 --tilt 0.1", "at most 2001"),
         ("--alpha 1 --mu 0 --stones 9 --eta 0.1 --tilt 0.1", "friction above 0"),
         ("--alpha 1 --mu 1 --stones 9 --eta 0.1 --tilt -1", "is negative"),
         ("--alpha 1 --mu 1 --stones 9 --eta 0.1 --tilt 0.1 --format svg", "svg"),
