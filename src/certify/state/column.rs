@@ -105,7 +105,7 @@ impl Column {
     /// use couplet::prelude::*;
     /// let column = Column::new(SelfWeight::Milankovitch, "80deg".parse()?, 17)?;
     /// let Answer::Stands(state) = column.certify("0.6".parse()?)?? else { panic!() };
-    /// assert_eq!(state.frictions.unwrap().sliding.to_string(), "0.22246853419731463");
+    /// assert_eq!(state.frictions.unwrap().sliding.to_string(), "0.21939417869493803");
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn certify(&self, friction: Friction) -> Result<Result<Answer, Undecided>, ArchError> {
