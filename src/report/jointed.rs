@@ -81,11 +81,12 @@ pub(super) fn table(all: &Enumeration, out: &mut dyn io::Write) -> io::Result<()
         (true, Extent::Half) => "no other thickness up to 2 has a symmetric solution, proved",
         (false, _) => "elsewhere up to 2 there is no other solution, proved",
     };
-    writeln!(out, "   {rest}: complete for these joints, as each")?;
-    writeln!(
-        out,
-        "   of the {triples} {each} of conditions is decided by signs in balls, on all of the range"
-    )
+    let (complete, range) = match all.open.is_empty() {
+        true => ("complete for these joints, as each", "on all of the range"),
+        false => ("it is not complete for these joints; each", "there"),
+    };
+    writeln!(out, "   {rest}: {complete}")?;
+    writeln!(out, "   of the {triples} {each} of conditions is decided by signs in balls, {range}")
 }
 
 fn one(solution: &JointedSolution, out: &mut dyn io::Write) -> io::Result<()> {
