@@ -156,14 +156,14 @@ fn usage(error: &clap::Error) -> u8 {
         clap::error::ErrorKind::UnknownArgument => "; --help lists the options".into(),
         _ => String::new(),
     };
-    let line = missing(error).unwrap_or(line);
+    let line = missing(error, &text).unwrap_or(line);
     let line = visible(line.strip_prefix("error: ").unwrap_or(&line));
     eprintln!("couplet: {line}{possible}");
     2
 }
 
-/// What is missing, in one clause.
-fn missing(error: &clap::Error) -> Option<String> {
+/// What is missing, in one clause, and what a whole line has, as the first usage in the `text` of the error says.
+fn missing(error: &clap::Error, text: &str) -> Option<String> {
     use clap::error::{ContextKind, ContextValue, ErrorKind};
     let (ErrorKind::MissingRequiredArgument, Some(ContextValue::Strings(names))) =
         (error.kind(), error.get(ContextKind::InvalidArg))
@@ -171,7 +171,9 @@ fn missing(error: &clap::Error) -> Option<String> {
         return None;
     };
     let verb = if names.len() == 1 { "is" } else { "are" };
-    Some(format!("{} {verb} missing", names.join(", ")))
+    let usage = text.lines().find_map(|line| line.strip_prefix("Usage: "));
+    let whole = usage.map_or(String::new(), |line| format!("; usage: {line}"));
+    Some(format!("{} {verb} missing{whole}", names.join(", ")))
 }
 
 /// The commands of this build, for a message about an unknown one.

@@ -219,9 +219,6 @@ impl Results {
 /// Of a table: the columns that it has.
 fn table(mut columns: Columns, input: Input, keep: &Keep) -> Result<Results, Failure> {
     let table = Table::open(input)?;
-    if table.header.iter().all(String::is_empty) {
-        return Err(Failure::Input("the file is empty".into()));
-    }
     let kept = keep.places(&table.header, &columns).map_err(Failure::Input)?;
     let places = columns.places(&table.header).map_err(Failure::Input)?;
     let names = kept.iter().map(|(name, _)| name.clone()).collect();

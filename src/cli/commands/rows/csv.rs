@@ -63,7 +63,7 @@ impl Table {
             }
             (_, Some(row)) => row.bytes,
             (Some(names), None) => names,
-            (None, None) => Vec::new(),
+            (None, None) => return Err(Failure::Input("the file is empty".to_owned())),
         };
         let dialect = Dialect::of(&bytes);
         let header = dialect.fields(&bytes).map_err(failed)?;
@@ -271,6 +271,16 @@ mod tests {
         assert_eq!(table(endless).count(), 2);
         let header = Box::new(BufReader::new(io::repeat(b'a').take(1 << 24)));
         assert!(Table::open(header).is_err(), "nor is a header without end");
+    }
+
+    #[test]
+    fn a_file_without_a_header_is_empty() {
+        for file in ["", "\n\r\n", " \n"] {
+            let Err(Failure::Input(message)) = Table::open(Box::new(io::Cursor::new(file))) else {
+                panic!("{file:?}")
+            };
+            assert_eq!(message, "the file is empty");
+        }
     }
 
     #[test]
