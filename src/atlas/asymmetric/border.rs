@@ -21,12 +21,10 @@ use super::super::curve::Curve;
 use super::super::end::{End, EndValues};
 use super::super::form::Form;
 use super::super::law::Law;
-use super::super::part::chained;
-use super::super::place::Place;
 use super::super::search;
-use super::super::trace::{Piece, Point, Trace, pieces_of, points_of};
+use super::super::section::Section;
+use super::super::trace::Trace;
 use super::super::variable::Variable;
-use super::super::walk::Walk;
 use super::kind::{beginning, between};
 use crate::arch::asymmetric::AsymmetricMode::{
     self, InnerSliding, ShoulderOpening, ShoulderSliding,
@@ -86,9 +84,8 @@ pub struct Border {
     pub line: BorderLine,
     /// The self-weight model.
     pub weight: SelfWeight,
-    form: Form,
-    walk: Walk,
-    ends: [Place; 2],
+    /// It, over the half opening.
+    pub section: Section,
 }
 
 /// Bits of what is searched for.
@@ -110,44 +107,14 @@ impl Border {
         let y = along(&begins.form(weight), &x, Law::ShoulderOpens, far)?;
         let z = along(&opening.form(weight), &y, Law::InnerSlides, far)?;
         let between = |line: BorderLine, from: &Crossing, to: &Crossing| {
-            let form = line.form(weight);
-            let about = |undecided: Undecided| undecided.about(&line.name());
-            let walk = chained(&form, from, Some(to), tolerance).map_err(about)?;
-            Ok(Self { line, weight, form, walk, ends: [from.place(), to.place()] })
+            let section = Section::between(line.form(weight), [from, to], tolerance);
+            let section = section.map_err(|undecided| undecided.about(&line.name()))?;
+            Ok(Self { line, weight, section })
         };
         [(begins, &x, &y), (alone, &x, &z), (opening, &y, &z), (last, &z, &triple)]
             .into_iter()
             .map(|(line, from, to)| between(line, from, to))
             .collect()
-    }
-
-    /// The pieces over the half opening, gaps among them.
-    pub fn pieces(&self) -> impl Iterator<Item = Piece<'_>> {
-        pieces_of(&self.form, &self.walk)
-    }
-
-    /// The nodes; those at the ends are the ends themselves.
-    pub fn points(&self) -> Vec<Point> {
-        let mut points = points_of(&self.form, &self.walk);
-        for (point, place) in [(0, &self.ends[0]), (points.len() - 1, &self.ends[1])] {
-            points[point].place = place.clone();
-        }
-        points
-    }
-
-    /// The quantities of its two ends.
-    pub fn ends(&self) -> &[Place; 2] {
-        &self.ends
-    }
-
-    /// The largest half-width of a tube.
-    pub fn width(&self) -> f64 {
-        self.pieces().filter_map(|piece| piece.width()).fold(0.0, f64::max)
-    }
-
-    /// Whether a piece is not proved.
-    pub fn has_gap(&self) -> bool {
-        self.pieces().any(|piece| !piece.is_proved())
     }
 }
 
@@ -205,6 +172,7 @@ fn along(form: &Form, from: &Crossing, law: Law, far: f64) -> Result<Crossing, U
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::place::Place;
     use super::super::branch::Branch;
     use super::*;
     use crate::number::Enclosure;
@@ -224,15 +192,17 @@ mod tests {
             [(SelfWeight::Milankovitch, 126.21, 128.72), (SelfWeight::Heyman, 125.62, 128.72)]
         {
             let lines = Border::all(weight, 1e-4).unwrap();
-            assert!(lines.iter().all(|line| !line.has_gap() && line.width() <= 1e-4));
-            let ends = |k: usize| lines[k].ends().each_ref().map(degrees);
+            assert!(
+                lines.iter().all(|line| !line.section.has_gap() && line.section.width() <= 1e-4)
+            );
+            let ends = |k: usize| lines[k].section.ends().each_ref().map(degrees);
             for (found, known) in [(ends(0), [first, second]), (ends(1), [first, ends(2)[1]])] {
                 let is_near = |k: usize| (0.0..0.01).contains(&(found[k] - known[k]));
                 assert!((0..2).all(is_near), "{weight:?} {found:?}");
             }
             assert_eq!(ends(2)[1], ends(3)[0], "three kinds meet");
             let triple = EndValues::of(End::Landmark(Landmark::Triple), weight).unwrap();
-            let last = &lines[3].ends()[1];
+            let last = &lines[3].section.ends()[1];
             assert!(triple.value(Variable::Thickness).overlaps(&value(last, Variable::Thickness)));
         }
     }
@@ -243,7 +213,7 @@ mod tests {
         let weight = SelfWeight::Milankovitch;
         let lines = Border::all(weight, 1e-9).unwrap();
         let at = |line: &Border, alpha: f64| {
-            let place = line.pieces().find_map(|piece| piece.place(alpha));
+            let place = line.section.pieces().find_map(|piece| piece.place(alpha));
             value(&place.unwrap(), Variable::FrictionAngle)
         };
         // Exact in doubles.
@@ -265,11 +235,11 @@ mod tests {
             let edge = Trace::new(Curve::Line(Line::RotationShoulder), weight, 1e-6).unwrap();
             for line in Border::all(weight, 1e-6).unwrap().iter().skip(2) {
                 let [from, to] =
-                    line.ends().each_ref().map(|end| value(end, Variable::HalfOpening));
+                    line.section.ends().each_ref().map(|end| value(end, Variable::HalfOpening));
                 let [from, to] = [from, to].map(|end| end.mid().to_f64());
                 for share in [0.05, 0.3, 0.6, 0.95] {
                     let alpha = from + share * (to - from);
-                    let place = line.pieces().find_map(|piece| piece.place(alpha)).unwrap();
+                    let place = line.section.pieces().find_map(|piece| piece.place(alpha)).unwrap();
                     let [here, edge] = [place, edge.place(alpha).unwrap()]
                         .map(|place| value(&place, Variable::FrictionAngle));
                     let (one, other) =

@@ -85,7 +85,7 @@ impl Branch {
     /// The pieces that are not proved, and the parts that are not proved to be admissible.
     pub fn open(&self) -> Vec<String> {
         let of = |(_, stretch): &(Meeting, Stretch)| {
-            let gaps = stretch.pieces().filter(|piece| !piece.is_proved()).map(|piece| {
+            let gaps = stretch.section.pieces().filter(|piece| !piece.is_proved()).map(|piece| {
                 let [from, to] = piece.range();
                 format!("{}: not proved between v = {from} and {to}", stretch.kind.name())
             });
@@ -102,7 +102,7 @@ impl Branch {
 
     /// The largest half-width of a tube.
     pub fn width(&self) -> f64 {
-        let pieces = self.stretches.iter().flat_map(|(_, stretch)| stretch.pieces());
+        let pieces = self.stretches.iter().flat_map(|(_, stretch)| stretch.section.pieces());
         pieces.filter_map(|piece| piece.width()).fold(0.0, f64::max)
     }
 }
@@ -235,7 +235,7 @@ mod tests {
             let witness = CertifiedAsymmetric::of(&arch, kind, 128).unwrap().at;
             let (_, part) = usual().stretches.iter().find(|(_, part)| part.kind == kind).unwrap();
             let v = witness.forces.vertical.mid().to_f64();
-            let place = part.pieces().find_map(|piece| piece.place(v)).unwrap();
+            let place = part.section.pieces().find_map(|piece| piece.place(v)).unwrap();
             let near = |x: &Option<Ball>, y: &Ball, off: f64| {
                 let gap = (x.clone().unwrap() - y).mid().to_f64() - off;
                 gap.abs() < 1e-7

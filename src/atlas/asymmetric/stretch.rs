@@ -1,10 +1,6 @@
 //! A part of a branch, of one kind, proved between two points.
 
-use super::super::form::Form;
-use super::super::part::chained;
-use super::super::place::Place;
-use super::super::trace::{Piece, Point, pieces_of, points_of};
-use super::super::walk::Walk;
+use super::super::section::Section;
 use super::admissible::is_admissible;
 use super::kind::over_vertical_force;
 use super::meeting::Meeting;
@@ -21,10 +17,8 @@ use crate::number::Ball;
 pub struct Stretch {
     /// The kind.
     pub kind: AsymmetricMode,
-    /// From the smaller vertical force to the larger one.
-    form: Form,
-    walk: Walk,
-    ends: [Place; 2],
+    /// It, from the smaller vertical force to the larger one.
+    pub section: Section,
     /// Whether the branch runs to smaller vertical forces.
     falls: bool,
     admissible: Result<(), Undecided>,
@@ -42,29 +36,11 @@ impl Stretch {
         let form = over_vertical_force(kind, from.crossing.form.weight, half_opening);
         let [low, high] = if falls { [to, from] } else { [from, to] };
         let about = |undecided: Undecided| undecided.about(kind.name());
-        let walk = chained(&form, &low.crossing, Some(&high.crossing), tolerance).map_err(about)?;
-        let admissible = is_admissible(kind, &form, &walk, [low, high]).map_err(about);
-        let ends = [low.place(), high.place()];
-        Ok(Self { kind, form, walk, ends, falls, admissible })
-    }
-
-    /// The pieces over the vertical force, from the smaller to the larger one, gaps among them.
-    pub fn pieces(&self) -> impl Iterator<Item = Piece<'_>> {
-        pieces_of(&self.form, &self.walk)
-    }
-
-    /// The nodes in the same order; those at the ends are the ends themselves.
-    pub fn points(&self) -> Vec<Point> {
-        let mut points = points_of(&self.form, &self.walk);
-        for (point, place) in [(0, &self.ends[0]), (points.len() - 1, &self.ends[1])] {
-            points[point].place = place.clone();
-        }
-        points
-    }
-
-    /// The quantities of its ends, the smaller vertical force first.
-    pub fn ends(&self) -> &[Place; 2] {
-        &self.ends
+        let ends = [&low.crossing, &high.crossing];
+        let section = Section::between(form, ends, tolerance).map_err(about)?;
+        let admissible =
+            is_admissible(kind, &section.form, &section.walk, [low, high]).map_err(about);
+        Ok(Self { kind, section, falls, admissible })
     }
 
     /// Whether the branch runs from the larger vertical force to the smaller one.
@@ -79,6 +55,6 @@ impl Stretch {
 
     /// Whether nothing is left open.
     pub fn is_proved(&self) -> bool {
-        self.admissible.is_ok() && self.pieces().all(|piece| piece.is_proved())
+        self.admissible.is_ok() && self.section.pieces().all(|piece| piece.is_proved())
     }
 }

@@ -60,7 +60,7 @@ fn part(stretch: &Stretch, nodes: Vec<Fields>) -> Fields {
     fields.add("parameter", Variable::VerticalForce.name());
     fields.add("falls", stretch.falls());
     fields.add("admissible", stretch.is_admissible().is_ok());
-    fields.add("pieces", stretch.pieces().count());
+    fields.add("pieces", stretch.section.pieces().count());
     fields.add_list("nodes", nodes);
     fields
 }

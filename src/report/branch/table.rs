@@ -35,7 +35,7 @@ fn one(arch: &BranchArch, all: &BranchArches, out: &mut dyn io::Write) -> io::Re
             writeln!(out, "   {name:<16} {symbol:<12} {value}")?;
         }
         let Some(part) = parts.get(k) else { continue };
-        let pieces = count(part.pieces().count() as u64, "piece", "pieces");
+        let pieces = count(part.section.pieces().count() as u64, "piece", "pieces");
         let proved = if part.is_proved() { "admissible throughout" } else { "not all proved" };
         writeln!(out, "{}: {}, {pieces}, {proved}", part.kind.name(), words(part.kind))?;
     }

@@ -45,7 +45,8 @@ impl Asymmetric {
             return None;
         }
         let line = |border: &&crate::atlas::Border| {
-            let chain = Chain::of_pieces(border.pieces(), &border.ends()[0], &canvas.axes)?;
+            let chain =
+                Chain::of_pieces(border.section.pieces(), &border.section.ends()[0], &canvas.axes)?;
             Some((border.line, border.line.is_outer(sheet.weight), chain))
         };
         let lines: Vec<(BorderLine, bool, Chain)> = sheet.borders.iter().filter_map(line).collect();

@@ -111,7 +111,7 @@ fn panel(branch: &Branch, least: &Level, x: Axis, y: Axis) -> Panel {
     let least = Chain::of_level(least, &axes);
     let least = least.map(|chain| Line { id: "least".to_owned(), chain, stroke: LEAST });
     let parts = branch.stretches.iter().filter_map(|(_, stretch)| {
-        let chain = Chain::of_pieces(stretch.pieces(), &stretch.ends()[0], &axes)?;
+        let chain = Chain::of_pieces(stretch.section.pieces(), &stretch.section.ends()[0], &axes)?;
         Some(Line { id: stretch.kind.name().to_owned(), chain, stroke: look(stretch.kind) })
     });
     let mark = |meeting: &Meeting| {

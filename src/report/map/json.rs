@@ -101,8 +101,8 @@ impl BorderEntry {
             weight: border.weight.name(),
             line: border.line.name(),
             parameter: Variable::HalfOpening.name(),
-            pieces: border.pieces().count(),
-            widest_tube: border.width(),
+            pieces: border.section.pieces().count(),
+            widest_tube: border.section.width(),
             nodes: Row::of_border(border).iter().map(node).collect(),
         }
     }

@@ -61,7 +61,7 @@ impl Map {
         let curves = curves.map(|trace| format!("{}, {}", trace.curve, trace.weight.name()));
         let levels = self.levels.iter().filter(|level| level.has_gap());
         let levels = levels.map(|level| level.contour.to_string());
-        let borders = self.borders.iter().filter(|border| border.has_gap());
+        let borders = self.borders.iter().filter(|border| border.section.has_gap());
         let borders = borders.map(|of| format!("{}, {}", of.line.name(), of.weight.name()));
         curves
             .chain(levels)

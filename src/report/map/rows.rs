@@ -104,13 +104,13 @@ impl<'a> Row<'a> {
     pub(in crate::report) fn of_stretch(branch: &Branch, stretch: &'a Stretch) -> Vec<Self> {
         let curve = Contour::HalfOpening(branch.half_opening.clone()).to_string();
         let named = (Some(branch.weight.name()), curve, Some(stretch.kind.name().to_owned()));
-        Self::all(&named, stretch.points(), &stretch.pieces().collect::<Vec<_>>())
+        Self::all(&named, stretch.section.points(), &stretch.section.pieces().collect::<Vec<_>>())
     }
 
     /// The rows of a line between asymmetric branches.
     pub(super) fn of_border(border: &'a Border) -> Vec<Self> {
         let named = (Some(border.weight.name()), border.line.name(), None);
-        Self::all(&named, border.points(), &border.pieces().collect::<Vec<_>>())
+        Self::all(&named, border.section.points(), &border.section.pieces().collect::<Vec<_>>())
     }
 
     fn all(

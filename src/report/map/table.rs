@@ -2,7 +2,7 @@
 
 use super::Map;
 use super::rows::weight_of;
-use crate::atlas::{Border, Part, Piece, Trace};
+use crate::atlas::{Part, Piece, Trace};
 use crate::report::words::count;
 use std::io;
 
@@ -55,9 +55,9 @@ pub(in crate::report) fn table(report: &Map, out: &mut dyn io::Write) -> io::Res
     }
     for border in &report.borders {
         let (line, weight) = (border.line.name(), border.weight.name());
-        let (pieces, width) = (border.pieces().count(), border.width());
+        let (pieces, width) = (border.section.pieces().count(), border.section.width());
         writeln!(out, "{line}, {weight}: {pieces} pieces, widest {width:.1e}")?;
-        gaps(border.pieces().filter(|piece| !piece.is_proved()), out)?;
+        gaps(border.section.pieces().filter(|piece| !piece.is_proved()), out)?;
     }
     writeln!(out, "\n{}", verdict(report))
 }
@@ -65,7 +65,7 @@ pub(in crate::report) fn table(report: &Map, out: &mut dyn io::Write) -> io::Res
 /// What is proved of all pieces, in words.
 pub(super) fn verdict(report: &Map) -> String {
     let of_levels = report.levels.iter().flat_map(|level| &level.parts).flat_map(Part::pieces);
-    let of_borders = report.borders.iter().flat_map(Border::pieces);
+    let of_borders = report.borders.iter().flat_map(|border| border.section.pieces());
     let all = report.traces.iter().flat_map(Trace::pieces).chain(of_levels).chain(of_borders);
     match all.filter(|piece| !piece.is_proved()).count() {
         0 => {

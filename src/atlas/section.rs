@@ -1,0 +1,110 @@
+//! A proved line from one point to another: nodes and tubes of one form.
+
+use super::crossing::Crossing;
+use super::form::Form;
+use super::place::Place;
+use super::trace::{Piece, Point, pieces_of, points_of};
+use super::walk::{Walk, walk};
+use crate::certify::Undecided;
+use crate::number::{Ball, Field, Real};
+use rug::float::Round;
+
+/// A proved line from one point to another.
+#[derive(Clone, Debug)]
+pub struct Section {
+    pub(super) form: Form,
+    pub(super) walk: Walk,
+    pub(super) ends: [Place; 2],
+}
+
+impl Section {
+    /// The line from one point to another; both are proved to be on it.
+    pub(super) fn between(
+        form: Form,
+        [from, to]: [&Crossing; 2],
+        tolerance: f64,
+    ) -> Result<Self, Undecided> {
+        let walk = chained(&form, from, Some(to), tolerance)?;
+        Ok(Self { form, walk, ends: [from.place(), to.place()] })
+    }
+
+    /// The line from a point to unlimited friction, whose parameter is the friction angle; the point is proved to be on it.
+    pub(super) fn to_unlimited_friction(
+        form: Form,
+        from: &Crossing,
+        tolerance: f64,
+    ) -> Result<Self, Undecided> {
+        let walk = chained(&form, from, None, tolerance)?;
+        let end = right_angle(from, &form);
+        let at_end = match walk.tubes.last() {
+            Some(Some(tube)) => {
+                let place = Place::new(&form, &end, &tube.enclosure(&end));
+                Place { is_unlimited: true, ..place }
+            }
+            _ => Place::default(),
+        };
+        Ok(Self { form, walk, ends: [from.place(), at_end] })
+    }
+
+    /// The pieces over the parameter, gaps among them.
+    pub fn pieces(&self) -> impl Iterator<Item = Piece<'_>> {
+        pieces_of(&self.form, &self.walk)
+    }
+
+    /// The nodes; those at the ends are the ends themselves.
+    pub fn points(&self) -> Vec<Point> {
+        let mut points = points_of(&self.form, &self.walk);
+        for (point, place) in [(0, &self.ends[0]), (points.len() - 1, &self.ends[1])] {
+            points[point].place = place.clone();
+        }
+        points
+    }
+
+    /// The quantities of its two ends, in the order of the parameter.
+    pub fn ends(&self) -> &[Place; 2] {
+        &self.ends
+    }
+
+    /// The largest half-width of a tube.
+    pub fn width(&self) -> f64 {
+        self.pieces().filter_map(|piece| piece.width()).fold(0.0, f64::max)
+    }
+
+    /// Whether a piece is not proved.
+    pub fn has_gap(&self) -> bool {
+        self.pieces().any(|piece| !piece.is_proved())
+    }
+}
+
+fn right_angle(from: &Crossing, form: &Form) -> Ball {
+    let start = from.value(form.parameter);
+    start.pi() / start.int(2)
+}
+
+/// Nodes and tubes of a form from one point to another, or to the right angle of unlimited friction: both points are
+/// proved to be on it.
+fn chained(
+    form: &Form,
+    from: &Crossing,
+    to: Option<&Crossing>,
+    tolerance: f64,
+) -> Result<Walk, Undecided> {
+    let start = from.value(form.parameter);
+    let end = to.map_or_else(|| right_angle(from, form), |to| to.value(form.parameter));
+    let guess = form.unknowns.iter().map(|u| from.value(*u).mid().to_f64()).collect();
+    // Rounding downward makes a zero negative.
+    let [low, high] =
+        [start.lower().to_f64_round(Round::Down) + 0.0, end.upper().to_f64_round(Round::Up)];
+    let walk = walk(form, low, guess, high, tolerance)
+        .ok_or_else(|| Undecided::new("a node cannot be proved"))?;
+    let meets = |crossing: &Crossing, is_first: bool| {
+        let tube = if is_first { walk.tubes.first() } else { walk.tubes.last() };
+        let root: Vec<Ball> = form.unknowns.iter().map(|u| crossing.value(*u)).collect();
+        let s = crossing.value(form.parameter);
+        tube.and_then(Option::as_ref).is_some_and(|tube| tube.holds(&s, &root))
+    };
+    match meets(from, true) && to.is_none_or(|to| meets(to, false)) {
+        true => Ok(walk),
+        false => Err(Undecided::new("it is not proved to meet the next line")),
+    }
+}
