@@ -8,6 +8,7 @@ mod certify;
 mod complementarity;
 mod constants;
 mod curves;
+mod described;
 mod draw;
 mod figure;
 mod find;

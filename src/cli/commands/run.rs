@@ -1,17 +1,13 @@
 //! `couplet run`.
 
+use super::described::{described, say};
 use super::folder::Folder;
 use super::output::Output;
 use super::progress;
-use crate::check::visible;
 use crate::cli::failure::Failure;
-use crate::report::words::count;
-use crate::scene::{
-    EXAMPLE, Fault, Hashing, Item, MAX_BYTES, Plan, Run, Scene, explain, read_bytes,
-};
+use crate::scene::{EXAMPLE, Hashing, Item, Plan, Run, explain, read_bytes};
 use clap::Args;
-use std::fs::File;
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// Compute exactly what a scene asks for, and write it.
@@ -57,7 +53,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Some(path) = arguments.scene.as_deref().filter(|_| !arguments.schema) else {
         return Output::Standard.write(|out| out.write_all(EXAMPLE.as_bytes()));
     };
-    let scene = scene(path)?;
+    let scene = described(path, read_bytes)?;
     let mut folder = Folder::open(arguments.output.as_deref(), arguments.overwrite)?;
     let is_complete = |item: &Item| arguments.resume && folder.is_complete(item);
     let complete: Vec<bool> = scene.items.iter().map(is_complete).collect();
@@ -69,31 +65,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let outputs: Vec<&Path> = items.filter_map(|(item, _)| item.output.as_deref()).collect();
     folder.prepare(&outputs, path)?;
     carry_out(&plan, &mut folder, arguments.explain)
-}
-
-/// Writes to standard error; nobody may be reading it.
-fn say(text: &str) {
-    let _ = writeln!(io::stderr(), "{}", visible(text));
-}
-
-/// Reads a scene; its faults go to standard error, a line each.
-fn scene(path: &Path) -> Result<Scene, Failure> {
-    let standard = path == Path::new("-");
-    let name = if standard { "standard input".into() } else { path.display().to_string() };
-    let failed = |error: io::Error| Failure::reading(&name, &error);
-    let mut bytes = Vec::new();
-    let file: Box<dyn Read> = match standard {
-        true => Box::new(io::stdin()),
-        false => Box::new(File::open(path).map_err(failed)?),
-    };
-    file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(failed)?;
-    read_bytes(&bytes).map_err(|faults| {
-        for Fault { place, message } in &faults {
-            say(&format!("{name}:{}:{}: {message}", place.line, place.column));
-        }
-        let errors = count(faults.len(), "error", "errors");
-        Failure::Input(format!("{name} has {errors}; nothing was computed"))
-    })
 }
 
 /// Computes and writes one item after the other; each output is noted as soon as it is there.

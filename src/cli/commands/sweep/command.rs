@@ -4,23 +4,19 @@ use super::answers::Verdict;
 use super::arguments::{Arguments, Share};
 use super::sweep::{Sweep, SweepError};
 use super::verify::verify;
-use crate::check::visible;
+use crate::cli::commands::described::{described, say};
 use crate::cli::commands::output::Output;
 use crate::cli::commands::progress::styled;
 use crate::cli::failure::{Failure, print};
 use crate::report::words::count;
-use crate::scene::{Fault, SWEEP_EXAMPLE, SweepPlan, read_sweep};
+use crate::scene::{SWEEP_EXAMPLE, read_sweep};
 use indicatif::ProgressBar;
 use rayon::prelude::*;
-use std::fs::File;
-use std::io::{self, Read, Write};
 use std::path::Path;
 use std::sync::Mutex;
 
 /// Rows that are proved again where a folder is looked through and nobody says how many.
 const SAMPLE: usize = 100;
-/// The most bytes of a plan that are read; it has less.
-const MAX_BYTES: u64 = (1 << 20) + 1;
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Some(path) = arguments.plan.as_deref().filter(|_| !arguments.schema) else {
@@ -29,7 +25,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if path.is_dir() {
         return look_through(path, arguments);
     }
-    let plan = plan(path)?;
+    let plan = described(path, read_sweep)?;
     let base = path.parent().unwrap_or(Path::new(""));
     let sweep = Sweep::new(&plan, base, arguments.output.as_deref().unwrap_or(Path::new("")));
     let Share { k, n } = arguments.only.unwrap_or(Share { k: 1, n: 1 });
@@ -69,31 +65,6 @@ fn failure(error: SweepError) -> Failure {
         SweepError::Input(message) => Failure::Input(message),
         SweepError::Io(message) => Failure::Io(message),
     }
-}
-
-/// Writes to standard error; nobody may be reading it.
-fn say(text: &str) {
-    let _ = writeln!(io::stderr(), "{}", visible(text));
-}
-
-/// Reads a plan; its faults go to standard error, a line each.
-fn plan(path: &Path) -> Result<SweepPlan, Failure> {
-    let standard = path == Path::new("-");
-    let name = if standard { "standard input".into() } else { path.display().to_string() };
-    let failed = |error: io::Error| Failure::reading(&name, &error);
-    let mut bytes = Vec::new();
-    let file: Box<dyn Read> = match standard {
-        true => Box::new(io::stdin()),
-        false => Box::new(File::open(path).map_err(failed)?),
-    };
-    file.take(MAX_BYTES).read_to_end(&mut bytes).map_err(failed)?;
-    read_sweep(&bytes).map_err(|faults| {
-        for Fault { place, message } in &faults {
-            say(&format!("{name}:{}:{}: {message}", place.line, place.column));
-        }
-        let errors = count(faults.len(), "error", "errors");
-        Failure::Input(format!("{name} has {errors}; nothing was computed"))
-    })
 }
 
 /// What was made of the parts of a share.

@@ -1,0 +1,38 @@
+//! What a file of TOML describes, a scene or a sweep: read whole, its faults told.
+
+use crate::check::visible;
+use crate::cli::failure::Failure;
+use crate::report::words::count;
+use crate::scene::{Fault, MAX_BYTES};
+use std::fs::File;
+use std::io::{self, Read, Write};
+use std::path::Path;
+
+/// Writes to standard error; nobody may be reading it.
+pub(crate) fn say(text: &str) {
+    let _ = writeln!(io::stderr(), "{}", visible(text));
+}
+
+/// What a file, or standard input where it is `-`, describes; its faults go to standard error, a line each.
+pub(crate) fn described<T>(
+    path: &Path,
+    read: impl FnOnce(&[u8]) -> Result<T, Vec<Fault>>,
+) -> Result<T, Failure> {
+    let standard = path == Path::new("-");
+    let name = if standard { "standard input".into() } else { path.display().to_string() };
+    let failed = |error: io::Error| Failure::reading(&name, &error);
+    let mut bytes = Vec::new();
+    let file: Box<dyn Read> = match standard {
+        true => Box::new(io::stdin()),
+        false => Box::new(File::open(path).map_err(failed)?),
+    };
+    // One more than is allowed, so that more is seen.
+    file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(failed)?;
+    read(&bytes).map_err(|faults| {
+        for Fault { place, message } in &faults {
+            say(&format!("{name}:{}:{}: {message}", place.line, place.column));
+        }
+        let errors = count(faults.len(), "error", "errors");
+        Failure::Input(format!("{name} has {errors}; nothing was computed"))
+    })
+}
