@@ -26,16 +26,20 @@ pub fn least_cost(columns: &[[f64; 4]], costs: &[f64]) -> Option<Rates> {
     }
 }
 
-/// A direction `y` in which every column points, `y . column > 0`, as far as possible for entries of at most one; `None` if none is found.
-pub fn parting(columns: &[[f64; 3]]) -> Option<[f64; 3]> {
-    let toward = columns.iter().map(|[a, b, c]| Condition { a: [-a, -b, -c, 1.0], d: 0.0 });
+/// The entries of a direction are of this size at most.
+const FAR: f64 = 16.0;
+
+/// A direction `y` in which every column points, `y . column > 0`, as far as possible for entries of limited size, with a given last entry;
+/// `None` if none is found.
+pub fn parting(columns: &[[f64; 4]], last: f64) -> Option<[f64; 4]> {
+    let toward = columns.iter().map(|[a, b, c, w]| Condition { a: [-a, -b, -c, 1.0], d: w * last });
     let bounds = (0..6).map(|k| {
         let mut a = [0.0; 4];
         a[k / 2] = if k % 2 == 0 { 1.0 } else { -1.0 };
-        Condition { a, d: 1.0 }
+        Condition { a, d: FAR }
     });
     match largest_last(&toward.chain(bounds).collect::<Vec<_>>()) {
-        Optimum::At { unknowns: [x, y, z, least], .. } if least > 0.0 => Some([x, y, z]),
+        Optimum::At { unknowns: [x, y, z, least], .. } if least > 0.0 => Some([x, y, z, last]),
         _ => None,
     }
 }
@@ -63,11 +67,22 @@ mod tests {
 
     #[test]
     fn columns_are_parted_from_zero() {
-        let columns = [[1.0, 0.1, 0.0], [-0.9, 0.2, 0.1], [0.0, 0.3, -1.0]];
-        let y = parting(&columns).unwrap();
-        let along = |column: &[f64; 3]| column.iter().zip(y).map(|(a, b)| a * b).sum::<f64>();
+        let columns = [[1.0, 0.1, 0.0, 0.0], [-0.9, 0.2, 0.1, 0.0], [0.0, 0.3, -1.0, 0.0]];
+        let y = parting(&columns, 0.0).unwrap();
+        let along = |column: &[f64; 4]| column.iter().zip(y).map(|(a, b)| a * b).sum::<f64>();
         assert!(columns.iter().all(|column| along(column) > 0.0));
-        let about = [[1.0, 0.0, 0.0], [-1.0, 1.0, 0.0], [-1.0, -1.0, 1.0], [0.0, 0.0, -1.0]];
-        assert!(parting(&about).is_none(), "zero is among them");
+        let mut about = [
+            [1.0, 0.0, 0.0, 0.0],
+            [-1.0, 1.0, 0.0, 0.0],
+            [-1.0, -1.0, 1.0, 0.0],
+            [0.0, 0.0, -1.0, 0.0],
+        ];
+        let signs = [0.0, -1.0, 1.0];
+        assert!(signs.iter().all(|last| parting(&about, *last).is_none()), "zero is among them");
+        // With a fourth entry it is no more; of either sign only the same last entry helps.
+        about[3][3] = 0.5;
+        assert_eq!(signs.map(|last| parting(&about, last).is_some()), [false, false, true]);
+        about[3][3] = -0.5;
+        assert_eq!(signs.map(|last| parting(&about, last).is_some()), [false, true, false]);
     }
 }

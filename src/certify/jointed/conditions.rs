@@ -20,6 +20,8 @@ pub(super) struct Condition<T> {
     pub joint: i32,
     pub row: [Polynomial<T>; 4],
     pub motion: [Polynomial<T>; 3],
+    /// What is free of the forces in the force that works on the motion: of a hinge that of the row, of a slip that of `T` or `-T`.
+    pub weight: Polynomial<T>,
 }
 
 /// Those of an arch.
@@ -27,6 +29,8 @@ pub(super) struct Conditions<T> {
     /// Four at each joint, in the order of [`Contact::ALL`], from the left.
     pub all: Vec<Condition<T>>,
     pub extent: Extent,
+    /// At each joint `-N`: both hinges together are `eta` times this.
+    compressions: Vec<[Polynomial<T>; 4]>,
     /// What a state of the half arch satisfies beside them: no vertical force.
     no_vertical_force: [Polynomial<T>; 4],
     /// The radius of the intrados, `1 - eta/2`.
@@ -60,25 +64,50 @@ impl<T: Arithmetic> Conditions<T> {
             }
             Extent::Half => [h, p, zero.clone()],
         };
-        let mut all = Vec::new();
+        let slip = Grip { shear: eta.int(1), normal: eta.int(0) };
+        let (mut all, mut compressions) = (Vec::new(), Vec::new());
         for k in extent.joints(stones) {
             let angle = joint(k).map(constant);
             for contact in Contact::ALL {
                 let [h, p, v] = seen(static_row(contact, &angle, &ring, &grip));
                 let load = contact.row(&angle, &ring, &grip).load;
                 let motion = seen(motion_row(contact, &angle, &eta, &zero));
+                let weight = Polynomial::of(&contact.row(&angle, &ring, &slip).load);
                 all.push(Condition {
                     contact,
                     joint: k,
                     row: [&h, &p, &v, &load].map(Polynomial::of),
                     motion: motion.each_ref().map(Polynomial::of),
+                    weight,
                 });
             }
+            let [h, p, v] = seen([-angle.cos.clone(), zero.clone(), angle.sin.clone()]);
+            let load = -(angle.rad * &angle.sin);
+            compressions.push([&h, &p, &v, &load].map(Polynomial::of));
         }
         let entry = |n: i32| Polynomial::constant(alpha.int(n));
         let intrados = Jet::new(vec![alpha.int(1), -alpha.ratio(1, 2)], ORDER);
         let no_vertical_force = [0, 0, 1, 0].map(entry);
-        Self { all, extent, no_vertical_force, intrados: Polynomial::of(&intrados) }
+        Self { all, extent, compressions, no_vertical_force, intrados: Polynomial::of(&intrados) }
+    }
+
+    /// The row of a condition beside others that are zero: where the opposite hinge of its joint is one of them, `-N`, which has its sign and is
+    /// free of the factor `eta` that both hinges together have.
+    fn row_beside(&self, place: usize, of: &[usize]) -> &[Polynomial<T>; 4] {
+        let opposite = match place % 4 {
+            0 => Some(place + 1),
+            1 => Some(place - 1),
+            _ => None,
+        };
+        match opposite.is_some_and(|opposite| of.contains(&opposite)) {
+            true => &self.compressions[place / 4],
+            false => &self.all[place].row,
+        }
+    }
+
+    /// The rows of conditions that are zero together, with `-N` for the second hinge of a joint.
+    fn rows_of(&self, of: &[usize]) -> Vec<&[Polynomial<T>; 4]> {
+        (0..of.len()).map(|k| self.row_beside(of[k], &of[..k])).collect()
     }
 
     /// The place of a condition.
@@ -116,14 +145,16 @@ impl<T: Arithmetic> Conditions<T> {
     /// The state at which three conditions are zero, or two of a half arch: `h, p, v` and one, times a common factor.
     ///
     /// Two mirror images are zero together where one is and `v` is zero. Of three hinges at the intrados the factor `1 - eta/2`, which all
-    /// four have, is left out.
+    /// four have, is left out, and of the two hinges of a joint the factor `eta`.
     pub(super) fn meeting(&self, of: &[usize]) -> [Polynomial<T>; 4] {
         let is_intrados = |place: &usize| self.all[*place].contact == Contact::Intrados;
+        let without_vertical_force = |of: &[usize]| {
+            let rows = self.rows_of(of);
+            crossed([rows[0], rows[1], &self.no_vertical_force])
+        };
         match (of, self.mirror_images(of)) {
-            ([a, b], _) => crossed([&self.all[*a].row, &self.all[*b].row, &self.no_vertical_force]),
-            (_, Some([a, b])) => {
-                crossed([&self.all[a].row, &self.all[b].row, &self.no_vertical_force])
-            }
+            ([_, _], _) => without_vertical_force(of),
+            (_, Some(two)) => without_vertical_force(&two),
             (_, None) if of.iter().all(is_intrados) => {
                 let reduced = [0, 1, 2].map(|k| {
                     let [h, p, v, load] = &self.all[of[k]].row;
@@ -133,7 +164,10 @@ impl<T: Arithmetic> Conditions<T> {
                 let times = |x: &Polynomial<T>| Polynomial::alternating(&[[&self.intrados, x]]);
                 [h, times(&p), v, times(&whole)]
             }
-            _ => crossed([0, 1, 2].map(|k| &self.all[of[k]].row)),
+            _ => {
+                let rows = self.rows_of(of);
+                crossed([rows[0], rows[1], rows[2]])
+            }
         }
     }
 
@@ -149,9 +183,15 @@ impl<T: Arithmetic> Conditions<T> {
         }
     }
 
-    /// The left side of a condition at the state of [`meeting`](Self::meeting), times the common factor.
-    pub(super) fn value(&self, place: usize, meeting: &[Polynomial<T>; 4]) -> Polynomial<T> {
-        let [h, p, v, load] = &self.all[place].row;
+    /// The left side of a condition at the state of [`meeting`](Self::meeting) of some, times the common factor; divided by `eta` where these have the
+    /// opposite hinge.
+    pub(super) fn value(
+        &self,
+        place: usize,
+        of: &[usize],
+        meeting: &[Polynomial<T>; 4],
+    ) -> Polynomial<T> {
+        let [h, p, v, load] = self.row_beside(place, of);
         let [a, b, c, d] = meeting;
         let minus = [b, d].map(|x| x.clone().negative());
         Polynomial::alternating(&[[h, a], [p, &minus[0]], [v, c], [load, &minus[1]]])
@@ -210,4 +250,57 @@ fn crossed<T: Arithmetic>([a, b, c]: [&[Polynomial<T>; 4]; 3]) -> [Polynomial<T>
         det(&m01, &m03, &m13, [0, 1, 3]),
         det(&m01, &m02, &m12, [0, 1, 2]).negative(),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Enclosure;
+
+    /// Both hinges of a joint are `-eta N` together, so that beside the one the other is `eta` times `-N`.
+    #[test]
+    fn beside_one_hinge_the_other_is_the_normal_force() {
+        let arch = Arch::parse("milankovitch", "2.3", "1.05").unwrap();
+        for extent in [Extent::Whole, Extent::Half] {
+            let conditions: Conditions<Ball> = Conditions::new(&arch, 5, extent, 100);
+            let eta = Ball::integer(3, 100) / &Ball::integer(7, 100);
+            for joint in 0..conditions.compressions.len() {
+                let (outer, inner) = (4 * joint, 4 * joint + 1);
+                let at = |of: &[Polynomial<Ball>; 4]| of.each_ref().map(|x| x.at(&eta));
+                let [a, b] = [outer, inner].map(|place| at(&conditions.all[place].row));
+                let n = at(conditions.row_beside(inner, &[outer]));
+                let same = |k: usize| (a[k].clone() + &b[k]).overlaps(&(n[k].clone() * &eta));
+                assert!((0..4).all(same), "{extent:?} {joint}");
+                let twin = |k: usize| (a[k].clone() - &b[k]).overlaps(&(n[k].clone() * &eta));
+                assert!(!(0..4).all(twin), "false twin");
+                assert!(std::ptr::eq(
+                    conditions.row_beside(inner, &[inner, outer + 2]),
+                    &conditions.all[inner].row
+                ));
+            }
+        }
+    }
+
+    /// A hinge works with all of its condition, a slip with what is left of it without friction.
+    #[test]
+    fn the_weight_works_on_the_motion_as_the_condition_says() {
+        let arch = Arch::parse("heyman", "2", "0.7").unwrap();
+        let conditions: Conditions<Ball> = Conditions::new(&arch, 4, Extent::Whole, 100);
+        let eta = Ball::integer(1, 100) / &Ball::integer(3, 100);
+        let forces = [2, 3, 5].map(|n| Ball::integer(n, 100) / &Ball::integer(7, 100));
+        let along = |of: [&Polynomial<Ball>; 3], load: &Polynomial<Ball>| {
+            let terms = of.into_iter().zip(&forces);
+            terms.fold(load.at(&eta), |sum, (entry, force)| sum + entry.at(&eta) * force)
+        };
+        for (place, condition) in conditions.all.iter().enumerate() {
+            let [h, p, v, load] = &condition.row;
+            let value = along([h, p, v], load);
+            let power = along(condition.motion.each_ref(), &condition.weight);
+            let [h, p, v, load] = &conditions.compressions[place / 4];
+            let normal = -along([h, p, v], load);
+            let friction = if condition.contact.is_hinge() { 0 } else { 7 };
+            let taken = normal * Ball::integer(friction, 100) / &Ball::integer(10, 100);
+            assert!((power - taken).overlaps(&value), "{place}");
+        }
+    }
 }

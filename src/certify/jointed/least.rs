@@ -16,7 +16,8 @@ use crate::certify::extent::Extent;
 use crate::certify::state::raise;
 use crate::certify::voussoirs::VoussoirDigits;
 use crate::number::{Ball, DoubleBall, Enclosure, Field, bits_of};
-use crate::problem::stones::{JointContact, Stones};
+use crate::problem::Mode;
+use crate::problem::stones::JointContact;
 
 /// Bits beyond those of the digits.
 const GUARD: u32 = 64;
@@ -28,9 +29,8 @@ fn joint(number: i32, (_, index): &JointContact) -> Option<i32> {
 
 /// The conditions of a half arch that are zero at its least thickness and move. A crown that bears nothing, where an arch overturns, opens: both of its
 /// hinges turn.
-fn moving(stones: &Stones, state: &VoussoirDigits) -> [JointContact; 3] {
-    let opens = state.contacts[0] == (Contact::Inwards, 0) && stones.has_joint_at_crown();
-    match (opens, state.contacts) {
+fn moving(state: &VoussoirDigits) -> [JointContact; 3] {
+    match (state.mode == Mode::Overturning, state.contacts) {
         (true, [_, haunch, shoulder]) => [(Contact::Extrados, 0), haunch, shoulder],
         (false, same) => same,
     }
@@ -48,11 +48,11 @@ fn places<T: Arithmetic>(
 /// Where the search begins: at the least thickness, with its conditions on both sides.
 pub(super) fn start(
     conditions: &Conditions<DoubleBall>,
-    (stones, number): (&Stones, i32),
+    number: i32,
     state: &VoussoirDigits,
 ) -> Option<Start> {
     let below = state.thickness.double.next_down();
-    let moving = moving(stones, state);
+    let moving = moving(state);
     // A crown that bears nothing is at all of its limits.
     let crown = Contact::ALL.map(|contact| (contact, 0));
     let crown = crown.iter().filter(|_| moving != state.contacts);
@@ -65,20 +65,28 @@ pub(super) fn start(
     Some(Start { below, touching })
 }
 
+/// Where the search begins if every thickness stands, with two or three stones: at 0, where the line of thrust through the middle of all joints is a state in
+/// which all hinges are zero. So the polynomials of four of them at different joints are zero there.
+pub(super) fn start_at_zero(conditions: &Conditions<DoubleBall>) -> Start {
+    let is_hinge = |place: &usize| conditions.all[*place].contact.is_hinge();
+    Start { below: 0.0, touching: (0..conditions.all.len()).filter(is_hinge).collect() }
+}
+
 /// The solution at the least thickness.
 pub(super) fn solution(
     digits: &Digits<'_>,
     found: &VoussoirDigits,
 ) -> Result<JointedSolution, Undecided> {
-    let contacts = moving(digits.stones, found);
+    let contacts = moving(found);
     raise(bits_of(digits.digits) + GUARD, |bits| {
         let half = Digits { extent: Extent::Half, ..*digits };
         let conditions = half.conditions(bits);
         let question = || Undecided::new("which conditions are zero at the least thickness");
         let of = places(&conditions, digits.number, &contacts).ok_or_else(question)?;
         // The outer two fix the forces; the order is that of the rates.
-        let kind = Kind::Statics(vec![of[0], of[2]], of[1]);
-        let polynomial = conditions.value(of[1], &conditions.meeting(&[of[0], of[2]]));
+        let outer = [of[0], of[2]];
+        let kind = Kind::Statics(outer.to_vec(), of[1]);
+        let polynomial = conditions.value(of[1], &outer, &conditions.meeting(&outer));
         let thickness = zero_near(&polynomial, found.thickness.double, bits)?;
         // The zero next to a number is the one that is proved to be the least thickness: it is the only one between them.
         let [low, high] = [&found.thickness.decimal.lower, &found.thickness.decimal.upper]
@@ -87,7 +95,12 @@ pub(super) fn solution(
         if !polynomial.derivative().at(&around).excludes_zero() {
             return Err(question());
         }
-        let state = State::at(&conditions, &kind, thickness)?;
+        let mut state = State::at(&conditions, &kind, thickness)?;
+        if found.mode == Mode::Overturning {
+            // A crown that bears nothing: no ball tells that the thrust and its moment are zero.
+            let zero = state.thickness.int(0);
+            state.forces = [zero.clone(), zero.clone(), zero];
+        }
         if digits.extent == Extent::Half {
             return Ok(digits.rounded(&conditions, &state, true));
         }

@@ -83,7 +83,7 @@ impl Digits<'_> {
         raise(bits_of(self.digits) + GUARD, |bits| {
             let conditions = self.conditions(bits);
             let polynomial = match &event.kind {
-                Kind::Statics(of, other) => conditions.value(*other, &conditions.meeting(of)),
+                Kind::Statics(of, other) => conditions.value(*other, of, &conditions.meeting(of)),
                 Kind::Motion(of, _) => conditions.determinant(of),
             };
             let thickness = zero_near(&polynomial, event.piece.middle(), bits)?;

@@ -9,8 +9,12 @@
 //! - **It bears no motion** if some `y` has `y . b > 0` for the motions `b` of its conditions and of all those: then no
 //!   rates but zero fit. Each `b` is linear in the thickness. Where both slips of a joint are among them there is such a `y` without the one, and
 //!   one without the other.
+//! - **Nor does it** if `y . b + z w > 0` for the motions and what the weight does along each, `w`, with `z <= 0`, or any `z` if all are hinges.
+//!   A hinge's condition is zero, `b . x + w = 0`, and a slip's takes what friction takes, `b . x + w = mu N >= 0`. So rates with
+//!   `sum rate b = 0` have `sum rate w = sum rate mu N >= 0`, which is zero for hinges; and then `sum rate (y . b + z w) <= 0`.
+//!   Hinges on one line have motions that fit, with a thrust that has no limit, and only the weight tells that they are not in equilibrium.
 
-use super::conditions::Conditions;
+use super::conditions::{Condition, Conditions};
 use super::polynomial::Polynomial;
 use crate::arch::mechanism::Contact;
 use crate::number::{DoubleBall, Enclosure};
@@ -45,13 +49,27 @@ pub(super) struct Near {
     pub others: Vec<usize>,
 }
 
-/// What is exactly so at the least thickness.
+/// What is exactly so where the range begins: at the least thickness, or at 0.
 #[derive(Clone, Debug)]
 pub(super) struct Start {
-    /// A double below the least thickness and next to it.
+    /// A double below the least thickness and next to it; or 0.
     pub below: f64,
     /// Conditions that are all zero in the state there.
     pub touching: Vec<usize>,
+}
+
+impl Start {
+    /// Whether the polynomial of a condition, at the state of others, is zero where the range begins. At 0 both faces are one line, and both
+    /// hinges of a joint one condition, which is left out with the factor `eta`: it is said of different joints alone.
+    fn is_tied(&self, of: &[usize], place: usize) -> bool {
+        let are_apart = || {
+            let mut joints: Vec<usize> = of.iter().chain([&place]).map(|at| at / 4).collect();
+            joints.sort_unstable();
+            joints.windows(2).all(|two| two[0] != two[1])
+        };
+        let mut all = of.iter().chain([&place]);
+        all.all(|at| self.touching.contains(at)) && (self.below > 0.0 || are_apart())
+    }
 }
 
 /// Three conditions, or two of a half arch.
@@ -107,7 +125,7 @@ impl<'a> Vertex<'a> {
             true => most.1 > CLEAR * size,
             false => -least.1 > CLEAR * size,
         };
-        let value = |place| self.conditions.value(place, &self.meeting).on(&ball);
+        let value = |place| self.conditions.value(place, &self.of, &self.meeting).on(&ball);
         plus = plus && !(most.1 > 0.0 && is_positive(&value(most.0)));
         minus = minus && !(least.1 < 0.0 && is_negative(&value(least.0)));
         match (plus || minus, seems_passed) {
@@ -123,21 +141,20 @@ impl<'a> Vertex<'a> {
     /// on the rest of the piece.
     pub(super) fn near(&mut self, piece: &Piece, start: Option<&Start>) -> Option<Near> {
         if self.values.is_empty() {
-            let value = |place| self.conditions.value(place, &self.meeting);
+            let value = |place| self.conditions.value(place, &self.of, &self.meeting);
             self.values = (0..self.conditions.all.len()).map(value).collect();
         }
         let ball = piece.ball();
         let [mut plus, mut minus] = self.signs(&ball);
         let start = start.filter(|start| piece.low == start.below);
-        let touches = |place: &usize| start.is_some_and(|start| start.touching.contains(place));
-        let begins = self.of.iter().all(touches);
+        let is_tied = |place| start.is_some_and(|start| start.is_tied(&self.of, place));
         let mut others = Vec::new();
         for (place, polynomial) in self.values.iter().enumerate() {
             if self.of.contains(&place) {
                 continue;
             }
             let mut value = polynomial.on(&ball);
-            if !value.excludes_zero() && begins && touches(&place) {
+            if !value.excludes_zero() && is_tied(place) {
                 value = polynomial.derivative().on(&ball);
             }
             if is_positive(&value) {
@@ -185,18 +202,29 @@ impl<'a> Vertex<'a> {
                 .into_iter()
                 .all(|left_out| self.are_parted(&without(left_out), piece));
         }
-        let columns: Vec<[f64; 3]> = [piece.low, piece.high]
-            .into_iter()
-            .flat_map(|x| places.iter().map(move |place| (x, *place)))
-            .map(|(x, place)| self.conditions.all[place].motion.each_ref().map(|b| b.near(x)))
-            .collect();
-        let Some(y) = parting(&columns) else { return false };
-        let (y, ball) = (y.map(DoubleBall::exact), piece.ball());
-        let along = |place: &usize| {
-            let motion = self.conditions.all[*place].motion.each_ref().map(|b| b.on(&ball));
-            motion[0] * y[0] + motion[1] * y[1] + motion[2] * y[2]
+        let column = |place: usize| {
+            let Condition { motion: [a, b, c], weight, .. } = &self.conditions.all[place];
+            [a, b, c, weight]
         };
-        places.iter().all(|place| is_positive(&along(place)))
+        // Ends that are nearly one thickness have columns that are nearly parallel, which the search does not bear.
+        let both = [piece.low, piece.high];
+        let middle = [piece.middle()];
+        let ends = if piece.high - piece.low > NARROW { &both[..] } else { &middle };
+        let columns: Vec<[f64; 4]> = ends
+            .iter()
+            .flat_map(|x| places.iter().map(move |place| (*x, *place)))
+            .map(|(x, place)| column(place).map(|b| b.near(x)))
+            .collect();
+        let ball = piece.ball();
+        let points = |y: [f64; 4], place: usize| {
+            let terms = column(place).into_iter().zip(y.map(DoubleBall::exact));
+            let along = terms.fold(DoubleBall::exact(0.0), |sum, (b, y)| sum + b.on(&ball) * y);
+            is_positive(&along)
+        };
+        let slides = places.iter().any(|place| !self.conditions.all[*place].contact.is_hinge());
+        let prices: &[f64] = if slides { &[0.0, -1.0] } else { &[0.0, -1.0, 1.0] };
+        let mut found = prices.iter().filter_map(|price| parting(&columns, *price));
+        found.any(|y| places.iter().all(|place| points(y, *place)))
     }
 
     /// Whether its conditions leave one state at every thickness of a piece.
@@ -211,7 +239,7 @@ impl<'a> Vertex<'a> {
 
     /// The other condition as a polynomial in the thickness.
     pub(super) fn value(&self, place: usize) -> Polynomial<DoubleBall> {
-        self.conditions.value(place, &self.meeting)
+        self.conditions.value(place, &self.of, &self.meeting)
     }
 }
 
@@ -226,6 +254,8 @@ pub(super) enum Passed {
     Unlikely,
 }
 
+/// A piece whose ends are not told apart where a direction is sought.
+const NARROW: f64 = 1e-5;
 /// A value that is no rounding beside the size of its terms.
 const CLEAR: f64 = 1e-9;
 
@@ -240,4 +270,43 @@ pub(super) fn in_doubles(conditions: &Conditions<DoubleBall>) -> Vec<[[f64; 3]; 
         [of.near(0.0), of.derivative().near(0.0), second]
     };
     conditions.all.iter().map(|condition| condition.row.each_ref().map(entry)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certify::extent::Extent;
+    use crate::problem::Arch;
+    use Contact::{Extrados, Intrados, Inwards, Outwards};
+
+    fn bears_no_motion(alpha: &str, of: [(Contact, i32); 4], eta: f64) -> bool {
+        let arch = Arch::parse("heyman", alpha, "3").unwrap();
+        let conditions = Conditions::new(&arch, 5, Extent::Whole, 106);
+        let mut places = of.map(|at| conditions.place(at.0, at.1).unwrap()).to_vec();
+        let other = places.pop().unwrap();
+        let piece = Piece { low: eta - 1e-9, high: eta + 1e-9 };
+        Vertex::new(&conditions, places).bears_no_motion(&[other], &piece)
+    }
+
+    /// The springings' extrados and the keystone's intrados lie on one line at `(1 + eta/2) cos alpha = (1 - eta/2) cos(alpha/5)`. Their motions fit
+    /// there, and the weight tells that nothing moves.
+    #[test]
+    fn hinges_on_one_line_bear_no_motion() {
+        let on_one_line = [(Extrados, -5), (Intrados, -1), (Intrados, 1), (Extrados, 5)];
+        let [outer, inner] = [0.8_f64.cos(), 0.16_f64.cos()];
+        let eta = 2.0 * (inner - outer) / (inner + outer);
+        for eta in [eta, eta + 0.1, eta - 0.1] {
+            assert!(bears_no_motion("0.8", on_one_line, eta), "{eta}");
+        }
+        // A thrust as large as one likes, with slips that the friction takes: only a price of the other sign would part them.
+        let slips = [(Extrados, -5), (Intrados, -1), (Intrados, 1), (Outwards, 5)];
+        assert!(bears_no_motion("0.8", slips, eta), "a slip does not fit");
+    }
+
+    /// Two halves that slide down and apart, under a crown that turns at neither face: rates fit, and the weight works.
+    #[test]
+    fn friction_may_take_what_the_weight_gives() {
+        let sliding = [(Inwards, 1), (Outwards, -1), (Outwards, 5), (Inwards, -5)];
+        assert!(!bears_no_motion("0.8", sliding, 0.5));
+    }
 }
