@@ -69,6 +69,8 @@ pub struct Format {
     pub is_binary: bool,
     /// Whether it is a picture, and nothing beside.
     pub is_picture: bool,
+    /// Whether of arches it has the error of each double, or quadruples: of both more is known with more bits.
+    pub has_errors: bool,
     /// Whether it names the certificate of each landmark by its hash.
     pub has_certificates: bool,
     /// The feature without which it is not built in, where that is missing.
@@ -97,6 +99,7 @@ const fn text(name: &'static str, extension: &'static str) -> Format {
         extension,
         is_binary: false,
         is_picture: false,
+        has_errors: false,
         has_certificates: false,
         missing: None,
         answers: None,
@@ -120,7 +123,12 @@ const fn text(name: &'static str, extension: &'static str) -> Format {
 
 /// A language of another program.
 const fn language(name: &'static str, extension: &'static str, answers: Writer<Answers>) -> Format {
-    Format { has_certificates: true, answers: Some(answers), ..text(name, extension) }
+    Format {
+        has_errors: true,
+        has_certificates: true,
+        answers: Some(answers),
+        ..text(name, extension)
+    }
 }
 
 static FORMATS: [Format; 19] = [
@@ -152,6 +160,7 @@ static FORMATS: [Format; 19] = [
         complementarity: Some(complementarity::json),
         branch: Some(branch::json),
         drawing: Some(sketched::json),
+        has_errors: false,
         ..language("json", "json", json::answers)
     },
     Format {
@@ -176,7 +185,11 @@ static FORMATS: [Format; 19] = [
         ..text("jsonl", "jsonl")
     },
     language("toml", "toml", toml::answers),
-    Format { claims: Some(claims::latex), ..language("latex", "tex", latex::answers) },
+    Format {
+        has_errors: false,
+        claims: Some(claims::latex),
+        ..language("latex", "tex", latex::answers)
+    },
     language("c", "h", c::answers),
     language("rust", "rs", rust::answers),
     language("python", "py", python::answers),

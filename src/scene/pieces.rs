@@ -4,12 +4,12 @@ use super::plan::{ArchNode, CurveNode, LandmarkNode, Plan};
 use super::schema::{Drawn, MapLine};
 use crate::arch::SelfWeight;
 use crate::atlas::{Level, NoLevel, NoSketch, Sketch, Trace};
-use crate::certify::state::{Answer, AssessmentDigits, Inquiry};
+use crate::certify::state::{Answer, AssessmentDigits, Columns, Inquiry};
 use crate::certify::{CertifiedLandmark, Constant, Undecided, fingerprint};
 use crate::claims::Decision;
 use crate::judge::{Enclosed, enclosed};
 use crate::problem::Quantity;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::sync::OnceLock;
 
 /// The pieces of a plan, in its order; nothing for what is not computed yet.
@@ -128,9 +128,26 @@ impl CurvePiece {
     }
 }
 
+/// What the arches of a plan share, by what is asked of them.
+pub(super) struct Shared(HashMap<(usize, bool), Columns>);
+
+impl Shared {
+    /// Nothing is proved yet.
+    pub(super) fn new(plan: &Plan) -> Self {
+        let asked = plan.arches.iter().filter_map(ArchNode::shared);
+        Self(asked.map(|asked| (asked, Columns::new(asked.0, asked.1))).collect())
+    }
+}
+
 impl ArchPiece {
-    /// Proves the state once, and what is asked of each thickness.
-    pub(super) fn new(node: &ArchNode) -> Self {
+    /// Proves the state once, and what is asked of each thickness. A state alone shares the proofs of its half opening.
+    pub(super) fn new(node: &ArchNode, shared: &Shared) -> Self {
+        if let Some(asked) = node.shared()
+            && let Some(columns) = shared.0.get(&asked)
+        {
+            let states = BTreeMap::from([(asked.0, columns.certify(node.arch))]);
+            return Self { states, thicknesses: Vec::new() };
+        }
         let mut inquiry = Inquiry::new(node.arch, node.digits(), node.frictions());
         let states = node.states.iter();
         let states = states

@@ -61,6 +61,8 @@ pub struct ArchNode<'s> {
     pub states: BTreeMap<usize, bool>,
     /// The thicknesses with which it is asked about.
     pub thicknesses: Vec<ThicknessNode>,
+    /// Whether a format asks for the errors of doubles, of which more is known with more bits.
+    pub errors: bool,
     /// The items that take it.
     pub items: Vec<usize>,
 }
@@ -207,6 +209,7 @@ impl<'s> Plan<'s> {
                     What::Arches { arches, quantities, digits, .. } => {
                         for asked in arches {
                             let node = plan.arch(asked, index, &mut known);
+                            plan.arches[node].errors |= item.format.has_errors;
                             let place = plan.arches[node].ask(
                                 (node, asked.thickness.as_ref()),
                                 quantities,
@@ -270,6 +273,7 @@ impl<'s> Plan<'s> {
                 arch: &asked.arch,
                 states: BTreeMap::new(),
                 thicknesses: Vec::new(),
+                errors: false,
                 items: Vec::new(),
             });
             self.arches.len() - 1
@@ -404,6 +408,14 @@ impl ArchNode<'_> {
             self.thicknesses[place].wanted = wanted;
         }
         Some(place)
+    }
+
+    /// What is asked, if it is one state that may share the proofs of its half opening: its digits, and whether the
+    /// frictions at which the mode changes are.
+    pub(super) fn shared(&self) -> Option<(usize, bool)> {
+        let mut states = self.states.iter().map(|(digits, frictions)| (*digits, *frictions));
+        let first = states.next().filter(|_| self.thicknesses.is_empty() && !self.errors);
+        first.filter(|_| states.next().is_none())
     }
 
     /// Whether the frictions at which the mode changes are asked for.

@@ -2,7 +2,7 @@
 
 use super::cost::{Cost, measured};
 use super::item_report::ItemReport;
-use super::pieces::{ArchPiece, CurvePiece, LandmarkPiece, Lines, Pieces, none, sketch};
+use super::pieces::{ArchPiece, CurvePiece, LandmarkPiece, Lines, Pieces, Shared, none, sketch};
 use super::plan::Plan;
 
 /// A plan that is being carried out.
@@ -11,6 +11,7 @@ pub struct Run<'p> {
     pieces: Pieces,
     costs: Costs,
     lines: Lines,
+    shared: Shared,
 }
 
 /// What each piece of a plan cost, in the order of the plan; nothing for what was not needed yet.
@@ -46,7 +47,8 @@ impl<'p> Run<'p> {
             curves: none(&plan.curves),
             drawings: none(&plan.drawings),
         };
-        Self { plan, pieces: Pieces::new(plan), costs, lines: Lines::default() }
+        let (pieces, shared) = (Pieces::new(plan), Shared::new(plan));
+        Self { plan, pieces, costs, lines: Lines::default(), shared }
     }
 
     /// What the pieces cost so far.
@@ -58,7 +60,7 @@ impl<'p> Run<'p> {
     /// called [`Plan::ticks`] times in all.
     pub fn item(&mut self, index: usize, tick: &(dyn Fn() + Sync)) -> ItemReport {
         let (plan, needs) = (self.plan, &self.plan.needs[index]);
-        let Self { pieces, costs, lines, .. } = self;
+        let Self { pieces, costs, lines, shared, .. } = self;
         for (node, piece) in plan.arches.iter().zip(&mut pieces.arches) {
             if node.items.last().is_some_and(|last| *last < index) {
                 *piece = None;
@@ -69,7 +71,7 @@ impl<'p> Run<'p> {
         });
         let arches: Vec<usize> = needs.arches.iter().map(|(place, _)| *place).collect();
         fill(&arches, &mut pieces.arches, &mut costs.arches, |place| {
-            let piece = ArchPiece::new(&plan.arches[place]);
+            let piece = ArchPiece::new(&plan.arches[place], shared);
             tick();
             piece
         });

@@ -95,3 +95,22 @@ fn what_two_items_share_is_computed_once() {
     let range = vault("0.2").total().tally;
     assert_eq!(range.of(Equation::UpperThrust) + range.of(Equation::ShoulderSliding), 0);
 }
+
+#[test]
+fn arches_of_one_half_opening_share_its_proofs() {
+    warm();
+    let of = |frictions: &str, format: &str| {
+        let scene = format!(
+            "[[arches]]\nhalf_opening = \"80deg\"\nfriction = {frictions}\nformat = \"{format}\"\n"
+        );
+        // Of several threads that ask for the half opening at a time, one proves it and the others their arches.
+        let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+        one.install(|| costs(&scene)).total().tally.evaluations()
+    };
+    let range = |steps: usize| format!("{{ from = 1, to = 2, steps = {steps} }}");
+    // Two alone, and the half opening; then any number is free.
+    assert_eq!(of(&range(30), "csv"), of(&range(4), "csv"));
+    assert!(of(&range(30), "csv") < 5 * of("1", "csv"));
+    // For a format that has errors of doubles each is proved.
+    assert!(of(&range(30), "toml") > 20 * of("1", "toml"));
+}
