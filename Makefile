@@ -1,7 +1,7 @@
 # `make` builds couplet and prints the landmark constants; `make test` runs every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build test lint docs msrv deny snapshots pictures constants states checker malachite combinations crates examples exporters c header wheel wheel-manylinux page page-test bench peers \
+.PHONY: run build test lint docs msrv deny snapshots pictures constants states checker malachite combinations crates examples exporters c header wheel notebooks wheel-manylinux page page-test bench peers \
         proofs witness m4 coq
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
@@ -134,6 +134,12 @@ header:
 # The Python package, built and tested in fresh virtual environments.
 wheel: m4
 	@.ci/wheel
+
+# The notebooks in python/notebooks, run and stored anew; `git diff` shows what has changed. `make wheel` compares.
+notebooks: m4
+	python3 -m venv target/notebooks
+	target/notebooks/bin/pip install --quiet --disable-pip-version-check ./python -r python/notebooks/requirements.txt
+	target/notebooks/bin/python python/notebooks/run.py --write
 
 # A wheel for every Linux with a glibc from 2.17 on, in target/manylinux: zig is the C compiler and the linker.
 MANYLINUX := target/manylinux
