@@ -176,7 +176,7 @@ def find(
         >>> couplet.find("friction", half_opening="80deg", thickness="0.1", digits=10).value
         Certified('friction', '0.2573157331')
     """
-    kind = {"alpha": "half_opening", "mu": "friction"}.get(what, str(what)).replace("-", "_").lower()
+    kind = {"alpha": "half_opening", "mu": "friction"}.get(what, str(what)).replace("-", "_").replace(" ", "_").lower()
     needs = {"half_opening": "friction", "friction": "half_opening", "boundary": None}
     if kind not in needs:
         raise CoupletError("what is found is one of half_opening, friction, boundary")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import time
 
 from . import _core
@@ -113,9 +114,13 @@ def _need_numpy() -> None:
 
 def whole(threads: int) -> int:
     """A number of threads."""
-    if isinstance(threads, bool) or not isinstance(threads, int) or not 0 <= threads <= _MOST_THREADS:
+    try:
+        number = -1 if isinstance(threads, bool) else operator.index(threads)
+    except TypeError:
+        number = -1
+    if not 0 <= number <= _MOST_THREADS:
         raise CoupletError(f"threads are a whole number from 1 to {_MOST_THREADS}, or 0 for one on each core")
-    return threads
+    return number
 
 
 class _Asked:

@@ -12,6 +12,10 @@ if TYPE_CHECKING:
     Told = tuple[str, str, str, float, float, float, "str | None", "str | None"]
 
 
+# The types of a number in a format: of a Decimal they round half to even, and no digit is made up.
+_NUMBERS = tuple("eEfFgG%")
+
+
 class Certified:
     """A value that is proved: text with all its digits, and the nearest double, both between bounds.
 
@@ -24,7 +28,7 @@ class Certified:
         exact: the exact value, where there is one and it says more (``'2(2√3−3)'``); else None.
         limited_by: what limits a thrust; else None.
 
-    ``str()`` is the text and ``float()`` the double. ``==`` says whether two are one record: of the same quantity with the
+    ``str()`` is the text and ``float()`` the double; ``f"{value:.5f}"`` is the true value rounded. ``==`` says whether two are one record: of the same quantity with the
     same digits and bounds. Of the true values it says nothing: compare their bounds.
     """
 
@@ -118,6 +122,20 @@ class Certified:
 
     def __str__(self) -> str:
         return self._told[0]
+
+    def __format__(self, spec: str) -> str:
+        """With a place for the text (``'>40'``), or with the type of a number (``'.5f'``): then the true value rounded so, proved
+        by both its bounds; a ValueError where they do not tell."""
+        if spec[-1:] not in _NUMBERS:
+            if "." in spec:
+                raise ValueError(f"the format {spec!r} would cut a number off; with the type of one it is rounded: {spec + 'f'!r}")
+            return format(self._told[0], spec)
+        if self._told[0] == "inf":
+            return format(self._told[3], spec)
+        lower, upper = (format(bound, spec) for bound in self.decimals())
+        if lower != upper:
+            raise ValueError(f"the digits of {self!r} do not tell how {spec!r} rounds it: it is between {lower} and {upper}")
+        return lower
 
     def __float__(self) -> float:
         return self._told[3]

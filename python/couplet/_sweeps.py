@@ -252,13 +252,13 @@ def _value(value: Any) -> str:
 
     if hasattr(value, "items"):
         return "{ " + ", ".join(f"{key} = {_value(inner)}" for key, inner in value.items()) + " }"
+    if hasattr(value, "tolist"):
+        # Of NumPy.
+        value = value.tolist()
     if isinstance(value, (bool, str)):
         return json.dumps(value, ensure_ascii=False)
     if isinstance(value, int):
         return str(value)
-    if hasattr(value, "tolist"):
-        # Of NumPy.
-        value = value.tolist()
-    if isinstance(value, (list, tuple)):
+    if isinstance(value, (list, tuple, range)):
         return "[" + ", ".join(_value(inner) for inner in value) + "]"
     return json.dumps(exact(value, "number"))

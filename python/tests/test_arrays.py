@@ -145,7 +145,7 @@ def test_names_that_are_unknown():
 
 def test_threads_change_nothing():
     alpha, mu = drawn(700, 2)
-    assert same(couplet.states(alpha, mu, threads=1), couplet.states(alpha, mu, threads=3))
+    assert same(couplet.states(alpha, mu, threads=1), couplet.states(alpha, mu, threads=np.int64(3)))
 
 
 def test_columns():

@@ -89,6 +89,10 @@ def test_an_exact_value_says_so():
     assert any("√" in text or "/" in text for text in exact.values()), exact
 
 
+def test_find_takes_the_words_of_its_page():
+    assert couplet.find("half opening", friction=1, digits=5) == couplet.find("half_opening", friction=1, digits=5)
+
+
 def test_find():
     found = couplet.find("half_opening", friction="0.5", thickness="0.2", digits=20)
     assert found.verdict == "found" and found.value.quantity == "half_opening"
@@ -247,6 +251,18 @@ def test_a_certificate_that_is_no_text_is_refused():
 
 def test_a_value_shows_no_digit_that_is_not_proved():
     value = couplet.state("80deg", "0.35", digits=5).thickness
-    with pytest.raises(TypeError):
+    with pytest.raises(ValueError, match="do not tell"):
         f"{value:.20f}"
     assert f"{value}" == value.text
+
+
+def test_a_value_is_formatted_as_it_is_proved():
+    value = couplet.state("80deg", "0.6", digits=12).thickness
+    assert value.text == "0.0686504633304"
+    assert (f"{value}", f"{value:>16}|", f"{value:.4f}", f"{value:.3e}") == (value.text, " 0.0686504633304|", "0.0687", "6.865e-2")
+    # Of this thickness 17 digits are 0.068650463330373536.
+    with pytest.raises(ValueError, match="do not tell how '.13f' rounds it: it is between 0.0686504633303 and 0.0686504633304"):
+        format(value, ".13f")
+    with pytest.raises(ValueError, match="would cut a number off; .* '.5f'"):
+        format(value, ".5")
+    assert f"{couplet.constants('L', quantities='friction')['friction']:8.2f}" == "     inf"

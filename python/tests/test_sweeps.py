@@ -147,6 +147,9 @@ def test_a_plan_of_numbers_of_python(tmp_path):
     grid = {"half_opening": np.array([0.1, 0.5]), "friction": 1}
     plan = couplet.sweep({"grid": grid}, tmp_path / "doubles").folder + "/_plan.json"
     assert "3602879701896397/36028797018963968" in Path(plan).read_text()
+    grid = {"half_opening": range(1, 3), "friction": np.int64(1)}
+    made = couplet.sweep({"grid": grid, "chunk": np.int64(1)}, tmp_path / "integers")
+    assert (made.rows, made.computed) == (2, 2)
 
 
 def test_the_table_is_read_by_others(tmp_path, monkeypatch):
