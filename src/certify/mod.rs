@@ -42,8 +42,8 @@ pub use fingerprint::{MAX_FINGERPRINT_DIGITS, fingerprint};
 pub(crate) use isolate::isolate_near;
 pub use isolate::{Isolated, isolate};
 pub use jointed::{
-    Enumeration, JointedMotion, JointedSolution, MOST_ENUMERATED_STONES, Standing, enumerate,
-    least_solution,
+    Enumeration, JointedMotion, JointedSolution, LeastSolution, MOST_ENUMERATED_STONES, Standing,
+    enumerate, least_solution,
 };
 pub use landmark::{CertifiedLandmark, Constant, MAX_DIGITS, Value, quantities};
 pub(crate) use linear::Eliminated;

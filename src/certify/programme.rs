@@ -16,6 +16,12 @@
 //! 4. The least of these bounds is a lower bound of the programme; the value at one end, with rates that are proved to be positive and to
 //!    fit, is an upper one.
 //!
+//! 5. **By the letter** the value is zero where a joint bears nothing in an admissible state, `N = T = 0`: both of its slips are zero, and as their
+//!    motions are opposite, equal rates of both fit. With one hinge of this joint the two slips fix such a state, and the other hinge is zero with
+//!    them; that all other joints have room is proved.
+//! 6. A solid arch, of thickness 2, has its intrados at the centre: the hinges there say `p >= -fac (1 - cos beta)`, each for its joint, and all but
+//!    those nearest to the crown follow from these. Conditions that follow from another with the same row make no lines, as no vertex needs them.
+//!
 //! **Complete** for the joints that there are: all pairs of conditions are looked at. Between the joints nothing is asked.
 //!
 //! **Of a half arch** the forces are `(h, p)` and two equations of compatibility are left: `v = 0` takes the place of the first condition
@@ -43,6 +49,9 @@ pub enum Programme {
     NothingAdmissible,
     /// Its least value is zero: (19) has a solution.
     Zero,
+    /// Its least value is zero by the letter alone: in an admissible state a joint bears nothing, and its two opposite slips, which are no motion,
+    /// cost nothing. Whether a motion costs nothing is not said.
+    Idle,
     /// Its least value is positive, and lies between two numbers.
     Least {
         /// Not above it; positive.
@@ -60,6 +69,9 @@ const BITS: u32 = 106;
 
 /// A condition `row . x + load <= 0` and its motion.
 struct Condition {
+    contact: Contact,
+    /// So many halves of a stone from the crown.
+    joint: i32,
     row: [DoubleBall; 3],
     load: DoubleBall,
     motion: [DoubleBall; 3],
@@ -80,6 +92,16 @@ impl Condition {
     fn at(&self, forces: &Forces) -> DoubleBall {
         dot(&self.row, forces) + self.load
     }
+
+    /// Whether it follows from another one: the same row, exactly, and a smaller load, or the same at the mirror image of its joint.
+    fn follows_from(&self, other: &Self) -> bool {
+        let is_exact = |x: &DoubleBall| x.rad() == 0.0;
+        let mut entries = self.row.iter().zip(&other.row);
+        let is_same = entries.all(|(a, b)| is_exact(a) && is_exact(b) && a.mid() == b.mid());
+        let is_image =
+            self.contact == other.contact && self.joint == -other.joint && self.joint < 0;
+        is_same && (is_image || self.load.is_less_than(&other.load).is_proved())
+    }
 }
 
 /// The conditions at all joints of so many equal stones, of a half arch without those of `v`.
@@ -95,7 +117,8 @@ fn conditions(
     let grip: Grip<DoubleBall> =
         grip(arch.friction(), BITS).map(|x| DoubleBall::from_ball(&x, BITS));
     let none = eta.int(0);
-    let joint = |k: i32| match k {
+    let is_solid = thickness.is_rational() && thickness.to_rational() == 2;
+    let at = |k: i32| match k {
         0 => Angle::zero(&alpha),
         _ => {
             let side = if k < 0 { Side::Left } else { Side::Right };
@@ -106,11 +129,18 @@ fn conditions(
         Extent::Whole => [h, p, v],
         Extent::Half => [h, p, none],
     };
-    let all = extent.joints(stones).map(joint).flat_map(|joint| {
-        Contact::ALL.map(|contact| Condition {
-            row: seen(static_row(contact, &joint, &ring, &grip)),
-            load: contact.row(&joint, &ring, &grip).load,
-            motion: seen(motion_row(contact, &joint, &eta, &none)),
+    let all = extent.joints(stones).flat_map(|joint| {
+        let angle = at(joint);
+        Contact::ALL.map(|contact| {
+            let load = contact.row(&angle, &ring, &grip).load;
+            // The radius of the intrados is zero exactly, and so is what it multiplies.
+            if is_solid && contact == Contact::Intrados {
+                let row = [none, none.int(-1), none];
+                return Condition { contact, joint, row, load, motion: row };
+            }
+            let row = seen(static_row(contact, &angle, &ring, &grip));
+            let motion = seen(motion_row(contact, &angle, &eta, &none));
+            Condition { contact, joint, row, load, motion }
         })
     });
     all.collect()
@@ -136,6 +166,8 @@ pub fn programme(
 struct Search {
     all: Vec<Condition>,
     columns: Vec<[f64; 4]>,
+    /// Which of them follow from another one.
+    follows: Vec<bool>,
     /// What a state of a half arch satisfies beside them: `v = 0`.
     plane: Option<Condition>,
 }
@@ -156,9 +188,13 @@ impl Search {
             [a, b, c, 1.0]
         };
         let row = [0.0, 0.0, 1.0].map(DoubleBall::exact);
-        let plane = Condition { row, load: row[0], motion: [row[0]; 3] };
+        let (contact, motion) = (Contact::Inwards, [row[0]; 3]);
+        let plane = Condition { contact, joint: 0, row, load: row[0], motion };
         let plane = (extent == Extent::Half).then_some(plane);
-        Self { columns: all.iter().map(column).collect(), all, plane }
+        let columns = all.iter().map(column).collect();
+        let follows = |of: &Condition| all.iter().any(|other| of.follows_from(other));
+        let follows = all.iter().map(follows).collect();
+        Self { columns, follows, all, plane }
     }
 
     fn least(&self) -> Result<Programme, Undecided> {
@@ -199,16 +235,47 @@ impl Search {
         Ok(match found {
             None => Programme::NothingAdmissible,
             Some((lower, upper)) if lower > 0.0 => Programme::Least { lower, upper },
+            Some(_) if self.bears_nothing() => Programme::Idle,
             Some(_) => return Err(Undecided::new("whether the least value is zero")),
         })
+    }
+
+    /// Whether some joint bears nothing in a state that is proved to be admissible.
+    fn bears_nothing(&self) -> bool {
+        let joints = self.all.chunks_exact(Contact::ALL.len());
+        joints.into_iter().any(|at| self.state_without(at).is_some())
+    }
+
+    /// The admissible state in which a joint, given by its conditions, bears nothing. In a half arch only the crown may, whose slips are one condition.
+    fn state_without(&self, joint: &[Condition]) -> Option<Forces> {
+        let [hinge, _, slip, other] = joint else { return None };
+        let last = match &self.plane {
+            None => other,
+            Some(_) if hinge.joint != 0 => return None,
+            Some(plane) => plane,
+        };
+        let across = [cross(&slip.row, &last.row), cross(&last.row, &hinge.row)];
+        let (size, third) = (dot(&hinge.row, &across[0]), cross(&hinge.row, &slip.row));
+        if !size.excludes_zero() {
+            return None;
+        }
+        let forces = [0, 1, 2].map(|k| {
+            let sum = across[0][k] * hinge.load + across[1][k] * slip.load + third[k] * last.load;
+            -sum / size
+        });
+        let mut others = self.all.iter().filter(|of| of.joint != hinge.joint);
+        let have_room = others.all(|of| (-of.at(&forces)).is_positive().is_proved());
+        have_room.then_some(forces)
     }
 
     /// The conditions that make lines together; a place beyond the last is that of `v = 0`.
     fn pairs(&self) -> Vec<[usize; 2]> {
         let count = self.all.len();
+        let needed: Vec<usize> = (0..count).filter(|k| !self.follows[*k]).collect();
+        let before = |i: usize| needed.iter().filter(move |j| **j < i).map(move |j| [i, *j]);
         match self.plane {
-            None => (0..count).flat_map(|i| (0..i).map(move |j| [i, j])).collect(),
-            Some(_) => (0..count).map(|j| [count, j]).collect(),
+            None => needed.iter().flat_map(|i| before(*i)).collect(),
+            Some(_) => needed.iter().map(|j| [count, *j]).collect(),
         }
     }
 
@@ -225,7 +292,8 @@ impl Search {
         let start: Forces = [0, 1, 2].map(|k| -(by_a[k] * a.load + by_b[k] * b.load) / size);
         let (mut least, mut most): (Option<DoubleBall>, Option<DoubleBall>) = (None, None);
         let (mut is_whole, mut is_open) = (true, false);
-        let others = self.all.iter().enumerate().filter(|(k, _)| *k != i && *k != j);
+        let others = self.all.iter().enumerate();
+        let others = others.filter(|(k, _)| *k != i && *k != j && !self.follows[*k]);
         for (_, other) in others {
             let (slope, value) = (dot(&other.row, &along), other.at(&start));
             let bound = || -value / slope;
@@ -283,6 +351,9 @@ impl Search {
     /// be positive.
     fn value(&self, forces: &Forces, best: &Rates) -> Option<f64> {
         let columns = &best.moving;
+        if let [a, b] = columns[..] {
+            return self.value_of_opposites([&self.all[a], &self.all[b]], forces);
+        }
         let motion = |k: usize| &self.all[columns[k]].motion;
         let is_enough = columns.len() == if self.plane.is_some() { 3 } else { 4 };
         if !is_enough {
@@ -308,6 +379,14 @@ impl Search {
             value - self.all[*column].at(forces) * level
         });
         Some(value.upper())
+    }
+
+    /// An upper bound with the two slips of a joint alone, whose motions are opposite: equal rates fit.
+    fn value_of_opposites(&self, [a, b]: [&Condition; 2], forces: &Forces) -> Option<f64> {
+        let are_slips = !a.contact.is_hinge() && !b.contact.is_hinge();
+        let are_opposite = are_slips && a.joint == b.joint && a.contact != b.contact;
+        let sum = a.at(forces) + b.at(forces);
+        are_opposite.then(|| (-sum / sum.int(2)).upper())
     }
 }
 
@@ -465,12 +544,52 @@ mod tests {
     /// Another way, which knows neither lines nor prices, finds the same least value.
     #[test]
     fn enumeration_finds_the_same() {
-        for (weight, alpha, mu, eta) in
-            [("heyman", "2.3", "1.1", "0.55"), ("milankovitch", "pi/2", "0.5", "0.2")]
-        {
+        for (weight, alpha, mu, eta) in [
+            ("heyman", "2.3", "1.1", "0.55"),
+            ("milankovitch", "pi/2", "0.5", "0.2"),
+            ("milankovitch", "1", "0.7", "2"),
+        ] {
             let arch = arch(weight, alpha, mu);
             let other = by_enumeration(&arch, eta, 4);
             approx::assert_relative_eq!(least(&arch, eta, 4), other, max_relative = 1e-6);
+        }
+    }
+
+    /// A crown that bears nothing is admissible from the thickness on at which two halves stand each for itself; thinner, nothing costs nothing. At joints that
+    /// bear something no state is found.
+    #[test]
+    fn a_joint_that_bears_nothing_costs_nothing() {
+        let arch = arch("heyman", "1.868", "1.411");
+        for extent in [Extent::Whole, Extent::Half] {
+            let at = |eta: &str| programme(&arch, &eta.parse().unwrap(), (4, extent)).unwrap();
+            assert_eq!(at("1.041"), Programme::Idle);
+            assert!(matches!(at("0.6"), Programme::Least { lower, .. } if lower > 0.0));
+            let all = conditions(&arch, &"1.041".parse().unwrap(), (4, extent));
+            let search = Search::new(all, extent);
+            for at in search.all.chunks_exact(4) {
+                let state = search.state_without(at);
+                assert_eq!(state.is_some(), at[0].joint == 0, "{extent:?} {}", at[0].joint);
+                assert!(state.is_none_or(|forces| forces.iter().all(|x| !x.excludes_zero())));
+            }
+        }
+        assert!(by_enumeration(&arch, "1.041", 4) < 1e-9);
+    }
+
+    /// Of the hinges of a solid arch at the centre only those nearest to the crown make lines; of a thinner one all do.
+    #[test]
+    fn hinges_at_the_centre_follow_from_each_other() {
+        let arch = arch("milankovitch", "1", "0.7");
+        for (stones, eta, kept) in [(4, "2", 1), (5, "2", 1), (4, "1.999", 5)] {
+            let eta = eta.parse().unwrap();
+            let search =
+                Search::new(conditions(&arch, &eta, (stones, Extent::Whole)), Extent::Whole);
+            let lines = search.all.iter().zip(&search.follows).filter(|(_, follows)| !**follows);
+            let intrados: Vec<i32> = lines
+                .filter(|(at, _)| at.contact == Contact::Intrados)
+                .map(|(at, _)| at.joint)
+                .collect();
+            assert_eq!(intrados.len(), kept, "{intrados:?}");
+            assert!(kept > 1 || intrados == [stones % 2], "{intrados:?}");
         }
     }
 

@@ -41,24 +41,44 @@ pub struct AtThickness {
     /// Which states are looked at.
     pub extent: Extent,
     /// What is proved.
-    pub found: Result<Programme, Undecided>,
+    pub found: Result<ProgrammeFound, Undecided>,
+}
+
+/// What is proved of the programme (20), or of the thickness that is asked for by its name.
+#[derive(Clone, Debug)]
+pub enum ProgrammeFound {
+    /// At a thickness.
+    At(Programme),
+    /// There is no least thickness, as every thickness up to 2 stands.
+    EveryThicknessStands,
+    /// There is none, as no thickness up to 2 stands.
+    NoThicknessStands,
 }
 
 impl AtThickness {
     /// The least value in as many digits as are proved, up to twelve, or a lower bound of it.
     fn value(&self) -> Option<Result<Rounded, Rounded>> {
-        let Ok(Programme::Least { lower, upper }) = &self.found else { return None };
+        let Ok(ProgrammeFound::At(Programme::Least { lower, upper })) = &self.found else {
+            return None;
+        };
         let ball = |x: &f64| Ball::exact(Float::with_val(64, *x), 64);
         let rounded = |x: &Ball| (1..=12).rev().find_map(|digits| Rounded::from_ball(x, digits));
         let exact = upper.as_ref().and_then(|upper| rounded(&ball(lower).hull(&ball(upper))));
         exact.map(Ok).or_else(|| rounded(&ball(lower)).map(Err))
     }
 
+    fn is_zero(&self) -> bool {
+        matches!(&self.found, Ok(ProgrammeFound::At(Programme::Zero | Programme::Idle)))
+    }
+
     fn outcome(&self) -> &'static str {
         match &self.found {
-            Ok(Programme::NothingAdmissible) => "nothing_admissible",
-            Ok(Programme::Zero) => "zero",
-            Ok(Programme::Least { .. }) => "positive",
+            Ok(ProgrammeFound::At(Programme::NothingAdmissible)) => "nothing_admissible",
+            Ok(ProgrammeFound::At(Programme::Zero)) => "zero",
+            Ok(ProgrammeFound::At(Programme::Idle)) => "zero_by_the_letter",
+            Ok(ProgrammeFound::At(Programme::Least { .. })) => "positive",
+            Ok(ProgrammeFound::EveryThicknessStands) => "every_thickness_stands",
+            Ok(ProgrammeFound::NoThicknessStands) => "no_thickness_stands",
             Err(_) => "undecided",
         }
     }
@@ -85,6 +105,13 @@ const MEANING: [&str; 6] = [
     "This is said of the model. Below the least thickness no state is admissible, as before, and between",
     "the thicknesses no solution is found.",
     "",
+];
+
+/// Where a joint bears nothing.
+const IDLE: [&str; 3] = [
+    "least value 0 by the letter, proved: in an admissible state a joint bears nothing, and its two",
+    "opposite slips, which are no motion, cost nothing. Whether a motion costs nothing as well is",
+    "not said; the solutions without --thickness leave such slips out",
 ];
 
 /// What of a solution is proved.
@@ -255,18 +282,30 @@ fn programme(at: &AtThickness, out: &mut dyn io::Write) -> io::Result<()> {
         out,
         "\nProgramme (20) at thickness {eta}, {stones} equal stones, {joints} joints{half}"
     )?;
-    match (&at.found, at.value()) {
-        (Err(undecided), _) => return writeln!(out, "   {undecided}"),
-        (Ok(Programme::NothingAdmissible), _) => {
+    let found = match &at.found {
+        Err(undecided) => return writeln!(out, "   {undecided}"),
+        Ok(ProgrammeFound::EveryThicknessStands) => {
+            return writeln!(out, "   there is none, proved: every thickness up to 2 stands");
+        }
+        Ok(ProgrammeFound::NoThicknessStands) => {
+            return writeln!(out, "   there is none, proved: no thickness up to 2 stands");
+        }
+        Ok(ProgrammeFound::At(found)) => found,
+    };
+    match found {
+        Programme::NothingAdmissible => {
             writeln!(out, "   nothing is admissible at these joints, proved")?;
         }
-        (Ok(Programme::Zero), _) => {
+        Programme::Zero => {
             writeln!(out, "   least value 0, exactly")?;
             let words = "proved: (19) has a solution there, an admissible state with positive rates that fit";
             return writeln!(out, "   {words}");
         }
-        (Ok(Programme::Least { .. }), value) => {
-            match value {
+        Programme::Idle => {
+            return IDLE.iter().try_for_each(|line| writeln!(out, "   {line}"));
+        }
+        Programme::Least { .. } => {
+            match at.value() {
                 Some(Ok(value)) => writeln!(out, "   least value {}", value.value)?,
                 Some(Err(bound)) => writeln!(out, "   least value at least {}", bound.lower)?,
                 None => {}
@@ -314,9 +353,14 @@ pub(super) fn csv(
         "crown_moment",
         "vertical_force",
         "stones",
+        "outcome",
+        "until",
+        "least_value",
+        "least_value_lower",
     ];
     let rows = arches.iter().flat_map(|of| {
-        let jointed = of.enumeration.iter().flatten().flat_map(|all| jointed::rows(&of.arch, all));
+        let jointed = of.enumeration.iter().flat_map(|all| jointed::rows(&of.arch, all));
+        let programme = of.programme.iter().map(|at| row(&of.arch, at));
         let anywhere = of.solutions().into_iter().map(|solution| {
             let text = |figure: Option<&Figure>| figure.map_or(String::new(), Figure::to_string);
             let state = solution.asymmetric();
@@ -331,11 +375,41 @@ pub(super) fn csv(
                 text(state.map(|state| &state.crown_moment)),
                 text(state.map(|state| &state.vertical_force)),
                 String::new(),
+                "solution".to_owned(),
+                String::new(),
+                String::new(),
+                String::new(),
             ]
         });
-        anywhere.chain(jointed).collect::<Vec<_>>()
+        anywhere.chain(jointed).chain(programme).collect::<Vec<_>>()
     });
     csv::write(std::iter::once(header.map(str::to_owned).to_vec()).chain(rows), out)
+}
+
+/// The programme (20) as a row.
+fn row(arch: &Arch, at: &AtThickness) -> Vec<String> {
+    let (value, lower) = match at.value() {
+        Some(Ok(value)) => (value.value.to_string(), value.lower.to_string()),
+        Some(Err(bound)) => (String::new(), bound.lower.to_string()),
+        None if at.is_zero() => ("0".to_owned(), "0".to_owned()),
+        None => (String::new(), String::new()),
+    };
+    vec![
+        arch.weight().name().to_owned(),
+        arch.half_opening().to_string(),
+        arch.friction().to_string(),
+        String::new(),
+        "programme".to_owned(),
+        at.named.as_ref().map_or(at.thickness.clone(), Figure::to_string),
+        String::new(),
+        String::new(),
+        String::new(),
+        at.stones.to_string(),
+        at.outcome().to_owned(),
+        String::new(),
+        value,
+        lower,
+    ]
 }
 
 pub(super) fn json(

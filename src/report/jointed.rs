@@ -4,9 +4,7 @@ use super::fields::Fields;
 use crate::arch::whole::Side;
 use crate::certify::state::Figure;
 use crate::certify::{Enumeration, Extent, JointedMotion, JointedSolution, Standing, Undecided};
-use crate::number::Rounded;
 use crate::problem::Arch;
-use rug::Float;
 use std::io;
 
 /// How many joints have conditions.
@@ -31,13 +29,6 @@ fn side(motion: &JointedMotion) -> &'static str {
         Some(Side::Left) => "left",
         None => "crown",
     }
-}
-
-/// The ends of a piece on which nothing is proved, rounded outward.
-fn ends(piece: &[f64; 2]) -> Option<[String; 2]> {
-    let rounded = |x: f64| Rounded::from_rational(&Float::with_val(64, x).to_rational()?, 6);
-    let [low, high] = piece.map(rounded);
-    Some([low?.lower.to_string(), high?.upper.to_string()])
 }
 
 pub(super) fn table(all: &Enumeration, out: &mut dyn io::Write) -> io::Result<()> {
@@ -70,7 +61,7 @@ pub(super) fn table(all: &Enumeration, out: &mut dyn io::Write) -> io::Result<()
         }
     }
     writeln!(out)?;
-    for [low, high] in all.open.iter().filter_map(ends) {
+    for [low, high] in all.open_bounds() {
         writeln!(out, "   from {low} to {high} nothing is proved")?;
     }
     let triples = all.triples;
@@ -111,23 +102,54 @@ fn one(solution: &JointedSolution, out: &mut dyn io::Write) -> io::Result<()> {
     })
 }
 
-/// Rows as those of the other solutions, with the stones.
-pub(super) fn rows(arch: &Arch, all: &Enumeration) -> Vec<Vec<String>> {
-    let row = |solution: &JointedSolution| {
+/// Rows as those of the other solutions, with the stones; and each piece on which nothing is proved, from its thickness until another.
+pub(super) fn rows(arch: &Arch, found: &Result<Enumeration, Undecided>) -> Vec<Vec<String>> {
+    let row = |[symmetric, thickness, thrust, moment, vertical, stones, outcome, until]: [String;
+                   8]| {
         vec![
             arch.weight().name().to_owned(),
             arch.half_opening().to_string(),
             arch.friction().to_string(),
-            solution.is_symmetric.to_string(),
+            symmetric,
             "jointed".to_owned(),
-            solution.thickness.to_string(),
-            solution.thrust.to_string(),
-            solution.crown_moment.to_string(),
-            solution.vertical_force.to_string(),
-            all.stones.to_string(),
+            thickness,
+            thrust,
+            moment,
+            vertical,
+            stones,
+            outcome,
+            until,
+            String::new(),
+            String::new(),
         ]
     };
-    all.solutions.iter().flatten().map(row).collect()
+    let nothing = String::new;
+    let Ok(all) = found else {
+        let [a, b, c, d, e, f] = std::array::from_fn(|_| nothing());
+        return vec![row([a, b, c, d, e, f, "undecided".to_owned(), nothing()])];
+    };
+    let stones = all.stones.to_string();
+    let solution = |found: &Result<JointedSolution, Undecided>| match found {
+        Ok(found) => row([
+            found.is_symmetric.to_string(),
+            found.thickness.to_string(),
+            found.thrust.to_string(),
+            found.crown_moment.to_string(),
+            found.vertical_force.to_string(),
+            stones.clone(),
+            "solution".to_owned(),
+            nothing(),
+        ]),
+        Err(_) => {
+            let [a, b, c, d, e] = std::array::from_fn(|_| nothing());
+            row([a, b, c, d, e, stones.clone(), "undecided".to_owned(), nothing()])
+        }
+    };
+    let open = |[low, high]: [String; 2]| {
+        let [a, b, c, d] = std::array::from_fn(|_| nothing());
+        row([a, low, b, c, d, stones.clone(), "open".to_owned(), high])
+    };
+    all.solutions.iter().map(solution).chain(all.open_bounds().map(open)).collect()
 }
 
 pub(super) fn fields(found: &Result<Enumeration, Undecided>) -> Fields {
@@ -161,7 +183,7 @@ pub(super) fn fields(found: &Result<Enumeration, Undecided>) -> Fields {
         fields.add("upper", upper);
         fields
     };
-    fields.add_list("open", all.open.iter().filter_map(ends).map(piece).collect());
+    fields.add_list("open", all.open_bounds().map(piece).collect());
     fields.add("looked_at", all.triples);
     fields
 }

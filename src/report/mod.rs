@@ -68,7 +68,9 @@ pub use answers::{Answers, Scope};
 pub use audit::Audit;
 pub use branch::{BranchArch, BranchArches};
 pub use claims::{Claims, Index};
-pub use complementarity::{AtThickness, ComplementarityArch, ComplementarityArches};
+pub use complementarity::{
+    AtThickness, ComplementarityArch, ComplementarityArches, ProgrammeFound,
+};
 pub use drawn::{Axes, Branches, Drawing, Mark, Marked, Plane, Shown, Unit, View};
 pub use format::{Content, Format};
 pub use given::GivenDoubles;

@@ -100,7 +100,10 @@ fn all_solutions_between_stones_are_told() {
     assert_eq!(all["solutions"][1]["thickness"]["value"], "0.68442173");
     assert_eq!(all["solutions"][1]["joints"][2]["side"], "crown");
     let rows = output(&[&arch[..], &["--format", "csv"]].concat());
-    assert!(rows.lines().any(|row| row.ends_with(",8") && row.contains("0.68442173")), "{rows}");
+    assert!(
+        rows.lines().any(|row| row.ends_with(",8,solution,,,") && row.contains("0.68442173")),
+        "{rows}"
+    );
     let nothing = output(&["complementarity", "--alpha", "pi/2", "--mu", "0.1", "--stones", "6"]);
     assert!(nothing.contains("none, proved: at no thickness up to 2"), "{nothing}");
 }
@@ -134,9 +137,13 @@ fn what_is_wrong_is_said_in_a_line() {
         (&["--half-opening", "2.3", "--friction", "inf", "--stones", "6"], "limited"),
         (
             &["--half-opening", "2.3", "--friction", "1", "--eta", "1", "--stones", "1"],
-            "from 2 to 100",
+            "from 2 to 60, or to 100 with --thickness",
         ),
         (&["--half-opening", "2.3", "--friction", "1", "--eta", "3", "--stones", "9"], "thickness"),
+        (
+            &["--half-opening", "2.3", "--friction", "1", "--eta", "leats", "--stones", "9"],
+            "`least`",
+        ),
         (&["--half-opening", "2.3", "--friction", "inf", "--eta", "1", "--stones", "9"], "limited"),
     ] {
         let output = couplet(&[&["complementarity"], line].concat());
@@ -218,4 +225,82 @@ fn a_branch_is_drawn_beside_the_least_thickness() {
     }
     assert!(!drawn.contains("id=\"shoulder_opening\""), "there is none");
     assert!(drawn.contains("that there are no others is not proved"));
+}
+
+/// That there is no least thickness is an answer: every thickness stands, or none does. A row of CSV says it, and what the programme (20) is.
+#[test]
+fn no_least_thickness_is_an_answer() {
+    for (mu, stones, outcome, words) in [
+        (
+            "2",
+            "3",
+            "every_thickness_stands",
+            "there is none, proved: every thickness up to 2 stands",
+        ),
+        ("0.01", "5", "no_thickness_stands", "there is none, proved: no thickness up to 2 stands"),
+    ] {
+        let line = |format| {
+            output(&[
+                "complementarity",
+                "--half-opening",
+                "1",
+                "--friction",
+                mu,
+                "--stones",
+                stones,
+                "--thickness",
+                "least",
+                "--format",
+                format,
+            ])
+        };
+        let found: Value = serde_json::from_str(&line("json")).unwrap();
+        assert_eq!(
+            (&found["verdict"], &found["programme"]["outcome"]),
+            (&"proved".into(), &outcome.into())
+        );
+        assert!(line("table").contains(words));
+        let rows = line("csv");
+        let last = rows.lines().last().unwrap();
+        assert_eq!(last, format!("milankovitch,1,{mu},,programme,least,,,,{stones},{outcome},,,"));
+    }
+    let line = |thickness| {
+        let rows = output(&[
+            "complementarity",
+            "--half-opening",
+            "2.3",
+            "--friction",
+            "1.05",
+            "--stones",
+            "8",
+            "--thickness",
+            thickness,
+            "--format",
+            "csv",
+            "--digits",
+            "6",
+        ]);
+        rows.lines().last().unwrap().split(',').skip(4).map(str::to_owned).collect::<Vec<_>>()
+    };
+    assert_eq!(line("least"), ["programme", "0.511561", "", "", "", "8", "zero", "", "0", "0"]);
+    let positive = line("0.6");
+    assert_eq!(positive[6], "positive");
+    let [value, lower] = [8, 9].map(|k| positive[k].parse::<f64>().unwrap());
+    assert!(lower > 0.0 && lower <= value && value - lower < 1e-9);
+}
+
+/// What stays open is said with its place, on the error stream and as a row.
+#[test]
+fn open_pieces_are_listed() {
+    let line = ["complementarity", "--half-opening", "0.001", "--friction", "0.3", "--stones", "4"];
+    let open = couplet(&[&line[..], &["--half", "--format", "csv"]].concat());
+    let rows = text(&open.stdout);
+    let pieces: Vec<Vec<&str>> = rows
+        .lines()
+        .filter(|row| row.contains(",open,"))
+        .map(|row| row.split(',').collect())
+        .collect();
+    assert_eq!((open.status.code(), pieces.len()), (Some(1), 1), "{rows}");
+    let words = format!("at a thickness from {} to {}\n", pieces[0][5], pieces[0][11]);
+    assert!(text(&open.stderr).ends_with(&words), "{words}");
 }

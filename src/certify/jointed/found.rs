@@ -5,6 +5,8 @@ use crate::arch::whole::Side;
 use crate::certify::Undecided;
 use crate::certify::extent::Extent;
 use crate::certify::state::Figure;
+use crate::number::Rounded;
+use rug::Float;
 
 /// A solution at the joints between equal stones, with its digits, correctly rounded.
 #[derive(Clone, Debug)]
@@ -49,6 +51,17 @@ pub enum Standing {
     Never,
 }
 
+/// The solution at the least thickness, or that there is no such thickness.
+#[derive(Clone, Debug)]
+pub enum LeastSolution {
+    /// There it is.
+    At(Box<JointedSolution>),
+    /// There is none, as every thickness up to 2 stands.
+    Always,
+    /// There is none, as no thickness up to 2 stands.
+    Never,
+}
+
 /// All solutions between equal stones.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
@@ -72,10 +85,24 @@ impl Enumeration {
     pub fn first_open(&self) -> Option<Undecided> {
         let open = self.solutions.iter().find_map(|solution| solution.as_ref().err());
         let piece = || {
-            self.open
-                .first()
-                .map(|_| Undecided::new("whether there is a solution at some thicknesses"))
+            let [low, high] = self.open_bounds().next()?;
+            let more = match self.open.len() {
+                1 => String::new(),
+                n => format!(", and on {} more such pieces", n - 1),
+            };
+            Some(Undecided::new(format!(
+                "whether there is a solution at a thickness from {low} to {high}{more}"
+            )))
         };
         open.cloned().or_else(piece)
+    }
+
+    /// The bounds of the open pieces, rounded outward.
+    pub fn open_bounds(&self) -> impl Iterator<Item = [String; 2]> {
+        let rounded = |x: f64| Rounded::from_rational(&Float::with_val(64, x).to_rational()?, 6);
+        self.open.iter().filter_map(move |piece| {
+            let [low, high] = piece.map(rounded);
+            Some([low?.lower.to_string(), high?.upper.to_string()])
+        })
     }
 }

@@ -29,7 +29,7 @@ mod refine;
 mod sweep;
 mod vertex;
 
-pub use found::{Enumeration, JointedMotion, JointedSolution, Standing};
+pub use found::{Enumeration, JointedMotion, JointedSolution, LeastSolution, Standing};
 
 use super::Undecided;
 use super::extent::Extent;
@@ -99,20 +99,21 @@ pub fn enumerate(
     })
 }
 
-/// The solution at the least thickness of so many equal stones, 2 to [`MOST_JOINTED_STONES`], to `digits` significant digits; `None` if there is no least
-/// thickness. There the programme (20) is zero.
+/// The solution at the least thickness of so many equal stones, 2 to [`MOST_JOINTED_STONES`], to `digits` significant digits: there the programme (20)
+/// is zero. Or that there is no least thickness.
 pub fn least_solution(
     arch: &Arch,
     stones: u64,
     extent: Extent,
     digits: usize,
-) -> Result<Option<JointedSolution>, Undecided> {
+) -> Result<LeastSolution, Undecided> {
     let (equal, number, found) = standing((arch, stones, MOST_JOINTED_STONES), digits)?;
     let of = Digits { arch, stones: &equal, number, extent, digits };
-    match found {
-        Voussoirs::Stands(state) => least::solution(&of, &state).map(Some),
-        _ => Ok(None),
-    }
+    Ok(match found {
+        Voussoirs::Stands(state) => LeastSolution::At(Box::new(least::solution(&of, &state)?)),
+        Voussoirs::AnyThickness => LeastSolution::Always,
+        Voussoirs::Slides | Voussoirs::TooThick => LeastSolution::Never,
+    })
 }
 
 /// The stones, and from which thickness on they stand.

@@ -7,8 +7,8 @@ use super::parse;
 use crate::atlas::{Branch, Contour, Level, NoBranch, NoLevel};
 use crate::certify::state::Inquiry;
 use crate::certify::{
-    Extent, MOST_ENUMERATED_STONES, MOST_JOINTED_STONES, Programme, Undecided, asymmetric,
-    enumerate, least_solution, programme,
+    Extent, LeastSolution, MOST_ENUMERATED_STONES, MOST_JOINTED_STONES, Programme, Undecided,
+    asymmetric, enumerate, least_solution, programme,
 };
 use crate::cli::failure::Failure;
 use crate::cli::line::typed;
@@ -16,7 +16,7 @@ use crate::number::ExactNumber;
 use crate::problem::Arch;
 use crate::report::{
     AtThickness, BranchArch, BranchArches, ComplementarityArch, ComplementarityArches, Content,
-    Format, Report,
+    Format, ProgrammeFound, Report,
 };
 use clap::Args;
 
@@ -65,7 +65,11 @@ pub(crate) struct Arguments {
 /// A number of stones.
 fn stones(text: &str) -> Result<u64, String> {
     let number = text.parse().ok().filter(|number| (2..=MOST_JOINTED_STONES).contains(number));
-    number.ok_or_else(|| format!("stones are a whole number from 2 to {MOST_JOINTED_STONES}"))
+    number.ok_or_else(|| {
+        format!(
+            "stones are a whole number from 2 to {MOST_ENUMERATED_STONES}, or to {MOST_JOINTED_STONES} with --thickness"
+        )
+    })
 }
 
 /// A thickness, or the least one.
@@ -78,7 +82,9 @@ enum At {
 fn at(text: &str) -> Result<At, String> {
     match text.trim() {
         "least" => Ok(At::Least),
-        number => parse::thickness(number).map(At::Given),
+        number => parse::thickness(number)
+            .map(At::Given)
+            .map_err(|why| format!("{why}; or `least`, that of the stones")),
     }
 }
 
@@ -141,12 +147,16 @@ fn at_thickness(
 ) -> AtThickness {
     let (thickness, named, found) = match at {
         At::Given(thickness) => {
-            (thickness.to_string(), None, programme(arch, thickness, (stones, extent)))
+            let found = programme(arch, thickness, (stones, extent));
+            (thickness.to_string(), None, found.map(ProgrammeFound::At))
         }
         At::Least => {
             let (named, found) = match least_solution(arch, stones, extent, digits) {
-                Ok(Some(solution)) => (Some(solution.thickness), Ok(Programme::Zero)),
-                Ok(None) => (None, Err(Undecided::new("there is no least thickness"))),
+                Ok(LeastSolution::At(solution)) => {
+                    (Some(solution.thickness), Ok(ProgrammeFound::At(Programme::Zero)))
+                }
+                Ok(LeastSolution::Always) => (None, Ok(ProgrammeFound::EveryThicknessStands)),
+                Ok(LeastSolution::Never) => (None, Ok(ProgrammeFound::NoThicknessStands)),
                 Err(undecided) => (None, Err(undecided)),
             };
             ("least".to_owned(), named, found)
