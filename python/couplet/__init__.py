@@ -108,7 +108,7 @@ def state(
         half_opening: from the crown to the shoulder, between 0 and pi: radians, or text with a unit ('80deg').
         friction: the coefficient, 0 or more, float('inf') for no limit; or text: 'inf', an angle ('31deg').
         weight: the model of self-weight, 'heyman' or 'milankovitch'.
-        digits: significant digits, 1 to 10,000. Up to 25 cost a tenth of what 30 cost.
+        digits: significant digits, 1 to 10,000. Up to 22 cost about a third of what 30 cost.
         frictions: also the frictions at which the mode changes, and what would be enough for an arch that falls.
 
     Raises: CoupletError if an argument makes no sense; TypeError if it is no number.
@@ -153,7 +153,7 @@ def assess(
 
 def find(
     what: str,
-    modes: str | None = None,
+    modes: str | list[str] | tuple[str, ...] | None = None,
     *,
     half_opening: Exact | None = None,
     friction: Exact | None = None,
@@ -167,7 +167,7 @@ def find(
     Args:
         what: 'half_opening', the widest that stands with a ``friction``; 'friction', the least with which a
             ``half_opening`` stands; 'boundary', where one mode becomes another, at either.
-        modes: the two modes of a boundary ('rrs/rsr').
+        modes: the two modes of a boundary ('rrs/rsr'), also as ``Found.modes`` has them: ('[r,r,s]', '[r,s,r]').
         thickness: t/r, above 0 and at most 2; any if it is not given. Not of a boundary.
         weight, digits: as for ``state``.
 
@@ -180,6 +180,8 @@ def find(
     needs = {"half_opening": "friction", "friction": "half_opening", "boundary": None}
     if kind not in needs:
         raise CoupletError("what is found is one of half_opening, friction, boundary")
+    if isinstance(modes, (list, tuple)):
+        modes = "/".join(map(str, modes))
     given = {"modes": modes, "half_opening": half_opening, "friction": friction, "thickness": thickness}
     useless = ("thickness",) if kind == "boundary" else ("modes", kind)
     for name in useless:

@@ -101,6 +101,8 @@ def test_find():
     assert "no wider one" in found.proved
     line = couplet.find("boundary", "rrs/rsr", friction="1.6", digits=10)
     assert line.modes == ("[r,r,s]", "[r,s,r]")
+    again = couplet.find("boundary", list(line.modes), friction="1.6", digits=10)
+    assert again.value == line.value and again in {again}
     nothing = couplet.find("friction", half_opening="80deg", thickness="0.01")
     assert (nothing.verdict, nothing.value) == ("nothing", None)
     assert couplet.find("mu", half_opening="80deg", digits=5).value.quantity == "friction"
