@@ -2,7 +2,7 @@
 //!
 //! Between stones it is a linear programme in `h, p, v` and `k`. **From above**: conditions that are zero together at one state, with positive multipliers
 //! that leave `k` alone, leave this `k` as a bound. **From below**: that state satisfies all other conditions, each with room but for the fourth of a
-//! joint whose other three are zero, and which bears nothing. So the largest acceleration is that of the state, exactly. Four conditions fix the state, or three slips, which leave room for `p`. What a search
+//! joint whose other three are zero, and which bears nothing, or of both hinges of a joint whose two slips are zero, where `p` is chosen so. So the largest acceleration is that of the state, exactly. Four conditions fix the state, or three slips, which leave room for `p`. What a search
 //! says of which they are is trusted for nothing.
 //!
 //! What it means is said in [`tilted`](super::tilted): with friction an admissible state does not exclude a motion.
@@ -19,7 +19,7 @@ use crate::arch::{Ring, SelfWeight};
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, bits_of};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Friction, is_thickness};
-use crate::solve::tilt::{StoneTilt, of_stones};
+use crate::solve::tilt::{StoneTilt, inside_of_stones, of_stones};
 use rug::Float;
 
 /// More stones are refused: the programme has four conditions at each joint.
@@ -68,6 +68,9 @@ pub fn tilted_stones(
         Some(decided) => Ok(decided),
         None => raise(2 * first, |bits| {
             let conditions = conditions(arch, stones, thickness, bits);
+            if has_state(&conditions, tilt, bits) {
+                return Ok(Some(true));
+            }
             let found = largest_of(&conditions, bits)?;
             let decided = found.map_or(Some(true), |(there, _)| compared(&there, tilt, bits));
             let open = || Undecided::new("whether the acceleration is below the largest");
@@ -82,6 +85,23 @@ fn compared(largest: &Ball, tilt: &Friction, bits: u32) -> Option<bool> {
     let given = grip(tilt, bits);
     let room = largest.clone() - given.normal / given.shear;
     room.excludes_zero().then(|| *room.mid() > 0)
+}
+
+/// Whether the state at an acceleration that is farthest from all conditions satisfies them.
+fn has_state(all: &[Condition], tilt: &Friction, bits: u32) -> bool {
+    let given = grip(tilt, bits);
+    let tilt = given.normal / given.shear;
+    let Some(state) = inside_of_stones(&in_doubles(all), tilt.mid().to_f64()) else { return false };
+    let [h, p, v] = state.map(|x| Ball::exact(Float::with_val(bits, x), bits));
+    let (one, unknowns) = (h.int(1), [h, p, v, tilt]);
+    all.iter().all(|of| (-of.row.at(&unknowns, &one)).is_positive().is_proved())
+}
+
+/// The rows in doubles.
+fn in_doubles(all: &[Condition]) -> Vec<([f64; 4], f64)> {
+    let double = |x: &Ball| x.mid().to_f64();
+    let of = |of: &Condition| (of.row.coefficients.each_ref().map(double), double(&of.row.load));
+    all.iter().map(of).collect()
 }
 
 fn conditions(arch: &Arch, stones: &Stones, thickness: &ExactNumber, bits: u32) -> Vec<Condition> {
@@ -112,12 +132,7 @@ fn conditions(arch: &Arch, stones: &Stones, thickness: &ExactNumber, bits: u32) 
 
 /// The largest acceleration with the conditions that leave it; `None` if there is none.
 fn largest_of(all: &[Condition], bits: u32) -> Result<Option<(Ball, Vec<TiltLimit>)>, Undecided> {
-    let double = |x: &Ball| x.mid().to_f64();
-    let rows: Vec<([f64; 4], f64)> = all
-        .iter()
-        .map(|of| (of.row.coefficients.each_ref().map(double), double(&of.row.load)))
-        .collect();
-    match of_stones(&rows) {
+    match of_stones(&in_doubles(all)) {
         StoneTilt::Nothing => Err(Undecided::new("whether any state is admissible")),
         StoneTilt::Unlimited(direction) => unlimited(all, &direction, bits).map(|()| None),
         StoneTilt::Limited { active, moment } => limited(all, &active, moment, bits).map(Some),
@@ -166,10 +181,22 @@ fn limited(
         unknowns[*k] = replaced(column, &|i| -of[i].row.load.clone());
     }
     let one = zero.int(1);
+    // Both slips of a joint leave it no force, and with one hinge, which pins p, no moment: the other hinge is zero too.
+    let joint = |of: &Condition| (of.joint, of.side);
+    let slips = |at: &Condition| {
+        of.iter().filter(|other| joint(other) == joint(at) && !other.contact.is_hinge()).count()
+    };
+    let idle = of.iter().find(|at| slips(at) == 2).map(|at| joint(at));
+    if let (false, Some(idle)) = (is_pinned, idle) {
+        let hinge = all.iter().find(|of| joint(of) == idle && of.contact == Contact::Extrados);
+        let hinge = hinge.ok_or_else(open)?;
+        unknowns[1] = zero.clone();
+        unknowns[1] = -(hinge.row.at(&unknowns, &one) / &hinge.row.coefficients[1]);
+    }
     // Three conditions of a joint leave it no force: the fourth is zero too.
     let bears_nothing = |at: &Condition| {
-        let same = |other: &&&Condition| (other.joint, other.side) == (at.joint, at.side);
-        of.iter().filter(same).count() == 3
+        let same = |other: &&&Condition| joint(other) == joint(at);
+        of.iter().filter(same).count() == 3 || !is_pinned && idle == Some(joint(at))
     };
     let others = all.iter().enumerate().filter(|(place, _)| !active.contains(place));
     let others = others.filter(|(_, at)| !bears_nothing(at));
@@ -247,6 +274,27 @@ mod tests {
             assert!(few >= many && many >= all - 1e-11, "{alpha} {mu}: {few} {many} {all}");
             assert!(many - all < 1e-3, "{alpha} {mu}: {many} {all}");
         }
+    }
+
+    /// A keystone whose left joint bears nothing at the largest acceleration, with slips alone: its hinges pin the moment. Beside it an acceleration is decided.
+    #[test]
+    fn a_joint_that_bears_nothing_pins_the_moment() {
+        let arch = ["heyman", "2.203", "1.838"];
+        let of = |tilt: &str| found(arch, 5, "1.45", tilt);
+        let largest = of("0.1");
+        assert_eq!(largest.is_admissible, Ok(true));
+        let Ok(LargestTilt::Limited(figure, limits)) = &largest.largest else {
+            panic!("{largest:?}")
+        };
+        assert!(limits.iter().all(|limit| !limit.contact.is_hinge()), "{limits:?}");
+        let at = |by: f64| of(&format!("{:.9}", figure.double + by)).is_admissible;
+        assert_eq!((at(-1e-8), at(1e-8)), (Ok(true), Ok(false)));
+        // A state inside all conditions says so by itself, and there is none beyond the largest.
+        let parsed = Arch::parse("heyman", "2.203", "1.838").unwrap();
+        let stones = Stones::equal(5, parsed.half_opening().clone()).unwrap();
+        let all = conditions(&parsed, &stones, &"1.45".parse().unwrap(), 200);
+        let inside = |tilt: f64| has_state(&all, &format!("{tilt:.9}").parse().unwrap(), 200);
+        assert!(inside(figure.double - 1e-6) && !inside(figure.double + 1e-6));
     }
 
     /// On either side of the largest.

@@ -319,6 +319,13 @@ pub fn of_stones(rows: &[([f64; 4], f64)]) -> StoneTilt {
     }
 }
 
+/// The `h, p, v` at an acceleration that are farthest from all conditions `a . (h, p, v, k) + load <= 0`, if some are inside.
+pub fn inside_of_stones(rows: &[([f64; 4], f64)], tilt: f64) -> Option<[f64; 3]> {
+    let conditions: Vec<Condition> =
+        rows.iter().map(|(a, load)| Condition { a: *a, d: -load }).collect();
+    inside(&conditions, tilt).map(|[h, p, v, _]| [h, p, v])
+}
+
 /// The state at an acceleration that is farthest from all conditions.
 fn inside(conditions: &[Condition], tilt: f64) -> Option<[f64; 4]> {
     let slack = |row: &Condition| {
