@@ -212,7 +212,15 @@ fn limited(
         joint: Some(of.joint),
     };
     let [.., tilt] = unknowns;
-    Ok((tilt, of.iter().map(limit).collect()))
+    let mut limits: Vec<TiltLimit> = of.iter().map(limit).collect();
+    // From the right springing to the left.
+    let order = |limit: &TiltLimit| match (limit.joint, limit.is_right) {
+        (Some(joint), true) => -(joint as i64),
+        (Some(joint), false) => joint as i64 + 1,
+        (None, _) => 0,
+    };
+    limits.sort_by_key(order);
+    Ok((tilt, limits))
 }
 
 /// Any amount of a direction, with its acceleration of one, may be added to a state.
@@ -304,6 +312,19 @@ mod tests {
         let largest = value(&found(arch, 11, "0.15", "0"));
         let at = |tilt: f64| found(arch, 11, "0.15", &format!("{tilt:.9}")).is_admissible;
         assert_eq!((at(largest - 1e-8), at(largest + 1e-8)), (Ok(true), Ok(false)));
+    }
+
+    /// From the right springing to the left.
+    #[test]
+    fn what_limits_is_in_order_along_the_arch() {
+        let largest = found(["milankovitch", "pi/2", "inf"], 11, "0.15", "0").largest;
+        let Ok(LargestTilt::Limited(_, limits)) = largest else { panic!("{largest:?}") };
+        let place = |limit: &TiltLimit| {
+            let joint = limit.joint.unwrap() as i64 + 1;
+            if limit.is_right { joint } else { -joint }
+        };
+        let places: Vec<i64> = limits.iter().map(place).collect();
+        assert!(places.len() == 4 && places.windows(2).all(|two| two[0] > two[1]), "{places:?}");
     }
 
     #[test]

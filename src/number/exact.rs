@@ -50,6 +50,9 @@ pub enum ParseExactError {
     /// None of the forms in which a friction is read.
     #[error("'{0}' is not a friction: give a coefficient (0.6, 3/5, inf) or an angle (31deg)")]
     Friction(String),
+    /// Pi behind the line of a fraction, which is not told from below it.
+    #[error("'{0}' has pi behind the line of the fraction: write it above the line, 3pi/4")]
+    PiBelow(String),
     /// A comma instead of the point.
     #[error("'{0}' has a comma; give the decimals behind a point (1.5)")]
     Comma(String),
@@ -280,6 +283,9 @@ impl ExactNumber {
             number => decimal(number)?,
         };
         if let Some(denominator) = denominator {
+            if denominator.ends_with("pi") || denominator.ends_with('π') {
+                return Err(ParseExactError::PiBelow(shown()));
+            }
             let denominator = integer(denominator).ok_or_else(syntax)?;
             if denominator.sign() == Sign::NoSign {
                 return Err(ParseExactError::DivisionByZero(shown()));

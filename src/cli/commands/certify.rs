@@ -74,9 +74,8 @@ fn target(text: &str) -> Result<Target, String> {
         "arch" => Ok(Target::Arch),
         "asymmetric" => Ok(Target::Asymmetric),
         "all" => Ok(Target::All),
-        symbol => parse::landmark(symbol)
-            .map(Target::Landmark)
-            .map_err(|error| format!("{error}, or state, arch, asymmetric or all")),
+        symbol => parse::landmark_or(symbol, &["state", "arch", "asymmetric", "all"])
+            .map(Target::Landmark),
     }
 }
 

@@ -5,6 +5,7 @@ use super::curves::{borders, landmarks, levels, traced};
 use super::output::{Output, OutputFile};
 use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
+use crate::atlas::BorderLine;
 use crate::atlas::{
     Contour, Curve, Difference, Divide, LEAST_DIFFERENCE, LEAST_TOLERANCE, NoPoint, Trace, point,
 };
@@ -156,7 +157,13 @@ fn curves(text: &str) -> Result<Curves, String> {
 fn curve(text: &str) -> Result<Curve, String> {
     let names: Vec<String> = Curve::ALL.iter().map(ToString::to_string).collect();
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    Curve::named(text).ok_or_else(|| parse::unknown("a curve", text, &names))
+    let is_asymmetric = BorderLine::ALL.iter().any(|line| line.name() == text);
+    Curve::named(text).ok_or_else(|| match is_asymmetric {
+        true => {
+            format!("{text} is drawn with --asymmetric; a curve is one of {}", names.join(", "))
+        }
+        false => parse::unknown("a curve", text, &names),
+    })
 }
 
 pub(super) fn tolerance(text: &str) -> Result<f64, String> {

@@ -70,7 +70,13 @@ pub(super) fn thickness(measured: Option<&Measured>, text: &str) -> Result<Exact
                 "the thickness {text} is a length: give --span and --rise, or --radius, or the ratio to the radius (0.12)"
             )));
         }
-        None => parse::thickness(text).map_err(Failure::Input)?,
+        None => parse::thickness(text).map_err(|why| {
+            let looks_measured = text.starts_with(|c: char| c.is_ascii_digit())
+                && text.ends_with(|c: char| c.is_alphabetic())
+                && text.parse::<ExactNumber>().is_err();
+            let units = ", or of a measured arch a length in m, cm, mm, ft or in";
+            Failure::Input(if looks_measured { why + units } else { why })
+        })?,
     };
     match measured {
         Some(of) if of.measures.exact_radius(Some(&eta)).is_none() => Err(Failure::Input(format!(

@@ -17,13 +17,23 @@ pub(super) fn unknown(kind: &str, written: &str, names: &[&str]) -> String {
 
 /// A landmark by its symbol or its long name.
 pub fn landmark(text: &str) -> Result<Landmark, String> {
+    landmark_or(text, &[])
+}
+
+/// The same, where other names are read too.
+pub fn landmark_or(text: &str, others: &[&str]) -> Result<Landmark, String> {
     Landmark::named(text).ok_or_else(|| {
         let symbols = list(Landmark::ALL.map(Landmark::symbol));
         let long = Landmark::ALL.map(Landmark::long_name);
         let names: Vec<&str> =
             Landmark::ALL.into_iter().map(Landmark::symbol).chain(long).collect();
+        let names = [&names, others].concat();
         let hint = did_you_mean(text, &names);
-        format!("a landmark is one of {symbols}, or {}{hint}", list(long))
+        let others = match others {
+            [rest @ .., last] => format!(", or {} or {last}", rest.join(", ")),
+            [] => String::new(),
+        };
+        format!("a landmark is one of {symbols}, or {}{others}{hint}", list(long))
     })
 }
 
@@ -125,8 +135,12 @@ pub fn state_digits(text: &str) -> Result<usize, String> {
 
 /// A thickness-to-radius ratio between 0 and the physical limit 2.
 pub fn thickness(text: &str) -> Result<ExactNumber, String> {
-    let thickness: ExactNumber =
-        text.parse().map_err(|error: ParseExactError| error.to_string())?;
+    let thickness: ExactNumber = text.parse().map_err(|error| match error {
+        ParseExactError::Syntax(shown) => format!(
+            "'{shown}' is no thickness: give its ratio to the radius, a decimal (0.12) or a fraction (3/25)"
+        ),
+        other => other.to_string(),
+    })?;
     if !thickness.is_rational() {
         return Err(format!(
             "the thickness {text} is no ratio of thickness to radius (0.12, 3/25)"

@@ -58,6 +58,10 @@ wrong_uses! {
         ["find", "half-opening", "--mu", "0.6", "--eta", "0.15", "--quantity", "eta"]
         => "there is no thickness here; the quantities are half_opening";
     a_decimal_comma: ["state", "--alpha", "1,5", "--mu", "1"] => "has a comma";
+    pi_behind_the_line: ["state", "--alpha", "3/4pi", "--mu", "1"] => "3pi/4";
+    a_thickness_in_an_unknown_unit: ["draw", "--alpha", "1", "--mu", "1", "--eta", "600km"] => "a length in m, cm";
+    a_subject_misspelt: ["certify", "asymetric"] => "did you mean \"asymmetric\"?";
+    a_curve_of_another_map: ["map", "--curve", "asymmetric_begins"] => "is drawn with --asymmetric";
     a_division_by_zero: ["state", "--alpha", "1", "--mu", "1/0"] => "divides by zero";
     a_friction_in_words: ["state", "--alpha", "1", "--mu", "none"] => "inf";
     a_size_just_out_of_range: ["state", "--alpha", "1", "--mu", "1e1000"] => "below 1e1000";
