@@ -22,14 +22,7 @@ pub(super) fn arches(
     let thickness = Meaning::Thickness.given(reader, table);
     let with_thickness = thickness.is_some();
     let weights = overall.weights(reader, table, &[SelfWeight::Milankovitch]);
-    let half_openings = match Meaning::HalfOpening.given(reader, table) {
-        Some(value) => numbers(reader, Meaning::HalfOpening, value),
-        None => {
-            let allowed = Meaning::HalfOpening.allowed();
-            reader.fault(span.clone(), format!("half_opening is missing; give {allowed}"));
-            None
-        }
-    };
+    let half_openings = half_openings(reader, span, table);
     let frictions = frictions(reader, span, table);
     let thicknesses = match thickness {
         Some(value) => numbers(reader, Meaning::Thickness, value).map(Some),
@@ -85,6 +78,20 @@ fn needs_thickness(reader: &mut Reader, value: &Value) -> bool {
         }
     }
     reader.faults.len() > before
+}
+
+/// The half openings.
+pub(super) fn half_openings(
+    reader: &mut Reader,
+    span: &Range<usize>,
+    table: &DeTable,
+) -> Option<Numbers> {
+    if let Some(value) = Meaning::HalfOpening.given(reader, table) {
+        return numbers(reader, Meaning::HalfOpening, value);
+    }
+    let allowed = Meaning::HalfOpening.allowed();
+    reader.fault(span.clone(), format!("half_opening is missing; give {allowed}"));
+    None
 }
 
 /// The frictions, or their angles.

@@ -3,8 +3,8 @@
 use super::fault::Fault;
 use super::overall::weights;
 use super::read::text_of;
-use super::read_arches::frictions;
-use super::read_numbers::{Meaning, Numbers, SceneNumber, numbers};
+use super::read_arches::{frictions, half_openings};
+use super::read_numbers::{Meaning, Numbers, SceneNumber};
 use super::schema::MAX_ARCH_DIGITS;
 use super::sweep::{MAX_CHUNK, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepPlan};
 use super::value::{Reader, Value};
@@ -103,14 +103,7 @@ fn arches(reader: &mut Reader, root: &DeTable) -> Option<(&'static str, Option<S
 fn grid(reader: &mut Reader, span: &Range<usize>, table: &DeTable) -> Option<SweepArches> {
     let keys = ["half_opening", "friction", "friction_angle"];
     reader.unknown_keys(table, "[grid]", &keys, &["alpha", "mu", "phi"]);
-    let half_openings = match Meaning::HalfOpening.given(reader, table) {
-        Some(value) => numbers(reader, Meaning::HalfOpening, value),
-        None => {
-            let allowed = Meaning::HalfOpening.allowed();
-            reader.fault(span.clone(), format!("half_opening is missing; give {allowed}"));
-            None
-        }
-    };
+    let half_openings = half_openings(reader, span, table);
     let frictions = frictions(reader, span, table);
     let (half_openings, (meaning, frictions)) = (half_openings?, frictions?);
     let mut written = |numbers: Numbers| {
