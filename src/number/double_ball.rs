@@ -82,7 +82,7 @@ impl DoubleBall {
     }
 
     /// The double `mid`.
-    #[inline]
+    #[inline(always)]
     pub fn exact(mid: f64) -> Self {
         Self::new(mid, 0.0)
     }
@@ -94,13 +94,13 @@ impl DoubleBall {
     }
 
     /// The midpoint; zero for the whole line.
-    #[inline]
+    #[inline(always)]
     pub fn mid(&self) -> f64 {
         self.mid
     }
 
     /// The radius; infinite for the whole line.
-    #[inline]
+    #[inline(always)]
     pub fn rad(&self) -> f64 {
         self.rad
     }
@@ -128,7 +128,7 @@ impl DoubleBall {
 }
 
 impl Field for DoubleBall {
-    #[inline]
+    #[inline(always)]
     fn int(&self, n: i32) -> Self {
         Self { mid: f64::from(n), rad: 0.0 }
     }
@@ -189,7 +189,7 @@ impl Stumpff for DoubleBall {
 }
 
 impl Enclosure for DoubleBall {
-    #[inline]
+    #[inline(always)]
     fn is_positive(&self) -> Ternary {
         if self.mid > self.rad {
             Ternary::True
@@ -200,17 +200,17 @@ impl Enclosure for DoubleBall {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn is_bounded(&self) -> bool {
         self.rad.is_finite()
     }
 
-    #[inline]
+    #[inline(always)]
     fn midpoint(&self) -> Self {
         Self { rad: 0.0, ..*self }
     }
 
-    #[inline]
+    #[inline(always)]
     fn centred(&self) -> Self {
         Self { mid: 0.0, ..*self }
     }
@@ -228,7 +228,7 @@ impl Enclosure for DoubleBall {
 
 impl Neg for DoubleBall {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         Self { mid: -self.mid, ..self }
     }

@@ -41,7 +41,7 @@ impl DoubleDoubleBall {
     }
 
     /// The number `mid`.
-    #[inline]
+    #[inline(always)]
     pub fn exact(mid: DoubleDouble) -> Self {
         Self::new(mid, 0.0)
     }
@@ -84,13 +84,13 @@ impl DoubleDoubleBall {
     }
 
     /// The midpoint; zero for the whole line.
-    #[inline]
+    #[inline(always)]
     pub fn mid(&self) -> DoubleDouble {
         self.mid
     }
 
     /// The radius; infinite for the whole line.
-    #[inline]
+    #[inline(always)]
     pub fn rad(&self) -> f64 {
         self.rad
     }
@@ -152,21 +152,21 @@ impl From<&Ball> for DoubleDoubleBall {
 
 /// The same set with the double nearest to the midpoint as midpoint: outward.
 impl From<DoubleDoubleBall> for DoubleBall {
-    #[inline]
+    #[inline(always)]
     fn from(ball: DoubleDoubleBall) -> Self {
         Self::new(ball.mid.hi(), (ball.rad + ball.mid.lo().abs()) * UP)
     }
 }
 
 impl From<DoubleBall> for DoubleDoubleBall {
-    #[inline]
+    #[inline(always)]
     fn from(ball: DoubleBall) -> Self {
         Self { mid: DoubleDouble::exact(ball.mid()), rad: ball.rad() }
     }
 }
 
 impl Field for DoubleDoubleBall {
-    #[inline]
+    #[inline(always)]
     fn int(&self, n: i32) -> Self {
         Self { mid: self.mid.int(n), rad: 0.0 }
     }
@@ -229,7 +229,7 @@ impl Stumpff for DoubleDoubleBall {
 }
 
 impl Enclosure for DoubleDoubleBall {
-    #[inline]
+    #[inline(always)]
     fn is_positive(&self) -> Ternary {
         // `DOWN` has room for the low part.
         if self.mid.hi() * DOWN > self.rad {
@@ -241,17 +241,17 @@ impl Enclosure for DoubleDoubleBall {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn is_bounded(&self) -> bool {
         self.rad.is_finite()
     }
 
-    #[inline]
+    #[inline(always)]
     fn midpoint(&self) -> Self {
         Self { rad: 0.0, ..*self }
     }
 
-    #[inline]
+    #[inline(always)]
     fn centred(&self) -> Self {
         Self { mid: DoubleDouble::ZERO, ..*self }
     }
@@ -269,7 +269,7 @@ impl Enclosure for DoubleDoubleBall {
 
 impl Neg for DoubleDoubleBall {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         Self { mid: -self.mid, ..self }
     }

@@ -23,7 +23,7 @@ pub struct Gradient<T, const N: usize> {
 
 impl<T: Field + Copy, const N: usize> Gradient<T, N> {
     /// A constant.
-    #[inline]
+    #[inline(always)]
     pub fn constant(value: T) -> Self {
         Self { value, slopes: [value.int(0); N] }
     }
@@ -38,9 +38,28 @@ impl<T: Field + Copy, const N: usize> Gradient<T, N> {
     }
 
     /// The number with `value` and the gradient of `self` scaled by `factor`.
-    #[inline]
+    #[inline(always)]
     fn chain(&self, value: T, factor: T) -> Self {
-        Self { value, slopes: self.slopes.map(|slope| slope * factor) }
+        self.mapped(value, |slope| slope * factor)
+    }
+
+    /// The number with `value` and another slope for each.
+    #[inline(always)]
+    fn mapped(mut self, value: T, slope: impl Fn(T) -> T) -> Self {
+        for own in &mut self.slopes {
+            *own = slope(*own);
+        }
+        Self { value, ..self }
+    }
+
+    /// The number with `value` and the slopes of two. A plain loop: what is built for size calls the closures of
+    /// [`array::from_fn`] one by one.
+    #[inline(always)]
+    fn joined(mut self, other: &Self, value: T, slope: impl Fn(T, T) -> T) -> Self {
+        for k in 0..N {
+            self.slopes[k] = slope(self.slopes[k], other.slopes[k]);
+        }
+        Self { value, ..self }
     }
 }
 
@@ -51,12 +70,12 @@ impl<T, const N: usize> Slopes<T> for Gradient<T, N> {
 }
 
 impl<T: Field + Copy, const N: usize> Field for Gradient<T, N> {
-    #[inline]
+    #[inline(always)]
     fn int(&self, n: i32) -> Self {
         Self::constant(self.value.int(n))
     }
 
-    #[inline]
+    #[inline(always)]
     fn ratio(&self, n: i32, d: i32) -> Self {
         Self::constant(self.value.ratio(n, d))
     }
@@ -98,9 +117,9 @@ impl<T: Stumpff + Copy, const N: usize> Stumpff for Gradient<T, N> {
 
 impl<T: Field + Copy, const N: usize> Neg for Gradient<T, N> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
-        Self { value: -self.value, slopes: self.slopes.map(|slope| -slope) }
+        self.mapped(-self.value, |slope| -slope)
     }
 }
 
@@ -108,8 +127,7 @@ impl<T: Field + Copy, const N: usize> Add<&Self> for Gradient<T, N> {
     type Output = Self;
     #[inline]
     fn add(self, other: &Self) -> Self {
-        let slopes = array::from_fn(|k| self.slopes[k] + other.slopes[k]);
-        Self { value: self.value + other.value, slopes }
+        self.joined(other, self.value + other.value, |a, b| a + b)
     }
 }
 
@@ -117,8 +135,7 @@ impl<T: Field + Copy, const N: usize> Sub<&Self> for Gradient<T, N> {
     type Output = Self;
     #[inline]
     fn sub(self, other: &Self) -> Self {
-        let slopes = array::from_fn(|k| self.slopes[k] - other.slopes[k]);
-        Self { value: self.value - other.value, slopes }
+        self.joined(other, self.value - other.value, |a, b| a - b)
     }
 }
 
@@ -128,9 +145,8 @@ impl<T: Field + Copy, const N: usize> Mul<&Self> for Gradient<T, N> {
     #[inline]
     #[expect(clippy::suspicious_arithmetic_impl, reason = "the product rule adds")]
     fn mul(self, other: &Self) -> Self {
-        let slopes =
-            array::from_fn(|k| self.slopes[k] * other.value + other.slopes[k] * self.value);
-        Self { value: self.value * other.value, slopes }
+        let (a, b) = (self.value, other.value);
+        self.joined(other, a * b, |da, db| da * b + db * a)
     }
 }
 
@@ -141,8 +157,7 @@ impl<T: Field + Copy, const N: usize> Div<&Self> for Gradient<T, N> {
     #[expect(clippy::suspicious_arithmetic_impl, reason = "the quotient rule multiplies")]
     fn div(self, other: &Self) -> Self {
         let value = self.value / other.value;
-        let slopes = array::from_fn(|k| (self.slopes[k] - other.slopes[k] * value) / other.value);
-        Self { value, slopes }
+        self.joined(other, value, |da, db| (da - db * value) / other.value)
     }
 }
 
@@ -151,7 +166,7 @@ macro_rules! owned {
     ($op:ident, $method:ident) => {
         impl<T: Field + Copy, const N: usize> $op for Gradient<T, N> {
             type Output = Self;
-            #[inline]
+            #[inline(always)]
             fn $method(self, other: Self) -> Self {
                 self.$method(&other)
             }

@@ -26,7 +26,7 @@ macro_rules! owned_operators {
     (@ [$($generics:tt)*] $type:ty, $op:ident, $method:ident) => {
         impl<$($generics)*> $op for $type {
             type Output = Self;
-            #[inline]
+            #[inline(always)]
             fn $method(self, other: Self) -> Self {
                 self.$method(&other)
             }
