@@ -106,7 +106,7 @@ impl<T: Arithmetic> Conditions<T> {
     }
 
     /// The rows of conditions that are zero together, with `-N` for the second hinge of a joint.
-    fn rows_of(&self, of: &[usize]) -> Vec<&[Polynomial<T>; 4]> {
+    pub(super) fn rows_of(&self, of: &[usize]) -> Vec<&[Polynomial<T>; 4]> {
         (0..of.len()).map(|k| self.row_beside(of[k], &of[..k])).collect()
     }
 

@@ -7,7 +7,8 @@
 //!    are zero are a face of the admissible ones, and have the same rates; the face has a vertex, as the hinges' rows leave no direction free. And of the
 //!    conditions that are zero at a vertex three have independent rows, or two in a half arch.
 //! 2. **All triples are looked at**, each on all of the range: on a piece of thicknesses it is proved to be no vertex, or to bear no motion together
-//!    with every condition that may be zero there (`vertex`); or to have exactly one solution (`event`); or the piece is halved. What stays open after many
+//!    with every condition that may be zero there (`vertex`); or to have exactly one solution (`event`); or, where its conditions may be dependent,
+//!    to bear no motion anywhere on the line of two of them (`line`); or the piece is halved. What stays open after many
 //!    halvings is said. So **completeness** rests on signs of polynomials in balls and on nothing that is found by a
 //!    search: neither the order of the pieces nor the directions `y` are trusted.
 //! 3. **Where the range begins.** Below the least thickness nothing is admissible, as proved with the voussoirs: an admissible state and its
@@ -24,6 +25,7 @@ mod conditions;
 mod event;
 mod found;
 mod least;
+mod line;
 mod polynomial;
 mod refine;
 mod sweep;

@@ -5,6 +5,7 @@
 
 use super::conditions::Conditions;
 use super::event::{Event, event};
+use super::line;
 use super::vertex::{Passed, Piece, Start, Vertex, in_doubles};
 use crate::number::DoubleBall;
 use rayon::prelude::*;
@@ -31,6 +32,8 @@ const PIECES_TOGETHER: usize = 400_000;
 const DEPTH: u32 = 44;
 /// Until so many halvings a piece is halved where a triple seems to be no vertex.
 const COARSE: u32 = 10;
+/// From so many halvings on three conditions are looked at that may be dependent.
+const NARROW: u32 = 6;
 
 impl Swept {
     fn with(mut self, other: Self) -> Self {
@@ -88,6 +91,12 @@ fn one(
         }
         let passed = vertex.is_passed_by_one(&piece, rows);
         if passed == Passed::Proved {
+            continue;
+        }
+        if depth >= NARROW
+            && vertex.may_be_dependent(&piece)
+            && line::bears_no_motion(&vertex, &piece)
+        {
             continue;
         }
         if passed == Passed::Unlikely || depth > COARSE {

@@ -82,7 +82,7 @@ pub(super) struct Vertex<'a> {
     values: Vec<Polynomial<DoubleBall>>,
 }
 
-fn is_positive(x: &DoubleBall) -> bool {
+pub(super) fn is_positive(x: &DoubleBall) -> bool {
     x.is_positive().is_proved()
 }
 
@@ -225,6 +225,12 @@ impl<'a> Vertex<'a> {
         let prices: &[f64] = if slides { &[0.0, -1.0] } else { &[0.0, -1.0, 1.0] };
         let mut found = prices.iter().filter_map(|price| parting(&columns, *price));
         found.any(|y| places.iter().all(|place| points(y, *place)))
+    }
+
+    /// Whether its rows may be dependent somewhere on a piece.
+    pub(super) fn may_be_dependent(&self, piece: &Piece) -> bool {
+        let ball = piece.ball();
+        self.meeting.iter().all(|entry| !entry.on(&ball).excludes_zero())
     }
 
     /// Whether its conditions leave one state at every thickness of a piece.

@@ -1,0 +1,276 @@
+//! Three conditions that may be dependent.
+//!
+//! Where the rows of a triple are dependent at a thickness, or at all, its polynomials have a common zero there, and balls around it tell no
+//! sign. But two of the three, with rows that are not parallel anywhere on the piece, leave a line of states at each of its thicknesses. What satisfies the
+//! third condition too is on that line.
+//!
+//! - **The line.** With rows `a`, `b` and loads `c`, `d` it is `x = place + t along`, with `along = a x b` and
+//!   `place = -(c b x along + d along x a)/|along|^2`: there `a . x = -c` and `b . x = -d` for every `t`. In balls over the piece both hold those of all its
+//!   thicknesses, and so does `value + slope t` for what another condition is on the line, with any ball around `t`.
+//! - **The stretch.** An admissible state has `value + slope t <= 0`. Where `slope > 0` on the piece this is `t <= -value/slope`, where `slope < 0` it is
+//!   `t >= -value/slope`; what is kept is the upper bound of the one and the lower bound of the other. So at every thickness of the piece
+//!   all admissible states of the line have a `t` in between, and there are none if the bounds have passed each other. Without a bound on both sides nothing is told.
+//! - **The parts.** The stretch is halved until on each part the third condition is not zero, or another one is positive, so that no state of the
+//!   triple is admissible; or the motions of the triple, and of all conditions that may be zero there, fit with no rates but zero (`vertex`). That
+//!   may be said without the state: a motion that is looked at is one more that has to be parted from rates, so that too many cost a proof and
+//!   never make one.
+//! - **Three hinges** alone have motions that may fit where they are dependent, and are passed all the same: a vertex has independent rows, so that where
+//!   these are dependent the state is found by other triples. That is all that is said of a triple: at no thickness of the piece is it
+//!   the vertex of a solution.
+
+use super::polynomial::Polynomial;
+use super::vertex::{Piece, Vertex, is_positive};
+use crate::number::{DoubleBall, Enclosure};
+
+/// Parts of a stretch that are looked at, at most.
+const PARTS: usize = 200;
+
+/// A condition over a piece of thicknesses.
+type Row = [DoubleBall; 4];
+/// What is free of `t` in a condition on a line, and what multiplies it.
+type OnLine = [DoubleBall; 2];
+
+/// States `place + along t`.
+struct Line {
+    place: [DoubleBall; 3],
+    along: [DoubleBall; 3],
+}
+
+fn dot(a: &[DoubleBall; 3], b: &[DoubleBall; 3]) -> DoubleBall {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: &[DoubleBall; 3], b: &[DoubleBall; 3]) -> [DoubleBall; 3] {
+    let minor = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
+}
+
+fn parts(row: &Row) -> ([DoubleBall; 3], DoubleBall) {
+    let [h, p, v, load] = *row;
+    ([h, p, v], load)
+}
+
+impl Line {
+    /// The states at which two conditions are zero; `None` if their rows may be parallel.
+    fn of(one: &Row, other: &Row) -> Option<Self> {
+        let ((a, load_a), (b, load_b)) = (parts(one), parts(other));
+        let along = cross(&a, &b);
+        let size = dot(&along, &along);
+        if !is_positive(&size) {
+            return None;
+        }
+        let (by_a, by_b) = (cross(&b, &along), cross(&along, &a));
+        let place = [0, 1, 2].map(|k| -(by_a[k] * load_a + by_b[k] * load_b) / size);
+        Some(Self { place, along })
+    }
+
+    /// A condition on the line.
+    fn value(&self, row: &Row) -> OnLine {
+        let (row, load) = parts(row);
+        [dot(&row, &self.place) + load, dot(&row, &self.along)]
+    }
+}
+
+/// Where on a line the states may be admissible.
+#[derive(Debug, PartialEq)]
+enum Stretch {
+    /// Nowhere.
+    Empty,
+    /// At these `t` at most.
+    Within(Piece),
+    /// Nothing limits them, as far as is seen.
+    Endless,
+}
+
+/// What conditions leave of a line.
+fn stretch(conditions: &[OnLine]) -> Stretch {
+    let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
+    for [value, slope] in conditions {
+        let bound = || -*value / slope;
+        if is_positive(slope) {
+            most = most.min(bound().upper());
+        } else if is_positive(&-*slope) {
+            least = least.max(bound().lower());
+        }
+    }
+    match (least > most, least.is_finite() && most.is_finite()) {
+        (true, _) => Stretch::Empty,
+        (false, true) => Stretch::Within(Piece { low: least, high: most }),
+        (false, false) => Stretch::Endless,
+    }
+}
+
+/// The line of the two conditions that are the least parallel, and the third one on it; `None` if no two are sure to leave a line.
+fn line_of(own: [Row; 3]) -> Option<(Line, OnLine)> {
+    let [a, b, c] = own;
+    let size = |one: &Row, other: &Row| {
+        let along = cross(&parts(one).0, &parts(other).0);
+        dot(&along, &along).mid()
+    };
+    let pairs = [(a, b, c), (a, c, b), (b, c, a)];
+    let (one, other, third) =
+        pairs.into_iter().max_by(|x, y| size(&x.0, &x.1).total_cmp(&size(&y.0, &y.1)))?;
+    let line = Line::of(&one, &other)?;
+    let third = line.value(&third);
+    Some((line, third))
+}
+
+/// Whether at no thickness of a piece the three conditions are a vertex that bears a motion. `false` tells nothing.
+pub(super) fn bears_no_motion(vertex: &Vertex<'_>, piece: &Piece) -> bool {
+    let ball = piece.ball();
+    let on = |row: &[Polynomial<DoubleBall>; 4]| row.each_ref().map(|entry| entry.on(&ball));
+    let conditions = vertex.conditions();
+    let own: Vec<Row> = conditions.rows_of(&vertex.of).into_iter().map(on).collect();
+    let Some((line, third)) = own.try_into().ok().and_then(line_of) else { return false };
+    let (places, others): (Vec<usize>, Vec<OnLine>) = (0..conditions.all.len())
+        .filter(|place| !vertex.of.contains(place))
+        .map(|place| (place, line.value(&on(&conditions.all[place].row))))
+        .unzip();
+    let mut pending = match stretch(&others) {
+        Stretch::Empty => return true,
+        Stretch::Endless => return false,
+        Stretch::Within(all) => vec![all],
+    };
+    for _ in 0..PARTS {
+        let Some(part) = pending.pop() else { return true };
+        let t = part.ball();
+        let at = |[value, slope]: &OnLine| *value + *slope * t;
+        if at(&third).excludes_zero() || others.iter().any(|of| is_positive(&at(of))) {
+            continue;
+        }
+        let may_be_zero: Vec<usize> = (places.iter().zip(&others))
+            .filter(|(_, of)| !at(of).excludes_zero())
+            .map(|(place, _)| *place)
+            .collect();
+        if vertex.bears_no_motion(&may_be_zero, piece) {
+            continue;
+        }
+        let middle = part.middle();
+        if middle <= part.low || middle >= part.high {
+            return false;
+        }
+        pending.extend([Piece { low: middle, ..part }, Piece { high: middle, ..part }]);
+    }
+    pending.is_empty()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arch::mechanism::Contact::{self, Extrados, Intrados, Outwards};
+    use crate::arch::whole::Side;
+    use crate::certify::extent::Extent;
+    use crate::certify::jointed::conditions::Conditions;
+    use crate::certify::{JointedMotion, JointedSolution, enumerate};
+    use crate::problem::Arch;
+
+    fn row(entries: [f64; 4]) -> Row {
+        entries.map(|entry| DoubleBall::new(entry, 1e-9))
+    }
+
+    /// Both conditions are zero all along their line, and a third one is not. Rows that may be parallel have none.
+    #[test]
+    fn two_conditions_are_zero_on_their_line() {
+        let [a, b, c] =
+            [[3.0, -1.0, 2.0, 0.7], [1.0, 4.0, -2.0, -5.0], [1.0, 4.0, -2.0, 5.0]].map(row);
+        let line = Line::of(&a, &b).unwrap();
+        for of in [&a, &b] {
+            let [value, slope] = line.value(of);
+            assert!(!value.excludes_zero() && !slope.excludes_zero());
+            assert!(value.rad() < 1e-6 && slope.rad() < 1e-6);
+        }
+        let [value, slope] = line.value(&c);
+        assert!(value.excludes_zero() && !slope.excludes_zero(), "false twin");
+        let nearly = row([1.0 + 1e-10, 4.0, -2.0, 5.0]);
+        assert!(Line::of(&b, &c).is_none() && Line::of(&b, &nearly).is_none());
+        assert!(Line::of(&b, &row([1.01, 4.0, -2.0, 5.0])).is_some());
+    }
+
+    /// The ends of a stretch are outside of what the conditions allow, by little; a slope of which the sign is open is no limit.
+    #[test]
+    fn a_stretch_holds_all_that_is_allowed() {
+        let on_line = |value: f64, slope: f64| [value, slope].map(|x| DoubleBall::new(x, 1e-6));
+        // `3 t - 1 <= 0`, `t - 1 <= 0` and `-7 t - 2 <= 0`.
+        let (near, far, below) = (on_line(-1.0, 3.0), on_line(-1.0, 1.0), on_line(-2.0, -7.0));
+        let Stretch::Within(Piece { low, high }) = stretch(&[far, near, below]) else { panic!() };
+        // What the balls allow at most, but for the rounding of the test.
+        let ends = [-(2.0 + 1e-6) / (7.0 - 1e-6), (1.0 + 1e-6) / (3.0 - 1e-6)];
+        assert!((0.0..1e-6).contains(&(ends[0] + 1e-12 - low)), "{low}");
+        assert!((0.0..1e-6).contains(&(high - ends[1] + 1e-12)), "{high}");
+        assert_eq!(stretch(&[near]), Stretch::Endless);
+        assert_eq!(stretch(&[near, on_line(-2.0, 1e-7)]), Stretch::Endless);
+        // `t >= 1/2` leaves nothing, and `t >= 1/3` what the balls cannot tell from it.
+        assert_eq!(stretch(&[near, on_line(1.0, -2.0)]), Stretch::Empty);
+        assert!(matches!(stretch(&[near, on_line(1.0, -3.0)]), Stretch::Within(_)));
+    }
+
+    /// Whether a triple may be dependent next to a thickness, and whether it is proved to bear no motion.
+    fn told(conditions: &Conditions<DoubleBall>, mut of: Vec<usize>, eta: f64) -> [bool; 2] {
+        of.sort_unstable();
+        let vertex = Vertex::new(conditions, of);
+        let piece = Piece { low: eta - 1e-6, high: eta + 1e-6 };
+        [vertex.may_be_dependent(&piece), bears_no_motion(&vertex, &piece)]
+    }
+
+    /// A slip at 45 degrees with a friction of one says `h >= 0`, as a crown without force does: dependent at all thicknesses, whether the state without
+    /// thrust is admissible or not. With another friction the three are independent.
+    #[test]
+    fn dependent_conditions_are_decided_along_their_line() {
+        let of: [(Contact, i32); 3] = [(Outwards, -2), (Extrados, 0), (Intrados, 0)];
+        for (mu, is_dependent) in [("1", true), ("1.01", false)] {
+            let arch = Arch::parse("milankovitch", "pi/2", mu).unwrap();
+            let conditions = Conditions::new(&arch, 4, Extent::Whole, 106);
+            let of = of.map(|at| conditions.place(at.0, at.1).unwrap());
+            for eta in [0.5, 1.2, 1.9] {
+                let [may_be, is_told] = told(&conditions, of.to_vec(), eta);
+                assert_eq!(may_be, is_dependent, "{mu} {eta}");
+                assert!(is_told || !is_dependent, "{mu} {eta}");
+            }
+        }
+    }
+
+    /// The conditions that move in a solution.
+    fn moving(
+        conditions: &Conditions<DoubleBall>,
+        stones: u64,
+        of: &JointedSolution,
+    ) -> Vec<usize> {
+        let outermost = of.joints[0].angle.double;
+        let stones = stones as f64;
+        let place = |at: &JointedMotion| {
+            let joint = (at.angle.double / outermost * stones).round() as i32;
+            let right = conditions.place(at.contact, joint).unwrap();
+            if at.side == Some(Side::Left) { conditions.mirrored(&[right])[0] } else { right }
+        };
+        of.joints.iter().map(place).collect()
+    }
+
+    /// A motion is never denied: at solutions, symmetric or not, under a crown that bears nothing too, no three of the conditions that move are
+    /// told to bear none; beside the solutions some are.
+    #[test]
+    fn a_motion_is_not_denied() {
+        for (alpha, mu, stones, count) in
+            [("pi/2", "1", 4, 1), ("2.3", "1.05", 4, 2), ("2.606", "1.888", 4, 1)]
+        {
+            let arch = Arch::parse("milankovitch", alpha, mu).unwrap();
+            let conditions = Conditions::new(&arch, stones as i32, Extent::Whole, 106);
+            let all = enumerate(&arch, stones, Extent::Whole, 15).unwrap().solutions;
+            assert_eq!(all.len(), count);
+            for solution in all.into_iter().map(Result::unwrap) {
+                let eta = solution.thickness.double;
+                let of = moving(&conditions, stones, &solution);
+                let mut beside = 0;
+                for i in 0..of.len() {
+                    for j in i + 1..of.len() {
+                        for k in j + 1..of.len() {
+                            let three = || vec![of[i], of[j], of[k]];
+                            assert!(!told(&conditions, three(), eta)[1], "{alpha} {eta} {i}{j}{k}");
+                            beside += u32::from(told(&conditions, three(), eta + 1e-3)[1]);
+                        }
+                    }
+                }
+                assert!(beside > 0, "{alpha} {eta}");
+            }
+        }
+    }
+}
