@@ -57,8 +57,14 @@ impl Draw {
     /// A decimal from 0 to just below `limit`.
     fn decimal(&mut self, limit: u64) -> String {
         let places = self.between(1, MAX_PLACES) as usize;
-        let digits: String = (0..places).map(|_| self.between(0, 9).to_string()).collect();
-        format!("{}.{digits}", self.between(0, limit - 1))
+        let mut digits = [b'0'; MAX_PLACES as usize];
+        digits[..places].fill_with(|| b'0' + self.between(0, 9) as u8);
+        // The digits are drawn before what stands in front of them.
+        let mut text = self.between(0, limit - 1).to_string();
+        text.reserve(1 + places);
+        text.push('.');
+        text.extend(digits[..places].iter().map(|&digit| char::from(digit)));
+        text
     }
 
     /// A number with up to three digits and a large power of ten, of this sign.

@@ -119,13 +119,9 @@ impl Column {
 
     /// What is found for an arch of this half opening and weight, without frictions.
     pub(super) fn alone(&self, arch: &Arch) -> Result<Cow<'_, Answer>, Undecided> {
-        let shared = match arch.friction() {
-            Friction::Coefficient(mu) => self.shared(&mu.enclosure(DOUBLE_DOUBLE)),
-            Friction::Angle(phi) => {
-                let (sin, cos) = phi.enclosure::<DoubleDoubleBall>(DOUBLE_DOUBLE).sin_cos();
-                self.shared(&(sin / cos))
-            }
-            Friction::Infinite => self.answer.as_ref(),
+        let shared = match Self::enclosed(arch.friction()) {
+            Some(friction) => self.shared(&friction),
+            None => self.answer.as_ref(),
         };
         match shared {
             Some(answer) => Ok(Cow::Borrowed(answer)),
@@ -164,6 +160,18 @@ impl Column {
         kept(&self.frictions, proved).as_ref()
     }
 
+    /// A friction as columns compare it with their own; none if it is unlimited.
+    pub(crate) fn enclosed(friction: &Friction) -> Option<DoubleDoubleBall> {
+        match friction {
+            Friction::Coefficient(mu) => Some(mu.enclosure(DOUBLE_DOUBLE)),
+            Friction::Angle(phi) => {
+                let (sin, cos) = phi.enclosure::<DoubleDoubleBall>(DOUBLE_DOUBLE).sin_cos();
+                Some(sin / cos)
+            }
+            Friction::Infinite => None,
+        }
+    }
+
     /// The same of a friction that is a double, as the number that it is, if no proof of its own is needed: much
     /// quicker. None says nothing.
     pub fn shared_at(&self, friction: f64) -> Option<&Answer> {
@@ -173,8 +181,8 @@ impl Column {
         is_ordinary.then(exact).and_then(|friction| self.shared(&friction))
     }
 
-    /// The answer at a friction, if no proof of its own is needed; none for one that is not positive.
-    fn shared(&self, friction: &DoubleDoubleBall) -> Option<&Answer> {
+    /// The same of a friction in an enclosure, which may be asked of many columns; one that is not positive has none.
+    pub(crate) fn shared(&self, friction: &DoubleDoubleBall) -> Option<&Answer> {
         let exceeds = |bound: &DoubleDoubleBall| bound.is_less_than(friction).is_proved();
         let sliding = self.sliding.as_ref()?;
         if friction.is_less_than(sliding).is_proved() {

@@ -1,15 +1,15 @@
 //! What is proved of the rows of a part. Rows of one half opening share its proofs, wherever they stand in the part;
 //! no bit depends on it.
 
-use super::query::{Asked, Query};
+use super::query::{Arches, Grid, Listed, Queries};
 use crate::arch::SelfWeight;
 use crate::certify::Undecided;
 use crate::certify::state::{Answer, Certify, Column, Figure};
-use crate::problem::{Arch, Mode, Quantity};
+use crate::number::{DoubleDoubleBall, ExactNumber};
+use crate::problem::{Arch, Friction, Mode, Quantity};
 use std::borrow::Cow;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::ptr;
-use std::sync::Arc;
 
 /// As many rows of a half opening as cost less together.
 const SHARED: usize = 4;
@@ -90,10 +90,9 @@ impl Wanted {
     fn found(&self, answer: Result<&Answer, &Undecided>) -> Found {
         match answer {
             Ok(Answer::Stands(digits)) => {
-                let figures: Vec<_> = digits.figures().collect();
                 let value = |of: &Quantity| {
-                    let (_, figure) = figures.iter().find(|(quantity, _)| quantity == of)?;
-                    Some(self.value(*figure))
+                    let (_, figure) = digits.figures().find(|(quantity, _)| quantity == of)?;
+                    Some(self.value(figure))
                 };
                 let values = self.quantities.iter().map(value).collect();
                 Found { verdict: Verdict::Stands, mode: Some(digits.mode), values, reason: None }
@@ -114,13 +113,11 @@ impl Wanted {
     }
 
     /// Of a row by itself, without what others share.
-    pub(super) fn alone(&self, asked: &Asked) -> Found {
-        let Asked { weight, half_opening, friction } = asked;
-        let arch = Arch::new(*weight, (**half_opening).clone(), (**friction).clone());
+    pub(super) fn alone(&self, arch: &Result<Arch, String>) -> Found {
         let answer = match arch {
             Ok(arch) if self.asks_frictions() => arch.certify(self.digits),
             Ok(arch) => arch.certify_alone(self.digits),
-            Err(error) => return self.without(Verdict::Refused, Some(error.to_string())),
+            Err(reason) => return self.without(Verdict::Refused, Some(reason.clone())),
         };
         self.found(answer.as_ref())
     }
@@ -129,61 +126,159 @@ impl Wanted {
         self.quantities.iter().any(|of| of.is_friction())
     }
 
-    /// Of the rows of a part, in their order; those that share an answer share it here.
-    pub(super) fn all(&self, queries: &[Query]) -> Vec<Arc<Found>> {
-        let mut found: Vec<Option<Arc<Found>>> = vec![None; queries.len()];
-        // The rows of each half opening; one after the other, so that one column is held at a time.
-        let mut groups: Vec<Vec<usize>> = Vec::new();
-        let mut group_of: HashMap<(SelfWeight, &[u8]), usize> = HashMap::new();
-        for (place, query) in queries.iter().enumerate() {
-            match &query.asked {
-                Err(reason) => {
-                    found[place] =
-                        Some(Arc::new(self.without(Verdict::Refused, Some(reason.clone()))))
-                }
-                Ok(asked) => {
-                    let key = (asked.weight, query.texts[1].data());
-                    let group = *group_of.entry(key).or_insert_with(|| {
-                        groups.push(Vec::new());
-                        groups.len() - 1
-                    });
-                    groups[group].push(place);
-                }
-            }
+    /// Of the rows of a part; those that share an answer share it here.
+    pub(super) fn all(&self, queries: &Queries) -> Answers {
+        match &queries.arches {
+            Arches::Grid(grid) => self.grid(grid),
+            Arches::Listed(listed) => self.listed(listed),
         }
-        for group in groups {
-            let column = self.column(queries, &group);
-            let mut last: Option<(&Answer, Arc<Found>)> = None;
-            for place in group {
-                let Ok(asked) = &queries[place].asked else { continue };
-                let answer = column
-                    .as_ref()
-                    .and_then(|column| column.certify_alone((*asked.friction).clone()).ok());
-                found[place] = Some(match (answer, &last) {
-                    (Some(Ok(Cow::Borrowed(answer))), Some((of, found)))
-                        if ptr::eq(*of, answer) =>
-                    {
-                        Arc::clone(found)
-                    }
-                    (Some(Ok(Cow::Borrowed(answer))), _) => {
-                        let found = Arc::new(self.found(Ok(answer)));
-                        last = Some((answer, Arc::clone(&found)));
-                        found
-                    }
-                    (Some(answer), _) => Arc::new(self.found(answer.as_deref())),
-                    (None, _) => Arc::new(self.alone(asked)),
-                });
-            }
-        }
-        found.into_iter().flatten().collect()
     }
 
-    /// The column of some rows of one half opening, where it is cheaper.
-    fn column(&self, queries: &[Query], group: &[usize]) -> Option<Column> {
-        if group.len() < SHARED || self.asks_frictions() {
-            return None;
+    fn grid(&self, Grid { columns, frictions }: &Grid) -> Answers {
+        let mut answers = Answers::new(columns.len() * frictions.len());
+        // The same for every half opening.
+        let enclosed: Vec<_> =
+            frictions.iter().map(|friction| Column::enclosed(&friction.number)).collect();
+        for (place, (weight, half_opening)) in columns.iter().enumerate() {
+            let first = place * frictions.len();
+            match self.column(frictions.len(), *weight, &half_opening.number) {
+                Some(column) => {
+                    let rows = frictions.iter().zip(&enclosed).zip(first..);
+                    let rows = rows.map(|((mu, enclosed), row)| (row, &mu.number, *enclosed));
+                    self.together(&column, rows, &mut answers);
+                }
+                None => {
+                    for (row, mu) in (first..).zip(frictions) {
+                        let half_opening = half_opening.number.clone();
+                        let arch = Arch::new(*weight, half_opening, mu.number.clone());
+                        let arch = arch.map_err(|error| error.to_string());
+                        answers.put(row, self.alone(&arch));
+                    }
+                }
+            }
         }
-        let asked = queries[group[0]].asked.as_ref().ok()?;
-        Column::new(asked.weight, (*asked.half_opening).clone(), self.digits).ok()
+        answers
+    }
+
+    fn listed(&self, listed: &Listed) -> Answers {
+        let arches = &listed.arches;
+        let mut answers = Answers::new(arches.len());
+        // The rows of each half opening that has enough of them; one after the other, so that one column is held at a
+        // time.
+        let mut group_of: HashMap<(SelfWeight, &[u8]), usize> =
+            HashMap::with_capacity(arches.len());
+        let mut counts: Vec<usize> = Vec::new();
+        let group = |(row, arch): (usize, &Result<Arch, String>)| {
+            let key = (arch.as_ref().ok()?.weight(), listed.texts[1].of(row));
+            let group = *group_of.entry(key).or_insert(counts.len());
+            match counts.get_mut(group) {
+                Some(count) => *count += 1,
+                None => counts.push(1),
+            }
+            Some(group)
+        };
+        let groups: Vec<Option<usize>> = arches.iter().enumerate().map(group).collect();
+        let mut shared: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for (row, group) in groups.into_iter().enumerate() {
+            match group.filter(|group| counts[*group] >= SHARED && !self.asks_frictions()) {
+                Some(group) => shared.entry(group).or_default().push(row),
+                None => answers.put(row, self.alone(&arches[row])),
+            }
+        }
+        for rows in shared.into_values() {
+            let row = |&row: &usize| Some((row, arches[row].as_ref().ok()?));
+            let all = || rows.iter().filter_map(row);
+            let column = all()
+                .next()
+                .and_then(|(_, arch)| self.column(rows.len(), arch.weight(), arch.half_opening()));
+            match column {
+                Some(column) => {
+                    let rows = all().map(|(row, arch)| (row, arch.friction()));
+                    let rows = rows.map(|(row, mu)| (row, mu, Column::enclosed(mu)));
+                    self.together(&column, rows, &mut answers);
+                }
+                None => rows.iter().for_each(|&row| answers.put(row, self.alone(&arches[row]))),
+            }
+        }
+        answers
+    }
+
+    /// The column of so many rows of one half opening, where it is cheaper.
+    fn column(&self, rows: usize, weight: SelfWeight, alpha: &ExactNumber) -> Option<Column> {
+        let is_cheaper = rows >= SHARED && !self.asks_frictions();
+        is_cheaper.then(|| Column::new(weight, alpha.clone(), self.digits).ok())?
+    }
+
+    /// Of some rows of a column, each with its friction and an enclosure of it.
+    fn together<'a>(
+        &self,
+        column: &Column,
+        rows: impl Iterator<Item = (usize, &'a Friction, Option<DoubleDoubleBall>)>,
+        answers: &mut Answers,
+    ) {
+        let mut last: Option<(&Answer, u32)> = None;
+        for (row, friction, enclosed) in rows {
+            let shared = enclosed.and_then(|mu| column.shared(&mu));
+            let answer = match shared {
+                Some(answer) => Ok(Ok(Cow::Borrowed(answer))),
+                None => column.certify_alone(friction.clone()),
+            };
+            match (answer, last) {
+                (Ok(Ok(Cow::Borrowed(answer))), Some((of, place))) if ptr::eq(of, answer) => {
+                    answers.places[row] = place;
+                }
+                (Ok(Ok(Cow::Borrowed(answer))), _) => {
+                    answers.put(row, self.found(Ok(answer)));
+                    last = Some((answer, answers.places[row]));
+                }
+                (Ok(answer), _) => answers.put(row, self.found(answer.as_deref())),
+                (Err(error), _) => {
+                    let refused = self.without(Verdict::Refused, Some(error.to_string()));
+                    answers.put(row, refused);
+                }
+            }
+        }
+    }
+}
+
+/// What is known of the rows of a part; rows that share an answer have it once.
+pub(super) struct Answers {
+    found: Vec<Found>,
+    /// For each row the place of its answer.
+    places: Vec<u32>,
+}
+
+impl Answers {
+    fn new(rows: usize) -> Self {
+        Self { found: Vec::new(), places: vec![0; rows] }
+    }
+
+    /// Of one row.
+    pub(super) fn one(found: Found) -> Self {
+        Self { found: vec![found], places: vec![0] }
+    }
+
+    /// Adds what is found of a row; others that share it have its place.
+    fn put(&mut self, row: usize, found: Found) {
+        // A part has fewer rows.
+        self.places[row] = u32::try_from(self.found.len()).unwrap_or(u32::MAX);
+        self.found.push(found);
+    }
+
+    /// How many rows there are.
+    pub(super) fn len(&self) -> usize {
+        self.places.len()
+    }
+
+    /// What is known of a row.
+    pub(super) fn of(&self, row: usize) -> &Found {
+        &self.found[self.places[row] as usize]
+    }
+
+    /// How many rows have which verdict, in the order of [`Verdict::ALL`].
+    pub(super) fn counts(&self) -> [u64; 4] {
+        let mut counts = [0; 4];
+        (0..self.len()).for_each(|row| counts[self.of(row).verdict as usize] += 1);
+        counts
     }
 }

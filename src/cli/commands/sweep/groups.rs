@@ -1,7 +1,7 @@
 //! Pieces of a Parquet file: rows of its row groups.
 
 use super::pieces::{CHANGED, columns, hash_of_pieces};
-use super::query::Query;
+use super::query::Listed;
 use crate::arch::SelfWeight;
 use crate::cli::commands::rows::{Cells, Reader, Spelling};
 use crate::cli::failure::reason;
@@ -79,13 +79,13 @@ pub(super) fn slices(path: &Path, rows: u64) -> Result<Vec<GroupSlice>, String> 
     Ok(slices)
 }
 
-/// The rows of a piece whose first row is the one of the file with this number, from 0; each with its number, from 1.
+/// The rows of a piece whose first row is the one of the file with this number, from 0; and their numbers, from 1.
 pub(super) fn read(
     path: &Path,
     slice: &GroupSlice,
     first: u64,
     weight: SelfWeight,
-) -> Result<Vec<(u64, Query)>, String> {
+) -> Result<(Vec<u64>, Listed), String> {
     let mut file = File::open(path).map_err(|error| reason(&error))?;
     let reader = SerializedFileReader::new(file.try_clone().map_err(|error| reason(&error))?);
     let reader = reader.map_err(|_| CHANGED.to_owned())?;
@@ -103,11 +103,12 @@ pub(super) fn read(
     };
     let texts = places.iter().map(read).collect::<Result<Vec<_>, _>>().map_err(failed)?;
     let reader = Reader { columns, weight, doubles: false, spelling: Spelling::default() };
-    let query = |row: usize| {
+    let mut listed = Listed::default();
+    for row in 0..slice.rows as usize {
         let cells: Cells = texts.iter().map(|column| Some(column[row].clone())).collect();
-        (first + row as u64 + 1, Query::of_row(&reader, &cells))
-    };
-    Ok((0..slice.rows as usize).map(query).collect())
+        listed.push_row(&reader, &cells);
+    }
+    Ok(((first + 1..=first + slice.rows).collect(), listed))
 }
 
 /// The cells of a column as exact texts; empty where there is none.

@@ -2,7 +2,7 @@
 //! hash says whether it still is what it was.
 
 use super::groups::{self, GroupSlice};
-use super::query::Query;
+use super::query::Listed;
 use super::text::{self, Head, TextSlice};
 use crate::arch::SelfWeight;
 use crate::cli::failure::reason;
@@ -58,13 +58,13 @@ impl Slices {
     }
 }
 
-/// The rows of the piece that begins at this row of a file, each with its line or its place in the file.
+/// The rows of the piece that begins at this row of a file, and the lines or the places in the file of each.
 pub(super) fn read_slice(
     slices: &Slices,
     path: &Path,
     first: u64,
     weight: SelfWeight,
-) -> Result<Vec<(u64, Query)>, String> {
+) -> Result<(Vec<u64>, Listed), String> {
     let mut before = 0;
     let place = slices.lengths().iter().position(|rows| {
         before += rows;
@@ -75,6 +75,6 @@ pub(super) fn read_slice(
             text::read(path, head, &slices[place], weight)
         }
         (Slices::Parquet(slices), Some(place)) => groups::read(path, &slices[place], first, weight),
-        (_, None) => Ok(Vec::new()),
+        (_, None) => Ok((Vec::new(), Listed::default())),
     }
 }

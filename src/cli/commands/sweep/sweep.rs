@@ -1,7 +1,7 @@
 //! A sweep: what it is, the folder of its parts, and the work that one part is. Nothing else has to be known to whoever
 //! shares the parts among processes or machines.
 
-use super::answers::{Verdict, Wanted};
+use super::answers::Wanted;
 use super::queries::queries;
 use super::record::{Arches, Record};
 use super::store::{Store, There};
@@ -131,10 +131,9 @@ impl Sweep {
         let rows = self.parts[part].clone();
         let queries = queries(&self.record, &rows, &self.base).map_err(SweepError::Input)?;
         let found = self.wanted.all(&queries);
-        let count = |verdict| found.iter().filter(|found| found.verdict == verdict).count() as u64;
-        let counts = Verdict::ALL.map(count);
+        let counts = found.counts();
         let notes = Notes { plan: self.store.plan().to_owned(), rows, counts };
-        let table = Table::new(&self.record, &self.wanted, (&queries, &found));
+        let table = Table::new(&self.wanted, &queries, &found);
         let bytes = table.bytes(&notes).map_err(|error| SweepError::Io(error.to_string()))?;
         let put = self.store.put(&Store::name(part, &bytes), &bytes);
         put.map_err(|error| self.unwritten(&error))?;

@@ -1,8 +1,8 @@
 //! The rows of a part as a Parquet file, `couplet.sweep/1`: the same rows are the same bytes.
 
-use super::answers::{Found, Verdict, Wanted};
-use super::query::Query;
-use super::record::{Arches, Record};
+use super::answers::{Answers, Verdict, Wanted};
+use super::query::{Arches, Grid, Listed, Queries};
+use crate::arch::SelfWeight;
 use crate::problem::Mode;
 use crate::scene::SWEEP_SCHEMA;
 use ::parquet::basic::{Compression, Encoding, LogicalType, Repetition, Type as PhysicalType};
@@ -11,7 +11,7 @@ use ::parquet::column::writer::{ColumnWriter, ColumnWriterImpl};
 use ::parquet::data_type::{ByteArray, DataType};
 use ::parquet::errors::{ParquetError, Result};
 use ::parquet::file::metadata::KeyValue;
-use ::parquet::file::properties::{EnabledStatistics, WriterProperties};
+use ::parquet::file::properties::{DEFAULT_WRITE_BATCH_SIZE, EnabledStatistics, WriterProperties};
 use ::parquet::file::reader::{FileReader, SerializedFileReader};
 use ::parquet::file::writer::SerializedFileWriter;
 use ::parquet::schema::types::{ColumnPath, Type};
@@ -20,10 +20,14 @@ use std::fs::File;
 use std::ops::Range;
 use std::sync::Arc;
 
+/// Rows that are written at a time: as many as are encoded at a time, so that pages end where they would end if all
+/// were written at once.
+const BATCH: usize = DEFAULT_WRITE_BATCH_SIZE;
+
 /// What writes.
 const TOOL: &str = concat!("couplet ", env!("CARGO_PKG_VERSION"));
 
-/// A column, whose cells may be null.
+/// The cells of a column as they were read; they may be null.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Cells {
     Text(Vec<Option<ByteArray>>),
@@ -33,9 +37,26 @@ pub(super) enum Cells {
     Short(Vec<Option<i32>>),
 }
 
+/// The rows of a part by columns, with the names of these, as they were read.
+pub(super) struct Read(Vec<(String, Cells)>);
+
+/// The cell of each row of a column. A column is never there as a whole: some rows are written at a time.
+type Cell<'a, T> = Box<dyn Fn(usize) -> Option<T> + 'a>;
+
+/// A column that is written.
+pub(super) enum Column<'a> {
+    Text(Cell<'a, ByteArray>),
+    Double(Cell<'a, f64>),
+    Whole(Cell<'a, i64>),
+    /// A whole number of one byte.
+    Short(Cell<'a, i32>),
+}
+
 /// The rows of a part by columns, with the names of these.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Table(pub Vec<(String, Cells)>);
+pub(super) struct Table<'a> {
+    pub rows: usize,
+    pub columns: Vec<(String, Column<'a>)>,
+}
 
 /// What a part says of itself.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -48,79 +69,89 @@ pub(super) struct Notes {
     pub counts: [u64; 4],
 }
 
-/// The rows of a part, as they are asked and as they are answered.
-pub(super) type Rows<'a> = (&'a [Query], &'a [Arc<Found>]);
-
-impl Table {
+impl<'a> Table<'a> {
     /// The columns that are asked: row, file and line of a data set, texts and doubles.
-    pub(super) fn asked(record: &Record, queries: &[Query]) -> Self {
-        fn text(queries: &[Query], place: usize) -> Cells {
-            let text =
-                |query: &Query| Some(query.texts[place].clone()).filter(|text| !text.is_empty());
-            Cells::Text(queries.iter().map(text).collect())
-        }
-        let double =
-            |place: usize| Cells::Double(queries.iter().map(|q| q.doubles[place]).collect());
+    pub(super) fn asked(queries: &'a Queries) -> Self {
         let whole = |number: u64| i64::try_from(number).ok();
+        let first = queries.first;
         let mut columns =
-            vec![("row".to_owned(), Cells::Whole(queries.iter().map(|q| whole(q.row)).collect()))];
-        if matches!(record.arches, Arches::Data { .. }) {
-            let file = queries.iter().map(|q| q.origin.as_ref().map(|(file, _)| file.clone()));
-            let line = queries.iter().map(|q| q.origin.as_ref().and_then(|(_, line)| whole(*line)));
-            columns.push(("file".into(), Cells::Text(file.collect())));
-            columns.push(("line".into(), Cells::Whole(line.collect())));
+            vec![("row".to_owned(), Column::whole(move |row| whole(first + row as u64)))];
+        let origin = match &queries.arches {
+            Arches::Listed(listed) => listed.origin.as_ref(),
+            Arches::Grid(_) => None,
+        };
+        if let Some((file, lines)) = origin {
+            columns.push(("file".into(), Column::text(|_| Some(file.clone()))));
+            columns.push(("line".into(), Column::whole(move |row| whole(lines[row]))));
         }
-        columns.extend([
-            ("weight".into(), text(queries, 0)),
-            ("half_opening".into(), text(queries, 1)),
-            ("friction".into(), text(queries, 2)),
-            ("half_opening_rad".into(), double(0)),
-            ("friction_double".into(), double(1)),
-        ]);
-        Self(columns)
+        let given = match &queries.arches {
+            Arches::Grid(Grid { columns, frictions }) => {
+                let names = SelfWeight::ALL.map(|weight| (weight, ByteArray::from(weight.name())));
+                let name = move |weight: SelfWeight| {
+                    Some(names.iter().find(|(of, _)| *of == weight)?.1.clone())
+                };
+                let length = frictions.len();
+                let column = move |row: usize| &columns[row / length];
+                let friction = move |row: usize| &frictions[row % length];
+                [
+                    Column::text(move |row| name(column(row).0)),
+                    Column::text(move |row| Some(column(row).1.text.clone())),
+                    Column::text(move |row| Some(friction(row).text.clone())),
+                    Column::double(move |row| column(row).1.double),
+                    Column::double(move |row| friction(row).double),
+                ]
+            }
+            Arches::Listed(listed) => {
+                let Listed { texts: [weights, alphas, mus], doubles: [alpha, mu], .. } =
+                    listed.as_ref();
+                [
+                    Column::text(weights.cells()),
+                    Column::text(alphas.cells()),
+                    Column::text(mus.cells()),
+                    Column::double(|row| alpha[row]),
+                    Column::double(|row| mu[row]),
+                ]
+            }
+        };
+        let names = ["weight", "half_opening", "friction", "half_opening_rad", "friction_double"];
+        columns.extend(names.map(str::to_owned).into_iter().zip(given));
+        Self { rows: queries.len(), columns }
     }
 
     /// All columns.
-    pub(super) fn new(record: &Record, wanted: &Wanted, (queries, found): Rows) -> Self {
-        let Self(mut columns) = Self::asked(record, queries);
-        columns.extend(Self::answered(wanted, found).0);
-        Self(columns)
+    pub(super) fn new(wanted: &Wanted, queries: &'a Queries, answers: &'a Answers) -> Self {
+        let Self { rows, mut columns } = Self::asked(queries);
+        columns.extend(Self::answered(wanted, answers).columns);
+        Self { rows, columns }
     }
 
     /// The columns that are answered.
-    pub(super) fn answered(wanted: &Wanted, found: &[Arc<Found>]) -> Self {
+    pub(super) fn answered(wanted: &Wanted, answers: &'a Answers) -> Self {
         // The texts of names are shared.
         let verdicts = Verdict::ALL.map(|verdict| ByteArray::from(verdict.name()));
-        let verdict = |found: &Arc<Found>| Some(verdicts[found.verdict as usize].clone());
         let modes = Mode::ALL.map(|mode| (mode, ByteArray::from(mode.label())));
-        let mode = |found: &Arc<Found>| {
-            let (_, label) = modes.iter().find(|(mode, _)| Some(*mode) == found.mode)?;
-            Some(label.clone())
+        let mode = move |row: usize| {
+            let mode = answers.of(row).mode?;
+            Some(modes.iter().find(|(of, _)| *of == mode)?.1.clone())
         };
+        let verdict = move |row: usize| Some(verdicts[answers.of(row).verdict as usize].clone());
         let mut columns = vec![
-            ("verdict".to_owned(), Cells::Text(found.iter().map(verdict).collect())),
-            ("mode".to_owned(), Cells::Text(found.iter().map(mode).collect())),
+            ("verdict".to_owned(), Column::text(verdict)),
+            ("mode".to_owned(), Column::text(mode)),
         ];
         for (place, quantity) in wanted.quantities.iter().enumerate() {
-            let values = || found.iter().map(|found| found.values[place].as_ref());
-            let (name, bytes) = (quantity.name(), |text: &String| ByteArray::from(text.as_str()));
-            let double = values().map(|value| value.map(|value| value.double)).collect();
-            let side = values().map(|value| value.and_then(|value| value.side)).collect();
-            columns.push((name.to_owned(), Cells::Double(double)));
-            columns.push((format!("{name}_side"), Cells::Short(side)));
+            let value = move |row: usize| answers.of(row).values[place].as_ref();
+            let name = quantity.name();
+            columns.push((name.to_owned(), Column::double(move |row| Some(value(row)?.double))));
+            columns.push((format!("{name}_side"), Column::short(move |row| value(row)?.side)));
             if wanted.has_texts {
-                let text = values().map(|value| value.and_then(|v| v.text.as_ref()).map(bytes));
-                columns.push((format!("{name}_text"), Cells::Text(text.collect())));
+                let text = move |row| value(row)?.text.as_deref().map(ByteArray::from);
+                columns.push((format!("{name}_text"), Column::text(text)));
             }
         }
-        let reason = |found: &Arc<Found>| found.reason.as_deref().map(ByteArray::from);
-        columns.push(("reason".into(), Cells::Text(found.iter().map(reason).collect())));
-        Self(columns)
-    }
-
-    /// The cells of a column, if there is one of that name.
-    pub(super) fn column(&self, name: &str) -> Option<&Cells> {
-        self.0.iter().find(|(of, _)| of == name).map(|(_, cells)| cells)
+        let reason = |row: usize| answers.of(row).reason.as_deref().map(ByteArray::from);
+        columns.push(("reason".into(), Column::text(reason)));
+        Self { rows: answers.len(), columns }
     }
 
     /// The file.
@@ -145,21 +176,28 @@ impl Table {
             .set_column_encoding(row, Encoding::DELTA_BINARY_PACKED)
             .set_key_value_metadata(Some(told))
             .build();
-        let fields = self.0.iter().map(|(name, cells)| Ok(Arc::new(field(name, cells)?)));
+        let fields = self.columns.iter().map(|(name, column)| Ok(Arc::new(field(name, column)?)));
         let schema =
             Type::group_type_builder("couplet").with_fields(fields.collect::<Result<_>>()?);
         let (schema, properties) = (Arc::new(schema.build()?), Arc::new(properties));
         let mut writer = SerializedFileWriter::new(Vec::new(), schema, properties)?;
         let mut group = writer.next_row_group()?;
-        for (_, cells) in &self.0 {
+        for (_, cells) in &self.columns {
             let Some(mut column) = group.next_column()? else { break };
+            let rows = self.rows;
             match (cells, column.untyped()) {
-                (Cells::Text(cells), ColumnWriter::ByteArrayColumnWriter(out)) => {
-                    write(out, cells)?
+                (Column::Text(cell), ColumnWriter::ByteArrayColumnWriter(out)) => {
+                    write(out, rows, cell)?
                 }
-                (Cells::Double(cells), ColumnWriter::DoubleColumnWriter(out)) => write(out, cells)?,
-                (Cells::Whole(cells), ColumnWriter::Int64ColumnWriter(out)) => write(out, cells)?,
-                (Cells::Short(cells), ColumnWriter::Int32ColumnWriter(out)) => write(out, cells)?,
+                (Column::Double(cell), ColumnWriter::DoubleColumnWriter(out)) => {
+                    write(out, rows, cell)?
+                }
+                (Column::Whole(cell), ColumnWriter::Int64ColumnWriter(out)) => {
+                    write(out, rows, cell)?
+                }
+                (Column::Short(cell), ColumnWriter::Int32ColumnWriter(out)) => {
+                    write(out, rows, cell)?
+                }
                 // The schema is made of the same columns.
                 _ => unreachable!(),
             }
@@ -168,9 +206,43 @@ impl Table {
         group.close()?;
         writer.into_inner()
     }
+}
 
+impl<'a> Column<'a> {
+    fn text(cell: impl Fn(usize) -> Option<ByteArray> + 'a) -> Self {
+        Self::Text(Box::new(cell))
+    }
+
+    fn double(cell: impl Fn(usize) -> Option<f64> + 'a) -> Self {
+        Self::Double(Box::new(cell))
+    }
+
+    fn whole(cell: impl Fn(usize) -> Option<i64> + 'a) -> Self {
+        Self::Whole(Box::new(cell))
+    }
+
+    fn short(cell: impl Fn(usize) -> Option<i32> + 'a) -> Self {
+        Self::Short(Box::new(cell))
+    }
+
+    /// Whether a cell is one that was read, bit for bit.
+    pub(super) fn is_same(&self, row: usize, there: &Cells, place: usize) -> bool {
+        match (self, there) {
+            (Self::Text(cell), Cells::Text(there)) => there.get(place) == Some(&cell(row)),
+            (Self::Double(cell), Cells::Double(there)) => {
+                let bits = |cell: &Option<f64>| cell.map(f64::to_bits);
+                there.get(place).map(bits) == Some(bits(&cell(row)))
+            }
+            (Self::Whole(cell), Cells::Whole(there)) => there.get(place) == Some(&cell(row)),
+            (Self::Short(cell), Cells::Short(there)) => there.get(place) == Some(&cell(row)),
+            _ => false,
+        }
+    }
+}
+
+impl Read {
     /// The columns of a file, as they were written.
-    pub(super) fn read(file: File) -> Result<Self> {
+    pub(super) fn of(file: File) -> Result<Self> {
         let reader = SerializedFileReader::new(file)?;
         let group = reader.get_row_group(0)?;
         let rows = group.metadata().num_rows().try_into().unwrap_or(0);
@@ -186,6 +258,11 @@ impl Table {
             Ok((column.name().to_owned(), cells))
         });
         columns.collect::<Result<_>>().map(Self)
+    }
+
+    /// The cells of a column, if there is one of that name.
+    pub(super) fn column(&self, name: &str) -> Option<&Cells> {
+        self.0.iter().find(|(of, _)| of == name).map(|(_, cells)| cells)
     }
 }
 
@@ -216,12 +293,12 @@ fn counted(verdict: Verdict) -> String {
     format!("couplet.{}", verdict.name())
 }
 
-fn field(name: &str, cells: &Cells) -> Result<Type> {
-    let (kind, logical) = match cells {
-        Cells::Text(_) => (PhysicalType::BYTE_ARRAY, Some(LogicalType::String)),
-        Cells::Double(_) => (PhysicalType::DOUBLE, None),
-        Cells::Whole(_) => (PhysicalType::INT64, None),
-        Cells::Short(_) => (PhysicalType::INT32, Some(LogicalType::integer(8, true))),
+fn field(name: &str, column: &Column) -> Result<Type> {
+    let (kind, logical) = match column {
+        Column::Text(_) => (PhysicalType::BYTE_ARRAY, Some(LogicalType::String)),
+        Column::Double(_) => (PhysicalType::DOUBLE, None),
+        Column::Whole(_) => (PhysicalType::INT64, None),
+        Column::Short(_) => (PhysicalType::INT32, Some(LogicalType::integer(8, true))),
     };
     Type::primitive_type_builder(name, kind)
         .with_repetition(Repetition::OPTIONAL)
@@ -229,10 +306,18 @@ fn field(name: &str, cells: &Cells) -> Result<Type> {
         .build()
 }
 
-fn write<T: DataType>(out: &mut ColumnWriterImpl<T>, cells: &[Option<T::T>]) -> Result<()> {
-    let there: Vec<i16> = cells.iter().map(|cell| i16::from(cell.is_some())).collect();
-    let values: Vec<T::T> = cells.iter().flatten().cloned().collect();
-    out.write_batch(&values, Some(&there), None).map(drop)
+fn write<T: DataType>(out: &mut ColumnWriterImpl<T>, rows: usize, cell: &Cell<T::T>) -> Result<()> {
+    let (mut there, mut values) = (Vec::with_capacity(BATCH), Vec::with_capacity(BATCH));
+    for first in (0..rows).step_by(BATCH) {
+        for cell in (first..rows.min(first + BATCH)).map(cell) {
+            there.push(i16::from(cell.is_some()));
+            values.extend(cell);
+        }
+        out.write_batch(&values, Some(&there), None)?;
+        there.clear();
+        values.clear();
+    }
+    Ok(())
 }
 
 fn read<T: DataType>(mut column: ColumnReaderImpl<T>, rows: usize) -> Result<Vec<Option<T::T>>> {

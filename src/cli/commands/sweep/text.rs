@@ -1,7 +1,7 @@
 //! Pieces of a table of text.
 
 use super::pieces::{CHANGED, bytes_of, columns, hash_of, hash_of_pieces};
-use super::query::Query;
+use super::query::Listed;
 use crate::arch::SelfWeight;
 use crate::cli::commands::rows::{Cells, Reader, Spelling, Table};
 use crate::cli::failure::reason;
@@ -122,13 +122,13 @@ fn offsets(file: &mut File, start: u64, lines: &[u64]) -> io::Result<(Vec<u64>, 
     }
 }
 
-/// The rows of a piece, each with its line.
+/// The rows of a piece, and their lines.
 pub(super) fn read(
     path: &Path,
     head: &Head,
     slice: &TextSlice,
     weight: SelfWeight,
-) -> Result<Vec<(u64, Query)>, String> {
+) -> Result<(Vec<u64>, Listed), String> {
     let read = |error: io::Error| reason(&error);
     let mut file = File::open(path).map_err(read)?;
     let mut bytes = bytes_of(&mut file, head.offset, head.bytes).map_err(read)?;
@@ -141,15 +141,16 @@ pub(super) fn read(
     let (columns, places) = columns(&table.header)?;
     let spelling = Spelling { decimal_comma: table.has_decimal_commas() };
     let reader = Reader { columns, weight, doubles: false, spelling };
-    let query = |(line, row): (u64, Result<Vec<String>, String>)| {
-        let query = match row {
+    let (mut lines, mut listed) = (Vec::new(), Listed::default());
+    for (line, row) in table.skip(head.rows) {
+        lines.push(line - head.lines - 1 + slice.line);
+        match row {
             Ok(fields) => {
                 let cells: Cells = places.iter().map(|&place| fields.get(place).cloned()).collect();
-                Query::of_row(&reader, &cells)
+                listed.push_row(&reader, &cells);
             }
-            Err(error) => Query::refused(Default::default(), error),
-        };
-        (line - head.lines - 1 + slice.line, query)
-    };
-    Ok(table.skip(head.rows).map(query).collect())
+            Err(error) => listed.refuse(&Default::default(), error),
+        }
+    }
+    Ok((lines, listed))
 }

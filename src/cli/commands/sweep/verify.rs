@@ -1,11 +1,10 @@
 //! Looks through a sweep that was made: its parts, its rows, and what is proved of some of them.
 
-use super::answers::Verdict;
+use super::answers::{Answers, Verdict};
 use super::queries::queries;
-use super::query::{Asked, Query};
 use super::store::There;
 use super::sweep::{Sweep, SweepError};
-use super::table::{Cells, Notes, Table};
+use super::table::{Cells, Notes, Read, Table};
 use crate::certify::certify_arch;
 use crate::check::{Accepted, verify as check};
 use crate::problem::{Arch, Problem};
@@ -15,7 +14,6 @@ use rug::{Integer, Rational};
 use std::collections::BTreeSet;
 use std::fs::File;
 use std::ops::Range;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// What was looked through, and what is wrong.
@@ -94,12 +92,14 @@ fn look(
     let rows = sweep.rows(part);
     let open = || File::open(sweep.folder().join(name)).map_err(|error| error.to_string());
     let notes = Notes::of(&open()?).ok_or("it says nothing of itself")?;
-    let table = Table::read(open()?).map_err(|error| error.to_string())?;
+    let table = Read::of(open()?).map_err(|error| error.to_string())?;
     let queries = queries(&sweep.record, &rows, &sweep.base)?;
-    let asked = Table::asked(&sweep.record, &queries);
-    for (column, cells) in &asked.0 {
-        if table.column(column) != Some(cells) {
-            return Err(format!("its column {column} is not what the plan asks"));
+    let asked = Table::asked(&queries);
+    for (name, column) in &asked.columns {
+        let there = table.column(name);
+        let is_same = |cells: &Cells| (0..asked.rows).all(|row| column.is_same(row, cells, row));
+        if asked.rows as u64 != rows.end - rows.start || !there.is_some_and(is_same) {
+            return Err(format!("its column {name} is not what the plan asks"));
         }
     }
     let Some(Cells::Text(verdicts)) = table.column("verdict") else {
@@ -116,7 +116,7 @@ fn look(
     let mut all = Verified { parts: 1, rows: rows.end - rows.start, ..Verified::default() };
     for &number in chosen {
         let place = (number - rows.start) as usize;
-        match row(sweep, &table, place, &queries[place], certified) {
+        match row(sweep, &table, place, &queries.arch(place), certified) {
             Ok(has_certificate) => {
                 all.again += 1;
                 all.certified += usize::from(has_certificate);
@@ -130,25 +130,26 @@ fn look(
 /// Proves a row again; whether it was certified too.
 fn row(
     sweep: &Sweep,
-    table: &Table,
+    table: &Read,
     place: usize,
-    query: &Query,
+    asked: &Result<Arch, String>,
     certified: &AtomicUsize,
 ) -> Result<bool, String> {
-    let Ok(asked) = &query.asked else { return Ok(false) };
-    let found = Arc::new(sweep.wanted.alone(asked));
-    let again = Table::answered(&sweep.wanted, std::slice::from_ref(&found));
-    for (column, cells) in &again.0 {
-        let same = table.column(column).is_some_and(|there| is_same(there, place, cells));
-        if !same {
-            return Err(format!("its {column} is not what is proved"));
+    let Ok(arch) = asked else { return Ok(false) };
+    let answers = Answers::one(sweep.wanted.alone(asked));
+    let again = Table::answered(&sweep.wanted, &answers);
+    for (name, column) in &again.columns {
+        let there = table.column(name);
+        if !there.is_some_and(|there| column.is_same(0, there, place)) {
+            return Err(format!("its {name} is not what is proved"));
         }
     }
+    let found = answers.of(0);
     let is_known = matches!(found.verdict, Verdict::Stands | Verdict::Falls);
     if !is_known || certified.fetch_add(1, Ordering::Relaxed) >= CERTIFIED {
         return Ok(false);
     }
-    let Some(accepted) = accepted(asked)? else { return Ok(false) };
+    let Some(accepted) = accepted(arch)? else { return Ok(false) };
     let is_so = match (&accepted.problem, found.verdict) {
         (Problem::State { mode, .. }, Verdict::Stands) => Some(*mode) == found.mode,
         (Problem::Verdict { .. }, Verdict::Falls) => true,
@@ -178,10 +179,8 @@ impl Verified {
 }
 
 /// A certificate of an arch that the second arithmetic accepts; none where none can be made.
-fn accepted(asked: &Asked) -> Result<Option<Accepted>, String> {
-    let (alpha, friction) = ((*asked.half_opening).clone(), (*asked.friction).clone());
-    let arch = Arch::new(asked.weight, alpha, friction).map_err(|error| error.to_string())?;
-    let Ok(certificate) = certify_arch(&arch, None, DIGITS) else { return Ok(None) };
+fn accepted(arch: &Arch) -> Result<Option<Accepted>, String> {
+    let Ok(certificate) = certify_arch(arch, None, DIGITS) else { return Ok(None) };
     let mut bytes = Vec::new();
     certificate.write(&mut bytes).map_err(|error| error.to_string())?;
     check(&bytes).map(Some).map_err(|refusal| format!("its certificate is refused: {refusal}"))
@@ -208,19 +207,6 @@ fn agrees(text: &str, double: f64, side: Option<i32>) -> bool {
         None => true,
     };
     is_near && is_aside
-}
-
-/// Whether a cell is the one of a table of one row, bit for bit.
-fn is_same(there: &Cells, place: usize, one: &Cells) -> bool {
-    match (there, one) {
-        (Cells::Text(there), Cells::Text(one)) => there[place] == one[0],
-        (Cells::Double(there), Cells::Double(one)) => {
-            there[place].map(f64::to_bits) == one[0].map(f64::to_bits)
-        }
-        (Cells::Whole(there), Cells::Whole(one)) => there[place] == one[0],
-        (Cells::Short(there), Cells::Short(one)) => there[place] == one[0],
-        _ => false,
-    }
 }
 
 /// Rows of some ranges, drawn from the name of a sweep.
