@@ -1,7 +1,7 @@
 //! Many arches, in arrays of doubles.
 
 use crate::answer::Answer;
-use crate::asked::{arch, named, wrong};
+use crate::asked::{named, wrong};
 use crate::border::{Array, Failure, answered, apart, optional, text};
 use crate::texts::exact;
 use crate::threads::{checked, on_threads};
@@ -166,7 +166,8 @@ impl Given<'_> {
         // What has no exact text is no number.
         let text = |x: f64| Some(exact(x)).filter(|text| !text.is_empty()).unwrap_or(x.to_string());
         let [alpha, mu] = [self.alphas[row], self.mus[row]].map(text);
-        let found = arch(asked.weight.name(), &alpha, &mu).and_then(|arch| {
+        let arch = parse::arch([asked.weight.name(), &alpha, &mu]).map_err(wrong);
+        let found = arch.and_then(|arch| {
             let Some(etas) = self.etas else {
                 return Ok(report::Answer::state(1, &arch, &arch.certify_alone(17)));
             };

@@ -6,12 +6,11 @@ use crate::border::{Array, Failure, answered, optional, text};
 use crate::threads::{checked, on_threads};
 use couplet::arch::SelfWeight;
 use couplet::certify::state::Certify;
-use couplet::certify::state::find::{self as seek, Given, Question};
+use couplet::certify::state::find as seek;
 use couplet::certify::{self, CertifiedLandmark, Undecided, quantities};
-use couplet::check::{self as checker, Accepted, Certificate, Refusal};
-use couplet::cli::parse;
-use couplet::number::{Ball, ExactNumber};
-use couplet::problem::{Arch, Friction, Landmark, Line, Quantity};
+use couplet::check::{Certificate, Refusal};
+use couplet::cli::{Engine, parse};
+use couplet::problem::{Arch, Landmark, Quantity};
 use couplet::report::{self, Answers, Scope};
 use std::ffi::{c_char, c_int, c_void};
 use std::fmt::Display;
@@ -22,9 +21,21 @@ pub(crate) fn wrong(error: impl Display) -> Failure {
 }
 
 /// The arch of three texts.
-pub(crate) fn arch(weight: &str, half_opening: &str, friction: &str) -> Result<Arch, Failure> {
-    let weight = parse::weight(weight).map_err(wrong)?;
-    Arch::parse(weight.name(), half_opening, friction).map_err(wrong)
+///
+/// # Safety
+///
+/// As of [`text`].
+unsafe fn arch(
+    weight: *const c_char,
+    half_opening: *const c_char,
+    friction: *const c_char,
+) -> Result<Arch, Failure> {
+    // SAFETY: as the caller promises.
+    let texts = unsafe {
+        let (alpha, mu) = (text(half_opening, "half_opening")?, text(friction, "friction")?);
+        [text(weight, "weight")?, alpha, mu]
+    };
+    parse::arch(texts).map_err(wrong)
 }
 
 /// The digits of a state.
@@ -32,17 +43,14 @@ fn state_digits(digits: usize) -> Result<usize, Failure> {
     parse::state_digits(&digits.to_string()).map_err(wrong)
 }
 
+/// The digits of a landmark.
+fn landmark_digits(digits: usize) -> Result<usize, Failure> {
+    parse::digits(&digits.to_string()).map_err(wrong)
+}
+
 /// The quantities of a list with commas, of those that there are; none if it is empty.
 pub(crate) fn named(names: &str, possible: &[Quantity]) -> Result<Vec<Quantity>, Failure> {
-    let all: Vec<&str> = possible.iter().map(|of| of.name()).collect();
-    let quantity = |name: &str| {
-        let quantity = parse::quantity(name.trim()).map_err(wrong)?;
-        let unknown = || {
-            let names = all.join(", ");
-            wrong(format!("there is no {} here; the quantities are {names}", quantity.name()))
-        };
-        possible.contains(&quantity).then_some(quantity).ok_or_else(unknown)
-    };
+    let quantity = |name: &str| parse::quantity_of(name.trim(), possible).map_err(wrong);
     match names.trim().is_empty() {
         true => Ok(Vec::new()),
         false => names.split(',').map(quantity).collect(),
@@ -69,8 +77,7 @@ pub unsafe extern "C" fn couplet_state(
     // SAFETY: the caller promises texts, and a place for the answer.
     unsafe {
         answered(answer, || {
-            let (alpha, mu) = (text(half_opening, "half_opening")?, text(friction, "friction")?);
-            let arch = arch(text(weight, "weight")?, alpha, mu)?;
+            let arch = arch(weight, half_opening, friction)?;
             let digits = state_digits(digits)?;
             let found = report::Answer::state(1, &arch, &arch.certify(digits));
             Ok(Answer::told(Answers::arch(digits, found)))
@@ -98,8 +105,7 @@ pub unsafe extern "C" fn couplet_assess(
     // SAFETY: as above.
     unsafe {
         answered(answer, || {
-            let (alpha, mu) = (text(half_opening, "half_opening")?, text(friction, "friction")?);
-            let arch = arch(text(weight, "weight")?, alpha, mu)?;
+            let arch = arch(weight, half_opening, friction)?;
             let eta = parse::thickness(text(thickness, "thickness")?).map_err(wrong)?;
             let digits = state_digits(digits)?;
             let found = arch.certify_thickness(&eta, digits);
@@ -132,7 +138,8 @@ pub unsafe extern "C" fn couplet_find(
             let weight = parse::weight(text(weight, "weight")?).map_err(wrong)?;
             let modes = optional(modes, "modes")?;
             let given = (optional(half_opening, "half_opening")?, optional(friction, "friction")?);
-            let question = question(modes, given, optional(thickness, "thickness")?)?;
+            let thickness = optional(thickness, "thickness")?;
+            let question = parse::question(modes, given, thickness).map_err(wrong)?;
             let digits = state_digits(digits)?;
             let found = seek::find(weight, &question, digits).map_err(wrong)?;
             let found = report::Answer::finding(1, (weight, &question), &found);
@@ -140,33 +147,6 @@ pub unsafe extern "C" fn couplet_find(
             let scope = Scope::Found;
             Ok(Answer::told(Answers { scope, quantities, ..Answers::arch(digits, found) }))
         })
-    }
-}
-
-fn question(
-    modes: Option<&str>,
-    (half_opening, friction): (Option<&str>, Option<&str>),
-    thickness: Option<&str>,
-) -> Result<Question, Failure> {
-    let line: Option<Line> = modes.map(|text| text.parse().map_err(wrong)).transpose()?;
-    let alpha: Option<ExactNumber> =
-        half_opening.map(|text| text.parse().map_err(wrong)).transpose()?;
-    let mu: Option<Friction> = friction.map(|text| text.parse().map_err(wrong)).transpose()?;
-    let thickness = thickness.map(|text| parse::thickness(text).map_err(wrong)).transpose()?;
-    match (line, alpha, mu) {
-        (Some(_), ..) if thickness.is_some() => {
-            Err(wrong("a thickness does not belong to a boundary"))
-        }
-        (Some(_), None, Some(Friction::Infinite)) => {
-            Err(wrong("a boundary needs a limited friction: with inf nothing slides"))
-        }
-        (Some(line), None, Some(mu)) => Ok(Question::Boundary { line, given: Given::Friction(mu) }),
-        (Some(line), Some(alpha), None) => {
-            Ok(Question::Boundary { line, given: Given::HalfOpening(alpha) })
-        }
-        (None, None, Some(friction)) => Ok(Question::HalfOpening { friction, thickness }),
-        (None, Some(half_opening), None) => Ok(Question::Friction { half_opening, thickness }),
-        _ => Err(wrong("give friction or half_opening; the other one is found")),
     }
 }
 
@@ -196,7 +176,7 @@ pub unsafe extern "C" fn couplet_constant(
                 none if none.is_empty() => possible,
                 some => some,
             };
-            let digits = parse::digits(&digits.to_string()).map_err(wrong)?;
+            let digits = landmark_digits(digits)?;
             let asked: Vec<_> = wanted.into_iter().map(|of| (of, digits)).collect();
             let found = on_threads(checked(threads)?, || {
                 let point = CertifiedLandmark::new(landmark, weight)?;
@@ -247,7 +227,7 @@ pub unsafe extern "C" fn couplet_certify_landmark(
     unsafe {
         answered(answer, || {
             let (landmark, weight) = point(landmark, weight)?;
-            let digits = parse::digits(&digits.to_string()).map_err(wrong)?;
+            let digits = landmark_digits(digits)?;
             let certify = || certify::certify_landmark(landmark, weight, digits);
             certified(on_threads(checked(threads)?, certify)?)
         })
@@ -268,8 +248,7 @@ pub unsafe extern "C" fn couplet_certify_arch(
     // SAFETY: as above.
     unsafe {
         answered(answer, || {
-            let (alpha, mu) = (text(half_opening, "half_opening")?, text(friction, "friction")?);
-            let arch = arch(text(weight, "weight")?, alpha, mu)?;
+            let arch = arch(weight, half_opening, friction)?;
             let eta = optional(thickness, "thickness")?;
             let eta = eta.map(|text| parse::thickness(text).map_err(wrong)).transpose()?;
             certified(certify::certify_arch(&arch, eta.as_ref(), state_digits(digits)?))
@@ -295,13 +274,8 @@ pub unsafe extern "C" fn couplet_check(
     unsafe {
         answered(answer, || {
             let bytes = Array::<u8>::new(certificate.cast(), Some(length), "certificate")?.values();
-            let checked: fn(&[u8]) -> Result<Accepted, Refusal> =
-                match optional(engine, "engine")?.unwrap_or("astro") {
-                    "astro" => checker::verify,
-                    "mpfr" => |bytes| checker::check::<Ball>(bytes, checker::MAX_DIGITS),
-                    _ => return Err(wrong("an arithmetic is one of astro, mpfr")),
-                };
-            Ok(match checked(bytes) {
+            let engine = optional(engine, "engine")?.unwrap_or("astro");
+            Ok(match Engine::named(engine).map_err(wrong)?.check(bytes) {
                 Ok(accepted) => Answer::accepted(&accepted),
                 Err(limit @ Refusal::Limit(..)) => Answer::not_checked(limit.to_string()),
                 Err(refusal) => Answer::refused(refusal.to_string()),

@@ -210,6 +210,7 @@ def certify(
     half_opening: Exact | None = None,
     friction: Exact | None = None,
     thickness: Exact | None = None,
+    asymmetric: bool | str = False,
     weight: str = "milankovitch",
     digits: int = 30,
     threads: int = 0,
@@ -220,25 +221,32 @@ def certify(
     Args:
         landmark: of a landmark; or
         half_opening, friction: of the state of an arch at its least thickness, or why it stands at none; with
-        thickness: that the arch stands with it, or does not.
+        thickness: that the arch stands with it, or does not; or with
+        asymmetric: of its asymmetric solution of the complementarity problem (19). True for the one that there is, or how its
+            mechanism closes: 'inner_sliding', 'shoulder_opening', 'shoulder_sliding'.
         weight, digits: as for ``state``; of a landmark up to 1,000,000.
+        threads: threads to compute a landmark with; 0 for one on each core.
 
     Raises: CoupletError if an argument makes no sense; UndecidedError if the proof does not succeed.
+
+        >>> made = couplet.certify(half_opening="2.3", friction="1.05", asymmetric=True, digits=12)
+        >>> couplet.check(made, engine="mpfr").verdict
+        'accepted'
     """
     if landmark is not None:
-        if half_opening is not None or friction is not None or thickness is not None:
+        if half_opening is not None or friction is not None or thickness is not None or asymmetric is not False:
             raise CoupletError("a half opening, a friction and a thickness belong to an arch, not to a landmark")
         return _asked(_core.certify_landmark, landmark, weight, str(digits), _whole(threads))
     if half_opening is None or friction is None:
         raise CoupletError("a landmark, or a half opening and a friction, are missing")
-    return _asked(
-        _core.certify_arch,
-        weight,
-        _exact(half_opening, "half opening"),
-        _exact(friction, "friction"),
-        None if thickness is None else _exact(thickness, "thickness"),
-        str(digits),
-    )
+    arch = (weight, _exact(half_opening, "half opening"), _exact(friction, "friction"))
+    if asymmetric is False:
+        return _asked(
+            _core.certify_arch, *arch, None if thickness is None else _exact(thickness, "thickness"), str(digits)
+        )
+    if thickness is not None:
+        raise CoupletError("an asymmetric solution has its own thickness: leave it out")
+    return _asked(_core.certify_asymmetric, *arch, None if asymmetric is True else str(asymmetric), str(digits))
 
 
 def check(certificate: bytes | bytearray | memoryview | str | os.PathLike[str], *, engine: str = "astro") -> Checked:
@@ -247,7 +255,10 @@ def check(certificate: bytes | bytearray | memoryview | str | os.PathLike[str], 
 
     Args:
         certificate: its JSON as bytes or str, or the path of its file (pathlib.Path).
-        engine: the arithmetic, 'astro' (pure Rust, up to 50,000 digits) or 'mpfr'.
+        engine: the arithmetic, 'astro' (pure Rust, shares nothing with MPFR, up to 50,000 digits) or 'mpfr' (up to
+            1,000,000). The command's malachite, which is no witness beside mpfr, is not in the package.
+
+    Raises: CoupletError if there is no such arithmetic here; OSError if a file cannot be read.
 
         >>> couplet.check(couplet.certify("T", digits=20))
         Checked(verdict='accepted', digits=20)

@@ -6,12 +6,11 @@ use crate::{CoupletError, UndecidedError, told};
 use couplet::arch::SelfWeight;
 use couplet::atlas::{NoSketch, Sketch};
 use couplet::certify::state::Certify;
-use couplet::certify::state::find::{self as seek, Given, Question};
+use couplet::certify::state::find as seek;
 use couplet::certify::{self, CertifiedLandmark, Undecided, quantities};
-use couplet::check::{self as checker, Accepted, Certificate, Refusal};
-use couplet::cli::{self, parse};
-use couplet::number::{Ball, ExactNumber};
-use couplet::problem::{Arch, Friction, Landmark, Line, Mode, Quantity};
+use couplet::check::{Certificate, Refusal};
+use couplet::cli::{self, Engine, parse};
+use couplet::problem::{Arch, Landmark, Mode, Quantity};
 use couplet::report::{Answer, Claims, Content, Format, Report, Sketched, Style};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -26,8 +25,7 @@ fn wrong(error: impl Display) -> PyErr {
 
 /// The arch of three texts.
 fn arch(weight: &str, half_opening: &str, friction: &str) -> PyResult<Arch> {
-    let weight = parse::weight(weight).map_err(wrong)?;
-    Arch::parse(weight.name(), half_opening, friction).map_err(wrong)
+    parse::arch([weight, half_opening, friction]).map_err(wrong)
 }
 
 /// The name of a quantity, of which a letter may be given.
@@ -38,16 +36,7 @@ pub(crate) fn quantity_name(name: &str) -> PyResult<&'static str> {
 
 /// A quantity of those that there are.
 pub(crate) fn quantity(name: &str, possible: &[Quantity]) -> PyResult<Quantity> {
-    let quantity = parse::quantity(name).map_err(wrong)?;
-    if possible.contains(&quantity) {
-        return Ok(quantity);
-    }
-    let names: Vec<&str> = possible.iter().map(|of| of.name()).collect();
-    Err(wrong(format!(
-        "there is no {} here; the quantities are {}",
-        quantity.name(),
-        names.join(", ")
-    )))
+    parse::quantity_of(name, possible).map_err(wrong)
 }
 
 /// The labels of the modes, in the order of their codes.
@@ -138,24 +127,7 @@ pub(crate) fn find<'py>(
     digits: &str,
 ) -> PyResult<Bound<'py, PyDict>> {
     let weight = parse::weight(weight).map_err(wrong)?;
-    let exact = |text: &str| text.parse::<ExactNumber>().map_err(wrong);
-    let half_opening = half_opening.map(exact).transpose()?;
-    let friction: Option<Friction> =
-        friction.map(|text| text.parse().map_err(wrong)).transpose()?;
-    let thickness = thickness.map(|text| parse::thickness(text).map_err(wrong)).transpose()?;
-    let line: Option<Line> = modes.map(|text| text.parse().map_err(wrong)).transpose()?;
-    let question = match (line, half_opening, friction) {
-        (Some(_), None, Some(Friction::Infinite)) => {
-            return Err(wrong("a boundary needs a limited friction: with inf nothing slides"));
-        }
-        (Some(line), None, Some(mu)) => Question::Boundary { line, given: Given::Friction(mu) },
-        (Some(line), Some(alpha), None) => {
-            Question::Boundary { line, given: Given::HalfOpening(alpha) }
-        }
-        (None, None, Some(friction)) => Question::HalfOpening { friction, thickness },
-        (None, Some(half_opening), None) => Question::Friction { half_opening, thickness },
-        _ => return Err(wrong("give friction or half_opening; the other one is found")),
-    };
+    let question = parse::question(modes, (half_opening, friction), thickness).map_err(wrong)?;
     let digits = parse::state_digits(digits).map_err(wrong)?;
     let found = py.detach(|| on_threads(1, || seek::find(weight, &question, digits)))?;
     told::answer(py, &Answer::finding(1, (weight, &question), &found.map_err(wrong)?))
@@ -200,18 +172,47 @@ pub(crate) fn certify_arch(
     written(py.detach(|| on_threads(1, || certify::certify_arch(&arch, eta.as_ref(), digits)))?)
 }
 
+/// Of the asymmetric solution of a kind; of that which is found, if it is one alone.
+#[pyfunction]
+pub(crate) fn certify_asymmetric(
+    py: Python<'_>,
+    weight: &str,
+    half_opening: &str,
+    friction: &str,
+    mode: Option<&str>,
+    digits: &str,
+) -> PyResult<String> {
+    let arch = arch(weight, half_opening, friction)?;
+    if !arch.is_limited() {
+        return Err(wrong("an asymmetric solution needs a limited friction"));
+    }
+    let mode = mode.map(parse::asymmetric_mode).transpose();
+    let mode = mode.map_err(|error| wrong(format!("asymmetric: {error}, or True")))?;
+    let digits = parse::state_digits(digits).map_err(wrong)?;
+    let kinds = || certify::asymmetric_kinds(&arch);
+    let mode = match mode {
+        Some(mode) => mode,
+        None => match py.detach(|| on_threads(1, kinds))?[..] {
+            [kind] => kind,
+            [] => return Err(UndecidedError::new_err("no asymmetric solution is found")),
+            ref several => {
+                let names: Vec<String> =
+                    several.iter().map(|kind| format!("asymmetric='{}'", kind.name())).collect();
+                return Err(wrong(format!("it has several: give {}", names.join(" or "))));
+            }
+        },
+    };
+    written(py.detach(|| on_threads(1, || certify::certify_asymmetric(&arch, mode, digits)))?)
+}
+
 #[pyfunction]
 pub(crate) fn check<'py>(
     py: Python<'py>,
     certificate: &[u8],
     engine: &str,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let checked: fn(&[u8]) -> Result<Accepted, Refusal> = match engine {
-        "astro" => checker::verify,
-        "mpfr" => |bytes| checker::check::<Ball>(bytes, checker::MAX_DIGITS),
-        _ => return Err(wrong("an arithmetic is one of astro, mpfr")),
-    };
-    let found = py.detach(|| on_threads(1, || checked(certificate)))?;
+    let engine = Engine::named(engine).map_err(wrong)?;
+    let found = py.detach(|| on_threads(1, || engine.check(certificate)))?;
     match found {
         Ok(accepted) => told::checked(py, ("accepted", None), Some(&accepted)),
         Err(limit @ Refusal::Limit(..)) => {

@@ -35,8 +35,8 @@ pyo3::create_exception!(
 mod _core {
     #[pymodule_export]
     use super::asked::{
-        assess, certify_arch, certify_landmark, check, claims, constants, drawing, find, modes,
-        prove, quantity_name, run, state,
+        assess, certify_arch, certify_asymmetric, certify_landmark, check, claims, constants,
+        drawing, find, modes, prove, quantity_name, run, state,
     };
     #[pymodule_export]
     use super::rows::states;

@@ -108,11 +108,24 @@ def test_find():
     assert couplet.find("mu", half_opening="80deg", digits=5).value.quantity == "friction"
 
 
+def test_an_asymmetric_solution_is_certified_by_the_kind_that_it_is():
+    arch = {"half_opening": "2.3", "friction": "1.05", "digits": 20}
+    made = couplet.certify(**arch, asymmetric=True)
+    kind = json.loads(made)["claim"]["asymmetric"]["mode"]
+    assert couplet.certify(**arch, asymmetric=kind) == made
+    for other in {"inner_sliding", "shoulder_opening", "shoulder_sliding"} - {kind}:
+        with pytest.raises(couplet.UndecidedError):
+            couplet.certify(**arch, asymmetric=other)
+    with pytest.raises(couplet.UndecidedError, match="no asymmetric solution is found"):
+        couplet.certify(half_opening="80deg", friction="0.6", asymmetric=True)
+
+
 def test_a_certificate_is_accepted_and_a_spoiled_one_is_not():
     for made in [
         couplet.certify("S", weight="heyman", digits=20),
         couplet.certify(half_opening="80deg", friction="0.35", digits=20),
         couplet.certify(half_opening="80deg", friction="0.35", thickness="0.05", digits=20),
+        couplet.certify(half_opening="2.3", friction="1.05", asymmetric=True, digits=20),
     ]:
         checked = couplet.check(made)
         assert (checked.verdict, checked.digits) == ("accepted", 20)
@@ -218,7 +231,14 @@ WRONG = [
     (lambda: couplet.find("boundary", "rrs/rsr", friction="inf"), "needs a limited friction"),
     (lambda: couplet.find("half_opening", friction=1, thickness=3), "the thickness 3 is not between 0 and 2"),
     (lambda: couplet.certify("T", friction=1), "belong to an arch"),
+    (lambda: couplet.certify("T", asymmetric=True), "belong to an arch"),
     (lambda: couplet.certify(friction=1), "are missing"),
+    (lambda: couplet.certify(friction=1, asymmetric=True), "are missing"),
+    (lambda: couplet.certify(half_opening=1, friction="inf", asymmetric=True), "needs a limited friction"),
+    (lambda: couplet.certify(half_opening=1, friction=1, thickness=1, asymmetric=True), "has its own thickness"),
+    (lambda: couplet.certify(half_opening=1, friction=1, asymmetric="rrs"), "asymmetric: it is one of inner_sliding, "),
+    (lambda: couplet.certify(half_opening=1, friction=1, asymmetric=None), "asymmetric: it is one of inner_sliding, "),
+    (lambda: couplet.check(b"{}", engine="malachite"), "malachite is not built in; here are astro, mpfr"),
     (lambda: couplet.check(b"{}", engine="gmp"), "an arithmetic is one of astro, mpfr"),
     (lambda: couplet.prove("eq-99"), "unknown claim 'eq-99' (did you mean \"eq-9\"?); couplet.claims() lists the claims"),
     (lambda: couplet.state("\ud800", 1), "'\\ud800' is no text"),

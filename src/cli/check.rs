@@ -1,11 +1,8 @@
 //! `couplet check`: also the whole of the small program.
 
+use super::engine::Engine;
 use super::failure::{Failure, print, reason};
-#[cfg(feature = "malachite")]
-use crate::check::MALACHITE_DIGITS;
-#[cfg(any(feature = "malachite", feature = "mpfr"))]
-use crate::check::check;
-use crate::check::{Accepted, MAX_DIGITS, Refusal, summary, verify, visible_name};
+use crate::check::{Accepted, MAX_DIGITS, Refusal, summary, visible_name};
 use clap::Args;
 use std::ffi::{OsStr, OsString};
 use std::fs::File;
@@ -25,49 +22,8 @@ pub(super) struct Arguments {
 
     /// Arithmetic: astro (pure Rust, shares nothing with MPFR, up to 50000 digits); where they are built in, mpfr, and
     /// malachite (pure Rust, quicker than astro, up to 50000 digits; in part MPFR's algorithms, so no witness beside mpfr).
-    #[arg(long, default_value = "astro", value_parser = engine)]
-    engine: EngineChoice,
-}
-
-#[derive(Clone, Copy)]
-enum EngineChoice {
-    Astro,
-    #[cfg(feature = "malachite")]
-    Malachite,
-    #[cfg(feature = "mpfr")]
-    Mpfr,
-}
-
-fn engine(text: &str) -> Result<EngineChoice, String> {
-    match text {
-        "astro" => Ok(EngineChoice::Astro),
-        #[cfg(feature = "malachite")]
-        "malachite" => Ok(EngineChoice::Malachite),
-        #[cfg(feature = "mpfr")]
-        "mpfr" => Ok(EngineChoice::Mpfr),
-        _ if ["malachite", "mpfr"].contains(&text) => {
-            Err(format!("{text} is not built in; here are {BUILT_IN}"))
-        }
-        _ => Err(format!("an arithmetic is one of {BUILT_IN}")),
-    }
-}
-
-const BUILT_IN: &str = match (cfg!(feature = "malachite"), cfg!(feature = "mpfr")) {
-    (false, false) => "astro",
-    (false, true) => "astro, mpfr",
-    (true, false) => "astro, malachite",
-    (true, true) => "astro, malachite, mpfr",
-};
-
-impl EngineChoice {
-    /// What has to be known of an acceptance by this arithmetic.
-    fn remark(self) -> &'static str {
-        match self {
-            #[cfg(feature = "malachite")]
-            Self::Malachite => "  (by malachite, which is no witness beside mpfr)",
-            _ => "",
-        }
-    }
+    #[arg(long, default_value = "astro", value_parser = Engine::named)]
+    engine: Engine,
 }
 
 /// The commands of the small program.
@@ -135,7 +91,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-fn verdict(name: &OsStr, engine: EngineChoice) -> Verdict {
+fn verdict(name: &OsStr, engine: Engine) -> Verdict {
     let bytes = match read(name) {
         Ok(bytes) => bytes,
         Err(error) => return Verdict::NotRead(error),
@@ -143,7 +99,7 @@ fn verdict(name: &OsStr, engine: EngineChoice) -> Verdict {
     if bytes.len() as u64 > MAX_BYTES {
         return Verdict::Refused(format!("the file has more than {MAX_BYTES} bytes"));
     }
-    match checked(&bytes, engine) {
+    match engine.check(&bytes) {
         Ok(accepted) => Verdict::Accepted(Box::new(accepted)),
         Err(limit @ Refusal::Limit(..)) => {
             let other = match cfg!(feature = "mpfr") {
@@ -153,18 +109,6 @@ fn verdict(name: &OsStr, engine: EngineChoice) -> Verdict {
             Verdict::NotChecked(format!("{limit}; {other} checks up to {MAX_DIGITS}"))
         }
         Err(refusal) => Verdict::Refused(refusal.to_string()),
-    }
-}
-
-fn checked(bytes: &[u8], engine: EngineChoice) -> Result<Accepted, Refusal> {
-    match engine {
-        EngineChoice::Astro => verify(bytes),
-        #[cfg(feature = "malachite")]
-        EngineChoice::Malachite => {
-            check::<crate::number::MalachiteInterval>(bytes, MALACHITE_DIGITS)
-        }
-        #[cfg(feature = "mpfr")]
-        EngineChoice::Mpfr => check::<crate::number::Ball>(bytes, MAX_DIGITS),
     }
 }
 

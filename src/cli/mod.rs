@@ -7,6 +7,7 @@ mod check;
 #[cfg(feature = "mpfr")]
 mod commands;
 mod completions;
+mod engine;
 mod failure;
 mod line;
 mod man;
@@ -29,6 +30,7 @@ use commands::Command;
 pub use commands::parse;
 #[cfg(feature = "parquet")]
 pub use commands::sweep;
+pub use engine::Engine;
 
 /// Certified constants of the finite-friction Couplet–Heyman problem: how thin a circular masonry
 /// arch can be and still stand, and how it falls.

@@ -43,7 +43,7 @@ pub(crate) struct Arguments {
 
     /// For `asymmetric`, how the mechanism closes: inner_sliding, shoulder_opening or shoulder_sliding; the one that is
     /// found if not given.
-    #[arg(long, value_name = "MODE", value_parser = asymmetric_mode)]
+    #[arg(long, value_name = "MODE", value_parser = parse::asymmetric_mode)]
     mode: Option<AsymmetricMode>,
 
     /// Self-weight model, heyman or milankovitch; milankovitch if not given, both for `all`.
@@ -77,12 +77,6 @@ fn target(text: &str) -> Result<Target, String> {
         symbol => parse::landmark_or(symbol, &["state", "arch", "asymmetric", "all"])
             .map(Target::Landmark),
     }
-}
-
-fn asymmetric_mode(text: &str) -> Result<AsymmetricMode, String> {
-    let names = AsymmetricMode::ALL.map(AsymmetricMode::name);
-    let mode = AsymmetricMode::ALL.into_iter().find(|mode| mode.name() == text);
-    mode.ok_or_else(|| format!("it is one of {}", names.join(", ")))
 }
 
 /// Command lines that have everything.

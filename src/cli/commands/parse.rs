@@ -1,13 +1,16 @@
 //! What reads the values of options: one language for every command, and for other doors to the program.
 
 use crate::arch::SelfWeight;
+use crate::arch::asymmetric::AsymmetricMode;
 use crate::certify::MAX_DIGITS;
+use crate::certify::state::find::{Given, Question};
 use crate::claims::{Claim, claims};
 use crate::number::{ExactNumber, ParseExactError};
-use crate::problem::{Landmark, Mode, Quantity, is_thickness};
+use crate::problem::{Arch, Friction, Landmark, Line, Mode, Quantity, is_thickness};
 use crate::report::words::{did_you_mean, list, shortened};
 use crate::report::{Content, Format};
 use crate::scene::MAX_ARCH_DIGITS;
+use std::str::FromStr;
 
 /// A name that is not known: what the names are, and the one that was perhaps meant.
 pub(super) fn unknown(kind: &str, written: &str, names: &[&str]) -> String {
@@ -92,6 +95,24 @@ pub fn quantity(text: &str) -> Result<Quantity, String> {
     Quantity::named(text).ok_or_else(|| unknown("a quantity", text, &names))
 }
 
+/// A quantity by its name, of those that there are.
+pub fn quantity_of(text: &str, possible: &[Quantity]) -> Result<Quantity, String> {
+    let quantity = quantity(text)?;
+    let unknown = || {
+        let names: Vec<&str> = possible.iter().map(|of| of.name()).collect();
+        let names = names.join(", ");
+        format!("there is no {} here; the quantities are {names}", quantity.name())
+    };
+    possible.contains(&quantity).then_some(quantity).ok_or_else(unknown)
+}
+
+/// How the mechanism of an asymmetric solution closes, by its name.
+pub fn asymmetric_mode(text: &str) -> Result<AsymmetricMode, String> {
+    let names = AsymmetricMode::ALL.map(AsymmetricMode::name);
+    let mode = AsymmetricMode::ALL.into_iter().find(|mode| mode.name() == text);
+    mode.ok_or_else(|| format!("it is one of {}", names.join(", ")))
+}
+
 /// What reads the name of a format.
 pub(super) fn format(
     content: Content,
@@ -149,6 +170,41 @@ pub fn thickness(text: &str) -> Result<ExactNumber, String> {
     is_thickness(&thickness)
         .then_some(thickness)
         .ok_or_else(|| format!("the thickness {text} is not between 0 and 2"))
+}
+
+/// The arch of a weight, a half opening and a friction.
+pub fn arch([weight, half_opening, friction]: [&str; 3]) -> Result<Arch, String> {
+    let weight = self::weight(weight)?;
+    Arch::parse(weight.name(), half_opening, friction).map_err(|error| error.to_string())
+}
+
+/// The question of which one answer is found: with the modes of a boundary that where one becomes the other, else the
+/// friction if the half opening is given, and the half opening if the friction is.
+pub fn question(
+    modes: Option<&str>,
+    (half_opening, friction): (Option<&str>, Option<&str>),
+    thickness: Option<&str>,
+) -> Result<Question, String> {
+    fn read<T: FromStr<Err: ToString>>(text: Option<&str>) -> Result<Option<T>, String> {
+        text.map(|text| text.parse().map_err(|error: T::Err| error.to_string())).transpose()
+    }
+    let (half_opening, friction) = (read::<ExactNumber>(half_opening)?, read(friction)?);
+    let thickness = thickness.map(self::thickness).transpose()?;
+    match (read::<Line>(modes)?, half_opening, friction) {
+        (Some(_), ..) if thickness.is_some() => {
+            Err("a thickness does not belong to a boundary".to_owned())
+        }
+        (Some(_), None, Some(Friction::Infinite)) => {
+            Err("a boundary needs a limited friction: with inf nothing slides".to_owned())
+        }
+        (Some(line), None, Some(mu)) => Ok(Question::Boundary { line, given: Given::Friction(mu) }),
+        (Some(line), Some(alpha), None) => {
+            Ok(Question::Boundary { line, given: Given::HalfOpening(alpha) })
+        }
+        (None, None, Some(friction)) => Ok(Question::HalfOpening { friction, thickness }),
+        (None, Some(half_opening), None) => Ok(Question::Friction { half_opening, thickness }),
+        _ => Err("give friction or half_opening; the other one is found".to_owned()),
+    }
 }
 
 /// The claims named, all if none is: each by its id or by the beginning of it up to a hyphen.
