@@ -22,17 +22,32 @@ pub(super) fn line_is_inside(
     ring: &Ring<Ball>,
 ) -> Result<(), Undecided> {
     let haunch = contacts[1].1;
-    let ends = [0, joints.last()].map(|joint| (Contact::Extrados, joint));
     let above = haunch.checked_sub(1);
     let below = Some(haunch + 1).filter(|below| *below <= joints.last());
-    let beside = above.into_iter().chain(below).map(|joint| (Contact::Intrados, joint));
+    let beside = above.into_iter().chain(below);
     // In a joint that is open there is no normal force, and no moment.
     let is_open = contacts[0] == (Contact::Inwards, haunch)
         && joints.stones.may_open(haunch, joints.is_limited);
-    let ends = ends.into_iter().filter(|end| !(is_open && end.1 == haunch));
-    for contact in ends.into_iter().chain(beside).filter(|contact| !contacts.contains(contact)) {
-        let margin = -joints.row(contact, ring).at(thrust, moment);
-        require(is_positive(&margin), "whether the line of thrust is inside the arch")?;
+    let is_open = |joint| is_open && joint == haunch;
+    inside_at(joints, beside, is_open, contacts, |contact| {
+        joints.row(contact, ring).at(thrust, moment)
+    })
+}
+
+/// The line of thrust is inside the arch at the first and the last joint and above the intrados at these, but for its contacts
+/// and joints that are open; `beyond` is how far it is outside.
+fn inside_at(
+    joints: &Joints<'_>,
+    beside: impl Iterator<Item = u64>,
+    is_open: impl Fn(u64) -> bool,
+    contacts: &[JointContact],
+    beyond: impl Fn(JointContact) -> Ball,
+) -> Result<(), Undecided> {
+    let ends = [0, joints.last()].map(|joint| (Contact::Extrados, joint));
+    let beside = beside.map(|joint| (Contact::Intrados, joint));
+    let is_strict = |contact: &JointContact| !contacts.contains(contact) && !is_open(contact.1);
+    for contact in ends.into_iter().chain(beside).filter(is_strict) {
+        require(is_positive(&-beyond(contact)), "whether the line of thrust is inside the arch")?;
     }
     Ok(())
 }
@@ -53,16 +68,11 @@ pub(super) fn is_admissible(
     ring: &Ring<Ball>,
 ) -> Result<(), Undecided> {
     friction_holds(joints, contacts, thrust, moment, ring)?;
-    let ends = [0, joints.last()].map(|joint| (Contact::Extrados, joint));
     let [from, to] = around_lowest(joints, thrust, ring)?;
-    let beside = (from..=to).map(|joint| (Contact::Intrados, joint));
-    let bears = |(_, joint): &JointContact| !is_open(joints, contacts, *joint);
-    let strict = ends.into_iter().chain(beside).filter(|contact| !contacts.contains(contact));
-    for contact in strict.filter(bears) {
-        let margin = -joints.row(contact, ring).at(thrust, moment);
-        require(is_positive(&margin), "whether the line of thrust is inside the arch")?;
-    }
-    Ok(())
+    let is_open = |joint| is_open(joints, contacts, joint);
+    inside_at(joints, from..=to, is_open, contacts, |contact| {
+        joints.row(contact, ring).at(thrust, moment)
+    })
 }
 
 /// The joints, at most three, that have between them the angle at which the line of thrust comes nearest to the intrados: where
