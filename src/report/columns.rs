@@ -1,9 +1,10 @@
 //! The fields of an arch that JSON and tables of columns share.
 
-use super::answer::{Answer, Kept, Subject};
+use super::answer::{Answer, Kept};
 use super::answers::Answers;
 use super::fields::Fields;
 use super::given::GivenDoubles;
+use super::subject::Subject;
 
 /// What was asked of an arch, and so which fields it has.
 #[derive(Clone, Copy, Debug)]

@@ -1,11 +1,12 @@
 //! CSV: a row for each constant, or for each arch, with a header.
 
-use super::answer::{Answer, Status, Subject};
+use super::answer::{Answer, Status};
 use super::answers::{Answers, Scope};
 use super::columns;
 use super::fields::Fields;
 use super::find;
 use super::rows::{Rows, in_parallel};
+use super::subject::Subject;
 use super::words::hexadecimal;
 use std::io;
 

@@ -3,9 +3,10 @@
 //!
 //! Where JSON has `null`, TOML has nothing; where a double is infinite, JSON has `null` and TOML `inf`.
 
-use super::answer::{Answer, Subject};
+use super::answer::Answer;
 use super::answers::{Answers, TOOL};
 use super::given::GivenDoubles;
+use super::subject::Subject;
 use super::value::Value;
 use super::words::hexadecimal;
 use crate::problem::Quantity;

@@ -1,8 +1,9 @@
 //! What was found the other way round: a half opening or a friction, with what goes with it.
 
-use super::answer::{Answer, Status, Subject};
+use super::answer::{Answer, Status};
 use super::answers::Answers;
 use super::fields::Fields;
+use super::subject::Subject;
 use super::words::{model, reason};
 use crate::certify::Undecided;
 use crate::problem::Quantity;

@@ -2,13 +2,14 @@
 //! `couplet.assess/2` of an arch, `couplet.arches/2` of many, `couplet.refused/1` of a query that could not be
 //! read, `couplet.find/1` of what was found, a list of several. Fields may be added, none changes its meaning.
 
-use super::answer::{Answer, Status, Subject};
+use super::answer::{Answer, Status};
 use super::answers::{Answers, Scope};
 use super::columns::{self, Asked};
 use super::document::Document;
 use super::fields::Fields;
 use super::find;
 use super::rows::{Rows, in_parallel};
+use super::subject::Subject;
 use super::value::Value;
 use super::words::hexadecimal;
 use crate::problem::Quantity;

@@ -1,10 +1,10 @@
 //! LaTeX: a table with `siunitx`, each value beside what the paper prints for it.
 
-use super::answer::Subject;
 use super::answers::Answers;
 use super::find;
 use super::listing::comments;
 use super::names::{about, head, safe};
+use super::subject::Subject;
 use super::value::Value;
 use super::words::author;
 use crate::problem::Landmark;

@@ -56,6 +56,7 @@ mod sampled;
 mod sketched;
 #[cfg(feature = "study")]
 pub(crate) mod study;
+mod subject;
 mod table;
 mod tilt;
 mod toml;
@@ -63,7 +64,7 @@ mod value;
 mod voussoirs;
 pub(crate) mod words;
 
-pub use answer::{Answer, Fingerprint, Kept, Proof, Status, Subject};
+pub use answer::{Answer, Fingerprint, Kept, Proof, Status};
 pub use answers::{Answers, Scope};
 pub use audit::Audit;
 pub use branch::{BranchArch, BranchArches};
@@ -78,6 +79,7 @@ pub use json::answers as write_json;
 pub use map::{Map, MapDifferences, MapPoint, MapPoints};
 pub use rows::Rows;
 pub use sketched::{Sketched, Style, arches_of_figure};
+pub use subject::Subject;
 pub use tilt::{TiltedArch, TiltedArches};
 pub use value::Value;
 pub use voussoirs::{GivenThickness, VoussoirArch, VoussoirArches};

@@ -5,9 +5,10 @@
 //! apart. An arch is `STATE_` with the line of its query. The same name with `LOWER`, `UPPER`, `ERROR` added
 //! is what its double leaves open. No text from outside becomes part of a name.
 
-use super::answer::{Answer, Subject};
+use super::answer::Answer;
 use super::answers::{Answers, TOOL};
 use super::find;
+use super::subject::Subject;
 use super::value::Value;
 use super::words::model;
 use crate::problem::{Landmark, Quantity};

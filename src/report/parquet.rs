@@ -3,12 +3,13 @@
 //! A subject without values (an arch that does not stand, an answer that is undecided) has one row without
 //! a quantity. What made the file, and how its certificates are made again, is in the key-value metadata.
 
-use super::answer::{Answer, Subject};
+use super::answer::Answer;
 use super::answers::{Answers, Scope, TOOL};
 use super::columns::kept_names;
 use super::given::GivenDoubles;
 use super::names::head;
 use super::rows::Rows;
+use super::subject::Subject;
 use super::value::Value;
 use crate::problem::Quantity;
 use ::parquet::basic::{Compression, LogicalType, Repetition, Type as PhysicalType};

@@ -1,9 +1,10 @@
 //! Tables for a person at a terminal.
 
-use super::answer::{Answer, Status, Subject};
+use super::answer::{Answer, Status};
 use super::answers::{Answers, Scope};
 use super::columns;
 use super::find;
+use super::subject::Subject;
 use super::words::{count, list, model};
 use crate::certify::state::Fall;
 use crate::problem::Quantity;

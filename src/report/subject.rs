@@ -1,0 +1,124 @@
+//! What an answer is about: a landmark, an arch, a question the other way round.
+
+use super::given::GivenDoubles;
+use crate::arch::SelfWeight;
+use crate::certify::state::find::{Given, Question};
+use crate::number::ExactNumber;
+use crate::problem::{Arch, Landmark, Line, Sought};
+
+/// What an answer is about.
+#[derive(Clone, Debug)]
+pub enum Subject {
+    /// A landmark point.
+    Landmark {
+        /// Which.
+        landmark: Landmark,
+        /// The self-weight model.
+        weight: SelfWeight,
+    },
+    /// An arch. What was given is text from outside.
+    Arch {
+        /// Tells arches apart: the line of the query.
+        line: u64,
+        /// The self-weight model.
+        weight: SelfWeight,
+        /// The half opening as given.
+        half_opening: String,
+        /// The friction as given.
+        friction: String,
+        /// The thickness as given, where the arch has one.
+        thickness: Option<String>,
+        /// The same as numbers.
+        doubles: GivenDoubles,
+    },
+    /// A question the other way round. What was given is text from outside.
+    Sought {
+        /// Tells questions apart.
+        line: u64,
+        /// The self-weight model.
+        weight: SelfWeight,
+        /// What is asked for.
+        sought: Sought,
+        /// The line of the map on which it is asked for.
+        boundary: Option<Line>,
+        /// The half opening as given.
+        half_opening: Option<String>,
+        /// The friction as given.
+        friction: Option<String>,
+        /// The thickness as given.
+        thickness: Option<String>,
+    },
+    /// A query that could not be read.
+    Query {
+        /// Its line.
+        line: u64,
+    },
+}
+
+impl Subject {
+    pub(super) fn arch(line: u64, arch: &Arch, thickness: Option<&ExactNumber>) -> Self {
+        Self::Arch {
+            line,
+            weight: arch.weight(),
+            half_opening: arch.half_opening().to_string(),
+            friction: arch.friction().to_string(),
+            thickness: thickness.map(ToString::to_string),
+            doubles: GivenDoubles::new(arch, thickness),
+        }
+    }
+
+    pub(super) fn sought(line: u64, weight: SelfWeight, question: &Question) -> Self {
+        let (boundary, half_opening, friction) = match question {
+            Question::HalfOpening { friction, .. } => (None, None, Some(friction)),
+            Question::Friction { half_opening, .. } => (None, Some(half_opening), None),
+            Question::Boundary { line, given: Given::HalfOpening(alpha) } => {
+                (Some(*line), Some(alpha), None)
+            }
+            Question::Boundary { line, given: Given::Friction(mu) } => {
+                (Some(*line), None, Some(mu))
+            }
+        };
+        Self::Sought {
+            line,
+            weight,
+            sought: question.sought(),
+            boundary,
+            half_opening: half_opening.map(ToString::to_string),
+            friction: friction.map(ToString::to_string),
+            thickness: question.thickness().map(ToString::to_string),
+        }
+    }
+
+    /// Whether it is an arch of a given thickness.
+    pub fn is_assessed(&self) -> bool {
+        matches!(self, Self::Arch { thickness: Some(_), .. })
+    }
+
+    /// The landmark, if it is one.
+    pub fn landmark(&self) -> Option<Landmark> {
+        match self {
+            Self::Landmark { landmark, .. } => Some(*landmark),
+            Self::Arch { .. } | Self::Sought { .. } | Self::Query { .. } => None,
+        }
+    }
+
+    /// The line of a query.
+    pub fn line(&self) -> Option<u64> {
+        match self {
+            Self::Landmark { .. } => None,
+            Self::Arch { line, .. } | Self::Sought { line, .. } | Self::Query { line } => {
+                Some(*line)
+            }
+        }
+    }
+
+    /// The self-weight model, where it could be read.
+    pub fn weight(&self) -> Option<SelfWeight> {
+        match self {
+            Self::Landmark { weight, .. }
+            | Self::Arch { weight, .. }
+            | Self::Sought { weight, .. } => Some(*weight),
+            Self::Query { .. } => None,
+        }
+    }
+}
