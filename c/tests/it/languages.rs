@@ -252,12 +252,31 @@ fn what_makes_no_sense_is_refused() {
     is_well("tests/programs/refused.c");
 }
 
-/// The shared library is not led astray by functions of the same name.
+/// The libraries are not led astray by functions of the same name.
 #[test]
+#[cfg(target_os = "linux")]
 fn a_program_may_have_a_gmp_of_its_own() {
     if has("gcc", "--version") {
         let file = "tests/programs/own_gmp.c";
-        assert_eq!(run("gcc", &["-std=c11", "-rdynamic"], &[file], shared()), "well\n");
+        for library in [shared(), linked()] {
+            assert_eq!(run("gcc", &["-std=c11", "-rdynamic"], &[file], library), "well\n");
+        }
+    }
+}
+
+/// Whichever of the two stands first: of what both have by a name, a linker may keep the first one's.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_program_may_have_another_library_made_by_rust() {
+    if has("gcc", "--version") {
+        let scratch = Scratch::new();
+        let (other, source) = (scratch.path("libother.a"), here().join("tests/programs/other.rs"));
+        scratch.run("rustc", &["--edition=2024", "-O", &path(&source), "-o", &other]);
+        let program = "tests/programs/beside_rust.c";
+        let other = vec![other];
+        for libraries in [[shared(), other.clone()], [linked(), other.clone()], [other, linked()]] {
+            assert_eq!(run("gcc", &["-std=c11"], &[program], libraries.concat()), "well\n");
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Where the library is, and programs that are compiled against it.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -57,10 +58,12 @@ impl Scratch {
 }
 
 /// The symbols that a file of the library offers.
-pub(crate) fn symbols(file: &str, options: &[&str]) -> Vec<String> {
+pub(crate) fn symbols(file: &str, options: &[&str]) -> BTreeSet<String> {
     let file = built().join("lib").join(file);
     let output = Command::new("nm").args(options).arg(file).output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let lines = String::from_utf8(output.stdout).unwrap();
-    lines.lines().filter_map(|line| line.split_whitespace().last()).map(str::to_owned).collect()
+    // An archive has the names of its objects too.
+    let named = lines.lines().filter(|line| !line.ends_with(':'));
+    named.filter_map(|line| line.split_whitespace().last()).map(str::to_owned).collect()
 }
