@@ -284,6 +284,18 @@ mod tests {
         }
     }
 
+    /// The values of a linear programme; the intrados is one point.
+    #[test]
+    fn the_thickness_may_be_2() {
+        for (arch, stones, known) in [
+            (["milankovitch", "1", "1"], 4, 4.588_037_825),
+            (["heyman", "2.3", "3"], 8, 0.543_358_573),
+        ] {
+            let largest = value(&found(arch, stones, "2", "0.1"));
+            assert!((largest - known).abs() < 1e-9, "{arch:?}: {largest}");
+        }
+    }
+
     /// A keystone whose left joint bears nothing at the largest acceleration, with slips alone: its hinges pin the moment. Beside it an acceleration is decided.
     #[test]
     fn a_joint_that_bears_nothing_pins_the_moment() {

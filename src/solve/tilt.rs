@@ -87,16 +87,13 @@ impl Search {
     /// The largest acceleration.
     pub fn candidate(&self) -> TiltCandidate {
         let grid = self.grid();
-        let conditions = |grid: &[(Contact, f64, TiltedRow<f64>)]| -> Vec<Condition> {
-            let of = |row: &TiltedRow<f64>| Condition { a: row.coefficients, d: -row.load };
-            grid.iter().map(|(.., row)| of(row)).collect()
-        };
-        let (unknowns, active) = match largest_last(&conditions(&grid)) {
+        let all = conditions(&grid);
+        let (unknowns, active) = match largest_last(&all) {
             Optimum::At { unknowns, active } => (unknowns, active),
             Optimum::Unbounded => return TiltCandidate::Unlimited,
             Optimum::Nothing => return TiltCandidate::Nothing,
         };
-        let Some(inside) = inside(&conditions(&grid), unknowns[3] / 2.0) else {
+        let Some(inside) = inside(&all, unknowns[3] / 2.0) else {
             return TiltCandidate::Nothing;
         };
         let mut touches = self.touches(&grid, active);
@@ -104,6 +101,11 @@ impl Search {
         let inside = inside.map(|x| Float::with_val(self.bits, x));
         let touches = touches.into_iter().map(|(touch, _)| touch).collect();
         TiltCandidate::Limited(Box::new(TiltNear { touches, limit, inside }))
+    }
+
+    /// The `h, p, v` at an acceleration that are farthest from all conditions, if some are inside.
+    pub fn inside_at(&self, tilt: f64) -> Option<[f64; 3]> {
+        inside(&conditions(&self.grid()), tilt).map(|[h, p, v, _]| [h, p, v])
     }
 
     /// The conditions on many joints.
@@ -267,6 +269,11 @@ impl Search {
         }
         Float::with_val(self.bits, (least + most) / 2.0)
     }
+}
+
+fn conditions(grid: &[(Contact, f64, TiltedRow<f64>)]) -> Vec<Condition> {
+    let of = |row: &TiltedRow<f64>| Condition { a: row.coefficients, d: -row.load };
+    grid.iter().map(|(.., row)| of(row)).collect()
 }
 
 /// What is probably true of the largest acceleration of an arch of stones.
