@@ -27,6 +27,7 @@ pub mod state;
 mod tilt;
 mod tilt_of_stones;
 mod undecided;
+mod vector;
 mod verdict;
 mod voussoirs;
 

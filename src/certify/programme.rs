@@ -33,14 +33,14 @@
 use super::Undecided;
 use super::arithmetic::Arithmetic;
 use super::extent::Extent;
-use super::voussoirs::grip;
-use crate::arch::joint::Grip;
+use super::vector::{Vector, cross, dot};
 use crate::arch::mechanism::Contact;
-use crate::arch::whole::{Side, motion_row, static_row};
-use crate::arch::{Ring, SelfWeight};
-use crate::number::{Angle, DoubleBall, Enclosure, ExactNumber, Field};
+use crate::number::{DoubleBall, Enclosure, ExactNumber, Field};
 use crate::problem::Arch;
 use crate::solve::rates::{Rates, least_cost};
+use conditions::{Condition, conditions};
+
+mod conditions;
 
 /// What is proved of the programme (20).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,88 +63,6 @@ pub enum Programme {
 
 /// More stones are refused: the cost grows with the cube of their number.
 pub const MOST_JOINTED_STONES: u64 = 100;
-
-/// Bits of what is given, before it is rounded to doubles.
-const BITS: u32 = 106;
-
-/// A condition `row . x + load <= 0` and its motion.
-struct Condition {
-    contact: Contact,
-    /// So many halves of a stone from the crown.
-    joint: i32,
-    row: [DoubleBall; 3],
-    load: DoubleBall,
-    motion: [DoubleBall; 3],
-}
-
-type Forces = [DoubleBall; 3];
-
-fn dot(a: &[DoubleBall; 3], b: &[DoubleBall; 3]) -> DoubleBall {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: &[DoubleBall; 3], b: &[DoubleBall; 3]) -> [DoubleBall; 3] {
-    let minor = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
-    [minor(1, 2), minor(2, 0), minor(0, 1)]
-}
-
-impl Condition {
-    fn at(&self, forces: &Forces) -> DoubleBall {
-        dot(&self.row, forces) + self.load
-    }
-
-    /// Whether it follows from another one: the same row, exactly, and a smaller load, or the same at the mirror image of its joint.
-    fn follows_from(&self, other: &Self) -> bool {
-        let is_exact = |x: &DoubleBall| x.rad() == 0.0;
-        let mut entries = self.row.iter().zip(&other.row);
-        let is_same = entries.all(|(a, b)| is_exact(a) && is_exact(b) && a.mid() == b.mid());
-        let is_image =
-            self.contact == other.contact && self.joint == -other.joint && self.joint < 0;
-        is_same && (is_image || self.load.is_less_than(&other.load).is_proved())
-    }
-}
-
-/// The conditions at all joints of so many equal stones, of a half arch without those of `v`.
-fn conditions(
-    arch: &Arch,
-    thickness: &ExactNumber,
-    (stones, extent): (i32, Extent),
-) -> Vec<Condition> {
-    let alpha: DoubleBall = arch.half_opening().enclosure(BITS);
-    let eta: DoubleBall = thickness.enclosure(BITS);
-    let weight: SelfWeight = arch.weight();
-    let ring = Ring::new(weight, &eta);
-    let grip: Grip<DoubleBall> =
-        grip(arch.friction(), BITS).map(|x| DoubleBall::from_ball(&x, BITS));
-    let none = eta.int(0);
-    let is_solid = thickness.is_rational() && thickness.to_rational() == 2;
-    let at = |k: i32| match k {
-        0 => Angle::zero(&alpha),
-        _ => {
-            let side = if k < 0 { Side::Left } else { Side::Right };
-            side.joint(&Angle::new(alpha * alpha.ratio(k.abs(), stones)))
-        }
-    };
-    let seen = |[h, p, v]: [DoubleBall; 3]| match extent {
-        Extent::Whole => [h, p, v],
-        Extent::Half => [h, p, none],
-    };
-    let all = extent.joints(stones).flat_map(|joint| {
-        let angle = at(joint);
-        Contact::ALL.map(|contact| {
-            let load = contact.row(&angle, &ring, &grip).load;
-            // The radius of the intrados is zero exactly, and so is what it multiplies.
-            if is_solid && contact == Contact::Intrados {
-                let row = [none, none.int(-1), none];
-                return Condition { contact, joint, row, load, motion: row };
-            }
-            let row = seen(static_row(contact, &angle, &ring, &grip));
-            let motion = seen(motion_row(contact, &angle, &eta, &none));
-            Condition { contact, joint, row, load, motion }
-        })
-    });
-    all.collect()
-}
 
 /// The programme of an arch of equal stones, 2 to [`MOST_JOINTED_STONES`], at a thickness: of the whole arch, or of its half.
 pub fn programme(
@@ -178,7 +96,7 @@ enum Stretch {
     /// The two may be parallel.
     Parallel,
     /// Its ends, and whether they are proved to be admissible.
-    Ends(Vec<Forces>, bool),
+    Ends(Vec<Vector>, bool),
 }
 
 impl Search {
@@ -247,7 +165,7 @@ impl Search {
     }
 
     /// The admissible state in which a joint, given by its conditions, bears nothing. In a half arch only the crown may, whose slips are one condition.
-    fn state_without(&self, joint: &[Condition]) -> Option<Forces> {
+    fn state_without(&self, joint: &[Condition]) -> Option<Vector> {
         let [hinge, _, slip, other] = joint else { return None };
         let last = match &self.plane {
             None => other,
@@ -289,7 +207,7 @@ impl Search {
             return Ok(Stretch::Parallel);
         }
         let (by_a, by_b) = (cross(&b.row, &along), cross(&along, &a.row));
-        let start: Forces = [0, 1, 2].map(|k| -(by_a[k] * a.load + by_b[k] * b.load) / size);
+        let start: Vector = [0, 1, 2].map(|k| -(by_a[k] * a.load + by_b[k] * b.load) / size);
         let (mut least, mut most): (Option<DoubleBall>, Option<DoubleBall>) = (None, None);
         let (mut is_whole, mut is_open) = (true, false);
         let others = self.all.iter().enumerate();
@@ -325,7 +243,7 @@ impl Search {
             return Err(Undecided::new("whether a line is admissible as a whole"));
         }
         let at = |t: DoubleBall| [0, 1, 2].map(|k| start[k] + along[k] * t);
-        let ends: Vec<Forces> = [least, most].into_iter().flatten().map(at).collect();
+        let ends: Vec<Vector> = [least, most].into_iter().flatten().map(at).collect();
         if ends.is_empty() {
             return Err(Undecided::new("whether a line is admissible as a whole"));
         }
@@ -333,7 +251,7 @@ impl Search {
     }
 
     /// A lower bound of the value for all rates, for forces in a box; and the rates that made it.
-    fn bound(&self, forces: &Forces) -> Result<(f64, Rates), Undecided> {
+    fn bound(&self, forces: &Vector) -> Result<(f64, Rates), Undecided> {
         let costs: Vec<DoubleBall> = self.all.iter().map(|other| -other.at(forces)).collect();
         let middles: Vec<f64> = costs.iter().map(DoubleBall::mid).collect();
         let best = least_cost(&self.columns, &middles);
@@ -349,7 +267,7 @@ impl Search {
 
     /// An upper bound of the value at admissible forces, with rates that fit, one more than there are equations; `None` where they are not proved to
     /// be positive.
-    fn value(&self, forces: &Forces, best: &Rates) -> Option<f64> {
+    fn value(&self, forces: &Vector, best: &Rates) -> Option<f64> {
         let columns = &best.moving;
         if let [a, b] = columns[..] {
             return self.value_of_opposites([&self.all[a], &self.all[b]], forces);
@@ -382,7 +300,7 @@ impl Search {
     }
 
     /// An upper bound with the two slips of a joint alone, whose motions are opposite: equal rates fit.
-    fn value_of_opposites(&self, [a, b]: [&Condition; 2], forces: &Forces) -> Option<f64> {
+    fn value_of_opposites(&self, [a, b]: [&Condition; 2], forces: &Vector) -> Option<f64> {
         let are_slips = !a.contact.is_hinge() && !b.contact.is_hinge();
         let are_opposite = are_slips && a.joint == b.joint && a.contact != b.contact;
         let sum = a.at(forces) + b.at(forces);
@@ -410,218 +328,4 @@ fn lesser(a: DoubleBall, b: DoubleBall) -> DoubleBall {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::certify::{Voussoirs, voussoirs};
-    use crate::problem::stones::Stones;
-
-    fn found(arch: &Arch, eta: &str, stones: u64) -> Programme {
-        programme(arch, &eta.parse().unwrap(), (stones, Extent::Whole)).unwrap()
-    }
-
-    fn arch(weight: &str, alpha: &str, mu: &str) -> Arch {
-        Arch::parse(weight, alpha, mu).unwrap()
-    }
-
-    fn least(arch: &Arch, eta: &str, stones: u64) -> f64 {
-        match found(arch, eta, stones) {
-            Programme::Least { lower, upper: Some(upper) } => {
-                assert!(lower > 0.0 && lower <= upper && upper - lower < 1e-10, "{lower} {upper}");
-                lower
-            }
-            other => panic!("{eta}: {other:?}"),
-        }
-    }
-
-    /// Something is admissible exactly from the least thickness of the stones on, which is proved by other means.
-    #[test]
-    fn nothing_is_admissible_below_the_least_thickness_of_the_stones() {
-        for (weight, alpha, mu, stones) in [
-            ("milankovitch", "2.3", "1.05", 8),
-            ("heyman", "pi/2", "0.35", 7),
-            ("heyman", "pi/2", "0.6", 6),
-            ("milankovitch", "2.45", "1.35", 5),
-        ] {
-            let arch = arch(weight, alpha, mu);
-            let divided = Stones::equal(stones, arch.half_opening().clone()).unwrap();
-            let Ok(Voussoirs::Stands(state)) =
-                voussoirs(&divided, arch.weight(), arch.friction(), 6)
-            else {
-                panic!("{alpha} {mu}");
-            };
-            let eta = state.thickness.double;
-            let below = found(&arch, &format!("{:.6}", eta - 1e-5), stones);
-            assert_eq!(below, Programme::NothingAdmissible, "{alpha} {mu} {stones}");
-            assert!(least(&arch, &format!("{:.6}", eta + 1e-5), stones) < 1e-4);
-        }
-    }
-
-    /// Well above the least thickness the least value falls to zero again and rises: where two straight lines to it meet the
-    /// axis, next to the asymmetric solution of the arch with a joint at every angle, 0.577518.
-    #[test]
-    fn the_least_value_vanishes_a_second_time() {
-        let arch = arch("milankovitch", "2.3", "1.0454");
-        let at = |eta: f64| least(&arch, &format!("{eta:.9}"), 26);
-        let zero = |a: f64, b: f64| a - at(a) * (b - a) / (at(b) - at(a));
-        let falling = zero(0.5760, 0.5761);
-        let rising = zero(0.5764, 0.5763);
-        assert!((falling - rising).abs() < 1e-6, "{falling} {rising}");
-        for by in [-0.001, 0.001] {
-            assert!(
-                at(falling) < at(falling + by) / 1000.0,
-                "{} {}",
-                at(falling),
-                at(falling + by)
-            );
-        }
-    }
-
-    /// All triples of conditions, and all bases of four rates, in doubles.
-    fn by_enumeration(arch: &Arch, eta: &str, stones: i32) -> f64 {
-        let all = conditions(arch, &eta.parse().unwrap(), (stones, Extent::Whole));
-        let n = all.len();
-        let middle = |x: &[DoubleBall; 3]| x.map(|x| x.mid());
-        let rows: Vec<[f64; 3]> = all.iter().map(|c| middle(&c.row)).collect();
-        let motions: Vec<[f64; 3]> = all.iter().map(|c| middle(&c.motion)).collect();
-        let det = |a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]| {
-            a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
-                + a[2] * (b[0] * c[1] - b[1] * c[0])
-        };
-        let mut bases = Vec::new();
-        for i in 0..n {
-            for j in 0..i {
-                for k in 0..j {
-                    for l in 0..k {
-                        let m = [i, j, k, l].map(|x| &motions[x]);
-                        let rates = [
-                            det(m[1], m[2], m[3]),
-                            -det(m[0], m[2], m[3]),
-                            det(m[0], m[1], m[3]),
-                            -det(m[0], m[1], m[2]),
-                        ];
-                        let sum: f64 = rates.iter().sum();
-                        let levels = rates.map(|rate| rate / sum);
-                        if sum.abs() > 1e-12 && levels.iter().all(|level| *level > -1e-9) {
-                            bases.push(([i, j, k, l], levels));
-                        }
-                    }
-                }
-            }
-        }
-        let mut least = f64::INFINITY;
-        for i in 0..n {
-            for j in 0..i {
-                for k in 0..j {
-                    let whole = det(&rows[i], &rows[j], &rows[k]);
-                    if whole.abs() < 1e-9 {
-                        continue;
-                    }
-                    let loads = [i, j, k].map(|x| -all[x].load.mid());
-                    let x = [0, 1, 2].map(|place| {
-                        let mut r = [rows[i], rows[j], rows[k]];
-                        for (row, load) in r.iter_mut().zip(loads) {
-                            row[place] = load;
-                        }
-                        det(&r[0], &r[1], &r[2]) / whole
-                    });
-                    let gap = |c: usize| {
-                        -(rows[c].iter().zip(&x).map(|(a, b)| a * b).sum::<f64>()
-                            + all[c].load.mid())
-                    };
-                    let gaps: Vec<f64> = (0..n).map(gap).collect();
-                    if gaps.iter().all(|gap| *gap > -1e-9) {
-                        let value = |(columns, levels): &([usize; 4], [f64; 4])| {
-                            columns.iter().zip(levels).map(|(c, level)| gaps[*c] * level).sum()
-                        };
-                        least = bases.iter().map(value).fold(least, f64::min);
-                    }
-                }
-            }
-        }
-        least
-    }
-
-    /// Another way, which knows neither lines nor prices, finds the same least value.
-    #[test]
-    fn enumeration_finds_the_same() {
-        for (weight, alpha, mu, eta) in [
-            ("heyman", "2.3", "1.1", "0.55"),
-            ("milankovitch", "pi/2", "0.5", "0.2"),
-            ("milankovitch", "1", "0.7", "2"),
-        ] {
-            let arch = arch(weight, alpha, mu);
-            let other = by_enumeration(&arch, eta, 4);
-            approx::assert_relative_eq!(least(&arch, eta, 4), other, max_relative = 1e-6);
-        }
-    }
-
-    /// A crown that bears nothing is admissible from the thickness on at which two halves stand each for itself; thinner, nothing costs nothing. At joints that
-    /// bear something no state is found.
-    #[test]
-    fn a_joint_that_bears_nothing_costs_nothing() {
-        let arch = arch("heyman", "1.868", "1.411");
-        for extent in [Extent::Whole, Extent::Half] {
-            let at = |eta: &str| programme(&arch, &eta.parse().unwrap(), (4, extent)).unwrap();
-            assert_eq!(at("1.041"), Programme::Idle);
-            assert!(matches!(at("0.6"), Programme::Least { lower, .. } if lower > 0.0));
-            let all = conditions(&arch, &"1.041".parse().unwrap(), (4, extent));
-            let search = Search::new(all, extent);
-            for at in search.all.chunks_exact(4) {
-                let state = search.state_without(at);
-                assert_eq!(state.is_some(), at[0].joint == 0, "{extent:?} {}", at[0].joint);
-                assert!(state.is_none_or(|forces| forces.iter().all(|x| !x.excludes_zero())));
-            }
-        }
-        assert!(by_enumeration(&arch, "1.041", 4) < 1e-9);
-    }
-
-    /// Of the hinges of a solid arch at the centre only those nearest to the crown make lines; of a thinner one all do.
-    #[test]
-    fn hinges_at_the_centre_follow_from_each_other() {
-        let arch = arch("milankovitch", "1", "0.7");
-        for (stones, eta, kept) in [(4, "2", 1), (5, "2", 1), (4, "1.999", 5)] {
-            let eta = eta.parse().unwrap();
-            let search =
-                Search::new(conditions(&arch, &eta, (stones, Extent::Whole)), Extent::Whole);
-            let lines = search.all.iter().zip(&search.follows).filter(|(_, follows)| !**follows);
-            let intrados: Vec<i32> = lines
-                .filter(|(at, _)| at.contact == Contact::Intrados)
-                .map(|(at, _)| at.joint)
-                .collect();
-            assert_eq!(intrados.len(), kept, "{intrados:?}");
-            assert!(kept > 1 || intrados == [stones % 2], "{intrados:?}");
-        }
-    }
-
-    #[test]
-    fn three_parallel_conditions_are_seen() {
-        assert!(!has_triangle(&[]) && !has_triangle(&[[1, 0], [3, 2], [4, 0]]));
-        assert!(has_triangle(&[[1, 0], [2, 1], [2, 0]]));
-    }
-
-    /// Next to a friction angle of the half opening a line may be admissible for ever, or end far away: an end that is lost would be a wrong
-    /// value, so that nothing is said. Beside it all is decided.
-    #[test]
-    fn a_line_that_may_have_no_end_is_not_decided() {
-        let of = |mu: &str, extent| {
-            let arch = arch("milankovitch", "0.5", mu);
-            programme(&arch, &"0.7".parse().unwrap(), (4, extent))
-        };
-        for extent in [Extent::Whole, Extent::Half] {
-            let open = of("0.54630248984379051325", extent).unwrap_err();
-            assert_eq!(open.reason, "whether a line is admissible as a whole");
-            for mu in ["0.546", "0.547"] {
-                assert!(matches!(of(mu, extent), Ok(Programme::Least { .. })), "{mu}");
-            }
-        }
-    }
-
-    #[test]
-    fn what_it_cannot_decide_is_not_decided() {
-        let eta = "1/2".parse().unwrap();
-        assert!(programme(&arch("heyman", "2.3", "inf"), &eta, (8, Extent::Whole)).is_err());
-        for stones in [0, 1, MOST_JOINTED_STONES + 1, u64::MAX] {
-            assert!(programme(&arch("heyman", "2.3", "1"), &eta, (stones, Extent::Whole)).is_err());
-        }
-    }
-}
+mod tests;

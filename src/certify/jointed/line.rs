@@ -20,6 +20,7 @@
 
 use super::polynomial::Polynomial;
 use super::vertex::{Piece, Vertex, is_positive};
+use crate::certify::vector::{Vector, cross, dot};
 use crate::number::{DoubleBall, Enclosure};
 
 /// Parts of a stretch that are looked at, at most.
@@ -32,20 +33,11 @@ type OnLine = [DoubleBall; 2];
 
 /// States `place + along t`.
 struct Line {
-    place: [DoubleBall; 3],
-    along: [DoubleBall; 3],
+    place: Vector,
+    along: Vector,
 }
 
-fn dot(a: &[DoubleBall; 3], b: &[DoubleBall; 3]) -> DoubleBall {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: &[DoubleBall; 3], b: &[DoubleBall; 3]) -> [DoubleBall; 3] {
-    let minor = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
-    [minor(1, 2), minor(2, 0), minor(0, 1)]
-}
-
-fn parts(row: &Row) -> ([DoubleBall; 3], DoubleBall) {
+fn parts(row: &Row) -> (Vector, DoubleBall) {
     let [h, p, v, load] = *row;
     ([h, p, v], load)
 }
