@@ -2,16 +2,13 @@
 
 use super::fields::Fields;
 use super::jointed::{self, bounds};
+use super::programme::{self, AtThickness};
 use super::words::model;
 use super::{csv, json};
 use crate::arch::asymmetric::AsymmetricMode;
 use crate::certify::state::{Answer, Digits, Figure};
-use crate::certify::{
-    AsymmetricDigits, AsymmetricJoint, Enumeration, Extent, Programme, Undecided,
-};
-use crate::number::{Ball, Rounded};
+use crate::certify::{AsymmetricDigits, AsymmetricJoint, Enumeration, Undecided};
 use crate::problem::Arch;
-use rug::Float;
 use std::io;
 
 /// An arch with the solutions that are found.
@@ -27,61 +24,6 @@ pub struct ComplementarityArch {
     pub enumeration: Option<Result<Enumeration, Undecided>>,
     /// The programme (20), where it is asked for.
     pub programme: Option<AtThickness>,
-}
-
-/// The programme (20) of an arch of equal stones at a thickness.
-#[derive(Debug)]
-pub struct AtThickness {
-    /// The thickness as given.
-    pub thickness: String,
-    /// What that is, where it is given by a name.
-    pub named: Option<Figure>,
-    /// The stones of the whole arch.
-    pub stones: u64,
-    /// Which states are looked at.
-    pub extent: Extent,
-    /// What is proved.
-    pub found: Result<ProgrammeFound, Undecided>,
-}
-
-/// What is proved of the programme (20), or of the thickness that is asked for by its name.
-#[derive(Clone, Debug)]
-pub enum ProgrammeFound {
-    /// At a thickness.
-    At(Programme),
-    /// There is no least thickness, as every thickness up to 2 stands.
-    EveryThicknessStands,
-    /// There is none, as no thickness up to 2 stands.
-    NoThicknessStands,
-}
-
-impl AtThickness {
-    /// The least value in as many digits as are proved, up to twelve, or a lower bound of it.
-    fn value(&self) -> Option<Result<Rounded, Rounded>> {
-        let Ok(ProgrammeFound::At(Programme::Least { lower, upper })) = &self.found else {
-            return None;
-        };
-        let ball = |x: &f64| Ball::exact(Float::with_val(64, *x), 64);
-        let rounded = |x: &Ball| (1..=12).rev().find_map(|digits| Rounded::from_ball(x, digits));
-        let exact = upper.as_ref().and_then(|upper| rounded(&ball(lower).hull(&ball(upper))));
-        exact.map(Ok).or_else(|| rounded(&ball(lower)).map(Err))
-    }
-
-    fn is_zero(&self) -> bool {
-        matches!(&self.found, Ok(ProgrammeFound::At(Programme::Zero | Programme::Idle)))
-    }
-
-    fn outcome(&self) -> &'static str {
-        match &self.found {
-            Ok(ProgrammeFound::At(Programme::NothingAdmissible)) => "nothing_admissible",
-            Ok(ProgrammeFound::At(Programme::Zero)) => "zero",
-            Ok(ProgrammeFound::At(Programme::Idle)) => "zero_by_the_letter",
-            Ok(ProgrammeFound::At(Programme::Least { .. })) => "positive",
-            Ok(ProgrammeFound::EveryThicknessStands) => "every_thickness_stands",
-            Ok(ProgrammeFound::NoThicknessStands) => "no_thickness_stands",
-            Err(_) => "undecided",
-        }
-    }
 }
 
 /// An arch for each weight asked for.
@@ -105,13 +47,6 @@ const MEANING: [&str; 6] = [
     "This is said of the model. Below the least thickness no state is admissible, as before, and between",
     "the thicknesses no solution is found.",
     "",
-];
-
-/// Where a joint bears nothing.
-const IDLE: [&str; 3] = [
-    "least value 0 by the letter, proved: in an admissible state a joint bears nothing, and its two",
-    "opposite slips, which are no motion, cost nothing. Whether a motion costs nothing as well is",
-    "not said; the solutions without --thickness leave such slips out",
 ];
 
 /// What of a solution is proved.
@@ -268,55 +203,7 @@ fn one(of: &ComplementarityArch, out: &mut dyn io::Write) -> io::Result<()> {
             Err(undecided) => writeln!(out, "the solutions between equal stones are {undecided}")?,
         }
     }
-    of.programme.as_ref().map_or(Ok(()), |at| programme(at, out))
-}
-
-fn programme(at: &AtThickness, out: &mut dyn io::Write) -> io::Result<()> {
-    let (stones, joints) = (at.stones, jointed::joints(at.extent, at.stones));
-    let eta = match &at.named {
-        Some(figure) => format!("{figure}, the least"),
-        None => at.thickness.clone(),
-    };
-    let half = if at.extent == Extent::Half { " of the half arch" } else { "" };
-    writeln!(
-        out,
-        "\nProgramme (20) at thickness {eta}, {stones} equal stones, {joints} joints{half}"
-    )?;
-    let found = match &at.found {
-        Err(undecided) => return writeln!(out, "   {undecided}"),
-        Ok(ProgrammeFound::EveryThicknessStands) => {
-            return writeln!(out, "   there is none, proved: every thickness up to 2 stands");
-        }
-        Ok(ProgrammeFound::NoThicknessStands) => {
-            return writeln!(out, "   there is none, proved: no thickness up to 2 stands");
-        }
-        Ok(ProgrammeFound::At(found)) => found,
-    };
-    match found {
-        Programme::NothingAdmissible => {
-            writeln!(out, "   nothing is admissible at these joints, proved")?;
-        }
-        Programme::Zero => {
-            writeln!(out, "   least value 0, exactly")?;
-            let words = "proved: (19) has a solution there, an admissible state with positive rates that fit";
-            return writeln!(out, "   {words}");
-        }
-        Programme::Idle => {
-            return IDLE.iter().try_for_each(|line| writeln!(out, "   {line}"));
-        }
-        Programme::Least { .. } => {
-            match at.value() {
-                Some(Ok(value)) => writeln!(out, "   least value {}", value.value)?,
-                Some(Err(bound)) => writeln!(out, "   least value at least {}", bound.lower)?,
-                None => {}
-            }
-            writeln!(
-                out,
-                "   positive, proved: at these joints (19) has no solution at this thickness"
-            )?;
-        }
-    }
-    writeln!(out, "   complete for these joints: all pairs of conditions are looked at, in balls")
+    of.programme.as_ref().map_or(Ok(()), |at| programme::table(at, out))
 }
 
 fn details(state: &AsymmetricDigits, out: &mut dyn io::Write) -> io::Result<()> {
@@ -360,7 +247,7 @@ pub(super) fn csv(
     ];
     let rows = arches.iter().flat_map(|of| {
         let jointed = of.enumeration.iter().flat_map(|all| jointed::rows(&of.arch, all));
-        let programme = of.programme.iter().map(|at| row(&of.arch, at));
+        let programme = of.programme.iter().map(|at| programme::row(&of.arch, at));
         let anywhere = of.solutions().into_iter().map(|solution| {
             let text = |figure: Option<&Figure>| figure.map_or(String::new(), Figure::to_string);
             let state = solution.asymmetric();
@@ -384,32 +271,6 @@ pub(super) fn csv(
         anywhere.chain(jointed).chain(programme).collect::<Vec<_>>()
     });
     csv::write(std::iter::once(header.map(str::to_owned).to_vec()).chain(rows), out)
-}
-
-/// The programme (20) as a row.
-fn row(arch: &Arch, at: &AtThickness) -> Vec<String> {
-    let (value, lower) = match at.value() {
-        Some(Ok(value)) => (value.value.to_string(), value.lower.to_string()),
-        Some(Err(bound)) => (String::new(), bound.lower.to_string()),
-        None if at.is_zero() => ("0".to_owned(), "0".to_owned()),
-        None => (String::new(), String::new()),
-    };
-    vec![
-        arch.weight().name().to_owned(),
-        arch.half_opening().to_string(),
-        arch.friction().to_string(),
-        String::new(),
-        "programme".to_owned(),
-        at.named.as_ref().map_or(at.thickness.clone(), Figure::to_string),
-        String::new(),
-        String::new(),
-        String::new(),
-        at.stones.to_string(),
-        at.outcome().to_owned(),
-        String::new(),
-        value,
-        lower,
-    ]
 }
 
 pub(super) fn json(
@@ -439,22 +300,7 @@ fn entry(of: &ComplementarityArch) -> Fields {
         fields.add_fields("enumeration", Some(jointed::fields(all)));
     }
     if let Some(at) = &of.programme {
-        let mut programme = Fields::default();
-        programme.add("thickness", at.thickness.as_str());
-        programme.add_fields("least_thickness", at.named.as_ref().map(bounds));
-        programme.add("extent", jointed::extent(at.extent));
-        programme.add("stones", at.stones);
-        programme.add("outcome", at.outcome());
-        programme.add("reason", at.found.as_ref().err().map(|open| open.reason.to_string()));
-        let exact = at.value().and_then(Result::ok).map(|value| {
-            let mut fields = Fields::default();
-            fields.add("value", value.value.to_string());
-            fields.add("lower", value.lower.to_string());
-            fields.add("upper", value.upper.to_string());
-            fields
-        });
-        programme.add_fields("least_value", exact);
-        fields.add_fields("programme", Some(programme));
+        fields.add_fields("programme", Some(programme::fields(at)));
     }
     fields
 }

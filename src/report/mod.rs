@@ -49,6 +49,7 @@ mod names;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod plain;
+mod programme;
 mod python;
 mod rows;
 mod rust;
@@ -69,14 +70,13 @@ pub use answers::{Answers, Scope};
 pub use audit::Audit;
 pub use branch::{BranchArch, BranchArches};
 pub use claims::{Claims, Index};
-pub use complementarity::{
-    AtThickness, ComplementarityArch, ComplementarityArches, ProgrammeFound,
-};
+pub use complementarity::{ComplementarityArch, ComplementarityArches};
 pub use drawn::{Axes, Branches, Drawing, Mark, Marked, Plane, Shown, Unit, View};
 pub use format::{Content, Format};
 pub use given::GivenDoubles;
 pub use json::answers as write_json;
 pub use map::{Map, MapDifferences, MapPoint, MapPoints};
+pub use programme::{AtThickness, ProgrammeFound};
 pub use rows::Rows;
 pub use sketched::{Sketched, Style, arches_of_figure};
 pub use subject::Subject;
