@@ -3,7 +3,8 @@
 use super::cost::Cost;
 use super::expected;
 use super::left_out::left_out;
-use super::plan::{ArchNode, LandmarkNode, Plan};
+use super::nodes::{ArchNode, LandmarkNode};
+use super::plan::Plan;
 use super::run::Costs;
 use super::schema::Item;
 use crate::certify::state::Wanted;

@@ -1,6 +1,7 @@
 //! What a plan leaves out, and why.
 
-use super::plan::{ArchNode, Plan, RANGE_OF_THRUSTS};
+use super::nodes::{ArchNode, RANGE_OF_THRUSTS};
+use super::plan::Plan;
 use super::run::Costs;
 use crate::arch::SelfWeight;
 use crate::atlas::Curve;

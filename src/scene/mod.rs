@@ -38,6 +38,7 @@ mod fault;
 mod item_report;
 mod left_out;
 mod manifest;
+mod nodes;
 mod overall;
 mod pieces;
 mod plan;
@@ -49,6 +50,7 @@ mod read_numbers;
 mod read_output;
 mod read_sweep;
 mod run;
+mod same;
 mod schema;
 mod sweep;
 mod value;
@@ -58,9 +60,8 @@ pub use explain::explain;
 pub use fault::{Fault, Position};
 pub use item_report::ItemReport;
 pub(crate) use manifest::{Hashing, Manifest, NAME as MANIFEST};
-pub use plan::{
-    ArchNode, ClaimNode, CurveNode, DrawingNode, LandmarkNode, Needs, Plan, ThicknessNode,
-};
+pub use nodes::{ArchNode, ClaimNode, CurveNode, DrawingNode, LandmarkNode, ThicknessNode};
+pub use plan::{Needs, Plan};
 pub use read::{read, read_bytes};
 pub use read_sweep::read_sweep;
 pub use run::{Costs, Run};

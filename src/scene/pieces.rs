@@ -1,6 +1,7 @@
 //! The pieces of a plan, computed: a landmark, an arch. Each answers whatever any item asks of it.
 
-use super::plan::{ArchNode, CurveNode, LandmarkNode, Plan};
+use super::nodes::{ArchNode, CurveNode, LandmarkNode};
+use super::plan::Plan;
 use super::schema::{Drawn, MapLine};
 use crate::arch::SelfWeight;
 use crate::atlas::{Level, NoLevel, NoSketch, Sketch, Trace};

@@ -1,0 +1,38 @@
+//! What makes two pieces of a scene the same, so that they are computed once.
+
+use super::schema::Drawn;
+use crate::arch::SelfWeight;
+use crate::number::{ExactNumber, Form};
+use crate::problem::{Arch, Friction, Landmark};
+use rug::Rational;
+
+/// What makes two arches the same, however they are written.
+pub(super) type ArchKey = (SelfWeight, Number, Option<(bool, Number)>);
+type Number = (Rational, Form);
+
+fn number(x: &ExactNumber) -> Number {
+    (x.to_rational(), x.form())
+}
+
+pub(super) fn arch_key(arch: &Arch) -> ArchKey {
+    let friction = match arch.friction() {
+        Friction::Infinite => None,
+        Friction::Coefficient(mu) => Some((false, number(mu))),
+        Friction::Angle(phi) => Some((true, number(phi))),
+    };
+    (arch.weight(), number(arch.half_opening()), friction)
+}
+
+/// What makes two drawn arches the same; no friction is read of one that slides.
+pub(super) fn drawn_key(
+    drawn: &Drawn,
+) -> (Option<Landmark>, Option<ArchKey>, Option<Rational>, bool) {
+    let is_dilatant = drawn.is_dilatant();
+    match drawn {
+        Drawn::Least { arch, .. } => (None, Some(arch_key(arch)), None, is_dilatant),
+        Drawn::Landmark { landmark, .. } => (Some(*landmark), None, None, is_dilatant),
+        Drawn::Standing { arch, thickness } | Drawn::Sliding { arch, thickness, .. } => {
+            (None, Some(arch_key(arch)), Some(thickness.to_rational()), is_dilatant)
+        }
+    }
+}
