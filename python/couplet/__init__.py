@@ -235,7 +235,7 @@ def certify(
     """
     if landmark is not None:
         if half_opening is not None or friction is not None or thickness is not None or asymmetric is not False:
-            raise CoupletError("a half opening, a friction and a thickness belong to an arch, not to a landmark")
+            raise CoupletError("a half opening, a friction, a thickness and asymmetric belong to an arch, not to a landmark")
         return _asked(_core.certify_landmark, landmark, weight, str(digits), _whole(threads))
     if half_opening is None or friction is None:
         raise CoupletError("a landmark, or a half opening and a friction, are missing")
