@@ -9,6 +9,8 @@ use super::sheet::Sheet;
 use crate::arch::SelfWeight;
 use crate::atlas::{BorderLine, Curve};
 use crate::picture::color::{INK, WHITE};
+use crate::picture::room::Rectangle;
+use crate::picture::text;
 use crate::picture::{Anchor, Color, Frame, Hatch, Path, Stroke, Svg, Type};
 use crate::problem::Line;
 
@@ -96,16 +98,19 @@ impl Asymmetric {
         self.lines.iter().map(|(.., chain)| chain)
     }
 
+    /// What the legend takes of the page.
+    pub(super) fn taken(&self, frame: &Frame) -> Rectangle {
+        let widest = LEGEND.iter().map(|(name, _)| text::width(name, SMALL)).fold(0.0, f64::max);
+        let across = widest + GAP / 2.0 + SAMPLE + GAP;
+        let up = LEADING * LEGEND.len() as f64 + GAP / 2.0;
+        [(frame.right() - across, frame.bottom() - up), (frame.right(), frame.bottom())]
+    }
+
     /// Their names, below on the right, where nothing stands.
     pub(super) fn legend(&self, svg: &mut Svg, frame: &Frame) {
         let right = frame.right() - GAP;
-        let rows: [(&str, Option<Stroke>); 3] = [
-            ("asymmetric solutions of (19) too", None),
-            ("the border of what they reach", Some(OUTER)),
-            ("their mechanism changes", Some(INNER)),
-        ];
         svg.group("legend", |svg| {
-            for (k, (name, stroke)) in rows.into_iter().enumerate() {
+            for (k, (name, stroke)) in LEGEND.into_iter().enumerate() {
                 let y = frame.bottom() - GAP - LEADING * (2 - k) as f64;
                 let (from, to) = (right - SAMPLE, right);
                 match stroke {
@@ -125,6 +130,11 @@ impl Asymmetric {
     }
 }
 
+const LEGEND: [(&str, Option<Stroke>); 3] = [
+    ("asymmetric solutions of (19) too", None),
+    ("the border of what they reach", Some(OUTER)),
+    ("their mechanism changes", Some(INNER)),
+];
 const GAP: f64 = 16.0;
 const LEADING: f64 = 21.0;
 const SAMPLE: f64 = 42.0;

@@ -170,10 +170,19 @@ fn parts(content: &Content, canvas: &Canvas) -> Vec<Part> {
         let x = on(around(a.0, b.0, more.0), 0);
         (name, [x, on(around(a.1, b.1, more.1), 1)])
     };
-    match canvas.plane {
-        Plane::ThicknessFriction => vec![part(JOINTS, s, j, (2.6, 2.6))],
-        _ => vec![part(MIXED, t, l, (0.3, 0.1)), part(JOINTS, s, j, (1.8, 1.8))],
-    }
+    let is_shown = |(x, y): Point| {
+        let [across, up] = canvas.axes.each_ref().map(|axis| axis.range);
+        (across[0]..=across[1]).contains(&x) && (up[0]..=up[1]).contains(&y)
+    };
+    let all = match canvas.plane {
+        Plane::ThicknessFriction => vec![((s, j), part(JOINTS, s, j, (2.6, 2.6)))],
+        _ => {
+            vec![((t, l), part(MIXED, t, l, (0.3, 0.1))), ((s, j), part(JOINTS, s, j, (1.8, 1.8)))]
+        }
+    };
+    // A window without either has nothing to show of what lies between them.
+    let seen = all.into_iter().filter(|((a, b), _)| is_shown(*a) || is_shown(*b));
+    seen.map(|(_, part)| part).collect()
 }
 
 /// Sizes of an inset that are tried where it has no place of its own.

@@ -55,8 +55,10 @@ impl MapPicture<'_> {
             svg.group("levels", |svg| margin::levels(svg, frame, canvas.plane, &content.levels));
         }
         let marks = mark::places(self.marks, canvas, frame);
-        let of_marks: Vec<Rectangle> = marks.iter().map(|(_, at)| mark::taken(*at)).collect();
-        let mut insets = Inset::all(&content, canvas, frame, &of_marks);
+        let legend = content.asymmetric.as_ref().map(|asymmetric| asymmetric.taken(frame));
+        let taken: Vec<Rectangle> =
+            marks.iter().map(|(_, at)| mark::taken(*at)).chain(legend).collect();
+        let mut insets = Inset::all(&content, canvas, frame, &taken);
         // No inset covers a mark.
         insets.retain(|inset| !marks.iter().any(|(_, at)| inset.covers(*at)));
         let mut named = Vec::new();
@@ -75,14 +77,14 @@ impl MapPicture<'_> {
         insets.iter().for_each(|inset| inset.draw_guides(&mut svg, frame));
         let values = margin::upright(&mut svg, frame, canvas.plane, &content.levels);
         let mut names = self.names(&content, frame, NAMES);
-        names.taken = insets.iter().map(Inset::taken).chain(of_marks).chain(values).collect();
+        names.taken = insets.iter().map(Inset::taken).chain(taken).chain(values).collect();
         names.landmarks(&mut svg, false);
         if canvas.plane == Plane::ThicknessFriction {
             names.overturning(&mut svg);
         }
         names.modes(&mut svg, &named);
         if canvas.is_usual {
-            self.say_where_nothing_stands(&mut svg, frame);
+            self.say_where_nothing_stands(&mut svg, frame, legend.is_some());
         }
         if let Some(asymmetric) = &content.asymmetric {
             asymmetric.legend(&mut svg, frame);
@@ -118,9 +120,11 @@ impl MapPicture<'_> {
         Names { content, plane: self.canvas.plane, frame, sizes, is_mirrored, taken: Vec::new() }
     }
 
-    fn say_where_nothing_stands(&self, svg: &mut Svg, frame: &Frame) {
+    /// Well above a legend, which it is no title of.
+    fn say_where_nothing_stands(&self, svg: &mut Svg, frame: &Frame, has_legend: bool) {
         let (at, turn) = match self.canvas.plane {
             Plane::ThicknessFriction => return,
+            Plane::OpeningFriction if has_legend => ((145.0, 26.0), 0.0),
             Plane::OpeningFriction => ((140.0, 12.0), 0.0),
             Plane::OpeningThickness => ((161.0, 1.0), -90.0),
         };

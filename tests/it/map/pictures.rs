@@ -237,3 +237,42 @@ fn what_asymmetric_solutions_reach_is_drawn() {
         );
     }
 }
+
+/// A number of the tag that a text is in.
+fn placed(svg: &str, words: &str, attribute: &str) -> f64 {
+    let (before, _) = svg.split_once(&format!(">{words}</text>")).unwrap();
+    let tag = before.rsplit_once('<').unwrap().1;
+    let (_, value) = tag.split_once(&format!(" {attribute}=\"")).unwrap();
+    value.split_once('"').unwrap().0.parse().unwrap()
+}
+
+fn asymmetric(more: &str) -> String {
+    let line = "map --tolerance 1e-2 --asymmetric --plane opening-friction --format svg";
+    let words: Vec<&str> = line.split(' ').chain(more.split(' ')).collect();
+    text(&couplet(&words).stdout)
+}
+
+/// The names of modes keep off the legend, of which no other text is the title.
+#[test]
+fn nothing_lies_on_the_legend() {
+    let first = "asymmetric solutions of (19) too";
+    for unit in ["deg", "mu"] {
+        let svg = asymmetric(&format!("--friction-unit {unit}"));
+        let legend = [placed(&svg, first, "x") - 246.0, placed(&svg, first, "y") - 25.0];
+        let name = ["x", "y"].map(|at| placed(&svg, "[s,r,r]", at));
+        assert!(name[0] + 28.0 < legend[0] || name[1] < legend[1], "{unit}: {name:?} {legend:?}");
+        if unit == "deg" {
+            assert!(placed(&svg, "nothing stands", "y") < legend[1] - 40.0);
+        }
+    }
+}
+
+/// A window without S and J has no larger view of them.
+#[test]
+fn what_is_not_shown_is_not_shown_larger() {
+    let units =
+        "--weight heyman --half-opening-unit rad --friction-unit mu --friction-range 0.6..2";
+    let svg = |range: &str| asymmetric(&format!("{units} --half-opening-range {range}"));
+    let has = |svg: String| ["inset-sj", "legend"].map(|id| svg.contains(id));
+    assert_eq!([has(svg("1.9..2.6")), has(svg("1.9..2.65"))], [[false, true], [true, true]]);
+}
