@@ -145,9 +145,10 @@ notebooks: m4
 MANYLINUX := target/manylinux
 wheel-manylinux: m4
 	python3 -m venv $(MANYLINUX)/build
-	$(MANYLINUX)/build/bin/pip install --quiet --disable-pip-version-check 'maturin>=1.9.4,<2' ziglang
+	$(MANYLINUX)/build/bin/pip install --quiet --disable-pip-version-check 'maturin>=1.9.4,<2' ziglang zopflipy
 	PATH="$(CURDIR)/$(MANYLINUX)/build/bin:$$PATH" MATURIN_PEP517_ARGS="--zig --compatibility manylinux_2_17" \
 	  $(MANYLINUX)/build/bin/pip wheel --quiet --no-deps --no-build-isolation --wheel-dir $(MANYLINUX) ./python
+	$(MANYLINUX)/build/bin/python python/build_backend/pack.py $(MANYLINUX)/*.whl
 	@ls -l $(MANYLINUX)/*.whl
 
 # The map as a page that proves what it shows and checks certificates, for any web server or to be opened from disk:

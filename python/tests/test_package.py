@@ -5,6 +5,8 @@ import importlib.metadata
 import os
 import subprocess
 import sys
+import types
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -79,6 +81,59 @@ def test_what_is_missing_is_named_in_one_line():
     both = missing(lambda name: None if name in ("cc", "gcc", "clang", "m4") else name)
     assert "C compiler" in both and "m4" in both
     assert missing(lambda name: None if name in ("cc", "gcc") else name) is None
+
+
+def a_wheel(path):
+    with zipfile.ZipFile(path, "w") as wheel:
+        for name, mode in [("package/text.py", 0o100644), ("package/program", 0o100755)]:
+            member = zipfile.ZipInfo(name, (2020, 2, 2, 2, 2, 2))
+            member.compress_type, member.external_attr = zipfile.ZIP_DEFLATED, mode << 16
+            wheel.writestr(member, f"what {name} says\n" * 1000)
+    return path.read_bytes()
+
+
+class Spoils(zipfile.ZipFile):
+    """Writes something else."""
+
+    def writestr(self, member, data):
+        super().writestr(member, data.replace(b"says", b"said"))
+
+
+class Stops(zipfile.ZipFile):
+    """Has no room for a second file."""
+
+    def writestr(self, member, data):
+        if self.namelist():
+            raise OSError("no space left")
+        super().writestr(member, data)
+
+
+def packing(monkeypatch, zip_file):
+    """`pack` with this in place of zopfli's."""
+    monkeypatch.setitem(sys.modules, "zopfli", types.SimpleNamespace(ZipFile=zip_file))
+    monkeypatch.delitem(sys.modules, "pack", raising=False)
+    monkeypatch.syspath_prepend(HOME / "python" / "build_backend")
+    import pack
+
+    return pack.pack
+
+
+def test_a_packed_wheel_has_the_same_files(tmp_path, monkeypatch):
+    wheel = tmp_path / "a.whl"
+    a_wheel(wheel)
+    facts = lambda zip_file: [(m.filename, m.date_time, m.external_attr, zip_file.read(m)) for m in zip_file.infolist()]
+    before = facts(zipfile.ZipFile(wheel))
+    packing(monkeypatch, zipfile.ZipFile)(str(wheel))
+    assert facts(zipfile.ZipFile(wheel)) == before and os.listdir(tmp_path) == ["a.whl"]
+
+
+@pytest.mark.parametrize("fault", [Spoils, Stops])
+def test_a_wheel_that_cannot_be_packed_stays(tmp_path, monkeypatch, fault):
+    wheel = tmp_path / "a.whl"
+    whole = a_wheel(wheel)
+    with pytest.raises((SystemExit, OSError), match="it is left as it was|no space left"):
+        packing(monkeypatch, fault)(str(wheel))
+    assert wheel.read_bytes() == whole and os.listdir(tmp_path) == ["a.whl"]
 
 
 @pytest.mark.parametrize("module", ["couplet", "couplet._arrays", "couplet._certified", "couplet._answers", "couplet._sweeps"])
