@@ -1,14 +1,15 @@
 //! Pieces of a Parquet file: rows of its row groups.
 
+use super::column::{Of, reader as reads};
 use super::pieces::{CHANGED, columns, hash_of_pieces};
 use super::query::Listed;
 use crate::arch::SelfWeight;
 use crate::cli::commands::rows::{Cells, Reader, Spelling};
 use crate::cli::failure::reason;
 use crate::number::ExactNumber;
-use ::parquet::basic::Compression;
-use ::parquet::column::reader::{ColumnReader, ColumnReaderImpl};
-use ::parquet::data_type::{ByteArray, DataType};
+use ::parquet::basic::{Compression, Type};
+use ::parquet::column::reader::ColumnReaderImpl;
+use ::parquet::data_type::{ByteArrayType, DataType, DoubleType, FloatType, Int32Type, Int64Type};
 use ::parquet::errors::ParquetError;
 use ::parquet::file::metadata::RowGroupMetaData;
 use ::parquet::file::reader::{FileReader, SerializedFileReader};
@@ -16,6 +17,7 @@ use rug::Rational;
 use serde::{Deserialize, Serialize};
 use std::fs::File;
 use std::path::Path;
+use std::sync::Arc;
 
 /// A piece.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -90,17 +92,14 @@ pub(super) fn read(
     let reader = SerializedFileReader::new(file.try_clone().map_err(|error| reason(&error))?);
     let reader = reader.map_err(|_| CHANGED.to_owned())?;
     let (columns, places) = columns(&header(&reader))?;
-    if slice.group >= reader.num_row_groups() {
+    let Some(group) = reader.metadata().row_groups().get(slice.group) else {
         return Err(CHANGED.into());
-    }
-    let group = reader.get_row_group(slice.group).map_err(failed)?;
-    if hash(&mut file, group.metadata(), &places)? != slice.sha256 {
-        return Err(CHANGED.into());
-    }
-    let read = |place: &usize| {
-        let is_optional = group.metadata().column(*place).column_descr().max_def_level() > 0;
-        texts(group.get_column_reader(*place)?, slice, is_optional)
     };
+    if hash(&mut file, group, &places)? != slice.sha256 {
+        return Err(CHANGED.into());
+    }
+    let file = Arc::new(file);
+    let read = |place: &usize| texts((&file, group, group.column(*place)), slice);
     let texts = places.iter().map(read).collect::<Result<Vec<_>, _>>().map_err(failed)?;
     let reader = Reader { columns, weight, doubles: false, spelling: Spelling::default() };
     let mut listed = Listed::default();
@@ -112,18 +111,14 @@ pub(super) fn read(
 }
 
 /// The cells of a column as exact texts; empty where there is none.
-fn texts(
-    column: ColumnReader,
-    slice: &GroupSlice,
-    is_optional: bool,
-) -> Result<Vec<String>, ParquetError> {
-    let how = (slice, is_optional);
-    match column {
-        ColumnReader::DoubleColumnReader(reader) => cells(reader, how, |x| exact(*x)),
-        ColumnReader::FloatColumnReader(reader) => cells(reader, how, |x| exact(f64::from(*x))),
-        ColumnReader::Int32ColumnReader(reader) => cells(reader, how, ToString::to_string),
-        ColumnReader::Int64ColumnReader(reader) => cells(reader, how, ToString::to_string),
-        ColumnReader::ByteArrayColumnReader(reader) => cells(reader, how, |text: &ByteArray| {
+fn texts(of: Of, slice: &GroupSlice) -> Result<Vec<String>, ParquetError> {
+    let how = (slice, of.2.column_descr().max_def_level() > 0);
+    match of.2.column_type() {
+        Type::DOUBLE => cells::<DoubleType>(reads(of)?, how, |x| exact(*x)),
+        Type::FLOAT => cells::<FloatType>(reads(of)?, how, |x| exact(f64::from(*x))),
+        Type::INT32 => cells::<Int32Type>(reads(of)?, how, ToString::to_string),
+        Type::INT64 => cells::<Int64Type>(reads(of)?, how, ToString::to_string),
+        Type::BYTE_ARRAY => cells::<ByteArrayType>(reads(of)?, how, |text| {
             String::from_utf8_lossy(text.data()).trim().to_owned()
         }),
         _ => Err(ParquetError::General("a column is neither of numbers nor of texts".into())),

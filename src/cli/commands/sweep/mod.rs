@@ -8,6 +8,7 @@
 //! | `queries`, `query` | the rows of a part as they are asked |
 //! | `slices`, `text`, `groups`, `pieces` | the pieces of the files of a data set |
 //! | `answers` | what is proved of them |
+//! | `column` | a column of a Parquet file, as it is read |
 //! | `table` | a part as a Parquet file |
 //! | `store` | the folder of the parts |
 //! | `sweep` | a sweep and its parts: the door |
@@ -16,6 +17,8 @@
 #[cfg(feature = "parquet")]
 mod answers;
 mod arguments;
+#[cfg(feature = "parquet")]
+mod column;
 #[cfg(feature = "parquet")]
 mod command;
 #[cfg(feature = "parquet")]

@@ -1,14 +1,15 @@
 //! The rows of a part as a Parquet file, `couplet.sweep/1`: the same rows are the same bytes.
 
 use super::answers::{Answers, Verdict, Wanted};
+use super::column::reader;
 use super::query::{Arches, Grid, Listed, Queries};
 use crate::arch::SelfWeight;
 use crate::problem::Mode;
 use crate::scene::SWEEP_SCHEMA;
 use ::parquet::basic::{Compression, Encoding, LogicalType, Repetition, Type as PhysicalType};
-use ::parquet::column::reader::{ColumnReader, ColumnReaderImpl};
+use ::parquet::column::reader::ColumnReaderImpl;
 use ::parquet::column::writer::{ColumnWriter, ColumnWriterImpl};
-use ::parquet::data_type::{ByteArray, DataType};
+use ::parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int32Type, Int64Type};
 use ::parquet::errors::{ParquetError, Result};
 use ::parquet::file::metadata::KeyValue;
 use ::parquet::file::properties::{DEFAULT_WRITE_BATCH_SIZE, EnabledStatistics, WriterProperties};
@@ -243,19 +244,22 @@ impl<'a> Column<'a> {
 impl Read {
     /// The columns of a file, as they were written.
     pub(super) fn of(file: File) -> Result<Self> {
-        let reader = SerializedFileReader::new(file)?;
-        let group = reader.get_row_group(0)?;
-        let rows = group.metadata().num_rows().try_into().unwrap_or(0);
-        let schema = group.metadata().schema_descr_ptr();
-        let columns = schema.columns().iter().enumerate().map(|(place, column)| {
-            let cells = match group.get_column_reader(place)? {
-                ColumnReader::ByteArrayColumnReader(reader) => Cells::Text(read(reader, rows)?),
-                ColumnReader::DoubleColumnReader(reader) => Cells::Double(read(reader, rows)?),
-                ColumnReader::Int64ColumnReader(reader) => Cells::Whole(read(reader, rows)?),
-                ColumnReader::Int32ColumnReader(reader) => Cells::Short(read(reader, rows)?),
+        let file = Arc::new(file);
+        let whole = SerializedFileReader::new(file.try_clone()?)?;
+        let Some(group) = whole.metadata().row_groups().first() else {
+            return Err(ParquetError::General("rows are missing".into()));
+        };
+        let rows = group.num_rows().try_into().unwrap_or(0);
+        let columns = group.columns().iter().map(|column| {
+            let of = (&file, group, column);
+            let cells = match column.column_type() {
+                PhysicalType::BYTE_ARRAY => Cells::Text(read::<ByteArrayType>(reader(of)?, rows)?),
+                PhysicalType::DOUBLE => Cells::Double(read::<DoubleType>(reader(of)?, rows)?),
+                PhysicalType::INT64 => Cells::Whole(read::<Int64Type>(reader(of)?, rows)?),
+                PhysicalType::INT32 => Cells::Short(read::<Int32Type>(reader(of)?, rows)?),
                 _ => return Err(ParquetError::General("a column of another type".into())),
             };
-            Ok((column.name().to_owned(), cells))
+            Ok((column.column_descr().name().to_owned(), cells))
         });
         columns.collect::<Result<_>>().map(Self)
     }
