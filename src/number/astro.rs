@@ -8,7 +8,8 @@
 //! `+ - * / sqrt` and pi are used, and sine and cosine for few bits; its logarithm is known not to return for some
 //! exact arguments.
 
-use super::interval::{Direction, End, Interval};
+use super::end::{Direction, End};
+use super::interval::Interval;
 use astro_float::{BigFloat, Consts, INF_NEG, INF_POS, RoundingMode, Sign, WORD_BIT_SIZE, Word};
 use std::cell::RefCell;
 use std::cmp::Ordering;

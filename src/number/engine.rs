@@ -1,6 +1,7 @@
 //! The arithmetic a certificate is checked in.
 
-use super::interval::{End, Interval};
+use super::end::End;
+use super::interval::Interval;
 use super::{DoubleBall, DoubleDoubleBall, Dyadic, Enclosure};
 
 /// Enclosures that can be made from exact binary numbers.

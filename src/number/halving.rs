@@ -75,7 +75,8 @@ impl Halving {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::interval::{End, Interval, for_each_end};
+    use crate::number::end::End;
+    use crate::number::interval::{Interval, for_each_end};
     use crate::number::{Field, Real};
 
     /// Against the identity of the three angles that add up to pi, and against the functions of the arithmetic.

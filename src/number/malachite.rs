@@ -6,7 +6,8 @@
 //! malachite rounds as it is asked, to precisions of any bits, and has exponents to 30 bits: beyond them a number rounded
 //! down is the largest, rounded up infinite. It panics at a precision of zero, which no [`Interval`] has.
 
-use super::interval::{Direction, End, Interval};
+use super::end::{Direction, End};
+use super::interval::Interval;
 use malachite_base::num::basic::traits::{Infinity, NegativeInfinity, Zero};
 use malachite_base::num::conversion::traits::{IntegerMantissaAndExponent, PowerOf2Digits};
 use malachite_base::rounding_modes::RoundingMode;

@@ -61,6 +61,7 @@ mod drawable;
 mod dual;
 #[cfg(feature = "check")]
 mod dyadic;
+mod end;
 #[cfg(feature = "check")]
 mod engine;
 #[cfg(feature = "check")]
@@ -104,6 +105,7 @@ pub use drawable::Drawable;
 pub use dual::Dual;
 #[cfg(feature = "check")]
 pub use dyadic::{Dyadic, MAX_EXPONENT, ParseDyadicError};
+pub use end::{Direction, End};
 #[cfg(feature = "check")]
 pub use engine::Engine;
 #[cfg(all(feature = "mpfr", feature = "cli"))]
@@ -116,7 +118,7 @@ pub use gmp::{
     rational_like, rounded_double, terminating,
 };
 pub use gradient::Gradient;
-pub use interval::{Direction, End, Interval};
+pub use interval::Interval;
 pub use jet::Jet;
 #[cfg(feature = "malachite")]
 pub use malachite::{Malachite, MalachiteInterval};

@@ -1,6 +1,7 @@
 //! Between intervals and GMP, MPFR: exactly, in both directions.
 
-use crate::number::interval::{End, Interval};
+use crate::number::end::End;
+use crate::number::interval::Interval;
 use rug::integer::Order;
 use rug::{Float, Integer, Rational};
 
