@@ -1,4 +1,4 @@
-"""Compresses a wheel once more, harder: a thirtieth less, in twenty seconds. For wheels that are handed on.
+"""Compresses a wheel once more, harder: a thirtieth less, in half a minute. For wheels that are handed on.
 
 `python pack.py WHEEL…`, where `zopflipy` is installed. A wheel is replaced whole or not at all.
 """
