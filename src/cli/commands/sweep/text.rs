@@ -8,6 +8,7 @@ use crate::cli::failure::reason;
 use serde::{Deserialize, Serialize};
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Cursor, Seek, SeekFrom};
+use std::mem;
 use std::path::Path;
 
 /// What stands before every piece when it is read: the header, and where a remark is the header the first row, which
@@ -145,8 +146,9 @@ pub(super) fn read(
     for (line, row) in table.skip(head.rows) {
         lines.push(line - head.lines - 1 + slice.line);
         match row {
-            Ok(fields) => {
-                let cells: Cells = places.iter().map(|&place| fields.get(place).cloned()).collect();
+            Ok(mut fields) => {
+                let cells: Cells =
+                    places.iter().map(|&place| fields.get_mut(place).map(mem::take)).collect();
                 listed.push_row(&reader, &cells);
             }
             Err(error) => listed.refuse(&Default::default(), error),
