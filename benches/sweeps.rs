@@ -7,18 +7,22 @@
 //! | a grid of 1,000 x 1,000 | the numbers of both axes are read once from their texts; a [`Column`] for each half opening, asked for each friction |
 //! | a sample of 1,000,000 | the arches are drawn, and each is proved on its own; and beside it without the time in which they are drawn |
 //! | a table of 1,000,000 rows | the texts of the same arches, in memory, are read, and each is proved on its own |
+//!
+//! `doubles` is the loop that `couplet.states` of Python compares with: 100,000 arches of doubles, one thread, each proved on
+//! its own, and all of them as rows.
 
 use couplet::arch::SelfWeight;
 use couplet::certify::Undecided;
-use couplet::certify::state::{Answer, Certify, Column, Figure};
+use couplet::certify::state::{Answer, Certify, Column, Doubles, Figure, Row};
 use couplet::cli::sweep::Sweep;
 use couplet::number::ExactNumber;
-use couplet::problem::{Arch, Friction, Mode};
+use couplet::problem::{Arch, Friction, Mode, Quantity};
 use couplet::scene::{SweepArches, read_sweep};
 use couplet::strategies::samples;
 use cpu_time::{ProcessTime, ThreadTime};
 use rayon::ThreadPool;
 use rayon::prelude::*;
+use rug::Rational;
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -146,6 +150,32 @@ fn beside(name: &str, plan: &str, library: impl Fn() -> (Vec<Kept>, Duration) + 
     );
 }
 
+/// The processor times of arches of doubles, one by one and as rows, in microseconds each.
+fn doubles() -> [f64; 2] {
+    const ROWS: usize = 100_000;
+    let spread = |step: f64, most: f64| {
+        (1..=ROWS).map(|place| most * (place as f64 * step).fract()).collect::<Vec<f64>>()
+    };
+    let (alphas, mus) = (spread(0.754_877_666, 2.648), spread(0.569_840_291, 5.0));
+    let weight = SelfWeight::Milankovitch;
+    let exact = |x: f64| ExactNumber::from(&Rational::from_f64(x).unwrap());
+    let arch = |(alpha, mu): (&f64, &f64)| {
+        alone(&Arch::new(weight, exact(*alpha), Friction::Coefficient(exact(*mu))).unwrap())
+    };
+    let rows = Doubles { weight, quantities: vec![Quantity::Thickness] };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let turn = |_: usize| {
+        let (looped, kept) =
+            timed(&pool, || alphas.iter().zip(&mus).map(arch).collect::<Vec<Kept>>());
+        let (together, found) = timed(&pool, || rows.rows(&alphas, &mus, None));
+        let same = |(kept, row): (&Kept, &Row)| kept.0 == row.verdict as u8;
+        assert!(kept.iter().zip(&found).all(same), "the same arches");
+        [looped, together]
+    };
+    let turns: Vec<[f64; 2]> = (0..ROUNDS).map(turn).collect();
+    [0, 1].map(|which| 1e6 * median(turns.iter().map(|turn| turn[which]).collect()) / ROWS as f64)
+}
+
 fn main() {
     let asked = std::env::args().skip(1).find(|name| !name.starts_with('-'));
     let asks = |name: &str| asked.as_deref().is_none_or(|asked| asked == name);
@@ -188,4 +218,8 @@ fn main() {
         beside("table", &plan, || (table(&texts), Duration::ZERO));
     }
     fs::remove_dir_all(&folder).unwrap();
+    if asks("doubles") {
+        let [looped, together] = doubles();
+        println!("\nDoubles, one thread: {looped:.3} one by one, {together:.3} as rows");
+    }
 }

@@ -258,7 +258,8 @@ def check(certificate: bytes | bytearray | memoryview | str | os.PathLike[str], 
         engine: the arithmetic, 'astro' (pure Rust, shares nothing with MPFR, up to 50,000 digits) or 'mpfr' (up to
             1,000,000). The command's malachite, which is no witness beside mpfr, is not in the package.
 
-    Raises: CoupletError if there is no such arithmetic here; OSError if a file cannot be read.
+    Raises: CoupletError if there is no such arithmetic here, or a str is a path and no JSON; OSError if a file cannot be
+        read.
 
         >>> couplet.check(couplet.certify("T", digits=20))
         Checked(verdict='accepted', digits=20)
@@ -266,6 +267,8 @@ def check(certificate: bytes | bytearray | memoryview | str | os.PathLike[str], 
         'refused'
     """
     if isinstance(certificate, str):
+        if "{" not in certificate and (certificate.endswith(".json") or "/" in certificate or "\\" in certificate):
+            raise CoupletError(f"{certificate!r} is no JSON; for the file of that name give pathlib.Path({certificate!r})")
         # What is no text is no certificate, which the checker says.
         certificate = certificate.encode(errors="surrogatepass")
     elif isinstance(certificate, (bytearray, memoryview)):

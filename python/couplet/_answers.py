@@ -10,8 +10,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from typing import Any, NoReturn
 
-    Given = tuple[tuple[str, Any], ...]
-
 
 class Answer:
     """An answer. It has three verdicts, and so no truth value: look at ``verdict``. ``==`` says whether two are one record: the
@@ -26,7 +24,7 @@ class Answer:
 
     __slots__ = ("_given", "_told")
 
-    def __init__(self, given: Given, told: dict[str, Any]) -> None:
+    def __init__(self, given: tuple[tuple[str, Any], ...], told: dict[str, Any]) -> None:
         self._given, self._told = given, told
 
     @property
@@ -64,7 +62,7 @@ class Answer:
     def __hash__(self) -> int:
         return hash((type(self), self._given, self.verdict, self.reason))
 
-    def __reduce__(self) -> tuple[type, tuple[Given, dict[str, Any]]]:
+    def __reduce__(self) -> tuple[type, tuple[tuple[tuple[str, Any], ...], dict[str, Any]]]:
         return type(self), (self._given, self._told)
 
     def _said(self) -> list[tuple[str, Any]]:

@@ -56,7 +56,9 @@ def states(
         verdict: a place in couplet.VERDICTS: 0 stands, 1 falls, 2 undecided, 3 refused.
         mode: a place in couplet.MODES, how it collapses at its least thickness; 255 where there is none.
         and for each quantity NAME, NAME_lower, NAME_upper: the double nearest to the true value, correctly rounded, and
-        doubles not above and not below it. Not a number where there is no such value, or it is undecided.
+        doubles not above and not below it. Not a number where there is no such value, or it is undecided: an arch that
+        falls at every thickness has a sliding_friction, with which it would not slide, and nothing else, so that its
+        rotational_friction is not a number.
         ``couplet.state`` and ``couplet.assess`` tell of one arch why.
 
     Raises: CoupletError if the arrays are not of doubles, do not fit each other, or a name is unknown.

@@ -8,9 +8,6 @@ if TYPE_CHECKING:
     from fractions import Fraction
     from typing import Any
 
-    # Text, its bounds, the nearest double, its bounds, the exact value, what limits a thrust.
-    Told = tuple[str, str, str, float, float, float, "str | None", "str | None"]
-
 
 # The types of a number in a format: of a Decimal they round half to even, and no digit is made up.
 _NUMBERS = tuple("eEfFgG%")
@@ -34,7 +31,10 @@ class Certified:
 
     __slots__ = ("_quantity", "_told")
 
-    def __init__(self, quantity: str, told: Told) -> None:
+    # Text, its bounds, the nearest double, its bounds, the exact value, what limits a thrust.
+    def __init__(
+        self, quantity: str, told: tuple[str, str, str, float, float, float, str | None, str | None]
+    ) -> None:
         self._quantity, self._told = quantity, told
 
     @property
@@ -151,5 +151,7 @@ class Certified:
     def __hash__(self) -> int:
         return hash((self._quantity, self._told))
 
-    def __reduce__(self) -> tuple[type, tuple[str, Told]]:
+    def __reduce__(
+        self,
+    ) -> tuple[type, tuple[str, tuple[str, str, str, float, float, float, str | None, str | None]]]:
         return Certified, (self._quantity, self._told)

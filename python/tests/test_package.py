@@ -2,7 +2,9 @@
 
 import doctest
 import importlib.metadata
+import inspect
 import os
+import re
 import subprocess
 import sys
 import types
@@ -158,3 +160,10 @@ def test_everything_public_has_words():
             for inner, member in vars(thing).items() if isinstance(thing, type) else ():
                 if not inner.startswith("_") and (callable(member) or isinstance(member, property)):
                     assert member.__doc__, f"{name}.{inner}"
+
+
+def test_what_classes_are_made_of_is_public():
+    for thing in [thing for thing in vars(couplet).values() if isinstance(thing, type)]:
+        if thing.__module__.startswith("couplet") and not issubclass(thing, Exception):
+            names = set(re.findall(r"\b[A-Z]\w*", str(inspect.signature(thing))))
+            assert names <= {*couplet.__all__, "Any", "None"}, thing

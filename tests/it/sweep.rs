@@ -349,6 +349,26 @@ fn a_parquet_file_is_read_like_the_table_of_its_numbers() {
 }
 
 #[test]
+fn a_plan_without_a_file_that_can_be_read_has_no_rows() {
+    let scratch = planned("[data]\nfiles = [\"none.csv\"]\n");
+    let (code, out, message) = sweep(&scratch, "out", &[]);
+    assert_eq!(code, Some(2));
+    assert!(out.ends_with(": 0 rows in 0 parts (0 computed, 0 kept)\n"), "{out}");
+    assert!(message.starts_with("couplet: none.csv: no such file or folder\n"), "{message}");
+}
+
+#[test]
+fn a_folder_is_looked_through_with_a_hundred_rows_and_says_so() {
+    let scratch =
+        planned("[grid]\nhalf_opening = 1\nfriction = { from = 0.3, to = 0.5, steps = 150 }\n");
+    sweep(&scratch, "out", &[]);
+    let (code, out, message) = said(&couplet(&["sweep", &folder(&scratch, "out")]));
+    assert_eq!(code, Some(0));
+    assert!(out.contains("; 100 rows proved again bit for bit"), "{out}");
+    assert_eq!(message, "couplet: 100 rows are proved again; --verify N for another number\n");
+}
+
+#[test]
 fn what_was_forged_is_found() {
     let scratch = planned(
         "chunk = 50\n[grid]\nhalf_opening = 0.5\nfriction = { from = 0.15, to = 0.5, steps = 50 }\n",
@@ -418,6 +438,8 @@ fn more_digits_are_there_as_text() {
 wrong_uses! {
     a_share_that_is_none: ["sweep", "p.toml", "--only", "0/4"] => "a share is K/N, the K-th of N";
     a_share_beyond: ["sweep", "p.toml", "--only", "5/4"] => "a share is K/N, the K-th of N";
+    rows_that_are_no_number: ["sweep", "p.toml", "--verify", "abc"] => "rows to prove again are a whole number from 0 on";
+    rows_below_none: ["sweep", "p.toml", "--verify", "-1"] => "rows to prove again are a whole number from 0 on";
     no_plan: ["sweep"] => "PLAN";
     a_folder_that_is_no_sweep: ["sweep", "/"] => "it is not the folder of a sweep";
 }

@@ -95,15 +95,15 @@ pub fn quantity(text: &str) -> Result<Quantity, String> {
     Quantity::named(text).ok_or_else(|| unknown("a quantity", text, &names))
 }
 
-/// A quantity by its name, of those that there are.
+/// A quantity by its name, of those that there are; others are not offered.
 pub fn quantity_of(text: &str, possible: &[Quantity]) -> Result<Quantity, String> {
-    let quantity = quantity(text)?;
-    let unknown = || {
-        let names: Vec<&str> = possible.iter().map(|of| of.name()).collect();
+    let names: Vec<&str> = possible.iter().map(|of| of.name()).collect();
+    let quantity = Quantity::named(text).ok_or_else(|| unknown("a quantity", text, &names))?;
+    let other = || {
         let names = names.join(", ");
         format!("there is no {} here; the quantities are {names}", quantity.name())
     };
-    possible.contains(&quantity).then_some(quantity).ok_or_else(unknown)
+    possible.contains(&quantity).then_some(quantity).ok_or_else(other)
 }
 
 /// How the mechanism of an asymmetric solution closes, by its name.

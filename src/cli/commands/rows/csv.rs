@@ -87,6 +87,35 @@ impl Table {
         self.dialect == Dialect::Separated(b';')
     }
 
+    /// The next row as it is written, or why it cannot be read, with its line.
+    fn record(&mut self) -> Option<Line<Record>> {
+        while !self.is_broken {
+            let (line, record) = next(&mut self.lines, self.dialect.separators())?;
+            match record {
+                Ok(record) if is_blank(&record.bytes) => {}
+                Ok(record) if self.has_remarks && is_remark(&record.bytes) => {}
+                Ok(record) => return Some((line, Ok(record))),
+                Err(fault) => {
+                    self.is_broken = fault.ends;
+                    return Some((line, Err(fault.message)));
+                }
+            }
+        }
+        None
+    }
+
+    /// Goes past the next row and answers its line. The fields of a row of one line are not looked for: they do not
+    /// change where the next one begins.
+    #[cfg(feature = "parquet")]
+    pub(crate) fn pass(&mut self) -> Option<u64> {
+        let (line, record) = self.record()?;
+        if let Some(record) = record.ok().filter(|record| record.lines[1] > line + 1) {
+            // Whether they are a row decides what is read again.
+            let _ = self.fields(&record);
+        }
+        Some(line)
+    }
+
     /// The fields of a row, as many as the header has. What is read over several lines and makes no row is
     /// given back but for its first line: a quote too many has swallowed the others.
     fn fields(&mut self, record: &Record) -> Result<Vec<String>, String> {
@@ -115,19 +144,8 @@ impl Iterator for Table {
     type Item = Line<Vec<String>>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        while !self.is_broken {
-            let (line, record) = next(&mut self.lines, self.dialect.separators())?;
-            match record {
-                Ok(record) if is_blank(&record.bytes) => {}
-                Ok(record) if self.has_remarks && is_remark(&record.bytes) => {}
-                Ok(record) => return Some((line, self.fields(&record))),
-                Err(fault) => {
-                    self.is_broken = fault.ends;
-                    return Some((line, Err(fault.message)));
-                }
-            }
-        }
-        None
+        let (line, record) = self.record()?;
+        Some((line, record.and_then(|record| self.fields(&record))))
     }
 }
 
@@ -233,6 +251,18 @@ mod tests {
 
     fn row(line: u64, text: &str) -> (u64, String) {
         (line, text.to_owned())
+    }
+
+    #[cfg(feature = "parquet")]
+    proptest::proptest! {
+        /// Who goes past rows finds them at the lines of who reads them.
+        #[test]
+        fn rows_that_are_passed_are_those_that_are_read(text in "[a\"\n,]{0,24}") {
+            let open = || table(io::Cursor::new("a,b\n".to_owned() + &text));
+            let mut passed = open();
+            let passed: Vec<u64> = std::iter::from_fn(|| passed.pass()).collect();
+            proptest::prop_assert_eq!(passed, open().map(|(line, _)| line).collect::<Vec<_>>());
+        }
     }
 
     #[test]

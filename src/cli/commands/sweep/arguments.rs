@@ -13,7 +13,7 @@ use std::path::PathBuf;
 /// Needs the feature parquet.
 #[derive(Args)]
 pub(crate) struct Arguments {
-    /// The plan; `-` is standard input. Or the folder of a sweep, which is looked through (--verify).
+    /// The plan; `-` is standard input. Or the folder of a sweep, which is looked through as by --verify 100.
     #[arg(value_name = "PLAN", required_unless_present = "schema")]
     pub(super) plan: Option<PathBuf>,
 
@@ -27,7 +27,7 @@ pub(crate) struct Arguments {
 
     /// Look through the parts: their content, notes and rows; and prove N rows again, drawn from all, some of
     /// them with a certificate that the second arithmetic checks. Parts that are missing are computed before.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = sample, allow_hyphen_values = true)]
     pub(super) verify: Option<usize>,
 
     /// Print a plan that explains every key.
@@ -47,4 +47,10 @@ fn share(text: &str) -> Result<Share, String> {
     let share = numbers.filter(|&(k, n)| 1 <= k && k <= n);
     let wrong = || "a share is K/N, the K-th of N: 1/4, 2/4, 3/4, 4/4".to_owned();
     share.map(|(k, n)| Share { k, n }).ok_or_else(wrong)
+}
+
+fn sample(text: &str) -> Result<usize, String> {
+    let wrong =
+        "rows to prove again are a whole number from 0 on: 100, 1000; more than there are is all";
+    text.parse().map_err(|_| wrong.to_owned())
 }

@@ -83,12 +83,14 @@ impl Made {
         let verdicts = Verdict::ALL.iter().zip(self.counts).filter(|(_, count)| *count > 0);
         let verdicts: Vec<String> =
             verdicts.map(|(verdict, count)| format!("{} {count}", verdict.name())).collect();
+        let verdicts = match verdicts.is_empty() {
+            true => String::new(),
+            false => format!(": {}", verdicts.join(", ")),
+        };
         let (rows, parts) = (count(rows as usize, "row", "rows"), count(parts, "part", "parts"));
         format!(
-            "{folder}: {rows} in {parts} ({} computed, {} kept): {}\n",
-            self.computed,
-            self.kept,
-            verdicts.join(", ")
+            "{folder}: {rows} in {parts} ({} computed, {} kept){verdicts}\n",
+            self.computed, self.kept
         )
     }
 }
@@ -164,6 +166,9 @@ fn look_through(folder: &Path, arguments: &Arguments) -> Result<(), Failure> {
     }
     let sweep = Sweep::open(folder, Path::new("")).map_err(failure)?;
     let Share { k, n } = arguments.only.unwrap_or(Share { k: 1, n: 1 });
+    if arguments.verify.is_none() {
+        say(&format!("couplet: {SAMPLE} rows are proved again; --verify N for another number"));
+    }
     look(&sweep, &sweep.share(k, n), arguments.verify.unwrap_or(SAMPLE))
 }
 

@@ -62,7 +62,7 @@ pub(super) fn slices(path: &Path, rows: u64) -> Result<(Head, Vec<TextSlice>), S
     let mut pieces: Vec<(u64, u64)> = Vec::new();
     let mut head = None;
     let mut next = None;
-    while let Some((line, _)) = table.next() {
+    while let Some(line) = table.pass() {
         let first = *next.get_or_insert(line);
         match pieces.last_mut() {
             Some((_, count)) if *count < rows => *count += 1,
