@@ -175,12 +175,17 @@ impl<'a> Table<'a> {
             .set_offset_index_disabled(true)
             .set_column_dictionary_enabled(row.clone(), false)
             .set_column_encoding(row, Encoding::DELTA_BINARY_PACKED)
-            .set_key_value_metadata(Some(told))
-            .build();
+            .set_key_value_metadata(Some(told));
+        // The least of decimals as texts tells nothing.
+        let texts = self.columns.iter().filter(|(_, column)| matches!(column, Column::Text(_)));
+        let properties = texts.fold(properties, |properties, (name, _)| {
+            let name = ColumnPath::from(name.as_str());
+            properties.set_column_statistics_enabled(name, EnabledStatistics::None)
+        });
         let fields = self.columns.iter().map(|(name, column)| Ok(Arc::new(field(name, column)?)));
         let schema =
             Type::group_type_builder("couplet").with_fields(fields.collect::<Result<_>>()?);
-        let (schema, properties) = (Arc::new(schema.build()?), Arc::new(properties));
+        let (schema, properties) = (Arc::new(schema.build()?), Arc::new(properties.build()));
         let mut writer = SerializedFileWriter::new(Vec::new(), schema, properties)?;
         let mut group = writer.next_row_group()?;
         for (_, cells) in &self.columns {
