@@ -58,8 +58,25 @@ pub struct TiltDigits {
     pub largest: Result<LargestTilt, Undecided>,
 }
 
+impl TiltDigits {
+    /// What is proved, where the reason for what stays open names it: beside a verdict it is the largest acceleration.
+    pub(super) fn new(
+        is_admissible: Result<bool, Undecided>,
+        largest: Result<LargestTilt, Undecided>,
+    ) -> Self {
+        let named = |open: Undecided| match is_admissible {
+            Ok(_) => open.about("the largest tilt"),
+            Err(_) => open,
+        };
+        let largest = largest.map_err(named);
+        Self { is_admissible, largest }
+    }
+}
+
 /// What stays open where no direction with room is found.
 const UNBOUNDED: &str = "whether the acceleration is bounded";
+/// What stays open where the search finds no conditions that limit it.
+pub(super) const NOT_FOUND: &str = "which conditions limit the acceleration";
 /// Bits beyond a third, as the state from below is nearer to the limit than these.
 const GUARD: u32 = 16;
 
@@ -100,10 +117,11 @@ pub fn tilted(
                 .map(|figure| LargestTilt::Limited(Box::new(figure), limits)),
         })
     });
-    // An acceleration nearer to the largest than its digits tell takes more bits.
+    // A state well inside tells by itself that there is one, whatever of the largest stays open. An acceleration nearer to the largest than its
+    // digits tell takes more bits.
     let is_admissible = match (is_admissible, hopeless) {
         (Some(decided), _) => Ok(decided),
-        (None, Some(_)) if Proof::new(arch, thickness, first).has_state(tilt) => Ok(true),
+        (None, _) if Proof::new(arch, thickness, first).has_state(tilt) => Ok(true),
         (None, Some(open)) => Err(open),
         (None, None) => raise(2 * first, |bits| {
             let proof = Proof::new(arch, thickness, bits);
@@ -112,7 +130,7 @@ pub fn tilted(
             compared.map(Some).ok_or_else(open)
         }),
     };
-    Ok(TiltDigits { is_admissible, largest })
+    Ok(TiltDigits::new(is_admissible, largest))
 }
 
 /// An arch in balls of some bits.
@@ -165,7 +183,7 @@ impl Proof {
     /// The largest acceleration between two bounds; `None` if there is none.
     fn largest(&self) -> Result<Option<Bounds>, Undecided> {
         match self.search().candidate() {
-            TiltCandidate::Nothing => Err(Undecided::new("whether any state is admissible")),
+            TiltCandidate::Nothing => Err(Undecided::new(NOT_FOUND)),
             TiltCandidate::Unlimited => self.unlimited().map(|()| None),
             TiltCandidate::Limited(near) => {
                 let (high, limits) = self.bound_above(&near.touches)?;
@@ -421,10 +439,19 @@ mod tests {
     fn a_state_tells_of_an_acceleration_alone() {
         let found = found(["milankovitch", "0.01", "0.01"], "0.1", "0.1");
         assert_eq!(found.is_admissible, Ok(true));
-        assert_eq!(found.largest.unwrap_err().reason, UNBOUNDED);
+        let named = format!("the largest tilt: {UNBOUNDED}");
+        assert_eq!(found.largest.unwrap_err().reason, named);
         let proof = proof("pi/2", "0.4", "0.15", 100);
         let has_state = |tilt: &str| proof.has_state(&tilt.parse().unwrap());
         assert!(has_state("0") && has_state("0.05") && !has_state("0.053"));
+    }
+
+    /// Where no proof of the largest succeeds, as its conditions are not told, the acceleration asked for is decided all the same.
+    #[test]
+    fn an_acceleration_is_decided_where_the_largest_is_not() {
+        let of = |tilt: &str| found(["milankovitch", "1.27", "0.769"], "1.5", tilt);
+        assert_eq!(of("0.1").is_admissible, Ok(true));
+        assert_ne!(of("1.3").is_admissible, Ok(true));
     }
 
     /// Against a linear programme over 8001 joints, whose value is a little above.

@@ -9,7 +9,7 @@
 
 use super::Undecided;
 use super::state::{Figure, raise};
-use super::tilt::{LargestTilt, TiltDigits, TiltLimit};
+use super::tilt::{LargestTilt, NOT_FOUND, TiltDigits, TiltLimit};
 use super::voussoirs::grip;
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
@@ -77,7 +77,7 @@ pub fn tilted_stones(
             decided.map(Some).ok_or_else(open)
         }),
     };
-    Ok(TiltDigits { is_admissible, largest })
+    Ok(TiltDigits::new(is_admissible, largest))
 }
 
 /// Whether an acceleration is below the largest; `None` if that is not told.
@@ -133,7 +133,7 @@ fn conditions(arch: &Arch, stones: &Stones, thickness: &ExactNumber, bits: u32) 
 /// The largest acceleration with the conditions that leave it; `None` if there is none.
 fn largest_of(all: &[Condition], bits: u32) -> Result<Option<(Ball, Vec<TiltLimit>)>, Undecided> {
     match of_stones(&in_doubles(all)) {
-        StoneTilt::Nothing => Err(Undecided::new("whether any state is admissible")),
+        StoneTilt::Nothing => Err(Undecided::new(NOT_FOUND)),
         StoneTilt::Unlimited(direction) => unlimited(all, &direction, bits).map(|()| None),
         StoneTilt::Limited { active, moment } => limited(all, &active, moment, bits).map(Some),
     }
@@ -146,7 +146,7 @@ fn limited(
     moment: f64,
     bits: u32,
 ) -> Result<(Ball, Vec<TiltLimit>), Undecided> {
-    let open = || Undecided::new("which conditions limit the acceleration");
+    let open = || Undecided::new(NOT_FOUND);
     let of: Vec<&Condition> = active.iter().filter_map(|place| all.get(*place)).collect();
     let is_pinned = of.iter().any(|condition| condition.contact.is_hinge());
     // Without a hinge nothing is said of p.

@@ -161,5 +161,10 @@ pub(super) fn fields(at: &AtThickness) -> Fields {
         exact
     });
     fields.add_fields("least_value", exact);
+    let lower = match at.value() {
+        Some(Ok(value) | Err(value)) => Some(value.lower.to_string()),
+        None => at.is_zero().then(|| "0".to_owned()),
+    };
+    fields.add("least_value_lower", lower);
     fields
 }

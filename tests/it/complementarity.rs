@@ -304,3 +304,34 @@ fn open_pieces_are_listed() {
     let words = format!("at a thickness from {} to {}\n", pieces[0][5], pieces[0][11]);
     assert!(text(&open.stderr).ends_with(&words), "{words}");
 }
+
+/// Where only a lower bound of the least value is proved, every format tells it.
+#[test]
+fn a_lower_bound_of_the_least_value_is_told_in_every_format() {
+    let told = |arch: &str, format| {
+        let words = ["complementarity"].into_iter().chain(arch.split(' '));
+        output(&words.chain(["--format", format]).collect::<Vec<_>>())
+    };
+    let programme = |arch: &str| -> Value {
+        let found: Value = serde_json::from_str(&told(arch, "json")).unwrap();
+        found["programme"].clone()
+    };
+    let flat = |thickness| {
+        format!("--weight heyman --alpha 1.066 --mu 0.303 --stones 5 --digits 9 --eta {thickness}")
+    };
+    let line = |thickness, format| told(&flat(thickness), format);
+    let of = |thickness| programme(&flat(thickness));
+    let enclosed = programme("--alpha 2.3 --mu 1.05 --stones 8 --eta 0.6 --digits 6");
+    assert_eq!(enclosed["least_value_lower"], enclosed["least_value"]["lower"], "{enclosed}");
+    assert!(enclosed["least_value_lower"].is_string());
+    let bounded = of("1.096");
+    assert!(bounded["least_value"].is_null() && bounded["outcome"] == "positive", "{bounded}");
+    let lower = bounded["least_value_lower"].as_str().unwrap();
+    assert!(lower.parse::<f64>().unwrap() > 0.1249);
+    assert!(line("1.096", "table").contains(&format!("least value at least {lower}\n")));
+    assert!(line("1.096", "csv").trim_end().ends_with(&format!(",positive,,,{lower}")));
+    assert_eq!(of("least")["least_value_lower"], "0");
+    let nothing = of("0.01");
+    assert_eq!(nothing["outcome"], "nothing_admissible");
+    assert!(nothing["least_value_lower"].is_null());
+}

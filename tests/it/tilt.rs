@@ -120,3 +120,16 @@ fn a_tilt_has_no_dimension() {
     assert_eq!((code, &out[..]), (Some(2), ""));
     assert!(error.lines().count() == 1 && error.contains("--tilt tells no forces"), "{error}");
 }
+
+/// Beside a verdict, what stays open is named: the largest acceleration, and not whether there is a state.
+#[test]
+fn what_stays_open_beside_a_verdict_is_named() {
+    let line = "voussoirs --alpha pi/6 --mu 30deg --stones 2 --eta 0.3 --tilt 0.1";
+    let output = couplet(&line.split(' ').collect::<Vec<_>>());
+    let [out, error] = [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());
+    assert!(out.contains("has an admissible state, proved"), "{out}");
+    let open = output.status.code() == Some(1);
+    assert_eq!(open, error.contains("undecided: the largest tilt: "), "{error}");
+    assert_eq!(open, !out.contains("falls from the tilt"), "{out}");
+    assert!(!error.contains("whether any state"), "{error}");
+}
