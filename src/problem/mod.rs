@@ -72,6 +72,6 @@ pub use problem::Problem;
 pub use quantity::Quantity;
 pub use system::{Fixed, System};
 #[cfg(feature = "check")]
-pub use ties::{friction_angle_is_half_opening, has_no_arm_at_crown};
+pub use ties::{friction_angle_is_half_opening, has_no_arm_at_crown, slides_at_no_thrust};
 #[cfg(feature = "check")]
 pub use verdict::{Nearest, Standing, Verdict};

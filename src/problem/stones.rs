@@ -3,7 +3,8 @@
 use super::{Arch, ArchError, Friction, Mode};
 use crate::arch::SelfWeight;
 use crate::arch::mechanism::Contact;
-use crate::number::{AstroInterval, Dyadic, Enclosure, Engine, ExactNumber};
+use crate::number::{AstroInterval, Dyadic, Enclosure, Engine, ExactNumber, Form};
+use num_rational::BigRational;
 
 /// How the half arch is divided, from the crown to the shoulder.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -155,15 +156,28 @@ impl Stones {
 
     /// The same exactly, where it is a rational number of radians.
     pub fn exact_joint(&self, index: u64) -> Option<ExactNumber> {
-        let joint = match self {
+        self.factor(index, Form::Rational).map(ExactNumber::rational)
+    }
+
+    /// The angle of a joint over pi, where it is a rational multiple of pi.
+    pub fn exact_turn(&self, index: u64) -> Option<BigRational> {
+        self.factor(index, Form::TimesPi)
+    }
+
+    /// What belongs to a joint that is given in a form whose multiples have it too.
+    fn factor(&self, index: u64, form: Form) -> Option<BigRational> {
+        let (of, factor) = match self {
             Self::Equal { stones, half_opening } => {
                 let part = |n: u64| num_bigint::BigInt::from(n);
-                let factor = half_opening.factor() * part(2 * index + stones % 2) / part(*stones);
-                half_opening.is_rational().then(|| ExactNumber::rational(factor))
+                let share = BigRational::new(part(2 * index + stones % 2), part(*stones));
+                (half_opening, half_opening.factor() * share)
             }
-            Self::Joints(angles) => angles.get(index as usize).cloned(),
+            Self::Joints(angles) => {
+                let angle = angles.get(index as usize)?;
+                (angle, angle.factor().clone())
+            }
         };
-        joint.filter(ExactNumber::is_rational)
+        (of.form() == form).then_some(factor)
     }
 
     /// The angle of a joint below [`count`](Self::count) from the crown, in numbers of `bits` bits, rad.

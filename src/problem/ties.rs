@@ -5,7 +5,9 @@
 //! is 0 or 1, up to the sign. So an arch of exact numbers is on few of its ties, and they can be named; where the
 //! half opening is given by the tangent of its half, all are rational.
 
+use super::stones::{JointContact, Stones};
 use super::{Arch, Friction};
+use crate::arch::mechanism::Contact;
 use crate::number::{ExactNumber, Form};
 use num_rational::BigRational;
 
@@ -28,6 +30,30 @@ pub fn has_no_arm_at_crown(arch: &Arch, thickness: &ExactNumber) -> bool {
     // `1 - cos = tan(alpha/2)² (1 + cos)`, so it says that `eta = 2 tan(alpha/2)²`.
     squared_half_tangent(arch.half_opening())
         .is_some_and(|q| q * ratio(2, 1) == *thickness.factor())
+}
+
+/// Whether the thrust at which a joint slides is exactly zero. Inwards it is `beta cot(beta + phi)`, outwards `beta cot(beta - phi)`: so the joint's
+/// angle and that of friction, which lies below a right angle, are one together, or differ by one. Below the crown; false for hinges.
+pub fn slides_at_no_thrust(stones: &Stones, friction: &Friction, contact: JointContact) -> bool {
+    let (Some(phi), Some(beta)) = (friction_turn(friction), stones.exact_turn(contact.1)) else {
+        return false;
+    };
+    match contact.0 {
+        Contact::Inwards => beta + phi == ratio(1, 2),
+        Contact::Outwards => beta - phi == ratio(1, 2),
+        Contact::Extrados | Contact::Intrados => false,
+    }
+}
+
+/// The angle of friction over pi where it is rational: a rational tangent is 0 or 1 there.
+fn friction_turn(friction: &Friction) -> Option<BigRational> {
+    match friction {
+        Friction::Angle(phi) => (phi.form() == Form::TimesPi).then(|| phi.factor().clone()),
+        Friction::Coefficient(mu) if !mu.is_rational() => None,
+        Friction::Coefficient(mu) if *mu.factor() == ratio(0, 1) => Some(ratio(0, 1)),
+        Friction::Coefficient(mu) => (*mu.factor() == ratio(1, 1)).then(|| ratio(1, 4)),
+        Friction::Infinite => None,
+    }
 }
 
 /// `tan(alpha)` where it is rational and not zero, below a right angle.
@@ -59,8 +85,9 @@ fn ratio(numerator: i32, denominator: i32) -> BigRational {
 #[cfg(all(test, feature = "mpfr"))]
 mod tests {
     use super::*;
+    use crate::arch::joint::Grip;
     use crate::arch::{Ring, SelfWeight, sliding, thrust};
-    use crate::number::{Angle, Ball, Enclosure};
+    use crate::number::{Angle, Ball, Enclosure, Field};
 
     fn arch(alpha: &str, mu: &str) -> Arch {
         Arch::parse("heyman", alpha, mu).unwrap()
@@ -93,6 +120,36 @@ mod tests {
             if mu != "inf" {
                 assert_eq!(friction(alpha, mu).excludes_zero(), !tie, "{alpha} {mu}");
             }
+        }
+        let slips = |alpha: &str, stones, mu: &str, contact: Contact, joint| {
+            let stones = Stones::equal(stones, alpha.parse().unwrap()).unwrap();
+            let friction: Friction = mu.parse().unwrap();
+            let at = Angle::new(stones.joint::<Ball>(joint, 300));
+            let given = arch(alpha, mu).given::<Ball>(300);
+            let one = given.friction.int(1);
+            let ring = Ring::new(SelfWeight::Heyman, &one);
+            let grip = Grip { shear: one, normal: given.friction };
+            let load = contact.row(&at, &ring, &grip).load;
+            (slides_at_no_thrust(&stones, &friction, (contact, joint)), !load.excludes_zero())
+        };
+        use Contact::{Extrados, Intrados, Inwards, Outwards};
+        for (alpha, stones, mu, contact, joint, tie) in [
+            ("2pi/3", 8, "60deg", Inwards, 1, true),
+            ("2pi/3", 8, "60deg", Inwards, 2, false),
+            ("2pi/3", 8, "60deg", Outwards, 1, false),
+            ("3pi/4", 9, "45deg", Outwards, 4, true),
+            ("3pi/4", 9, "1", Outwards, 4, true),
+            ("3pi/4", 9, "1", Inwards, 1, true),
+            ("3pi/4", 9, "1", Inwards, 4, false),
+            ("3pi/4", 9, "1.0000000000000000000000001", Outwards, 4, false),
+            ("2.356194490192344928846", 9, "1", Outwards, 4, false),
+            ("pi/2", 4, "0", Inwards, 2, true),
+            ("pi/2", 4, "0", Outwards, 2, true),
+            ("3pi/4", 9, "45deg", Intrados, 4, false),
+            ("3pi/4", 9, "45deg", Extrados, 4, false),
+        ] {
+            let found = slips(alpha, stones, mu, contact, joint);
+            assert_eq!(found, (tie, tie), "{alpha} {stones} {mu} {contact:?} {joint}");
         }
         let arm = |alpha: &str, eta: &str| {
             let given = arch(alpha, "1").given::<Ball>(300);

@@ -5,7 +5,7 @@
 //! one that touches the intrados, or that slides, speak for all, and the first and the last joint for the extrados, for
 //! outward sliding and for `N`.
 
-use super::joints::{Joints, is_positive, require};
+use super::joints::{Joints, is_positive, is_zero, require};
 use crate::arch::Ring;
 use crate::arch::mechanism::Contact;
 use crate::arch::statics::normal_force;
@@ -59,7 +59,7 @@ pub(super) fn is_open(joints: &Joints<'_>, contacts: &[JointContact], joint: u64
         && (slides(Contact::Inwards) || slides(Contact::Outwards) && !joints.is_limited)
 }
 
-/// The state is admissible, and its contacts are the only conditions that hold with equality.
+/// The state is admissible, and its contacts are the only conditions that hold with equality, but for slips at no thrust.
 pub(super) fn is_admissible(
     joints: &Joints<'_>,
     contacts: &[JointContact],
@@ -67,7 +67,7 @@ pub(super) fn is_admissible(
     moment: &Ball,
     ring: &Ring<Ball>,
 ) -> Result<(), Undecided> {
-    friction_holds(joints, contacts, thrust, moment, ring)?;
+    no_slip_is_passed(joints, contacts, (thrust, moment), ring, is_zero)?;
     let [from, to] = around_lowest(joints, thrust, ring)?;
     let is_open = |joint| is_open(joints, contacts, joint);
     inside_at(joints, from..=to, is_open, contacts, |contact| {
@@ -113,7 +113,7 @@ fn around_lowest(
     }
 }
 
-/// Nothing slides, and every normal force is positive.
+/// Nothing slides, nor is about to but for the contacts, and every normal force is positive.
 pub(super) fn friction_holds(
     joints: &Joints<'_>,
     contacts: &[JointContact],
@@ -121,9 +121,24 @@ pub(super) fn friction_holds(
     moment: &Ball,
     ring: &Ring<Ball>,
 ) -> Result<(), Undecided> {
+    no_slip_is_passed(joints, contacts, (thrust, moment), ring, |_| false)
+}
+
+/// The same, where a slip that is no contact may be at its limit if this says that it is exactly there.
+fn no_slip_is_passed(
+    joints: &Joints<'_>,
+    contacts: &[JointContact],
+    (thrust, moment): (&Ball, &Ball),
+    ring: &Ring<Ball>,
+    is_at_limit: impl Fn(&Ball) -> bool,
+) -> Result<(), Undecided> {
     let last = joints.last();
     let holds = |contact: JointContact| -> bool {
-        contacts.contains(&contact) || is_positive(&-joints.row(contact, ring).at(thrust, moment))
+        if contacts.contains(&contact) {
+            return true;
+        }
+        let beyond = joints.row(contact, ring).at(thrust, moment);
+        is_at_limit(&beyond) || is_positive(&-beyond)
     };
     let is_open = |joint: u64| is_open(joints, contacts, joint);
     for joint in [0, last].into_iter().filter(|joint| !is_open(*joint)) {

@@ -64,7 +64,7 @@ pub(super) fn required(
     require(is_positive(&friction), question)?;
     // With so much no other joint slides.
     let grip = Grip { shear: friction.int(1), normal: friction.clone() };
-    let with_it = Joints { grip, is_limited: true, ..*joints };
+    let with_it = Joints { grip, is_limited: true, friction: None, ..*joints };
     friction_holds(&with_it, &contacts, &thrust, &thrust.int(0), ring)?;
     Ok(friction)
 }

@@ -5,8 +5,8 @@ use crate::arch::{Ring, SelfWeight};
 use crate::certify::Undecided;
 use crate::certify::state::Figure;
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Jet};
-use crate::problem::Friction;
 use crate::problem::stones::{JointContact, Stones};
+use crate::problem::{Friction, slides_at_no_thrust};
 use crate::solve::voussoirs::{DEGREE, Search};
 use rug::Float;
 
@@ -17,6 +17,8 @@ pub(super) struct Joints<'a> {
     pub grip: Grip<Ball>,
     pub bits: u32,
     pub is_limited: bool,
+    /// The friction that the grip is of; `None` for one that is no given number.
+    pub friction: Option<Friction>,
 }
 
 impl<'a> Joints<'a> {
@@ -28,7 +30,8 @@ impl<'a> Joints<'a> {
         bits: u32,
     ) -> Self {
         let is_limited = *friction != Friction::Infinite;
-        Self { stones, weight, grip: grip(friction, bits), bits, is_limited }
+        let given = Some(friction.clone());
+        Self { stones, weight, grip: grip(friction, bits), bits, is_limited, friction: given }
     }
 
     /// Where to look for candidates.
@@ -68,9 +71,14 @@ impl<'a> Joints<'a> {
         })
     }
 
-    /// A condition at a thickness.
+    /// A condition at a thickness. The load of a slip is exactly zero where the joint slides at no thrust, which no ball tells.
     pub(super) fn row(&self, contact: JointContact, ring: &Ring<Ball>) -> Row<Ball> {
-        contact.0.row(&self.angle(contact.1), ring, &self.grip)
+        let row = contact.0.row(&self.angle(contact.1), ring, &self.grip);
+        let is_given = |friction| slides_at_no_thrust(self.stones, friction, contact);
+        match self.friction.as_ref().is_some_and(is_given) {
+            true => Row { load: row.load.int(0), ..row },
+            false => row,
+        }
     }
 }
 
@@ -104,6 +112,11 @@ pub(super) fn leave_no_thrust([least, most]: [&Row<Ball>; 2]) -> Result<(), Unde
     // The two, each times the other's coefficient.
     let sum = least.load.clone() * &most.thrust - least.thrust.clone() * &most.load;
     require(is_positive(&sum), "whether no thrust is admissible")
+}
+
+/// Whether it is zero exactly.
+pub(super) fn is_zero(x: &Ball) -> bool {
+    x.mid().is_zero() && x.rad().is_zero()
 }
 
 /// Whether it is.

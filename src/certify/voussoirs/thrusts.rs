@@ -3,10 +3,11 @@
 //! A joint that slides or opens bounds the thrust, and so do a hinge at the extrados and one at the intrados, whose sum is free of the
 //! crown moment. **An end** is proved by such a bound and by a state there that is admissible at all joints. **It falls**
 //! if one bound from below lies above one from above. The admissible thrusts and moments are a convex set, so
-//! that all between two ends are admissible.
+//! that all between two ends are admissible. A slip that is exactly at no thrust, which only arithmetic tells, may hold with equality beside those
+//! that make the end: the conditions ask for no more.
 
 use super::admissible::{is_admissible, is_open};
-use super::joints::{Joints, is_positive, leave_no_thrust, require};
+use super::joints::{Joints, is_positive, is_zero, leave_no_thrust, require};
 use crate::arch::Ring;
 use crate::arch::joint::Row;
 use crate::arch::mechanism::Contact;
@@ -98,8 +99,7 @@ fn together(
     let zero = ring.thickness.int(0);
     let none = Row { thrust: zero.clone(), moment: zero.clone(), load: zero };
     let row = contacts.iter().fold(none, |sum, contact| sum.plus(&joints.row(*contact, ring)));
-    let is_free = row.moment.mid().is_zero() && row.moment.rad().is_zero();
-    require(is_free, "whether the thrust is bounded")?;
+    require(is_zero(&row.moment), "whether the thrust is bounded")?;
     Ok(row)
 }
 

@@ -6,7 +6,9 @@ mod told;
 use crate::program::couplet;
 use couplet::arch::SelfWeight;
 use couplet::certify::state::{Answer, Certify, Figure, Inquiry, Wanted};
-use couplet::certify::{VoussoirDigits, VoussoirStanding, Voussoirs, assess_voussoirs, voussoirs};
+use couplet::certify::{
+    VoussoirDigits, VoussoirLimit, VoussoirStanding, Voussoirs, assess_voussoirs, voussoirs,
+};
 use couplet::problem::stones::Stones;
 use couplet::problem::{Arch, Friction, Mode};
 use serde_json::Value;
@@ -247,4 +249,33 @@ fn ties_are_decided() {
     // With an intrados near the centre's height the thrust is not free to be so small.
     let found = of("--alpha 2 --mu 5 --stones 2 --eta 0.3");
     assert_ne!(found["required_friction"]["value"], "0", "{found}");
+}
+
+/// Joints that slide at exactly no thrust: the angle of the joint and that of friction are together a right angle, or differ by one. With
+/// a little more friction or less, which is no tie, it is nearly so.
+#[test]
+fn slips_at_no_thrust_are_decided() {
+    let assess = |alpha: &str, mu: &str, stones, weight| {
+        let (stones, mu, eta) = (equal(stones, alpha), mu.parse().unwrap(), "1".parse().unwrap());
+        assess_voussoirs(&stones, weight, &mu, &eta, 12).unwrap().standing.unwrap()
+    };
+    let thrusts = |ends: &[VoussoirLimit; 2]| {
+        ends.each_ref().map(|end| end.thrust.as_ref().map(|thrust| thrust.double).unwrap())
+    };
+    for weight in SelfWeight::ALL {
+        // The shoulder bears none, and a joint above it asks for some.
+        for (mu, sign) in [("45deg", 0.0), ("1", 0.0), ("44.9999deg", -1.0), ("45.0001deg", 1.0)] {
+            let VoussoirStanding::Falls(ends) = assess("3pi/4", mu, 9, weight) else { panic!() };
+            let [least, most] = thrusts(&ends);
+            assert!((least - 0.151_149_947).abs() < 1e-5, "{mu}: {least}");
+            assert!(most.abs() < 1e-5 && most * sign >= 0.0 && (most == 0.0) == (sign == 0.0));
+        }
+        // A joint and the crown ask for none; with less friction the joint asks for some.
+        for (mu, is_some) in [("60deg", false), ("59.9999deg", true), ("60.0001deg", false)] {
+            let VoussoirStanding::Stands(ends) = assess("2pi/3", mu, 8, weight) else { panic!() };
+            let [least, most] = thrusts(&ends);
+            assert!((0.0..1e-5).contains(&least) && (least > 0.0) == is_some, "{mu}: {least}");
+            assert!(most > 0.5, "{mu}: {most}");
+        }
+    }
 }
