@@ -39,7 +39,7 @@ impl Table {
     /// Reads the header. It is the first line, or the last of the remarks (`# alpha mu eta`) if a row of
     /// numbers with as many fields follows, as NumPy writes.
     pub(crate) fn open(input: Input) -> Result<Self, Failure> {
-        let mut lines = Lines::new(input);
+        let mut lines = Lines::new(input, 1);
         let mut remark: Option<Record> = None;
         let failed = |error: String| Failure::Input(format!("the header: {error}"));
         let first = loop {
@@ -70,16 +70,24 @@ impl Table {
         Ok(Self { header, lines, dialect, has_remarks, is_broken: false })
     }
 
-    /// Whether a remark is the header, which the first row tells.
+    /// The same header over rows of another input, of which the first line has this number.
     #[cfg(feature = "parquet")]
-    pub(crate) fn has_remarks(&self) -> bool {
-        self.has_remarks
+    pub(crate) fn with_rows(self, input: Input, line: u64) -> Self {
+        Self { lines: Lines::new(input, line), is_broken: false, ..self }
     }
 
-    /// The number of the line at which the next row begins, or what is skipped before it.
+    /// Begins a piece with the next row: the number of its first line, and where that begins (bytes).
     #[cfg(feature = "parquet")]
-    pub(crate) fn next_line(&self) -> u64 {
-        self.lines.number
+    pub(crate) fn begin(&mut self) -> (u64, u64) {
+        self.lines.looked = self.lines.offset;
+        (self.lines.number, self.lines.offset)
+    }
+
+    /// Where that ends which was looked at since the beginning or that of a piece (bytes). It alone decides what the rows of
+    /// the piece are, and may be more than they are: a quote that is not closed is looked for far beyond.
+    #[cfg(feature = "parquet")]
+    pub(crate) fn looked(&self) -> u64 {
+        self.lines.looked
     }
 
     /// Whether numbers may have a decimal comma: where a semicolon separates.

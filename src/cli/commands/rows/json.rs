@@ -15,7 +15,7 @@ pub(crate) fn objects<T: 'static>(
     let parsed = move |(line, bytes): Line<Vec<u8>>| {
         (line, bytes.and_then(|bytes| parse(&JsonObject::parse(&bytes)?)))
     };
-    let mut lines = Lines::new(input);
+    let mut lines = Lines::new(input, 1);
     let start = lines.number;
     let (held, on_lines) = beginning(&mut lines);
     lines.give_back(&held, start);

@@ -11,6 +11,10 @@ pub(super) struct Lines {
     read: usize,
     /// The number of the next line.
     pub number: u64,
+    /// Where the next line begins, in bytes from the beginning.
+    pub offset: u64,
+    /// The end of what was looked at, which may have been given back.
+    pub looked: u64,
 }
 
 /// What became of reading a line.
@@ -25,9 +29,9 @@ pub(super) enum Reading {
 }
 
 impl Lines {
-    /// The lines of an input from the first on.
-    pub(super) fn new(input: Input) -> Self {
-        Self { input, back: Vec::new(), read: 0, number: 1 }
+    /// The lines of an input, of which the first has this number.
+    pub(super) fn new(input: Input, number: u64) -> Self {
+        Self { input, back: Vec::new(), read: 0, number, offset: 0, looked: 0 }
     }
 
     /// Adds the next line to a record, as long as that is not too long.
@@ -42,6 +46,7 @@ impl Lines {
             }
             let (length, ends) = first_line(buffer);
             if record.len() + length > MAX_RECORD {
+                self.looked = self.looked.max(self.offset + length as u64);
                 return Ok(Reading::TooLong);
             }
             record.extend_from_slice(&buffer[..length]);
@@ -70,6 +75,7 @@ impl Lines {
     pub(super) fn give_back(&mut self, bytes: &[u8], number: u64) {
         self.back.splice(..self.read, bytes.iter().copied());
         (self.read, self.number) = (0, number);
+        self.offset -= bytes.len() as u64;
     }
 
     /// What is not read yet, and how many lines were.
@@ -86,6 +92,8 @@ impl Lines {
     }
 
     fn consume(&mut self, length: usize) {
+        self.offset += length as u64;
+        self.looked = self.looked.max(self.offset);
         if self.read < self.back.len() {
             self.read += length;
         } else {

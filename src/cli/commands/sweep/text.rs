@@ -8,23 +8,20 @@ use crate::cli::failure::reason;
 use serde::{Deserialize, Serialize};
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Cursor, Seek, SeekFrom};
-use std::mem;
 use std::path::Path;
+use std::{iter, mem};
 
-/// What stands before every piece when it is read: the header, and where a remark is the header the first row, which
-/// tells that it is.
+/// What tells the columns: the header with all that was looked at to know it, which is the first row too where a remark is
+/// the header.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Head {
     offset: u64,
     bytes: u64,
-    /// Its lines, and how many rows are among them.
-    lines: u64,
-    rows: usize,
     sha256: String,
 }
 
-/// A piece.
+/// A piece: all that was looked at to know its rows. It may reach into the next one, where a quote is not closed.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct TextSlice {
@@ -58,69 +55,21 @@ pub(super) fn slices(path: &Path, rows: u64) -> Result<(Head, Vec<TextSlice>), S
     }
     let mut table = Table::open(Box::new(input)).map_err(|error| error.to_string())?;
     columns(&table.header)?;
-    // The lines at which the pieces begin, and their rows.
-    let mut pieces: Vec<(u64, u64)> = Vec::new();
-    let mut head = None;
-    let mut next = None;
-    while let Some(line) = table.pass() {
-        let first = *next.get_or_insert(line);
-        match pieces.last_mut() {
-            Some((_, count)) if *count < rows => *count += 1,
-            _ => pieces.push((first, 1)),
-        }
-        head.get_or_insert_with(|| match table.has_remarks() {
-            true => (table.next_line(), 1),
-            false => (line, 0),
-        });
-        next = Some(table.next_line());
-    }
-    let (head_end, head_rows) = head.unwrap_or((1, 0));
-    let lines: Vec<u64> = pieces.iter().map(|(line, _)| *line).chain([head_end]).collect();
-    let (offsets, end) = offsets(&mut file, start, &lines).map_err(read)?;
-    let head_bytes = offsets[pieces.len()] - start;
-    let head = Head {
-        offset: start,
-        bytes: head_bytes,
-        lines: head_end - 1,
-        rows: head_rows,
-        sha256: hash_of_pieces(&mut file, &[(start, head_bytes)]).map_err(read)?,
-    };
-    let ends = offsets[..pieces.len()].iter().copied().skip(1).chain([end]);
-    let slices = pieces.iter().zip(&offsets).zip(ends).map(|((&(line, rows), &offset), end)| {
-        let bytes = end - offset;
-        let sha256 = hash_of_pieces(&mut file, &[(offset, bytes)])?;
-        Ok(TextSlice { rows, line, offset, bytes, sha256 })
-    });
-    Ok((head, slices.collect::<io::Result<_>>().map_err(read)?))
-}
-
-/// Where lines begin, and where the file ends; the first line begins at `start`.
-fn offsets(file: &mut File, start: u64, lines: &[u64]) -> io::Result<(Vec<u64>, u64)> {
-    file.seek(SeekFrom::Start(start))?;
-    let mut input = BufReader::new(file);
-    let mut found = vec![start; lines.len()];
-    // In the order of the file.
-    let mut order: Vec<usize> = (0..lines.len()).collect();
-    order.sort_by_key(|&place| lines[place]);
-    let mut order = order.into_iter().skip_while(|&place| lines[place] <= 1).peekable();
-    let (mut line, mut offset) = (1, start);
+    let head = table.looked();
+    let mut pieces = Vec::new();
     loop {
-        let buffer = input.fill_buf()?;
-        if buffer.is_empty() {
-            // A line that begins where the file ends.
-            order.for_each(|place| found[place] = offset);
-            return Ok((found, offset));
+        let (line, offset) = table.begin();
+        match iter::from_fn(|| table.pass()).take(rows as usize).count() as u64 {
+            0 => break,
+            rows => pieces.push((rows, line, start + offset, table.looked() - offset)),
         }
-        for (place, _) in buffer.iter().enumerate().filter(|(_, c)| **c == b'\n') {
-            line += 1;
-            while let Some(of) = order.next_if(|&of| lines[of] == line) {
-                found[of] = offset + place as u64 + 1;
-            }
-        }
-        let length = buffer.len();
-        offset += length as u64;
-        input.consume(length);
     }
+    let mut hash = |offset, bytes| hash_of_pieces(&mut file, &[(offset, bytes)]).map_err(read);
+    let head = Head { offset: start, bytes: head, sha256: hash(start, head)? };
+    let slices = pieces.into_iter().map(|(rows, line, offset, bytes)| {
+        Ok(TextSlice { rows, line, offset, bytes, sha256: hash(offset, bytes)? })
+    });
+    Ok((head, slices.collect::<Result<_, String>>()?))
 }
 
 /// The rows of a piece, and their lines.
@@ -130,21 +79,35 @@ pub(super) fn read(
     slice: &TextSlice,
     weight: SelfWeight,
 ) -> Result<(Vec<u64>, Listed), String> {
-    let read = |error: io::Error| reason(&error);
-    let mut file = File::open(path).map_err(read)?;
-    let mut bytes = bytes_of(&mut file, head.offset, head.bytes).map_err(read)?;
-    let rows = bytes_of(&mut file, slice.offset, slice.bytes).map_err(read)?;
-    if hash_of(&bytes) != head.sha256 || hash_of(&rows) != slice.sha256 {
-        return Err(CHANGED.into());
+    let mut file = File::open(path).map_err(|error| reason(&error))?;
+    let mut input = |offset, length, sha256: &str| {
+        let bytes = bytes_of(&mut file, offset, length).map_err(|error| reason(&error))?;
+        let is_same = hash_of(&bytes) == sha256;
+        is_same.then(|| Box::new(Cursor::new(bytes))).ok_or_else(|| CHANGED.to_owned())
+    };
+    let table = Table::open(input(head.offset, head.bytes, &head.sha256)?);
+    let table = table.map_err(|error| error.to_string())?;
+    let table = table.with_rows(input(slice.offset, slice.bytes, &slice.sha256)?, slice.line);
+    let (lines, listed) = rows(table, slice.rows as usize, weight)?;
+    match lines.len() as u64 == slice.rows {
+        true => Ok((lines, listed)),
+        false => Err(format!(
+            "{} rows from line {} on, where {} were counted; this couplet is not the one that counted them",
+            lines.len(),
+            slice.line,
+            slice.rows
+        )),
     }
-    bytes.extend(rows);
-    let table = Table::open(Box::new(Cursor::new(bytes))).map_err(|error| error.to_string())?;
+}
+
+/// The next rows of a table, at most so many, and their lines.
+fn rows(table: Table, most: usize, weight: SelfWeight) -> Result<(Vec<u64>, Listed), String> {
     let (columns, places) = columns(&table.header)?;
     let spelling = Spelling { decimal_comma: table.has_decimal_commas() };
     let reader = Reader { columns, weight, doubles: false, spelling };
     let (mut lines, mut listed) = (Vec::new(), Listed::default());
-    for (line, row) in table.skip(head.rows) {
-        lines.push(line - head.lines - 1 + slice.line);
+    for (line, row) in table.take(most) {
+        lines.push(line);
         match row {
             Ok(mut fields) => {
                 let cells: Cells =
@@ -155,4 +118,113 @@ pub(super) fn read(
         }
     }
     Ok((lines, listed))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use std::io::Write;
+    use tempfile::NamedTempFile;
+
+    /// The lines of rows, what they say, and why they cannot be read.
+    type Told = Vec<(u64, Vec<Vec<u8>>, Option<String>)>;
+
+    fn told((lines, listed): (Vec<u64>, Listed)) -> Told {
+        let row = |(row, line)| {
+            let texts = listed.texts.iter().map(|texts| texts.of(row).to_vec()).collect();
+            (line, texts, listed.arches[row].clone().err())
+        };
+        lines.into_iter().enumerate().map(row).collect()
+    }
+
+    fn file(text: &str) -> NamedTempFile {
+        let mut file = NamedTempFile::new().unwrap();
+        file.write_all(text.as_bytes()).unwrap();
+        file
+    }
+
+    /// The rows of all pieces of a text.
+    fn in_pieces(text: &str, most: u64) -> Result<Told, String> {
+        let file = file(text);
+        let (head, slices) = slices(file.path(), most)?;
+        let read = |slice| read(file.path(), &head, slice, SelfWeight::Heyman).map(told);
+        Ok(slices.iter().map(read).collect::<Result<Vec<_>, _>>()?.concat())
+    }
+
+    /// The rows of a text as one reader has them.
+    fn at_once(text: &str) -> Result<Told, String> {
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text).to_owned();
+        let table = Table::open(Box::new(Cursor::new(text))).map_err(|error| error.to_string())?;
+        rows(table, usize::MAX, SelfWeight::Heyman).map(told)
+    }
+
+    fn is_the_same_in_pieces(text: &str) -> Told {
+        let whole = at_once(text).unwrap();
+        for most in [1, 2, 3, 5, 100] {
+            assert_eq!(in_pieces(text, most).as_ref(), Ok(&whole), "{most}: {text}");
+        }
+        whole
+    }
+
+    #[test]
+    fn pieces_have_the_rows_of_the_file() {
+        let rows = |text: &str| {
+            let found = is_the_same_in_pieces(text);
+            found.into_iter().map(|(line, _, error)| (line, error)).collect::<Vec<_>>()
+        };
+        let lines = |text: &str| rows(text).into_iter().map(|row| row.0).collect::<Vec<_>>();
+        let beyond = "weight,half_opening,friction\nmilankovitch,1.0,0.6\nmilankovitch,\"1.1\n\",\".7\n\
+                      heyman,1.25,0.8\nmilankovitch,1.2,0.8\nheyman,1.3,\".9\",extra\nheyman,1.4,0.9\n";
+        assert_eq!(lines(beyond), [2, 3, 4, 5, 6, 7, 8]);
+        let bad = "# x\nnote,half_opening,friction\n\"a,1,0.6\n\"b\",1.1,0.6\n\" c\",1.2,0.7\n\
+                   \" d\",1.3,0.8\n";
+        assert_eq!(lines(bad), [3, 4, 5, 6]);
+        assert_eq!(rows("# by hand\nhalf_opening,friction\n1,0.6"), [(3, None)]);
+        assert_eq!(rows("# half_opening,friction\n1,0.6"), [(2, None)]);
+        let open = rows("# x\nhalf_opening,friction\n\"1,0.6\n1.1,0.9\n1.2,0.7\n");
+        let error = "the quote that opens in line 3 is not closed";
+        assert_eq!(open, [(3, Some(error.to_owned())), (4, None), (5, None)]);
+    }
+
+    #[test]
+    fn a_quote_is_looked_for_as_far_as_in_the_file() {
+        let many = "1,0.6\n".repeat(100_000);
+        let text =
+            format!("half_opening,friction\n1,\"2\n{many}1,\"{}\n1,2\n", "x".repeat(1 << 19));
+        let found = in_pieces(&text, 40_000).unwrap();
+        assert_eq!(found.len(), 100_003);
+        assert_eq!(Ok(found), at_once(&text));
+    }
+
+    #[test]
+    fn rows_that_are_not_those_that_were_counted_are_told() {
+        let file = file("half_opening,friction\n1,0.6\n");
+        let (head, mut slices) = slices(file.path(), 1).unwrap();
+        slices[0].rows = 2;
+        let read = read(file.path(), &head, &slices[0], SelfWeight::Heyman);
+        assert!(read.is_err_and(|error| error.starts_with("1 rows from line 2 on, where 2")));
+    }
+
+    const HEADS: [&str; 6] = [
+        "half_opening,friction\n",
+        "# x\nhalf_opening,friction\n",
+        "\n# half_opening,friction\n",
+        "# x\nnote,half_opening,friction\n",
+        "\u{feff}half_opening;friction\n",
+        "# x\n# \"half_opening\";friction\n1;2\n",
+    ];
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(400))]
+        /// Whatever a table is cut into, its rows are the same, at the same lines, for the same reasons.
+        #[test]
+        fn pieces_of_any_text_have_its_rows(head in 0..HEADS.len(), text in "[a1\",.\n#;]{0,40}") {
+            let text = HEADS[head].to_owned() + &text;
+            let whole = at_once(&text);
+            for most in 1..=3 {
+                prop_assert_eq!(&in_pieces(&text, most), &whole);
+            }
+        }
+    }
 }
