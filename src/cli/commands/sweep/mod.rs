@@ -8,7 +8,7 @@
 //! | `queries`, `query` | the rows of a part as they are asked |
 //! | `slices`, `text`, `groups`, `pieces` | the pieces of the files of a data set |
 //! | `answers` | what is proved of them |
-//! | `column` | a column of a Parquet file, as it is read |
+//! | `column`, `kind` | a column of a Parquet file, as it is read; what its values mean |
 //! | `table` | a part as a Parquet file |
 //! | `store` | the folder of the parts |
 //! | `sweep` | a sweep and its parts: the door |
@@ -25,6 +25,8 @@ mod command;
 mod cost;
 #[cfg(feature = "parquet")]
 mod groups;
+#[cfg(feature = "parquet")]
+mod kind;
 #[cfg(feature = "parquet")]
 mod pieces;
 #[cfg(feature = "parquet")]
