@@ -330,7 +330,7 @@ impl Proof {
 }
 
 /// Multipliers with which every column of the rows drops out, one row being too many: the minors, with signs in turn.
-fn rates(rows: &[Vec<Ball>]) -> Vec<Ball> {
+pub(super) fn rates(rows: &[Vec<Ball>]) -> Vec<Ball> {
     let without = |i: usize| {
         let rest: Vec<&Vec<Ball>> =
             rows.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, row)| row).collect();

@@ -5,11 +5,14 @@
 //! joint whose other three are zero, and which bears nothing, or of both hinges of a joint whose two slips are zero, where `p` is chosen so. So the largest acceleration is that of the state, exactly. Four conditions fix the state, or three slips, which leave room for `p`. What a search
 //! says of which they are is trusted for nothing.
 //!
+//! **At one acceleration** a state with room says that there is one, and four conditions that contradict each other that there is none, whatever of the
+//! largest stays open.
+//!
 //! What it means is said in [`tilted`](super::tilted): with friction an admissible state does not exclude a motion.
 
 use super::Undecided;
 use super::state::{Figure, raise};
-use super::tilt::{LargestTilt, NOT_FOUND, TiltDigits, TiltLimit};
+use super::tilt::{LargestTilt, NOT_FOUND, TiltDigits, TiltLimit, rates};
 use super::voussoirs::grip;
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
@@ -19,7 +22,7 @@ use crate::arch::{Ring, SelfWeight};
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, bits_of};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Friction, is_thickness};
-use crate::solve::tilt::{StoneTilt, inside_of_stones, of_stones};
+use crate::solve::tilt::{StoneTilt, against_of_stones, inside_of_stones, of_stones};
 use rug::Float;
 
 /// More stones are refused: the programme has four conditions at each joint.
@@ -71,6 +74,9 @@ pub fn tilted_stones(
             if has_state(&conditions, tilt, bits) {
                 return Ok(Some(true));
             }
+            if has_none(&conditions, tilt, bits) {
+                return Ok(Some(false));
+            }
             let found = largest_of(&conditions, bits)?;
             let decided = found.map_or(Some(true), |(there, _)| compared(&there, tilt, bits));
             let open = || Undecided::new("whether the acceleration is below the largest");
@@ -95,6 +101,34 @@ fn has_state(all: &[Condition], tilt: &Friction, bits: u32) -> bool {
     let [h, p, v] = state.map(|x| Ball::exact(Float::with_val(bits, x), bits));
     let (one, unknowns) = (h.int(1), [h, p, v, tilt]);
     all.iter().all(|of| (-of.row.at(&unknowns, &one)).is_positive().is_proved())
+}
+
+/// Whether four conditions, with positive multipliers that leave nothing of `h, p` and `v`, contradict each other at an acceleration.
+fn has_none(all: &[Condition], tilt: &Friction, bits: u32) -> bool {
+    let given = grip(tilt, bits);
+    let tilt = given.normal / given.shear;
+    let Some(places) = against_of_stones(&in_doubles(all), tilt.mid().to_f64()) else {
+        return false;
+    };
+    let of: Vec<&Condition> = places.iter().filter_map(|place| all.get(*place)).collect();
+    contradict(&of, &tilt)
+}
+
+/// Whether these four do.
+fn contradict(of: &[&Condition], tilt: &Ball) -> bool {
+    if of.len() != 4 {
+        return false;
+    }
+    let columns: Vec<Vec<Ball>> = of.iter().map(|of| of.row.coefficients[..3].to_vec()).collect();
+    let rates = rates(&columns);
+    let zero = tilt.int(0);
+    let passed = |of: &Condition| of.row.coefficients[3].clone() * tilt + &of.row.load;
+    let sum = rates.iter().zip(of).fold(zero, |sum, (rate, of)| sum + rate.clone() * passed(of));
+    // The multipliers may all be negative: then so is what is left.
+    let is_positive = |x: &Ball| x.is_positive().is_proved();
+    let is_negative = |x: &Ball| is_positive(&-x.clone());
+    rates.iter().all(is_positive) && is_positive(&sum)
+        || rates.iter().all(is_negative) && is_negative(&sum)
 }
 
 /// The rows in doubles.
@@ -315,6 +349,30 @@ mod tests {
         let all = conditions(&parsed, &stones, &"1.45".parse().unwrap(), 200);
         let inside = |tilt: f64| has_state(&all, &format!("{tilt:.9}").parse().unwrap(), 200);
         assert!(inside(figure.double - 1e-6) && !inside(figure.double + 1e-6));
+    }
+
+    /// Where the conditions of the largest are dependent, and it stays open, four conditions still exclude an acceleration beyond it.
+    #[test]
+    fn an_acceleration_is_excluded_where_the_largest_is_open() {
+        let arch = ["heyman", "2pi/3", "inf"];
+        let at = |tilt: &str| found(arch, 4, "1", tilt).is_admissible;
+        assert_eq!((at("0.7"), at("1"), at("45deg")), (Ok(true), Ok(false), Ok(false)));
+        let parsed = Arch::parse("heyman", "2pi/3", "inf").unwrap();
+        let stones = Stones::equal(4, parsed.half_opening().clone()).unwrap();
+        let all = conditions(&parsed, &stones, &"1".parse().unwrap(), 200);
+        let given = |tilt: &str| -> Friction { tilt.parse().unwrap() };
+        assert!(has_none(&all, &given("1"), 200) && !has_none(&all, &given("0.7"), 200));
+        let places = against_of_stones(&in_doubles(&all), 1.0).unwrap();
+        let four: Vec<&Condition> = places.iter().map(|place| &all[*place]).collect();
+        let tilt = |k: f64| Ball::exact(Float::with_val(200, k), 200);
+        // The same four say nothing of an acceleration that is borne, nor do three of them, nor one twice.
+        assert!(contradict(&four, &tilt(1.0)) && !contradict(&four, &tilt(0.7)));
+        assert!(!contradict(&four[..3], &tilt(1.0)));
+        for k in 0..4 {
+            let mut forged = four.clone();
+            forged[k] = four[(k + 1) % 4];
+            assert!(!contradict(&forged, &tilt(1.0)), "{k}");
+        }
     }
 
     /// On either side of the largest.

@@ -333,8 +333,28 @@ pub fn inside_of_stones(rows: &[([f64; 4], f64)], tilt: f64) -> Option<[f64; 3]>
     inside(&conditions, tilt).map(|[h, p, v, _]| [h, p, v])
 }
 
+/// Conditions `a . (h, p, v, k) + load <= 0`, by place, that probably contradict each other at an acceleration.
+pub fn against_of_stones(rows: &[([f64; 4], f64)], tilt: f64) -> Option<Vec<usize>> {
+    let conditions: Vec<Condition> =
+        rows.iter().map(|(a, load)| Condition { a: *a, d: -load }).collect();
+    match farthest(&conditions, tilt) {
+        Optimum::At { unknowns: [.., room], active } if room < 0.0 => {
+            Some(active.into_iter().map(|(place, _)| place).collect())
+        }
+        _ => None,
+    }
+}
+
 /// The state at an acceleration that is farthest from all conditions.
 fn inside(conditions: &[Condition], tilt: f64) -> Option<[f64; 4]> {
+    match farthest(conditions, tilt) {
+        Optimum::At { unknowns: [h, p, v, room], .. } if room > 0.0 => Some([h, p, v, tilt]),
+        _ => None,
+    }
+}
+
+/// The largest room that all conditions leave at an acceleration, in place of `k`.
+fn farthest(conditions: &[Condition], tilt: f64) -> Optimum {
     let slack = |row: &Condition| {
         let [h, p, v, k] = row.a;
         Condition { a: [h, p, v, 1.0], d: row.d - k * tilt }
@@ -342,8 +362,5 @@ fn inside(conditions: &[Condition], tilt: f64) -> Option<[f64; 4]> {
     let mut rows: Vec<Condition> = conditions.iter().map(slack).collect();
     // More room than this is not asked for.
     rows.push(Condition { a: [0.0, 0.0, 0.0, 1.0], d: 1.0 });
-    match largest_last(&rows) {
-        Optimum::At { unknowns: [h, p, v, room], .. } if room > 0.0 => Some([h, p, v, tilt]),
-        _ => None,
-    }
+    largest_last(&rows)
 }
