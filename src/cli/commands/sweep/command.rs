@@ -167,7 +167,9 @@ fn look_through(folder: &Path, arguments: &Arguments) -> Result<(), Failure> {
     let sweep = Sweep::open(folder, Path::new("")).map_err(failure)?;
     let Share { k, n } = arguments.only.unwrap_or(Share { k: 1, n: 1 });
     if arguments.verify.is_none() {
-        say(&format!("couplet: {SAMPLE} rows are proved again; --verify N for another number"));
+        say(&format!(
+            "couplet: up to {SAMPLE} rows are proved again; --verify N for another number"
+        ));
     }
     look(&sweep, &sweep.share(k, n), arguments.verify.unwrap_or(SAMPLE))
 }
