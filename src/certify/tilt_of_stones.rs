@@ -12,7 +12,7 @@
 
 use super::Undecided;
 use super::state::{Figure, raise};
-use super::tilt::{LargestTilt, NOT_FOUND, TiltDigits, TiltLimit, rates};
+use super::tilt::{LargestTilt, NOT_FOUND, TiltDigits, TiltLimit, acceleration, rates};
 use super::voussoirs::grip;
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
@@ -88,15 +88,13 @@ pub fn tilted_stones(
 
 /// Whether an acceleration is below the largest; `None` if that is not told.
 fn compared(largest: &Ball, tilt: &Friction, bits: u32) -> Option<bool> {
-    let given = grip(tilt, bits);
-    let room = largest.clone() - given.normal / given.shear;
+    let room = largest.clone() - acceleration(tilt, bits);
     room.excludes_zero().then(|| *room.mid() > 0)
 }
 
 /// Whether the state at an acceleration that is farthest from all conditions satisfies them.
 fn has_state(all: &[Condition], tilt: &Friction, bits: u32) -> bool {
-    let given = grip(tilt, bits);
-    let tilt = given.normal / given.shear;
+    let tilt = acceleration(tilt, bits);
     let Some(state) = inside_of_stones(&in_doubles(all), tilt.mid().to_f64()) else { return false };
     let [h, p, v] = state.map(|x| Ball::exact(Float::with_val(bits, x), bits));
     let (one, unknowns) = (h.int(1), [h, p, v, tilt]);
@@ -105,8 +103,7 @@ fn has_state(all: &[Condition], tilt: &Friction, bits: u32) -> bool {
 
 /// Whether four conditions, with positive multipliers that leave nothing of `h, p` and `v`, contradict each other at an acceleration.
 fn has_none(all: &[Condition], tilt: &Friction, bits: u32) -> bool {
-    let given = grip(tilt, bits);
-    let tilt = given.normal / given.shear;
+    let tilt = acceleration(tilt, bits);
     let Some(places) = against_of_stones(&in_doubles(all), tilt.mid().to_f64()) else {
         return false;
     };

@@ -292,10 +292,13 @@ pub enum StoneTilt {
     Nothing,
 }
 
+fn of_rows(rows: &[([f64; 4], f64)]) -> Vec<Condition> {
+    rows.iter().map(|(a, load)| Condition { a: *a, d: -load }).collect()
+}
+
 /// The largest acceleration under conditions `a . (h, p, v, k) + load <= 0`.
 pub fn of_stones(rows: &[([f64; 4], f64)]) -> StoneTilt {
-    let conditions: Vec<Condition> =
-        rows.iter().map(|(a, load)| Condition { a: *a, d: -load }).collect();
+    let conditions = of_rows(rows);
     match largest_last(&conditions) {
         Optimum::At { unknowns, active } => {
             // In the middle of what hinges leave to p, if only slips count.
@@ -328,16 +331,12 @@ pub fn of_stones(rows: &[([f64; 4], f64)]) -> StoneTilt {
 
 /// The `h, p, v` at an acceleration that are farthest from all conditions `a . (h, p, v, k) + load <= 0`, if some are inside.
 pub fn inside_of_stones(rows: &[([f64; 4], f64)], tilt: f64) -> Option<[f64; 3]> {
-    let conditions: Vec<Condition> =
-        rows.iter().map(|(a, load)| Condition { a: *a, d: -load }).collect();
-    inside(&conditions, tilt).map(|[h, p, v, _]| [h, p, v])
+    inside(&of_rows(rows), tilt).map(|[h, p, v, _]| [h, p, v])
 }
 
 /// Conditions `a . (h, p, v, k) + load <= 0`, by place, that probably contradict each other at an acceleration.
 pub fn against_of_stones(rows: &[([f64; 4], f64)], tilt: f64) -> Option<Vec<usize>> {
-    let conditions: Vec<Condition> =
-        rows.iter().map(|(a, load)| Condition { a: *a, d: -load }).collect();
-    match farthest(&conditions, tilt) {
+    match farthest(&of_rows(rows), tilt) {
         Optimum::At { unknowns: [.., room], active } if room < 0.0 => {
             Some(active.into_iter().map(|(place, _)| place).collect())
         }

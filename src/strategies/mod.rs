@@ -30,6 +30,8 @@ pub use arches::{arch, collapsing, standing};
 pub use numbers::{friction, half_opening};
 #[cfg(feature = "proptest")]
 pub use queries::{Query, query};
+#[cfg(any(test, feature = "parquet"))]
+pub(crate) use sample::Draw;
 pub use sample::{Sample, samples};
 
 #[cfg(feature = "proptest")]

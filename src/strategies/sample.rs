@@ -30,14 +30,15 @@ pub fn samples(seed: u64, hard: bool) -> impl Iterator<Item = Sample> {
 }
 
 /// Random numbers by splitmix64 (Steele, Lea and Flood, 2014): its state.
-struct Draw(u64);
+pub(crate) struct Draw(pub u64);
 
 /// The largest power of ten of a tiny or huge number, and the most places of a decimal.
 const MAX_POWER: u64 = 100;
 const MAX_PLACES: u64 = 17;
 
 impl Draw {
-    fn next(&mut self) -> u64 {
+    /// The next number.
+    pub(crate) fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -45,7 +46,7 @@ impl Draw {
     }
 
     /// A number from `low` to `high`, both of them among the possible ones.
-    fn between(&mut self, low: u64, high: u64) -> u64 {
+    pub(crate) fn between(&mut self, low: u64, high: u64) -> u64 {
         let count = u128::from(high - low + 1);
         low + ((u128::from(self.next()) * count) >> 64) as u64
     }

@@ -166,6 +166,7 @@ mod tests {
     use super::*;
     use crate::certify::state::Figure;
     use crate::certify::{Programme, programme};
+    use crate::strategies::Draw;
 
     fn arch(weight: &str, alpha: &str, mu: &str) -> Arch {
         Arch::parse(weight, alpha, mu).unwrap()
@@ -266,15 +267,8 @@ mod tests {
 
     /// How many of so many arches at random stand at some thickness, and how many of them have anything left open.
     fn at_random(count: u32) -> [u32; 2] {
-        let mut state = 0_u64;
-        // splitmix64 (Steele, Lea and Flood, 2014).
-        let mut next = || {
-            state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-            let z = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-            let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-            z ^ (z >> 31)
-        };
-        let mut between = |low: u64, high: u64| low + next() % (high - low + 1);
+        let mut draw = Draw(0);
+        let mut between = |low: u64, high: u64| low + draw.next() % (high - low + 1);
         let mut look = || {
             let weight = ["milankovitch", "heyman"][between(0, 1) as usize];
             let [alpha, mu] = [between(1000, 31_415), between(500, 20_000)];

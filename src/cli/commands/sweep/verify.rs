@@ -8,6 +8,7 @@ use super::table::{Cells, Notes, Read, Table};
 use crate::certify::certify_arch;
 use crate::check::{Accepted, verify as check};
 use crate::problem::{Arch, Problem};
+use crate::strategies::Draw;
 use ::parquet::data_type::ByteArray;
 use rayon::prelude::*;
 use rug::{Integer, Rational};
@@ -213,13 +214,9 @@ fn agrees(text: &str, double: f64, side: Option<i32>) -> bool {
 fn chosen(ranges: &[Range<u64>], count: usize, name: &str) -> BTreeSet<u64> {
     let all: u64 = ranges.iter().map(|rows| rows.end - rows.start).sum();
     let mut chosen = BTreeSet::new();
-    let mut state = u64::from_str_radix(&name[..16], 16).unwrap_or_default();
+    let mut draw = Draw(u64::from_str_radix(&name[..16], 16).unwrap_or_default());
     while (chosen.len() as u64) < all.min(count as u64) {
-        // splitmix64 (Steele, Lea and Flood, 2014).
-        state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        let mut place = ((u128::from(z ^ (z >> 31)) * u128::from(all)) >> 64) as u64;
+        let mut place = draw.between(0, all - 1);
         for rows in ranges {
             let length = rows.end - rows.start;
             if place < length {
