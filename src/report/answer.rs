@@ -299,7 +299,11 @@ impl Answer {
             .flatten()
             .collect();
         self.values.retain(|(quantity, _)| asked.contains(quantity));
-        self.open.retain(|(quantity, _)| asked.contains(quantity));
+        // One size that stays open stands for all.
+        let is_asked = |of: Quantity| {
+            asked.contains(&of) || of.is_measured() && asked.iter().any(|of| of.is_measured())
+        };
+        self.open.retain(|(quantity, _)| is_asked(*quantity));
         self
     }
 

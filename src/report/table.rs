@@ -78,14 +78,15 @@ fn arch(report: &Answers, answer: &Answer, out: &mut dyn io::Write) -> io::Resul
     let eta = thickness.as_ref().map_or(String::new(), |eta| format!(" thickness {eta},"));
     let weight = model(*weight);
     writeln!(out, "Arch of half opening {half_opening},{eta} friction {friction}, {weight}\n")?;
-    match &answer.status {
-        _ if !answer.open.is_empty() || thickness.is_some() && !answer.values.is_empty() => {
-            assessment(&report.quantities, answer, out)
+    match (thickness, &answer.status) {
+        (_, Status::Undecided(undecided))
+            if thickness.is_none() || answer.values.is_empty() && answer.open.is_empty() =>
+        {
+            find::undecided(undecided, out)
         }
-        Status::Undecided(undecided) => find::undecided(undecided, out),
-        _ if thickness.is_some() => assessment(&report.quantities, answer, out),
-        Status::Falls(fall) => falls(*fall, answer, out),
-        _ => state(&report.quantities, answer, out),
+        (Some(_), _) => assessment(&report.quantities, answer, out),
+        (None, Status::Falls(fall)) => falls(*fall, answer, out),
+        (None, _) => state(&report.quantities, answer, out),
     }?;
     asymmetric(answer, out)
 }
@@ -136,64 +137,67 @@ fn state(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Re
         let (name, symbol) = (quantity.name(), quantity.symbol());
         writeln!(out, "   {name:<20} {symbol:<12} {value}")?;
     }
-    for (index, quantity) in frictions.into_iter().enumerate() {
-        let Some(value) = answer.value(quantity) else { return Ok(()) };
+    let known = frictions.into_iter().filter_map(|of| Some((of, answer.value(of)?)));
+    for (index, (quantity, value)) in known.enumerate() {
         if index == 0 {
             writeln!(out, "\nat this half opening")?;
         }
-        let words = match quantity {
-            Quantity::SlidingFriction => "nothing stands below the friction",
-            _ => "collapse is purely rotational from",
+        let words = match quantity == Quantity::SlidingFriction {
+            true => "nothing stands below the friction",
+            false => "collapse is purely rotational from",
         };
         writeln!(out, "   {words:<39} {}", value.text())?;
     }
     measured(&sizes, answer, out)
 }
 
-/// The sizes of an arch that is measured.
+/// The sizes of an arch that is measured, or why they are not proved.
 fn measured(sizes: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
-    let found = sizes.iter().filter_map(|of| Some((of, answer.value(*of)?)));
-    for (index, (of, value)) in found.enumerate() {
-        if index == 0 {
-            writeln!(out, "\nas measured")?;
-        }
+    let found: Vec<_> = sizes.iter().filter_map(|of| Some((of, answer.value(*of)?))).collect();
+    let open = answer.open.iter().find(|(of, _)| of.is_measured());
+    if !found.is_empty() || open.is_some() {
+        writeln!(out, "\nas measured")?;
+    }
+    for (of, value) in found {
         writeln!(out, "   {:<20} {:<18} {}", of.name(), of.symbol(), value.text())?;
     }
-    Ok(())
+    open.map_or(Ok(()), |(_, undecided)| writeln!(out, "   {undecided}"))
 }
+
+/// What is told of an arch of a given thickness, in the order of [`Quantity::ASSESSMENT`]: its words, and those where
+/// there is none; without these it is left out then.
+const ASSESSED: [(Quantity, &str, Option<&str>); 6] = [
+    (Quantity::LeastThickness, "least thickness", Some("none is enough")),
+    (Quantity::GeometricSafety, "geometric safety factor", Some("none")),
+    (Quantity::RequiredFriction, "required friction", Some("none is enough")),
+    (Quantity::FrictionSafety, "friction safety factor", Some("none")),
+    (Quantity::LeastThrust, "least thrust", None),
+    (Quantity::LargestThrust, "largest thrust", None),
+];
 
 fn assessment(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
     match (&answer.status, answer.stands) {
         (Status::Undecided(undecided), _) => writeln!(out, "{undecided}\n")?,
         (_, Some(true)) => writeln!(out, "stands, proved\n")?,
-        _ => writeln!(out, "collapses, proved\n")?,
+        (_, Some(false)) => writeln!(out, "collapses, proved\n")?,
+        (_, None) => {}
     }
-    let (sizes, others): (Vec<Quantity>, Vec<Quantity>) =
-        asked.iter().partition(|quantity| quantity.is_measured());
-    for quantity in others {
+    for quantity in asked {
+        let told = ASSESSED.iter().find(|(of, ..)| of == quantity);
+        let Some(&(quantity, name, none)) = told else { continue };
         let value = answer.value(quantity);
-        let finite = value.filter(|value| value.decimal.is_some()).map(|value| value.text());
-        let open = answer.why_open(quantity).map(ToString::to_string);
-        let none = |words: &str| {
-            finite.clone().or_else(|| open.clone()).unwrap_or_else(|| words.to_owned())
+        let text = match (value, answer.why_open(quantity), answer.status.reason()) {
+            (Some(value), ..) if value.decimal.is_some() => value.text(),
+            (_, Some(open), _) => open.to_string(),
+            (Some(_), None, _) => "unbounded".into(),
+            (None, None, reason) => match (none, reason) {
+                (None, _) => continue,
+                (Some(none), Some(reason)) if quantity == Quantity::LeastThickness => {
+                    format!("{none} ({reason})")
+                }
+                (Some(none), _) => none.into(),
+            },
         };
-        let (name, text) = match quantity {
-            Quantity::LeastThickness => {
-                let reason = answer.status.reason().unwrap_or_default();
-                ("least thickness", none(&format!("none is enough ({reason})")))
-            }
-            Quantity::GeometricSafety => ("geometric safety factor", none("none")),
-            Quantity::RequiredFriction => ("required friction", none("none is enough")),
-            Quantity::FrictionSafety => {
-                let words = if value.is_some() { "unbounded" } else { "none" };
-                ("friction safety factor", none(words))
-            }
-            Quantity::LeastThrust => ("least thrust", none("unbounded")),
-            _ => ("largest thrust", none("unbounded")),
-        };
-        if quantity.joint().is_some() && value.is_none() && open.is_none() {
-            continue;
-        }
         writeln!(out, "   {name:<24} {text}")?;
         if let Some(limit) = value.and_then(|value| value.limited_by) {
             let joint = quantity.joint().and_then(|joint| answer.value(joint));
@@ -201,6 +205,7 @@ fn assessment(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> i
             writeln!(out, "           limited by       {limit}{joint}")?;
         }
     }
+    let sizes: Vec<Quantity> = asked.iter().copied().filter(|of| of.is_measured()).collect();
     measured(&sizes, answer, out)
 }
 
@@ -224,4 +229,64 @@ fn arches(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
         writeln!(out, "{}", cells.join("  ").trim_end())?;
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certify::Undecided;
+    use crate::certify::state::{Inquiry, Wanted};
+    use crate::problem::Arch;
+
+    fn arch(friction: &str) -> Arch {
+        Arch::parse("milankovitch", "80deg", friction).unwrap()
+    }
+
+    fn state(friction: &str) -> Answer {
+        Answer::state(1, &arch(friction), &Inquiry::new(&arch(friction), 5, false).state(5, false))
+    }
+
+    fn told(answer: Answer, quantities: &[&[Quantity]]) -> String {
+        let mut out = Vec::new();
+        let report = Answers { quantities: quantities.concat(), ..Answers::arch(5, answer) };
+        answers(&report, &mut out).unwrap();
+        String::from_utf8(out).unwrap()
+    }
+
+    #[test]
+    fn what_stays_open_changes_nothing_of_what_is_said_besides() {
+        let open = || Undecided::new("the rounding");
+        let (state_of, assessed) = (Quantity::STATE, Quantity::ASSESSMENT);
+        let stands = told(state("0.6").measured(Err(open())), &[&state_of, &[Quantity::Radius]]);
+        assert!(stands.contains("\nstands from the thickness below on"), "{stands}");
+        assert!(stands.contains("\n   thickness            eta = t/r    0.068650\n"), "{stands}");
+        assert!(stands.ends_with("\nas measured\n   undecided: the rounding\n"), "{stands}");
+        let falls = told(state("0.01").measured(Err(open())), &[&state_of]);
+        assert!(falls.contains("\ndoes not stand at any thickness"), "{falls}");
+        let unknown = Answer::state(1, &arch("0.6"), &Err(open())).measured(Err(open()));
+        let unknown = told(unknown, &[&state_of]);
+        assert!(unknown.ends_with("\n\nundecided: the rounding\n"), "{unknown}");
+        for (eta, verdict, thrusts) in
+            [("0.1", "stands, proved", 1), ("0.05", "collapses, proved", 0)]
+        {
+            let (arch, eta) = (arch("0.6"), eta.parse().unwrap());
+            let mut found =
+                Inquiry::new(&arch, 5, false).assess(&eta, 5, Wanted::Everything).unwrap();
+            found.required_friction = Err(open());
+            let answer = Answer::assessment(1, (&arch, &eta), &Ok(found));
+            let table = told(answer.measured(Err(open())), &[&assessed, &[Quantity::Radius]]);
+            assert!(table.contains(verdict), "{table}");
+            assert!(
+                table.contains("\n   required friction        undecided: the rounding\n"),
+                "{table}"
+            );
+            assert!(table.ends_with("\nas measured\n   undecided: the rounding\n"), "{table}");
+            assert_eq!(table.matches("largest thrust").count(), thrusts);
+        }
+    }
+
+    #[test]
+    fn whatever_is_asked_of_a_thickness_has_words() {
+        assert_eq!(ASSESSED.map(|(quantity, ..)| quantity), Quantity::ASSESSMENT);
+    }
 }
