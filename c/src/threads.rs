@@ -1,11 +1,9 @@
 //! Threads of a call, which end with it: the library keeps none, so that a process can be forked at any time.
 
 use crate::border::Failure;
+use couplet::cli::{MAX_THREADS, usual_threads};
 use couplet::rug::float::{FreeCache, free_cache};
 use rayon::ThreadPoolBuilder;
-
-/// The most threads that are started.
-const MAX_THREADS: usize = 1024;
 
 /// Runs work on so many threads, 0 for one on each core. Every parallel loop inside stays there.
 pub(crate) fn on_threads<T: Send>(
@@ -34,7 +32,11 @@ pub(crate) fn checked(threads: usize) -> Result<usize, Failure> {
         let message = "threads are a whole number from 1 to 1024, or 0 for one on each core";
         Failure::Usage(message.into())
     };
-    (threads <= MAX_THREADS).then_some(threads).ok_or_else(wrong)
+    match threads {
+        0 => usual_threads().map_err(Failure::Usage),
+        1..=MAX_THREADS => Ok(threads),
+        _ => Err(wrong()),
+    }
 }
 
 /// What MPFR keeps for a thread, as the digits of pi.

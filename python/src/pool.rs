@@ -3,15 +3,14 @@
 //! A child that is forked has the memory of rayon's global pool and none of its threads, and would wait for
 //! them for ever. So nothing runs in the global pool, and a pool is of the process that made it.
 
+use crate::CoupletError;
+use couplet::cli::{MAX_THREADS, usual_threads};
 use pyo3::PyResult;
 use pyo3::exceptions::PyRuntimeError;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::collections::HashMap;
 use std::process;
 use std::sync::{Arc, Mutex, PoisonError};
-
-/// The most threads that are started.
-const MAX_THREADS: usize = 1024;
 
 /// The pools of a process, by their threads.
 struct Pools {
@@ -23,7 +22,11 @@ static POOLS: Mutex<Option<Pools>> = Mutex::new(None);
 
 /// Runs work on so many threads, 0 for one on each core; every parallel loop inside stays there.
 pub(crate) fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> PyResult<T> {
-    Ok(pool(threads.min(MAX_THREADS))?.install(work))
+    let threads = match threads.min(MAX_THREADS) {
+        0 => usual_threads().map_err(CoupletError::new_err)?,
+        threads => threads,
+    };
+    Ok(pool(threads)?.install(work))
 }
 
 fn pool(threads: usize) -> PyResult<Arc<ThreadPool>> {

@@ -37,6 +37,14 @@ def test_the_command():
     assert len(drawn) - len(couplet.state("80deg", "0.35").svg()) < 100
 
 
+def test_threads_of_the_environment_have_a_limit():
+    line = "import couplet; couplet.state(1, 1); couplet.constants('T', digits=5)"
+    for threads, words in [("20000", "RAYON_NUM_THREADS=20000: threads are a whole number from 1 to 1024"), ("2", "")]:
+        environment = {**os.environ, "RAYON_NUM_THREADS": threads}
+        done = subprocess.run([sys.executable, "-c", line], capture_output=True, text=True, env=environment)
+        assert words in done.stderr and (done.returncode == 0) == (words == ""), done.stderr
+
+
 def test_the_script():
     script = os.path.join(os.path.dirname(sys.executable), "couplet")
     done = subprocess.run([script, "-V"], capture_output=True, text=True)

@@ -31,6 +31,8 @@ pub use commands::parse;
 #[cfg(feature = "parquet")]
 pub use commands::sweep;
 pub use engine::Engine;
+#[cfg(feature = "mpfr")]
+pub use pool::{MAX_THREADS, usual_threads};
 
 /// Certified constants of the finite-friction Couplet–Heyman problem: how thin a circular masonry
 /// arch can be and still stand, and how it falls.
@@ -52,23 +54,13 @@ struct Cli {
 
     /// Threads to compute with; one for each core if not given.
     #[cfg(feature = "mpfr")]
-    #[arg(long, global = true, help_heading = "Options of every command", value_name = "N", value_parser = threads)]
+    #[arg(long, global = true, help_heading = "Options of every command", value_name = "N", value_parser = pool::read)]
     threads: Option<usize>,
 }
 
 const EXIT_CODES: &str = "\
 Exit codes: 0 everything asked was proved; 1 something was refuted, refused or undecided;
 2 bad usage or input; 3 a resource or I/O failure; 130 interrupted.";
-
-/// The most threads that are started.
-#[cfg(feature = "mpfr")]
-const MAX_THREADS: usize = 1024;
-
-#[cfg(feature = "mpfr")]
-fn threads(text: &str) -> Result<usize, String> {
-    let number = text.parse().ok().filter(|number| (1..=MAX_THREADS).contains(number));
-    number.ok_or_else(|| format!("threads are a whole number from 1 to {MAX_THREADS}"))
-}
 
 /// Parses the arguments of the process, runs the command, and says how it went.
 pub fn run() -> ExitCode {

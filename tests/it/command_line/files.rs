@@ -67,6 +67,18 @@ fn a_dash_is_standard_output() {
 /// Without a thread to spare: one line, no panic.
 #[cfg(target_os = "linux")]
 #[test]
+fn threads_of_the_environment_have_the_limit_of_the_option() {
+    let run = |threads| {
+        said(&command(&["states", "-"]).env("RAYON_NUM_THREADS", threads).output().unwrap())
+    };
+    let message = "couplet: RAYON_NUM_THREADS=20000: threads are a whole number from 1 to 1024\n";
+    assert_eq!(run("20000"), (Some(2), String::new(), message.to_owned()));
+    for usual in ["2", "0", "many"] {
+        assert!(!run(usual).2.contains("threads"), "{usual}");
+    }
+}
+
+#[test]
 fn threads_that_cannot_start_are_a_resource_failure() {
     // No address space has a stack of this size.
     let no_thread = |arguments: &[&str]| {
