@@ -20,6 +20,7 @@ from ._asked import asked as _asked
 from ._certified import Certified
 from ._core import CoupletError, UndecidedError, __version__
 from ._exact import exact as _exact
+from ._exact import text_of as _text_of
 from ._sweeps import Swept, sweep
 
 TYPE_CHECKING = False
@@ -87,7 +88,7 @@ def constants(
         '0.679604732098885514787534896210'
     """
     names = [quantities] if isinstance(quantities, str) else list(quantities)
-    told = _asked(_core.constants, [landmark], weight, names, str(digits), _whole(threads))
+    told = _asked(_core.constants, [landmark], weight, names, _text_of(digits), _whole(threads))
     if len(told) != 1:
         raise CoupletError("one weight at a time: heyman or milankovitch")
     given = (("landmark", told[0]["landmark"]), ("weight", told[0]["weight"]), ("digits", digits))
@@ -118,7 +119,7 @@ def state(
     """
     told = _asked(
         _core.state,
-        weight, _exact(half_opening, "half opening"), _exact(friction, "friction"), str(digits), frictions
+        weight, _exact(half_opening, "half opening"), _exact(friction, "friction"), _text_of(digits), frictions
     )
     given = (("half_opening", half_opening), ("friction", friction), ("weight", told["weight"]))
     return State(given, told)
@@ -146,7 +147,7 @@ def assess(
         ('stands', '1.7479853', 'intrados at the haunch')
     """
     texts = (_exact(half_opening, "half opening"), _exact(friction, "friction"), _exact(thickness, "thickness"))
-    told = _asked(_core.assess, weight, *texts, str(digits))
+    told = _asked(_core.assess, weight, *texts, _text_of(digits))
     given = (("half_opening", half_opening), ("friction", friction), ("thickness", thickness), ("weight", weight))
     return Assessment(given, told)
 
@@ -199,7 +200,7 @@ def find(
         None if half_opening is None else _exact(half_opening, "half opening"),
         None if friction is None else _exact(friction, "friction"),
         None if thickness is None else _exact(thickness, "thickness"),
-        str(digits),
+        _text_of(digits),
     )
     return Found((*given.items(), ("weight", weight)), told)
 
@@ -236,17 +237,17 @@ def certify(
     if landmark is not None:
         if half_opening is not None or friction is not None or thickness is not None or asymmetric is not False:
             raise CoupletError("a half opening, a friction, a thickness and asymmetric belong to an arch, not to a landmark")
-        return _asked(_core.certify_landmark, landmark, weight, str(digits), _whole(threads))
+        return _asked(_core.certify_landmark, landmark, weight, _text_of(digits), _whole(threads))
     if half_opening is None or friction is None:
         raise CoupletError("a landmark, or a half opening and a friction, are missing")
     arch = (weight, _exact(half_opening, "half opening"), _exact(friction, "friction"))
     if asymmetric is False:
         return _asked(
-            _core.certify_arch, *arch, None if thickness is None else _exact(thickness, "thickness"), str(digits)
+            _core.certify_arch, *arch, None if thickness is None else _exact(thickness, "thickness"), _text_of(digits)
         )
     if thickness is not None:
         raise CoupletError("an asymmetric solution has its own thickness: leave it out")
-    return _asked(_core.certify_asymmetric, *arch, None if asymmetric is True else str(asymmetric), str(digits))
+    return _asked(_core.certify_asymmetric, *arch, None if asymmetric is True else str(asymmetric), _text_of(digits))
 
 
 def check(certificate: bytes | bytearray | memoryview | str | os.PathLike[str], *, engine: str = "astro") -> Checked:

@@ -28,16 +28,19 @@ def exact(value: Exact, what: str) -> str:
     raise TypeError(f"the {what} is a str, int, float, Fraction or Decimal, not {kind}")
 
 
+def text_of(value: object) -> str:
+    """A whole number as ``int`` writes it, whatever its own class says; anything else as ``str`` does."""
+    return int.__repr__(value) if isinstance(value, int) and not isinstance(value, bool) else str(value)
+
+
 class _NoNumber(Exception):
     pass
 
 
 def _text(value: object) -> str:
-    if isinstance(value, int):
-        return str(value)
-    if hasattr(value, "as_tuple"):
-        # A Decimal: str() has all its digits.
-        return str(value)
+    # Of a Decimal str() has all digits.
+    if isinstance(value, int) or hasattr(value, "as_tuple"):
+        return text_of(value)
     if hasattr(value, "numerator") and hasattr(value, "denominator"):
         return f"{int(value.numerator)}/{int(value.denominator)}"
     if not hasattr(value, "as_integer_ratio"):

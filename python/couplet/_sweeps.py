@@ -14,7 +14,7 @@ from itertools import islice
 from . import _core
 from ._arrays import VERDICTS, Bar, whole
 from ._core import CoupletError
-from ._exact import exact
+from ._exact import exact, text_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -258,7 +258,7 @@ def _value(value: Any) -> str:
     if isinstance(value, (bool, str)):
         return json.dumps(value, ensure_ascii=False)
     if isinstance(value, int):
-        return str(value)
+        return text_of(value)
     if isinstance(value, (list, tuple, range)):
         return "[" + ", ".join(_value(inner) for inner in value) + "]"
     return json.dumps(exact(value, "number"))

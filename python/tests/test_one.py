@@ -1,6 +1,7 @@
 """One question at a time."""
 
 import copy
+import enum
 import json
 import pickle
 from decimal import Decimal
@@ -26,6 +27,22 @@ def test_input_is_exact():
     assert couplet.state(1, 1, digits=5).thickness.text == couplet.state("1", "1/1", digits=5).thickness.text
     assert couplet.state(1, float("inf"), digits=5).thickness.text == couplet.state("1", "inf", digits=5).thickness.text
     assert couplet.state(1, Decimal("Infinity")).verdict == "stands"
+
+
+def test_a_whole_number_is_one_whatever_its_class_says():
+    class Odd(int):
+        def __str__(self):
+            return "2"
+
+        __repr__ = __str__
+
+    class Kind(enum.IntEnum):
+        ONE = 1
+
+    for one in [Odd(1), Kind.ONE]:
+        assert couplet.state(one, "0.5", digits=5).given["half_opening"] == "1"
+        assert couplet.state(1, "0.5", digits=one + 4).thickness.text == couplet.state(1, "0.5", digits=5).thickness.text
+        assert couplet.state("0.5", 1, digits=one).thickness.text == couplet.state("0.5", 1, digits=1).thickness.text
 
 
 def test_a_state():
