@@ -18,13 +18,13 @@ pub(crate) const NAME: &str = "couplet-run.json";
 const SCHEMA: &str = "couplet.run/1";
 
 /// The outputs that were completed, by their paths in the folder.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Manifest {
     schema: String,
     outputs: BTreeMap<String, Entry>,
 }
 
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 struct Entry {
     /// SHA-256 of the version of the program and the description of the item; none if it is not complete.
     asked: Option<String>,

@@ -13,6 +13,8 @@ pub(super) struct Folder {
     given: PathBuf,
     overwrites: bool,
     manifest: Manifest,
+    /// The record as it was when this run last looked, if it was one: only another run changes it meanwhile.
+    seen: Option<Manifest>,
 }
 
 impl Folder {
@@ -24,8 +26,9 @@ impl Folder {
         }
         let given = given.unwrap_or(Path::new("")).to_owned();
         let record = given.join(MANIFEST);
+        let mut seen = None;
         let manifest = match Manifest::of(&given) {
-            Ok(manifest) => manifest,
+            Ok(manifest) => seen.insert(manifest).clone(),
             Err(error) if error.kind() != io::ErrorKind::InvalidData => {
                 return Err(Failure::reading(record.display(), &error));
             }
@@ -37,7 +40,7 @@ impl Folder {
                 return Err(Failure::Input(message));
             }
         };
-        Ok(Self { given, overwrites, manifest })
+        Ok(Self { given, overwrites, manifest, seen })
     }
 
     /// The path of an output, to be shown.
@@ -85,8 +88,23 @@ impl Folder {
         self.write_record()
     }
 
-    fn write_record(&self) -> Result<(), Failure> {
-        Output::open(Some(&self.record()?))?.write(|out| self.manifest.write(out))
+    fn write_record(&mut self) -> Result<(), Failure> {
+        self.is_mine()?;
+        Output::open(Some(&self.record()?))?.write(|out| self.manifest.write(out))?;
+        self.seen = Some(self.manifest.clone());
+        Ok(())
+    }
+
+    /// Whether no other run writes into the folder.
+    fn is_mine(&self) -> Result<(), Failure> {
+        if Manifest::of(&self.given).ok() == self.seen {
+            return Ok(());
+        }
+        let record = self.given.join(MANIFEST);
+        Err(Failure::Io(format!(
+            "another run is at work: it has changed {} meanwhile; wait for it, or give another folder",
+            record.display()
+        )))
     }
 
     fn record(&self) -> Result<PathBuf, Failure> {
@@ -120,10 +138,35 @@ impl Folder {
             inside(&fs::canonicalize(&path).map_err(failed)?)?;
         }
         if path.is_file() && !self.overwrites && !self.manifest.names(output) {
+            self.is_mine()?;
             let shown = shown.display();
             let message = format!("{shown} is there, and no run wrote it; --overwrite replaces it");
             return Err(Failure::Input(message));
         }
         Ok(path)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_run_is_told_of_another_at_the_same_folder() {
+        let folder = tempfile::tempdir().unwrap();
+        let open = || Folder::open(Some(folder.path()), false).unwrap();
+        let (mut one, mut other, mut third) = (open(), open(), open());
+        let write = |folder: &mut Folder| {
+            folder.begin(Path::new("a.csv"))?.write(|out| out.write_all(b"x"))
+        };
+        assert!(write(&mut one).is_ok());
+        for contested in [write(&mut other), third.begin(Path::new("b.csv")).map(drop)] {
+            let Err(Failure::Io(message)) = contested else { panic!() };
+            assert!(message.starts_with("another run is at work: "), "{message}");
+        }
+        assert!(write(&mut one).is_ok() && write(&mut open()).is_ok());
+        fs::remove_file(folder.path().join(MANIFEST)).unwrap();
+        let Err(Failure::Input(message)) = write(&mut open()) else { panic!() };
+        assert!(message.ends_with("no run wrote it; --overwrite replaces it"), "{message}");
     }
 }

@@ -9,7 +9,7 @@ use clap::Args;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, Once};
+use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 use tempfile::NamedTempFile;
 
 /// How and where answers are written.
@@ -202,8 +202,7 @@ impl Output {
             _ => Path::new("."),
         };
         let failed = |error: io::Error| cannot_write(&path, &error);
-        let unfinished = builder().tempfile_in(folder).map_err(failed)?;
-        remove_on_interrupt(unfinished.path());
+        let unfinished = unfinished_in(folder).map_err(failed)?;
         let is_foreign = match &there {
             Some(there) => !take_over(there, unfinished.as_file()).map_err(failed)?,
             None => false,
@@ -240,7 +239,7 @@ impl Output {
                 } else {
                     unfinished.persist(&path).map_err(|error| failed(error.error))?;
                 }
-                set_unfinished(None);
+                *unfinished_path() = None;
                 Ok(())
             }
         }
@@ -286,16 +285,16 @@ fn copy_into(finished: &NamedTempFile, path: &Path) -> io::Result<()> {
     file.sync_all()
 }
 
-fn set_unfinished(path: Option<PathBuf>) {
-    *UNFINISHED.lock().unwrap_or_else(std::sync::PoisonError::into_inner) = path;
+fn unfinished_path() -> MutexGuard<'static, Option<PathBuf>> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// An interrupted run leaves nothing behind.
-fn remove_on_interrupt(path: &Path) {
-    set_unfinished(Some(path.to_owned()));
+/// Makes the unfinished file, which an interrupt removes: at no moment is it there and not known to the handler.
+fn unfinished_in(folder: &Path) -> io::Result<NamedTempFile> {
     HANDLER.call_once(|| {
         let handler = || {
-            let unfinished = UNFINISHED.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+            // Held until the end: nothing is made meanwhile.
+            let unfinished = unfinished_path();
             if let Some(path) = unfinished.as_ref() {
                 // Nothing more can be done about a file that resists.
                 let _ = fs::remove_file(path);
@@ -305,4 +304,31 @@ fn remove_on_interrupt(path: &Path) {
         // Without a handler an interrupt leaves a hidden file behind; start all the same.
         let _ = ctrlc::set_handler(handler);
     });
+    let mut path = unfinished_path();
+    let unfinished = builder().tempfile_in(folder)?;
+    *path = Some(unfinished.path().to_owned());
+    Ok(unfinished)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::thread;
+    use std::time::Duration;
+
+    #[test]
+    fn no_file_is_made_that_an_interrupt_would_leave() {
+        let folder = tempfile::tempdir().unwrap();
+        let count = || fs::read_dir(folder.path()).unwrap().count();
+        thread::scope(|scope| {
+            // As the handler holds it.
+            let handler = unfinished_path();
+            let begun = scope.spawn(|| unfinished_in(folder.path()).unwrap());
+            thread::sleep(Duration::from_millis(20));
+            assert_eq!(count(), 0);
+            drop(handler);
+            let unfinished = begun.join().unwrap();
+            assert_eq!((count(), unfinished.path().parent()), (1, Some(folder.path())));
+        });
+    }
 }
