@@ -8,12 +8,12 @@ use std::ops::AddAssign;
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-/// Time and evaluations.
+/// Processor time and evaluations.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cost {
-    /// From begin to end; the sum of it where costs are added.
+    /// Of the processor, in the thread that did it, whatever else the machine has to do.
     pub time: Duration,
     /// What was evaluated.
     pub tally: Tally,
@@ -46,9 +46,10 @@ pub(super) fn measured<J: Sync, T: Send>(
         loop {
             let index = next.fetch_add(1, Ordering::Relaxed);
             let Some(job) = jobs.get(index) else { return done };
-            let start = Instant::now();
+            let start = tally::processor_time();
             let (result, tally) = tally::measure(|| work(job));
-            done.push((index, (result, Cost { time: start.elapsed(), tally })));
+            let time = tally::processor_time().saturating_sub(start);
+            done.push((index, (result, Cost { time, tally })));
         }
     };
     let mut done: Vec<(usize, (T, Cost))> = thread::scope(|scope| {

@@ -8,8 +8,9 @@ use super::plan::Plan;
 use super::run::Costs;
 use super::schema::Item;
 use crate::certify::state::Wanted;
-use crate::problem::Equation;
+use crate::problem::{Equation, tally::Tally};
 use crate::report::words::{count, list};
+use cpu_time::ProcessTime;
 use std::io;
 
 /// A node of the tree: its lines, and what hangs on it.
@@ -68,7 +69,11 @@ pub fn explain(plan: &Plan, costs: Option<&Costs>, out: &mut dyn io::Write) -> i
     }
     write_all(&branches, "", out)?;
     if let Some(costs) = costs {
-        writeln!(out, "in all, summed over the cores: {}", spent(&costs.total()))?;
+        // Threads that proofs share are seen here alone.
+        let all = ProcessTime::try_now().map(|time| time.as_duration());
+        let total = costs.total();
+        let total = Cost { time: all.unwrap_or(total.time), ..total };
+        writeln!(out, "in all, processor time of the program: {}", spent(&total))?;
     }
     Ok(())
 }
@@ -208,7 +213,7 @@ fn arches(plan: &Plan, costs: Option<&Costs>, index: usize) -> Vec<Branch> {
     let shown = if mine.len() <= SHOWN + 1 { mine.len() } else { SHOWN };
     for &place in &mine[..shown] {
         let lines = arch(&plan.arches[place]).into_iter();
-        branches.push(Branch::new(lines.chain(cost(place).as_ref().map(spent))));
+        branches.push(Branch::new(lines.chain(cost(place).as_ref().map(spent_on_arch))));
     }
     if shown < mine.len() {
         let costs: Option<Vec<Cost>> = mine[shown..].iter().map(|&place| cost(place)).collect();
@@ -239,6 +244,14 @@ fn arch(node: &ArchNode) -> Vec<String> {
         format!("to {} digits, thickness {}: {what}", asked.digits, asked.thickness)
     }));
     lines
+}
+
+/// The cost of an arch in words. Where nothing was evaluated, one that was proved before says it all.
+fn spent_on_arch(cost: &Cost) -> String {
+    match cost.tally == Tally::default() {
+        true => "as proved for another friction of its half opening".to_owned(),
+        false => spent(cost),
+    }
 }
 
 /// A cost in words.

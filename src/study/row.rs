@@ -1,6 +1,7 @@
 //! What is measured of one method on one case.
 
 use super::enclosure::Errors;
+use crate::problem::tally::processor_time;
 use serde::Serialize;
 use std::time::{Duration, Instant};
 
@@ -65,9 +66,9 @@ pub struct Timed<T> {
 /// takes longer than that).
 pub fn timed<T>(budget: Duration, job: impl Fn() -> T) -> Timed<T> {
     let once = || {
-        let (cpu, wall) = (cpu_time(), Instant::now());
+        let (cpu, wall) = (processor_time(), Instant::now());
         let value = std::hint::black_box(job());
-        (value, cpu_time().saturating_sub(cpu), wall.elapsed())
+        (value, processor_time().saturating_sub(cpu), wall.elapsed())
     };
     let (mut value, first, elapsed) = once();
     let repeats = match elapsed.as_nanos() {
@@ -87,14 +88,6 @@ pub fn timed<T>(budget: Duration, job: impl Fn() -> T) -> Timed<T> {
 fn median(mut times: Vec<Duration>) -> Duration {
     times.sort_unstable();
     times[times.len() / 2]
-}
-
-/// CPU time of this thread so far; where the system does not tell, wall time since the first call.
-fn cpu_time() -> Duration {
-    static START: std::sync::OnceLock<Instant> = std::sync::OnceLock::new();
-    cpu_time::ThreadTime::try_now()
-        .map(|time| time.as_duration())
-        .unwrap_or_else(|_| START.get_or_init(Instant::now).elapsed())
 }
 
 /// The largest resident memory of the process, where Linux tells.

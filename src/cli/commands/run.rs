@@ -39,8 +39,8 @@ pub(crate) struct Arguments {
     #[arg(long)]
     plan: bool,
 
-    /// Print on standard error, as a tree, what was computed, what each piece cost, and what was left
-    /// out and why.
+    /// Print on standard error, as a tree, what was computed, what each piece cost in processor time and
+    /// evaluations, and what was left out and why.
     #[arg(long, conflicts_with = "plan")]
     explain: bool,
 

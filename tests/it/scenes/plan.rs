@@ -35,5 +35,20 @@ fn what_was_computed_is_explained_with_its_cost() {
         tree.contains("sliding_friction, rotational_friction of 1 arch: not asked for"),
         "{tree}"
     );
-    assert!(tree.contains("in all, summed over the cores: "), "{tree}");
+    assert!(!tree.contains("as proved for another"), "{tree}");
+    assert!(tree.contains("in all, processor time of the program: "), "{tree}");
+}
+
+#[test]
+fn an_arch_that_shares_a_proof_is_said_to_do_so() {
+    let scratch = Scratch::new();
+    let many = "[arches]\nhalf_opening = \"pi/2\"\nfriction = [1, 2, 3, 4]\nformat = \"csv\"\n";
+    let output = couplet(&["run", &scene_in(&scratch, many), "--explain", "--threads", "1"]);
+    let tree = text(&output.stderr);
+    // Two are proved alone, and what the third makes is shared.
+    assert_eq!(
+        tree.matches("as proved for another friction of its half opening").count(),
+        1,
+        "{tree}"
+    );
 }
