@@ -7,7 +7,7 @@ use super::fields::Fields;
 use super::find;
 use super::rows::{Rows, in_parallel};
 use super::subject::Subject;
-use super::words::hexadecimal;
+use super::words::{hexadecimal, printable};
 use std::io;
 
 /// Landmarks or arches.
@@ -37,7 +37,9 @@ pub(super) fn write(
     out: &mut dyn io::Write,
 ) -> io::Result<()> {
     let mut csv = ::csv::Writer::from_writer(out);
-    records.into_iter().try_for_each(|record| csv.write_record(record)).map_err(io_error)?;
+    let cell = |cell: String| printable(cell, |c| c.escape_debug().to_string()).into_bytes();
+    let mut records = records.into_iter().map(|record| record.into_iter().map(cell));
+    records.try_for_each(|record| csv.write_record(record)).map_err(io_error)?;
     csv.flush()
 }
 
@@ -98,12 +100,12 @@ fn record(report: &Answers, answer: &Answer, with_lines: bool) -> Vec<String> {
     }
     record.extend(columns::double_cells(report, answer));
     if has_doubles(report) {
-        record.extend(report.quantities.iter().flat_map(|&quantity| {
-            match answer.value(quantity).filter(|value| value.decimal.is_some()) {
+        record.extend(report.quantities.iter().flat_map(
+            |&quantity| match answer.value(quantity) {
                 Some(value) => [format!("{:?}", value.double), hexadecimal(value.double)],
                 None => [const { String::new() }; 2],
-            }
-        }));
+            },
+        ));
     }
     record
 }

@@ -11,7 +11,7 @@ use super::find;
 use super::rows::{Rows, in_parallel};
 use super::subject::Subject;
 use super::value::Value;
-use super::words::hexadecimal;
+use super::words::{hexadecimal, printable};
 use crate::problem::Quantity;
 use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
@@ -52,11 +52,22 @@ pub(super) fn write(document: &impl Serialize, out: &mut dyn io::Write) -> io::R
     writeln!(out)
 }
 
-/// Writes a document on one line.
+/// The same of texts of other people.
+pub(super) fn write_printable(
+    document: &impl Serialize,
+    out: &mut dyn io::Write,
+) -> io::Result<()> {
+    out.write_all(&escaped(serde_json::to_string_pretty(document)?))
+}
+
+/// A document on one line.
 pub(super) fn line(document: &impl Serialize) -> io::Result<Vec<u8>> {
-    let mut line = serde_json::to_vec(document)?;
-    line.push(b'\n');
-    Ok(line)
+    Ok(escaped(serde_json::to_string(document)?))
+}
+
+/// A line of JSON with what is no text as escapes, which are the same to a reader.
+fn escaped(json: String) -> Vec<u8> {
+    printable(json + "\n", |c| format!("\\u{:04x}", u32::from(c))).into_bytes()
 }
 
 struct JsonLines(Answers);

@@ -90,6 +90,19 @@ pub(crate) fn hexadecimal(x: f64) -> String {
     format!("{sign}0x1{point}{digits}p{exponent:+}")
 }
 
+/// A text of other people with what is no text as an escape, for a terminal would obey it: control characters but tabs
+/// and ends of lines, and marks that turn what follows round. `escape` says how one is written.
+pub(crate) fn printable(text: String, escape: impl Fn(char) -> String) -> String {
+    let is_text = |c: char| {
+        let turns = matches!(c, '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+        matches!(c, '\t' | '\n' | '\r') || !c.is_control() && !turns
+    };
+    if text.bytes().all(|byte| matches!(byte, b' '..=b'~')) || text.chars().all(is_text) {
+        return text;
+    }
+    text.chars().map(|c| if is_text(c) { c.to_string() } else { escape(c) }).collect()
+}
+
 /// How an arch is divided into stones.
 pub(super) fn division(stones: &Stones) -> String {
     match stones {

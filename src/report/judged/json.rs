@@ -101,5 +101,5 @@ pub(crate) fn summary(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Re
         worst: summary.worst.iter().map(RowEntry::new).collect(),
         not_judged: summary.unjudged.iter().map(RowEntry::new).collect(),
     };
-    json::write(&file, out)
+    json::write_printable(&file, out)
 }

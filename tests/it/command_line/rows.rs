@@ -215,3 +215,35 @@ fn text_from_outside_is_not_obeyed() {
     }
     refused(&["judge", "-"], "\u{1b}[2J,b\n", r"\u{1b}[2J");
 }
+
+#[test]
+fn what_is_kept_is_as_it_came_unless_a_terminal_would_obey_it() {
+    let input = "alpha,mu,eta,x\u{1b}[2J,\"e\u{301}\"\n1,1,1,\u{1b}]0;a\0\u{202e}b,\"\ta\tb\"\n";
+    for command in ["states", "judge"] {
+        let output = |format| {
+            let input =
+                if command == "states" { input.replace("eta,", "note,") } else { input.into() };
+            let (_, output, message) =
+                said(&fed(&[command, "-", "--keep", "all", "--format", format], input));
+            let is_obeyed = |c: char| c.is_control() && !"\t\n".contains(c) || c == '\u{202e}';
+            assert!(!output.contains(is_obeyed), "{command} {output:?} {message}");
+            output
+        };
+        let table = output("csv");
+        assert!(table.contains(r"x\u{1b}[2J,") && table.contains("e\u{301}"), "{table}");
+        assert!(table.contains(r"\u{1b}]0;a\0\u{202e}b,") && table.contains(",a\tb,"), "{table}");
+        let row: Value = serde_json::from_str(&output("jsonl")).unwrap();
+        assert_eq!(row["kept"]["x\u{1b}[2J"], "\u{1b}]0;a\0\u{202e}b");
+        assert_eq!(row["kept"]["e\u{301}"], "a\tb");
+    }
+}
+
+#[test]
+fn a_double_is_infinite_where_its_value_is() {
+    let row = &table(&[], "alpha,mu\n2.6,inf\n")[0];
+    for end in ["", "_double", "_hex"] {
+        assert_eq!(row[&format!("rotational_friction{end}")], "inf", "{row:?}");
+    }
+    let row = &rows(&[], "alpha,mu\n2.6,inf\n")[0]["rotational_friction"];
+    assert_eq!((&row["value"], row.get("double"), row.get("hex")), (&"inf".into(), None, None));
+}
