@@ -92,7 +92,7 @@ fn table(texts: &[[String; 3]]) -> Vec<Kept> {
 /// A sweep of a plan from nothing, and how many of its rows have which verdict.
 fn sweep(plan: &str, folder: &Path) -> [u64; 4] {
     let plan = read_sweep(plan.as_bytes()).unwrap_or_else(|_| panic!("the plan is one"));
-    let sweep = Sweep::new(&plan, folder, folder);
+    let sweep = Sweep::new(&plan, folder, folder).unwrap();
     sweep.prepare().unwrap();
     let parts: Vec<usize> = (0..sweep.parts()).collect();
     let part = |&part: &usize| sweep.compute(part).unwrap();

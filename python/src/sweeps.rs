@@ -50,7 +50,7 @@ pub(crate) fn sweep_begin(
     };
     let plan = read_sweep(plan).map_err(told)?;
     py.detach(|| {
-        let sweep = Sweep::new(&plan, &base, &output);
+        let sweep = Sweep::new(&plan, &base, &output).map_err(wrong)?;
         let others = sweep.others();
         sweep.prepare().map_err(wrong)?;
         Ok((sweep.folder().to_owned(), others, sweep.bad_files()))

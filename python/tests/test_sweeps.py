@@ -21,9 +21,10 @@ count = 1000
 
 
 def written(output):
-    """The name of the only sweep in a folder, and its files."""
-    (folder,) = Path(output).iterdir()
-    return folder.name, {file.name: file.read_bytes() for file in folder.iterdir()}
+    """The name of the only sweep in a folder, its record and its parts."""
+    (folder,) = (path for path in Path(output).iterdir() if path.is_dir())
+    files = {file.name: file.read_bytes() for file in folder.iterdir()}
+    return folder.name, files | {"record": folder.with_suffix(".json").read_bytes()}
 
 
 @pytest.fixture
@@ -76,9 +77,7 @@ def test_processes_of_which_some_are_killed(plan, whole, tmp_path):
 
     made = couplet.sweep(plan, tmp_path / "out", "processes", workers=2, progress=tell)
     assert len(set(killed)) == 2 and made.rows == 1000
-    name, files = written(tmp_path / "out")
-    files = {file: content for file, content in files.items() if not file.startswith(".couplet-")}
-    assert (name, files) == whole
+    assert written(tmp_path / "out") == whole
 
 
 DRIVER = """
@@ -97,9 +96,7 @@ def test_a_driver_that_is_killed(plan, whole, tmp_path):
     driver.communicate()
     made = couplet.sweep(plan, tmp_path / "out")
     assert made.kept >= 1 and made.rows == 1000
-    name, files = written(tmp_path / "out")
-    files = {file: content for file, content in files.items() if not file.startswith(".couplet-")}
-    assert (name, files) == whole
+    assert written(tmp_path / "out") == whole
 
 
 def test_ray(plan, whole, tmp_path):
@@ -127,9 +124,7 @@ def test_a_client_of_dask_with_a_worker_that_is_killed(plan, whole, tmp_path):
 
         threading.Timer(0.05, kill).start()
         couplet.sweep(plan, tmp_path / "out", client)
-    name, files = written(tmp_path / "out")
-    files = {file: content for file, content in files.items() if not file.startswith(".couplet-")}
-    assert (name, files) == whole
+    assert written(tmp_path / "out") == whole
 
 
 def test_a_plan_of_numbers_of_python(tmp_path):
@@ -145,8 +140,8 @@ def test_a_plan_of_numbers_of_python(tmp_path):
     assert made.rows == 12
     np = pytest.importorskip("numpy")
     grid = {"half_opening": np.array([0.1, 0.5]), "friction": 1}
-    plan = couplet.sweep({"grid": grid}, tmp_path / "doubles").folder + "/_plan.json"
-    assert "3602879701896397/36028797018963968" in Path(plan).read_text()
+    record = couplet.sweep({"grid": grid}, tmp_path / "doubles").folder + ".json"
+    assert "3602879701896397/36028797018963968" in Path(record).read_text()
     grid = {"half_opening": range(1, 3), "friction": np.int64(1)}
     made = couplet.sweep({"grid": grid, "chunk": np.int64(1)}, tmp_path / "integers")
     assert (made.rows, made.computed) == (2, 2)
@@ -183,6 +178,25 @@ def test_the_table_is_read_by_others(tmp_path, monkeypatch):
     parquet.write_table(table, tmp_path / "in.parquet", compression="zstd")
     (fault,) = couplet.sweep({"data": {"files": "in.parquet"}}, tmp_path / "zstd").lost
     assert "it is compressed with ZSTD" in fault
+
+
+def test_a_folder_is_a_table_of_polars(tmp_path):
+    polars = pytest.importorskip("polars")
+    folder = couplet.sweep({"grid": {"half_opening": [0.5, 1], "friction": [1, 2]}, "chunk": 2}, tmp_path).folder
+    table = polars.read_parquet(folder)
+    assert table["row"].to_list() == [0, 1, 2, 3]
+    assert table["thickness"][0] == couplet.state(0.5, 1).thickness.double
+    assert table["verdict"].to_list() == ["stands"] * 4
+
+
+def test_what_is_no_part_is_named(tmp_path):
+    plan = {"grid": {"half_opening": [0.5, 1], "friction": 1}, "chunk": 1}
+    made = couplet.sweep(plan, tmp_path)
+    part = next(Path(made.folder).glob("part-*"))
+    (Path(made.folder) / "copy.parquet").write_bytes(part.read_bytes())
+    assert made.verify()["faults"] == ["copy.parquet is no part of the sweep"]
+    with pytest.raises(couplet.CoupletError, match="copy.parquet is no part of the sweep; take it away"):
+        couplet.sweep(plan, tmp_path)
 
 
 def test_bad_rows_are_rows(tmp_path):

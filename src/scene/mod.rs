@@ -69,4 +69,6 @@ pub use schema::{
     Drawn, EXAMPLE, Item, Kind, MAX_ARCH_DIGITS, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, MapLine, SCHEMA,
     Scene, SceneArch, SceneDrawing, SceneMap, What,
 };
+#[cfg(feature = "parquet")]
+pub(crate) use sweep::{MAX_CHUNK, MAX_SAMPLE};
 pub use sweep::{SWEEP_DIGITS, SWEEP_EXAMPLE, SWEEP_SCHEMA, SweepArches, SweepPlan};

@@ -14,9 +14,9 @@ pub const SWEEP_EXAMPLE: &str = include_str!("sweep.toml");
 pub const SWEEP_DIGITS: usize = 17;
 
 /// The most arches of a sample.
-pub(super) const MAX_SAMPLE: usize = 10_000_000_000;
+pub(crate) const MAX_SAMPLE: usize = 10_000_000_000;
 /// The most rows of a part: it is held in memory.
-pub(super) const MAX_CHUNK: usize = 10_000_000;
+pub(crate) const MAX_CHUNK: usize = 10_000_000;
 
 /// Many arches, and what is asked of each.
 #[derive(Clone, Debug)]

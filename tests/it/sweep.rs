@@ -26,25 +26,35 @@ fn sweep(scratch: &Scratch, out: &str, more: &[&str]) -> (Option<i32>, String, S
     said(&couplet(&[&["sweep", &plan, "-o", &out], more].concat()))
 }
 
-/// The names and the content of all files of the only sweep in a folder.
+/// The names of the sweeps in a folder, each of which has a record.
+fn sweeps(scratch: &Scratch, out: &str) -> Vec<String> {
+    let names = scratch.files(out).into_iter().filter(|name| !name.starts_with(".couplet-"));
+    let (records, folders): (Vec<_>, Vec<_>) = names.partition(|name| name.ends_with(".json"));
+    assert_eq!(records, folders.iter().map(|name| format!("{name}.json")).collect::<Vec<_>>());
+    folders
+}
+
+/// The names and the content of the parts of the only sweep in a folder.
 fn files(scratch: &Scratch, out: &str) -> BTreeMap<String, Vec<u8>> {
-    let sweeps = scratch.files(out);
-    assert_eq!(sweeps.len(), 1, "{sweeps:?}");
-    let folder = format!("{out}/{}", sweeps[0]);
+    let folder = folder(scratch, out);
     let content = |name: String| {
-        let content = fs::read(scratch.path(&format!("{folder}/{name}"))).unwrap();
+        let content = fs::read(format!("{folder}/{name}")).unwrap();
         (name, content)
     };
-    scratch.files(&folder).into_iter().map(content).collect()
+    let parts = scratch.files(&format!("{out}/{}", sweeps(scratch, out)[0]));
+    assert!(parts.iter().all(|name| name.starts_with("part-")), "{parts:?}");
+    parts.into_iter().map(content).collect()
 }
 
 /// The path of the only sweep in a folder.
 fn folder(scratch: &Scratch, out: &str) -> String {
-    scratch.path(&format!("{out}/{}", scratch.files(out)[0]))
+    let sweeps = sweeps(scratch, out);
+    assert_eq!(sweeps.len(), 1, "{sweeps:?}");
+    scratch.path(&format!("{out}/{}", sweeps[0]))
 }
 
 fn parts(files: &BTreeMap<String, Vec<u8>>) -> Vec<&Vec<u8>> {
-    files.iter().filter(|(name, _)| name.starts_with("part-")).map(|(_, bytes)| bytes).collect()
+    files.values().collect()
 }
 
 /// All rows of the only sweep in a folder.
@@ -120,8 +130,8 @@ fn the_bytes_are_the_same_for_one_thread_for_more_and_in_shares() {
     let one = files(&scratch, "one");
     assert_eq!(parts(&one).len(), 2);
     assert_eq!((&files(&scratch, "more"), &files(&scratch, "shares")), (&one, &one));
-    let name = scratch.files("one")[0].clone();
-    let plan = Sha256::digest(&one["_plan.json"]);
+    let name = sweeps(&scratch, "one")[0].clone();
+    let plan = Sha256::digest(scratch.read(&format!("one/{name}.json")));
     let hash: String = plan.iter().map(|byte| format!("{byte:02x}")).collect();
     assert_eq!(name, format!("sweep-{}", &hash[..16]), "the name is the hash of the record");
     let (_, notes) = read(parts(&one)[1].clone());
@@ -137,7 +147,7 @@ fn what_is_missing_or_spoiled_is_computed_again_and_nothing_else() {
     let scratch = planned("chunk = 5\n[sample]\ncount = 20\n");
     sweep(&scratch, "out", &[]);
     let whole = files(&scratch, "out");
-    let names: Vec<&String> = whole.keys().filter(|name| name.starts_with("part-")).collect();
+    let names: Vec<&String> = whole.keys().collect();
     let path = |place: usize| format!("{}/{}", folder(&scratch, "out"), names[place]);
     fs::remove_file(path(0)).unwrap();
     // Cut behind the footer's beginning, and a byte in the middle.
@@ -164,7 +174,8 @@ fn nothing_is_lost_when_a_worker_is_killed() {
     let begun = Instant::now();
     let is_begun = || {
         let sweeps = scratch.files("out");
-        let names = sweeps.first().map(|name| scratch.files(&format!("out/{name}")));
+        let folder = sweeps.iter().find(|name| name.starts_with("sweep-"));
+        let names = folder.map(|name| scratch.files(&format!("out/{name}")));
         // A part of an even number is of the first share.
         let of_first =
             |name: &String| name.as_bytes().get(12).is_some_and(|c| (c - b'0').is_multiple_of(2));
@@ -185,10 +196,8 @@ fn nothing_is_lost_when_a_worker_is_killed() {
         "{out}"
     );
     sweep(&scratch, "fresh", &[]);
-    let mut found = files(&scratch, "out");
-    // What the killed one was writing, if it was, is read by nobody and cleared later.
-    found.retain(|name, _| !name.starts_with(".couplet-"));
-    assert_eq!(found, files(&scratch, "fresh"));
+    // What the killed one was writing, if it was, is beside the folder, and cleared later.
+    assert_eq!(files(&scratch, "out"), files(&scratch, "fresh"));
 }
 
 #[test]
@@ -206,7 +215,7 @@ fn a_full_disk_is_one_line_and_leaves_nothing_half_written() {
         message.starts_with("couplet: cannot write ") && message.lines().count() == 1,
         "{message}"
     );
-    assert_eq!(files(&scratch, "out").keys().collect::<Vec<_>>(), ["_plan.json"]);
+    assert!(files(&scratch, "out").is_empty() && scratch.files("out").len() == 2);
     assert_eq!(sweep(&scratch, "out", &[]).0, Some(0), "it goes on when there is room");
 }
 
@@ -215,7 +224,7 @@ fn another_plan_is_another_sweep_and_the_first_stays() {
     let scratch = planned(GRID);
     sweep(&scratch, "out", &[]);
     let first = files(&scratch, "out");
-    let name = scratch.files("out")[0].clone();
+    let name = sweeps(&scratch, "out")[0].clone();
     scratch.write("plan.toml", HEAD.to_owned() + &GRID.replace("2.62", "2.63"));
     let (code, _, message) = sweep(&scratch, "out", &[]);
     assert_eq!(code, Some(0));
@@ -223,7 +232,7 @@ fn another_plan_is_another_sweep_and_the_first_stays() {
         message.contains("other sweeps stay as they are") && message.contains(&name),
         "{message}"
     );
-    assert_eq!(scratch.files("out").len(), 2);
+    assert_eq!(sweeps(&scratch, "out").len(), 2);
     for (file, content) in &first {
         assert_eq!(&fs::read(scratch.path(&format!("out/{name}/{file}"))).unwrap(), content);
     }
@@ -310,7 +319,7 @@ fn a_bad_row_is_a_row_and_a_bad_file_is_named() {
     // Another content of the same file is another sweep; and an opened one does not read it.
     scratch.write("a.csv", TABLE.replace("80deg", "81deg"));
     sweep(&scratch, "out", &[]);
-    assert_eq!(scratch.files("out").len(), 2);
+    assert_eq!(sweeps(&scratch, "out").len(), 2);
 }
 
 #[test]
@@ -382,7 +391,7 @@ fn what_was_forged_is_found() {
     let (code, out, message) = looked();
     assert_eq!((code, message.as_str()), (Some(0), ""));
     assert!(out.contains("50 rows proved again bit for bit, 20 of them certified"), "{out}");
-    let name = files(&scratch, "out").into_keys().find(|name| name.starts_with("part-")).unwrap();
+    let name = files(&scratch, "out").into_keys().next().unwrap();
     let content = fs::read(format!("{home}/{name}")).unwrap();
     let put = |name: &str, content: &[u8]| fs::write(format!("{home}/{name}"), content).unwrap();
     let named = |content: &[u8]| {
@@ -424,7 +433,99 @@ fn what_was_forged_is_found() {
         format!("{home}/{}", name.replace("-00000000-", "-00000007-")),
     )
     .unwrap();
-    assert!(looked().2.contains("the sweep has no part 7"));
+    assert!(
+        looked().2.contains("part-00000007-") && looked().2.contains(" is no part of the sweep")
+    );
+}
+
+#[test]
+fn what_is_no_part_is_named_by_a_second_run_and_by_a_look() {
+    let scratch = planned("chunk = 5\n[sample]\ncount = 10\n");
+    sweep(&scratch, "out", &[]);
+    let (home, whole) = (folder(&scratch, "out"), files(&scratch, "out"));
+    let (name, content) = whole.first_key_value().unwrap();
+    let is_named = |stray: &str| {
+        let (code, out, message) = sweep(&scratch, "out", &[]);
+        let line = format!("couplet: {home}/{stray} is no part of the sweep; take it away\n");
+        assert_eq!((code, out.as_str(), message), (Some(2), "", line));
+        let (code, _, message) = said(&couplet(&["sweep", &home, "--verify", "0"]));
+        assert_eq!(code, Some(1));
+        assert!(
+            message.starts_with(&format!("couplet: {stray} is no part of the sweep\n")),
+            "{message}"
+        );
+    };
+    for stray in [
+        "copy.parquet",
+        "_plan.json",
+        &name.replace("-00000000-", "-00000099-"),
+        &name.replace("-00000000-", "-0-"),
+    ] {
+        fs::write(format!("{home}/{stray}"), content).unwrap();
+        is_named(stray);
+        fs::remove_file(format!("{home}/{stray}")).unwrap();
+    }
+    fs::remove_file(format!("{home}/{name}")).unwrap();
+    fs::create_dir(format!("{home}/{name}")).unwrap();
+    is_named(name);
+    fs::remove_dir(format!("{home}/{name}")).unwrap();
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("nowhere", format!("{home}/{name}")).unwrap();
+        is_named(name);
+        fs::remove_file(format!("{home}/{name}")).unwrap();
+        // A pipe: who opens it waits.
+        let made = std::process::Command::new("mkfifo").arg(format!("{home}/{name}")).status();
+        assert!(made.unwrap().success());
+        is_named(name);
+        fs::remove_file(format!("{home}/{name}")).unwrap();
+    }
+    fs::write(format!("{home}/.hidden"), "").unwrap();
+    assert_eq!(sweep(&scratch, "out", &[]).0, Some(0));
+}
+
+#[test]
+fn a_folder_is_opened_with_its_own_record_of_this_version_alone() {
+    let scratch = planned("[sample]\ncount = 10\n");
+    sweep(&scratch, "out", &[]);
+    let (home, name) = (folder(&scratch, "out"), sweeps(&scratch, "out").remove(0));
+    let record = scratch.read(&format!("out/{name}.json"));
+    let looked = |home: &str| {
+        let (code, out, message) = said(&couplet(&["sweep", home, "--verify", "0"]));
+        assert_eq!((code, out.as_str(), message.lines().count()), (Some(2), "", 1), "{message}");
+        message
+    };
+    // A record under the name that it has.
+    let named = |record: &str| {
+        let hash: String =
+            Sha256::digest(record).iter().map(|byte| format!("{byte:02x}")).collect();
+        let name = format!("sweep-{}", &hash[..16]);
+        scratch.write(&format!("out/{name}.json"), record);
+        fs::create_dir_all(scratch.path(&format!("out/{name}"))).unwrap();
+        scratch.path(&format!("out/{name}"))
+    };
+    let version = format!("\"couplet\":\"{}\"", env!("CARGO_PKG_VERSION"));
+    let older = named(&record.replace(&version, "\"couplet\":\"0.0.9\""));
+    assert!(looked(&older).contains("couplet 0.0.9 began it, and this is "));
+    let many = record.replace("\"rows\":10,", "\"rows\":1000000000000000000,");
+    assert!(looked(&named(&many)).ends_with("its record contradicts itself\n"));
+    scratch.write(&format!("out/{name}.json"), many);
+    assert!(looked(&home).contains(&format!("{name}.json is the record of sweep-")));
+    fs::remove_file(scratch.path(&format!("out/{name}.json"))).unwrap();
+    assert!(looked(&home).contains(&format!("it has no {name}.json beside it")));
+    scratch.write(&format!("out/{name}/_plan.json"), &record);
+    assert!(looked(&home).contains("move _plan.json beside it, as sweep-"));
+    fs::rename(format!("{home}/_plan.json"), format!("{home}.json")).unwrap();
+    assert_eq!(couplet(&["sweep", &home, "--verify", "0"]).status.code(), Some(0));
+}
+
+#[test]
+fn a_sweep_of_too_many_parts_is_refused_before_it_begins() {
+    let scratch = planned("chunk = 1\n[sample]\ncount = 10_000_000_000\n");
+    let (code, _, message) = sweep(&scratch, "out", &[]);
+    assert_eq!(code, Some(2));
+    let line = "couplet: a sweep has at most 1000000 parts, and this would have 10000000000: give a larger chunk\n";
+    assert_eq!(message, line);
 }
 
 #[test]

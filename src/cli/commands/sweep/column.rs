@@ -3,6 +3,7 @@
 //! It is read by its pages and not by `get_column_reader` of the group, which would bring readers of all types and of
 //! nested records into a program, although we read numbers and texts.
 
+use ::parquet::column::page::PageReader;
 use ::parquet::column::reader::ColumnReaderImpl;
 use ::parquet::data_type::DataType;
 use ::parquet::errors::Result;
@@ -14,9 +15,26 @@ use std::sync::Arc;
 /// A column, with its group and file.
 pub(super) type Of<'a> = (&'a Arc<File>, &'a RowGroupMetaData, &'a ColumnChunkMetaData);
 
-/// What reads the values of a column, which has this type.
-pub(super) fn reader<T: DataType>((file, group, column): Of) -> Result<ColumnReaderImpl<T>> {
+fn pages((file, group, column): Of) -> Result<SerializedPageReader<File>> {
+    // Of bytes before the beginning of the file there are none.
+    let numbers = [group.num_rows(), column.compressed_size(), column.data_page_offset()];
+    let numbers = numbers.into_iter().chain(column.dictionary_page_offset());
+    numbers.map(u64::try_from).collect::<std::result::Result<Vec<_>, _>>()?;
     let rows = usize::try_from(group.num_rows())?;
-    let pages = SerializedPageReader::new(Arc::clone(file), column, rows, None)?;
-    Ok(ColumnReaderImpl::new(column.column_descr_ptr(), Box::new(pages)))
+    SerializedPageReader::new(Arc::clone(file), column, rows, None)
+}
+
+/// What reads the values of a column, which has this type.
+pub(super) fn reader<T: DataType>(of: Of) -> Result<ColumnReaderImpl<T>> {
+    Ok(ColumnReaderImpl::new(of.2.column_descr_ptr(), Box::new(pages(of)?)))
+}
+
+/// Whether the pages of a column have a value for each row of its group: what is said of them elsewhere may be anything.
+pub(super) fn has_its_rows(of: Of) -> Result<bool> {
+    let (mut pages, mut values) = (pages(of)?, 0u64);
+    while let Some(page) = pages.peek_next_page()? {
+        values = values.saturating_add(page.num_levels.unwrap_or(0) as u64);
+        pages.skip_next_page()?;
+    }
+    Ok(of.1.num_rows() == of.2.num_values() && u64::try_from(of.1.num_rows()) == Ok(values))
 }

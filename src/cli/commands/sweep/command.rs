@@ -27,7 +27,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let plan = described(path, read_sweep)?;
     let base = path.parent().unwrap_or(Path::new(""));
-    let sweep = Sweep::new(&plan, base, arguments.output.as_deref().unwrap_or(Path::new("")));
+    let output = arguments.output.as_deref().unwrap_or(Path::new(""));
+    let sweep = Sweep::new(&plan, base, output).map_err(failure)?;
     let Share { k, n } = arguments.only.unwrap_or(Share { k: 1, n: 1 });
     let parts = sweep.share(k, n);
     let others = sweep.others();

@@ -10,6 +10,8 @@ const SMALLEST: f64 = 6_500.0;
 const ROWS: f64 = 250_000.0;
 /// Parts that a short sweep is divided among.
 const PARTS: f64 = 64.0;
+/// The most parts of a sweep: they are listed.
+pub(super) const MAX_PARTS: u64 = 1_000_000;
 /// What a half opening costs once, and each of its frictions, in single arches: most share what is proved once.
 /// Measured on 400 half openings by 1,000 frictions.
 const COLUMN: f64 = 3.0;

@@ -1,6 +1,7 @@
 //! Pieces of a Parquet file: rows of its row groups.
 
-use super::column::{Of, reader as reads};
+use super::column::{Of, has_its_rows, reader as reads};
+use super::cost::MAX_PARTS;
 use super::kind::Kind;
 use super::pieces::{CHANGED, columns, hash_of, hash_of_pieces};
 use super::query::Listed;
@@ -10,7 +11,9 @@ use crate::cli::failure::reason;
 use crate::number::ExactNumber;
 use ::parquet::basic::{Compression, Type};
 use ::parquet::column::reader::ColumnReaderImpl;
-use ::parquet::data_type::{ByteArrayType, DataType, DoubleType, FloatType, Int32Type, Int64Type};
+use ::parquet::data_type::{
+    ByteArray, ByteArrayType, DataType, DoubleType, FloatType, Int32Type, Int64Type,
+};
 use ::parquet::errors::ParquetError;
 use ::parquet::file::metadata::RowGroupMetaData;
 use ::parquet::file::reader::{FileReader, SerializedFileReader};
@@ -62,6 +65,7 @@ pub(super) fn slices(path: &Path, rows: u64) -> Result<Vec<GroupSlice>, String> 
     let (_, places) = columns(&header(&reader))?;
     let schema = reader.metadata().file_metadata().schema_descr_ptr();
     places.iter().try_for_each(|&place| Kind::of(&schema.column(place)).map(drop))?;
+    let pages = Arc::new(file.try_clone().map_err(|error| reason(&error))?);
     let mut slices = Vec::new();
     for (number, group) in reader.metadata().row_groups().iter().enumerate() {
         for column in places.iter().map(|&place| group.column(place)) {
@@ -80,8 +84,18 @@ pub(super) fn slices(path: &Path, rows: u64) -> Result<Vec<GroupSlice>, String> 
                 ));
             }
         }
+        for &place in &places {
+            let of = (&pages, group, group.column(place));
+            if !has_its_rows(of).map_err(failed)? {
+                let name = group.column(place).column_path().string();
+                return Err(format!("its column '{name}' has not as many values as it says rows"));
+            }
+        }
         let sha256 = hash(&mut file, group, &places)?;
         let length = u64::try_from(group.num_rows()).unwrap_or(0);
+        if length.div_ceil(rows) + slices.len() as u64 > MAX_PARTS {
+            return Err(format!("it has more than {MAX_PARTS} parts; give a larger chunk"));
+        }
         slices.extend((0..length).step_by(rows as usize).map(|skip| GroupSlice {
             rows: rows.min(length - skip),
             group: number,
@@ -121,22 +135,46 @@ pub(super) fn read(
     Ok(((first + 1..=first + slice.rows).collect(), listed))
 }
 
+/// Bytes of a text that are usual, and of all texts of a piece that are held whatever its rows: many rows may name one long
+/// text, and be few bytes of a file.
+const USUAL_TEXT: u64 = 512;
+const TEXTS: u64 = 64 << 20;
+
+/// Whether texts are short enough to be held, one for each row.
+fn fit(texts: &[ByteArray]) -> Result<(), ParquetError> {
+    let bytes: u64 = texts.iter().map(|text| text.len() as u64).sum();
+    match bytes <= TEXTS.max(USUAL_TEXT * texts.len() as u64) {
+        true => Ok(()),
+        false => Err(ParquetError::General(format!(
+            "{} rows have {} MiB of text in a column; give a smaller chunk",
+            texts.len(),
+            bytes >> 20
+        ))),
+    }
+}
+
 /// The cells of a column as exact texts; empty where there is none.
 fn texts(of: Of, slice: &GroupSlice) -> Result<Vec<String>, ParquetError> {
     let how = (slice, of.2.column_descr().max_def_level() > 0);
     let kind = Kind::of(of.2.column_descr()).map_err(ParquetError::General)?;
-    match of.2.column_type() {
-        Type::DOUBLE => cells::<DoubleType>(reads(of)?, how, |x| exact(*x)),
-        Type::FLOAT => cells::<FloatType>(reads(of)?, how, |x| exact(f64::from(*x))),
-        Type::INT32 => cells::<Int32Type>(reads(of)?, how, |x| {
-            kind.whole(i64::from(*x), u64::from(x.cast_unsigned()))
-        }),
-        Type::INT64 => cells::<Int64Type>(reads(of)?, how, |x| kind.whole(*x, x.cast_unsigned())),
-        Type::BYTE_ARRAY => cells::<ByteArrayType>(reads(of)?, how, |text| {
-            String::from_utf8_lossy(text.data()).trim().to_owned()
-        }),
-        _ => Err(ParquetError::General("a column is neither of numbers nor of texts".into())),
-    }
+    Ok(match of.2.column_type() {
+        Type::DOUBLE => values::<DoubleType>(reads(of)?, how)?.cells(|x| exact(*x)),
+        Type::FLOAT => values::<FloatType>(reads(of)?, how)?.cells(|x| exact(f64::from(*x))),
+        Type::INT32 => values::<Int32Type>(reads(of)?, how)?
+            .cells(|x| kind.whole(i64::from(*x), u64::from(x.cast_unsigned()))),
+        Type::INT64 => {
+            values::<Int64Type>(reads(of)?, how)?.cells(|x| kind.whole(*x, x.cast_unsigned()))
+        }
+        Type::BYTE_ARRAY => {
+            let read = values::<ByteArrayType>(reads(of)?, how)?;
+            fit(&read.values)?;
+            read.cells(|text| String::from_utf8_lossy(text.data()).trim().to_owned())
+        }
+        _ => {
+            let message = "a column is neither of numbers nor of texts";
+            return Err(ParquetError::General(message.into()));
+        }
+    })
 }
 
 /// A double as the number that it is.
@@ -147,27 +185,38 @@ fn exact(x: f64) -> String {
     }
 }
 
-fn cells<T: DataType>(
+/// The values of a column, and which rows have one if not all do.
+struct Values<T> {
+    values: Vec<T>,
+    there: Option<Vec<i16>>,
+}
+
+fn values<T: DataType>(
     mut column: ColumnReaderImpl<T>,
     (slice, is_optional): (&GroupSlice, bool),
-    text: impl Fn(&T::T) -> String,
-) -> Result<Vec<String>, ParquetError> {
+) -> Result<Values<T::T>, ParquetError> {
     let (skip, rows) = (slice.skip as usize, slice.rows as usize);
-    let (mut values, mut there) = (Vec::new(), Vec::new());
+    let (mut values, mut there) = (Vec::new(), is_optional.then(Vec::new));
     let skipped = column.skip_records(skip)?;
-    let levels = is_optional.then_some(&mut there);
-    let (read, ..) = column.read_records(rows, levels, None, &mut values)?;
+    let (read, ..) = column.read_records(rows, there.as_mut(), None, &mut values)?;
     if skipped != skip || read != rows {
         return Err(ParquetError::General("rows are missing".into()));
     }
-    let mut values = values.iter().map(text);
-    Ok(match is_optional {
-        true => {
-            let mut cell = |level: i16| if level > 0 { values.next() } else { None };
-            there.into_iter().map(|level| cell(level).unwrap_or_default()).collect()
+    Ok(Values { values, there })
+}
+
+impl<T> Values<T> {
+    /// The cells of the rows; empty where there is none.
+    fn cells(&self, text: impl Fn(&T) -> String) -> Vec<String> {
+        let mut values = self.values.iter().map(text);
+        match &self.there {
+            Some(there) => {
+                let mut cell = |&level: &i16| if level > 0 { values.next() } else { None };
+                there.iter().map(|level| cell(level).unwrap_or_default()).collect()
+            }
+            None => values.collect(),
         }
-        false => values.collect(),
-    })
+    }
 }
 
 #[cfg(test)]
@@ -258,6 +307,79 @@ mod tests {
             refused(friction::<ByteArrayType>(&kind, "1".into()), &format!("{name} as BYTE_ARRAY"));
         }
         refused(friction::<::parquet::data_type::BoolType>("boolean friction", true), "BOOLEAN");
+    }
+
+    /// A number of a footer: twice itself without a sign, seven bits at a time.
+    fn number(mut value: u64) -> Vec<u8> {
+        value <<= 1;
+        let mut bytes = Vec::new();
+        while value > 127 {
+            bytes.push(value as u8 | 128);
+            value >>= 7;
+        }
+        bytes.push(value as u8);
+        bytes
+    }
+
+    /// A Parquet file of `rows` rows whose footer says `said`, in as many bytes, wherever it says how many there are.
+    fn says(rows: u64, said: u64) -> NamedTempFile {
+        let file = NamedTempFile::new().unwrap();
+        let schema = "message m { required double half_opening; required double friction; }";
+        let schema = Arc::new(parse_message_type(schema).unwrap());
+        let properties = ::parquet::file::properties::WriterProperties::builder()
+            .set_statistics_enabled(::parquet::file::properties::EnabledStatistics::None)
+            .build();
+        let mut writer =
+            SerializedFileWriter::new(Vec::new(), schema, Arc::new(properties)).unwrap();
+        let mut group = writer.next_row_group().unwrap();
+        while let Some(mut column) = group.next_column().unwrap() {
+            let ones = vec![1.0; rows as usize];
+            column.typed::<DoubleType>().write_batch(&ones, None, None).unwrap();
+            column.close().unwrap();
+        }
+        group.close().unwrap();
+        let bytes = writer.into_inner().unwrap();
+        let length = u32::from_le_bytes(bytes[bytes.len() - 8..][..4].try_into().unwrap());
+        let (pages, footer) = bytes.split_at(bytes.len() - 8 - length as usize);
+        let (rows, said) = (number(rows), number(said));
+        let mut bent = footer[..footer.len() - 8].to_vec();
+        let mut changed = 0;
+        for place in (0..=bent.len() - rows.len()).rev() {
+            if bent[place..].starts_with(&rows) {
+                bent.splice(place..place + rows.len(), said.iter().copied());
+                changed += 1;
+            }
+        }
+        // Of each column, of the group, and of the file.
+        assert!(rows == said || changed == 4, "{changed}");
+        let length = (bent.len() as u32).to_le_bytes();
+        std::fs::write(file.path(), [pages, &bent, &length, b"PAR1"].concat()).unwrap();
+        file
+    }
+
+    #[test]
+    fn a_footer_is_not_believed_how_many_rows_there_are() {
+        let rows = 123_456;
+        assert_eq!(slices(says(rows, rows).path(), 1_000).unwrap().len(), 124);
+        for said in [rows - 1, rows + 1, 1_000_000_000_000, 1 << 62] {
+            let error = slices(says(rows, said).path(), 1_000).unwrap_err();
+            assert_eq!(error, "its column 'half_opening' has not as many values as it says rows");
+        }
+        let error = slices(says(1_000_001, 1_000_001).path(), 1).unwrap_err();
+        assert_eq!(error, "it has more than 1000000 parts; give a larger chunk");
+    }
+
+    #[test]
+    fn a_long_text_that_many_rows_name_is_not_unfolded() {
+        let text = |length| ByteArray::from(vec![b'1'; length]);
+        let many = |length, rows| vec![text(length); rows];
+        assert!(fit(&many(17, 1_000)).is_ok() && fit(&many(10_000, 1_000)).is_ok());
+        let long = text(19_000);
+        let error = fit(&vec![long; 130_000]).unwrap_err().to_string();
+        assert!(
+            error.ends_with("130000 rows have 2355 MiB of text in a column; give a smaller chunk"),
+            "{error}"
+        );
     }
 
     #[test]

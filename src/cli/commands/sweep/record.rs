@@ -3,15 +3,20 @@
 //! Its SHA-256 is the name of the sweep, and of the folder of its parts: two different sweeps cannot meet in a folder,
 //! and the same sweep always finds its own.
 
-use super::cost::rows_of_a_part;
+use super::cost::{MAX_PARTS, rows_of_a_part};
 use super::pieces::hash_of;
 use super::slices::Slices;
 use crate::arch::SelfWeight;
 use crate::problem::Quantity;
-use crate::scene::{SWEEP_SCHEMA, SweepArches, SweepPlan};
+use crate::scene::{
+    MAX_ARCH_DIGITS, MAX_CHUNK, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepPlan,
+};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::path::Path;
+
+/// The version of the program.
+pub(super) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// What a sweep is, in names and exact texts.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -86,7 +91,7 @@ impl Record {
         };
         Self {
             schema: SWEEP_SCHEMA.to_owned(),
-            couplet: env!("CARGO_PKG_VERSION").to_owned(),
+            couplet: VERSION.to_owned(),
             weights,
             quantities: plan.quantities.iter().map(|of| of.name().to_owned()).collect(),
             digits: plan.digits,
@@ -117,18 +122,65 @@ impl Record {
         self.quantities.iter().filter_map(|name| Quantity::named(name)).collect()
     }
 
+    /// Whether it makes sense, and its parts can be listed: it may come from elsewhere.
+    pub(super) fn check(&self) -> Result<(), String> {
+        let all = |numbers: &[usize]| {
+            numbers.iter().try_fold(1, |all: u64, number| all.checked_mul(*number as u64))
+        };
+        let rows = match &self.arches {
+            Arches::Grid { half_opening, friction } => {
+                all(&[self.weights.len(), half_opening.len(), friction.len()])
+            }
+            Arches::Sample { .. } => Some(self.rows).filter(|rows| *rows <= MAX_SAMPLE as u64),
+            Arches::Data { files } => {
+                let mut pieces = files.iter().flat_map(|file| file.slices.lengths());
+                pieces.try_fold(0, |all: u64, rows| {
+                    all.checked_add(Some(rows).filter(|rows| *rows <= self.chunk)?)
+                })
+            }
+        };
+        let is_known = self.weights().len() == self.weights.len()
+            && self.quantities().len() == self.quantities.len()
+            && (SWEEP_DIGITS..=MAX_ARCH_DIGITS).contains(&self.digits)
+            && (1..=MAX_CHUNK as u64).contains(&self.chunk);
+        if rows != Some(self.rows) || !is_known {
+            return Err("its record contradicts itself".into());
+        }
+        match self.count() {
+            0..=MAX_PARTS => Ok(()),
+            parts => Err(format!(
+                "a sweep has at most {MAX_PARTS} parts, and this would have {parts}: give a larger chunk"
+            )),
+        }
+    }
+
+    /// How many parts there are.
+    fn count(&self) -> u64 {
+        match &self.arches {
+            Arches::Grid { friction, .. } => {
+                let column = friction.len().max(1) as u64;
+                match column <= self.chunk {
+                    true => self.rows.div_ceil(self.chunk / column * column),
+                    false => self.rows / column * column.div_ceil(self.chunk),
+                }
+            }
+            Arches::Sample { .. } => self.rows.div_ceil(self.chunk),
+            Arches::Data { files } => {
+                files.iter().map(|file| file.slices.lengths().len() as u64).sum()
+            }
+        }
+    }
+
     /// The ranges of rows of the parts, in order. A part of a grid has whole columns, or a piece of one.
     pub(super) fn parts(&self) -> Vec<Range<u64>> {
         let pieces = |rows: u64, length: u64| {
-            (0..rows)
-                .step_by(length.max(1) as usize)
-                .map(move |first| first..(first + length).min(rows))
+            (0..rows).step_by(length as usize).map(move |first| first..(first + length).min(rows))
         };
         match &self.arches {
             Arches::Grid { friction, .. } => {
                 let column = friction.len() as u64;
                 if column <= self.chunk {
-                    return pieces(self.rows, self.chunk / column.max(1) * column).collect();
+                    return pieces(self.rows, self.chunk / column * column).collect();
                 }
                 let columns = pieces(self.rows, column);
                 columns
@@ -190,11 +242,31 @@ mod tests {
     }
 
     #[test]
+    fn a_record_that_cannot_be_is_refused_before_its_parts_are_listed() {
+        let usual = || record("chunk = 9\n[sample]\ncount = 10\n");
+        assert_eq!(usual().check(), Ok(()));
+        let contradicts = |record: Record| {
+            assert_eq!(record.check(), Err("its record contradicts itself".to_owned()));
+        };
+        contradicts(Record { rows: 1_000_000_000_000_000_000, ..usual() });
+        contradicts(Record { chunk: 0, ..usual() });
+        contradicts(Record { chunk: u64::MAX, ..usual() });
+        contradicts(Record { digits: usize::MAX, ..usual() });
+        contradicts(Record { quantities: vec!["x".into()], ..usual() });
+        let grid = record("[grid]\nhalf_opening = [1, 2]\nfriction = 1\n");
+        contradicts(Record { rows: 3, ..grid });
+        let text = record("chunk = 1\n[sample]\ncount = 1000001\n").check().unwrap_err();
+        assert!(text.ends_with("1000000 parts, and this would have 1000001: give a larger chunk"));
+    }
+
+    #[test]
     fn parts_are_whole_columns_or_pieces_of_one_and_leave_nothing_out() {
         let of = |chunk: u64| {
             let grid =
                 "[grid]\nhalf_opening = [1, 2, 2.5]\nfriction = { from = 0, to = 1, steps = 5 }\n";
-            record(&format!("weight = \"both\"\nchunk = {chunk}\n{grid}")).parts()
+            let record = record(&format!("weight = \"both\"\nchunk = {chunk}\n{grid}"));
+            assert_eq!(record.count(), record.parts().len() as u64);
+            record.parts()
         };
         assert_eq!(of(12), [0..10, 10..20, 20..30]);
         assert_eq!(of(5).len(), 6);

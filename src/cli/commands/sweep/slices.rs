@@ -7,7 +7,7 @@ use super::text::{self, Head, TextSlice};
 use crate::arch::SelfWeight;
 use crate::cli::failure::reason;
 use serde::{Deserialize, Serialize};
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
 
@@ -32,10 +32,11 @@ impl Slices {
     /// Of a file, with at most so many rows each; or what is wrong with the file.
     pub(super) fn of(path: &Path, rows: u64) -> Result<Self, String> {
         let read = |error: io::Error| reason(&error);
-        let mut file = File::open(path).map_err(read)?;
-        if file.metadata().map_err(read)?.is_dir() {
-            return Err("is a folder".into());
+        // A pipe would be waited for.
+        if !fs::metadata(path).map_err(read)?.is_file() {
+            return Err("it is a folder, a pipe or a device".into());
         }
+        let mut file = File::open(path).map_err(read)?;
         let mut first = [0; 4];
         let length = file.read(&mut first).map_err(read)?;
         match &first[..length] {

@@ -40,9 +40,10 @@ pub type Part = (usize, Option<[u64; 4]>);
 impl Sweep {
     /// The sweep of a plan, with results in a folder of `output`; `base` is where the paths of a data set begin. The
     /// files of a data set are read once.
-    pub fn new(plan: &SweepPlan, base: &Path, output: &Path) -> Self {
+    pub fn new(plan: &SweepPlan, base: &Path, output: &Path) -> Result<Self, SweepError> {
         let record = Record::new(plan, base);
-        Self::of(Store::new(output, &record), record, base)
+        record.check().map_err(SweepError::Input)?;
+        Ok(Self::of(Store::new(output, &record), record, base))
     }
 
     /// A sweep that was begun, by the folder of its parts.
@@ -103,23 +104,26 @@ impl Sweep {
         SweepError::Io(format!("cannot write {}: {}", self.folder().display(), reason(error)))
     }
 
-    pub(super) fn unread(&self, error: &io::Error) -> SweepError {
-        SweepError::Io(format!("cannot read {}: {}", self.folder().display(), reason(error)))
-    }
-
-    /// What there is of some parts, told by their content. What is not whole is removed.
+    /// What there is of some parts, told by their content. What is not whole is removed; what is no part of the sweep is
+    /// an error.
     pub fn survey(&self, parts: &[usize]) -> Result<Vec<Part>, SweepError> {
-        let files = self.store.files().map_err(|error| self.unread(&error))?;
+        let files = self.store.files(self.parts()).map_err(SweepError::Io)?;
+        let foreign = |name: &str, what: &str| {
+            let path = self.folder().join(name);
+            SweepError::Input(format!("{} is {what}; take it away", path.display()))
+        };
+        if let Some(name) = files.strays.first() {
+            return Err(foreign(name, "no part of the sweep"));
+        }
         let state = |&part: &usize| {
-            let Some(names) = files.get(&part) else { return Ok((part, None)) };
+            let Some(names) = files.parts.get(&part) else { return Ok((part, None)) };
             let there = self.store.there(names, &self.parts[part], true);
-            match there.map_err(|error| self.unread(&error))? {
+            match there.map_err(SweepError::Io)? {
                 There::Missing => Ok((part, None)),
                 There::Whole(_, counts) => Ok((part, Some(counts))),
-                There::Foreign(name) => Err(SweepError::Input(format!(
-                    "{} is a part of another sweep or another build; take it away",
-                    self.folder().join(name).display()
-                ))),
+                There::Foreign(name) => {
+                    Err(foreign(&name, "a part of another sweep or another build"))
+                }
             }
         };
         parts.par_iter().map(state).collect()

@@ -45,15 +45,15 @@ pub fn verify(
     sample: usize,
     tick: &(dyn Fn(u64) + Sync),
 ) -> Result<Verified, SweepError> {
-    let files = sweep.store.files().map_err(|error| sweep.unread(&error))?;
+    let files = sweep.store.files(sweep.parts()).map_err(SweepError::Io)?;
     let ranges: Vec<Range<u64>> = parts.iter().map(|&part| sweep.rows(part)).collect();
     let certified = AtomicUsize::new(0);
     let chosen = chosen(&ranges, sample, sweep.store.plan());
     let none = Vec::new();
     let each = |&part: &usize| {
         let rows = sweep.rows(part);
-        let there = sweep.store.there(files.get(&part).unwrap_or(&none), &rows, false);
-        let found = match there.map_err(|error| sweep.unread(&error))? {
+        let there = sweep.store.there(files.parts.get(&part).unwrap_or(&none), &rows, false);
+        let found = match there.map_err(SweepError::Io)? {
             There::Missing => Verified::wrong(format!("part {part} is missing or spoiled")),
             There::Foreign(name) => Verified::wrong(format!("{name} does not belong here")),
             There::Whole(name, _) => {
@@ -67,11 +67,7 @@ pub fn verify(
     };
     let each = parts.par_iter().map(each).collect::<Result<Vec<_>, _>>()?;
     let mut all = Verified::default();
-    if !sweep.store.is_named() {
-        all.faults.push("the folder has not the name of its sweep".into());
-    }
-    let strangers = files.keys().filter(|part| **part >= sweep.parts());
-    all.faults.extend(strangers.map(|part| format!("the sweep has no part {part}")));
+    all.faults.extend(files.strays.iter().map(|name| format!("{name} is no part of the sweep")));
     for found in each {
         all.parts += found.parts;
         all.rows += found.rows;
