@@ -1,5 +1,7 @@
 //! `couplet sweep`: the same bytes whoever computes them and whatever happens meanwhile.
 
+mod folder;
+
 use crate::export::parquet::read;
 use crate::program::{Scratch, command, couplet, refused, said, start};
 use couplet::certify::state::{Answer, Certify};
@@ -367,159 +369,6 @@ fn a_plan_without_a_file_that_can_be_read_has_no_rows() {
 }
 
 #[test]
-fn a_folder_is_looked_through_with_a_hundred_rows_and_says_so() {
-    let scratch =
-        planned("[grid]\nhalf_opening = 1\nfriction = { from = 0.3, to = 0.5, steps = 150 }\n");
-    sweep(&scratch, "out", &[]);
-    let (code, out, message) = said(&couplet(&["sweep", &folder(&scratch, "out")]));
-    assert_eq!(code, Some(0));
-    assert!(out.contains("; 100 rows proved again bit for bit"), "{out}");
-    assert_eq!(
-        message,
-        "couplet: up to 100 rows are proved again; --verify N for another number\n"
-    );
-}
-
-#[test]
-fn what_was_forged_is_found() {
-    let scratch = planned(
-        "chunk = 50\n[grid]\nhalf_opening = 0.5\nfriction = { from = 0.15, to = 0.5, steps = 50 }\n",
-    );
-    sweep(&scratch, "out", &[]);
-    let home = folder(&scratch, "out");
-    let looked = || said(&couplet(&["sweep", &home, "--verify", "50"]));
-    let (code, out, message) = looked();
-    assert_eq!((code, message.as_str()), (Some(0), ""));
-    assert!(out.contains("50 rows proved again bit for bit, 20 of them certified"), "{out}");
-    let name = files(&scratch, "out").into_keys().next().unwrap();
-    let content = fs::read(format!("{home}/{name}")).unwrap();
-    let put = |name: &str, content: &[u8]| fs::write(format!("{home}/{name}"), content).unwrap();
-    let named = |content: &[u8]| {
-        let hash: String =
-            Sha256::digest(content).iter().map(|byte| format!("{byte:02x}")).collect();
-        format!("part-00000000-{}.parquet", &hash[..16])
-    };
-    // The last bit of a value, in a file with the name of its content.
-    let Some(Field::Double(value)) = read(content.clone()).0[49].get("thickness").cloned() else {
-        panic!()
-    };
-    let bytes = value.to_le_bytes();
-    let place = content.windows(8).position(|window| window == bytes).unwrap();
-    let mut forged = content.clone();
-    forged[place] ^= 1;
-    fs::remove_file(format!("{home}/{name}")).unwrap();
-    put(&named(&forged), &forged);
-    let (code, _, message) = looked();
-    assert_eq!(code, Some(1));
-    assert!(message.contains("its thickness is not what is proved"), "{message}");
-    fs::remove_file(format!("{home}/{}", named(&forged))).unwrap();
-    // Another content under the name, no part, a part twice, and a part that the sweep does not have.
-    put(&name, &forged);
-    assert!(looked().2.contains("part 0 is missing or spoiled"));
-    fs::remove_file(format!("{home}/{name}")).unwrap();
-    assert!(looked().2.contains("part 0 is missing or spoiled"));
-    put(&name, &content);
-    let mut twice = content.clone();
-    // Within the text of what wrote it, at the end.
-    let tool = twice.windows(8).rposition(|window| window == b"couplet ").unwrap();
-    twice[tool] = b'C';
-    put(&named(&twice), &twice);
-    assert!(looked().2.contains("does not belong here"));
-    let (code, _, message) = sweep(&scratch, "out", &[]);
-    assert_eq!(code, Some(2), "{message}");
-    assert!(message.contains("another build; take it away"), "{message}");
-    fs::rename(
-        format!("{home}/{}", named(&twice)),
-        format!("{home}/{}", name.replace("-00000000-", "-00000007-")),
-    )
-    .unwrap();
-    assert!(
-        looked().2.contains("part-00000007-") && looked().2.contains(" is no part of the sweep")
-    );
-}
-
-#[test]
-fn what_is_no_part_is_named_by_a_second_run_and_by_a_look() {
-    let scratch = planned("chunk = 5\n[sample]\ncount = 10\n");
-    sweep(&scratch, "out", &[]);
-    let (home, whole) = (folder(&scratch, "out"), files(&scratch, "out"));
-    let (name, content) = whole.first_key_value().unwrap();
-    let is_named = |stray: &str| {
-        let (code, out, message) = sweep(&scratch, "out", &[]);
-        let line = format!("couplet: {home}/{stray} is no part of the sweep; take it away\n");
-        assert_eq!((code, out.as_str(), message), (Some(2), "", line));
-        let (code, _, message) = said(&couplet(&["sweep", &home, "--verify", "0"]));
-        assert_eq!(code, Some(1));
-        assert!(
-            message.starts_with(&format!("couplet: {stray} is no part of the sweep\n")),
-            "{message}"
-        );
-    };
-    for stray in [
-        "copy.parquet",
-        "_plan.json",
-        &name.replace("-00000000-", "-00000099-"),
-        &name.replace("-00000000-", "-0-"),
-    ] {
-        fs::write(format!("{home}/{stray}"), content).unwrap();
-        is_named(stray);
-        fs::remove_file(format!("{home}/{stray}")).unwrap();
-    }
-    fs::remove_file(format!("{home}/{name}")).unwrap();
-    fs::create_dir(format!("{home}/{name}")).unwrap();
-    is_named(name);
-    fs::remove_dir(format!("{home}/{name}")).unwrap();
-    #[cfg(unix)]
-    {
-        std::os::unix::fs::symlink("nowhere", format!("{home}/{name}")).unwrap();
-        is_named(name);
-        fs::remove_file(format!("{home}/{name}")).unwrap();
-        // A pipe: who opens it waits.
-        let made = std::process::Command::new("mkfifo").arg(format!("{home}/{name}")).status();
-        assert!(made.unwrap().success());
-        is_named(name);
-        fs::remove_file(format!("{home}/{name}")).unwrap();
-    }
-    fs::write(format!("{home}/.hidden"), "").unwrap();
-    assert_eq!(sweep(&scratch, "out", &[]).0, Some(0));
-}
-
-#[test]
-fn a_folder_is_opened_with_its_own_record_of_this_version_alone() {
-    let scratch = planned("[sample]\ncount = 10\n");
-    sweep(&scratch, "out", &[]);
-    let (home, name) = (folder(&scratch, "out"), sweeps(&scratch, "out").remove(0));
-    let record = scratch.read(&format!("out/{name}.json"));
-    let looked = |home: &str| {
-        let (code, out, message) = said(&couplet(&["sweep", home, "--verify", "0"]));
-        assert_eq!((code, out.as_str(), message.lines().count()), (Some(2), "", 1), "{message}");
-        message
-    };
-    // A record under the name that it has.
-    let named = |record: &str| {
-        let hash: String =
-            Sha256::digest(record).iter().map(|byte| format!("{byte:02x}")).collect();
-        let name = format!("sweep-{}", &hash[..16]);
-        scratch.write(&format!("out/{name}.json"), record);
-        fs::create_dir_all(scratch.path(&format!("out/{name}"))).unwrap();
-        scratch.path(&format!("out/{name}"))
-    };
-    let version = format!("\"couplet\":\"{}\"", env!("CARGO_PKG_VERSION"));
-    let older = named(&record.replace(&version, "\"couplet\":\"0.0.9\""));
-    assert!(looked(&older).contains("couplet 0.0.9 began it, and this is "));
-    let many = record.replace("\"rows\":10,", "\"rows\":1000000000000000000,");
-    assert!(looked(&named(&many)).ends_with("its record contradicts itself\n"));
-    scratch.write(&format!("out/{name}.json"), many);
-    assert!(looked(&home).contains(&format!("{name}.json is the record of sweep-")));
-    fs::remove_file(scratch.path(&format!("out/{name}.json"))).unwrap();
-    assert!(looked(&home).contains(&format!("it has no {name}.json beside it")));
-    scratch.write(&format!("out/{name}/_plan.json"), &record);
-    assert!(looked(&home).contains("move _plan.json beside it, as sweep-"));
-    fs::rename(format!("{home}/_plan.json"), format!("{home}.json")).unwrap();
-    assert_eq!(couplet(&["sweep", &home, "--verify", "0"]).status.code(), Some(0));
-}
-
-#[test]
 fn a_sweep_of_too_many_parts_is_refused_before_it_begins() {
     let scratch = planned("chunk = 1\n[sample]\ncount = 10_000_000_000\n");
     let (code, _, message) = sweep(&scratch, "out", &[]);
@@ -562,7 +411,7 @@ fn faults_of_a_plan_are_told_with_their_places() {
 
 #[test]
 fn the_plans_of_the_page_are_plans() {
-    let page = include_str!("../../docs/sweeps.md");
+    let page = include_str!("../../../docs/sweeps.md");
     let plans: Vec<&str> =
         page.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
     assert_eq!(plans.len(), 3);
