@@ -40,13 +40,13 @@ pub struct Arch {
 #[non_exhaustive]
 pub enum ArchError {
     /// The half opening is not between 0 and pi.
-    #[error("the half opening {0} is not between 0 and pi (180deg){hint}", hint = meant_degrees(.0))]
+    #[error("the half opening {0} is not between 0 and pi (180deg){hint}", hint = self.hint())]
     HalfOpening(ExactNumber),
     /// The friction is negative.
     #[error("the friction {0} is negative")]
     Friction(String),
     /// The friction angle is not between 0 and a right angle.
-    #[error("the friction angle {0} is not between 0 and pi/2 (90deg){hint}", hint = meant_friction_angle(.0))]
+    #[error("the friction angle {0} is not between 0 and pi/2 (90deg){hint}", hint = self.hint())]
     FrictionAngle(String),
     /// The self-weight model has no such name.
     #[error("'{0}' is not a self-weight model: heyman or milankovitch")]
@@ -54,6 +54,17 @@ pub enum ArchError {
     /// A text is not an exact number.
     #[error(transparent)]
     Number(#[from] ParseExactError),
+}
+
+impl ArchError {
+    /// What a number that is refused may have been meant to be; empty if nothing is near.
+    pub fn hint(&self) -> String {
+        match self {
+            Self::HalfOpening(angle) => meant_degrees(angle),
+            Self::FrictionAngle(angle) => meant_friction_angle(angle),
+            Self::Friction(_) | Self::SelfWeight(_) | Self::Number(_) => String::new(),
+        }
+    }
 }
 
 /// How people write that nothing slides, in small letters.

@@ -11,11 +11,12 @@
 //!
 //! ```text
 //! r = R + c t/2        eta = t/r        and back: r = R / (1 - c eta/2), t = eta r
+//! span = 2 R sin(alpha)        rise = R (1 - cos(alpha))
 //! ```
 //!
-//! Everything given is rational, and so is `eta`.
+//! Everything given is rational, and so is `eta`. A span is measured at the intrados unless another circle is named.
 
-use crate::number::{Engine, ExactNumber, shown};
+use crate::number::{Engine, ExactNumber, Form, shown};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use std::fmt;
@@ -24,10 +25,10 @@ use std::str::FromStr;
 /// The circle at which an arch is measured.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Circle {
-    /// The inner face.
+    /// The inner face: the clear span.
+    #[default]
     Intrados,
     /// Half a thickness from both faces: the radius `r` of the paper.
-    #[default]
     Centreline,
     /// The outer face.
     Extrados,
@@ -176,6 +177,32 @@ pub fn of_span_and_rise(span: &Length, rise: &Length) -> (ExactNumber, Length) {
     (ExactNumber::twice_arctangent(rise / half), Length(radius))
 }
 
+/// The sine and the cosine of a half opening where they are rational. Of the rational multiples of pi there are no others
+/// (Niven), and of a rational angle none (Lindemann).
+fn rational_sine_and_cosine(half_opening: &ExactNumber) -> [Option<BigRational>; 2] {
+    let ratio = |n: i32, d: i32| BigRational::new(n.into(), d.into());
+    let q = half_opening.factor();
+    match half_opening.form() {
+        Form::Rational => [None, None],
+        Form::TwiceArctangent => {
+            let one = ratio(1, 1);
+            let square = q * q;
+            let below = &one + &square;
+            [Some(q * BigInt::from(2) / &below), Some((one - square) / below)]
+        }
+        Form::TimesPi => {
+            let one_of = |known: [(i32, i32, BigRational); 3]| {
+                let found = known.into_iter().find(|(n, d, _)| *q == ratio(*n, *d));
+                found.map(|(.., value)| value)
+            };
+            let (one, half) = (ratio(1, 1), ratio(1, 2));
+            let sine = one_of([(1, 6, half.clone()), (1, 2, one), (5, 6, half.clone())]);
+            let cosine = one_of([(1, 3, half.clone()), (1, 2, ratio(0, 1)), (2, 3, -half)]);
+            [sine, cosine]
+        }
+    }
+}
+
 impl Measures {
     /// The radius of a circle of the arch; with the weight of its material and its depth there are forces too.
     pub fn new(circle: Circle, radius: Length, loaded: Option<(UnitWeight, Length)>) -> Self {
@@ -190,6 +217,24 @@ impl Measures {
     /// The radius of that circle, in metres.
     pub fn radius(&self) -> ExactNumber {
         ExactNumber::rational(self.radius.0.clone())
+    }
+
+    /// The span and the rise of that circle at the half opening `alpha` (rad), in metres.
+    pub fn span_and_rise<E: Engine>(&self, alpha: &E, bits: u32) -> [E; 2] {
+        let radius: E = self.radius().enclosure(bits);
+        // Nothing cancels in the rise of half the angle.
+        let (sin, cos) = (alpha.clone() / alpha.int(2)).sin_cos();
+        let chord = radius.int(2) * radius * &sin;
+        [chord.int(2) * &chord * cos, chord * sin]
+    }
+
+    /// The same where they are rational.
+    pub fn exact_span_and_rise(&self, half_opening: &ExactNumber) -> [Option<ExactNumber>; 2] {
+        let radius = &self.radius.0;
+        let [sine, cosine] = rational_sine_and_cosine(half_opening);
+        let span = sine.map(|sine| radius * BigInt::from(2) * sine);
+        let rise = cosine.map(|cosine| radius * (BigRational::from(BigInt::from(1)) - cosine));
+        [span, rise].map(|length| length.map(ExactNumber::rational))
     }
 
     /// Whether forces can be told.
@@ -265,7 +310,7 @@ pub struct Sizes<E> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{AstroInterval, Enclosure, Field, Form, Real};
+    use crate::number::{AstroInterval, Enclosure, Field, Real};
 
     fn length(text: &str) -> Length {
         text.parse().unwrap()
@@ -310,6 +355,29 @@ mod tests {
         assert!(three.overlaps(&three.int(3)));
         let (half_turn, radius) = of_span_and_rise(&length("8m"), &length("400cm"));
         assert_eq!((half_turn.form(), radius), (Form::TimesPi, length("4m")));
+    }
+
+    /// The exact span and rise are those of the sine and the cosine, wherever there are any.
+    #[test]
+    fn span_and_rise_are_exact_where_they_are_rational() {
+        let of = |radius: &str| Measures::new(Circle::Intrados, length(radius), None);
+        let rational =
+            [("2atan(3/5)", 2), ("2atan(5)", 2), ("90deg", 2), ("30deg", 1), ("5pi/6", 1)];
+        let others = [("pi/3", 1), ("120deg", 1), ("45deg", 0), ("1", 0), ("1/6", 0)];
+        for (text, count) in rational.into_iter().chain(others) {
+            let measures = of("1.25m");
+            let alpha: ExactNumber = text.parse().unwrap();
+            let exact = measures.exact_span_and_rise(&alpha);
+            assert_eq!(exact.iter().flatten().count(), count, "{text}");
+            let alpha: AstroInterval = alpha.enclosure(100);
+            for (length, exact) in measures.span_and_rise(&alpha, 100).iter().zip(&exact) {
+                let exact = exact.as_ref().map(|x| x.enclosure::<AstroInterval>(100));
+                assert!(exact.is_none_or(|exact| exact.overlaps(length)), "{text}");
+            }
+        }
+        let (alpha, radius) = of_span_and_rise(&length("10m"), &length("3m"));
+        let given = Measures::new(Circle::Intrados, radius, None).exact_span_and_rise(&alpha);
+        assert_eq!(given.map(|x| x.unwrap().to_string()), ["10", "3"]);
     }
 
     #[test]

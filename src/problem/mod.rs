@@ -9,6 +9,7 @@
 //! | `line` | the lines of the map on which two of them meet |
 //! | `arch` | an arch: weight, half opening, friction |
 //! | [`measures`] | an arch in metres, and the weight of its material |
+//! | `thickness` | a thickness as it is written: a ratio, or a length |
 //! | [`stones`] | the joints of an arch of voussoirs |
 //! | `asymmetric` | an asymmetric solution of (19): system, conditions, quantities |
 //! | `ties` | what is exactly zero in an arch |
@@ -47,6 +48,8 @@ pub mod stones;
 mod system;
 pub mod tally;
 #[cfg(feature = "check")]
+mod thickness;
+#[cfg(feature = "check")]
 mod ties;
 #[cfg(feature = "check")]
 mod verdict;
@@ -71,6 +74,8 @@ pub use mode::Mode;
 pub use problem::Problem;
 pub use quantity::Quantity;
 pub use system::{Fixed, System};
+#[cfg(feature = "check")]
+pub use thickness::{ThicknessError, bare_ratio, thickness};
 #[cfg(feature = "check")]
 pub use ties::{friction_angle_is_half_opening, has_no_arm_at_crown, slides_at_no_thrust};
 #[cfg(feature = "check")]

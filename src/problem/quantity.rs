@@ -68,8 +68,16 @@ pub enum Quantity {
     LargestThrust,
     /// The joint that limits it, rad.
     LargestThrustJoint,
+    /// The span of the circle that is measured, m.
+    Span,
+    /// Its rise, m.
+    Rise,
     /// The radius of the centreline, m.
     Radius,
+    /// The thickness that an arch has, m.
+    GivenThicknessInMetres,
+    /// The same over the radius of the centreline.
+    GivenThickness,
     /// The least thickness, m.
     ThicknessInMetres,
     /// The weight of the whole arch, kN.
@@ -157,7 +165,9 @@ impl Quantity {
     ];
 
     /// What is told besides of an arch that is [measured](super::measures), at its least thickness.
-    pub const MEASURED_STATE: [Self; 5] = [
+    pub const MEASURED_STATE: [Self; 7] = [
+        Self::Span,
+        Self::Rise,
         Self::HalfOpeningDegrees,
         Self::Radius,
         Self::ThicknessInMetres,
@@ -167,9 +177,13 @@ impl Quantity {
 
     /// The same at a given thickness: the radius and the weight are at that, the least thickness is of an arch with
     /// the same measures.
-    pub const MEASURED_ASSESSMENT: [Self; 6] = [
+    pub const MEASURED_ASSESSMENT: [Self; 10] = [
+        Self::Span,
+        Self::Rise,
         Self::HalfOpeningDegrees,
         Self::Radius,
+        Self::GivenThicknessInMetres,
+        Self::GivenThickness,
         Self::ThicknessInMetres,
         Self::Weight,
         Self::LeastForce,
@@ -234,6 +248,10 @@ impl Quantity {
             Self::LargestThrustJoint => {
                 row("largest_thrust_joint", "its joint, rad", "its joint, rad")
             }
+            Self::Span => row("span_m", "span, m", "span, m"),
+            Self::Rise => row("rise_m", "rise, m", "rise, m"),
+            Self::GivenThicknessInMetres => row("thickness_m", "t, m", r"$t$, m"),
+            Self::GivenThickness => row("thickness_ratio", "t/r", "$t/r$"),
             Self::Radius => row("radius_m", "r, m", r"$r$, m"),
             Self::ThicknessInMetres => row("least_thickness_m", "least t, m", r"least $t$, m"),
             Self::Weight => row("weight_kn", "2 w r alpha, kN", r"$2 w r \alpha$, kN"),
@@ -358,7 +376,11 @@ impl Quantity {
             | Self::LeastThrustJoint
             | Self::LargestThrust
             | Self::LargestThrustJoint
+            | Self::Span
+            | Self::Rise
             | Self::Radius
+            | Self::GivenThicknessInMetres
+            | Self::GivenThickness
             | Self::ThicknessInMetres
             | Self::Weight
             | Self::Force

@@ -12,6 +12,7 @@ use crate::certify::state::{Answer as Outcome, AssessmentDigits, Enough, Fall, F
 use crate::certify::{CertifiedLandmark, Constant, Undecided};
 use crate::number::ExactNumber;
 use crate::problem::Arch;
+use crate::problem::measures::Circle;
 use crate::problem::{Equation, Landmark, Mode, Quantity};
 use std::borrow::Cow;
 
@@ -32,6 +33,8 @@ pub struct Answer {
     pub values: Vec<(Quantity, Value)>,
     /// The quantities of an arch of a given thickness that could not be decided, and why.
     pub open: Vec<(Quantity, Undecided)>,
+    /// The circle at which an arch is measured, where it is.
+    pub measured_at: Option<Circle>,
     /// What would be enough for an arch that stands at no thickness: the least friction at its half opening,
     /// and the widest half opening (rad) with its friction.
     pub enough: [Option<Value>; 2],
@@ -131,6 +134,7 @@ impl Answer {
             modes: Vec::new(),
             values: Vec::new(),
             open: Vec::new(),
+            measured_at: None,
             enough: [None, None],
             asymmetric: Vec::new(),
             proved: None,
@@ -230,8 +234,13 @@ impl Answer {
         answer
     }
 
-    /// The same with the sizes of an arch that is measured, or why they are not proved.
-    pub fn measured(mut self, found: Result<Vec<(Quantity, Option<Figure>)>, Undecided>) -> Self {
+    /// The same with the sizes of an arch that is measured at a circle, or why they are not proved.
+    pub fn measured(
+        mut self,
+        circle: Circle,
+        found: Result<Vec<(Quantity, Option<Figure>)>, Undecided>,
+    ) -> Self {
+        self.measured_at = Some(circle);
         match found {
             Ok(sizes) => {
                 self.values.extend(sizes.iter().map(|(of, x)| (*of, Value::figure(x.as_ref()))))

@@ -106,6 +106,11 @@ impl Answers {
         self.scope == Scope::Mixed || self.quantities.iter().any(is_theirs)
     }
 
+    /// Whether the arches are measured.
+    pub(super) fn are_measured(&self) -> bool {
+        self.quantities.iter().any(|quantity| quantity.is_measured())
+    }
+
     /// Whether a quantity of an arch is shown; in a mixed table the thickness of a state is the least.
     pub(super) fn shows(&self, quantity: Quantity) -> bool {
         let is_least = quantity == Quantity::Thickness && self.have_assessments();

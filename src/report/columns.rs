@@ -5,6 +5,7 @@ use super::answers::Answers;
 use super::fields::Fields;
 use super::given::GivenDoubles;
 use super::subject::Subject;
+use crate::problem::measures::Circle;
 
 /// What was asked of an arch, and so which fields it has.
 #[derive(Clone, Copy, Debug)]
@@ -131,9 +132,19 @@ pub(super) fn kept_fields(row: &[(String, Kept)]) -> Fields {
     kept
 }
 
+/// The circle at which arches are measured, if they are.
+pub(super) fn circle(report: &Answers, answer: &Answer) -> Fields {
+    let mut fields = Fields::default();
+    if report.are_measured() {
+        fields.add("measured_at", answer.measured_at.map(Circle::name));
+    }
+    fields
+}
+
 fn row(report: &Answers, answer: &Answer) -> Fields {
     let asked = Asked::in_table(report);
     let mut fields = given(answer, asked);
+    fields.append(circle(report, answer));
     fields.append(verdict(answer, asked));
     for &quantity in &report.quantities {
         let open = answer.why_open(quantity).map(|_| "undecided".to_owned());

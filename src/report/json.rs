@@ -120,6 +120,7 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Fields {
         return fields;
     }
     fields.append(columns::given(answer, asked));
+    fields.append(columns::circle(report, answer));
     columns::doubles(answer, asked).into_iter().for_each(|(name, x)| fields.add(name, x));
     fields.append(columns::verdict(answer, asked));
     let quantities =

@@ -108,13 +108,15 @@ pub(super) fn about(answer: &Answer) -> Vec<String> {
         }
         Subject::Arch { line, weight, half_opening, friction, thickness, .. } => {
             let thickness = thickness.as_ref().map(|eta| format!(", thickness {}", safe(eta)));
+            let circle = answer.measured_at.map(|at| format!(", measured at its {}", at.name()));
             let mode = answer.modes.first();
             let mode = mode.map(|mode| format!(", collapses as {}", mode.label()));
             format!(
-                "{line}: half opening {}, friction {}{}, {}{}",
+                "{line}: half opening {}, friction {}{}{}, {}{}",
                 safe(half_opening),
                 safe(friction),
                 thickness.unwrap_or_default(),
+                circle.unwrap_or_default(),
                 model(*weight),
                 mode.unwrap_or_default(),
             )

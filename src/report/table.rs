@@ -85,7 +85,10 @@ fn arch(report: &Answers, answer: &Answer, out: &mut dyn io::Write) -> io::Resul
             find::undecided(undecided, out)
         }
         (Some(_), _) => assessment(&report.quantities, answer, out),
-        (None, Status::Falls(fall)) => falls(*fall, answer, out),
+        (None, Status::Falls(fall)) => {
+            falls(*fall, answer, out)?;
+            measured(&report.quantities, answer, out)
+        }
         (None, _) => state(&report.quantities, answer, out),
     }?;
     asymmetric(answer, out)
@@ -152,11 +155,13 @@ fn state(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Re
 }
 
 /// The sizes of an arch that is measured, or why they are not proved.
-fn measured(sizes: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
-    let found: Vec<_> = sizes.iter().filter_map(|of| Some((of, answer.value(*of)?))).collect();
+fn measured(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
+    let sizes = asked.iter().filter(|of| of.is_measured());
+    let found: Vec<_> = sizes.filter_map(|of| Some((of, answer.value(*of)?))).collect();
     let open = answer.open.iter().find(|(of, _)| of.is_measured());
-    if !found.is_empty() || open.is_some() {
-        writeln!(out, "\nas measured")?;
+    if let (Some(circle), true) = (answer.measured_at, !found.is_empty() || open.is_some()) {
+        let (key, name) = ("measured_at", circle.name());
+        writeln!(out, "\nas measured\n   {key:<20} {:<18} {name}", "circle")?;
     }
     for (of, value) in found {
         writeln!(out, "   {:<20} {:<18} {}", of.name(), of.symbol(), value.text())?;

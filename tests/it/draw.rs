@@ -55,7 +55,8 @@ fn json_is_in_metres_where_the_arch_is() {
         serde_json::from_str(&written(&words)).unwrap()
     };
     let plain = parsed("draw --half-opening 2atan(3/5) --friction 0.6");
-    let shape = "--span 10m --rise 3m --friction 0.6 --density 24kN/m3 --depth 2m";
+    let bridge = "--span 10m --rise 3m --friction 0.6 --density 24kN/m3 --depth 2m";
+    let shape = format!("{bridge} --measured-at centreline");
     let metres = parsed(&format!("draw {shape}"));
     assert_eq!((&plain["unit"], &metres["unit"]), (&"r".into(), &"m".into()));
     let [plain, metres] = [&plain["arches"][0], &metres["arches"][0]];
@@ -86,7 +87,7 @@ fn json_is_in_metres_where_the_arch_is() {
         (&measures["span_m"]["double"], &measures["rise_m"]["double"]),
         (&10.0.into(), &3.0.into())
     );
-    let standing = format!("{shape} --thickness 60cm --measured-at intrados");
+    let standing = format!("{bridge} --thickness 60cm");
     let (drawn, assessed) =
         (parsed(&format!("draw {standing}")), parsed(&format!("assess {standing} --digits 17")));
     for (k, end) in ["least_thrust_kn", "largest_thrust_kn"].into_iter().enumerate() {
@@ -168,7 +169,10 @@ fn what_cannot_be_drawn_is_refused() {
             "--depth",
         ),
         (&["draw", "--alpha", "1", "--mu", "1", "--thickness", "60cm"], "60cm"),
-        (&["draw", "--radius", "5m", "--alpha", "1", "--mu", "1", "--eta", "11m"], "too large"),
+        (
+            &["draw", "--radius=5m", "--alpha=1", "--mu=1", "--eta=6m", "--measured-at=extrados"],
+            "too large",
+        ),
         (&["draw", "--alpha", "1e-900", "--mu", "1"], "too small for a picture"),
         (&["draw", "--alpha", "1e-10", "--mu", "1", "--eta", "0.1"], "takes 1e-9 at least"),
         (&["draw", "--alpha", "1", "--mu", "1", "-o", "arch.pdf"], "the end .pdf tells no format"),

@@ -13,27 +13,24 @@ use crate::problem::{Arch, Quantity};
 /// Values with their names; `None` for a thrust without bound.
 type Measured = Vec<(Quantity, Option<Figure>)>;
 
-/// The sizes of an arch at its least thickness, of [`Quantity::MEASURED_STATE`]; none if it does not stand.
+/// The sizes of an arch at its least thickness, of [`Quantity::MEASURED_STATE`]; if it does not stand its shape alone.
 pub fn measured_state(
     arch: &Arch,
     measures: &Measures,
     digits: usize,
 ) -> Result<Measured, Undecided> {
     raised(arch, digits, |bits| {
-        let Outcome::Stands(state) = state_enclosed(arch, bits, false)? else {
-            return Ok(Some(Vec::new()));
-        };
-        let alpha = half_opening(arch, bits);
-        let sizes = measures.sizes(&state.thickness, &alpha, bits);
-        let force = sizes.force.map(|force| force * &state.thrust);
-        let rounded = Rounding { measures, arch, digits };
-        let sized = [
-            (Quantity::ThicknessInMetres, Some(sizes.thickness)),
-            (Quantity::Weight, sizes.weight),
-            (Quantity::Force, force),
-        ];
-        let sized = sized.into_iter().filter_map(|(of, x)| Some((of, Some(x?))));
-        Ok(rounded.figures(&alpha, (&sizes.radius, None), sized))
+        let mut sized = shape(arch, measures, bits);
+        if let Outcome::Stands(state) = state_enclosed(arch, bits, false)? {
+            let sizes = measures.sizes(&state.thickness, &half_opening(arch, bits), bits);
+            let force = sizes.force.map(|force| force * &state.thrust);
+            let radius = Size { enclosed: sizes.radius, exact: measures.exact_radius(None) };
+            sized.push((Quantity::Radius, Some(radius)));
+            sized.push((Quantity::ThicknessInMetres, Some(sizes.thickness.into())));
+            let forces = [(Quantity::Weight, sizes.weight), (Quantity::Force, force)];
+            sized.extend(forces.into_iter().filter_map(|(of, x)| Some((of, Some(x?.into())))));
+        }
+        Ok(figures(sized, digits))
     })
 }
 
@@ -48,20 +45,31 @@ pub fn measured_assessment(
         let alpha = half_opening(arch, bits);
         let sizes = measures.sizes(&thickness.enclosure(bits), &alpha, bits);
         let least = found.least_thickness.ok().flatten();
-        let least = least.map(|eta| Some(measures.sizes(&eta, &alpha, bits).thickness));
+        let least = least.map(|eta| measures.sizes(&eta, &alpha, bits).thickness);
         let [least_thrust, largest_thrust] = found.thrust.map(|limit| {
             let (limit, force) = limit.ok().flatten().zip(sizes.force.clone())?;
             Some(limit.thrust.map(|thrust| force * thrust))
         });
-        let rounded = Rounding { measures, arch, digits };
-        let sized = [
-            (Quantity::ThicknessInMetres, least),
+        let radius = measures.exact_radius(Some(thickness));
+        let metres = radius.as_ref().map(|radius| radius.factor() * thickness.factor());
+        let ratio = Size { enclosed: thickness.enclosure(bits), exact: Some(thickness.clone()) };
+        let mut sized = shape(arch, measures, bits);
+        sized.extend([
+            (Quantity::Radius, Some(Size { enclosed: sizes.radius, exact: radius })),
+            (
+                Quantity::GivenThicknessInMetres,
+                Some(Size { enclosed: sizes.thickness, exact: metres.map(ExactNumber::rational) }),
+            ),
+            (Quantity::GivenThickness, Some(ratio)),
+        ]);
+        let rest = [
+            (Quantity::ThicknessInMetres, least.map(Some)),
             (Quantity::Weight, sizes.weight.map(Some)),
             (Quantity::LeastForce, least_thrust),
             (Quantity::LargestForce, largest_thrust),
         ];
-        let sized = sized.into_iter().filter_map(|(of, x)| Some((of, x?)));
-        Ok(rounded.figures(&alpha, (&sizes.radius, Some(thickness)), sized))
+        sized.extend(rest.into_iter().filter_map(|(of, x)| Some((of, x?.map(Size::from)))));
+        Ok(figures(sized, digits))
     })
 }
 
@@ -69,40 +77,40 @@ fn half_opening(arch: &Arch, bits: u32) -> Ball {
     arch.half_opening().enclosure(bits)
 }
 
-/// How the values of an arch are rounded.
-struct Rounding<'a> {
-    measures: &'a Measures,
-    arch: &'a Arch,
-    digits: usize,
+/// A size; the number itself where it is rational: no ball decides a tie.
+struct Size {
+    enclosed: Ball,
+    exact: Option<ExactNumber>,
 }
 
-impl Rounding<'_> {
-    /// All values, if the balls decide them. What is known exactly is rounded so: no ball decides a tie.
-    fn figures(
-        &self,
-        alpha: &Ball,
-        (radius, thickness): (&Ball, Option<&ExactNumber>),
-        sized: impl Iterator<Item = (Quantity, Option<Ball>)>,
-    ) -> Option<Measured> {
-        let digits = self.digits;
-        let exact = self.measures.exact_radius(thickness);
-        let radius = match exact {
-            Some(exact) => Figure::exact(&exact, digits),
-            None => radius.figure(digits),
-        };
-        let mut found = Vec::new();
-        // Another angle is told in degrees well enough by what was given.
-        if self.arch.half_opening().form() == Form::TwiceArctangent {
-            found.push((Quantity::HalfOpeningDegrees, Some(degrees(alpha).figure(digits)?)));
-        }
-        found.push((Quantity::Radius, Some(radius?)));
-        for (of, x) in sized {
-            let figure = match x {
-                Some(x) => Some(x.figure(digits)?),
-                None => None,
-            };
-            found.push((of, figure));
-        }
-        Some(found)
+impl From<Ball> for Size {
+    fn from(enclosed: Ball) -> Self {
+        Self { enclosed, exact: None }
     }
+}
+
+/// What is measured of an arch whatever its thickness.
+fn shape(arch: &Arch, measures: &Measures, bits: u32) -> Vec<(Quantity, Option<Size>)> {
+    let alpha = half_opening(arch, bits);
+    let [span, rise] = measures.span_and_rise(&alpha, bits);
+    let exact = measures.exact_span_and_rise(arch.half_opening());
+    let lengths = [(Quantity::Span, span), (Quantity::Rise, rise)].into_iter().zip(exact);
+    let lengths = lengths.map(|((of, enclosed), exact)| (of, Some(Size { enclosed, exact })));
+    // Another angle is told in degrees well enough by what was given.
+    let made = arch.half_opening().form() == Form::TwiceArctangent;
+    let angle = made.then(|| (Quantity::HalfOpeningDegrees, Some(degrees(&alpha).into())));
+    lengths.chain(angle).collect()
+}
+
+/// All values, if they are decided.
+fn figures(sized: Vec<(Quantity, Option<Size>)>, digits: usize) -> Option<Measured> {
+    let figure = |size: Size| match size.exact {
+        Some(exact) => Figure::exact(&exact, digits),
+        None => size.enclosed.figure(digits),
+    };
+    let value = |(of, size): (Quantity, Option<Size>)| match size {
+        Some(size) => Some((of, Some(figure(size)?))),
+        None => Some((of, None)),
+    };
+    sized.into_iter().map(value).collect()
 }

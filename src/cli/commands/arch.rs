@@ -46,7 +46,7 @@ pub(super) struct ShapeArguments {
 }
 
 impl ArchArguments {
-    /// The arch described, with each self-weight asked for; its half opening may follow from other arguments.
+    /// The arches described, with each self-weight asked for; its half opening may follow from other arguments.
     pub(super) fn arches(
         &self,
         needs: &Needs,
@@ -96,6 +96,11 @@ impl ShapeArguments {
     /// Whether anything of it is given.
     pub(super) fn is_given(&self) -> bool {
         self.half_opening.is_some() || self.friction.is_some() || self.friction_angle.is_some()
+    }
+
+    /// The friction, if one is given that can be read.
+    pub(super) fn friction(&self) -> Option<Friction> {
+        self.friction_text()?.parse().ok()
     }
 
     /// Whether a friction is given.

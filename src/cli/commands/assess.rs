@@ -2,6 +2,7 @@
 
 use super::arch::{ArchArguments, Needs};
 use super::measures::{self, MeasureArguments, Measured};
+use super::notes;
 use super::output::AnswerOutput;
 use super::state::{hinted, print};
 use super::tilt::acceleration;
@@ -21,7 +22,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     arch: ArchArguments,
 
-    /// Thickness-to-radius ratio, between 0 and 2 (0.12, 3/25); of an arch in metres also a length (60cm).
+    /// Thickness-to-radius ratio, between 0 and 2 (0.12, 3/25, 0.12r); of an arch in metres a length (60cm), or a ratio with its r.
     #[arg(long, visible_alias = "eta", value_name = "ETA", allow_hyphen_values = true)]
     thickness: Option<String>,
 
@@ -61,6 +62,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     );
     let quantities = arguments.output.quantities(&all)?;
     let digits = arguments.arch.digits;
+    notes::frictions(arches.iter().take(1).map(Arch::friction));
     print(&arguments.output, digits, quantities, || {
         let answer = |(line, arch): (u64, Arch)| {
             // Some formats have quadruples, which take more bits than the digits.
@@ -70,7 +72,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             let answer = hinted(&arguments.output, (&arch, digits), answer);
             match &measured {
                 Some(Measured { measures, .. }) => {
-                    answer.measured(measured_assessment((&arch, &eta), measures, digits))
+                    let sizes = measured_assessment((&arch, &eta), measures, digits);
+                    answer.measured(measures.circle(), sizes)
                 }
                 None => answer,
             }
@@ -95,6 +98,8 @@ fn tilted(
     let tilt = acceleration(text, arches)?;
     let output = arguments.output.open()?;
     let digits = arguments.arch.digits;
+    notes::frictions(arches.iter().take(1).map(Arch::friction));
+    notes::tilt(&tilt);
     let answer = |arch: &Arch| {
         let standing = Inquiry::new(arch, digits, false).assess(eta, digits, Wanted::Standing);
         let found = match standing.and_then(|found| found.stands) {

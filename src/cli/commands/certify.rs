@@ -1,6 +1,7 @@
 //! `couplet certify`.
 
 use super::arch::{Needs, ShapeArguments};
+use super::notes;
 use super::output::{Output, is_standard};
 use super::parse::{self, thickness};
 use crate::arch::SelfWeight;
@@ -117,6 +118,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             parse::state_digits(&arguments.digits.to_string()).map_err(Failure::Input)?;
             let mode = arguments.mode.map_or_else(|| only_kind(&arch), Ok)?;
             let output = output()?;
+            notes::frictions([arch.friction()]);
             let made = certify_asymmetric(&arch, mode, arguments.digits);
             write(output, &made.map_err(undecided)?)
         }
@@ -130,6 +132,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             let arch = arguments.shape.arch(weight, &needs)?;
             parse::state_digits(&arguments.digits.to_string()).map_err(Failure::Input)?;
             let output = output()?;
+            notes::frictions([arch.friction()]);
             let made = certify_arch(&arch, thickness, arguments.digits);
             write(output, &made.map_err(undecided)?)
         }

@@ -2,6 +2,7 @@
 
 use super::arch::{ArchArguments, Needs};
 use super::map::{is_written, tolerance};
+use super::notes;
 use super::output::OutputFile;
 use super::parse;
 use crate::atlas::{Branch, Contour, Level, NoBranch, NoLevel};
@@ -116,6 +117,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let words = "conditions between stones need a limited friction: give --friction a number";
         return Err(Failure::Input(words.to_owned()));
     }
+    notes::frictions(arches.iter().take(1).map(Arch::friction));
     let answer = |arch: Arch| {
         let (enumeration, programme) = match (arguments.stones, &arguments.thickness) {
             (Some(stones), None) => (Some(enumerate(&arch, stones, extent, digits)), None),

@@ -1,5 +1,6 @@
 //! `couplet constants`.
 
+use super::notes::each_once;
 use super::output::AnswerOutput;
 use super::parse::{self, Weights};
 use super::progress;
@@ -46,9 +47,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (format, digits) = (arguments.output.format()?, arguments.digits);
     let wanted = arguments.output.quantities(&Quantity::LANDMARK)?;
     let hashed = format.has_certificates;
-    let is_named = |landmark: &Landmark| {
-        arguments.landmarks.is_empty() || arguments.landmarks.contains(landmark)
-    };
+    let symbol = |landmark: &Landmark| landmark.symbol().to_owned();
+    let named = each_once(arguments.landmarks.iter().copied(), |landmark| *landmark, symbol);
+    let is_named = |landmark: &Landmark| named.is_empty() || named.contains(landmark);
     let weights = arguments.weight.all();
     let points: Vec<(Landmark, SelfWeight)> = weights
         .into_iter()

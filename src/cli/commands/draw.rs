@@ -2,6 +2,7 @@
 
 use super::arch::{Needs, ShapeArguments};
 use super::measures::{self, MeasureArguments, Measured};
+use super::notes;
 use super::output::OutputFile;
 use super::parse;
 use crate::arch::SelfWeight;
@@ -32,8 +33,8 @@ pub(crate) struct Arguments {
     #[arg(long, default_value = "milankovitch", value_parser = parse::weight)]
     weight: SelfWeight,
 
-    /// Thickness-to-radius ratio of an arch as it stands, between 0 and 2 (0.12, 3/25); of an arch in metres also a
-    /// length (60cm).
+    /// Thickness-to-radius ratio of an arch as it stands, between 0 and 2 (0.12, 3/25, 0.12r); of an arch in metres a
+    /// length (60cm), or a ratio with its r.
     #[arg(long, visible_alias = "eta", value_name = "ETA", allow_hyphen_values = true)]
     thickness: Option<String>,
 
@@ -120,6 +121,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::Input(message.into()));
     }
     let file = arguments.file.open_for(format)?;
+    notes::frictions(&arguments.shape.friction());
     let report = Report::Sketched(drawn);
     file.write(|out| report.write(format, out))
 }

@@ -1,6 +1,7 @@
 //! `couplet find`.
 
 use super::arch::ArchArguments;
+use super::notes;
 use super::output::AnswerOutput;
 use super::parse::{self, thickness};
 use crate::certify::state::find::{Given, Question, find};
@@ -65,6 +66,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let question = question(arguments)?;
     let quantities = arguments.output.quantities(&found_by(&question))?;
     let (file, format) = (arguments.output.open()?, arguments.output.format()?);
+    notes::frictions(&arguments.arch.given()?.1);
     let digits = arguments.arch.digits;
     let answer = |(line, weight)| {
         let found = find(weight, &question, digits);

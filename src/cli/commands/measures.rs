@@ -1,12 +1,11 @@
 //! The arguments of an arch that is measured in metres.
 
-use super::parse;
 use crate::cli::failure::Failure;
 use crate::number::ExactNumber;
-use crate::problem::Quantity;
 use crate::problem::measures::{
     Circle, Length, MeasureError, Measures, UnitWeight, of_span_and_rise,
 };
+use crate::problem::{Quantity, ThicknessError};
 use clap::Args;
 
 /// An arch as it is measured; all lengths with their unit (10m, 60cm, 600mm, 33ft, 7in).
@@ -31,7 +30,7 @@ pub(super) struct MeasureArguments {
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     radius: Option<Length>,
 
-    /// Circle at which these are measured: intrados, centreline (if not given) or extrados.
+    /// Circle at which these are measured: intrados (if not given: the clear span), centreline or extrados.
     #[arg(long, value_name = "CIRCLE")]
     measured_at: Option<Circle>,
 
@@ -52,38 +51,19 @@ pub(super) struct Measured {
     pub measures: Measures,
 }
 
-impl Measured {
-    /// The thickness-to-radius ratio of a thickness that is a length; `None` for another text.
-    fn thickness(&self, text: &str) -> Option<Result<ExactNumber, Failure>> {
-        let length: Length = text.parse().ok()?;
-        let eta = self.measures.thickness(&length);
-        Some(eta.map_err(|error| Failure::Input(error.to_string())))
-    }
-}
-
 /// The thickness-to-radius ratio that a text says, of an arch that may be measured: then as a length too.
 pub(super) fn thickness(measured: Option<&Measured>, text: &str) -> Result<ExactNumber, Failure> {
-    let eta = match measured.and_then(|measured| measured.thickness(text)) {
-        Some(eta) => eta?,
-        None if measured.is_none() && text.parse::<Length>().is_ok() => {
-            return Err(Failure::Input(format!(
-                "the thickness {text} is a length: give --span and --rise, or --radius, or the ratio to the radius (0.12)"
-            )));
-        }
-        None => parse::thickness(text).map_err(|why| {
-            let looks_measured = text.starts_with(|c: char| c.is_ascii_digit())
-                && text.ends_with(|c: char| c.is_alphabetic())
-                && text.parse::<ExactNumber>().is_err();
-            let units = ", or of a measured arch a length in m, cm, mm, ft or in";
-            Failure::Input(if looks_measured { why + units } else { why })
-        })?,
-    };
-    match measured {
-        Some(of) if of.measures.exact_radius(Some(&eta)).is_none() => Err(Failure::Input(format!(
-            "at the thickness {eta} the intrados is a point, and has no radius to measure"
-        ))),
-        _ => Ok(eta),
-    }
+    let measures = measured.map(|measured| &measured.measures);
+    crate::problem::thickness(text, measures).map_err(|error| {
+        let lengths = match error {
+            ThicknessError::Length(_) => ", or the arch in metres: --span and --rise, or --radius",
+            ThicknessError::NoRatio(_) => {
+                ", or of an arch in metres a length in m, cm, mm, ft or in"
+            }
+            _ => "",
+        };
+        Failure::Input(format!("{error}{lengths}"))
+    })
 }
 
 /// The half opening of an arch that is measured, where it follows.

@@ -16,6 +16,7 @@ mod folder;
 mod judge;
 mod map;
 mod measures;
+mod notes;
 mod output;
 pub mod parse;
 mod progress;

@@ -1,5 +1,6 @@
 //! Where a report goes: standard output, or a file that appears whole or not at all.
 
+use super::notes::each_once;
 use super::parse;
 use crate::cli::failure::Failure;
 use crate::problem::Quantity;
@@ -119,7 +120,9 @@ pub(super) fn chosen(asked: &[Quantity], all: &[Quantity]) -> Result<Vec<Quantit
         let message = format!("there is no {} here; the quantities are {names}", other.name());
         return Err(Failure::Input(message));
     }
-    Ok(if asked.is_empty() { all.to_vec() } else { asked.to_vec() })
+    let names = |of: &Quantity| of.name().to_owned();
+    let asked = each_once(asked.iter().copied(), |of| *of, names);
+    Ok(if asked.is_empty() { all.to_vec() } else { asked })
 }
 
 /// Refuses to write a binary file to a terminal.

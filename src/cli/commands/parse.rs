@@ -5,8 +5,8 @@ use crate::arch::asymmetric::AsymmetricMode;
 use crate::certify::MAX_DIGITS;
 use crate::certify::state::find::{Given, Question};
 use crate::claims::{Claim, claims};
-use crate::number::{ExactNumber, ParseExactError};
-use crate::problem::{Arch, Friction, Landmark, Line, Mode, Quantity, is_thickness};
+use crate::number::ExactNumber;
+use crate::problem::{Arch, Friction, Landmark, Line, Mode, Quantity};
 use crate::report::words::{did_you_mean, list, shortened};
 use crate::report::{Content, Format};
 use crate::scene::MAX_ARCH_DIGITS;
@@ -156,20 +156,7 @@ pub fn state_digits(text: &str) -> Result<usize, String> {
 
 /// A thickness-to-radius ratio between 0 and the physical limit 2.
 pub fn thickness(text: &str) -> Result<ExactNumber, String> {
-    let thickness: ExactNumber = text.parse().map_err(|error| match error {
-        ParseExactError::Syntax(shown) => format!(
-            "'{shown}' is no thickness: give its ratio to the radius, a decimal (0.12) or a fraction (3/25)"
-        ),
-        other => other.to_string(),
-    })?;
-    if !thickness.is_rational() {
-        return Err(format!(
-            "the thickness {text} is no ratio of thickness to radius (0.12, 3/25)"
-        ));
-    }
-    is_thickness(&thickness)
-        .then_some(thickness)
-        .ok_or_else(|| format!("the thickness {text} is not between 0 and 2"))
+    crate::problem::thickness(text, None).map_err(|error| error.to_string())
 }
 
 /// The arch of a weight, a half opening and a friction.

@@ -1,5 +1,6 @@
 //! `couplet prove`.
 
+use super::notes::each_once;
 use super::output::{Output, OutputFile};
 use super::parse;
 use crate::check::visible_name;
@@ -66,7 +67,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let names = Format::names(Content::Index);
         return Err(Failure::Input(format!("the index is written only as {names}")));
     }
-    let chosen = parse::claims_named(&arguments.claims)
+    let named = each_once(arguments.claims.clone(), String::clone, String::clone);
+    let chosen = parse::claims_named(&named)
         .map_err(|error| Failure::Input(format!("{error}; --list shows the claims")))?;
     let output = arguments.file.open()?;
     if arguments.list {

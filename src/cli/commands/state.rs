@@ -2,6 +2,7 @@
 
 use super::arch::{ArchArguments, Needs};
 use super::measures::{self, MeasureArguments, Measured};
+use super::notes;
 use super::output::AnswerOutput;
 use super::parse;
 use crate::certify::state::{Inquiry, measured_state};
@@ -51,6 +52,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let quantities = arguments.output.quantities(&all)?;
     let digits = arguments.arch.digits;
     let frictions = quantities.iter().any(|quantity| quantity.is_friction());
+    notes::frictions(arches.iter().take(1).map(Arch::friction));
     print(&arguments.output, digits, quantities, || {
         let answer = |(line, arch): (u64, Arch)| {
             // Some formats have quadruples, which take more bits than the digits.
@@ -59,7 +61,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
                 hinted(&arguments.output, (&arch, digits), Answer::state(line, &arch, &found));
             match &measured {
                 Some(Measured { measures, .. }) => {
-                    answer.measured(measured_state(&arch, measures, digits))
+                    answer.measured(measures.circle(), measured_state(&arch, measures, digits))
                 }
                 None => answer,
             }

@@ -1,6 +1,7 @@
 //! `couplet voussoirs`.
 
 use super::arch::{ArchArguments, Needs};
+use super::notes;
 use super::output::OutputFile;
 use super::parse::{self, thickness};
 use super::tilt::acceleration;
@@ -93,6 +94,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::Input(RANGE.to_owned()));
     }
     let file = arguments.file.open_for(format)?;
+    notes::frictions(arches.iter().take(1).map(Arch::friction));
     let digits = arguments.arch.digits;
     let of_weight = |arch: &Arch| {
         let continuous = match Inquiry::new(arch, digits, false).state(digits, false) {
@@ -136,6 +138,8 @@ fn tilted(
     }
     let tilt = acceleration(tilt, arches)?;
     let file = arguments.file.open_for(format)?;
+    notes::frictions(arches.iter().take(1).map(Arch::friction));
+    notes::tilt(&tilt);
     let digits = arguments.arch.digits;
     let answer = |arch: &Arch| {
         let (weight, friction) = (arch.weight(), arch.friction());

@@ -4,7 +4,7 @@ use super::mark::Mark;
 use crate::arch::SelfWeight;
 use crate::certify::Undecided;
 use crate::number::{ExactNumber, ParseExactError};
-use crate::problem::{Arch, ArchError, Friction, is_thickness};
+use crate::problem::{Arch, ArchError, Friction, thickness};
 use std::fmt;
 use std::str::FromStr;
 
@@ -16,15 +16,6 @@ pub struct Marked {
     half_opening: ExactNumber,
     friction: Friction,
     thickness: Option<ExactNumber>,
-}
-
-fn thickness(text: &str) -> Result<ExactNumber, String> {
-    let thickness: ExactNumber =
-        text.parse().map_err(|error: ParseExactError| error.to_string())?;
-    let is_one = thickness.is_rational() && is_thickness(&thickness);
-    is_one
-        .then_some(thickness)
-        .ok_or_else(|| format!("the thickness {text} is not between 0 and 2"))
 }
 
 impl FromStr for Marked {
@@ -47,7 +38,10 @@ impl FromStr for Marked {
             text: text.to_owned(),
             half_opening: half_opening.parse().map_err(wrong)?,
             friction: friction.parse().map_err(wrong)?,
-            thickness: eta.map(thickness).transpose()?,
+            thickness: eta
+                .map(|eta| thickness(eta, None))
+                .transpose()
+                .map_err(|e| e.to_string())?,
         };
         // Any weight will do to see whether it is an arch.
         marked.arch(SelfWeight::Heyman).map_err(|error| error.to_string())?;
@@ -64,6 +58,11 @@ impl fmt::Display for Marked {
 impl Marked {
     fn arch(&self, weight: SelfWeight) -> Result<Arch, ArchError> {
         Arch::new(weight, self.half_opening.clone(), self.friction.clone())
+    }
+
+    /// Its friction.
+    pub fn friction(&self) -> &Friction {
+        &self.friction
     }
 
     /// With what is proved of it.
@@ -86,7 +85,8 @@ mod tests {
             ("4,1", "between 0 and pi"),
             ("1,-1", "friction"),
             ("1,1,3", "the thickness 3 is not between 0 and 2"),
-            ("1,1,x", "'x' is not a number"),
+            ("1,1,x", "'x' is no thickness"),
+            ("1,1,60cm", "is a length"),
         ] {
             let error = text.parse::<Marked>().unwrap_err();
             assert!(error.contains(words), "{text}: {error}");

@@ -81,8 +81,7 @@ impl Metres {
         let exact = measures.exact_radius(given).map(|radius| radius.to_rational());
         let thickness = exact.as_ref().zip(given).map(|(r, eta)| eta.to_rational() * r);
         let measured: Ball = measures.radius().enclosure(eta.prec());
-        let span = measured.int(2) * &measured * &alpha.sin;
-        let rise = measured.clone() * alpha.versine();
+        let [span, rise] = measures.span_and_rise(&alpha.rad, eta.prec());
         let share = (measured / &sizes.radius).mid().to_f64();
         let loads = sizes.force.zip(sizes.weight).map(|(unit, weight)| Loads {
             unit: unit.into(),

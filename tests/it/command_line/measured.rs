@@ -1,7 +1,7 @@
 //! Arches in metres: the numbers against those of a ring that is computed from its measures, and what is refused.
 
 use super::{exact, printed, stdout};
-use crate::program::couplet;
+use crate::program::{couplet, fed};
 use rug::{Float, Rational};
 use serde_json::Value;
 
@@ -23,8 +23,9 @@ fn holds(value: &Value, truth: &Float) {
 /// The same arch by span and rise, by radius and half opening, and by its ratios.
 #[test]
 fn measures_and_ratios_are_the_same_arch() {
-    let of_span = object("state --span 10m --rise 5m --friction 0.6");
-    let of_radius = object("state --radius 5m --half-opening 90deg --friction 0.6");
+    let of_span = object("state --span 10m --rise 5m --friction 0.6 --measured-at centreline");
+    let of_radius =
+        object("state --radius 5m --half-opening 90deg --friction 0.6 --measured-at centreline");
     let of_ratios = object("state --half-opening pi/2 --friction 0.6");
     for quantity in ["thickness", "thrust", "rotation_joint", "sliding_friction"] {
         assert_eq!(of_span[quantity], of_ratios[quantity], "{quantity}");
@@ -80,11 +81,99 @@ fn thickness_and_forces_are_those_of_the_ring() {
     }
 }
 
+/// The question is read back: as it was given, or computed from it, at every door.
+#[test]
+fn what_is_measured_is_told() {
+    let arch = "assess --span 10m --rise 3m --thickness 60cm --friction 0.6 --digits 5";
+    let found = object(arch);
+    assert_eq!(found["measured_at"], "intrados", "as a clear span is");
+    for (key, value) in [
+        ("span_m", "10"),
+        ("rise_m", "3"),
+        ("radius_m", "5.9667"),
+        ("thickness_m", "0.6"),
+        ("thickness_ratio", "0.10056"),
+    ] {
+        assert_eq!(found[key]["value"], value, "{key}");
+    }
+    let words: Vec<&str> = arch.split(' ').collect();
+    let table = printed(&words);
+    let (_, measured) = table.split_once("as measured\n").unwrap();
+    let rows: Vec<Vec<&str>> =
+        measured.lines().map(|row| row.split_whitespace().collect()).collect();
+    let names: Vec<&str> = rows.iter().map(|row| row[0]).collect();
+    let first =
+        ["measured_at", "span_m", "rise_m", "half_opening_degrees", "radius_m", "thickness_m"];
+    assert_eq!(names[..6], first, "{table}");
+    assert_eq!(names[6..], ["thickness_ratio", "least_thickness_m"], "{table}");
+    let csv = printed(&[&words[..], &["--format", "csv"]].concat());
+    let header: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
+    for name in first {
+        assert!(header.contains(&name), "{name}");
+    }
+    assert!(csv.contains(",intrados,") && csv.contains(",0.6,0.10056,"), "{csv}");
+    let latex = printed(&[&words[..], &["--format", "latex"]].concat());
+    assert!(latex.contains("measured at its intrados") && latex.contains("span, m & \\num{10}"));
+    let found =
+        object("state --radius 5m --half-opening 80deg --friction 0.6 --measured-at extrados");
+    assert_eq!(found["measured_at"], "extrados");
+    let eighty = Float::with_val(300, rug::float::Constant::Pi) * 4u32 / 9u32;
+    holds(&found["span_m"], &(Float::with_val(300, eighty.sin_ref()) * 10u32));
+    holds(&found["rise_m"], &((1u32 - Float::with_val(300, eighty.cos_ref())) * 5u32));
+    let falls = object("state --span 10m --rise 3m --friction 0.1");
+    assert_eq!((&falls["can_stand"], &falls["span_m"]["value"]), (&false.into(), &"10".into()));
+    assert!(object("state --half-opening 80deg --friction 0.6").get("measured_at").is_none());
+}
+
+/// The default is the intrados, and another circle is another arch.
+#[test]
+fn a_span_is_measured_at_the_intrados() {
+    let arch = "assess --span 10m --rise 5m --thickness 60cm --friction 0.6 --digits 5";
+    let at = |circle: &str| {
+        object(&format!("{arch} --measured-at {circle}"))["geometric_safety"]["value"].clone()
+    };
+    assert_eq!(object(arch)["geometric_safety"]["value"], "1.0533");
+    assert_eq!((at("intrados"), at("centreline")), ("1.0533".into(), "1.1165".into()));
+}
+
+/// A ratio says that it is one, beside lengths and alone.
+#[test]
+fn a_thickness_beside_lengths_has_its_unit() {
+    let measured = "assess --span 10m --rise 3m --friction 0.6 --thickness";
+    let [metres, ratio] = ["60cm", "18/179r"].map(|eta| object(&format!("{measured} {eta}")));
+    assert_eq!(metres["geometric_safety"], ratio["geometric_safety"]);
+    assert_eq!(ratio["thickness_m"]["value"], "0.6");
+    let alone = "assess --half-opening 80deg --friction 0.6 --digits 17 --thickness";
+    let [with, without] = ["0.1r", "0.1"].map(|eta| object(&format!("{alone} {eta}")));
+    assert_eq!(with, without);
+    for command in ["assess --span 10m --rise 3m", "draw --radius 5m --half-opening 1"] {
+        for eta in ["0.1", "3/5", "1.5"] {
+            let line = format!("{command} --friction 0.6 --thickness {eta}");
+            let words: Vec<&str> = line.split(' ').collect();
+            let output = couplet(&words);
+            let error = String::from_utf8(output.stderr.clone()).unwrap();
+            assert_eq!(output.status.code(), Some(2), "{line}");
+            assert!(stdout(&output).is_empty() && error.lines().count() == 1, "{error}");
+            assert!(error.contains(&format!("{eta}m ")) && error.contains(&format!("{eta}r,")));
+        }
+    }
+    let rows = fed(&["states", "--quantity", "geometric_safety"], "alpha,mu,eta\n80deg,0.6,0.1r\n");
+    let cell = with["geometric_safety"]["value"].as_str().unwrap();
+    assert!(stdout(&rows).contains(cell), "{rows:?}");
+}
+
 /// What is exact is rounded so, ties too.
 #[test]
 fn a_radius_is_rounded_to_even() {
-    let found = object("state --radius 5.125m --half-opening 1 --friction 1 --digits 3");
+    let found = object(
+        "state --radius 5.125m --half-opening 1 --friction 1 --digits 3 --measured-at centreline",
+    );
     assert_eq!(found["radius_m"]["value"], "5.12");
+    // The sine of 30 degrees is a half, the cosine of 60 too.
+    let found = object("state --radius 5.125m --half-opening 30deg --friction 1 --digits 3");
+    assert_eq!(found["span_m"]["value"], "5.12");
+    let found = object("state --radius 10.25m --half-opening 60deg --friction 1 --digits 3");
+    assert_eq!(found["rise_m"]["value"], "5.12");
     let found = object(
         "assess --radius 5m --half-opening 1 --friction 1 --thickness 25cm --measured-at intrados --digits 3",
     );
@@ -167,7 +256,7 @@ fn wrong_measures_are_one_line() {
     ]);
     assert_eq!(too_thick.status.code(), Some(2));
     let no_radius =
-        "assess --radius 5m --half-opening 1 --friction 1 --thickness 2 --measured-at intrados";
+        "assess --radius 5m --half-opening 1 --friction 1 --thickness 2r --measured-at intrados";
     let output = couplet(&no_radius.split(' ').collect::<Vec<&str>>());
     let error = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(2));
