@@ -7,6 +7,7 @@ calls it. An engine only calls it for the parts that are missing, and may call i
 from __future__ import annotations
 
 import os
+import warnings
 from functools import partial
 from importlib import import_module
 from itertools import islice
@@ -94,6 +95,8 @@ def sweep(
         only: (k, n) for the k-th of n shares of the parts, from 1.
         progress: True for a bar, if tqdm is installed; or what is called with the rows done and all rows.
 
+    A value that is listed twice in the plan counts once, with a warning.
+
     Raises: CoupletError if the plan makes no sense; OSError if something cannot be written.
 
         >>> import tempfile
@@ -114,7 +117,9 @@ def sweep(
             text = file.read()
     else:
         base, text = os.getcwd(), _toml({"schema": "couplet.sweep/1", **plan}).encode()
-    path, others, lost = _core.sweep_begin(text, base, os.path.abspath(output))
+    path, others, lost, notes = _core.sweep_begin(text, base, os.path.abspath(output))
+    for note in notes:
+        warnings.warn(note, stacklevel=2)
     made = Swept(os.fspath(path), base, (k, n), others, lost)
     survey = _core.sweep_survey(made.folder, base, (k, n), workers)
     rows = {part: length for part, length, counts in survey if counts is None}

@@ -31,8 +31,8 @@ fn opened(folder: &Path, base: &Path) -> PyResult<Arc<Sweep>> {
     Ok(sweep)
 }
 
-/// The folder of a sweep, other sweeps beside it, and the files of a data set that cannot be read.
-type Begun = (PathBuf, Vec<String>, Vec<String>);
+/// The folder of a sweep, other sweeps beside it, the files of a data set that cannot be read, and remarks on the plan.
+type Begun = (PathBuf, Vec<String>, Vec<String>, Vec<String>);
 
 /// Begins the sweep of a plan, or goes on with it.
 #[pyfunction]
@@ -42,18 +42,20 @@ pub(crate) fn sweep_begin(
     base: PathBuf,
     output: PathBuf,
 ) -> PyResult<Begun> {
-    let told = |faults: Vec<Fault>| {
+    let lines = |faults: &[Fault]| -> Vec<String> {
         let line = |Fault { place, message }: &Fault| {
             format!("line {}, column {}: {message}", place.line, place.column)
         };
-        CoupletError::new_err(faults.iter().map(line).collect::<Vec<_>>().join("\n"))
+        faults.iter().map(line).collect()
     };
-    let plan = read_sweep(plan).map_err(told)?;
+    let plan =
+        read_sweep(plan).map_err(|faults| CoupletError::new_err(lines(&faults).join("\n")))?;
+    let notes = lines(&plan.notes);
     py.detach(|| {
         let sweep = Sweep::new(&plan, &base, &output).map_err(wrong)?;
         let others = sweep.others();
         sweep.prepare().map_err(wrong)?;
-        Ok((sweep.folder().to_owned(), others, sweep.bad_files()))
+        Ok((sweep.folder().to_owned(), others, sweep.bad_files(), notes))
     })
 }
 

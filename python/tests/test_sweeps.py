@@ -207,6 +207,13 @@ def test_bad_rows_are_rows(tmp_path):
     assert made.lost == ["b.csv: no such file or folder"]
 
 
+def test_what_is_listed_twice_counts_once(tmp_path):
+    grid = {"half_opening": ["1", "1.0"], "friction": ["31deg", "tan(31deg)", 1]}
+    with pytest.warns(UserWarning, match="listed twice and counts once") as warned:
+        swept = couplet.sweep({"grid": grid}, tmp_path)
+    assert len(warned) == 2 and sum(swept.counts.values()) == 2
+
+
 def test_what_makes_no_sense(tmp_path, plan):
     for wrong, words in [
         (lambda: couplet.sweep({"grid": {"half_opening": 4, "friction": 1}}, tmp_path), "not between 0 and pi"),

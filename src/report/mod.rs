@@ -44,6 +44,7 @@ mod julia;
 mod latex;
 mod listing;
 mod map;
+mod map_asked;
 mod matlab;
 mod names;
 #[cfg(feature = "parquet")]
@@ -76,6 +77,7 @@ pub use format::{Content, Format};
 pub use given::GivenDoubles;
 pub use json::answers as write_json;
 pub use map::{Map, MapDifferences, MapPoint, MapPoints};
+pub use map_asked::MapAsked;
 pub use programme::{AtThickness, ProgrammeFound};
 pub use rows::Rows;
 pub use sketched::{Sketched, Style, arches_of_figure};

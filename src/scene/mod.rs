@@ -65,6 +65,7 @@ pub use plan::{Needs, Plan};
 pub use read::{read, read_bytes};
 pub use read_sweep::read_sweep;
 pub use run::{Costs, Run};
+pub(crate) use same::contour_key;
 pub use schema::{
     Drawn, EXAMPLE, Item, Kind, MAX_ARCH_DIGITS, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, MapLine, SCHEMA,
     Scene, SceneArch, SceneDrawing, SceneMap, What,

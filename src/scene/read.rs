@@ -50,7 +50,10 @@ pub fn read(text: &str) -> Result<Scene, Vec<Fault>> {
     let mut reader = Reader::new(text);
     let root = reader.parsed(text)?;
     let items = scene(&mut reader, root.get_ref());
-    if reader.faults.is_empty() { Ok(Scene { items }) } else { Err(reader.sorted()) }
+    match reader.faults.is_empty() {
+        true => Ok(Scene { items, notes: reader.notes }),
+        false => Err(reader.sorted()),
+    }
 }
 
 fn scene(reader: &mut Reader, root: &DeTable) -> Vec<Item> {
@@ -202,7 +205,7 @@ fn chosen(reader: &mut Reader, value: &Value, all: &[Claim]) -> Option<Vec<Claim
             let known = format!("a claim{hint}; couplet prove --list shows the claims");
             reader.is_not("prove", element, &known);
         } else if names.contains(&name) {
-            reader.fault(element.span(), format!("prove \"{name}\" is listed twice"));
+            reader.is_there("prove", element);
         } else {
             names.push(name);
         }

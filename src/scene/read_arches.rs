@@ -6,8 +6,8 @@ use super::schema::{MAX_ARCH_DIGITS, MAX_ARCHES, SceneArch, What};
 use super::value::{Reader, Value};
 use crate::arch::SelfWeight;
 use crate::number::{ExactNumber, ParseExactError};
+use crate::problem::Arch;
 use crate::problem::Quantity;
-use crate::problem::{Arch, Friction};
 use std::ops::Range;
 use toml::de::DeTable;
 
@@ -36,7 +36,7 @@ pub(super) fn arches(
         None => Some(all.to_vec()),
     };
     let digits = arch_digits(reader, span, table, overall);
-    let (weights, half_openings, (meaning, frictions)) = (weights?, half_openings?, frictions?);
+    let (weights, half_openings, frictions) = (weights?, half_openings?, frictions?);
     let (thicknesses, asked, digits) = (thicknesses?, asked?, digits?);
     let thickness_count = thicknesses.as_ref().map_or(1, Numbers::len);
     let count = [weights.len(), half_openings.len(), frictions.len(), thickness_count]
@@ -61,7 +61,7 @@ pub(super) fn arches(
         Some(numbers) => written(numbers)?.into_iter().map(|given| given.number).collect(),
         None => vec![None],
     };
-    let arches = product(&weights, &half_openings, (meaning, &frictions), &thicknesses);
+    let arches = product(&weights, &half_openings, &frictions, &thicknesses);
     let quantities = all.iter().copied().filter(|quantity| asked.contains(quantity)).collect();
     Some(What::Arches { arches, quantities, with_thickness, digits })
 }
@@ -99,19 +99,17 @@ pub(super) fn frictions(
     reader: &mut Reader,
     span: &Range<usize>,
     table: &DeTable,
-) -> Option<(Meaning, Numbers)> {
+) -> Option<Numbers> {
     let given = [Meaning::Friction, Meaning::FrictionAngle].map(|meaning| {
         let value = meaning.given(reader, table)?;
-        Some((meaning, value.span(), numbers(reader, meaning, value)))
+        Some((value.span(), numbers(reader, meaning, value)))
     });
     match given {
-        [Some(_), Some((_, angle, _))] => {
+        [Some(_), Some((angle, _))] => {
             reader.fault(angle, "both friction and friction_angle; give one of them".to_owned());
             None
         }
-        [Some((meaning, _, numbers)), None] | [None, Some((meaning, _, numbers))] => {
-            Some((meaning, numbers?))
-        }
+        [Some((_, numbers)), None] | [None, Some((_, numbers))] => numbers,
         [None, None] => {
             let (mu, phi) = (Meaning::Friction.allowed(), Meaning::FrictionAngle.allowed());
             let message = format!("friction is missing; give {mu}, or friction_angle, {phi}");
@@ -146,18 +144,14 @@ fn arch_digits(
 pub(super) fn product(
     weights: &[SelfWeight],
     half_openings: &[SceneNumber],
-    (meaning, frictions): (Meaning, &[SceneNumber]),
+    frictions: &[SceneNumber],
     thicknesses: &[Option<ExactNumber>],
 ) -> Vec<SceneArch> {
     let mut arches = Vec::new();
     for &weight in weights {
         for half_opening in half_openings.iter().filter_map(|given| given.number.as_ref()) {
             for given in frictions {
-                let friction = match (given.number.clone(), meaning) {
-                    (None, _) => Friction::Infinite,
-                    (Some(phi), Meaning::FrictionAngle) => Friction::Angle(phi),
-                    (Some(mu), _) => Friction::Coefficient(mu),
-                };
+                let friction = given.clone().friction();
                 // Each number was found to be in its range.
                 let Ok(arch) = Arch::new(weight, half_opening.clone(), friction) else { continue };
                 arches.extend(thicknesses.iter().map(|thickness| SceneArch {

@@ -142,15 +142,15 @@ fn arch(
         Some(thickness) => Some(thickness?),
         None => None,
     };
-    let (alpha, (meaning, all)) = (alpha?, all?);
+    let (alpha, all) = (alpha?, all?);
     let friction = match (mu, all.len()) {
-        (Some((_, value)), many) if many != 1 => {
+        (Some((meaning, value)), many) if many != 1 => {
             reader.is_not(meaning.key(), value, "one number: a drawing shows one arch");
             return None;
         }
         _ => all.all().ok()?,
     };
-    let arches = product(&[weight], &[alpha], (meaning, &friction), &[thickness]);
+    let arches = product(&[weight], &[alpha], &friction, &[thickness]);
     let SceneArch { arch, thickness } = arches.into_iter().next()?;
     Some(match thickness {
         Some(thickness) => Drawn::Standing { arch, thickness },

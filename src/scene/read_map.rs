@@ -7,9 +7,9 @@ use super::schema::{MAX_ITEMS, MapLine, SceneMap, What};
 use super::value::{Reader, Value};
 use crate::arch::SelfWeight;
 use crate::atlas::{Contour, Curve, LEAST_TOLERANCE};
-use crate::problem::{Friction, Landmark};
+use crate::problem::Landmark;
 use crate::report::words::{did_you_mean, list};
-use crate::report::{Axes, Format, Marked, Plane, Shown, Unit, View, arches_of_figure};
+use crate::report::{Axes, Format, MapAsked, Marked, Plane, Shown, Unit, View, arches_of_figure};
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
@@ -33,9 +33,10 @@ pub(super) fn map(
     let names = Plane::ALL.map(|plane| (plane.name(), plane));
     let plane = match table.get("plane") {
         Some(value) => {
-            reader.names("plane", value, &names).and_then(|all| only(reader, value, all))
+            let all = reader.names("plane", value, &names);
+            all.and_then(|all| only(reader, value, all)).map(Some)
         }
-        None => Some(Plane::ThicknessFriction),
+        None => Some(None),
     };
     let lines = table.get("lines").map_or(Some(false), |value| reader.truth("lines", value));
     let bare = table.get("bare").map_or(Some(false), |value| reader.truth("bare", value));
@@ -43,41 +44,24 @@ pub(super) fn map(
     let (weights, curves, contours, bare) = (weights?, curves?, contours?, bare?);
     let (axes, marks) = (axes?, marks?);
     let (tolerance, plane, lines, format) = (tolerance?, plane?, lines?, format?);
-    let is_usual = !lines && !bare && plane == Plane::ThicknessFriction;
     let is_whole = curves.is_empty() && (contours.is_empty() || format.is_picture || is_page);
-    let wrong = if is_page && !(is_whole && is_usual) {
-        Some("a page shows the whole map; leave out curves, plane, lines and bare")
-    } else if !format.is_picture {
-        (!is_usual && !is_page).then_some("plane, lines and bare are for a picture, svg or png")
-    } else if lines && plane != Plane::ThicknessFriction {
-        Some("lines are drawn over thickness and friction; leave out plane")
-    } else if !lines && weights.len() > 1 {
-        Some("a map shows one weight; with lines = true it shows the lines of both")
-    } else if lines && (bare || !contours.is_empty()) {
-        Some("lines are drawn alone; leave out bare, half_opening, thickness and friction")
-    } else if bare && !contours.is_empty() {
-        Some("a bare map has no half_opening, thickness or friction")
-    } else if lines && (axes != Axes::default() || !marks.is_empty()) {
-        Some("lines have no units, ranges, scale or marks")
-    } else if !contours.iter().all(|contour| plane.is_crossed_by(contour)) {
-        Some(
-            "in a plane lines of the third quantity are drawn, half_opening unless plane says another",
-        )
-    } else {
-        None
+    let asked = MapAsked {
+        format,
+        weights: weights.len(),
+        names_curves: !curves.is_empty(),
+        contours: &contours,
+        plane,
+        lines,
+        bare,
+        asymmetric: false,
+        axes: &axes,
+        has_marks: !marks.is_empty(),
     };
-    let is_plain = axes == Axes::default() && marks.is_empty();
-    let wrong = wrong.map(str::to_owned).or_else(|| match format.is_picture {
-        true => axes.misfit(plane),
-        false if is_page && axes == Axes::default() => None,
-        false => {
-            (!is_plain).then(|| "units, ranges, scale and marks are for a map as svg or png".into())
-        }
-    });
-    if let Some(message) = wrong {
+    if let Some(message) = asked.misfit(key) {
         reader.fault(span.clone(), message);
         return None;
     }
+    let plane = asked.plane();
     let mut command = command("map", &weights, tolerance);
     let is_asked = |curve: &Curve| is_whole || curves.contains(curve);
     let all = Curve::of_weights(&weights).into_iter().filter(|(_, curve)| is_asked(curve));
@@ -195,9 +179,13 @@ fn axes(reader: &mut Reader, table: &DeTable) -> Option<Axes> {
 fn marks(reader: &mut Reader, table: &DeTable) -> Option<Vec<Marked>> {
     let Some(value) = table.get("marks") else { return Some(Vec::new()) };
     let before = reader.faults.len();
-    let mut found = Vec::new();
+    let mut found: Vec<Marked> = Vec::new();
     for element in reader.elements("marks", value, "an arch as \"80deg,0.6,0.15\"") {
-        match element.get_ref().as_str().unwrap_or_default().parse() {
+        let text = element.get_ref().as_str().unwrap_or_default();
+        match text.parse() {
+            Ok(_) if found.iter().any(|mark| mark.to_string() == text) => {
+                reader.is_there("marks", element);
+            }
             Ok(marked) => found.push(marked),
             Err(error) => reader.fault(element.span(), format!("marks: {error}")),
         }
@@ -246,9 +234,7 @@ fn curves(reader: &mut Reader, value: &Value) -> Option<Vec<Curve>> {
     for element in reader.elements("curves", value, &allowed) {
         let text = element.get_ref().as_str();
         match text.and_then(Curve::named) {
-            Some(curve) if found.contains(&curve) => {
-                reader.fault(element.span(), format!("curves \"{curve}\" is listed twice"));
-            }
+            Some(curve) if found.contains(&curve) => reader.is_there("curves", element),
             Some(curve) => found.push(curve),
             None => {
                 let hint = text.map_or(String::new(), |text| did_you_mean(text, &names));
@@ -257,6 +243,14 @@ fn curves(reader: &mut Reader, value: &Value) -> Option<Vec<Curve>> {
         }
     }
     (reader.faults.len() == before).then_some(found)
+}
+
+/// What an option of the command is called here.
+fn key(option: &str) -> String {
+    match option {
+        "curve" | "mark" => format!("{option}s"),
+        _ => option.to_owned(),
+    }
 }
 
 /// The levels that a table names.
@@ -272,11 +266,12 @@ fn contours(reader: &mut Reader, table: &DeTable) -> Option<Vec<Contour>> {
             continue;
         }
         match all.all() {
-            Ok(all) => found.extend(all.into_iter().map(|one| match (meaning, one.number) {
-                (Meaning::HalfOpening, Some(x)) => Contour::HalfOpening(x),
-                (Meaning::Thickness, Some(x)) => Contour::Thickness(x),
-                (_, Some(x)) => Contour::Friction(Friction::Coefficient(x)),
-                (_, None) => Contour::Friction(Friction::Infinite),
+            Ok(all) => found.extend(all.into_iter().filter_map(|one| match meaning {
+                Meaning::HalfOpening => one.number.map(Contour::HalfOpening),
+                Meaning::Thickness => one.number.map(Contour::Thickness),
+                Meaning::Friction | Meaning::FrictionAngle => {
+                    Some(Contour::Friction(one.friction()))
+                }
             })),
             Err(error) => reader.fault(value.span(), format!("{}: {error}", meaning.key())),
         }

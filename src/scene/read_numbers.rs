@@ -4,11 +4,10 @@ use super::schema::MAX_ARCHES;
 use super::value::{Reader, Value};
 use crate::arch::SelfWeight;
 use crate::number::{ExactNumber, Form, ParseExactError, terminating};
-use crate::problem::{Arch, ArchError, Friction, Quantity, is_thickness};
+use crate::problem::{Arch, ArchError, Friction, Quantity, bare_ratio, is_thickness};
 use crate::report::words::shortened;
 use rug::Rational;
-use std::collections::HashMap;
-use std::ops::Range;
+use std::collections::HashSet;
 use toml::de::{DeTable, DeValue};
 
 /// What an exact number is.
@@ -25,7 +24,7 @@ pub(super) enum Numbers {
     /// As they were given.
     Listed(Vec<SceneNumber>),
     /// `steps` numbers, each `step` above the one before.
-    Range { meaning: Meaning, first: Rational, step: Rational, unit: Unit, steps: usize },
+    Range { meaning: Meaning, first: Rational, step: Rational, unit: (Unit, bool), steps: usize },
 }
 
 impl Numbers {
@@ -41,12 +40,12 @@ impl Numbers {
     pub(super) fn all(self) -> Result<Vec<SceneNumber>, ParseExactError> {
         match self {
             Self::Listed(all) => Ok(all),
-            Self::Range { meaning, first, step, unit, steps } => (0..steps)
-                .map(|k| {
-                    let text = text(&(Rational::from(&step * k) + &first), unit);
-                    Ok(SceneNumber { number: meaning.parse(&text)?, text })
-                })
-                .collect(),
+            Self::Range { meaning, first, step, unit, steps } => {
+                // The angle of a friction is written as a friction.
+                let meaning = if unit.1 { Meaning::Friction } else { meaning };
+                let number = |k| meaning.read(&text(&(Rational::from(&step * k) + &first), unit));
+                (0..steps).map(number).collect()
+            }
         }
     }
 }
@@ -56,7 +55,20 @@ impl Numbers {
 pub(super) struct SceneNumber {
     /// `None` is infinite.
     pub number: Option<ExactNumber>,
+    /// Whether it is the angle of a friction.
+    is_angle: bool,
     pub text: String,
+}
+
+impl SceneNumber {
+    /// The friction that it says.
+    pub(super) fn friction(self) -> Friction {
+        match self.number {
+            None => Friction::Infinite,
+            Some(phi) if self.is_angle => Friction::Angle(phi),
+            Some(mu) => Friction::Coefficient(mu),
+        }
+    }
 }
 
 impl Meaning {
@@ -96,43 +108,50 @@ impl Meaning {
     pub(super) fn allowed(self) -> &'static str {
         match self {
             Self::HalfOpening => "an angle (2.45, \"pi/2\", \"80deg\")",
-            Self::Friction => "a coefficient (0.6, \"3/5\", \"inf\")",
+            Self::Friction => "a coefficient (0.6, \"3/5\", \"inf\") or an angle (\"31deg\")",
             Self::FrictionAngle => "an angle (0.5, \"pi/6\", \"21deg\")",
             Self::Thickness => "a ratio of thickness to radius (0.12, \"3/25\")",
         }
     }
 
-    fn parse(self, text: &str) -> Result<Option<ExactNumber>, ParseExactError> {
-        match self {
+    fn read(self, text: &str) -> Result<SceneNumber, ParseExactError> {
+        let (number, is_angle) = match self {
             Self::Friction => match text.parse()? {
-                Friction::Coefficient(mu) => Ok(Some(mu)),
-                Friction::Infinite => Ok(None),
-                Friction::Angle(_) => Err(ParseExactError::Syntax(text.to_owned())),
+                Friction::Coefficient(mu) => (Some(mu), false),
+                Friction::Angle(phi) => (Some(phi), true),
+                Friction::Infinite => (None, false),
             },
-            _ => text.parse().map(Some),
-        }
+            Self::FrictionAngle => (Some(text.parse()?), true),
+            Self::HalfOpening => (Some(text.parse()?), false),
+            Self::Thickness => (Some(bare_ratio(text).parse()?), false),
+        };
+        Ok(SceneNumber { number, is_angle, text: text.to_owned() })
     }
 
-    /// The range that a number is not in, if it is not.
-    fn outside(self, number: &ExactNumber) -> Option<&'static str> {
+    /// The range that a number is not in, if it is not, and what it may have been meant to be.
+    fn outside(self, given: &SceneNumber) -> Option<String> {
+        let number = given.number.as_ref()?;
         let weight = SelfWeight::Milankovitch;
         let one = || ExactNumber::from(&Rational::from(1));
         let made = match self {
             Self::HalfOpening => Arch::new(weight, number.clone(), Friction::Infinite),
-            Self::Friction => Arch::new(weight, one(), Friction::Coefficient(number.clone())),
-            Self::FrictionAngle => Arch::new(weight, one(), Friction::Angle(number.clone())),
+            Self::Friction | Self::FrictionAngle => {
+                Arch::new(weight, one(), given.clone().friction())
+            }
             // Between 0 and 2 too, but no ratio.
-            Self::Thickness if !number.is_rational() => return Some(self.allowed()),
+            Self::Thickness if !number.is_rational() => return Some(self.allowed().to_owned()),
             Self::Thickness => {
-                return (!is_thickness(number)).then_some("between 0 and 2");
+                return (!is_thickness(number)).then(|| "between 0 and 2".to_owned());
             }
         };
-        made.err().map(|error| match error {
+        let error = made.err()?;
+        let range = match error {
             ArchError::HalfOpening(_) => "between 0 and pi (180deg)",
             ArchError::Friction(_) => "0 or more",
             ArchError::FrictionAngle(_) => "between 0 and pi/2 (90deg)",
             _ => self.allowed(),
-        })
+        };
+        Some(format!("{range}{}", error.hint()))
     }
 }
 
@@ -151,22 +170,14 @@ pub(super) fn numbers(reader: &mut Reader, meaning: Meaning, value: &Value) -> O
     }
     let before = reader.faults.len();
     let mut found: Vec<SceneNumber> = Vec::new();
-    let mut seen: HashMap<Option<(Rational, Form)>, Range<usize>> = HashMap::new();
+    let mut seen = HashSet::new();
     for element in reader.elements(meaning.key(), value, meaning.allowed()) {
         let Some(given) = number(reader, meaning, element) else { continue };
         let number = given.number.as_ref().map(|x| (x.to_rational(), x.form()));
-        if let Some(first) = seen.insert(number, element.span()) {
-            let (text, at) =
-                (reader.source.shown(element.span()), reader.source.place(first.start));
-            let message = format!(
-                "{} {text} is listed twice, first in line {}, column {}",
-                meaning.key(),
-                at.line,
-                at.column
-            );
-            reader.fault(element.span(), message);
+        match seen.insert((given.is_angle, number)) {
+            true => found.push(given),
+            false => reader.is_there(meaning.key(), element),
         }
-        found.push(given);
     }
     (reader.faults.len() == before).then_some(Numbers::Listed(found))
 }
@@ -183,14 +194,14 @@ fn number(reader: &mut Reader, meaning: Meaning, value: &Value) -> Option<SceneN
         }
     };
     let text = text.strip_prefix('+').unwrap_or(text);
-    match meaning.parse(text) {
-        Ok(number) => {
-            if let Some(range) = number.as_ref().and_then(|number| meaning.outside(number)) {
-                reader.is_not(meaning.key(), value, range);
-                return None;
+    match meaning.read(text) {
+        Ok(given) => match meaning.outside(&given) {
+            Some(range) => {
+                reader.is_not(meaning.key(), value, &range);
+                None
             }
-            Some(SceneNumber { number, text: text.to_owned() })
-        }
+            None => Some(given),
+        },
         Err(ParseExactError::Syntax(_) | ParseExactError::Friction(_)) => {
             reader.is_not(meaning.key(), value, meaning.allowed());
             None
@@ -223,10 +234,11 @@ fn range(reader: &mut Reader, meaning: Meaning, value: &Value, table: &DeTable) 
     };
     let (key, from, to) = (meaning.key(), shortened(&from.text), shortened(&to.text));
     if unit != unit_of_last {
-        let message = format!(
-            "{key} from {from} to {to} is in two units; give both in radians, as multiples of pi, or \
-             in degrees"
-        );
+        let same = match meaning {
+            Meaning::Friction => "give two coefficients, or two angles in one unit",
+            _ => "give both in radians, as multiples of pi, or in degrees",
+        };
+        let message = format!("{key} from {from} to {to} is in two units; {same}");
         reader.fault(value.span(), message);
     } else if first >= last {
         reader.fault(
@@ -242,28 +254,30 @@ fn range(reader: &mut Reader, meaning: Meaning, value: &Value, table: &DeTable) 
     Some(Numbers::Range { meaning, first, step, unit, steps })
 }
 
-/// A number in the unit in which it is written; none that is infinite or an arctangent has one.
-fn scaled(given: &SceneNumber) -> Option<(Rational, Unit)> {
+/// A number in the unit in which it is written, and whether it is the angle of a friction; none that is infinite or an
+/// arctangent has a unit.
+fn scaled(given: &SceneNumber) -> Option<(Rational, (Unit, bool))> {
     let number = given.number.as_ref()?;
     let factor = number.to_rational();
-    match number.form() {
-        Form::TimesPi if number.is_in_degrees() => Some((factor * 180, Unit::Degrees)),
-        Form::TimesPi => Some((factor, Unit::Pi)),
-        Form::Rational => Some((factor, Unit::One)),
-        Form::TwiceArctangent => None,
-    }
+    let (factor, unit) = match number.form() {
+        Form::TimesPi if number.is_in_degrees() => (factor * 180, Unit::Degrees),
+        Form::TimesPi => (factor, Unit::Pi),
+        Form::Rational => (factor, Unit::One),
+        Form::TwiceArctangent => return None,
+    };
+    Some((factor, (unit, given.is_angle)))
 }
 
 /// Decimals up to this length are written as such, others as fractions.
 const SHORT: usize = 30;
 
 /// A number as a person would write it.
-fn text(value: &Rational, unit: Unit) -> String {
+fn text(value: &Rational, (unit, is_angle): (Unit, bool)) -> String {
     let plain = || match terminating(value, SHORT) {
         Some(decimal) => decimal.to_string(),
         None => value.to_string(),
     };
-    match unit {
+    let text = match unit {
         Unit::One => plain(),
         Unit::Degrees => format!("{}deg", plain()),
         Unit::Pi => match (*value.numer() == 1, *value.denom() == 1) {
@@ -272,7 +286,8 @@ fn text(value: &Rational, unit: Unit) -> String {
             (false, true) => format!("{}pi", value.numer()),
             (false, false) => format!("{}pi/{}", value.numer(), value.denom()),
         },
-    }
+    };
+    if is_angle { format!("tan({text})") } else { text }
 }
 
 #[cfg(test)]
@@ -290,11 +305,11 @@ mod tests {
             ((245, 2), Unit::Degrees, "122.5deg"),
         ] {
             let value = Rational::from(value);
-            assert_eq!(text(&value, unit), written);
-            let number = written.parse::<ExactNumber>().unwrap();
-            let read =
-                scaled(&SceneNumber { number: Some(number), text: written.to_owned() }).unwrap();
-            assert!(read.0 == value && read.1 == unit, "{written}");
+            assert_eq!(text(&value, (unit, false)), written);
+            for (meaning, is_angle) in [(Meaning::HalfOpening, false), (Meaning::Friction, true)] {
+                let read = meaning.read(&text(&value, (unit, is_angle))).unwrap();
+                assert!(scaled(&read) == Some((value.clone(), (unit, is_angle))), "{written}");
+            }
         }
     }
 }

@@ -4,13 +4,13 @@ use super::fault::Fault;
 use super::overall::weights;
 use super::read::text_of;
 use super::read_arches::{frictions, half_openings};
-use super::read_numbers::{Meaning, Numbers, SceneNumber};
+use super::read_numbers::{Numbers, SceneNumber};
 use super::schema::MAX_ARCH_DIGITS;
 use super::sweep::{MAX_CHUNK, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepPlan};
 use super::value::{Reader, Value};
 use crate::arch::SelfWeight;
 use crate::number::{ExactNumber, ParseExactError};
-use crate::problem::{Friction, Quantity};
+use crate::problem::Quantity;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
@@ -26,7 +26,7 @@ pub fn read_sweep(bytes: &[u8]) -> Result<SweepPlan, Vec<Fault>> {
     let root = reader.parsed(text)?;
     let plan = plan(&mut reader, root.get_ref());
     match plan.filter(|_| reader.faults.is_empty()) {
-        Some(plan) => Ok(plan),
+        Some(plan) => Ok(SweepPlan { notes: reader.notes, ..plan }),
         None => Err(reader.sorted()),
     }
 }
@@ -69,6 +69,7 @@ fn plan(reader: &mut Reader, root: &DeTable) -> Option<SweepPlan> {
         digits: digits?,
         chunk: chunk?,
         arches: arches?,
+        notes: Vec::new(),
     })
 }
 
@@ -105,19 +106,14 @@ fn grid(reader: &mut Reader, span: &Range<usize>, table: &DeTable) -> Option<Swe
     reader.unknown_keys(table, "[grid]", &keys, &["alpha", "mu", "phi"]);
     let half_openings = half_openings(reader, span, table);
     let frictions = frictions(reader, span, table);
-    let (half_openings, (meaning, frictions)) = (half_openings?, frictions?);
+    let (half_openings, frictions) = (half_openings?, frictions?);
     let mut written = |numbers: Numbers| {
         let fault = |error: ParseExactError| reader.fault(span.clone(), error.to_string());
         numbers.all().map_err(fault).ok()
     };
     let half_openings: Vec<ExactNumber> =
         written(half_openings)?.into_iter().filter_map(|given| given.number).collect();
-    let friction = |given: SceneNumber| match (given.number, meaning) {
-        (None, _) => Friction::Infinite,
-        (Some(phi), Meaning::FrictionAngle) => Friction::Angle(phi),
-        (Some(mu), _) => Friction::Coefficient(mu),
-    };
-    let frictions = written(frictions)?.into_iter().map(friction).collect();
+    let frictions = written(frictions)?.into_iter().map(SceneNumber::friction).collect();
     Some(SweepArches::Grid { half_openings, frictions })
 }
 
@@ -151,22 +147,19 @@ fn data(reader: &mut Reader, span: &Range<usize>, table: &DeTable) -> Option<Swe
     let before = reader.faults.len();
     let mut files: Vec<String> = Vec::new();
     for element in reader.elements("files", value, "paths of files") {
-        if let Some(path) = path(reader, element, &files) {
-            files.push(path);
+        match path(reader, element) {
+            Some(path) if files.contains(&path) => reader.is_there("files", element),
+            Some(path) => files.push(path),
+            None => {}
         }
     }
     (reader.faults.len() == before).then_some(SweepArches::Data { files })
 }
 
-fn path(reader: &mut Reader, element: &Value, before: &[String]) -> Option<String> {
+fn path(reader: &mut Reader, element: &Value) -> Option<String> {
     let text = reader.text("files", element)?;
     if text.is_empty() || text.contains(char::is_control) {
         reader.is_not("files", element, "the path of a file");
-        return None;
-    }
-    if before.iter().any(|other| other == text) {
-        let shown = reader.source.shown(element.span());
-        reader.fault(element.span(), format!("files {shown} is listed twice"));
         return None;
     }
     Some(text.to_owned())
@@ -205,6 +198,24 @@ mod tests {
         }
     }
 
+    /// A path and a value of an axis count once, and that is told.
+    #[test]
+    fn what_is_listed_twice_counts_once() {
+        let read = |rest: &str| {
+            read_sweep(format!("schema = \"couplet.sweep/1\"\n{rest}").as_bytes()).unwrap()
+        };
+        let plan = read("[data]\nfiles = [\"a\", \"a\"]\n");
+        assert!(matches!(&plan.arches, SweepArches::Data { files } if files.len() == 1));
+        assert_eq!(plan.notes[0].message, "files \"a\" is listed twice and counts once");
+        let plan = read(
+            "[grid]\nhalf_opening = [1, \"1.0\"]\nfriction = [\"31deg\", 1, \"tan(31deg)\"]\n",
+        );
+        let SweepArches::Grid { half_openings, frictions } = plan.arches else { panic!() };
+        let frictions: Vec<String> = frictions.iter().map(ToString::to_string).collect();
+        assert_eq!((half_openings.len(), frictions), (1, vec!["tan(31deg)".into(), "1".into()]));
+        assert_eq!(plan.notes.len(), 2);
+    }
+
     #[test]
     fn every_fault_of_a_plan_is_told() {
         let head = "schema = \"couplet.sweep/1\"\n";
@@ -219,7 +230,6 @@ mod tests {
             ("[sample]\nseed = 1\n", "2: count is missing"),
             ("weight = \"heyman\"\n[sample]\ncount = 9\n", "2: a sample draws its own weights"),
             ("weight = \"both\"\n[data]\nfiles = \"a\"\n", "2: a data set has one weight"),
-            ("[data]\nfiles = [\"a\", \"a\"]\n", "3: files \"a\" is listed twice"),
             ("digits = 16\n[sample]\ncount = 9\n", "2: digits 16 is not a whole number from 17"),
             ("[sample]\ncount = 9\n[data]\nfiles = \"a\"\n", "4: a plan has one of"),
             (

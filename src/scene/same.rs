@@ -2,6 +2,7 @@
 
 use super::schema::Drawn;
 use crate::arch::SelfWeight;
+use crate::atlas::Contour;
 use crate::number::{ExactNumber, Form};
 use crate::problem::{Arch, Friction, Landmark};
 use rug::Rational;
@@ -14,13 +15,25 @@ fn number(x: &ExactNumber) -> Number {
     (x.to_rational(), x.form())
 }
 
-pub(super) fn arch_key(arch: &Arch) -> ArchKey {
-    let friction = match arch.friction() {
+fn friction(friction: &Friction) -> Option<(bool, Number)> {
+    match friction {
         Friction::Infinite => None,
         Friction::Coefficient(mu) => Some((false, number(mu))),
         Friction::Angle(phi) => Some((true, number(phi))),
+    }
+}
+
+pub(super) fn arch_key(arch: &Arch) -> ArchKey {
+    (arch.weight(), number(arch.half_opening()), friction(arch.friction()))
+}
+
+/// What makes two levels of the map the same, however they are written.
+pub(crate) fn contour_key(contour: &Contour) -> (&'static str, Option<(bool, Number)>) {
+    let value = match contour {
+        Contour::HalfOpening(x) | Contour::Thickness(x) => Some((false, number(x))),
+        Contour::Friction(mu) => friction(mu),
     };
-    (arch.weight(), number(arch.half_opening()), friction)
+    (contour.name(), value)
 }
 
 /// What makes two drawn arches the same; no friction is read of one that slides.

@@ -1,6 +1,6 @@
 //! What a scene may hold: `couplet.scene/1`. Keys may be added, none changes its meaning.
 
-use super::fault::Position;
+use super::fault::{Fault, Position};
 use crate::arch::SelfWeight;
 use crate::atlas::{Contour, Curve};
 use crate::claims::Claim;
@@ -33,6 +33,8 @@ pub const MAX_BYTES: usize = 1 << 20;
 pub struct Scene {
     /// What is asked for, in the order of the file.
     pub items: Vec<Item>,
+    /// What is answered but worth a remark.
+    pub notes: Vec<Fault>,
 }
 
 /// Something that is asked for, and where it goes.

@@ -1,5 +1,6 @@
 //! What a sweep asks for: `couplet.sweep/1`. Keys may be added, none changes its meaning.
 
+use super::fault::Fault;
 use crate::arch::SelfWeight;
 use crate::number::ExactNumber;
 use crate::problem::{Friction, Quantity};
@@ -31,6 +32,8 @@ pub struct SweepPlan {
     pub chunk: Option<usize>,
     /// The arches.
     pub arches: SweepArches,
+    /// What is swept but worth a remark.
+    pub notes: Vec<Fault>,
 }
 
 /// The arches of a sweep.

@@ -9,15 +9,16 @@ use toml::de::{DeTable, DeValue};
 /// A value and where it is.
 pub(super) type Value<'s> = Spanned<DeValue<'s>>;
 
-/// The text that is read, and what was wrong so far.
+/// The text that is read, what was wrong so far, and what is answered but worth a remark.
 pub(super) struct Reader<'s> {
     pub source: Source<'s>,
     pub faults: Vec<Fault>,
+    pub notes: Vec<Fault>,
 }
 
 impl<'s> Reader<'s> {
     pub(super) fn new(text: &'s str) -> Self {
-        Self { source: Source::new(text), faults: Vec::new() }
+        Self { source: Source::new(text), faults: Vec::new(), notes: Vec::new() }
     }
 
     /// The table that the text is, or what is wrong with it as TOML.
@@ -62,6 +63,13 @@ impl<'s> Reader<'s> {
 
     pub(super) fn fault(&mut self, span: Range<usize>, message: String) {
         self.faults.push(Fault { place: self.source.place(span.start), message });
+    }
+
+    /// Remarks that a value, written somewhere, was there before, and counts once.
+    pub(super) fn is_there(&mut self, key: &str, value: &Value) {
+        let shown = self.source.shown(value.span());
+        let message = format!("{key} {shown} is listed twice and counts once");
+        self.notes.push(Fault { place: self.source.place(value.span().start), message });
     }
 
     /// `key "value" is not allowed`.
@@ -152,9 +160,7 @@ impl<'s> Reader<'s> {
         for element in self.elements(key, value, &allowed) {
             let text = element.get_ref().as_str();
             match known.iter().find(|(name, _)| Some(*name) == text) {
-                Some((name, named)) if found.contains(named) => {
-                    self.fault(element.span(), format!("{key} \"{name}\" is listed twice"));
-                }
+                Some((_, named)) if found.contains(named) => self.is_there(key, element),
                 Some((_, named)) => found.push(*named),
                 None => {
                     let hint = text.map_or(String::new(), |text| did_you_mean(text, &names));

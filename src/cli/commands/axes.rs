@@ -1,7 +1,6 @@
 //! The axes of a map: units, ranges, a scale.
 
-use crate::cli::failure::Failure;
-use crate::report::{Axes, Plane, Shown, Unit};
+use crate::report::{Axes, Shown, Unit};
 use clap::Args;
 
 /// How a map shows its quantities, and from where to where.
@@ -41,23 +40,13 @@ fn range(text: &str) -> Result<Range, String> {
 }
 
 impl AxesArguments {
-    /// The axes of a map, which have to be those of its plane.
-    pub(super) fn axes(&self, plane: Plane, is_map: bool) -> Result<Axes, Failure> {
+    /// The axes of a map.
+    pub(super) fn axes(&self) -> Axes {
         let of = |unit, range: Option<Range>| Shown { unit, range: range.map(|Range(ends)| ends) };
-        let axes = Axes {
+        Axes {
             half_opening: of(Unit::named(&self.half_opening_unit), self.half_opening_range),
             friction: of(Unit::named(&self.friction_unit), self.friction_range),
             thickness: of(Unit::named(&self.scale), self.thickness_range),
-        };
-        let fault = |message: String| Err(Failure::Input(message));
-        if axes != Axes::default() && !is_map {
-            return fault(
-                "units, ranges and a scale are for a map as svg or png, without --lines".into(),
-            );
-        }
-        match axes.misfit(plane) {
-            Some(message) => fault(message),
-            None => Ok(axes),
         }
     }
 }

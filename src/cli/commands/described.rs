@@ -13,13 +13,26 @@ pub(crate) fn say(text: &str) {
     let _ = writeln!(io::stderr(), "{}", visible(text));
 }
 
+/// What a file is called in a message.
+fn name(path: &Path) -> String {
+    if path == Path::new("-") { "standard input".into() } else { path.display().to_string() }
+}
+
+/// Writes faults, or what is worth a remark, with their places in a file, a line each.
+pub(crate) fn remark(path: &Path, faults: &[Fault]) {
+    let name = name(path);
+    for Fault { place, message } in faults {
+        say(&format!("{name}:{}:{}: {message}", place.line, place.column));
+    }
+}
+
 /// What a file, or standard input where it is `-`, describes; its faults go to standard error, a line each.
 pub(crate) fn described<T>(
     path: &Path,
     read: impl FnOnce(&[u8]) -> Result<T, Vec<Fault>>,
 ) -> Result<T, Failure> {
     let standard = path == Path::new("-");
-    let name = if standard { "standard input".into() } else { path.display().to_string() };
+    let name = name(path);
     let failed = |error: io::Error| Failure::reading(&name, &error);
     let mut bytes = Vec::new();
     let file: Box<dyn Read> = match standard {
@@ -29,9 +42,7 @@ pub(crate) fn described<T>(
     // One more than is allowed, so that more is seen.
     file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(failed)?;
     read(&bytes).map_err(|faults| {
-        for Fault { place, message } in &faults {
-            say(&format!("{name}:{}:{}: {message}", place.line, place.column));
-        }
+        remark(path, &faults);
         let errors = count(faults.len(), "error", "errors");
         Failure::Input(format!("{name} has {errors}; nothing was computed"))
     })

@@ -2,6 +2,7 @@
 
 use super::axes::AxesArguments;
 use super::curves::{borders, landmarks, levels, traced};
+use super::notes::{self, each_once};
 use super::output::{Output, OutputFile};
 use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
@@ -15,8 +16,10 @@ use crate::cli::line::typed;
 use crate::number::{ExactNumber, ParseExactError};
 use crate::problem::Friction;
 use crate::report::{
-    Content, Drawing, Format, Map, MapDifferences, MapPoint, MapPoints, Marked, Plane, Report, View,
+    Content, Drawing, Format, Map, MapAsked, MapDifferences, MapPoint, MapPoints, Marked, Plane,
+    Report, View,
 };
+use crate::scene::contour_key;
 use clap::Args;
 use rayon::prelude::*;
 
@@ -55,6 +58,7 @@ pub(crate) struct Arguments {
         visible_alias = "eta",
         value_name = "NUMBER",
         value_delimiter = ',',
+        value_parser = parse::thickness,
         allow_hyphen_values = true
     )]
     thicknesses: Vec<ExactNumber>,
@@ -83,7 +87,10 @@ pub(crate) struct Arguments {
         long,
         value_name = "PARAMETER",
         allow_hyphen_values = true,
-        conflicts_with_all = ["half_openings", "thicknesses", "frictions"]
+        conflicts_with_all = [
+            "half_openings", "thicknesses", "frictions", "tolerance", "plane", "lines", "half_opening_unit", "friction_unit",
+            "scale", "half_opening_range", "friction_range", "thickness_range", "marks", "bare",
+        ]
     )]
     at: Option<String>,
 
@@ -103,9 +110,9 @@ pub(crate) struct Arguments {
     )]
     difference: bool,
 
-    /// For a picture, what lies along its axes: thickness-friction, opening-friction or opening-thickness.
-    #[arg(long, default_value = "thickness-friction", value_parser = plane)]
-    plane: Plane,
+    /// For a picture, what lies along its axes: thickness-friction (if not given), opening-friction or opening-thickness.
+    #[arg(long, value_parser = plane)]
+    plane: Option<Plane>,
 
     /// For a picture, only the lines, of both weights if so asked; over thickness and friction.
     #[arg(long)]
@@ -130,7 +137,7 @@ pub(crate) struct Arguments {
     marks: Vec<Marked>,
 
     /// For a map, without lines of equal half opening, thickness or friction.
-    #[arg(long, conflicts_with_all = ["half_openings", "thicknesses", "frictions"])]
+    #[arg(long)]
     bare: bool,
 
     #[arg(long, value_parser = parse::format(Content::Map), help = parse::format_help(Content::Map))]
@@ -203,51 +210,32 @@ impl Arguments {
         self.weight.unwrap_or(usual).all()
     }
 
-    /// What a picture shows.
+    /// What a picture shows, if all that is asked for goes together.
     fn drawing(&self, format: &Format) -> Result<Drawing, Failure> {
-        let is_whole = self.curves.is_empty();
-        let is_usual = !self.lines && self.plane == Plane::ThicknessFriction;
-        if format.is_page() && !(is_whole && is_usual) {
-            let message = "a page shows the whole map; leave out --curve, --plane and --lines";
-            return Err(Failure::Input(message.into()));
-        }
-        let is_picture = format.is_picture;
-        if self.lines && self.plane != Plane::ThicknessFriction {
-            let message = "--lines are drawn over thickness and friction; leave out --plane";
-            return Err(Failure::Input(message.into()));
-        }
-        if is_picture && !self.lines && self.weights(format).len() > 1 {
-            let message = "a map shows one --weight; --lines shows the lines of both";
-            return Err(Failure::Input(message.into()));
-        }
-        let fits = |contour: &Contour| !self.lines && self.plane.is_crossed_by(contour);
-        if is_picture && !self.contours().iter().all(fits) {
-            let message = match self.lines {
-                true => "--lines are drawn alone".to_owned(),
-                false => format!(
-                    "over {} lines of a {} are drawn",
-                    self.plane.name().replace('-', " and "),
-                    self.plane.contour_name()
-                ),
-            };
+        let (weights, contours, axes) = (self.weights(format), self.contours(), self.axes.axes());
+        let asked = MapAsked {
+            format,
+            weights: weights.len(),
+            names_curves: !self.curves.is_empty(),
+            contours: &contours,
+            plane: self.plane,
+            lines: self.lines,
+            bare: self.bare,
+            asymmetric: self.asymmetric,
+            axes: &axes,
+            has_marks: !self.marks.is_empty(),
+        };
+        if let Some(message) = asked.misfit(|key| format!("--{}", key.replace('_', "-"))) {
             return Err(Failure::Input(message));
         }
-        let is_drawn = is_picture && self.plane == Plane::OpeningFriction;
-        if self.asymmetric && (format.is_page() || (is_picture && !is_drawn)) {
-            let message = "--asymmetric is drawn with --plane opening-friction, as svg or png";
-            return Err(Failure::Input(message.into()));
-        }
-        if !self.marks.is_empty() && (!(is_picture || format.is_page()) || self.lines) {
-            let message = "a --mark is for a map as svg, png or html, without --lines";
-            return Err(Failure::Input(message.into()));
-        }
-        let view = if self.lines { View::Lines } else { View::Map(self.plane) };
+        notes::frictions(self.frictions.iter().chain(self.marks.iter().map(Marked::friction)));
+        let marks = each_once(&self.marks, ToString::to_string, |mark| format!("the mark {mark}"));
+        let view = if self.lines { View::Lines } else { View::Map(asked.plane()) };
         let undecided = |open: Undecided| Failure::Undecided(open.to_string());
-        let weights = self.weights(format).into_iter();
-        let all = weights.flat_map(|weight| self.marks.iter().map(move |mark| (mark, weight)));
+        let all = weights.into_iter();
+        let all = all.flat_map(|weight| marks.iter().map(move |mark| (mark, weight)));
         let marks = all.map(|(mark, weight)| mark.proved(weight).map_err(undecided));
         let marks = marks.collect::<Result<_, _>>()?;
-        let axes = self.axes.axes(self.plane, is_picture && !self.lines)?;
         Ok(Drawing { view, axes, marks, command: typed() })
     }
 
@@ -260,7 +248,8 @@ impl Arguments {
     }
 
     fn curves(&self) -> Vec<Curve> {
-        self.curves.iter().flat_map(|Curves(curves)| curves).copied().collect()
+        let all = self.curves.iter().flat_map(|Curves(curves)| curves).copied();
+        each_once(all, |curve| *curve, |curve| format!("the curve {curve}"))
     }
 }
 
@@ -269,7 +258,7 @@ fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
     let drawing = arguments.drawing(format)?;
     let file = arguments.file.open_for(format)?;
     let curves = arguments.curves();
-    let contours = arguments.contours();
+    let contours = each_once(arguments.contours(), contour_key, |contour| format!("the {contour}"));
     let is_drawn = format.is_picture || format.is_page();
     let is_alone = contours.is_empty() && !arguments.asymmetric;
     let is_whole = curves.is_empty() && (is_alone || is_drawn);
@@ -286,7 +275,7 @@ fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
     );
     let is_map = format.is_picture && is_whole && !arguments.lines;
     let contours = match is_map && contours.is_empty() && !arguments.bare {
-        true => arguments.plane.contours(),
+        true => arguments.plane.unwrap_or(Plane::ThicknessFriction).contours(),
         false => contours,
     };
     let levels = levels(&contours, &weights, &traces, tolerance, &mut open)?;

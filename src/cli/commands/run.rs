@@ -1,6 +1,6 @@
 //! `couplet run`.
 
-use super::described::{described, say};
+use super::described::{described, remark, say};
 use super::folder::Folder;
 use super::output::Output;
 use super::progress;
@@ -54,6 +54,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Output::Standard.write(|out| out.write_all(EXAMPLE.as_bytes()));
     };
     let scene = described(path, read_bytes)?;
+    remark(path, &scene.notes);
     let mut folder = Folder::open(arguments.output.as_deref(), arguments.overwrite)?;
     let is_complete = |item: &Item| arguments.resume && folder.is_complete(item);
     let complete: Vec<bool> = scene.items.iter().map(is_complete).collect();

@@ -6,6 +6,7 @@ mod files;
 mod grids;
 mod language;
 mod measured;
+mod notes;
 #[cfg(unix)]
 mod owners;
 mod rows;

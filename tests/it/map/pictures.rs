@@ -138,7 +138,7 @@ fn pixels_need_their_feature() {
 fn what_makes_no_picture_is_refused() {
     for (arguments, words) in [
         (&["map", "--plane", "eta-mu"][..], "a plane is one of thickness-friction"),
-        (&["map", "--lines", "--plane", "opening-friction"], "leave out --plane"),
+        (&["map", "--lines", "--plane", "opening-friction", "-o", "map.svg"], "leave out --plane"),
         (&["map", "--weight", "both", "--format", "svg"], "a map shows one --weight"),
         (&["map", "--plane", "opening-friction", "-o", "map.html"], "a page shows the whole map"),
         (&["map", "--curve", "limit", "--format", "html"], "a page shows the whole map"),
@@ -153,7 +153,9 @@ fn what_makes_no_picture_is_refused() {
             "over opening and friction lines of a thickness are drawn",
         ),
         (&["map", "--lines", "--alpha", "80deg", "-o", "map.svg"], "--lines are drawn alone"),
-        (&["map", "--bare", "--alpha", "80deg", "-o", "map.svg"], "cannot be used with"),
+        (&["map", "--bare", "--alpha", "80deg", "-o", "map.svg"], "a map that is --bare has no"),
+        (&["map", "--curve", "limit", "--at", "1.5", "--bare"], "cannot be used with"),
+        (&["map", "--curve", "limit", "--at", "1.5", "--scale", "log"], "cannot be used with"),
         (&["map", "--thickness-range", "1", "-o", "map.svg"], "'1' is no range: two numbers"),
         (
             &["map", "--thickness-range", "1..0.5", "-o", "map.svg"],
@@ -187,11 +189,11 @@ fn what_makes_no_picture_is_refused() {
         (&["map", "--mark", "80deg,x", "-o", "map.svg"], "'x' is not a friction"),
         (
             &["map", "--mark", "80deg,1", "-o", "map.csv"],
-            "a --mark is for a map as svg, png or html",
+            "for --mark give a map as svg, png or html",
         ),
         (
             &["map", "--mark", "80deg,1", "--lines", "-o", "map.svg"],
-            "a --mark is for a map as svg, png or html",
+            "for --mark give a map as svg, png or html",
         ),
         (&["figure", "0"], "a figure is a number from 1 to 12"),
         (&["figure", "13"], "a figure is a number from 1 to 12"),
@@ -229,7 +231,7 @@ fn what_asymmetric_solutions_reach_is_drawn() {
         &["--format", "html"],
         &["--plane", "opening-thickness", "--format", "svg"],
     ] {
-        let (code, _, error) = said(&with(wrong));
+        let (code, _, error) = said(&couplet(&[&["map", "--asymmetric"], wrong].concat()));
         assert_eq!(code, Some(2));
         assert!(
             error.contains("--plane opening-friction") && error.lines().count() == 1,

@@ -38,9 +38,6 @@ faults! {
     no_digits:
         "digits = 0\n"
         => "2:10: digits 0 is not a whole number from 1 to 1000000";
-    a_weight_twice:
-        "weight = [\"heyman\", \"heyman\"]\n"
-        => "2:21: weight \"heyman\" is listed twice";
     no_weight:
         "weight = []\n"
         => "2:10: weight is an empty list; give one of heyman, milankovitch";
@@ -103,7 +100,7 @@ faults! {
         => "2:1: half_opening is missing; give an angle (2.45, \"pi/2\", \"80deg\")";
     no_friction:
         "[arches]\nhalf_opening = 1\n"
-        => "2:1: friction is missing; give a coefficient (0.6, \"3/5\", \"inf\"), or friction_angle, an angle (0.5, \"pi/6\", \"21deg\")";
+        => "2:1: friction is missing; give a coefficient (0.6, \"3/5\", \"inf\") or an angle (\"31deg\"), or friction_angle, an angle (0.5, \"pi/6\", \"21deg\")";
     two_frictions:
         "[arches]\nhalf_opening = 1\nfriction = 1\nfriction_angle = 1\n"
         => "5:18: both friction and friction_angle; give one of them";
@@ -122,9 +119,18 @@ faults! {
     no_half_openings:
         "[arches]\nfriction = 1\nhalf_opening = []\n"
         => "4:16: half_opening is an empty list; give an angle (2.45, \"pi/2\", \"80deg\")";
-    a_friction_twice:
-        "[arches]\nhalf_opening = 1\nfriction = [0.5, 1, \"1/2\"]\n"
-        => "4:21: friction \"1/2\" is listed twice, first in line 4, column 13";
+    a_half_opening_without_its_unit:
+        "[arches]\nfriction = 1\nhalf_opening = [1, 80]\n"
+        => "4:20: half_opening 80 is not between 0 and pi (180deg); did you mean 80deg?";
+    a_friction_angle_without_its_unit:
+        "[arches]\nhalf_opening = 1\nfriction_angle = 31\n"
+        => "4:18: friction_angle 31 is not between 0 and pi/2 (90deg); did you mean 31deg?";
+    a_friction_that_is_too_large_an_angle:
+        "[arches]\nhalf_opening = 1\nfriction = \"91deg\"\n"
+        => "4:12: friction \"91deg\" is not between 0 and pi/2 (90deg)";
+    a_range_from_a_coefficient_to_an_angle:
+        "[arches]\nhalf_opening = 1\nfriction = { from = 0.2, to = \"31deg\", steps = 3 }\n"
+        => "4:12: friction from 0.2 to 31deg is in two units; give two coefficients, or two angles in one unit";
     a_negative_friction:
         "[arches]\nhalf_opening = 1\nfriction = -0.5\n"
         => "4:12: friction -0.5 is not 0 or more";
@@ -134,6 +140,9 @@ faults! {
     a_thickness_in_multiples_of_pi:
         "[arches]\nhalf_opening = 1\nfriction = 1\nthickness = \"pi/3\"\n"
         => "5:13: thickness \"pi/3\" is not a ratio of thickness to radius (0.12, \"3/25\")";
+    a_thickness_that_is_a_length:
+        "[arches]\nhalf_opening = 1\nfriction = 1\nthickness = [\"0.1r\", \"60cm\"]\n"
+        => "5:22: thickness \"60cm\" is not a ratio of thickness to radius (0.12, \"3/25\")";
     a_thickness_beyond_the_limit:
         "[arches]\nhalf_opening = 1\nfriction = 1\nthickness = 2.1\n"
         => "5:13: thickness 2.1 is not between 0 and 2";
@@ -161,9 +170,6 @@ faults! {
     a_text_for_true_or_false:
         "[claims]\nshow = \"yes\"\n"
         => "3:8: show \"yes\" is not true or false";
-    a_claim_twice:
-        "[claims]\nprove = [\"eq-16\", \"eq-16\"]\n"
-        => "3:19: prove \"eq-16\" is listed twice";
 }
 
 #[test]

@@ -81,7 +81,6 @@ fn a_map_has_axes_and_marks() {
 fn faults_of_maps_have_their_places() {
     for (table, fault) in [
         ("[[map]]\ncurves = \"rrr\"", "3:10: curves \"rrr\" is not one of rotation, overturning"),
-        ("[[map]]\ncurves = [\"limit\", \"Limit\"]", "3:20: curves \"limit\" is listed twice"),
         ("[[map]]\ntolerance = 0", "3:13: tolerance 0 is not a number from 1e-12 to 1"),
         ("[[map]]\ntolerance = true", "3:13: tolerance true is not a number from 1e-12 to 1"),
         ("[[map]]\nplane = \"mine\"", "3:9: plane \"mine\" is not one of thickness-friction"),
@@ -98,15 +97,21 @@ fn faults_of_maps_have_their_places() {
         ("[[map]]\nmarks = [\"1\"]\nformat = \"svg\"", "3:10: marks: a mark is a half opening"),
         (
             "[[map]]\nscale = \"log\"\nformat = \"csv\"",
-            "2:1: units, ranges, scale and marks are for",
+            "2:1: units, ranges and a scale are for a map as svg or png",
         ),
         (
             "[[map]]\nhalf_opening_unit = \"A\"\nformat = \"svg\"",
             "2:1: the plane thickness-friction has no",
         ),
-        ("[[map]]\nlines = true\nscale = \"log\"\nformat = \"svg\"", "2:1: lines have no units"),
+        (
+            "[[map]]\nlines = true\nscale = \"log\"\nformat = \"svg\"",
+            "2:1: units, ranges and a scale are for",
+        ),
         ("[[map]]\nweight = \"both\"\noutput = \"x.svg\"", "2:1: a map shows one weight"),
-        ("[[map]]\neta = 1\noutput = \"x.svg\"", "2:1: in a plane lines of the third quantity"),
+        (
+            "[[map]]\neta = 1\noutput = \"x.svg\"",
+            "2:1: over thickness and friction lines of a half opening",
+        ),
         ("[[map]]\nalpha = 4", "3:9: half_opening 4 is not between 0 and pi"),
         ("[[map]]\ncurves = \"limit\"\noutput = \"x.html\"", "2:1: a page shows the whole map"),
         ("[[map]]\nnumber = 5", "3:1: unknown key \"number\" in [[map]]"),

@@ -11,6 +11,7 @@ mod outputs;
 mod plan;
 mod reading;
 mod resume;
+mod same;
 
 use crate::program::Scratch;
 use couplet::scene::{Fault, read};

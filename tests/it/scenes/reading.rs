@@ -44,7 +44,10 @@ fn no_scene_is_so_large_that_reading_it_takes_long() {
     let said = faults(&format!("[arches]\nfriction = 1\nhalf_opening = [{list}]\n"));
     assert!(start.elapsed() < Duration::from_secs(10), "{:?}", start.elapsed());
     assert_eq!(said.len(), 300_000);
-    assert_eq!(said[299_999], "4:600015: half_opening 9 is not between 0 and pi (180deg)");
+    assert_eq!(
+        said[299_999],
+        "4:600015: half_opening 9 is not between 0 and pi (180deg); did you mean 9deg?"
+    );
 }
 
 /// The only fault of what is no scene of this version.

@@ -4,7 +4,7 @@ use super::answers::Verdict;
 use super::arguments::{Arguments, Share};
 use super::sweep::{Sweep, SweepError};
 use super::verify::verify;
-use crate::cli::commands::described::{described, say};
+use crate::cli::commands::described::{described, remark, say};
 use crate::cli::commands::output::Output;
 use crate::cli::commands::progress::styled;
 use crate::cli::failure::{Failure, print};
@@ -26,6 +26,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return look_through(path, arguments);
     }
     let plan = described(path, read_sweep)?;
+    remark(path, &plan.notes);
     let base = path.parent().unwrap_or(Path::new(""));
     let output = arguments.output.as_deref().unwrap_or(Path::new(""));
     let sweep = Sweep::new(&plan, base, output).map_err(failure)?;

@@ -24,7 +24,7 @@ function read(text) {
   const [, tangent] = /^2atan\(([^()]*)\)$/.exec(text) ?? [];
   if (tangent !== undefined) return 2 * Math.atan(read(tangent));
   if (/^(inf|∞)$/i.test(text)) return Infinity;
-  const [, number, unit, below] = /^(\d*\.?\d+(?:e-?\d+)?)?(deg|°|pi)?(?:\/(\d+))?$/i.exec(text.replace(/\s/g, "")) ?? [];
+  const [, number, unit, below] = /^(\d*\.?\d+(?:e-?\d+)?)?(deg|°|rad|pi)?(?:\/(\d+))?$/i.exec(text.replace(/\s/g, "")) ?? [];
   const factor = { deg: DEGREE, "°": DEGREE, pi: Math.PI }[unit?.toLowerCase()] ?? 1;
   return Number(number ?? (unit === "pi" ? 1 : NaN)) * factor / Number(below ?? 1);
 }
@@ -49,10 +49,14 @@ function sure(x, error, digits = 6) {
   return low === high || digits === 1 ? low : sure(x, error, digits - 1);
 }
 
+/** The angle of friction: given, also as the friction, or of its coefficient. */
+const frictionAngle = ({ friction, friction_angle = "" }) =>
+  friction === undefined || /(deg|°|rad)$/i.test(friction) ? read(friction ?? friction_angle) : Math.atan(read(friction));
+
 /** The numbers of an arch that was given in texts; a text if there is none. */
 function solve(given) {
   const delta = given.weight === "heyman" ? 0 : 1;
-  const phi = given.friction === undefined ? read(given.friction_angle ?? "") : Math.atan(read(given.friction));
+  const phi = frictionAngle(given);
   if (!(phi > 0 && phi <= Math.PI / 2)) return "a friction is positive (0.6, inf), a friction angle up to 90deg";
   let eta = read(given.thickness ?? "");
   if (isShape(given)) {

@@ -1,0 +1,151 @@
+//! What a map is asked to show, and whether it goes together: for the command and for a scene.
+
+use super::drawn::{Axes, Plane};
+use super::format::Format;
+use crate::atlas::Contour;
+
+/// What a map is asked to show.
+pub struct MapAsked<'a> {
+    /// As what it is written.
+    pub format: &'a Format,
+    /// Of how many weights.
+    pub weights: usize,
+    /// Whether curves are named.
+    pub names_curves: bool,
+    /// The levels that are named.
+    pub contours: &'a [Contour],
+    /// The plane, if one is named.
+    pub plane: Option<Plane>,
+    /// Whether the lines alone are.
+    pub lines: bool,
+    /// Whether there are no levels.
+    pub bare: bool,
+    /// Whether there are asymmetric branches.
+    pub asymmetric: bool,
+    /// How the quantities are shown.
+    pub axes: &'a Axes,
+    /// Whether arches are marked.
+    pub has_marks: bool,
+}
+
+impl MapAsked<'_> {
+    /// The plane: the usual one, if none is named.
+    pub fn plane(&self) -> Plane {
+        self.plane.unwrap_or(Plane::ThicknessFriction)
+    }
+
+    /// What has no effect or no sense beside the rest, in the words of who asks: `key` says what he calls an option.
+    pub fn misfit(&self, key: fn(&str) -> String) -> Option<String> {
+        let (is_picture, is_page) = (self.format.is_picture, self.format.is_page());
+        let (plane, has_axes) = (self.plane(), *self.axes != Axes::default());
+        let is_drawn_otherwise = self.plane.is_some() || self.lines || self.bare;
+        let options = || format!("{}, {} and {}", key("plane"), key("lines"), key("bare"));
+        if is_page && (self.names_curves || is_drawn_otherwise) {
+            return Some(format!(
+                "a page shows the whole map; leave out {}, {}",
+                key("curve"),
+                options()
+            ));
+        }
+        if !is_picture && is_drawn_otherwise {
+            return Some(format!("{} are for a picture, svg or png", options()));
+        }
+        if self.lines && plane != Plane::ThicknessFriction {
+            let (lines, plane) = (key("lines"), key("plane"));
+            return Some(format!(
+                "{lines} are drawn over thickness and friction; leave out {plane}"
+            ));
+        }
+        if is_picture && !self.lines && self.weights > 1 {
+            let (weight, lines) = (key("weight"), key("lines"));
+            return Some(format!("a map shows one {weight}; {lines} shows the lines of both"));
+        }
+        if self.lines && (self.bare || !self.contours.is_empty()) {
+            let others = ["bare", "half_opening", "thickness"].map(key).join(", ");
+            return Some(format!(
+                "{} are drawn alone; leave out {others} and {}",
+                key("lines"),
+                key("friction")
+            ));
+        }
+        if self.bare && !self.contours.is_empty() {
+            let lines = ["half_opening", "thickness"].map(key).join(", ");
+            return Some(format!(
+                "a map that is {} has no {lines} or {}",
+                key("bare"),
+                key("friction")
+            ));
+        }
+        if is_picture && !self.contours.iter().all(|contour| plane.is_crossed_by(contour)) {
+            let axes = plane.name().replace('-', " and ");
+            return Some(format!("over {axes} lines of a {} are drawn", plane.contour_name()));
+        }
+        let is_over_opening = is_picture && plane == Plane::OpeningFriction;
+        if self.asymmetric && (is_page || (is_picture && !is_over_opening)) {
+            let (asymmetric, plane) = (key("asymmetric"), key("plane"));
+            return Some(format!(
+                "{asymmetric} is drawn with {plane} opening-friction, as svg or png"
+            ));
+        }
+        if self.has_marks && (!(is_picture || is_page) || self.lines) {
+            let (mark, lines) = (key("mark"), key("lines"));
+            return Some(format!("for {mark} give a map as svg, png or html, without {lines}"));
+        }
+        if has_axes && (!is_picture || self.lines) {
+            let lines = key("lines");
+            return Some(format!(
+                "units, ranges and a scale are for a map as svg or png, without {lines}"
+            ));
+        }
+        self.axes.misfit(plane)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::format::Content;
+    use super::*;
+
+    /// Each that has no effect is refused, and none that has one.
+    #[test]
+    fn what_has_no_effect_is_refused() {
+        let level: Contour = Contour::Friction("31deg".parse().unwrap());
+        let levels = [level];
+        for (name, plane, [lines, bare, level], expected) in [
+            ("csv", None, [false, false, true], None),
+            ("csv", None, [false, true, false], Some("are for a picture")),
+            ("csv", None, [true, false, true], Some("are for a picture")),
+            ("table", Some("opening-friction"), [false; 3], Some("are for a picture")),
+            ("json", Some("thickness-friction"), [false; 3], Some("are for a picture")),
+            ("html", None, [false; 3], None),
+            ("html", None, [false, true, false], Some("a page shows the whole map")),
+            ("svg", None, [true, false, false], None),
+            ("svg", None, [true, true, false], Some("lines are drawn alone")),
+            ("svg", None, [true, false, true], Some("lines are drawn alone")),
+            ("svg", None, [false, true, true], Some("a map that is bare has no")),
+            ("svg", None, [false, false, true], Some("lines of a half opening are drawn")),
+            ("svg", Some("opening-thickness"), [false, false, true], None),
+            ("svg", Some("opening-thickness"), [true, false, false], Some("leave out plane")),
+        ] {
+            let asked = MapAsked {
+                format: Format::named(Content::Map, name).unwrap(),
+                weights: 1,
+                names_curves: false,
+                contours: if level { &levels } else { &[] },
+                plane: plane.and_then(Plane::named),
+                lines,
+                bare,
+                asymmetric: false,
+                axes: &Axes::default(),
+                has_marks: false,
+            };
+            let found = asked.misfit(str::to_owned);
+            match expected {
+                Some(words) => {
+                    assert!(found.as_ref().is_some_and(|x| x.contains(words)), "{found:?}")
+                }
+                None => assert_eq!(found, None, "{name}"),
+            }
+        }
+    }
+}
