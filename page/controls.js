@@ -17,19 +17,27 @@ const withUnit = (text) => /^[\d./]+$/.test(text) ? `${text}m` : text;
 function fields() {
   const text = (id) => at(id).value.trim();
   const friction = text("ask-friction"), thickness = text("ask-thickness");
-  const shape = isMeasured() ? { span: withUnit(text("ask-span")), rise: withUnit(text("ask-rise")) } : { half_opening: text("ask-half-opening") };
-  const isAngle = /deg|°/i.test(friction);
-  return { weight: map().id, ...shape, ...(isAngle ? { friction_angle: friction } : { friction }), ...(thickness && { thickness }) };
+  const measured_at = at("ask-circle").value;
+  const measures = { span: withUnit(text("ask-span")), rise: withUnit(text("ask-rise")), ...(measured_at !== "intrados" && { measured_at }) };
+  const shape = isMeasured() ? measures : { half_opening: text("ask-half-opening") };
+  return { weight: map().id, ...shape, friction, ...(thickness && { thickness }) };
 }
+
+/** Half thicknesses from a circle outwards to the centreline. */
+const TO_CENTRELINE = { intrados: 1, centreline: 0, extrados: -1 };
 
 /** A thickness as a part of the radius of the centreline. */
-function ratio({ span, rise, thickness }) {
+function ratio({ span, rise, measured_at = "intrados", thickness }) {
   const length = metres(thickness), [half, up] = [metres(span ?? "") / 2, metres(rise ?? "")];
-  return Number.isNaN(length) ? read(thickness) : 2 * length * up / (half * half + up * up);
+  const radius = (half * half + up * up) / (2 * up) + TO_CENTRELINE[measured_at] * length / 2;
+  return Number.isNaN(length) ? read(thickness.replace(/r$/, "")) : length / radius;
 }
 
+/** Beside lengths a ratio says that it is one. */
+const asRatio = (text) => isMeasured() && text && !/[a-z]$/.test(text) ? `${text}r` : text;
+
 addEventListener("shown", ({ detail: { given, found } }) => {
-  const { half_opening, span, friction, friction_angle, thickness } = given;
+  const { half_opening, span, measured_at, friction, friction_angle, thickness } = given;
   const put = (id, text) => { if (document.activeElement !== at(id)) at(id).value = text; };
   shapes(span !== undefined);
   // From a place of the map a slider goes on with its half opening.
@@ -39,14 +47,15 @@ addEventListener("shown", ({ detail: { given, found } }) => {
     put("slide-half-opening", read(place) / DEGREE);
   }
   for (const name of ["span", "rise"]) if (given[name] !== undefined) put(FIELDS[name], given[name]);
+  at("ask-circle").value = measured_at ?? "intrados";
   const isThick = isShape(given) && thickness !== undefined;
   put("ask-thickness", isThick ? thickness : "");
   put("slide-thickness", isThick ? ratio(given) : 0);
   put("ask-friction", friction ?? friction_angle ?? "");
-  put("slide-friction", Math.min(friction === undefined ? Math.tan(read(friction_angle ?? "")) : read(friction), 2));
+  put("slide-friction", Math.min(Math.tan(frictionAngle(given)), 2));
 });
 
-for (const [name, text] of [["half-opening", (x) => `${x}deg`], ["friction", (x) => x], ["thickness", (x) => (Number(x) ? x : "")]]) {
+for (const [name, text] of [["half-opening", (x) => `${x}deg`], ["friction", (x) => x], ["thickness", (x) => (Number(x) ? asRatio(x) : "")]]) {
   const slider = at(`slide-${name}`), moved = (isKept) => {
     at(`ask-${name}`).value = text(slider.value);
     show(fields(), isKept);
@@ -57,9 +66,11 @@ for (const [name, text] of [["half-opening", (x) => `${x}deg`], ["friction", (x)
 for (const [id, isBySpan] of [["by-half-opening", false], ["by-span", true]]) {
   at(id).addEventListener("change", () => {
     shapes(isBySpan);
+    at("ask-thickness").value = asRatio(at("ask-thickness").value.trim());
     show(fields(), true);
   });
 }
+at("ask-circle").addEventListener("change", () => show(fields(), true));
 // The thickness is one of the fields here.
 at("ask").addEventListener("submit", (event) => {
   event.preventDefault();

@@ -15,7 +15,7 @@ function starts({ halfOpening, eta, thrust, rotation, sliding, phi }) {
 /** What seems to decide that no thickness is enough, the likelier first. */
 function falls(given) {
   const alpha = opening(given), delta = given.weight === "heyman" ? 0 : 1;
-  const phi = given.friction === undefined ? read(given.friction_angle) : Math.atan(read(given.friction));
+  const phi = frictionAngle(given);
   const least = zero((phi) => alpha - slidingOut(slidingInside(phi).thrust, phi), 1e-9, Math.PI / 2);
   const inner = slidingInside(phi), fac = 1 + delta / 3;
   const slides = { subject: "slides", start: starts({ ...slidingInside(least), phi: least, halfOpening: alpha, eta: 2, rotation: 0 }) };
@@ -25,8 +25,8 @@ function falls(given) {
 
 /** What is asked about an arch: a place of the map has the half opening that was found for it, and is drawn only. */
 function questions(given, found, wanted) {
-  const { weight, half_opening, span, rise, thickness } = given;
-  const shape = isShape(given) ? { half_opening, span, rise, thickness } : { half_opening: String(found.halfOpening) };
+  const { weight, half_opening, span, rise, measured_at, thickness } = given;
+  const shape = isShape(given) ? { half_opening, span, rise, measured_at, thickness } : { half_opening: String(found.halfOpening) };
   const modes = typeof found === "string" ? [] : [found.mode, ...Object.keys(WORDS).filter((mode) => mode !== found.mode && mode !== "[s,s]")];
   const tries = typeof found === "string" ? falls(given) : modes.map((subject) => ({ subject, start: starts(found) }));
   return tries.map((one) => encoded({ weight, ...shape, friction: frictionText(given), digits: DIGITS, ...one, ...wanted }));

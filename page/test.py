@@ -201,6 +201,19 @@ def measures(page, couplet):
         if thickness:
             truth = couplet.json("assess", "--weight", page.run("map().id"), "--span", span, "--rise", rise, "--friction", mu, "--thickness", thickness, "--digits", "4")
             assert float(found["geometric_safety"]) == float(truth["geometric_safety"]["value"]), (found, truth)
+    # At another circle; a slider's thickness says that it is a ratio; an angle is a friction.
+    for id, text in [("ask-span", "10m"), ("ask-rise", "3m"), ("ask-friction", "31deg"), ("ask-thickness", "60cm")]:
+        page.run(f"at('{id}').value = {json.dumps(text)}")
+    page.run("at('ask-circle').value = 'extrados'; at('ask-circle').dispatchEvent(new Event('change'))")
+    page.settled()
+    found = page.texts()
+    arch = ["--weight", page.run("map().id"), "--span", "10m", "--rise", "3m", "--friction", "31deg", "--measured-at", "extrados", "--thickness", "60cm"]
+    truth = couplet.json("assess", *arch, "--digits", "10")
+    assert float(found["radius_m"]) == float(truth["radius_m"]["value"]), (found, truth)
+    assert "measured_at=extrados" in page.run("location.hash") and "friction=31deg" in page.run("location.hash")
+    page.run("at('slide-thickness').value = '0.1'; at('slide-thickness').dispatchEvent(new Event('change'))")
+    assert page.run("at('ask-thickness').value") == "0.1r"
+    page.run("at('ask-circle').value = 'intrados'; at('ask-thickness').value = ''")
     # A length without its unit is in metres; what is no length is said so.
     page.run("at('ask-span').value = '12'")
     page.click("show-arch")
@@ -343,8 +356,10 @@ def nonsense(page):
         ("half_opening=1", "a friction is positive"),
         ("span=10m&friction=0.6", "are lengths"),
         ("span=10&rise=3&friction=0.6", "are lengths"),
-        ("half_opening=1&friction=1&thickness=3", "not proved: a thickness is above 0"),
-        ("half_opening=1&friction=1&thickness=60cm", "not proved: thickness: '60cm' is not a number"),
+        ("half_opening=1&friction=1&thickness=3", "not proved: the thickness 3 is not between 0 and 2"),
+        ("half_opening=1&friction=1&thickness=60cm", "not proved: the thickness 60cm is a length"),
+        ("span=10m&rise=3m&friction=1&thickness=0.6", "not proved: the thickness 0.6 has no unit"),
+        ("span=10m&rise=3m&friction=1&thickness=60cm&measured_at=middle", "not proved: an arch is measured at one of"),
         ("half_opening=1e-9&friction=0.6", "not proved"),
     ]:
         page.run(f"new Promise((done) => {{ addEventListener('hashchange', () => setTimeout(done), {{ once: true }}); location.hash = {json.dumps(fragment)}; }})")

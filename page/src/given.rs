@@ -4,7 +4,7 @@ use crate::prove::Question;
 use crate::rounding::rounded;
 use couplet::number::{DoubleDouble, DoubleDoubleBall, ExactNumber, Field, Real};
 use couplet::problem::measures::{Circle, Length, Measures, of_span_and_rise};
-use couplet::problem::{Arch, Friction, Known, is_thickness};
+use couplet::problem::{self, Arch, Friction, Known};
 
 /// What is given of an arch.
 pub(crate) struct Given {
@@ -12,38 +12,34 @@ pub(crate) struct Given {
     pub(crate) arch: Arch,
     /// Its thickness, if it has one.
     pub(crate) thickness: Option<ExactNumber>,
-    /// The radius of its centreline in metres, if it is measured.
-    pub(crate) radius: Option<ExactNumber>,
+    /// Its size, if it is measured.
+    pub(crate) measures: Option<Measures>,
 }
 
 /// Bits of a double-double.
 const BITS: u32 = 106;
 
-/// Reads it; span and rise are those of the centreline.
+/// Reads it; span and rise are those of the intrados, unless another circle is named.
 pub(crate) fn given(question: &Question) -> Result<Given, String> {
-    let Question { weight, half_opening, span, rise, friction, thickness, .. } = question;
+    let Question { weight, half_opening, span, rise, measured_at, friction, .. } = question;
+    let circle = measured_at.as_deref().map_or(Ok(Circle::default()), str::parse);
+    let circle = circle.map_err(|names| format!("an arch is measured at {names}"))?;
     let length = |text: &str| text.parse::<Length>().map_err(|error| error.to_string());
     let mut measures = None;
     let half_opening = match (half_opening, span, rise) {
         (Some(half_opening), None, None) => half_opening.clone(),
         (None, Some(span), Some(rise)) => {
             let (half_opening, radius) = of_span_and_rise(&length(span)?, &length(rise)?);
-            measures = Some(Measures::new(Circle::Centreline, radius, None));
+            measures = Some(Measures::new(circle, radius, None));
             half_opening.to_string()
         }
         _ => return Err("an arch has a half opening, or a span and a rise".into()),
     };
     let arch = Arch::parse(weight, &half_opening, friction).map_err(|error| error.to_string())?;
-    let thickness = thickness.as_ref().map(|text| match (text.parse(), &measures) {
-        (Ok(thickness), _) if is_thickness(&thickness) => Ok(thickness),
-        (Ok(_), _) => Err("a thickness is above 0, and 2 at most".to_owned()),
-        (Err(_), Some(measures)) => {
-            measures.thickness(&length(text)?).map_err(|error| error.to_string())
-        }
-        (Err(error), None) => Err(format!("thickness: {error}")),
-    });
-    let radius = measures.as_ref().map(Measures::radius);
-    Ok(Given { arch, thickness: thickness.transpose()?, radius })
+    let thickness = question.thickness.as_deref();
+    let thickness = thickness.map(|text| problem::thickness(text, measures.as_ref()));
+    let thickness = thickness.transpose().map_err(|error| error.to_string())?;
+    Ok(Given { arch, thickness, measures })
 }
 
 /// As a shell reads it.
@@ -93,10 +89,10 @@ impl Given {
         }
         let exact = |x: &ExactNumber| rounded(&x.enclosure(BITS), digits);
         all.extend(self.thickness.as_ref().map(|eta| ("given_thickness", exact(eta))));
-        all.extend(self.radius.as_ref().map(|radius| ("radius_m", exact(radius))));
-        if let (Some(eta), Some(radius)) = (&self.thickness, &self.radius) {
-            let [eta, radius] = [eta, radius].map(|x| x.enclosure::<DoubleDoubleBall>(BITS));
-            all.push(("given_thickness_m", rounded(&(eta * radius), digits)));
+        if let (Some(eta), Some(measures)) = (&self.thickness, &self.measures) {
+            let sizes = measures.sizes(&eta.enclosure(BITS), alpha, BITS);
+            all.push(("radius_m", rounded(&sizes.radius, digits)));
+            all.push(("given_thickness_m", rounded(&sizes.thickness, digits)));
         }
         all.into_iter().filter_map(|(name, value)| Some((name, value?))).collect()
     }

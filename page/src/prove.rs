@@ -31,9 +31,11 @@ pub struct Question {
     pub span: Option<String>,
     /// With the span.
     pub rise: Option<String>,
-    /// A coefficient, an angle in degrees, or `inf`.
+    /// The circle of both: the intrados if not given.
+    pub measured_at: Option<String>,
+    /// A coefficient, an angle with its unit, or `inf`.
     pub friction: String,
-    /// The thickness of the arch, a ratio; with span and rise also a length.
+    /// The thickness of the arch: a ratio (`0.1`, `0.1r`); with span and rise a length, or a ratio with its `r`.
     pub thickness: Option<String>,
     /// The label of a mode, `slides` or `too_wide`.
     pub subject: String,
@@ -120,9 +122,15 @@ pub fn proof(question: &Question) -> Result<Proved, String> {
     };
     let least = mode.map(|_| &at.thickness);
     let eta: Option<DoubleDoubleBall> = given.thickness.as_ref().map(|eta| eta.enclosure(BITS));
-    if let (Some(radius), Some(least)) = (&given.radius, least) {
-        let metres = radius.enclosure::<DoubleDoubleBall>(BITS) * least;
-        proved.values.extend(rounded(&metres, question.digits).map(|x| ("least_thickness_m", x)));
+    if let (Some(measures), Some(least)) = (&given.measures, least) {
+        let sizes = measures.sizes(least, &at.half_opening.rad, BITS);
+        let found = [("least_thickness_m", sizes.thickness), ("radius_m", sizes.radius)];
+        for (name, size) in found {
+            // With a thickness the radius is that of the arch, not of the least one.
+            if let Some(size) = rounded(&size, question.digits) {
+                proved.values.entry(name).or_insert(size);
+            }
+        }
     }
     // From the least thickness on it stands.
     proved.stands = match (eta, least) {
@@ -389,21 +397,23 @@ mod tests {
         let found = of("10m", "3m", "60cm").unwrap();
         for (name, value) in [
             ("given_half_opening_degrees", "61.9275130641"),
-            ("radius_m", "5.66666666667"),
-            ("least_thickness_m", "0.146209784922"),
-            ("given_thickness", "0.105882352941"),
+            ("radius_m", "5.96666666667"),
+            ("least_thickness_m", "0.148120669442"),
+            ("given_thickness", "0.100558659218"),
             ("given_thickness_m", "0.6"),
-            ("geometric_safety", "4.104"),
+            ("geometric_safety", "3.897"),
         ] {
             assert_eq!(found.values[name], value, "{name}");
         }
         assert!(sentence(&found).contains("2 atan 3/5"));
-        assert!(
-            found.command.ends_with(
-                "--half-opening '2atan(3/5)' --friction 0.6 --thickness 9/85 -o arch.json"
-            )
-        );
-        assert!(of("10", "3m", "60cm").is_err() && of("10m", "3m", "60").is_err());
+        assert!(found.command.ends_with(
+            "--half-opening '2atan(3/5)' --friction 0.6 --thickness 18/179 -o arch.json"
+        ));
+        let ratio = of("10m", "3m", "18/179r").unwrap();
+        assert_eq!(ratio.values["given_thickness_m"], "0.6");
+        assert!(of("10", "3m", "60cm").is_err());
+        let error = of("10m", "3m", "0.6").unwrap_err();
+        assert!(error.contains("0.6m") && error.contains("0.6r"), "{error}");
     }
 
     #[test]
