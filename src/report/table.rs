@@ -131,10 +131,9 @@ fn state(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Re
     let mode = modes.join(" ");
     writeln!(out, "stands from the thickness below on; collapses there as {mode}")?;
     writeln!(out, "proved: one solution, admissible on the whole half arch, none thinner\n")?;
-    let (sizes, ratios): (Vec<Quantity>, Vec<Quantity>) =
-        asked.iter().partition(|quantity| quantity.is_measured());
+    let ratios = asked.iter().filter(|quantity| !quantity.is_measured());
     let (frictions, others): (Vec<Quantity>, Vec<Quantity>) =
-        ratios.iter().partition(|quantity| quantity.is_friction());
+        ratios.partition(|quantity| quantity.is_friction());
     for quantity in others {
         let value = answer.value(quantity).map_or("none inside".into(), |value| value.text());
         let (name, symbol) = (quantity.name(), quantity.symbol());
@@ -151,7 +150,7 @@ fn state(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Re
         };
         writeln!(out, "   {words:<39} {}", value.text())?;
     }
-    measured(&sizes, answer, out)
+    measured(asked, answer, out)
 }
 
 /// The sizes of an arch that is measured, or why they are not proved.
@@ -210,8 +209,7 @@ fn assessment(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> i
             writeln!(out, "           limited by       {limit}{joint}")?;
         }
     }
-    let sizes: Vec<Quantity> = asked.iter().copied().filter(|of| of.is_measured()).collect();
-    measured(&sizes, answer, out)
+    measured(asked, answer, out)
 }
 
 fn arches(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
@@ -242,6 +240,7 @@ mod tests {
     use crate::certify::Undecided;
     use crate::certify::state::{Inquiry, Wanted};
     use crate::problem::Arch;
+    use crate::problem::measures::Circle;
 
     fn arch(friction: &str) -> Arch {
         Arch::parse("milankovitch", "80deg", friction).unwrap()
@@ -262,13 +261,17 @@ mod tests {
     fn what_stays_open_changes_nothing_of_what_is_said_besides() {
         let open = || Undecided::new("the rounding");
         let (state_of, assessed) = (Quantity::STATE, Quantity::ASSESSMENT);
-        let stands = told(state("0.6").measured(Err(open())), &[&state_of, &[Quantity::Radius]]);
+        let stands = told(
+            state("0.6").measured(Circle::Intrados, Err(open())),
+            &[&state_of, &[Quantity::Radius]],
+        );
         assert!(stands.contains("\nstands from the thickness below on"), "{stands}");
         assert!(stands.contains("\n   thickness            eta = t/r    0.068650\n"), "{stands}");
-        assert!(stands.ends_with("\nas measured\n   undecided: the rounding\n"), "{stands}");
-        let falls = told(state("0.01").measured(Err(open())), &[&state_of]);
+        assert!(stands.ends_with("intrados\n   undecided: the rounding\n"), "{stands}");
+        let falls = told(state("0.01").measured(Circle::Intrados, Err(open())), &[&state_of]);
         assert!(falls.contains("\ndoes not stand at any thickness"), "{falls}");
-        let unknown = Answer::state(1, &arch("0.6"), &Err(open())).measured(Err(open()));
+        let unknown =
+            Answer::state(1, &arch("0.6"), &Err(open())).measured(Circle::Intrados, Err(open()));
         let unknown = told(unknown, &[&state_of]);
         assert!(unknown.ends_with("\n\nundecided: the rounding\n"), "{unknown}");
         for (eta, verdict, thrusts) in
@@ -279,13 +282,16 @@ mod tests {
                 Inquiry::new(&arch, 5, false).assess(&eta, 5, Wanted::Everything).unwrap();
             found.required_friction = Err(open());
             let answer = Answer::assessment(1, (&arch, &eta), &Ok(found));
-            let table = told(answer.measured(Err(open())), &[&assessed, &[Quantity::Radius]]);
+            let table = told(
+                answer.measured(Circle::Intrados, Err(open())),
+                &[&assessed, &[Quantity::Radius]],
+            );
             assert!(table.contains(verdict), "{table}");
             assert!(
                 table.contains("\n   required friction        undecided: the rounding\n"),
                 "{table}"
             );
-            assert!(table.ends_with("\nas measured\n   undecided: the rounding\n"), "{table}");
+            assert!(table.ends_with("intrados\n   undecided: the rounding\n"), "{table}");
             assert_eq!(table.matches("largest thrust").count(), thrusts);
         }
     }
