@@ -334,10 +334,11 @@ class Checked(Answer):
 class Decision:
     """A claim of the paper and what became of it.
 
-    Attributes: ``id``, ``place``, ``statement``; ``verdict`` (``'proved'`` or ``'undecided'``), ``reason``; ``as_printed``
+    Attributes: ``id``, ``place``, ``statement``; ``verdict`` (``'proved'``, ``'refuted'`` or ``'undecided'``), ``reason``; ``as_printed``
     (``'proved'``, ``'equality'``, ``'measured'``, ``'refuted'``, ``'not stated'``, ``'undecided'``); ``counterexample`` and
-    ``corrected`` of a misprint; ``equal``, ``holds_with``, ``fails_with``; ``hypotheses``, ``method``, ``derivation``
-    (its steps), ``seconds``, which ``==`` leaves out.
+    ``corrected`` of a misprint; ``equal``, ``holds_with``, ``fails_with``; ``hypotheses``, ``method``; ``argument``
+    (``'own'`` or ``'beneath'``: an argument in words carries it, or a claim that it uses; ``None``: neither); ``derivation`` (its
+    steps), ``seconds``, which ``==`` leaves out.
     """
 
     def __init__(self, told: dict[str, Any]) -> None:

@@ -236,7 +236,7 @@ pub(crate) fn claims() -> Vec<(&'static str, &'static str, &'static str)> {
     couplet::claims::claims().iter().map(|claim| (claim.id, claim.place, claim.statement)).collect()
 }
 
-/// `couplet.claims/2`.
+/// `couplet.claims/3`.
 #[pyfunction]
 pub(crate) fn prove(py: Python<'_>, names: Vec<String>, threads: usize) -> PyResult<String> {
     let chosen = parse::claims_named(&names)

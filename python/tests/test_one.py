@@ -163,7 +163,7 @@ def test_a_certificate_is_read_from_its_file(tmp_path):
 
 def test_claims():
     (misprint,) = couplet.prove("eq-16")
-    assert (misprint.verdict, misprint.as_printed) == ("proved", "refuted")
+    assert (misprint.verdict, misprint.as_printed) == ("refuted", "refuted")
     assert misprint.corrected and misprint.counterexample and misprint.derivation
     assert "eq-16" in [name for name, _, _ in couplet.claims()]
 

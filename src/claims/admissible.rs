@@ -51,11 +51,9 @@ pub(super) const CLAIMS: &[Claim] = &[
 fn conditions_hold(d: &mut Derivation, landmark: Landmark) -> Result<(), Undecided> {
     for weight in SelfWeight::ALL {
         let at = enclosed(landmark, weight)?.1;
+        let turned = turned(&at);
         // The range of what is solved for comes first, and belongs to all modes.
         for (place, (mode, conditions)) in landmark.conditions(weight).into_iter().enumerate() {
-            let state = Examined::new(weight, mode, &at);
-            let holds = |condition: &Condition| state.margin(*condition).is_positive();
-            let all = conditions.iter().map(holds).fold(Ternary::True, Ternary::and);
             let of = if place == 0 { "the range of the unknowns" } else { mode.label() };
             let words = format!(
                 "{}, {of}: {} conditions, {}",
@@ -63,10 +61,27 @@ fn conditions_hold(d: &mut Derivation, landmark: Landmark) -> Result<(), Undecid
                 conditions.len(),
                 weight.name()
             );
-            d.certain(Support::Balls, words, all)?;
+            d.certain(Support::Balls, words, [&at, &turned], |at| {
+                let state = Examined::new(weight, mode, at);
+                let holds = |condition: &Condition| state.margin(*condition).is_positive();
+                Ok(conditions.iter().map(holds).fold(Ternary::True, Ternary::and))
+            })?;
         }
     }
     Ok(())
+}
+
+/// The haunch where the shoulder is and the shoulder where the haunch is, with a thrust that pulls: no state has the
+/// signs of this.
+fn turned(at: &Configuration<Ball>) -> Configuration<Ball> {
+    Configuration {
+        half_opening: at.rotation_joint.clone(),
+        rotation_joint: at.half_opening.clone(),
+        thrust: -at.thrust.clone(),
+        thickness: -at.thickness.clone(),
+        friction: -at.friction.clone(),
+        ..at.clone()
+    }
 }
 
 /// A margin with another crown moment.
@@ -217,13 +232,14 @@ fn four_mechanisms_at_t(d: &mut Derivation) -> Result<Finding, Undecided> {
     )?;
     for weight in SelfWeight::ALL {
         let at = enclosed(Landmark::Triple, weight)?.1;
-        let rates: [(&str, Ball); 2] = [
-            ("a", contact::rates_of_shoulder_sliding(&at).sliding),
-            ("c", contact::rates_of_rotation(&at).shoulder),
+        let turned = Configuration { thickness: at.thickness.int(-2), ..at.clone() };
+        let rates: [(&str, fn(&Configuration<Ball>) -> Ball); 2] = [
+            ("a", |at| contact::rates_of_shoulder_sliding(at).sliding),
+            ("c", |at| contact::rates_of_rotation(at).shoulder),
         ];
         for (name, rate) in rates {
             let words = format!("{name} > 0 at T, {}", weight.name());
-            d.certain(Support::Balls, words, rate.is_positive())?;
+            d.above_zero(words, [&rate(&at), &rate(&turned)])?;
         }
     }
     d.conclude(
@@ -238,19 +254,24 @@ fn one_joint_rotates_and_slides(d: &mut Derivation) -> Result<Finding, Undecided
     d.lemma(&SEVEN_MODES)?;
     for weight in SelfWeight::ALL {
         let (name, at) = (weight.name(), enclosed(Landmark::Shift, weight)?.1);
-        let system = Landmark::Shift.system(weight);
-        let same = Some(Fixed::SameAs(Unknown::SlidingJoint));
         let words = format!("beta_r = beta_s, {name}");
-        let is_same = system.fixed_value(Unknown::RotationJoint) == same;
-        d.certain(Support::Algebra, words, certain_if(is_same))?;
-        let state = Examined::new(weight, Mode::RotationalSliding, &at);
-        let crown = state.margin(Condition::ExtradosAtCrown).is_positive();
-        d.certain(Support::Balls, format!("U > 0 at the crown, {name}"), crown)?;
-        let rates = contact::rates_of_inner_sliding(&at);
-        for (words, rate) in [("turns", rates.haunch), ("slides", rates.sliding)] {
-            d.certain(Support::Balls, format!("it {words}, {name}"), rate.is_positive())?;
-        }
+        let points = [Landmark::Shift, Landmark::Triple];
+        d.certain(Support::Algebra, words, points, |point| {
+            let joint = point.system(weight).fixed_value(Unknown::RotationJoint);
+            Ok(certain_if(joint == Some(Fixed::SameAs(Unknown::SlidingJoint))))
+        })?;
+        // At T the crown has a hinge.
+        let words = format!("U > 0 at the crown, {name}");
+        d.certain(Support::Balls, words, points, |point| {
+            let at = enclosed(point, weight)?.1;
+            let state = Examined::new(weight, Mode::RotationalSliding, &at);
+            Ok(state.margin(Condition::ExtradosAtCrown).is_positive())
+        })?;
+        let [here, there] = [&at, &turned(&at)].map(contact::rates_of_inner_sliding);
+        d.above_zero(format!("it slides, {name}"), [&here.sliding, &there.sliding])?;
     }
-    d.conclude("The crown has no hinge; the shoulder turns, and slides too in [s,s].");
+    d.conclude(
+        "The crown has no hinge; the joint turns as the shoulder does, which slides too in [s,s].",
+    );
     Ok(Finding::AsPrinted)
 }

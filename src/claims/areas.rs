@@ -35,11 +35,11 @@ fn cells(weight: SelfWeight) -> &'static Areas {
     CELLS[index].get_or_init(|| Areas::new(weight, PARTS))
 }
 
-/// Whether the thickness grows with the friction angle all along a line.
-fn grows(line: Line, weight: SelfWeight) -> Result<Ternary, Undecided> {
+/// Whether a quantity grows with the friction angle all along a line.
+fn grows(quantity: Variable, line: Line, weight: SelfWeight) -> Result<Ternary, Undecided> {
     let trace = Trace::new(Curve::Line(line), weight, TOLERANCE)?;
     let slopes = trace.pieces().map(|piece| {
-        let slope = piece.slope_of(Variable::Thickness, Variable::FrictionAngle);
+        let slope = piece.slope_of(quantity, Variable::FrictionAngle);
         slope.map_or(Ternary::Undecided, |slope| slope.is_positive())
     });
     Ok(slopes.fold(Ternary::True, Ternary::and))
@@ -66,10 +66,12 @@ fn areas(d: &mut Derivation) -> Result<Finding, Undecided> {
         thrust_at_triple_is_below_half(d, weight)?;
         for line in [Line::AboveHaunchEnd, Line::BelowHaunchEnd, Line::CrownEnd] {
             let words = format!("eta grows with the friction along {line}, {}", weight.name());
-            d.certain(Support::Balls, words, grows(line, weight)?)?;
+            // The joint of the haunch falls.
+            let quantities = [Variable::Thickness, Variable::JointSquare];
+            d.certain(Support::Balls, words, quantities, |x| grows(x, line, weight))?;
         }
     }
-    d.conclude(
+    d.argue(
         "With more friction, or with less thickness, h_R - h_s grows: h_R falls with the thickness, h_s with the friction. \
          So does mu - M(alpha_0), below the inner divide. Above it a state that stands as [s,s] does so with more \
          thickness, and with less friction, as the line at which it stops to stand grows, and ends in B, at the thickness 2; and beta_r grows with less thickness and, as \
@@ -82,22 +84,23 @@ fn areas(d: &mut Derivation) -> Result<Finding, Undecided> {
         let most = Ball::enclosing(&Rational::from((99, 100)), 64);
         let words =
             format!("{} cells, each in one domain, fill more than 99 %, {name}", areas.cells);
-        d.certain(Support::Balls, words, most.is_less_than(&areas.proved))?;
-        let is_decided = if areas.open <= 1 { Ternary::True } else { Ternary::Undecided };
+        d.less(words, [&most, &areas.proved])?;
         let words =
             format!("the others have corners in two domains, but for at most one beside l, {name}");
-        d.certain(Support::Balls, words, is_decided)?;
+        d.proved_elsewhere(words, areas.open <= 1)?;
         for (mode, [proved, perhaps]) in &areas.domains {
             let (low, high) = (share(proved, Round::Down), share(perhaps, Round::Up));
             let bound = |share: i32| Ball::enclosing(&Rational::from((share, SHARES)), 64);
             let words =
                 format!("{mode} has between {} and {}, {name}", percent(low), percent(high));
-            let is_between =
-                bound(low).is_less_than(proved).and(perhaps.is_less_than(&bound(high)));
-            d.certain(Support::Balls, words, is_between)?;
+            // Next to these bounds are others as wide, between which it is not.
+            let ranges = [[low, high], [high, 2 * high - low]];
+            d.certain(Support::Balls, words, ranges, |[low, high]| {
+                Ok(bound(low).is_less_than(proved).and(perhaps.is_less_than(&bound(high))))
+            })?;
         }
     }
-    d.conclude(
+    d.argue(
         "At a corner the comparisons are decided in balls; that they tell the mode, and that two corners are enough, is \
          said above. A line passes through a cell that has corners in two domains. Where l of Heyman's weight, eta = 1, is a corner, \
          nothing is decided.",

@@ -7,14 +7,14 @@
 
 use super::letters::ring;
 use super::uniqueness::ONE_THICKNESS;
-use super::{Claim, Derivation, Finding, Support};
+use super::{Claim, Derivation, Finding};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
 use crate::arch::joint::Grip;
 use crate::arch::whole::{Forces, Motion};
 use crate::certify::state::{Certify, Outcome};
 use crate::certify::{CertifiedAsymmetric, Undecided};
-use crate::number::{Angle, Ball, Enclosure, Field, Rounded};
+use crate::number::{Angle, Ball, Field, Rounded};
 use crate::problem::Arch;
 use crate::symbolic::{Fraction, Letters, Relations, Symbol};
 
@@ -160,7 +160,7 @@ fn unique(d: &mut Derivation) -> Result<Finding, Undecided> {
             shown(&other),
             shown(&least)
         );
-        d.certain(Support::Balls, words, least.is_less_than(&other))?;
+        d.less(words, [&least, &other])?;
         examples.push(format!("{name}: also at {}, beside {}", shown(&other), shown(&least)));
     }
     d.conclude(

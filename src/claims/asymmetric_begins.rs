@@ -179,16 +179,18 @@ fn decided() -> &'static [Result<(), Undecided>] {
 fn begins(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.lemma(&ASYMMETRIC_MOTION)?;
     for (edge, decided) in EDGES.iter().zip(decided()) {
-        let Edge { weight, mode, begins: [fails, holds] } = edge;
-        decided.clone()?;
+        let Edge { weight, mode, begins } = edge;
+        let [fails, holds] = begins.map(|hundredths| Rational::from((hundredths, 100)));
         let words = format!(
-            "{}, {}: at each alpha from 90° to {}° a solution has a negative rate, and at each from {}° to T one has positive rates",
+            "{}, {}: at each alpha from 90° to {fails}° a solution has a negative rate, and at each from {holds}° to T one has positive rates",
             weight.name(),
             mode.name(),
-            Rational::from((*fails, 100)).to_f64(),
-            Rational::from((*holds, 100)).to_f64()
         );
-        d.certain(Support::Balls, words, Ternary::True)?;
+        // A hundredth of a degree further it begins no more.
+        let late = Edge { begins: begins.map(|hundredths| hundredths + 1), ..*edge };
+        d.certain(Support::Balls, words, [None, Some(late)], |twin| {
+            twin.map_or_else(|| decided.clone(), Edge::proved).map(|()| Ternary::True)
+        })?;
     }
     let (alpha, joint, eta) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thickness.number());
     let edge = Edge { weight: SelfWeight::Heyman, ..EDGES[0] };

@@ -82,32 +82,35 @@ fn divide_deviates(d: &mut Derivation) -> Result<Finding, Undecided> {
     for weight in SelfWeight::ALL {
         let first = below(&landmark(Landmark::Junction, weight)?.half_opening.rad, 100)?;
         let last = around(&landmark(Landmark::Border, weight)?.half_opening.rad, 100)?.1;
-        let holds = |at: &Along| {
+        let holds = |at: &Along, (n, m): (i32, i32)| {
             let [a, c] = parts(&at.alpha, &at.thrust);
+            let bound = c.ratio(n, m);
             let slopes = slopes(at);
             let rest = a.int(1) - a;
             match weight {
                 SelfWeight::Heyman => {
-                    let pull = (slopes.a + slopes.c * (rest / &c)) * c.ratio(4, 5);
+                    let pull = (slopes.a + slopes.c * (rest / &c)) * bound;
                     (slopes.friction * c + pull).is_positive()
                 }
                 SelfWeight::Milankovitch => {
                     let any = between(&Rational::from((4, 5)), &Rational::from(2));
-                    let pull = (slopes.a + slopes.c * any) * c.ratio(7, 10);
+                    let pull = (slopes.a + slopes.c * any) * bound;
                     let push = slopes.friction.square() * (c.square() - rest / c.int(3));
                     (pull.square() - push).is_positive()
                 }
             }
         };
-        let truth = on_all((&first, &last), &Along::sliding, &|a, b| {
-            a.up_to(b).map_or(Ternary::Undecided, |all| holds(&all))
-        });
-        let bound = match weight {
-            SelfWeight::Heyman => "above 4/5",
-            SelfWeight::Milankovitch => "below 7/10",
+        let (side, bounds) = match weight {
+            SelfWeight::Heyman => ("above 4/5", [(4, 5), (4, 1)]),
+            SelfWeight::Milankovitch => ("below 7/10", [(7, 10), (1, 10)]),
         };
-        let words = format!("d mu/d eta is {bound} on the divide, alpha in [{first}, {last}]");
-        d.certain(Support::Balls, format!("{words}, {} weight", weight.name()), truth?)?;
+        let words = format!("d mu/d eta is {side} on the divide, alpha in [{first}, {last}]");
+        let words = format!("{words}, {} weight", weight.name());
+        d.certain(Support::Balls, words, bounds, |bound| {
+            on_all((&first, &last), &Along::sliding, &|a, b| {
+                a.up_to(b).map_or(Ternary::Undecided, |all| holds(&all, bound))
+            })
+        })?;
     }
     d.conclude(
         "d mu/d eta is -mu' (c - delta_M eta/6)/(a' + c' eta), with the slopes along pure sliding; there W \

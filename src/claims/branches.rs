@@ -14,11 +14,12 @@
 
 use super::cubics::letters;
 use super::curve::{STATES_IN_ORDER, TWO_THICKNESSES_FOR_EACH_JOINT};
+use super::landmarks::certain_if;
 use super::{Claim, Derivation, Finding, Support};
 use crate::arch::cubic::Abbreviations;
 use crate::arch::{Ring, SelfWeight, closed_form, cubic, overturning};
 use crate::certify::{CertifiedLandmark, Undecided, between};
-use crate::number::{Angle, Ball, Dual, Enclosure, Field, Real, Ternary};
+use crate::number::{Angle, Ball, Dual, Enclosure, Field, Real};
 use crate::problem::Landmark;
 use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol, discriminant};
 use rug::Rational;
@@ -185,7 +186,7 @@ fn widest_joint_is_below_a_right_angle(d: &mut Derivation) -> Result<(), Undecid
         let joint = widest_joint(weight)?;
         let right = joint.pi() / joint.int(2);
         let words = format!("beta_sb < pi/2, {} weight", weight.name());
-        d.certain(Support::Balls, words, joint.is_less_than(&right))?;
+        d.less(words, [&joint, &right])?;
     }
     Ok(())
 }
@@ -317,14 +318,15 @@ fn radicand_in_the_range_of_interest(d: &mut Derivation) -> Result<Finding, Unde
                 .derivative(0)
         };
         let joint = widest_joint(weight)?;
-        let inside = joint.lies_inside(&between(&first.0, &first.1));
-        let inside = if inside { Ternary::True } else { Ternary::Undecided };
-        d.certain(Support::Balls, format!("beta_sb lies in the first range, {name}"), inside)?;
+        let words = format!("beta_sb lies in the first range, {name}");
+        d.certain(Support::Balls, words, [&first, &second], |(low, high)| {
+            Ok(certain_if(joint.lies_inside(&between(low, high))))
+        })?;
         d.positive(&format!("the slope of (12), {name},"), (&first.0, &first.1), slope)?;
         d.positive(&format!("(12), {name},"), (&first.1, &second.0), radicand)?;
-        let beyond = -radicand(&between(&second.1, &second.1));
         let words = format!("(12) is negative again at {}, {name}", second.1);
-        d.certain(Support::Balls, words, beyond.is_positive())?;
+        let fall = |joint: &Rational| -radicand(&between(joint, joint));
+        d.above_zero(words, [&fall(&second.1), &fall(&second.0)])?;
     }
     d.conclude(
         "So (12) is negative before beta_sb, zero there with a positive slope, and positive after it up \

@@ -59,6 +59,8 @@ pub enum Support {
     Claim,
     /// A conclusion from the steps before, in words.
     Conclusion,
+    /// An argument in words that carries the claim: what is checked before it does not say as much.
+    Argument,
 }
 
 impl Support {
@@ -71,6 +73,7 @@ impl Support {
             Self::Balls => "balls",
             Self::Claim => "claim",
             Self::Conclusion => "conclusion",
+            Self::Argument => "argument",
         }
     }
 }
@@ -87,11 +90,56 @@ pub struct Step {
     pub formula: Option<Formula>,
 }
 
+/// Where an argument in words is that no machine has checked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Argument {
+    /// In the claim itself.
+    Own,
+    /// In a claim that is used.
+    Beneath,
+}
+
+impl Argument {
+    /// The word used in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Own => "own",
+            Self::Beneath => "beneath",
+        }
+    }
+
+    /// How it is told.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Own => "and an argument in words",
+            Self::Beneath => "and claims that rest on an argument in words",
+        }
+    }
+}
+
+/// What the false twin of a check has changed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Twin {
+    /// The first coefficient of an identity or of a series.
+    Coefficient,
+    /// An exact value.
+    Value,
+    /// The sign of what is positive, on each piece of a range.
+    Sign,
+    /// Where the statement is made: another arch, landmark, range or bound, at which it does not hold.
+    Input,
+    /// The sides of an inequality between two numbers.
+    Sides,
+    /// Only the verdict: what is proved is a box or a cell, which has no false place at hand.
+    Verdict,
+}
+
 /// A proof as far as it has come. A check that fails ends it.
 #[derive(Clone, Debug, Default)]
 pub struct Derivation {
     steps: Vec<Step>,
-    checks: usize,
+    /// The false twins that the checks so far have.
+    twins: Vec<Twin>,
     /// What the claims used rest on.
     beneath: Vec<Support>,
     /// The check that is made on a false twin.
@@ -104,8 +152,7 @@ impl Derivation {
         Self::default()
     }
 
-    /// A derivation whose check number `index` is made on a false twin of what it is given: one
-    /// coefficient changed, one truth denied. No claim may come through.
+    /// A derivation whose check number `index` is made on a false twin of what it is given. No claim may come through.
     #[cfg(test)]
     pub fn spoiled(index: usize) -> Self {
         Self { spoiled: Some(index), ..Self::default() }
@@ -116,10 +163,10 @@ impl Derivation {
         &self.steps
     }
 
-    /// How many checks were made.
+    /// What the false twin of each check changes.
     #[cfg(test)]
-    pub fn checks(&self) -> usize {
-        self.checks
+    pub(super) fn twins(&self) -> &[Twin] {
+        &self.twins
     }
 
     /// What is assumed.
@@ -129,12 +176,25 @@ impl Derivation {
     }
 
     /// What the derivation rests on, in words.
-    pub fn method(&self) -> &'static str {
+    pub fn method(&self) -> String {
         let uses = |support| self.supports().any(|other| other == support);
-        match (uses(Support::Algebra), uses(Support::Balls)) {
+        let checked = match (uses(Support::Algebra), uses(Support::Balls)) {
             (true, true) => "algebra (normal forms, exact) and analysis (balls over a whole range)",
             (false, true) => "analysis (balls)",
             _ => "algebra (normal forms, exact)",
+        };
+        match self.argument() {
+            Some(argument) => format!("{checked}, {}", argument.words()),
+            None => checked.to_owned(),
+        }
+    }
+
+    /// Whether an argument in words carries the claim, or one that it uses.
+    pub fn argument(&self) -> Option<Argument> {
+        let carries = |support: &Support| *support == Support::Argument;
+        match self.steps.iter().any(|step| carries(&step.support)) {
+            true => Some(Argument::Own),
+            false => self.beneath.iter().any(carries).then_some(Argument::Beneath),
         }
     }
 
@@ -150,6 +210,11 @@ impl Derivation {
     /// Draws a conclusion from the checks before.
     pub fn conclude(&mut self, words: impl Into<String>) {
         self.push(Support::Conclusion, words, None);
+    }
+
+    /// Draws a conclusion that carries the claim, by an argument in words.
+    pub fn argue(&mut self, words: impl Into<String>) {
+        self.push(Support::Argument, words, None);
     }
 
     /// Uses another claim, which is decided too; its steps are not repeated. One that does not hold as it is
@@ -176,10 +241,10 @@ impl Derivation {
         self.push(Support::Definition, words, Some(formula));
     }
 
-    /// Whether the check that comes next is to be made on a false twin.
-    fn twin(&mut self) -> bool {
-        let index = self.checks;
-        self.checks += 1;
+    /// Whether the check that comes next is to be made on its false twin.
+    fn twin(&mut self, twin: Twin) -> bool {
+        let index = self.twins.len();
+        self.twins.push(twin);
         self.spoiled == Some(index)
     }
 
@@ -204,7 +269,7 @@ impl Derivation {
         shown: Formula,
     ) -> Result<(), Undecided> {
         let words = words.into();
-        let left = if self.twin() { false_twin(left) } else { left.clone() };
+        let left = if self.twin(Twin::Coefficient) { false_twin(left) } else { left.clone() };
         if [&left, right].iter().any(|x| relations.normal_form(x.denominator()).is_zero()) {
             return Err(Undecided::new(format!("{words}: a denominator vanishes identically")));
         }
@@ -225,7 +290,7 @@ impl Derivation {
         right: &T,
     ) -> Result<(), Undecided> {
         let words = words.into();
-        let left = if self.twin() { left.int(1) + left } else { left.clone() };
+        let left = if self.twin(Twin::Value) { left.int(1) + left } else { left.clone() };
         if !(left.clone() - right).is_zero() {
             return Err(Undecided::new(format!(
                 "{words}: {} is not {}",
@@ -244,7 +309,7 @@ impl Derivation {
         left: &T,
         right: &T,
     ) -> Result<String, Undecided> {
-        let left = if self.twin() { right.clone() } else { left.clone() };
+        let left = if self.twin(Twin::Value) { right.clone() } else { left.clone() };
         if (left.clone() - right).is_zero() {
             return Err(Undecided::new(format!("{words}: both are {}", right.to_string())));
         }
@@ -269,7 +334,8 @@ impl Derivation {
         words: &str,
         series: &Series<T>,
     ) -> Result<(), Undecided> {
-        let series = if self.twin() { series.int(1) + series } else { series.clone() };
+        let spoiled = self.twin(Twin::Coefficient);
+        let series = if spoiled { series.int(1) + series } else { series.clone() };
         let (valuation, order) = (series.valuation(), series.order());
         if valuation < order || order < 1 {
             return Err(Undecided::new(format!("{words}: the residual is {}", series.show("x"))));
@@ -282,15 +348,55 @@ impl Derivation {
         Ok(())
     }
 
-    /// Checks something that was decided with three values.
-    pub fn certain(
+    /// Checks a statement about an input. Its false twin is the same statement about another input, at which it does not
+    /// hold: a statement that does not look at its input is not proved here.
+    pub fn certain<X>(
         &mut self,
         support: Support,
         words: impl Into<String>,
+        [input, elsewhere]: [X; 2],
+        holds: impl FnOnce(X) -> Result<Ternary, Undecided>,
+    ) -> Result<(), Undecided> {
+        let input = if self.twin(Twin::Input) { elsewhere } else { input };
+        self.decided(support, words.into(), holds(input)?)
+    }
+
+    /// Checks that one number is less than another. Its false twin exchanges them.
+    pub fn less(
+        &mut self,
+        words: impl Into<String>,
+        [less, more]: [&Ball; 2],
+    ) -> Result<(), Undecided> {
+        let sides = if self.twin(Twin::Sides) { [more, less] } else { [less, more] };
+        self.decided(Support::Balls, words.into(), sides[0].is_less_than(sides[1]))
+    }
+
+    /// Checks that a number is positive. Its false twin is the same number at another input, where it is not.
+    pub fn above_zero(
+        &mut self,
+        words: impl Into<String>,
+        values: [&Ball; 2],
+    ) -> Result<(), Undecided> {
+        self.certain(Support::Balls, words, values, |value| Ok(value.is_positive()))
+    }
+
+    /// Notes what was proved elsewhere about a whole curve or area. Its false twin has nothing but the other verdict.
+    pub fn proved_elsewhere(
+        &mut self,
+        words: impl Into<String>,
+        is_proved: bool,
+    ) -> Result<(), Undecided> {
+        let is_proved = is_proved != self.twin(Twin::Verdict);
+        let truth = if is_proved { Ternary::True } else { Ternary::Undecided };
+        self.decided(Support::Balls, words.into(), truth)
+    }
+
+    fn decided(
+        &mut self,
+        support: Support,
+        words: String,
         truth: Ternary,
     ) -> Result<(), Undecided> {
-        let words = words.into();
-        let truth = if self.twin() { Ternary::False } else { truth };
         match truth {
             Ternary::True => {
                 self.push(support, words, None);
@@ -308,7 +414,7 @@ impl Derivation {
         (low, high): (&Rational, &Rational),
         value: impl Fn(&Ball) -> Ball,
     ) -> Result<(), Undecided> {
-        let negated = self.twin();
+        let negated = self.twin(Twin::Sign);
         let holds = |x: &Ball| {
             let value = value(x);
             if negated { (-value).is_positive() } else { value.is_positive() }
@@ -375,5 +481,17 @@ mod tests {
         derivation.positive("x", range, Ball::clone).unwrap();
         assert!(derivation.positive("x - 2", range, |x| x.clone() - x.int(2)).is_err());
         assert!(Derivation::spoiled(0).positive("x", range, Ball::clone).is_err());
+    }
+
+    #[test]
+    fn a_statement_that_does_not_look_at_its_input_survives_its_twin() {
+        let check = |mut d: Derivation, holds: fn(i32) -> Ternary| {
+            d.certain(Support::Balls, "x > 0", [1, -1], |x| Ok(holds(x)))
+        };
+        let honest = |x| Ball::integer(x, 53).is_positive();
+        assert!(check(Derivation::new(), honest).is_ok());
+        assert!(check(Derivation::spoiled(0), honest).is_err());
+        let blind = |_| Ternary::True;
+        assert!(check(Derivation::spoiled(0), blind).is_ok(), "and a test finds it");
     }
 }

@@ -228,19 +228,24 @@ fn only_beyond(d: &mut Derivation, haunch: Haunch, end: Landmark) -> Result<(), 
             a.up_to(b).map_or(Ternary::Undecided, |all| room(&all).is_positive())
         };
         let shoulder = |at: &Along| haunch.room(weight, &at.alpha, &at.thrust);
-        let crown = |at: &Along| haunch.room(weight, &Angle::zero(&at.thrust), &at.thrust);
-        let truth = on_all((&start, &before), &sliding, &|a, b| positive(&shoulder, a, b));
+        let further = beyond.clone() + Rational::from((1, 100));
         let words = format!("U at the shoulder, along sliding from {start} to {before}, {name}");
-        d.certain(Support::Balls, words, truth?)?;
-        let truth = on_all((&start, &beyond), &sliding, &|a, b| positive(&crown, a, b));
+        d.certain(Support::Balls, words, [(&start, &before), (&beyond, &further)], |range| {
+            on_all(range, &sliding, &|a, b| positive(&shoulder, a, b))
+        })?;
+        // At three, beyond the shoulder, there is no room.
         let words = format!("U at the crown, along sliding from {start} to {beyond}, {name}");
-        d.certain(Support::Balls, words, truth?)?;
+        d.certain(Support::Balls, words, [0, 3], |joint| {
+            let room =
+                |at: &Along| haunch.room(weight, &Angle::new(at.thrust.int(joint)), &at.thrust);
+            on_all((&start, &beyond), &sliding, &|a, b| positive(&room, a, b))
+        })?;
         let all = sliding(&before)?.up_to(&sliding(&beyond)?)?;
-        let slope = -all.slope_along_sliding(|alpha, h| haunch.room(weight, alpha, h));
+        let slope = all.slope_along_sliding(|alpha, h| haunch.room(weight, alpha, h));
         let words = format!(
             "U at the shoulder falls from {before} to {beyond}, which holds alpha_{symbol}, {name}"
         );
-        d.certain(Support::Balls, words, slope.is_positive())?;
+        d.less(words, [&slope, &slope.int(0)])?;
     }
     d.conclude(format!(
         "Let mu_T <= mu < mu_{symbol}. The arch that just slides stands at the thickness eta_5 of its thrust h, with room at crown \
@@ -303,9 +308,9 @@ fn pure_sliding_ends_at_b(d: &mut Derivation) -> Result<Finding, Undecided> {
         let (before, beyond) = around(&border, 1000)?;
         let all = sliding(&before)?.up_to(&sliding(&beyond)?)?;
         let slope =
-            -all.slope_along_sliding(|alpha, h| statics::normal_force(alpha, h) / alpha.versine());
+            all.slope_along_sliding(|alpha, h| statics::normal_force(alpha, h) / alpha.versine());
         let words = format!("n falls from {before} to {beyond}, which holds alpha_B, {name}");
-        d.certain(Support::Balls, words, slope.is_positive())?;
+        d.less(words, [&slope, &slope.int(0)])?;
         // A(alpha) passes below the bound at L.
         let bound = Ball::enclosing(&bound_at_b(weight), 128);
         let last = below(&end.rad, 1000)?;
@@ -316,30 +321,34 @@ fn pure_sliding_ends_at_b(d: &mut Derivation) -> Result<Finding, Undecided> {
         let first = Rational::from((3, 2));
         let opening = thrust::opening_variable(&Angle::new(Ball::enclosing(&first, 128))).value();
         let words = format!("A is above the bound at {first}, {name}");
-        d.certain(Support::Balls, words, bound.is_less_than(&opening))?;
-        let truth = on_all((&first, &before), &sliding, &|a, b| {
-            a.up_to(b).map_or(Ternary::Undecided, |all| {
-                bound.is_less_than(&largest(&all.alpha, &all.thrust))
-            })
-        });
+        d.less(words, [&bound, &opening])?;
+        // What holds before B does not beyond.
+        let ranges = [(&first, &before), (&beyond, &last)];
         let words = format!("n is above the bound from {first} to {before}, {name}");
-        d.certain(Support::Balls, words, truth?)?;
-        let truth = on_all((&beyond, &last), &sliding, &|a, b| {
-            largest(&a.alpha, &b.thrust).is_less_than(&bound)
-        });
+        d.certain(Support::Balls, words, ranges, |range| {
+            on_all(range, &sliding, &|a, b| {
+                a.up_to(b).map_or(Ternary::Undecided, |all| {
+                    bound.is_less_than(&largest(&all.alpha, &all.thrust))
+                })
+            })
+        })?;
         let words = format!("n is below the bound from {beyond} to {last}, {name}");
-        d.certain(Support::Balls, words, truth?)?;
+        d.certain(Support::Balls, words, [ranges[1], ranges[0]], |range| {
+            on_all(range, &sliding, &|a, b| largest(&a.alpha, &b.thrust).is_less_than(&bound))
+        })?;
         let least = Ball::enclosing(&Rational::from((1, 50)), 128);
         let joint = Angle::new((least.clone() * (least.int(1) - &least)).sqrt());
         let (inner, shoulder) =
             (sliding::inner(&joint, &least).value(), sliding::shoulder(&end, &least).value());
         let words = format!("mu_ss < mu_is at alpha_L for h = 1/50, so h is larger there, {name}");
-        d.certain(Support::Balls, words, shoulder.is_less_than(&inner))?;
-        let normal = statics::normal_force(&end, &least);
-        d.certain(Support::Balls, format!("N > 0 there, {name}"), normal.is_positive())?;
+        d.less(words, [&shoulder, &inner])?;
+        // The larger the thrust, the smaller it is there, as cos(alpha) < 0.
+        let normal = |thrust: &Ball| statics::normal_force(&end, thrust);
+        let words = format!("N > 0 there, {name}");
+        d.above_zero(words, [&normal(&least), &normal(&least.int(50))])?;
         let value = largest(&Angle::new(Ball::enclosing(&last, 128)), &least);
         let words = format!("n is below the bound from {last} to alpha_L, {name}");
-        d.certain(Support::Balls, words, value.is_less_than(&bound))?;
+        d.less(words, [&value, &bound])?;
     }
     d.conclude(
         "At B n is the bound, by (3) at eta = 2; beyond it n is below, and from alpha_L on so is A, \

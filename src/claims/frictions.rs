@@ -333,31 +333,33 @@ fn order_of_frictions(d: &mut Derivation) -> Result<Finding, Undecided> {
         let (before, beyond) = around(&landmark(Landmark::Triple, weight)?.half_opening.rad, 1000)?;
         let end = landmark(Landmark::RotationEnd, weight)?.half_opening;
         let rotational = |alpha: &Rational| Along::rotational(weight, alpha);
-        let truth = on_all((&Rational::from((1, 2)), &before), &rotational, &|a, b| {
-            b.inner_friction().is_less_than(&a.shoulder_friction())
-        });
-        d.certain(Support::Balls, format!("M > m from 1/2 up to {before}, {name}"), truth?)?;
+        let half = Rational::from((1, 2));
+        let last: Rational = below(&end.rad, 100)?;
+        // What holds before T does not beyond.
+        let ranges = [(&half, &before), (&beyond, &last)];
+        let words = format!("M > m from 1/2 up to {before}, {name}");
+        d.certain(Support::Balls, words, ranges, |range| {
+            on_all(range, &rotational, &|a, b| {
+                b.inner_friction().is_less_than(&a.shoulder_friction())
+            })
+        })?;
         let all = rotational(&before)?.up_to(&rotational(&beyond)?)?;
         // There the joint falls with the half opening, as all else is monotone too.
         let widest = landmark(Landmark::WidestJoint, weight)?.half_opening.rad;
         let words = format!("alpha_sb < {before}, {name}");
-        d.certain(
-            Support::Balls,
-            words,
-            widest.is_less_than(&Ball::enclosing(&before, widest.prec())),
-        )?;
-        let slope = -all.friction_gap_slope()?;
+        d.less(words, [&widest, &Ball::enclosing(&before, widest.prec())])?;
+        let slope = all.friction_gap_slope()?;
         let words = format!("M - m falls from {before} to {beyond}, which holds alpha_T, {name}");
-        d.certain(Support::Balls, words, slope.is_positive())?;
-        let last: Rational = below(&end.rad, 100)?;
-        let truth = on_all((&beyond, &last), &rotational, &|a, b| {
-            b.shoulder_friction().is_less_than(&a.inner_friction())
-        });
-        d.certain(Support::Balls, format!("M < m from {beyond} to {last}, {name}"), truth?)?;
+        d.less(words, [&slope, &slope.int(0)])?;
+        let words = format!("M < m from {beyond} to {last}, {name}");
+        d.certain(Support::Balls, words, [ranges[1], ranges[0]], |range| {
+            on_all(range, &rotational, &|a, b| {
+                b.shoulder_friction().is_less_than(&a.inner_friction())
+            })
+        })?;
         let limit = sliding::shoulder(&end, &end.rad.int(0)).value();
         let words = format!("M < m from {last} to alpha_l, where h = 0, {name}");
-        let order = limit.is_less_than(&rotational(&last)?.inner_friction());
-        d.certain(Support::Balls, words, order)?;
+        d.less(words, [&limit, &rotational(&last)?.inner_friction()])?;
     }
     d.conclude(
         "M, m grow with alpha, so that the values at the ends of a range speak for all of it. M = m at \

@@ -7,7 +7,7 @@ use crate::arch::{
 };
 use crate::certify::state::{Certify, Outcome, State};
 use crate::certify::{CertifiedLandmark, Undecided};
-use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Ternary};
+use crate::number::{Angle, Ball, ExactNumber, Field, Ternary};
 use crate::problem::{Arch, Friction};
 use crate::problem::{Fixed, Landmark, Mode};
 use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint};
@@ -60,13 +60,15 @@ fn triple_point(d: &mut Derivation) -> Result<Finding, Undecided> {
     let words = "(3), cleared, is (4) less (2), cleared";
     d.identity(words, &upper, &(whole - lower), &Relations::none())?;
     for weight in SelfWeight::ALL {
-        let arm = {
-            let at = enclosed(Landmark::Triple, weight)?.1;
-            let ring = Ring::new(weight, &at.thickness);
-            thrust::upper(&at.half_opening, &at.rotation_joint, &ring).denominator
+        let at = enclosed(Landmark::Triple, weight)?.1;
+        let ring = Ring::new(weight, &at.thickness);
+        let (shoulder, haunch) = (&at.half_opening, &at.rotation_joint);
+        let arm = |[shoulder, haunch]: [&Angle<Ball>; 2]| {
+            thrust::upper(shoulder, haunch, &ring).denominator
         };
         let words = format!("the lever arm in (3) at T, {} weight", weight.name());
-        d.certain(Support::Balls, words, arm.is_positive())?;
+        // Between a haunch that is at the shoulder and a shoulder that is at the haunch it is negative.
+        d.above_zero(words, [&arm([shoulder, haunch]), &arm([haunch, shoulder])])?;
     }
     d.conclude(
         "T is defined by (2), (4), (5), (17), (18), so (3), (5), (18) hold: those of [r,r,s].",
@@ -80,21 +82,18 @@ fn shift_point(d: &mut Derivation) -> Result<Finding, Undecided> {
         d.certain(
             Support::Algebra,
             "both modes have the equations (3), (5), (18); only the order of the joints tells them apart",
-            certain_if(below.system(weight) == above.system(weight)),
+            [above, Mode::Rotational],
+            |other| Ok(certain_if(below.system(weight) == other.system(weight))),
         )?;
-        let system = Landmark::Shift.system(weight);
-        let same = system.fixed_value(Unknown::RotationJoint)
-            == Some(Fixed::SameAs(Unknown::SlidingJoint));
-        let all = below
-            .system(weight)
-            .equations
-            .iter()
-            .all(|equation| system.equations.contains(equation));
-        d.certain(
-            Support::Algebra,
-            "S has them all, and beta_r = beta_s",
-            certain_if(same && all),
-        )?;
+        let points = [Landmark::Shift, Landmark::Junction];
+        d.certain(Support::Algebra, "S has them all, and beta_r = beta_s", points, |point| {
+            let system = point.system(weight);
+            let same = system.fixed_value(Unknown::RotationJoint)
+                == Some(Fixed::SameAs(Unknown::SlidingJoint));
+            let equations = below.system(weight).equations;
+            let all = equations.iter().all(|equation| system.equations.contains(equation));
+            Ok(certain_if(same && all))
+        })?;
     }
     Ok(Finding::AsPrinted)
 }
@@ -111,12 +110,15 @@ fn junction_point(d: &mut Derivation) -> Result<Finding, Undecided> {
         );
         let slope = contact::crown_slope(weight, &at) * at.thrust.int(2);
         d.identity(words, &tangency, &slope, &Relations::none())?;
-        let system = Landmark::Junction.system(weight);
-        let equations = Mode::OverturningSliding.system(weight).equations;
-        let all = equations.iter().all(|equation| system.equations.contains(equation));
-        let crown = system.fixed_value(Unknown::RotationJoint) == Some(Fixed::Integer(0));
         let words = "J has (3) at beta = 0 and (18), the equations of [r,s]";
-        d.certain(Support::Algebra, words, certain_if(all && crown))?;
+        let points = [Landmark::Junction, Landmark::Shift];
+        d.certain(Support::Algebra, words, points, |point| {
+            let system = point.system(weight);
+            let equations = Mode::OverturningSliding.system(weight).equations;
+            let all = equations.iter().all(|equation| system.equations.contains(equation));
+            let crown = system.fixed_value(Unknown::RotationJoint) == Some(Fixed::Integer(0));
+            Ok(certain_if(all && crown))
+        })?;
     }
     d.conclude(
         "[r,s] needs this slope not to be negative, and [r,s,r] has the line of thrust touch at \

@@ -1,11 +1,10 @@
 //! The lines of the map as curves: each one arc from landmark to landmark.
 
 use super::regular::{CYCLOID, SHOULDER_IN_ANGLES};
-use super::{Claim, Derivation, Finding, Support};
+use super::{Claim, Derivation, Finding};
 use crate::arch::SelfWeight;
 use crate::atlas::{Curve, Trace};
 use crate::certify::Undecided;
-use crate::number::Ternary;
 use std::sync::OnceLock;
 
 pub(super) const CLAIMS: &[Claim] = &[Claim {
@@ -39,16 +38,15 @@ fn lines(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.lemma(&CYCLOID)?;
     d.lemma(&SHOULDER_IN_ANGLES)?;
     for (words, is_whole) in traced() {
-        let is_whole = is_whole.clone()?;
-        let truth = if is_whole { Ternary::True } else { Ternary::Undecided };
-        d.certain(Support::Balls, format!("{words}: one solution for each parameter"), truth)?;
+        let words = format!("{words}: one solution for each parameter");
+        d.proved_elsewhere(words, is_whole.clone()?)?;
     }
-    d.conclude(
+    d.argue(
         "On each piece Krawczyk's test holds for every value of the parameter: one solution in a tube, with a regular \
          derivative, so that it is an analytic function of the parameter. At a node the solution lies in the tubes on both \
          sides, where there is no other. The enclosures of the landmarks lie in the first and the last tube.",
     );
-    d.conclude(
+    d.argue(
         "The lines, with the edges phi = 0, phi = pi/2, eta = 0 and eta = 2, close a loop around each domain, and each \
          line is a side of its two modes: so the corners are where the lines end.",
     );

@@ -151,7 +151,7 @@ fn thicker_unless_the_shoulder_slides(d: &mut Derivation) -> Result<(), Undecide
     let slope = -(eta.square() * eta * &joint.cos * alpha.versine() / eta.int(6));
     let words = "Z falls as delta_M grows";
     d.identity(words, &both.partial(Symbol::Flag), &slope, &free)?;
-    d.conclude(
+    d.argue(
         "V is the sum of the distances of the crown from the extrados and of a joint from the intrados, W \
          that of the shoulder from the extrados and of the joint from the intrados: not negative where a \
          state is admissible. Let Heyman's arch have the least thickness eta, and Milankovitch's stand with \
@@ -178,7 +178,7 @@ fn thicker(
     let (word, less, more) =
         if is_thicker { ("thicker", other, eta) } else { ("thinner", eta, other) };
     let words = format!("{place} Milankovitch's arch is {word}: {modes} with Milankovitch's");
-    d.certain(Support::Balls, words, less.is_less_than(more))?;
+    d.less(words, [less, more])?;
     Ok(format!("{place}: eta = {}, but {} for Heyman's weight", shown(eta)?, shown(other)?))
 }
 
@@ -186,7 +186,7 @@ fn same_opening_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.lemma(&STATES_IN_ORDER)?;
     d.lemma(&STATES_OF_ONE_THICKNESS)?;
     thicker_unless_the_shoulder_slides(d)?;
-    d.conclude(
+    d.argue(
         "[s,r,r] with both: friction gives the thrust by (17), and on the curve of (2) and (5) the thrust \
          falls with eta and, at one eta, with delta_M: Milankovitch's arch is thinner.",
     );
@@ -235,7 +235,7 @@ fn lines_rise(d: &mut Derivation) -> Result<Finding, Undecided> {
     for weight in SelfWeight::ALL {
         let thrust = landmark(Landmark::Triple, weight)?.thrust;
         let words = format!("h < 1/2 at T and beyond, {} weight", weight.name());
-        d.certain(Support::Balls, words, thrust.is_less_than(&thrust.ratio(1, 2)))?;
+        d.less(words, [&thrust, &thrust.ratio(1, 2)])?;
     }
     d.conclude(
         "On [r,r,s]|[r,s,r] and [r,s,r]|[r,s] (5) is h - beta cot(beta) = 1 - 2 fac/(2 - eta) at beta_s = \
@@ -256,22 +256,27 @@ fn lines_rise(d: &mut Derivation) -> Result<Finding, Undecided> {
     };
     let any_ring = Ring { thickness: range((0, 2), 1), centroid_factor: range((3, 4), 3) };
     let any_joint = Angle::new(range((0, 8), 5));
-    let truth = on_all((&low, &high), &Along::sliding, &|a, b| {
-        a.up_to(b).map_or(Ternary::Undecided, |all| {
-            let slope = all.slope_along_sliding(|alpha, h| {
-                let constant = |x: &Ball| Dual::constant(x.clone());
-                let ring = Ring {
-                    thickness: constant(&any_ring.thickness),
-                    centroid_factor: constant(&any_ring.centroid_factor),
-                };
-                let joint = any_joint.clone().map(Dual::constant);
-                thrust::upper(alpha, &joint, &ring).residual(h)
-            });
-            slope.is_positive()
+    let falls = |range| {
+        on_all(range, &Along::sliding, &|a, b| {
+            a.up_to(b).map_or(Ternary::Undecided, |all| {
+                let slope = all.slope_along_sliding(|alpha, h| {
+                    let constant = |x: &Ball| Dual::constant(x.clone());
+                    let ring = Ring {
+                        thickness: constant(&any_ring.thickness),
+                        centroid_factor: constant(&any_ring.centroid_factor),
+                    };
+                    let joint = any_joint.clone().map(Dual::constant);
+                    thrust::upper(alpha, &joint, &ring).residual(h)
+                });
+                slope.is_positive()
+            })
         })
-    });
+    };
+    // Where the arch is narrow it rises.
+    let [narrow, less] = [(1, 2), (3, 5)].map(Rational::from);
     let words = "W falls along pure sliding, at any joint up to 8/5, eta up to 2 and fac up to 4/3";
-    d.certain(Support::Balls, format!("{words}, alpha in [{low}, {high}]"), truth?)?;
+    let words = format!("{words}, alpha in [{low}, {high}]");
+    d.certain(Support::Balls, words, [(&low, &high), (&narrow, &less)], falls)?;
     d.conclude(
         "About pure sliding from T to B, W = 0 at the joint, which by (5) is below pi/2. Further along W < 0 \
          there at the same thickness and, as W/(2 + eta) grows with eta, at each smaller one: eta grows.",
@@ -306,9 +311,9 @@ fn dividing_lines_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
     let [heyman, milankovitch]: [Result<(Ball, Ball), Undecided>; 2] = states;
     let (heyman, milankovitch) = (heyman?, milankovitch?);
     let words = "the semicircle's point on the first line is higher for Milankovitch's weight";
-    d.certain(Support::Balls, words, heyman.0.is_less_than(&milankovitch.0))?;
+    d.less(words, [&heyman.0, &milankovitch.0])?;
     let words = "and further left";
-    d.certain(Support::Balls, words, milankovitch.1.is_less_than(&heyman.1))?;
+    d.less(words, [&milankovitch.1, &heyman.1])?;
     Ok(Finding::Misprint {
         counterexample: format!(
             "[r,r,r]|[s,r,r] at alpha = pi/2: mu = {}, eta = {} for Milankovitch's weight is left of and \

@@ -73,8 +73,10 @@ fn neighbours(
         .ok_or_else(|| Undecided::new(format!("{words}: no digits")))?;
     let near = |decimal: &Decimal| Ball::enclosing(&decimal.to_rational(), value.prec());
     let (below, above) = (&rounded.lower, &rounded.upper);
-    let inside = near(below).is_less_than(value).and(value.is_less_than(&near(above)));
     let found = format!("{words} is between {below}{unit} and {above}{unit}");
-    d.certain(Support::Balls, found, inside)?;
+    let further = value.clone() + near(above) - near(below);
+    d.certain(Support::Balls, found, [value, &further], |value| {
+        Ok(near(below).is_less_than(value).and(value.is_less_than(&near(above))))
+    })?;
     Ok((below.to_string(), above.to_string()))
 }

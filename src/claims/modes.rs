@@ -20,7 +20,7 @@ use super::{Claim, Derivation, Finding, Support};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Configuration, SelfWeight, contact, statics};
 use crate::certify::Undecided;
-use crate::number::{Angle, Ball, Enclosure, Field};
+use crate::number::{Angle, Ball, Field};
 use crate::problem::Mode;
 use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint};
 use rug::Rational;
@@ -138,7 +138,7 @@ fn seven_modes(d: &mut Derivation) -> Result<Finding, Undecided> {
         &(thick * &joint.sin - ring.intrados() * shear / &two),
         &free,
     )?;
-    d.conclude(
+    d.argue(
         "The work of p gives l = u + v, that of h a u + s sin(beta_s) = b v + t sin(alpha), where b > 0 if v > 0. \
          One joint is not at both faces, as U + L = eta N > 0; so L = 0 at the shoulder excludes v, leaves \
          u and t, and is excluded by dL/d beta. A mechanism has a term on each side, and is a sum of pairs, each \
@@ -158,7 +158,7 @@ fn seven_modes(d: &mut Derivation) -> Result<Finding, Undecided> {
         let words = format!("{} at the crown without thrust", label(contact));
         d.identity(words, &without(&margin_at(contact, &crown)), &expected, &free)?;
     }
-    d.conclude(
+    d.argue(
         "With unlimited friction s = t = 0, and u and v remain: [r,r,r] for h > 0, where the same joints are at their \
          faces. For h = 0, p is 0, the crown is at both faces and opens, and L grows from there: [r].",
     );
@@ -180,19 +180,21 @@ const EXAMPLES: [(Mode, [GivenArch; 2]); 6] = [
 ];
 
 fn modes_occur(d: &mut Derivation) -> Result<Finding, Undecided> {
-    for (mode, arches) in EXAMPLES {
-        for (weight, (half_opening, friction)) in SelfWeight::ALL.into_iter().zip(arches) {
-            let found = state_of(half_opening, friction, weight)?.mode;
-            let friction = friction.unwrap_or("inf");
+    // Each arch beside that of the next mode, which has another.
+    for ((mode, arches), (_, others)) in EXAMPLES.iter().zip(EXAMPLES.iter().cycle().skip(1)) {
+        for (weight, (arch, other)) in SelfWeight::ALL.into_iter().zip(arches.iter().zip(others)) {
+            let (half_opening, friction) = (arch.0, arch.1.unwrap_or("inf"));
             let words =
                 format!("alpha = {half_opening}, mu = {friction}: {mode}, {}", weight.name());
-            d.certain(Support::Balls, words, certain_if(found == mode))?;
+            d.certain(Support::Balls, words, [arch, other], |(half_opening, friction)| {
+                Ok(certain_if(state_of(half_opening, *friction, weight)?.mode == *mode))
+            })?;
         }
     }
     for weight in SelfWeight::ALL {
         let name = weight.name();
-        for (words, margin) in room_of_pure_sliding(weight)? {
-            d.certain(Support::Balls, format!("{words}, {name}"), margin.is_positive())?;
+        for (words, margin, elsewhere) in room_of_pure_sliding(weight)? {
+            d.above_zero(format!("{words}, {name}"), [&margin, &elsewhere])?;
         }
     }
     d.conclude(
@@ -204,13 +206,13 @@ fn modes_occur(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 /// What is left to a line of thrust in an arch that only slides: half opening 1, thickness 1, thrust in the middle
-/// of the crown.
+/// of the crown; and the same where it is not positive, with a thrust that pulls, or with the half opening 3.
 pub(super) fn room_of_pure_sliding(
     weight: SelfWeight,
-) -> Result<[(&'static str, Ball); 4], Undecided> {
+) -> Result<[(&'static str, Ball, Ball); 4], Undecided> {
     let Along { alpha, thrust: h, .. } = Along::sliding(&Rational::from(1))?;
     let at = Configuration {
-        half_opening: alpha.clone(),
+        half_opening: alpha,
         rotation_joint: Angle::zero(&h),
         sliding_joint: Angle::zero(&h),
         thickness: h.int(1),
@@ -218,10 +220,17 @@ pub(super) fn room_of_pure_sliding(
         friction: h.int(0),
         ..Configuration::zero(&h)
     };
+    let pulled = Configuration { thrust: -h.clone(), ..at.clone() };
+    let wide = Configuration { half_opening: Angle::new(h.int(3)), ..at.clone() };
+    let thrust = |at: &Configuration<Ball>| at.thrust.clone();
+    let slope = |at: &Configuration<Ball>| contact::crown_slope(weight, at);
+    let margin =
+        |at: &Configuration<Ball>| contact::extrados_margin_at_shoulder(weight, at, &at.thrust);
+    let normal = |at: &Configuration<Ball>| statics::normal_force(&at.half_opening, &at.thrust);
     Ok([
-        ("h > 0 at alpha = 1", h.clone()),
-        ("dL/d beta > 0 next to the crown, eta = 1", contact::crown_slope(weight, &at)),
-        ("U > 0 at the shoulder", contact::extrados_margin_at_shoulder(weight, &at, &h)),
-        ("N > 0 there", statics::normal_force(&alpha, &h)),
+        ("h > 0 at alpha = 1", thrust(&at), thrust(&pulled)),
+        ("dL/d beta > 0 next to the crown, eta = 1", slope(&at), slope(&pulled)),
+        ("U > 0 at the shoulder", margin(&at), margin(&wide)),
+        ("N > 0 there", normal(&at), normal(&wide)),
     ])
 }

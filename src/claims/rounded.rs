@@ -7,7 +7,7 @@ use super::measured::{Bounds, in_degrees};
 use super::{Claim, Derivation, Finding, Support};
 use crate::arch::{SelfWeight, Unknown, sliding};
 use crate::certify::{CertifiedLandmark, Undecided};
-use crate::number::{Angle, Ball, Decimal, Enclosure, Field, Real, Rounded, arctangent};
+use crate::number::{Angle, Ball, Decimal, Field, Real, Rounded, arctangent};
 use crate::problem::{Landmark, Mode, Quantity};
 use rug::Rational;
 
@@ -155,20 +155,21 @@ fn least_friction(
     bounds.at_most(d, ("its angle", &degrees, "°"), 3)
 }
 
-/// Checks the mode of an arch.
+/// Checks the mode of an arch; with the other friction it has another.
 fn collapses(
     d: &mut Derivation,
-    (alpha, friction): (&str, &str),
+    (alpha, [friction, other]): (&str, [&str; 2]),
     weight: SelfWeight,
     mode: Mode,
 ) -> Result<(), Undecided> {
-    let found = state_of(alpha, Some(friction), weight)?.mode;
     let words = format!(
         "alpha = {alpha}, mu = {friction} gives {}, {} weight",
         mode.label(),
         weight.name()
     );
-    d.certain(Support::Balls, words, certain_if(found == mode))
+    d.certain(Support::Balls, words, [friction, other], |friction| {
+        Ok(certain_if(state_of(alpha, Some(friction), weight)?.mode == mode))
+    })
 }
 
 fn semicircle(d: &mut Derivation) -> Result<Finding, Undecided> {
@@ -177,8 +178,8 @@ fn semicircle(d: &mut Derivation) -> Result<Finding, Undecided> {
     for (weight, enough) in sufficient {
         let words = format!("the friction that the shoulder asks for, {} weight", weight.name());
         least_friction(d, &mut bounds, &words, &semicircle_friction(weight)?, 4)?;
-        collapses(d, ("pi/2", enough), weight, Mode::Rotational)?;
-        collapses(d, ("pi/2", "0.395"), weight, Mode::SlidingRotational)?;
+        collapses(d, ("pi/2", [enough, "0.395"]), weight, Mode::Rotational)?;
+        collapses(d, ("pi/2", ["0.395", enough]), weight, Mode::SlidingRotational)?;
     }
     bounds.fails("a friction of 0.395 itself: [s,r,r] with either weight");
     Ok(bounds.finding())
@@ -189,7 +190,7 @@ fn no_shoulder_sliding(d: &mut Derivation) -> Result<Finding, Undecided> {
     let mut bounds = Bounds::default();
     let (weight, words) = (SelfWeight::Milankovitch, "mu_T, milankovitch weight");
     least_friction(d, &mut bounds, words, &enclosed(Landmark::Triple, weight)?.1.friction, 5)?;
-    collapses(d, ("2.430058", "1.277"), weight, Mode::SlidingRotational)?;
+    collapses(d, ("2.430058", ["1.277", "1.3"]), weight, Mode::SlidingRotational)?;
     bounds.fails("a friction of 1.277 itself: alpha = 2.430058 is [s,r,r]");
     Ok(bounds.finding())
 }
@@ -205,12 +206,12 @@ fn no_pure_sliding(d: &mut Derivation) -> Result<Finding, Undecided> {
     let slides = Along::sliding(&alpha)?.inner_friction();
     let least = Ball::enclosing(&Rational::from((18_537, 10_000)), slides.prec());
     let words = format!("alpha = {text} slides purely with more than 1.8537");
-    d.certain(Support::Balls, words, least.is_less_than(&slides))?;
+    d.less(words, [&least, &slides])?;
     let state = state_of(text, Some("1.8538"), weight)?;
     let words = "with 1.8538 it stands, with eta < 2";
-    d.certain(Support::Balls, words, state.thickness.is_less_than(&friction.int(2)))?;
+    d.less(words, [&state.thickness, &friction.int(2)])?;
     let printed = Ball::enclosing(&Rational::from((1854, 1000)), friction.prec());
-    d.certain(Support::Balls, "mu_B is below 1.854", friction.is_less_than(&printed))?;
+    d.less("mu_B is below 1.854", [&friction, &printed])?;
     bounds.holds("a friction of 1.854 itself");
     Ok(bounds.finding())
 }

@@ -12,7 +12,7 @@ use super::states::at_all_states;
 use super::{Claim, Derivation, Finding, Support};
 use crate::arch::{Ring, SelfWeight, cubic, overturning, thrust};
 use crate::certify::Undecided;
-use crate::number::{Angle, Ball, Dual, Enclosure, Field};
+use crate::number::{Angle, Ball, Dual, Field};
 use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint};
 use rug::Rational;
 use std::sync::OnceLock;
@@ -190,32 +190,37 @@ fn slopes_along(joint: &Ball, delta: &Ball, eta: &Ball) -> Slopes<Dual<Ball>> {
     slopes(&joint, &delta, &eta, &h)
 }
 
-/// The pieces on which the slopes are proved to grow in size along the states, decided once.
-fn growth() -> Result<usize, Undecided> {
-    static DECIDED: OnceLock<Result<usize, Undecided>> = OnceLock::new();
+/// The pieces on which the slopes are proved to grow in size along the states, or with the other sign to fall.
+fn growth(sign: i32) -> Result<usize, Undecided> {
     let range = (Rational::from((1, 2000)), Rational::from((9, 10)));
-    let decide = || {
-        at_all_states(&range, &|joint, delta, eta| {
-            let Slopes { thickness, thrust, joint, .. } = slopes_along(joint, delta, eta);
-            [thickness, -thrust, -joint].map(|slope| slope.derivative(0)).to_vec()
-        })
-    };
-    DECIDED.get_or_init(decide).clone()
+    at_all_states(&range, &|joint, delta, eta| {
+        let Slopes { thickness, thrust, joint, .. } = slopes_along(joint, delta, eta);
+        [thickness, -thrust, -joint].map(|slope| slope.derivative(0) * eta.int(sign)).to_vec()
+    })
+}
+
+/// That they grow, decided once.
+fn grown() -> Result<usize, Undecided> {
+    static DECIDED: OnceLock<Result<usize, Undecided>> = OnceLock::new();
+    DECIDED.get_or_init(|| growth(1)).clone()
 }
 
 fn differences_grow(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.lemma(&STATES_OF_ONE_OPENING)?;
-    let pieces = growth()?;
+    let pieces = grown()?;
     let words = "d log/d delta_M of eta, h and beta_r grow in size with eta along the states of any \
                  delta_M, eta in [1/2000, 9/10]";
-    d.certain(Support::Balls, format!("{words}, {pieces} pieces"), certain_if(pieces > 0))?;
+    let words = format!("{words}, {pieces} pieces");
+    d.certain(Support::Balls, words, [1, -1], |sign| {
+        Ok(certain_if(if sign == 1 { pieces > 0 } else { growth(sign)? > 0 }))
+    })?;
     let number = |n: i32, m: i32| Ball::enclosing(&Rational::from((n, m)), 128);
     let first = state_of("0.4", None, SelfWeight::Heyman)?.thickness;
     let words = "eta > 1/2000 from alpha = 2/5 on, with Heyman's weight and so with any";
-    d.certain(Support::Balls, words, number(1, 2000).is_less_than(&first))?;
+    d.less(words, [&number(1, 2000), &first])?;
     let last = state_of("2.58", None, SelfWeight::Milankovitch)?.thickness;
     let words = "eta < 9/10 up to alpha = 2.58, with Milankovitch's weight and so with any";
-    d.certain(Support::Balls, words, last.is_less_than(&number(9, 10)))?;
+    d.less(words, [&last, &number(9, 10)])?;
     // Where the arch is thin, bounds are enough.
     let (joint, ring, free) = (Symbol::joint(), ring(), Relations::none());
     let eta = &ring.thickness;
@@ -240,14 +245,10 @@ fn differences_grow(d: &mut Derivation) -> Result<Finding, Undecided> {
     let bound = eta.clone() * ring.extrados() * eta.int(2)
         / (ring.intrados().square() * (eta.int(6) + eta));
     let words = "2/(2 - eta) eta (2 + eta)/((2 - eta)(6 + eta)) at alpha = 2/5, eta the larger one";
-    d.certain(
-        Support::Balls,
-        format!("{words}, is below 0.0001"),
-        bound.is_less_than(&number(1, 10_001)),
-    )?;
+    d.less(format!("{words}, is below 0.0001"), [&bound, &number(1, 10_001)])?;
     let bound = eta.square() / (eta.int(6) * ring.extrados() * h);
     let words = "eta²/(6 (2 + eta) h) there is below 0.0001";
-    d.certain(Support::Balls, words, bound.is_less_than(&number(1, 10_001)))?;
+    d.less(words, [&bound, &number(1, 10_001)])?;
     d.conclude(
         "As lever >= 2 eta cos(beta), d log(eta)/d delta_M is at most eta (2 + eta)/fall, and fall is at \
          least (2 - eta)(6 + eta); -dh/d delta_M is at most eta²/(6 (2 + eta)). The joint follows by h = \

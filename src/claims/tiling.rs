@@ -16,11 +16,11 @@ use super::frictions::{
 use super::letters::{ring, variables};
 use super::modes::SEVEN_MODES;
 use super::uniqueness::{MECHANISM_BOUNDS, ONE_HALF_OPENING, ONE_THICKNESS, THICKER_HAS_ROOM};
-use super::{Claim, Derivation, Finding, Support};
+use super::{Claim, Derivation, Finding};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Ring, SelfWeight, contact, overturning, sliding, statics, thrust};
 use crate::certify::Undecided;
-use crate::number::{Angle, Enclosure, Field, Surd};
+use crate::number::{Angle, Field, Surd};
 use crate::problem::Landmark;
 use crate::symbolic::{Letters, Relations, Symbol, along_the_joint};
 
@@ -101,7 +101,7 @@ fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
     let outwards = (at.thrust.clone() - at.half_opening.times_cotangent()) * &at.half_opening.sin;
     let words = "-T at the shoulder: positive where it slides, so that h > alpha cot(alpha)";
     d.identity(words, &-statics::shear_force(&at.half_opening, &at.thrust), &outwards, &free)?;
-    d.conclude(
+    d.argue(
         "Let h_R(eta) be the thrust of the rotational state of the thickness, alpha_0 its half opening; h_R falls as eta \
          grows, and is 0 from eta_l on. At alpha*, h >= h_R: if its haunch is a joint of the arch, as h >= h_L; else, \
          if the shoulder slides, since h > alpha cot(alpha) is more than that at the haunch; and if it is on the extrados, since \
@@ -112,14 +112,14 @@ fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
          the second.",
     );
     falls_with_the_thickness(d)?;
-    d.conclude(
+    d.argue(
         "Below it h = h_R, and the haunch is that of the rotational state of half opening alpha_0(eta), which grows: \
          [r,r,r] as long as M(alpha_0) <= mu, [s,r,r] from there on. Above it h = h_s: let alpha_P be the half opening that \
          just slides. If it stands, alpha* = alpha_P, [s,s]; and it stands from one thickness on. Below that the \
          shoulder opens, beta_r cot(beta_r) = h_s - 1 + 2 fac/(2 - eta) grows up to 1: beta_r falls, past beta_s, to the crown, \
          where it is up to eta = 2: [r,r,s], [r,s,r], [r,s].",
     );
-    d.conclude(
+    d.argue(
         "At the thickness where h_R = h_s, mu = m(alpha_0). For mu < mu_T, alpha_0 < alpha_T and M > m: [s,r,r] comes before, \
          and then [s,s], as no inner joint slides with a hinge at the shoulder left of T. For mu >= mu_T, M <= m: [s,r,r] is left out.",
     );
@@ -133,7 +133,7 @@ pub(super) fn thrust_at_triple_is_below_half(
 ) -> Result<(), Undecided> {
     let thrust = landmark(Landmark::Triple, weight)?.thrust;
     let words = format!("h_T < 1/2, {}", weight.name());
-    d.certain(Support::Balls, words, thrust.is_less_than(&thrust.ratio(1, 2)))
+    d.less(words, [&thrust, &thrust.ratio(1, 2)])
 }
 
 /// By (5) the rotational joint falls as the thickness grows.
@@ -174,17 +174,17 @@ fn rows(d: &mut Derivation) -> Result<Finding, Undecided> {
     let slope = at.thrust.int(1) - at.thrust.int(2) * &at.thrust;
     let words = "d beta_s²/dh, positive below 1/2";
     d.identity(words, &square.partial(Symbol::Thrust), &slope, &free)?;
-    d.conclude(
+    d.argue(
         "A state of pure rotation does not see the friction, from which on it is admissible: [r,r,r] holds from some \
          friction on, or never. [s,s] holds at one friction, the least. What is admissible stays so with more friction, so \
          that the thickness does not grow with it.",
     );
-    d.conclude(
+    d.argue(
         "With an inner joint that slides mu >= mu_T, and h < 1/2 falls strictly as mu grows. So, as mu falls, h - 1 + 2 fac/(2 - eta) \
          grows strictly: beta_r falls while beta_s grows, until the slope at the crown is not negative. [r,r,s] with beta_r > \
          beta_s, [r,s,r] with beta_r < beta_s and [r,s] are passed in this order, each once.",
     );
-    d.conclude(
+    d.argue(
         "In [s,r,r] alpha <= alpha_T and mu <= mu_T. There M <= mu_T and m <= mu_T, as both grow with alpha and meet at T: \
          from mu_T on the arch is [r,r,r], and no inner joint slides with a hinge. So before T [s,r,r] alone is between [s,s] and \
          [r,r,r], and beyond T it is not there.",

@@ -4,10 +4,10 @@ use super::along::landmark;
 use super::letters::ring;
 use super::measured::{Bounds, in_degrees};
 use super::overturning::A_FIXES_ALPHA;
-use super::{Claim, Derivation, Finding, Support};
+use super::{Claim, Derivation, Finding};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::certify::Undecided;
-use crate::number::{Angle, Ball, Enclosure, Field};
+use crate::number::{Angle, Ball, Field};
 use crate::problem::Landmark::OverturningEnd;
 use crate::symbolic::{Letters, Relations, Symbol};
 use rug::Rational;
@@ -63,14 +63,16 @@ fn trends_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
     {
         let a = overturning::opening_variable(&Ring::new(weight, &bound.int(eta))).value();
         let at_bound = thrust::opening_variable(&Angle::new(bound.clone())).value();
-        let truth = if is_above { a.is_less_than(&at_bound) } else { at_bound.is_less_than(&a) };
-        let side = if is_above { "above 5/2" } else { "below 14/5" };
+        let (side, order) = match is_above {
+            true => ("above 5/2", [&a, &at_bound]),
+            false => ("below 14/5", [&at_bound, &a]),
+        };
         let words = format!("alpha is {side} at eta = {eta}, {} weight", weight.name());
-        d.certain(Support::Balls, words, truth)?;
+        d.less(words, order)?;
     }
-    let margin = leverage(&high) * low.int(12) - leverage(&low) * low.int(7);
+    let margin = |n, m| leverage(&high) * low.int(n) - leverage(&low) * low.int(m);
     let words = "12 k(14/5) > 7 k(5/2), where k = (1 - cos)/(alpha - sin), d alpha = -k dA";
-    d.certain(Support::Balls, words, margin.is_positive())?;
+    d.above_zero(words, [&margin(12, 7), &margin(7, 12)])?;
     let falling = |alpha: &Ball| {
         let Angle { rad, sin, cos } = Angle::new(alpha.clone());
         (rad.int(1) - &cos).square() - (rad - &sin) * sin
@@ -108,9 +110,9 @@ fn ranges_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
     }
     let [narrow, wide] = [&ends[0], &ends[1]];
     let words = "150° is below alpha_L of Milankovitch's weight";
-    d.certain(Support::Balls, words, narrow.int(150).is_less_than(narrow))?;
+    d.less(words, [&narrow.int(150), narrow])?;
     let words = "160° is above alpha_L of Heyman's weight";
-    d.certain(Support::Balls, words, wide.is_less_than(&wide.int(160)))?;
+    d.less(words, [wide, &wide.int(160)])?;
     bounds.fails("150° is too small, 160° too large");
     Ok(bounds.finding())
 }

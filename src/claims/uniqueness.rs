@@ -11,11 +11,11 @@ use super::frictions::{SLIDING_STATES_IN_ORDER, SLOPES_OF_FRICTION};
 use super::letters::ring;
 use super::modes::{SEVEN_MODES, room_of_pure_sliding};
 use super::overturning::A_FIXES_ALPHA;
-use super::{Claim, Derivation, Finding, Support};
+use super::{Claim, Derivation, Finding};
 use crate::arch::mechanism::Contact;
 use crate::arch::{SelfWeight, statics, thrust};
 use crate::certify::Undecided;
-use crate::number::{Angle, Enclosure, Field};
+use crate::number::{Angle, Field};
 use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint};
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -199,29 +199,29 @@ fn one_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.lemma(&LIMIT_STANDS)?;
     d.lemma(&SLOPES_OF_FRICTION)?;
     d.lemma(&SLIDING_STATES_IN_ORDER)?;
-    d.conclude(
+    d.argue(
         "Let an arch stand that is thicker than one that stands too. It has an admissible state with room at both \
          faces everywhere: so no hinge has a rate. What remains is [s,s], and then the friction is that of the purely \
          sliding state of the half opening.",
     );
-    d.conclude(
+    d.argue(
         "At that friction h is the thrust h_P of this state in each admissible one: if h < h_P, T/N exceeds mu at the \
          joint beta_s(h_P), which is above the shoulder, and if h > h_P, -T/N does at the shoulder. So both slips \
          are at their limit, and [s,s] moves.",
     );
-    d.conclude(
+    d.argue(
         "The least thickness stands, and there no state leaves a positive margin at all joints, or a thinner arch would \
          stand, as the margins are continuous. Linear inequalities without a strict solution have multipliers: \
          rates in balance, not all zero, which move only joints at their limit. With those of the sliding joints \
          scaled back they are a mechanism.",
     );
     for weight in SelfWeight::ALL {
-        for (words, margin) in room_of_pure_sliding(weight)? {
+        for (words, margin, elsewhere) in room_of_pure_sliding(weight)? {
             let words = format!("the exception: {words}, {}", weight.name());
-            d.certain(Support::Balls, words, margin.is_positive())?;
+            d.above_zero(words, [&margin, &elsewhere])?;
         }
     }
-    d.conclude(
+    d.argue(
         "There the line of thrust is off both faces, so that thinner arches of half opening 1 stand too, and yet \
          [s,s] can move at thickness 1.",
     );
@@ -247,7 +247,7 @@ fn limit_stands(d: &mut Derivation) -> Result<Finding, Undecided> {
     let expected = (opening.clone() - h.int(1) - &h) * joint.versine();
     let words = "U less U at the crown, at eta = 0: not zero at all joints, as A falls";
     d.identity(words, &without_thickness(distance), &expected, &free)?;
-    d.conclude(
+    d.argue(
         "If the thrusts of the arches are bounded, so are the moments p, which are between (1 - eta/2) h and \
          (1 + eta/2) h. The conditions are closed: a limit of states is a state of the limit. It has eta > 0, as U + L = \
          eta N.",
@@ -262,7 +262,7 @@ fn limit_stands(d: &mut Derivation) -> Result<Finding, Undecided> {
         + ring.extrados() * area / &two
         + alpha.versine() * gain;
     d.identity("L at the crown and U at the shoulder add up to", &ends, &expected, &free)?;
-    d.conclude(
+    d.argue(
         "Neither is negative where an arch stands. So thrusts without bound need mu cos(alpha) >= sin(alpha) and \
          (2 + eta) cos(alpha) >= 2 - eta in the limit, so that alpha < pi/2 and eta > 0. Let c > 0 be small there, h large, and \
          p = (1 - eta/2) h + c, so that L = c and U > 0 at the crown.",
@@ -280,7 +280,7 @@ fn limit_stands(d: &mut Derivation) -> Result<Finding, Undecided> {
         + (joint.sin.clone() - slope);
     let words = "mu N - T: positive, as x cos(x) <= sin(x)";
     d.identity(words, &margin_at(Contact::Inwards, &joint), &expected, &free)?;
-    d.conclude(
+    d.argue(
         "So L, U, mu N + T and mu N - T are positive at all joints: the limit stands, with this state.",
     );
     Ok(Finding::Implicit)
@@ -310,12 +310,12 @@ fn one_half_opening(d: &mut Derivation) -> Result<Finding, Undecided> {
     }
     let flat = Angle { rad: Symbol::HalfOpening.number(), sin: h.int(0), cos: h.int(-1) };
     d.identity("N at pi", &statics::normal_force(&flat, &h), &-h, &free)?;
-    d.conclude(
+    d.argue(
         "So narrow arches stand, by continuity; none of half opening pi does, as N > 0 in an admissible state; and \
          a part of an arch that stands, cut off at a joint, stands. The limit of arches that stand \
          stands: the widest is alpha* < pi.",
     );
-    d.conclude(
+    d.argue(
         "At alpha* no state leaves a positive margin at all joints, else a wider arch would stand. So it has a mechanism \
          (linear inequalities without a strict solution have multipliers). Suppose a narrower arch has one. In a state \
          of a wider one, U > 0 and mu N + T > 0 at its shoulder, a joint within. But margins that are not negative \

@@ -6,7 +6,7 @@ use super::{Claim, Derivation, Finding, Support};
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::certify::{CertifiedLandmark, Exact, Undecided};
 use crate::judge::{Comparison, Relation, compare_weights};
-use crate::number::{Ball, Enclosure};
+use crate::number::Ball;
 use crate::problem::{Fixed, Landmark, Quantity};
 use std::sync::OnceLock;
 
@@ -97,9 +97,18 @@ fn compared(d: &mut Derivation, quantity: Quantity) -> Result<Finding, Undecided
             d.equal(format!("{words} is the same for both weights"), &milankovitch?, &value)?;
             equalities.push(format!("{words} is {value} for both weights"));
         } else {
-            let strict = comparison.certified == comparison.claimed;
             let words = format!("{words} is {}", comparison.certified.name());
-            d.certain(Support::Balls, words, certain_if(strict))?;
+            let weights = match comparison.claimed {
+                Relation::Higher => [SelfWeight::Heyman, SelfWeight::Milankovitch],
+                _ => [SelfWeight::Milankovitch, SelfWeight::Heyman],
+            };
+            let value = |weight| {
+                let (point, _) = enclosed(landmark, weight)?;
+                let value = point.quantity(&point.enclosure(128)?, quantity);
+                value.ok_or_else(|| Undecided::new(words.clone()))
+            };
+            let [less, more] = weights.map(value);
+            d.less(&words, [&less?, &more?])?;
         }
     }
     match equalities.is_empty() {
@@ -111,12 +120,13 @@ fn compared(d: &mut Derivation, quantity: Quantity) -> Result<Finding, Undecided
 fn limit_thickness_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
     let [heyman, milankovitch] =
         SelfWeight::ALL.map(|weight| enclosed(Landmark::RotationEnd, weight));
-    let lower = milankovitch?.1.thickness.is_less_than(&heyman?.1.thickness);
-    d.certain(Support::Balls, "thickness at l is lower", lower)?;
-    let fixed = |weight| Landmark::OverturningEnd.system(weight).fixed_value(Unknown::Thickness);
-    let [heyman, milankovitch] = SelfWeight::ALL.map(fixed);
-    let same = certain_if(heyman == Some(Fixed::Integer(2)) && heyman == milankovitch);
-    d.certain(Support::Algebra, "at L it is the physical limit", same)?;
+    d.less("thickness at l is lower", [&milankovitch?.1.thickness, &heyman?.1.thickness])?;
+    let ends = [Landmark::OverturningEnd, Landmark::RotationEnd];
+    d.certain(Support::Algebra, "at L it is the physical limit", ends, |end| {
+        let fixed = |weight| end.system(weight).fixed_value(Unknown::Thickness);
+        let is_limit = |weight| fixed(weight) == Some(Fixed::Integer(2));
+        Ok(certain_if(SelfWeight::ALL.into_iter().all(is_limit)))
+    })?;
     Ok(Finding::Equality { at: "thickness at L is 2 for both weights".to_owned() })
 }
 
@@ -142,13 +152,13 @@ fn limits_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
         };
         let relation = if higher { "higher" } else { "lower" };
         let words = format!("{} at {} is {relation}", quantity.name(), landmark.symbol());
-        d.certain(Support::Balls, words, low.is_less_than(&high))?;
+        d.less(words, [&low, &high])?;
     }
     for landmark in [RotationEnd, OverturningEnd] {
         let [heyman, milankovitch] = SelfWeight::ALL.map(|w| enclosed(landmark, w));
         let (low, high) = (milankovitch?.1.half_opening.rad, heyman?.1.half_opening.rad);
         let words = format!("alpha at {} is lower", landmark.symbol());
-        d.certain(Support::Balls, words, low.is_less_than(&high))?;
+        d.less(words, [&low, &high])?;
     }
     Ok(Finding::AsPrinted)
 }
@@ -159,7 +169,7 @@ fn widest_joints_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
         |weight| enclosed(Landmark::WidestJoint, weight).map(|(_, at)| at.rotation_joint.rad);
     let [heyman, milankovitch] = SelfWeight::ALL.map(joint);
     let words = "beta_sb is larger for Heyman's weight";
-    d.certain(Support::Balls, words, milankovitch?.is_less_than(&heyman?))?;
+    d.less(words, [&milankovitch?, &heyman?])?;
     d.conclude("At the same thickness it is larger everywhere, not only at the peak.");
     Ok(Finding::AsPrinted)
 }
@@ -176,10 +186,9 @@ fn most_at_the_border(d: &mut Derivation) -> Result<Finding, Undecided> {
             Ok(variable(&heyman?.1).clone() - variable(&milankovitch?.1))
         };
         for (less, more) in [(Triple, Shift), (Shift, Junction), (Junction, Border)] {
-            let truth = difference(less)?.is_less_than(&difference(more)?);
-            let (less, more) = (less.symbol(), more.symbol());
-            let words = format!("{name} differs less at {less} than at {more}");
-            d.certain(Support::Balls, words, truth)?;
+            let words =
+                format!("{name} differs less at {} than at {}", less.symbol(), more.symbol());
+            d.less(words, [&difference(less)?, &difference(more)?])?;
         }
     }
     Ok(Finding::AsPrinted)

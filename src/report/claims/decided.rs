@@ -1,6 +1,6 @@
 //! Claims with what was found of them, and the words for it.
 
-use crate::claims::{Decision, Finding};
+use crate::claims::{Argument, Decision, Finding};
 use crate::report::words::count;
 use std::iter;
 
@@ -23,6 +23,16 @@ pub(super) fn as_printed(decision: &Decision) -> &'static str {
         Ok(Finding::Equality { .. }) => "equality",
         Ok(Finding::Measured { .. }) => "measured",
         Ok(Finding::Misprint { .. }) => "refuted",
+        Err(_) => "undecided",
+    }
+}
+
+/// What became of the statement, in one of three words: what holds with equality in some places, or with a number, is
+/// proved.
+pub(super) fn verdict(decision: &Decision) -> &'static str {
+    match decision.outcome {
+        Ok(Finding::Misprint { .. }) => "refuted",
+        Ok(_) => "proved",
         Err(_) => "undecided",
     }
 }
@@ -60,5 +70,11 @@ pub(super) fn summary(decisions: &[Decision]) -> String {
         .filter(|(of, _)| *of > 0)
         .map(|(of, words)| format!("{of} {words}"))
         .collect();
-    format!("{}: {}", count(decisions.len(), "claim", "claims"), parts.join(", "))
+    let argued =
+        |place| decisions.iter().filter(|d| d.derivation.argument() == Some(place)).count();
+    let arguments = match [Argument::Own, Argument::Beneath].map(argued) {
+        [0, 0] => String::new(),
+        [own, beneath] => format!("; {own} by an argument in words, {beneath} resting on one"),
+    };
+    format!("{}: {}{arguments}", count(decisions.len(), "claim", "claims"), parts.join(", "))
 }

@@ -1,7 +1,7 @@
-//! Claims as JSON, `couplet.claims/2`. Fields may be added, none changes its meaning.
+//! Claims as JSON, `couplet.claims/3`. Fields may be added, none changes its meaning.
 
-use super::decided::{Claims, as_printed, remarks};
-use crate::claims::Step;
+use super::decided::{Claims, as_printed, remarks, verdict};
+use crate::claims::{Argument, Step};
 use crate::report::json;
 use serde::Serialize;
 use std::io;
@@ -24,11 +24,13 @@ struct Entry<'a> {
     equal: Option<&'a str>,
     holds_with: Option<&'a str>,
     fails_with: Option<&'a str>,
-    /// `proved` (the corrected statement, where there is one) or `undecided`.
+    /// What became of the statement: `proved`, `refuted` or `undecided`.
     verdict: &'static str,
     reason: Option<&'a str>,
     hypotheses: Vec<&'a str>,
-    method: &'static str,
+    method: String,
+    /// `own` or `beneath`: where an argument in words carries it.
+    argument: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     seconds: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -72,14 +74,15 @@ pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()>
             equal: remark("equal"),
             holds_with: remark("holds with"),
             fails_with: remark("does not hold with"),
-            verdict: if reason.is_none() { "proved" } else { "undecided" },
+            verdict: verdict(decision),
             reason,
             hypotheses: decision.derivation.hypotheses().collect(),
             method: decision.derivation.method(),
+            argument: decision.derivation.argument().map(Argument::name),
             seconds: report.timed.then_some(decision.time.as_secs_f64()),
             derivation: report.show.then(|| steps.iter().map(StepEntry::from).collect()),
         }
     });
-    let file = ClaimsFile { schema: "couplet.claims/2", claims: claims.collect() };
+    let file = ClaimsFile { schema: "couplet.claims/3", claims: claims.collect() };
     json::write(&file, out)
 }

@@ -20,6 +20,9 @@ pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()>
         let title = format!("{}, {}: {}", claim.id, claim.place, as_printed(decision));
         writeln!(out, "\\subsection*{{{}}}", plain(&title))?;
         writeln!(out, "{}.\n", plain(claim.statement))?;
+        if let Some(argument) = decision.derivation.argument() {
+            writeln!(out, "\\textit{{Proved by checks {}.}}\n", argument.words())?;
+        }
         for (kind, words) in remarks(decision) {
             writeln!(out, "\\textit{{{kind}:}} {}.\n", plain(words))?;
         }
@@ -34,6 +37,7 @@ pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()>
                 Support::Balls => "By balls: ",
                 Support::Claim => "By ",
                 Support::Conclusion => "So: ",
+                Support::Argument => "In words: ",
             };
             writeln!(out, "\\textit{{{lead}}}{}", plain(&step.words))?;
             match &step.formula {

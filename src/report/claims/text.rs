@@ -30,6 +30,9 @@ fn heading(decision: &Decision, timed: bool, out: &mut dyn io::Write) -> io::Res
         writeln!(out, "{verdict:<10} {id:<22} {place}")?;
     }
     wrapped(claim.statement, INDENT, out)?;
+    if let Some(argument) = decision.derivation.argument() {
+        wrapped(&format!("by checks {}", argument.words()), INDENT, out)?;
+    }
     remarks(decision)
         .into_iter()
         .try_for_each(|(kind, words)| wrapped(&format!("{kind}: {words}"), INDENT, out))
@@ -45,6 +48,7 @@ fn steps(decision: &Decision, out: &mut dyn io::Write) -> io::Result<()> {
             Support::Balls => "balls ",
             Support::Claim => "by    ",
             Support::Conclusion => "so    ",
+            Support::Argument => "words ",
         };
         lines(&step.words, &format!("    {mark} "), INDENT, out)?;
         if let Some(formula) = &step.formula {

@@ -6,15 +6,37 @@ use crate::program::{Scratch, command, couplet, json, said};
 #[test]
 fn claims_are_decided_and_a_misprint_is_no_failure() {
     let file = json(&["prove", "--format", "json"]);
-    assert_eq!(file["schema"], "couplet.claims/2");
+    assert_eq!(file["schema"], "couplet.claims/3");
     let claims = file["claims"].as_array().unwrap();
     assert!(claims.len() >= 30);
-    assert!(claims.iter().all(|claim| claim["verdict"] == "proved"), "{claims:?}");
+    for claim in claims {
+        // Five are refuted as printed, and none is undecided.
+        let verdict = if claim["as_printed"] == "refuted" { "refuted" } else { "proved" };
+        assert_eq!(claim["verdict"], verdict, "{claim}");
+    }
+    let argued = |place: &str| -> Vec<&str> {
+        let claims = claims.iter().filter(|claim| claim["argument"] == place);
+        claims.map(|claim| claim["id"].as_str().unwrap()).collect()
+    };
+    let own = [
+        "weights-same-opening",
+        "modes-seven",
+        "map-columns",
+        "map-rows",
+        "map-lines",
+        "map-areas",
+    ];
+    let own = [&own[..], &["unique-attained", "map-function", "unique-thickness"]].concat();
+    assert_eq!(argued("own"), own);
+    assert!(argued("beneath").contains(&"unique-work"));
     let claim = |id: &str| claims.iter().find(|claim| claim["id"] == *id).unwrap();
     assert_eq!(claim("eq-8")["as_printed"], "proved");
     assert_eq!(claim("eq-2-4-imply-3")["as_printed"], "not stated");
     let misprint = claim("eq-16");
-    assert_eq!(misprint["as_printed"], "refuted");
+    assert_eq!(
+        (&misprint["as_printed"], &misprint["verdict"]),
+        (&"refuted".into(), &"refuted".into())
+    );
     assert!(misprint["counterexample"].as_str().unwrap().contains("7−4√3 is not 0"));
     assert!(misprint["corrected"].as_str().unwrap().contains("delta_M eta/6"));
     assert!(misprint.get("derivation").is_none(), "only where it is asked for");
@@ -23,11 +45,20 @@ fn claims_are_decided_and_a_misprint_is_no_failure() {
 #[test]
 fn a_derivation_can_be_followed() {
     let text = printed(&["prove", "eq-7", "--show"]);
+    assert!(!text.contains("in words"));
     for line in [
         "S delta eta^3 + 3 (f + g) eta^2 - 12 (g - S) eta - 12 (f - g)",
         "let    cofactor u of P",
         "given  S != 0, 2 - eta != 0",
         "4 claims: 3 proved as printed, 1 proved, not stated in the paper",
+    ] {
+        assert!(text.contains(line), "{line}");
+    }
+    let text = printed(&["prove", "map-function", "unique-work"]);
+    for line in [
+        "by checks and an argument in words",
+        "by checks and claims that rest on an argument in words",
+        "; 1 by an argument in words, 1 resting on one",
     ] {
         assert!(text.contains(line), "{line}");
     }
