@@ -180,7 +180,7 @@ fn begins(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.lemma(&ASYMMETRIC_MOTION)?;
     for (edge, decided) in EDGES.iter().zip(decided()) {
         let Edge { weight, mode, begins } = edge;
-        let [fails, holds] = begins.map(|hundredths| Rational::from((hundredths, 100)));
+        let [fails, holds] = begins.map(|n| format!("{}.{:02}", n / 100, n % 100));
         let words = format!(
             "{}, {}: at each alpha from 90° to {fails}° a solution has a negative rate, and at each from {holds}° to T one has positive rates",
             weight.name(),

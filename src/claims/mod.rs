@@ -200,23 +200,28 @@ pub fn claims() -> Vec<Claim> {
 mod tests {
     use super::*;
     use std::collections::{BTreeMap, BTreeSet};
+    use std::sync::OnceLock;
+
+    /// All claims, decided once for these tests.
+    fn decisions() -> &'static [Decision] {
+        static DECIDED: OnceLock<Vec<Decision>> = OnceLock::new();
+        DECIDED.get_or_init(|| claims().iter().map(Claim::decide).collect())
+    }
 
     #[test]
     fn every_claim_is_decided() {
-        for claim in claims() {
-            let decision = claim.decide();
-            println!("{:20} {:?}", claim.id, decision.time);
-            assert!(decision.outcome.is_ok(), "{}: {:?}", claim.id, decision.outcome);
+        for Decision { claim, outcome, derivation, time } in decisions() {
+            println!("{:20} {time:?}", claim.id);
+            assert!(outcome.is_ok(), "{}: {outcome:?}", claim.id);
+            assert!(!derivation.twins().is_empty(), "{} checks nothing", claim.id);
         }
     }
 
     #[test]
     fn no_claim_survives_a_false_twin_of_any_of_its_checks() {
         let mut survivors = Vec::new();
-        for claim in claims() {
-            let checks = claim.decide().derivation.twins().len();
-            assert!(checks > 0, "{} checks nothing", claim.id);
-            for index in 0..checks {
+        for Decision { claim, derivation, .. } in decisions() {
+            for index in 0..derivation.twins().len() {
                 let spoiled = claim.decide_with(Derivation::spoiled(index));
                 survivors.extend(spoiled.outcome.is_ok().then(|| format!("{} {index}", claim.id)));
             }
@@ -228,14 +233,32 @@ mod tests {
     #[test]
     fn what_false_twins_change_is_told() {
         let mut counts = BTreeMap::new();
-        for twin in claims().iter().flat_map(|claim| claim.decide().derivation.twins().to_vec()) {
-            *counts.entry(twin).or_insert(0) += 1;
+        for twin in decisions().iter().flat_map(|decision| decision.derivation.twins()) {
+            *counts.entry(*twin).or_insert(0) += 1;
         }
-        println!("{counts:?}");
         let told = include_str!("../../proofs/README.md");
         let rows = told.lines().skip_while(|line| !line.starts_with("| checks |")).skip(2);
         let numbers = rows.map_while(|row| row.split('|').nth(1)?.trim().parse().ok());
-        assert_eq!(numbers.collect::<Vec<i32>>(), counts.into_values().collect::<Vec<_>>());
+        let counts = counts.into_values();
+        assert_eq!(numbers.collect::<Vec<i32>>(), counts.collect::<Vec<_>>());
+    }
+
+    /// A bound in a proof is the rational that was used: no decimal has more digits than are proved of any number.
+    #[test]
+    fn no_step_shows_the_noise_of_a_double() {
+        let significant = |number: &str| {
+            let digits = number.chars().filter(char::is_ascii_digit);
+            digits.skip_while(|digit| *digit == '0').count()
+        };
+        for step in decisions().iter().flat_map(|decision| decision.derivation.steps()) {
+            let shown = step.formula.as_ref().map_or("", |formula| &formula.text);
+            for text in [&step.words, shown] {
+                let numbers = text.split(|c: char| !c.is_ascii_digit() && c != '.');
+                for number in numbers.filter(|number| number.trim_matches('.').contains('.')) {
+                    assert!(significant(number) <= 12, "{number} in {text}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -1,38 +1,25 @@
 //! Error against run time: every way the product can compute a value, on the same problems.
 
 use super::Task;
-use super::closed::{Branch, Form, printed, trigonometric};
+use super::cases::{Case, arch};
+use super::closed::{printed, trigonometric};
 use super::double_double;
-use super::enclosure::{Errors, enclose, enclose_at, error, relative_radius};
+use super::enclosure::{Errors, enclose, error, relative_radius};
 use super::newton::{doubling, newton};
 use super::row::{Row, Timed, timed};
 use super::static_programme::least_thickness;
-use crate::arch::{SelfWeight, Unknown, cubic};
+use crate::arch::Unknown;
 use crate::certify::CertifiedLandmark;
-use crate::certify::state::{Certify, Outcome};
-use crate::number::Engine;
-use crate::number::{Angle, AstroInterval, Ball, Enclosure, ExactNumber, Real, rational_like};
-use crate::problem::{Arch, Friction};
-use crate::problem::{Landmark, Mode, tally};
-use crate::solve::start;
+use crate::certify::state::{Answer, Certify, Outcome, state_in_double_doubles};
+use crate::number::{
+    Angle, AstroInterval, Ball, DoubleBall, Enclosure, Engine, Magnitude, Real, Rounded,
+    rational_like,
+};
+use crate::problem::tally;
 use qd::Quad;
-use rug::{Float, Rational};
+use rug::Float;
+use std::f64::consts::LOG10_2;
 use std::time::Duration;
-
-/// A problem with its names and the numbers from which every method starts.
-#[non_exhaustive]
-pub struct Case {
-    /// The kind of quantity.
-    pub quantity: &'static str,
-    /// Which of them.
-    pub name: String,
-    /// What is computed.
-    pub problem: Task,
-    /// Start values, good to three digits or so.
-    pub start: Vec<f64>,
-    /// The closed form, where there is one: which, on which branch, at which joint.
-    closed: Option<(Form, Branch, Rational)>,
-}
 
 /// How much is measured.
 #[derive(Clone, Copy, Debug)]
@@ -62,74 +49,8 @@ const JOINTS: &[usize] = &[100, 1000];
 /// Bits by which the reference is more precise than what is measured.
 const REFERENCE: u32 = 160;
 
-/// The kinds of quantity, in order.
-pub const QUANTITIES: [&str; 7] =
-    ["eta-cubic", "A-cubic", "h-cubic", "radicand", "half-opening", "landmark", "state"];
-
-/// All cases.
-pub fn cases() -> Vec<Case> {
-    let mut cases = Vec::new();
-    let weight = SelfWeight::Milankovitch;
-    // The last is next to that of sb, 1.11986…, where the two branches meet.
-    let joints = [(1, 10), (1, 2), (1, 1), (1119, 1000)].map(Rational::from);
-    for joint in &joints {
-        let at = Angle::new(joint.to_f64());
-        for (branch, side) in [(Branch::Upper, "thin"), (Branch::Lower, "thick")] {
-            let kinds = [
-                ("eta-cubic", Form::Thickness),
-                ("A-cubic", Form::OpeningVariable),
-                ("h-cubic", Form::Thrust),
-            ];
-            for (quantity, form) in kinds {
-                let joint = joint.clone();
-                let problem = match form {
-                    Form::Thickness => Task::Thickness { weight, joint: joint.clone() },
-                    Form::OpeningVariable => Task::OpeningVariable { weight, joint: joint.clone() },
-                    Form::Thrust => Task::Thrust { weight, joint: joint.clone() },
-                };
-                cases.push(Case {
-                    quantity,
-                    name: format!("beta = {joint}, {side}"),
-                    problem,
-                    start: vec![trigonometric(form, branch, &at)],
-                    closed: Some((form, branch, joint)),
-                });
-            }
-        }
-        cases.push(Case {
-            quantity: "radicand",
-            name: format!("beta = {joint}"),
-            start: vec![cubic::radicand(&cubic::abbreviations(&at), &1.0)],
-            problem: Task::Radicand { weight, joint: joint.clone() },
-            closed: None,
-        });
-    }
-    for (a, alpha) in
-        [((19, 10), 0.77), ((1, 1), 2.33), ((7, 10), 2.618), ((19_999, 10_000), 0.02449)]
-    {
-        let a = Rational::from(a);
-        cases.push(Case {
-            quantity: "half-opening",
-            name: format!("A = {a}"),
-            problem: Task::HalfOpening { a },
-            start: vec![alpha],
-            closed: None,
-        });
-    }
-    for landmark in Landmark::ALL {
-        for weight in SelfWeight::ALL {
-            cases.push(Case {
-                quantity: "landmark",
-                name: format!("{} {}", landmark.symbol(), weight.name()),
-                problem: Task::Landmark { weight, landmark },
-                start: start::landmark(landmark, weight).to_vec(),
-                closed: None,
-            });
-        }
-    }
-    cases.extend(states());
-    cases
-}
+/// What the product does for a state: the certified digits of the command.
+pub const COMMAND: &str = "what couplet state does";
 
 /// The quantity of the rows of [`sines`].
 pub const SINES: &str = "sin-cos";
@@ -139,7 +60,7 @@ pub fn sines(effort: &Effort) -> Vec<Row> {
     let measure = |&bits: &u32| {
         let angle = Float::with_val(bits, 3).sqrt();
         let timed = timed(effort.budget, || Real::sin_cos(&angle));
-        let digits = f64::from(bits) * std::f64::consts::LOG10_2;
+        let digits = f64::from(bits) * LOG10_2;
         let row = Row {
             quantity: SINES.into(),
             case: "sqrt(3)".into(),
@@ -152,39 +73,6 @@ pub fn sines(effort: &Effort) -> Vec<Row> {
         row.with_times(&timed)
     };
     effort.bits.iter().map(measure).collect()
-}
-
-/// A state of every mode that has a thickness and a finite friction, and pure rotation.
-fn states() -> Vec<Case> {
-    let weight = SelfWeight::Milankovitch;
-    let queries = [
-        (Mode::Rotational, (11, 7), (1, 2)),
-        (Mode::SlidingRotational, (11, 7), (19, 50)),
-        (Mode::RotationalSliding, (49, 20), (27, 20)),
-        (Mode::RotationalSlidingRotational, (1277, 500), (2, 1)),
-        (Mode::OverturningSliding, (13, 5), (2, 1)),
-    ];
-    let cases = queries.into_iter().filter_map(|(mode, alpha, mu)| {
-        let (half_opening, friction) = (Rational::from(alpha), Rational::from(mu));
-        let arch = arch(weight, &half_opening, &friction)?;
-        let Ok(Outcome::Stands(state)) = arch.state(128) else { return None };
-        // Nobody starts at the solution.
-        let start = |&unknown| Some(state.value(unknown)?.mid().to_f64() * 1.001);
-        let start: Option<_> = mode.system(weight).unknowns.iter().map(start).collect();
-        (state.mode == mode).then_some(Case {
-            quantity: "state",
-            name: format!("{} alpha = {half_opening}, mu = {friction}", mode.label()),
-            start: start?,
-            problem: Task::State { weight, mode, half_opening, friction },
-            closed: None,
-        })
-    });
-    cases.collect()
-}
-
-fn arch(weight: SelfWeight, half_opening: &Rational, friction: &Rational) -> Option<Arch> {
-    let friction = Friction::Coefficient(ExactNumber::from(friction));
-    Arch::new(weight, ExactNumber::from(half_opening), friction).ok()
 }
 
 /// All measurements of one case.
@@ -249,11 +137,19 @@ pub fn measure(case: &Case, effort: &Effort) -> Vec<Row> {
         }
     }
     for &bits in effort.bits {
-        rows.push(case.certified_balls(bits, effort, &errors));
+        let method = "one proved root, balls of MPFR";
+        rows.push(case.proved(method, bits, case.root(bits, effort), &errors));
         if bits <= effort.astro_bits {
-            rows.push(case.certified_astro(bits, effort, &errors));
+            let found = case.root::<AstroInterval>(bits, effort);
+            let hulls = |all: Vec<AstroInterval>| all.iter().map(|x| hull(x, bits + 64)).collect();
+            let found = found.map(|root| root.and_then(hulls));
+            rows.push(case.proved("one proved root, astro-float", bits, found, &errors));
+        }
+        if matches!(case.problem, Task::Landmark { .. } | Task::State { .. }) {
+            rows.push(case.proofs(bits, effort, &errors));
         }
     }
+    rows.extend(case.quick_proofs(effort, &errors));
     rows
 }
 
@@ -283,35 +179,13 @@ impl Case {
         Some(Row { verdict: "computed".into(), working_bits: Some(53), ..row })
     }
 
-    /// The product's own path: for landmarks and states with everything that their proof needs.
-    fn certified_balls(
-        &self,
-        bits: u32,
-        effort: &Effort,
-        errors: &dyn Fn(&[Float]) -> Vec<Errors>,
-    ) -> Row {
-        let timed = timed(effort.budget, || self.certified(bits));
-        let (_, tally) = tally::measure(|| self.certified(bits));
-        let counted = |count: u64| (count > 0).then_some(count as usize);
-        let row = self.row("certified balls", Some(bits)).with_times(&timed);
-        let Some(balls) = &timed.value else {
-            return Row { verdict: "undecided".into(), ..row };
-        };
-        let values: Vec<Float> = balls.iter().map(|x| x.mid().clone()).collect();
-        let claimed = balls.iter().map(relative_radius).fold(f64::NEG_INFINITY, f64::max);
-        let working = values.iter().map(|x| x.prec()).max();
-        Row {
-            verdict: "proved".into(),
-            claimed_relative_log10: Some(claimed),
-            certified_digits: Some(-claimed),
-            working_bits: working,
-            evaluations: counted(tally.evaluations()),
-            newton_steps: counted(tally.newton_steps),
-            ..row
-        }
-        .with_errors(&errors(&values), bits)
+    /// One root, from the start to proved digits: the centre by Newton's method in MPFR, its box in the arithmetic of a
+    /// method.
+    fn root<E: Engine>(&self, bits: u32, effort: &Effort) -> Timed<Option<Vec<E>>> {
+        timed(effort.budget, || enclose(&self.problem, &self.start, bits))
     }
 
+    /// What the product proves: a landmark, isolated and refined, or a state with everything that belongs to it.
     fn certified(&self, bits: u32) -> Option<Vec<Ball>> {
         match &self.problem {
             Task::Landmark { weight, landmark } => {
@@ -320,49 +194,111 @@ impl Case {
                 let unknowns = landmark.system(*weight).unknowns.iter();
                 unknowns.map(|&unknown| refined.value(unknown)).collect()
             }
-            Task::State { weight, mode, half_opening, friction } => {
-                let Outcome::Stands(state) =
-                    arch(*weight, half_opening, friction)?.state_alone(bits).ok()?
-                else {
-                    return None;
-                };
-                let value = |&unknown| state.value(unknown).cloned();
-                mode.system(*weight).unknowns.iter().map(value).collect()
+            Task::State { weight, half_opening, friction, .. } => {
+                let arch = arch(*weight, half_opening, friction)?;
+                self.enclosures(&arch.state_alone(bits).ok()?)
             }
-            problem => enclose::<Ball>(problem, &self.start, bits),
+            _ => None,
         }
     }
 
-    /// The second arithmetic, around a centre that MPFR has found.
-    fn certified_astro(
+    /// The unknowns of a state that stands.
+    fn enclosures<E: Enclosure>(&self, outcome: &Outcome<E>) -> Option<Vec<E>> {
+        let (Task::State { weight, mode, .. }, Outcome::Stands(state)) = (&self.problem, outcome)
+        else {
+            return None;
+        };
+        let value = |&unknown| state.value(unknown).cloned();
+        mode.system(*weight).unknowns.iter().map(value).collect()
+    }
+
+    /// The proofs of the product, at one precision.
+    fn proofs(&self, bits: u32, effort: &Effort, errors: &dyn Fn(&[Float]) -> Vec<Errors>) -> Row {
+        let timed = timed(effort.budget, || self.certified(bits));
+        let (_, tally) = tally::measure(|| self.certified(bits));
+        let counted = |count: u64| (count > 0).then_some(count as usize);
+        Row {
+            evaluations: counted(tally.evaluations()),
+            newton_steps: counted(tally.newton_steps),
+            ..self.proved("certified, balls of MPFR", bits, timed, errors)
+        }
+    }
+
+    /// The proofs of a state that the product asks first, and what the command does.
+    fn quick_proofs(&self, effort: &Effort, errors: &dyn Fn(&[Float]) -> Vec<Errors>) -> Vec<Row> {
+        let Task::State { weight, half_opening, friction, .. } = &self.problem else {
+            return Vec::new();
+        };
+        let Some(arch) = arch(*weight, half_opening, friction) else { return Vec::new() };
+        let doubles = timed(effort.budget, || self.enclosures(&arch.state_in_doubles().ok()?));
+        let doubles = doubles.map(|found| found.map(|all| all.iter().map(double_ball).collect()));
+        let pairs = timed(effort.budget, || self.enclosures(&state_in_double_doubles(&arch).ok()?));
+        let pairs =
+            pairs.map(|found| found.map(|all| all.iter().map(|x| x.to_ball(170)).collect()));
+        let mut rows = vec![
+            self.proved("certified, balls of doubles", 53, doubles, errors),
+            self.proved("certified, balls of double-doubles", 106, pairs, errors),
+        ];
+        for &bits in effort.bits {
+            let digits = (f64::from(bits) * LOG10_2) as usize - 2;
+            let command = timed(effort.budget, || arch.certify_alone(digits).ok());
+            let command = command.map(|answer| self.rounded(&answer?, bits));
+            rows.push(self.proved(COMMAND, bits, command, errors));
+        }
+        rows
+    }
+
+    /// The unknowns of a state as balls around their correctly rounded digits.
+    fn rounded(&self, answer: &Answer, bits: u32) -> Option<Vec<Ball>> {
+        let (Task::State { weight, mode, .. }, Answer::Stands(state)) = (&self.problem, answer)
+        else {
+            return None;
+        };
+        let value = |unknown: &Unknown| {
+            let figure = match unknown {
+                Unknown::Thickness => Some(&state.thickness),
+                Unknown::Thrust => Some(&state.thrust),
+                Unknown::RotationJoint => Some(&state.rotation_joint),
+                Unknown::SlidingJoint => state.sliding_joint.as_ref(),
+                _ => None,
+            };
+            let Rounded { lower, upper, .. } = &figure?.decimal;
+            let [lower, upper] =
+                [lower, upper].map(|end| Ball::enclosing(&end.to_rational(), bits + 64));
+            Some(lower.hull(&upper))
+        };
+        mode.system(*weight).unknowns.iter().map(value).collect()
+    }
+
+    /// The row of a method that proves balls, or nothing.
+    fn proved(
         &self,
+        method: &str,
         bits: u32,
-        effort: &Effort,
+        timed: Timed<Option<Vec<Ball>>>,
         errors: &dyn Fn(&[Float]) -> Vec<Errors>,
     ) -> Row {
-        let row = self.row("certified astro-float", Some(bits));
-        let Some(found) = doubling(&self.problem, &self.start, bits) else {
-            return Row { verdict: "no centre".into(), ..row };
-        };
-        let timed =
-            timed(effort.budget, || enclose_at::<AstroInterval>(&self.problem, &found.root, bits));
-        let row = row.with_times(&timed);
-        let Some(intervals) = &timed.value else {
+        let row = self.row(method, Some(bits)).with_times(&timed);
+        let Some(balls) = &timed.value else {
             return Row { verdict: "undecided".into(), ..row };
         };
-        let balls: Option<Vec<Ball>> = intervals.iter().map(|x| hull(x, bits + 64)).collect();
-        let Some(balls) = balls else { return Row { verdict: "undecided".into(), ..row } };
         let values: Vec<Float> = balls.iter().map(|x| x.mid().clone()).collect();
         let claimed = balls.iter().map(relative_radius).fold(f64::NEG_INFINITY, f64::max);
         Row {
             verdict: "proved".into(),
             claimed_relative_log10: Some(claimed),
             certified_digits: Some(-claimed),
-            working_bits: Some(bits.next_multiple_of(64)),
+            working_bits: values.iter().map(|x| x.prec()).max(),
             ..row
         }
         .with_errors(&errors(&values), bits)
     }
+}
+
+/// What a ball of doubles holds.
+fn double_ball(ball: &DoubleBall) -> Ball {
+    let [mid, rad] = [ball.mid(), ball.rad()].map(|x| Float::with_val(53, x));
+    Ball::exact(mid, 170).widened(Magnitude::upper(&rad))
 }
 
 /// A ball that holds an interval.
@@ -377,6 +313,7 @@ fn hull(interval: &AstroInterval, bits: u32) -> Option<Ball> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::study::cases::cases;
 
     /// A claimed bound is never below the true error, on every row of every case.
     #[test]
@@ -398,14 +335,5 @@ mod tests {
             }
         }
         assert!(proved > 100);
-    }
-
-    #[test]
-    fn every_kind_of_quantity_is_there() {
-        let cases = cases();
-        for quantity in QUANTITIES {
-            assert!(cases.iter().any(|case| case.quantity == quantity), "{quantity}");
-        }
-        assert_eq!(cases.iter().filter(|case| case.quantity == "state").count(), 5);
     }
 }

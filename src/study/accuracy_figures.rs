@@ -1,7 +1,7 @@
 //! The figures of the study of accuracy, from its rows.
 
-use super::accuracy::SINES;
-use super::row::Row;
+use super::accuracy::{COMMAND, SINES};
+use super::row::{Row, quartiles};
 use crate::picture::figure::{Axis, Figure, Kind, Line, Panel, Scale};
 
 /// Digits that a method has to reach to count in the performance profile.
@@ -27,14 +27,61 @@ fn distinct<'a, T: PartialEq>(rows: &'a [Row], key: impl Fn(&'a Row) -> T) -> Ve
 }
 
 /// The median of some numbers.
-fn median(mut values: Vec<f64>) -> Option<f64> {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied()
+fn median(values: Vec<f64>) -> Option<f64> {
+    quartiles(values).map(|[_, median, _]| median)
 }
 
 /// A method without the number of joints behind it.
 fn family(row: &Row) -> &str {
     row.method.split(", 1").next().unwrap_or(&row.method)
+}
+
+/// A method at one precision, over all cases of a kind of quantity.
+struct Point {
+    /// The quartiles of its times.
+    times: [f64; 3],
+    /// The median of its correct digits; not a number where no case has any.
+    digits: f64,
+    /// Whether it has no value in some case.
+    fails: bool,
+}
+
+impl Point {
+    fn of(rows: &[&Row]) -> Option<Self> {
+        let times = quartiles(rows.iter().map(|row| row.cpu_seconds).collect())?;
+        let digits = rows.iter().filter_map(|row| Some(-row.error_relative_log10?));
+        let digits = median(digits.filter(|digits| digits.is_finite()).collect());
+        let fails = rows.iter().any(|row| row.error_relative_log10.is_none());
+        Some(Self { times, digits: digits.unwrap_or(f64::NAN), fails })
+    }
+}
+
+/// The lines of a method: its medians, the quartiles of its times as bars, and a mark where a case has no value, at one
+/// digit if none has.
+fn lines_of(method: &str, rows: &[Row]) -> [Line; 3] {
+    let keys = distinct(rows, |row| (row.precision_bits, &row.method));
+    let points = keys.into_iter().filter_map(|key| {
+        let group = rows.iter().filter(|row| (row.precision_bits, &row.method) == key);
+        Point::of(&group.collect::<Vec<_>>())
+    });
+    let points: Vec<Point> = points.collect();
+    let line = |kind, points: Vec<(f64, f64)>| Line { label: method.to_owned(), points, kind };
+    let median = |point: &Point| (point.times[1], point.digits);
+    let bar = |point: &Point| {
+        let [low, _, high] = point.times;
+        [(low, point.digits), (high, point.digits), (f64::NAN, f64::NAN)]
+    };
+    let failures = points.iter().filter(|point| point.fails);
+    let failure = |point: &Point| match point.digits.is_nan() {
+        true => (point.times[1], 1.0),
+        false => median(point),
+    };
+    let kind = if method == COMMAND { Kind::Bold } else { Kind::Measured };
+    [
+        line(kind, points.iter().map(median).collect()),
+        line(Kind::Spread, points.iter().flat_map(bar).collect()),
+        line(Kind::Failures, failures.map(failure).collect()),
+    ]
 }
 
 /// Correct digits (the median over the cases) against CPU time, a panel for each kind of quantity. With
@@ -43,28 +90,15 @@ fn family(row: &Row) -> &str {
 fn error_against_time(rows: &[Row]) -> Figure {
     let (sines, rows): (Vec<Row>, Vec<Row>) =
         rows.iter().cloned().partition(|row| row.quantity == SINES);
-    let rows = &rows;
     let sine_points: Vec<(f64, f64)> = sines
         .iter()
         .filter_map(|row| Some((row.cpu_seconds, -row.error_relative_log10?)))
         .collect();
-    let panels = distinct(rows, |row| &row.quantity).into_iter().map(|quantity| {
+    let panels = distinct(&rows, |row| &row.quantity).into_iter().map(|quantity| {
         let here: Vec<Row> = rows.iter().filter(|r| r.quantity == *quantity).cloned().collect();
-        let lines = distinct(&here, family).into_iter().map(|method| {
-            let of_method: Vec<Row> =
-                here.iter().filter(|r| family(r) == method).cloned().collect();
-            let points = distinct(&of_method, |r| (r.precision_bits, r.method.clone()))
-                .into_iter()
-                .filter_map(|key| {
-                    let group = || {
-                        let same = |r: &&Row| (r.precision_bits, r.method.clone()) == key;
-                        of_method.iter().filter(same)
-                    };
-                    let time = median(group().map(|r| r.cpu_seconds).collect())?;
-                    let digits = group().filter_map(|r| Some(-r.error_relative_log10?));
-                    Some((time, median(digits.filter(|d| d.is_finite()).collect())?))
-                });
-            Line { label: method.to_owned(), points: points.collect(), kind: Kind::Measured }
+        let lines = distinct(&here, family).into_iter().flat_map(|method| {
+            let of_method = here.iter().filter(|row| family(row) == method);
+            lines_of(method, &of_method.cloned().collect::<Vec<_>>())
         });
         let unit = Line {
             label: "for comparison: a sine and a cosine".into(),
@@ -79,7 +113,8 @@ fn error_against_time(rows: &[Row]) -> Figure {
         }
     });
     Figure {
-        title: "Correct digits against run time, for the median case (the table has the worst)"
+        title: "Correct digits against run time, for the median case (the table has the worst); bars: quartiles of the \
+                time over the cases; crossed rings: no value in some case"
             .into(),
         panels: panels.collect(),
         columns: 2,
@@ -116,12 +151,23 @@ fn profile(rows: &[Row]) -> Figure {
         // More time solves no more: what was reached holds to the end.
         let end = ratios.len().checked_sub(1).map(|last| (slowest, part(last)));
         let points = points.chain(end).collect();
-        Line { label: (*method).to_owned(), points, kind: Kind::Steps }
+        // A closed form has not failed where there is none.
+        let of_method: Vec<Row> =
+            rows.iter().filter(|row| family(row) == *method).cloned().collect();
+        let measured = distinct(&of_method, |row| (&row.quantity, &row.case)).len();
+        let label = match measured == cases.len() {
+            true => (*method).to_owned(),
+            false => format!("{method} (of {measured} cases)"),
+        };
+        Line { label, points, kind: Kind::Steps }
     });
     let panel = Panel {
         title: String::new(),
         x: Axis { label: "CPU time over that of the fastest method".into(), scale: Scale::Log10 },
-        y: Axis { label: "part of all cases with 12 digits".into(), scale: Scale::Linear },
+        y: Axis {
+            label: format!("part of all {} cases with 12 digits", cases.len()),
+            scale: Scale::Linear,
+        },
         lines: lines.collect(),
     };
     Figure { title: "Performance profile".into(), panels: vec![panel], columns: 1 }

@@ -5,6 +5,7 @@
 //! | `task` | what is computed: systems with exact parameters |
 //! | `newton`, `closed`, `double_double`, `static_programme` | how others would compute it |
 //! | `condition` | what the problem itself loses |
+//! | `cases` | the problems that are measured |
 //! | `accuracy` | every method on every case, at every precision |
 //! | `stability` | ladders of distances towards each limit |
 //! | `limits`, `target` | the limits, and a problem next to one |
@@ -16,6 +17,7 @@
 
 pub mod accuracy;
 pub mod accuracy_figures;
+pub mod cases;
 pub mod closed;
 pub mod condition;
 pub mod double_double;

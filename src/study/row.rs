@@ -3,6 +3,7 @@
 use super::enclosure::Errors;
 use crate::problem::tally::processor_time;
 use serde::Serialize;
+use std::cmp::Ordering;
 use std::time::{Duration, Instant};
 
 /// One measurement. Empty where a column does not apply.
@@ -21,6 +22,10 @@ pub struct Row {
     pub threads: usize,
     /// Median CPU time of warm repeats, s.
     pub cpu_seconds: f64,
+    /// The quartile of these times below it, s.
+    pub cpu_lower_seconds: f64,
+    /// And the one above it, s.
+    pub cpu_upper_seconds: f64,
     /// CPU time of the first call, s.
     pub first_seconds: f64,
     /// Median wall time of warm repeats, s.
@@ -56,38 +61,53 @@ pub struct Timed<T> {
     pub value: T,
     /// CPU time of the first call.
     pub first: Duration,
-    /// Median CPU time of the repeats.
-    pub cpu: Duration,
+    /// CPU time of the repeats: the lower quartile, the median, the upper quartile.
+    pub cpu: [Duration; 3],
     /// Median wall time of the repeats.
     pub wall: Duration,
 }
 
-/// Calls once cold, then so often that `budget` is about used up (at least three times, unless one call
-/// takes longer than that).
+impl<T> Timed<T> {
+    /// The same of what is made of the value, outside of what was timed.
+    pub fn map<U>(self, make: impl FnOnce(T) -> U) -> Timed<U> {
+        let Self { value, first, cpu, wall } = self;
+        Timed { value: make(value), first, cpu, wall }
+    }
+}
+
+/// Shorter than this a clock does not tell: so long are calls put together.
+const SHORTEST: Duration = Duration::from_micros(50);
+
+/// Calls once cold, then so often that `budget` is about used up (at least once, and in 25 rounds at the most).
 pub fn timed<T>(budget: Duration, job: impl Fn() -> T) -> Timed<T> {
-    let once = || {
+    let round = |calls: u32| {
         let (cpu, wall) = (processor_time(), Instant::now());
-        let value = std::hint::black_box(job());
-        (value, processor_time().saturating_sub(cpu), wall.elapsed())
+        let mut value = std::hint::black_box(job());
+        for _ in 1..calls {
+            value = std::hint::black_box(job());
+        }
+        (value, processor_time().saturating_sub(cpu) / calls, wall.elapsed() / calls)
     };
-    let (mut value, first, elapsed) = once();
-    let repeats = match elapsed.as_nanos() {
-        0 => 25,
-        one => (budget.as_nanos() / one).clamp(1, 25) as usize,
-    };
+    let (mut value, first, elapsed) = round(1);
+    let one = elapsed.as_nanos().max(1);
+    let calls = (SHORTEST.min(budget).as_nanos() / one).clamp(1, 1000) as u32;
+    let rounds = (budget.as_nanos() / (one * u128::from(calls))).clamp(1, 25);
     let (mut cpus, mut walls) = (Vec::new(), Vec::new());
-    for _ in 0..repeats {
-        let (again, cpu, wall) = once();
+    for _ in 0..rounds {
+        let (again, cpu, wall) = round(calls);
         value = again;
         cpus.push(cpu);
         walls.push(wall);
     }
-    Timed { value, first, cpu: median(cpus), wall: median(walls) }
+    let [_, wall, _] = quartiles(walls).unwrap_or_default();
+    Timed { value, first, cpu: quartiles(cpus).unwrap_or_default(), wall }
 }
 
-fn median(mut times: Vec<Duration>) -> Duration {
-    times.sort_unstable();
-    times[times.len() / 2]
+/// The lower quartile, the median and the upper quartile of some numbers, or times; none of none.
+pub fn quartiles<T: PartialOrd + Copy>(mut values: Vec<T>) -> Option<[T; 3]> {
+    values.sort_by(|a, b| a.partial_cmp(b).unwrap_or(Ordering::Equal));
+    let last = values.len().checked_sub(1)?;
+    Some([last / 4, values.len() / 2, last - last / 4].map(|place| values[place]))
 }
 
 /// The largest resident memory of the process, where Linux tells.
@@ -101,7 +121,8 @@ impl Row {
     /// The row with the times of a measurement.
     pub fn with_times<T>(mut self, timed: &Timed<T>) -> Self {
         self.threads = 1;
-        self.cpu_seconds = timed.cpu.as_secs_f64();
+        let [lower, median, upper] = timed.cpu.map(|time| time.as_secs_f64());
+        (self.cpu_lower_seconds, self.cpu_seconds, self.cpu_upper_seconds) = (lower, median, upper);
         self.first_seconds = timed.first.as_secs_f64();
         self.wall_seconds = timed.wall.as_secs_f64();
         self.peak_memory_kb = peak_memory_kb();

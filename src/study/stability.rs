@@ -76,7 +76,7 @@ pub fn climb(limit: &Limit, k: u32, budget: Duration) -> Vec<Rung> {
         let timed = timed(budget, job);
         let mut found = Rung {
             condition_log10,
-            cpu_seconds: timed.cpu.as_secs_f64(),
+            cpu_seconds: timed.cpu[1].as_secs_f64(),
             verdict: "no value",
             ..rung(method, bits)
         };
@@ -152,7 +152,7 @@ fn certified(
                 condition_log10,
                 error_relative_log10: Some(error(ball.mid(), truth).relative),
                 digits_lost: Some((digits + relative_radius(&ball)).max(0.0)),
-                cpu_seconds: timed.cpu.as_secs_f64(),
+                cpu_seconds: timed.cpu[1].as_secs_f64(),
                 verdict: "proved",
                 ..rung
             };

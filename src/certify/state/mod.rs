@@ -69,7 +69,7 @@ pub use measured::{measured_assessment, measured_state};
 pub(crate) use query::bits_lost;
 pub(crate) use quick::{
     assessment_enclosed, raised_from_doubles, sliding_configuration, sliding_enclosed,
-    state_enclosed,
+    state_enclosed, state_in_double_doubles,
 };
 pub(crate) use raise::{raise, raised};
 pub use state::{Fall, Frictions, Outcome, State};

@@ -30,6 +30,11 @@ fn query(arch: &Arch) -> Query<DoubleDoubleBall> {
     Query::new(arch, DOUBLE_DOUBLE)
 }
 
+/// The state in these numbers, without the frictions at which its mode changes.
+pub(crate) fn state_in_double_doubles(arch: &Arch) -> Result<Outcome<DoubleDoubleBall>, Undecided> {
+    outcome(&query(arch), Asked::Nothing)
+}
+
 /// The state to `digits` digits.
 pub(super) fn state(arch: &Arch, digits: usize, asked: Asked) -> Option<Answer> {
     if !is_quick(digits) {
@@ -110,8 +115,8 @@ pub(crate) fn assessment_enclosed(
 /// What holds for an arch of a given thickness, if all of it is decided.
 fn decided(arch: &Arch, thickness: &ExactNumber) -> Option<Assessment<DoubleDoubleBall>> {
     let state = |is_limited| match is_limited {
-        true => outcome(&query(arch), Asked::Nothing),
-        false => outcome(&query(&arch.unlimited()), Asked::Nothing),
+        true => state_in_double_doubles(arch),
+        false => state_in_double_doubles(&arch.unlimited()),
     };
     let found = assessment(arch, thickness, DOUBLE_DOUBLE, Wanted::Everything, state).ok()?;
     // More bits may tell a joint from the shoulder next to it.

@@ -5,7 +5,8 @@ use super::progress::styled;
 use crate::cli::failure::Failure;
 use crate::cli::line::typed;
 use crate::report::study::{StudyFiles, accuracy_table, stability_table};
-use crate::study::accuracy::{self, QUANTITIES};
+use crate::study::accuracy;
+use crate::study::cases::{QUANTITIES, cases};
 use crate::study::limits::LIMITS;
 use crate::study::stability;
 use clap::{Args, Subcommand};
@@ -72,7 +73,7 @@ fn accuracy(options: &Options) -> Result<(), Failure> {
     let folder = Folder::make(options)?;
     let effort = if options.quick { accuracy::QUICK } else { accuracy::FULL };
     let asked = |name: &str| options.only.is_empty() || options.only.iter().any(|o| o == name);
-    let cases: Vec<_> = accuracy::cases().into_iter().filter(|c| asked(c.quantity)).collect();
+    let cases: Vec<_> = cases().into_iter().filter(|c| asked(c.quantity)).collect();
     let bar = styled(Some(cases.len() as u64), BAR);
     let mut rows = accuracy::sines(&effort);
     for case in &cases {
@@ -112,6 +113,13 @@ struct Folder(Option<PathBuf>);
 impl Folder {
     fn make(options: &Options) -> Result<Self, Failure> {
         if let Some(folder) = &options.output {
+            if folder.extension().is_some() && !folder.is_dir() {
+                let (shown, name) = (folder.display(), folder.with_extension(""));
+                return Err(Failure::Input(format!(
+                    "'{shown}' looks like a file: --output is a folder for several files, such as '{}'",
+                    name.display()
+                )));
+            }
             fs::create_dir_all(folder).map_err(|error| cannot_write(folder, &error))?;
         }
         Ok(Self(options.output.clone()))

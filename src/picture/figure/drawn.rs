@@ -89,7 +89,8 @@ impl<'a> Drawn<'a> {
             .iter()
             .map(|line| Trace { line, ink: inks.of(line), runs: runs(panel, line) })
             .collect();
-        let frame = FRAME.1.max(lines.len() as f64 * NAME_HEIGHT);
+        let named = lines.iter().filter(|trace| trace.line.is_named()).count();
+        let frame = FRAME.1.max(named as f64 * NAME_HEIGHT);
         let places = || lines.iter().flat_map(|trace| trace.runs.iter().flatten());
         let wide = |tick: &Tick| text::width(&tick.label, TICK);
         let beside = |a: &Tick, b: &Tick| (wide(a) + wide(b)) / 2.0 + 14.0;
@@ -136,22 +137,34 @@ impl<'a> Drawn<'a> {
         self.axes(svg, [left, right], [top, bottom]);
 
         let traces: Vec<Trace> = self.lines.iter().map(|trace| trace.map(at)).collect();
-        let names = names(&traces, [top, bottom]);
-        for (trace, name) in traces.iter().zip(&names) {
+        let named: Vec<&Trace> = traces.iter().filter(|trace| trace.line.is_named()).collect();
+        let names = names(&named, [top, bottom]);
+        for (trace, name) in named.iter().zip(&names) {
             leader(svg, trace.end(), (right, *name));
         }
-        // References below the measured.
-        let (references, others): (Vec<_>, Vec<_>) =
-            traces.iter().partition(|trace| trace.line.kind == Kind::Reference);
-        for trace in references.into_iter().chain(others.iter().copied()) {
-            if trace.line.kind != Kind::Points {
+        // References and spreads below the measured, the bold above.
+        let mut order: Vec<&Trace> = traces.iter().collect();
+        order.sort_by_key(|trace| match trace.line.kind {
+            Kind::Reference => 0,
+            Kind::Spread => 1,
+            Kind::Bold => 3,
+            _ => 2,
+        });
+        for trace in &order {
+            if !matches!(trace.line.kind, Kind::Points | Kind::Failures) {
                 trace.runs.iter().for_each(|run| trace.ink.stroke(svg, &trace.joined(run)));
             }
         }
-        for trace in others {
-            trace.markers().into_iter().for_each(|point| trace.ink.mark(svg, point));
+        for trace in order {
+            for point in trace.markers() {
+                match trace.line.kind {
+                    Kind::Reference | Kind::Spread => {}
+                    Kind::Failures => trace.ink.fail(svg, point),
+                    _ => trace.ink.mark(svg, point),
+                }
+            }
         }
-        for (trace, name) in self.lines.iter().zip(names) {
+        for (trace, name) in named.into_iter().zip(names) {
             let start = right + LEADER;
             if trace.line.kind != Kind::Points {
                 trace.ink.stroke(svg, &[(start, name), (start + SAMPLE, name)]);
@@ -204,14 +217,15 @@ impl<'a> Drawn<'a> {
 
 /// The heights of the names: each at the end of its line, or as near as the others allow; those of
 /// lines without a point last.
-fn names(traces: &[Trace], [top, bottom]: [f64; 2]) -> Vec<f64> {
+fn names(traces: &[&Trace], [top, bottom]: [f64; 2]) -> Vec<f64> {
     let key = |trace: &Trace| {
         let points = || trace.runs.iter().flatten();
         // Where lines end together, that one first which was above the other.
         let mean = points().map(|p| p.1).sum::<f64>() / points().count().max(1) as f64;
         (trace.end().map_or(bottom, |point| point.1), mean)
     };
-    let mut order: Vec<(usize, (f64, f64))> = traces.iter().map(key).enumerate().collect();
+    let mut order: Vec<(usize, (f64, f64))> =
+        traces.iter().map(|trace| key(trace)).enumerate().collect();
     order.sort_by(|(_, a), (_, b)| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
     let ends: Vec<f64> = order.iter().map(|(_, key)| key.0).collect();
     let half = NAME_HEIGHT / 2.0;
@@ -263,7 +277,7 @@ impl Trace<'_> {
                 }
             } else {
                 // From the end, which so always has one.
-                let all = self.line.kind == Kind::Points;
+                let all = matches!(self.line.kind, Kind::Points | Kind::Failures);
                 for &point in run.iter().rev() {
                     if all || markers.last().is_none_or(|&last| far(last, point) >= MARKERS) {
                         markers.push(point);

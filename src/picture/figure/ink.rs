@@ -54,7 +54,7 @@ impl<'a> Inks<'a> {
         for line in lines {
             let labels = match line.kind {
                 Kind::Reference => &mut inks.references,
-                Kind::Measured | Kind::Points | Kind::Steps => &mut inks.others,
+                _ => &mut inks.others,
             };
             if !labels.contains(&line.label.as_str()) {
                 labels.push(&line.label);
@@ -78,7 +78,11 @@ impl<'a> Inks<'a> {
         Ink {
             stroke: Stroke {
                 color: OKABE_ITO[turn % OKABE_ITO.len()],
-                width: 2.2,
+                width: match line.kind {
+                    Kind::Bold => 4.4,
+                    Kind::Spread => 1.0,
+                    _ => 2.2,
+                },
                 dashes: DASHES[turn % DASHES.len()],
             },
             marker: Some(MARKERS[turn % MARKERS.len()]),
@@ -119,6 +123,19 @@ impl Ink {
                 cross.line((x + 3.8, y - 3.8));
                 svg.stroke(&cross, Stroke::new(color, 2.2));
             }
+        }
+    }
+}
+
+impl Ink {
+    /// The mark of a failure at a point.
+    pub(super) fn fail(&self, svg: &mut Svg, (x, y): Point) {
+        let color = self.stroke.color;
+        svg.disc((x, y), 5.4, color);
+        svg.disc((x, y), 4.0, WHITE);
+        for slope in [-3.8, 3.8] {
+            let cross = Path::through([(x - 3.8, y - slope), (x + 3.8, y + slope)]);
+            svg.stroke(&cross, Stroke::new(color, 1.4));
         }
     }
 }

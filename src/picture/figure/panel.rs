@@ -38,13 +38,28 @@ pub struct Line {
 
 /// How the points of a line are joined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Kind {
     /// Straight, with markers at the points; where points are dense, at some of them.
     Measured,
     /// Not at all: a marker at every point, and nothing is said of what lies between.
     Points,
+    /// As [`Kind::Measured`], in a wider stroke and above all others.
+    Bold,
+    /// A thin bar from each point to the next, up to a gap: the spread of the line that has the same label, without a name of
+    /// its own.
+    Spread,
+    /// A crossed ring at each point: where the line that has the same label has no value, without a name of its own.
+    Failures,
     /// Straight, dashed and grey, without markers.
     Reference,
     /// A value holds until the next point; a few markers tell the lines apart.
     Steps,
+}
+
+impl Line {
+    /// Whether it is named beside the frame.
+    pub(super) fn is_named(&self) -> bool {
+        !matches!(self.kind, Kind::Spread | Kind::Failures)
+    }
 }

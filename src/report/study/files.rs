@@ -27,7 +27,7 @@ impl StudyFiles {
             ("stability.csv".into(), table(rungs)),
             ("README.md".into(), readme("Digits lost towards the limits", command, STABILITY)),
         ];
-        files.extend(drawn(("digits-lost", stability_figure::figure(rungs))));
+        files.extend(drawn(("digits-left", stability_figure::figure(rungs))));
         Self(files)
     }
 }
@@ -57,6 +57,7 @@ const ACCURACY: &str = "\
 | `precision_bits` | the precision that the method was given |
 | `threads` | threads used |
 | `cpu_seconds`, `wall_seconds` | median of warm repeats |
+| `cpu_lower_seconds`, `cpu_upper_seconds` | quartiles of the CPU times of the repeats |
 | `first_seconds` | CPU time of the first call |
 | `error_absolute_log10`, `error_relative_log10` | decimal logarithm of the distance to a certified value, worst unknown |
 | `error_units` | the same in units of the last place |

@@ -1,16 +1,26 @@
 //! The studies for a person at a terminal.
 
 use crate::study::limits::LIMITS;
-use crate::study::row::Row;
+use crate::study::row::{Row, quartiles};
 use crate::study::stability::Rung;
 use std::io;
 
-/// One line for each method at each precision: the worst over the cases of a quantity.
+/// One line for each method at each precision: the quartiles of the times and the worst of the rest over the cases of a
+/// quantity.
 pub(crate) fn accuracy_table(rows: &[Row], out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(
         out,
-        "{:<13} {:<30} {:>6} {:>6} {:>11} {:>10} {:>8} {:>9}",
-        "quantity", "method", "bits", "cases", "CPU time", "rel. error", "lost", "verdicts"
+        "{:<13} {:<34} {:>6} {:>6} {:>9} {:>9} {:>9} {:>10} {:>8} {:>9}",
+        "quantity",
+        "method",
+        "bits",
+        "cases",
+        "CPU time",
+        "25 %",
+        "75 %",
+        "rel. error",
+        "lost",
+        "verdicts"
     )?;
     let mut seen: Vec<(&str, &str, Option<u32>)> = Vec::new();
     for row in rows {
@@ -25,8 +35,8 @@ pub(crate) fn accuracy_table(rows: &[Row], out: &mut dyn io::Write) -> io::Resul
             row.quantity == quantity && row.method == method && row.precision_bits == bits
         };
         let group: Vec<&Row> = rows.iter().filter(same).collect();
-        let mut times: Vec<f64> = group.iter().map(|row| row.cpu_seconds).collect();
-        times.sort_by(f64::total_cmp);
+        let times = group.iter().map(|row| row.cpu_seconds).collect();
+        let [lower, median, upper] = quartiles(times).unwrap_or_default().map(duration);
         let worst = |f: fn(&Row) -> Option<f64>| {
             group.iter().filter_map(|row| f(row)).fold(f64::NEG_INFINITY, f64::max)
         };
@@ -42,10 +52,9 @@ pub(crate) fn accuracy_table(rows: &[Row], out: &mut dyn io::Write) -> io::Resul
         }
         writeln!(
             out,
-            "{quantity:<13} {method:<30} {:>6} {:>6} {:>11} {:>10} {:>8} {verdict:>9}",
+            "{quantity:<13} {method:<34} {:>6} {:>6} {median:>9} {lower:>9} {upper:>9} {:>10} {:>8} {verdict:>9}",
             bits.map_or(String::new(), |bits| bits.to_string()),
             group.len(),
-            duration(times[times.len() / 2]),
             power(worst(|row| row.error_relative_log10)),
             digits(worst(|row| row.digits_lost)),
         )?;

@@ -1,7 +1,7 @@
 //! `couplet study`.
 
 use super::{printed, stdout};
-use crate::program::{Scratch, couplet, text};
+use crate::program::{Scratch, couplet, said, text};
 use std::path::Path;
 
 #[test]
@@ -16,8 +16,8 @@ fn a_study_writes_its_numbers_and_figures() {
     let rows = read("stability.csv");
     assert_eq!(rows.matches(",proved").count(), 5, "{rows}");
     assert!(read("README.md").contains("study stability --quick --only eta-to-two"));
-    assert!(read("digits-lost.svg").starts_with("<svg"));
-    let pixels = Path::new(&folder).join("digits-lost.png");
+    assert!(read("digits-left.svg").starts_with("<svg"));
+    let pixels = Path::new(&folder).join("digits-left.png");
     assert_eq!(pixels.exists(), cfg!(feature = "plots"));
     let said = text(&output.stderr);
     assert_eq!(said.is_empty(), cfg!(feature = "plots"), "{said}");
@@ -25,6 +25,37 @@ fn a_study_writes_its_numbers_and_figures() {
         assert!(said.lines().count() == 1 && said.contains("SVG only"), "{said}");
     }
     let table = printed(&["study", "accuracy", "--quick", "--only", "half-opening"]);
-    assert!(table.contains("half-opening  certified balls"), "{table}");
+    assert!(table.contains("half-opening  one proved root, balls of MPFR"), "{table}");
     assert!(!table.contains("fail"), "{table}");
+}
+
+/// The proofs that the product asks first are in the study, and what the command does.
+#[test]
+fn states_are_measured_as_the_command_proves_them() {
+    let scratch = Scratch::new();
+    let folder = scratch.path("acc");
+    let table = printed(&["study", "accuracy", "--quick", "--only", "state", "-o", &folder]);
+    for method in [
+        "one proved root, balls of MPFR",
+        "one proved root, astro-float",
+        "certified, balls of doubles",
+        "certified, balls of double-doubles",
+        "certified, balls of MPFR",
+        "what couplet state does",
+    ] {
+        assert!(table.contains(method), "{method}: {table}");
+    }
+    assert!(table.contains("A claimed bound was at least the true error in"), "{table}");
+    let svg = scratch.read("acc/error-against-time.svg");
+    assert!(svg.contains("what couplet state does") && svg.contains("quartiles"));
+}
+
+#[test]
+fn a_name_of_a_file_makes_no_folder() {
+    let scratch = Scratch::new();
+    let file = scratch.path("acc.svg");
+    let (code, output, message) = said(&couplet(&["study", "stability", "--quick", "-o", &file]));
+    assert_eq!((code, output.as_str()), (Some(2), ""));
+    assert!(message.contains("looks like a file") && message.lines().count() == 1, "{message}");
+    assert!(!Path::new(&file).exists());
 }

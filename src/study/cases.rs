@@ -1,0 +1,145 @@
+//! What is measured: problems of every kind, with the numbers from which every method starts.
+
+use super::Task;
+use super::closed::{Branch, Form, trigonometric};
+use crate::arch::{SelfWeight, cubic};
+use crate::certify::state::{Certify, Outcome};
+use crate::number::{Angle, ExactNumber};
+use crate::problem::{Arch, Friction, Landmark, Mode};
+use crate::solve::start;
+use rug::Rational;
+
+/// A problem with its names and the numbers from which every method starts.
+#[non_exhaustive]
+pub struct Case {
+    /// The kind of quantity.
+    pub quantity: &'static str,
+    /// Which of them.
+    pub name: String,
+    /// What is computed.
+    pub problem: Task,
+    /// Start values, good to three digits or so.
+    pub start: Vec<f64>,
+    /// The closed form, where there is one: which, on which branch, at which joint.
+    pub(super) closed: Option<(Form, Branch, Rational)>,
+}
+
+/// The kinds of quantity, in order.
+pub const QUANTITIES: [&str; 7] =
+    ["eta-cubic", "A-cubic", "h-cubic", "radicand", "half-opening", "landmark", "state"];
+
+/// All cases.
+pub fn cases() -> Vec<Case> {
+    let mut cases = Vec::new();
+    let weight = SelfWeight::Milankovitch;
+    // The last is next to that of sb, 1.11986…, where the two branches meet.
+    let joints = [(1, 10), (1, 2), (1, 1), (1119, 1000)].map(Rational::from);
+    for joint in &joints {
+        let at = Angle::new(joint.to_f64());
+        for (branch, side) in [(Branch::Upper, "thin"), (Branch::Lower, "thick")] {
+            let kinds = [
+                ("eta-cubic", Form::Thickness),
+                ("A-cubic", Form::OpeningVariable),
+                ("h-cubic", Form::Thrust),
+            ];
+            for (quantity, form) in kinds {
+                let joint = joint.clone();
+                let problem = match form {
+                    Form::Thickness => Task::Thickness { weight, joint: joint.clone() },
+                    Form::OpeningVariable => Task::OpeningVariable { weight, joint: joint.clone() },
+                    Form::Thrust => Task::Thrust { weight, joint: joint.clone() },
+                };
+                cases.push(Case {
+                    quantity,
+                    name: format!("beta = {joint}, {side}"),
+                    problem,
+                    start: vec![trigonometric(form, branch, &at)],
+                    closed: Some((form, branch, joint)),
+                });
+            }
+        }
+        cases.push(Case {
+            quantity: "radicand",
+            name: format!("beta = {joint}"),
+            start: vec![cubic::radicand(&cubic::abbreviations(&at), &1.0)],
+            problem: Task::Radicand { weight, joint: joint.clone() },
+            closed: None,
+        });
+    }
+    for (a, alpha) in
+        [((19, 10), 0.77), ((1, 1), 2.33), ((7, 10), 2.618), ((19_999, 10_000), 0.02449)]
+    {
+        let a = Rational::from(a);
+        cases.push(Case {
+            quantity: "half-opening",
+            name: format!("A = {a}"),
+            problem: Task::HalfOpening { a },
+            start: vec![alpha],
+            closed: None,
+        });
+    }
+    for landmark in Landmark::ALL {
+        for weight in SelfWeight::ALL {
+            cases.push(Case {
+                quantity: "landmark",
+                name: format!("{} {}", landmark.symbol(), weight.name()),
+                problem: Task::Landmark { weight, landmark },
+                start: start::landmark(landmark, weight).to_vec(),
+                closed: None,
+            });
+        }
+    }
+    cases.extend(states());
+    cases
+}
+
+/// A state of every mode that has a thickness and a finite friction, and pure rotation.
+fn states() -> Vec<Case> {
+    let weight = SelfWeight::Milankovitch;
+    let queries = [
+        (Mode::Rotational, (11, 7), (1, 2)),
+        (Mode::SlidingRotational, (11, 7), (19, 50)),
+        (Mode::RotationalSliding, (49, 20), (27, 20)),
+        (Mode::RotationalSlidingRotational, (1277, 500), (2, 1)),
+        (Mode::OverturningSliding, (13, 5), (2, 1)),
+    ];
+    let cases = queries.into_iter().filter_map(|(mode, alpha, mu)| {
+        let (half_opening, friction) = (Rational::from(alpha), Rational::from(mu));
+        let arch = arch(weight, &half_opening, &friction)?;
+        let Ok(Outcome::Stands(state)) = arch.state(128) else { return None };
+        // Nobody starts at the solution.
+        let start = |&unknown| Some(state.value(unknown)?.mid().to_f64() * 1.001);
+        let start: Option<_> = mode.system(weight).unknowns.iter().map(start).collect();
+        (state.mode == mode).then_some(Case {
+            quantity: "state",
+            name: format!("{} alpha = {half_opening}, mu = {friction}", mode.label()),
+            start: start?,
+            problem: Task::State { weight, mode, half_opening, friction },
+            closed: None,
+        })
+    });
+    cases.collect()
+}
+
+pub(super) fn arch(
+    weight: SelfWeight,
+    half_opening: &Rational,
+    friction: &Rational,
+) -> Option<Arch> {
+    let friction = Friction::Coefficient(ExactNumber::from(friction));
+    Arch::new(weight, ExactNumber::from(half_opening), friction).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_kind_of_quantity_is_there() {
+        let cases = cases();
+        for quantity in QUANTITIES {
+            assert!(cases.iter().any(|case| case.quantity == quantity), "{quantity}");
+        }
+        assert_eq!(cases.iter().filter(|case| case.quantity == "state").count(), 5);
+    }
+}
