@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """couplet beside what else one would use for the triple point; see README.md in this folder.
 
-    run.py            50 to 1,000,000 digits, writes RESULTS.md (about 40 minutes)
-    run.py --quick    up to 1,000 digits, writes to standard output
+    run.py            50 to 1,000,000 digits (about 40 minutes)
+    run.py --quick    up to 1,000 digits
+
+Writes tables, with machine and commit, to standard output.
 
 Installs what is missing: wheels from PyPI into target/peers, and, as root, the Debian package pari-gp.
 """
@@ -102,12 +104,7 @@ def main():
                 if numbers:
                     values[program, method, digits] = numbers
     compared = agree(values)
-    text = report(cells, sizes, compared, missing, load, arguments.quick)
-    if arguments.quick:
-        print(text)
-    else:
-        (HERE / "RESULTS.md").write_text(text)
-        print("written: benches/peers/RESULTS.md", file=sys.stderr)
+    print(report(cells, sizes, compared, missing, load, arguments.quick))
 
 
 def install():
@@ -249,7 +246,7 @@ def report(cells, sizes, compared, missing, load, quick):
 {versions(missing)}
 
 Machine: {processor()}, {os.cpu_count()} cores, load average {load:.1f} at the start; commit {commit()}; {date};
-command `{command}`. What is compared, and what is fair in it: [README.md](README.md).
+command `{command}`. What is compared, and what is fair in it: benches/peers/README.md.
 
 CPU time on one thread, median of {ROUNDS} rounds (one where it exceeds {ONCE:.0f} s). In brackets the ratio to
 the first row: **below 1 is faster than couplet**. All {compared} sets of six unknowns agree with couplet's in
