@@ -80,19 +80,17 @@ pub fn measure(case: &Case, effort: &Effort) -> Vec<Row> {
     let mut rows = Vec::new();
     let most = effort.bits.iter().max().copied().unwrap_or(64);
     let Some(truth) = enclose::<Ball>(&case.problem, &case.start, most + REFERENCE) else {
-        return vec![Row { verdict: "no reference".into(), ..case.row("reference", None) }];
+        return vec![Row { verdict: "no reference".into(), ..named(case, "reference", None) }];
     };
-    let errors = |values: &[Float]| -> Vec<Errors> {
-        values.iter().zip(&truth).map(|(x, t)| error(x, t)).collect()
-    };
+    let study = Study { case, effort, truth: &truth };
     let mut computed =
         |method: &str, bits: u32, steps: Option<usize>, timed: Timed<Option<Vec<Float>>>| {
             let evaluations = steps.map(|steps| steps * truth.len());
-            let row = Row { newton_steps: steps, evaluations, ..case.row(method, Some(bits)) };
+            let row = Row { newton_steps: steps, evaluations, ..study.row(method, Some(bits)) };
             let row = row.with_times(&timed);
             rows.push(match &timed.value {
                 Some(values) => Row { verdict: "computed".into(), working_bits: Some(bits), ..row }
-                    .with_errors(&errors(values), bits),
+                    .with_errors(&study.errors(values), bits),
                 None => Row { verdict: "no value".into(), ..row },
             });
         };
@@ -132,62 +130,79 @@ pub fn measure(case: &Case, effort: &Effort) -> Vec<Row> {
         computed("Newton, MPFR", bits, steps, by_newton);
     }
     for &joints in JOINTS {
-        if let Some(row) = case.static_programme(joints, effort, &truth) {
+        if let Some(row) = study.static_programme(joints) {
             rows.push(row);
         }
     }
     for &bits in effort.bits {
         let method = "one proved root, balls of MPFR";
-        rows.push(case.proved(method, bits, case.root(bits, effort), &errors));
+        rows.push(study.proved(method, bits, study.root(bits)));
         if bits <= effort.astro_bits {
-            let found = case.root::<AstroInterval>(bits, effort);
+            let found = study.root::<AstroInterval>(bits);
             let hulls = |all: Vec<AstroInterval>| all.iter().map(|x| hull(x, bits + 64)).collect();
             let found = found.map(|root| root.and_then(hulls));
-            rows.push(case.proved("one proved root, astro-float", bits, found, &errors));
+            rows.push(study.proved("one proved root, astro-float", bits, found));
         }
         if matches!(case.problem, Task::Landmark { .. } | Task::State { .. }) {
-            rows.push(case.proofs(bits, effort, &errors));
+            rows.push(study.proofs(bits));
         }
     }
-    rows.extend(case.quick_proofs(effort, &errors));
+    rows.extend(study.quick_proofs());
     rows
 }
 
-impl Case {
+/// The row of a method on a case.
+fn named(case: &Case, method: &str, bits: Option<u32>) -> Row {
+    Row {
+        quantity: case.quantity.into(),
+        case: case.name.clone(),
+        method: method.into(),
+        precision_bits: bits,
+        threads: 1,
+        ..Row::default()
+    }
+}
+
+/// A case with what is measured against.
+struct Study<'a> {
+    case: &'a Case,
+    effort: &'a Effort,
+    /// The unknowns, enclosed at a higher precision.
+    truth: &'a [Ball],
+}
+
+impl Study<'_> {
     fn row(&self, method: &str, bits: Option<u32>) -> Row {
-        Row {
-            quantity: self.quantity.into(),
-            case: self.name.clone(),
-            method: method.into(),
-            precision_bits: bits,
-            threads: 1,
-            ..Row::default()
-        }
+        named(self.case, method, bits)
+    }
+
+    fn errors(&self, values: &[Float]) -> Vec<Errors> {
+        values.iter().zip(self.truth).map(|(x, t)| error(x, t)).collect()
     }
 
     /// The discrete static programme, for the thickness of a state: its error is that of the joints.
-    fn static_programme(&self, joints: usize, effort: &Effort, truth: &[Ball]) -> Option<Row> {
-        let Task::State { weight, mode, half_opening, friction } = &self.problem else {
+    fn static_programme(&self, joints: usize) -> Option<Row> {
+        let Task::State { weight, mode, half_opening, friction } = &self.case.problem else {
             return None;
         };
         let index = mode.system(*weight).index(Unknown::Thickness)?;
         let (alpha, mu) = (half_opening.to_f64(), friction.to_f64());
-        let timed = timed(effort.budget, || least_thickness(*weight, alpha, mu, joints));
+        let timed = timed(self.effort.budget, || least_thickness(*weight, alpha, mu, joints));
         let value = Float::with_val(53, timed.value);
         let row = self.row(&format!("static programme, {joints} joints"), Some(53));
-        let row = row.with_times(&timed).with_errors(&[error(&value, &truth[index])], 53);
+        let row = row.with_times(&timed).with_errors(&[error(&value, &self.truth[index])], 53);
         Some(Row { verdict: "computed".into(), working_bits: Some(53), ..row })
     }
 
     /// One root, from the start to proved digits: the centre by Newton's method in MPFR, its box in the arithmetic of a
     /// method.
-    fn root<E: Engine>(&self, bits: u32, effort: &Effort) -> Timed<Option<Vec<E>>> {
-        timed(effort.budget, || enclose(&self.problem, &self.start, bits))
+    fn root<E: Engine>(&self, bits: u32) -> Timed<Option<Vec<E>>> {
+        timed(self.effort.budget, || enclose(&self.case.problem, &self.case.start, bits))
     }
 
     /// What the product proves: a landmark, isolated and refined, or a state with everything that belongs to it.
     fn certified(&self, bits: u32) -> Option<Vec<Ball>> {
-        match &self.problem {
+        match &self.case.problem {
             Task::Landmark { weight, landmark } => {
                 let point = CertifiedLandmark::new(*landmark, *weight).ok()?;
                 let refined = point.enclosure(bits).ok()?;
@@ -204,7 +219,8 @@ impl Case {
 
     /// The unknowns of a state that stands.
     fn enclosures<E: Enclosure>(&self, outcome: &Outcome<E>) -> Option<Vec<E>> {
-        let (Task::State { weight, mode, .. }, Outcome::Stands(state)) = (&self.problem, outcome)
+        let (Task::State { weight, mode, .. }, Outcome::Stands(state)) =
+            (&self.case.problem, outcome)
         else {
             return None;
         };
@@ -213,44 +229,46 @@ impl Case {
     }
 
     /// The proofs of the product, at one precision.
-    fn proofs(&self, bits: u32, effort: &Effort, errors: &dyn Fn(&[Float]) -> Vec<Errors>) -> Row {
-        let timed = timed(effort.budget, || self.certified(bits));
+    fn proofs(&self, bits: u32) -> Row {
+        let timed = timed(self.effort.budget, || self.certified(bits));
         let (_, tally) = tally::measure(|| self.certified(bits));
         let counted = |count: u64| (count > 0).then_some(count as usize);
         Row {
             evaluations: counted(tally.evaluations()),
             newton_steps: counted(tally.newton_steps),
-            ..self.proved("certified, balls of MPFR", bits, timed, errors)
+            ..self.proved("certified, balls of MPFR", bits, timed)
         }
     }
 
     /// The proofs of a state that the product asks first, and what the command does.
-    fn quick_proofs(&self, effort: &Effort, errors: &dyn Fn(&[Float]) -> Vec<Errors>) -> Vec<Row> {
-        let Task::State { weight, half_opening, friction, .. } = &self.problem else {
+    fn quick_proofs(&self) -> Vec<Row> {
+        let Task::State { weight, half_opening, friction, .. } = &self.case.problem else {
             return Vec::new();
         };
         let Some(arch) = arch(*weight, half_opening, friction) else { return Vec::new() };
-        let doubles = timed(effort.budget, || self.enclosures(&arch.state_in_doubles().ok()?));
+        let doubles = timed(self.effort.budget, || self.enclosures(&arch.state_in_doubles().ok()?));
         let doubles = doubles.map(|found| found.map(|all| all.iter().map(double_ball).collect()));
-        let pairs = timed(effort.budget, || self.enclosures(&state_in_double_doubles(&arch).ok()?));
+        let pairs =
+            timed(self.effort.budget, || self.enclosures(&state_in_double_doubles(&arch).ok()?));
         let pairs =
             pairs.map(|found| found.map(|all| all.iter().map(|x| x.to_ball(170)).collect()));
         let mut rows = vec![
-            self.proved("certified, balls of doubles", 53, doubles, errors),
-            self.proved("certified, balls of double-doubles", 106, pairs, errors),
+            self.proved("certified, balls of doubles", 53, doubles),
+            self.proved("certified, balls of double-doubles", 106, pairs),
         ];
-        for &bits in effort.bits {
+        for &bits in self.effort.bits {
             let digits = (f64::from(bits) * LOG10_2) as usize - 2;
-            let command = timed(effort.budget, || arch.certify_alone(digits).ok());
+            let command = timed(self.effort.budget, || arch.certify_alone(digits).ok());
             let command = command.map(|answer| self.rounded(&answer?, bits));
-            rows.push(self.proved(COMMAND, bits, command, errors));
+            rows.push(self.proved(COMMAND, bits, command));
         }
         rows
     }
 
     /// The unknowns of a state as balls around their correctly rounded digits.
     fn rounded(&self, answer: &Answer, bits: u32) -> Option<Vec<Ball>> {
-        let (Task::State { weight, mode, .. }, Answer::Stands(state)) = (&self.problem, answer)
+        let (Task::State { weight, mode, .. }, Answer::Stands(state)) =
+            (&self.case.problem, answer)
         else {
             return None;
         };
@@ -271,13 +289,7 @@ impl Case {
     }
 
     /// The row of a method that proves balls, or nothing.
-    fn proved(
-        &self,
-        method: &str,
-        bits: u32,
-        timed: Timed<Option<Vec<Ball>>>,
-        errors: &dyn Fn(&[Float]) -> Vec<Errors>,
-    ) -> Row {
+    fn proved(&self, method: &str, bits: u32, timed: Timed<Option<Vec<Ball>>>) -> Row {
         let row = self.row(method, Some(bits)).with_times(&timed);
         let Some(balls) = &timed.value else {
             return Row { verdict: "undecided".into(), ..row };
@@ -291,7 +303,7 @@ impl Case {
             working_bits: values.iter().map(|x| x.prec()).max(),
             ..row
         }
-        .with_errors(&errors(&values), bits)
+        .with_errors(&self.errors(&values), bits)
     }
 }
 
