@@ -233,14 +233,10 @@ fn four_mechanisms_at_t(d: &mut Derivation) -> Result<Finding, Undecided> {
     for weight in SelfWeight::ALL {
         let at = enclosed(Landmark::Triple, weight)?.1;
         let turned = Configuration { thickness: at.thickness.int(-2), ..at.clone() };
-        let rates: [(&str, fn(&Configuration<Ball>) -> Ball); 2] = [
-            ("a", |at| contact::rates_of_shoulder_sliding(at).sliding),
-            ("c", |at| contact::rates_of_rotation(at).shoulder),
-        ];
-        for (name, rate) in rates {
-            let words = format!("{name} > 0 at T, {}", weight.name());
-            d.above_zero(words, [&rate(&at), &rate(&turned)])?;
-        }
+        let a = |at: &Configuration<Ball>| contact::rates_of_shoulder_sliding(at).sliding;
+        let c = |at: &Configuration<Ball>| contact::rates_of_rotation(at).shoulder;
+        d.above_zero(format!("a > 0 at T, {}", weight.name()), [&a(&at), &a(&turned)])?;
+        d.above_zero(format!("c > 0 at T, {}", weight.name()), [&c(&at), &c(&turned)])?;
     }
     d.conclude(
         "All rates are positive, and five rates with two balances leave three free: three of the four span all \
