@@ -121,7 +121,7 @@ fn error_against_time(rows: &[Row]) -> Figure {
     }
 }
 
-/// Dolan and Moré's performance profile: the part of all cases that a method solves to twelve digits in at
+/// Dolan and Moré's performance profile: the part of the cases of a method that it solves to twelve digits in at
 /// most so many times the time of the fastest method.
 fn profile(rows: &[Row]) -> Figure {
     let rows: &[Row] = &rows.iter().filter(|r| r.quantity != SINES).cloned().collect::<Vec<_>>();
@@ -146,15 +146,15 @@ fn profile(rows: &[Row]) -> Figure {
     let profiles: Vec<(&str, Vec<f64>)> = profiles.collect();
     let slowest = profiles.iter().flat_map(|(_, ratios)| ratios).fold(1.0, |a: f64, b| a.max(*b));
     let lines = profiles.iter().map(|(method, ratios)| {
-        let part = |n: usize| (n + 1) as f64 / cases.len() as f64;
-        let points = ratios.iter().enumerate().map(|(n, ratio)| (*ratio, part(n)));
-        // More time solves no more: what was reached holds to the end.
-        let end = ratios.len().checked_sub(1).map(|last| (slowest, part(last)));
-        let points = points.chain(end).collect();
         // A closed form has not failed where there is none.
         let of_method: Vec<Row> =
             rows.iter().filter(|row| family(row) == *method).cloned().collect();
         let measured = distinct(&of_method, |row| (&row.quantity, &row.case)).len();
+        let part = |n: usize| (n + 1) as f64 / measured as f64;
+        let points = ratios.iter().enumerate().map(|(n, ratio)| (*ratio, part(n)));
+        // More time solves no more: what was reached holds to the end.
+        let end = ratios.len().checked_sub(1).map(|last| (slowest, part(last)));
+        let points = points.chain(end).collect();
         let label = match measured == cases.len() {
             true => (*method).to_owned(),
             false => format!("{method} (of {measured} cases)"),
@@ -164,10 +164,7 @@ fn profile(rows: &[Row]) -> Figure {
     let panel = Panel {
         title: String::new(),
         x: Axis { label: "CPU time over that of the fastest method".into(), scale: Scale::Log10 },
-        y: Axis {
-            label: format!("part of all {} cases with 12 digits", cases.len()),
-            scale: Scale::Linear,
-        },
+        y: Axis { label: "part of its cases with 12 digits".into(), scale: Scale::Linear },
         lines: lines.collect(),
     };
     Figure { title: "Performance profile".into(), panels: vec![panel], columns: 1 }
