@@ -47,4 +47,4 @@ pub mod whole;
 
 pub use quotient::Quotient;
 pub use variables::{Configuration, Unknown};
-pub use weight::{PerWeight, Ring, SelfWeight};
+pub use weight::{NoWeight, PerWeight, Ring, SelfWeight};

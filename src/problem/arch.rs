@@ -10,7 +10,7 @@ use std::fmt;
 use std::str::FromStr;
 
 /// The friction of the joints.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Friction {
     /// `mu`.
     Coefficient(ExactNumber),
@@ -27,8 +27,9 @@ pub enum Friction {
 /// let arch = Arch::parse("milankovitch", "80deg", "0.6").unwrap();
 /// assert_eq!(arch.to_string(), "milankovitch, half opening 80deg, friction 0.6");
 /// assert!(Arch::parse("milankovitch", "180deg", "0.6").is_err(), "not below pi");
+/// assert!(std::collections::HashSet::from([arch.clone()]).contains(&arch));
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Arch {
     weight: SelfWeight,
     half_opening: ExactNumber,

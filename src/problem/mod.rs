@@ -66,7 +66,7 @@ pub use examined_small::{
 };
 #[cfg(feature = "check")]
 pub use known::Known;
-pub use landmark::Landmark;
+pub use landmark::{Landmark, NoLandmark};
 #[cfg(feature = "check")]
 pub use line::{Line, NoLine, Sought};
 pub use mode::Mode;
