@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 /// The decimal number `sign digits * 10^exponent`, with `digits` an integer.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub struct Decimal {
     negative: bool,
     /// Decimal digits without leading zeros; empty for zero.
@@ -25,6 +25,13 @@ pub enum ParseDecimalError {
 }
 
 const MAX_EXPONENT: i64 = 1_000_000;
+
+impl fmt::Debug for Decimal {
+    /// The number as it is written.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
 
 impl Decimal {
     /// The decimal of a sign, digits and the power of ten of the last digit.

@@ -6,9 +6,10 @@ use rug::float::Round;
 use rug::ops::{Pow, PowAssignRound};
 use rug::{Float, Integer, Rational};
 use std::cmp::Ordering;
+use std::fmt;
 
 /// A real number known to lie between two decimals, with its correctly rounded value.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub struct Rounded {
     /// The true value rounded to nearest.
     pub value: Decimal,
@@ -26,10 +27,18 @@ pub fn bits_of(digits: usize) -> u32 {
     (digits as f64 * std::f64::consts::LOG2_10).ceil() as u32
 }
 
+impl fmt::Debug for Rounded {
+    /// The value and its bounds as they are written.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { value, lower, upper } = self;
+        write!(f, "{value} in [{lower}, {upper}]")
+    }
+}
+
 impl Rounded {
     /// The true value of `ball` rounded to `digits` significant digits, if the ball is narrow
     /// enough to decide it: all its numbers must round to the same decimal and lie between the
-    /// same two neighbours. `None` asks for a narrower ball. A tie is never decided.
+    /// same two neighbours. `None` asks for a narrower ball; of no digits there is none. A tie is never decided.
     ///
     /// ```
     /// use couplet::number::{Ball, Field, Rounded};
@@ -40,7 +49,7 @@ impl Rounded {
     /// assert_eq!(rounded.upper.to_string(), "0.33334");
     /// ```
     pub fn from_ball(ball: &Ball, digits: usize) -> Option<Self> {
-        if !ball.is_bounded() || !ball.excludes_zero() {
+        if digits == 0 || !ball.is_bounded() || !ball.excludes_zero() {
             return None;
         }
         let negative = ball.mid().is_sign_negative();
@@ -86,6 +95,9 @@ impl Rounded {
     /// The rational number `value`, rounded to `digits` significant digits if it does not end
     /// before.
     pub fn from_rational(value: &Rational, digits: usize) -> Option<Self> {
+        if digits == 0 {
+            return None;
+        }
         if let Some(exact) = terminating(value, digits) {
             return Some(Self::exact(exact));
         }
