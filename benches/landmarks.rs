@@ -42,7 +42,7 @@ fn angles(point: &CertifiedLandmark, bits: u32) -> Vec<Float> {
 fn enclosures(point: &CertifiedLandmark, bits: u32) {
     let refined = point.enclosure(bits).unwrap();
     for quantity in couplet::certify::quantities(Landmark::Triple) {
-        black_box(point.quantity(&refined, quantity));
+        black_box(refined.quantity(quantity));
     }
 }
 

@@ -89,7 +89,7 @@ fn states(criterion: &mut Criterion) {
     let grid = grid_of_arches();
     group.bench_function("proved, grid", |b| {
         b.iter(|| {
-            let columns = Columns::new(16, true);
+            let columns = Columns::new(16, true).unwrap();
             grid.iter().filter(|q| matches!(columns.certify(q), Ok(Answer::Stands(_)))).count()
         });
     });

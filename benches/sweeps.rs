@@ -11,8 +11,8 @@
 //! `doubles` is the loop that `couplet.states` of Python compares with: 100,000 arches of doubles, one thread, each proved on
 //! its own, and all of them as rows.
 
+use couplet::Error;
 use couplet::arch::SelfWeight;
-use couplet::certify::Undecided;
 use couplet::certify::state::{Answer, Certify, Column, Doubles, Figure, Row};
 use couplet::cli::sweep::Sweep;
 use couplet::number::ExactNumber;
@@ -40,7 +40,7 @@ const ROUNDS: usize = 7;
 /// What is kept of an arch.
 type Kept = (u8, Option<Mode>, f64);
 
-fn kept(answer: Result<&Answer, &Undecided>) -> Kept {
+fn kept(answer: Result<&Answer, &Error>) -> Kept {
     match answer {
         Ok(Answer::Stands(state)) => {
             let Figure { double, .. } = state.thickness;
@@ -60,7 +60,7 @@ fn grid(half_openings: &[String], frictions: &[String]) -> Vec<Kept> {
     let column = |text: &String| {
         let half_opening: ExactNumber = text.parse().unwrap();
         let column = Column::new(SelfWeight::Milankovitch, half_opening, DIGITS).unwrap();
-        let answer = |mu: &Friction| kept(column.certify_alone(mu.clone()).unwrap().as_deref());
+        let answer = |mu: &Friction| kept(column.certify_alone(mu.clone()).as_deref());
         frictions.iter().map(answer).collect::<Vec<Kept>>()
     };
     half_openings.par_iter().flat_map_iter(column).collect()
@@ -167,7 +167,7 @@ fn doubles() -> [f64; 2] {
     let turn = |_: usize| {
         let (looped, kept) =
             timed(&pool, || alphas.iter().zip(&mus).map(arch).collect::<Vec<Kept>>());
-        let (together, found) = timed(&pool, || rows.rows(&alphas, &mus, None));
+        let (together, found) = timed(&pool, || rows.rows(&alphas, &mus, None).unwrap());
         let same = |(kept, row): (&Kept, &Row)| kept.0 == row.verdict as u8;
         assert!(kept.iter().zip(&found).all(same), "the same arches");
         [looped, together]

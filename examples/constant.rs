@@ -1,15 +1,12 @@
 //! A landmark constant to any number of digits: `cargo run --example constant -- 100`.
 
 use couplet::arch::SelfWeight;
-use couplet::certify::{CertifiedLandmark, MAX_DIGITS, Value};
+use couplet::certify::{CertifiedLandmark, Value};
 use couplet::problem::{Landmark, Quantity};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let digits = std::env::args().nth(1).map_or(Ok(50), |text| text.parse())?;
-    if !(1..=MAX_DIGITS).contains(&digits) {
-        return Err(format!("digits are a whole number from 1 to {MAX_DIGITS}").into());
-    }
     // Found, isolated and proved; without a proof there is no value of this type.
     let triple = CertifiedLandmark::new(Landmark::Triple, SelfWeight::Milankovitch)?;
     let constants = triple.constants(digits)?;

@@ -63,6 +63,9 @@ pub struct Readme;
 #[cfg(feature = "mpfr")]
 pub use rug;
 
+#[cfg(feature = "mpfr")]
+pub use certify::{Error, Refused, Undecided};
+
 /// What most programs need: `use couplet::prelude::*`.
 ///
 /// ```
@@ -76,7 +79,7 @@ pub use rug;
 pub mod prelude {
     pub use crate::arch::SelfWeight;
     pub use crate::certify::state::{Answer, Certify};
-    pub use crate::certify::{CertifiedLandmark, Undecided};
+    pub use crate::certify::{CertifiedLandmark, Error, Refused, Undecided};
     pub use crate::number::ExactNumber;
     pub use crate::problem::{Arch, Friction, Landmark, Mode, Quantity};
 }

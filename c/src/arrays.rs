@@ -81,7 +81,7 @@ pub unsafe extern "C" fn couplet_states(
             let open = match threads {
                 1 => work(),
                 threads => on_threads(threads, work)?,
-            };
+            }?;
             Ok(Answer::rows(open.said(&asked, &given)))
         })
     }
@@ -111,16 +111,16 @@ struct Open {
 }
 
 impl Written<'_> {
-    fn answer(&mut self, asked: &Doubles, given: &Given) -> Open {
+    fn answer(&mut self, asked: &Doubles, given: &Given) -> Result<Open, Failure> {
         let mut open = Open::default();
         let count = given.alphas.len();
         for start in (0..count).step_by(ROWS) {
             let rows = start..count.min(start + ROWS);
             let etas = given.etas.map(|etas| &etas[rows.clone()]);
             let found = asked.rows(&given.alphas[rows.clone()], &given.mus[rows.clone()], etas);
-            self.write(rows, &found, &mut open);
+            self.write(rows, &found.map_err(wrong)?, &mut open);
         }
-        open
+        Ok(open)
     }
 
     fn write(&mut self, rows: Range<usize>, found: &[Row], open: &mut Open) {

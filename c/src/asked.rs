@@ -4,10 +4,11 @@
 use crate::answer::Answer;
 use crate::border::{Array, Failure, answered, optional, text};
 use crate::threads::{checked, on_threads};
+use couplet::Error;
 use couplet::arch::SelfWeight;
 use couplet::certify::state::Certify;
 use couplet::certify::state::find as seek;
-use couplet::certify::{self, CertifiedLandmark, Undecided, quantities};
+use couplet::certify::{self, CertifiedLandmark, quantities};
 use couplet::check::{Certificate, Refusal};
 use couplet::cli::{Engine, parse};
 use couplet::problem::{Arch, Landmark, Quantity};
@@ -141,7 +142,10 @@ pub unsafe extern "C" fn couplet_find(
             let thickness = optional(thickness, "thickness")?;
             let question = parse::question(modes, given, thickness).map_err(wrong)?;
             let digits = state_digits(digits)?;
-            let found = seek::find(weight, &question, digits).map_err(wrong)?;
+            let found = seek::find(weight, &question, digits);
+            if let Err(Error::Refused(refused)) = &found {
+                return Err(wrong(refused));
+            }
             let found = report::Answer::finding(1, (weight, &question), &found);
             let quantities = Quantity::FOUND.to_vec();
             let scope = Scope::Found;
@@ -181,10 +185,11 @@ pub unsafe extern "C" fn couplet_constant(
             let found = on_threads(checked(threads)?, || {
                 let point = CertifiedLandmark::new(landmark, weight)?;
                 let constants = point.constants_of(&asked)?;
-                Ok(report::Answer::landmark((landmark, weight), Ok((&point, constants))))
+                let found = report::Answer::landmark((landmark, weight), Ok((&point, constants)));
+                Ok::<_, Error>(found)
             })?;
             let found = found
-                .unwrap_or_else(|open| report::Answer::landmark((landmark, weight), Err(&open)));
+                .unwrap_or_else(|error| report::Answer::landmark((landmark, weight), Err(&error)));
             Ok(Answer::told(Answers::constants(digits, vec![found])))
         })
     }
@@ -206,10 +211,11 @@ unsafe fn point(
 }
 
 /// The answer that holds a certificate.
-fn certified(made: Result<Certificate, Undecided>) -> Result<Answer, Failure> {
+fn certified(made: Result<Certificate, Error>) -> Result<Answer, Failure> {
     match made {
         Ok(certificate) => Answer::certificate(&certificate),
-        Err(open) => Ok(Answer::undecided(open.to_string())),
+        Err(Error::Undecided(open)) => Ok(Answer::undecided(open.to_string())),
+        Err(Error::Refused(refused)) => Err(wrong(refused)),
     }
 }
 

@@ -3,11 +3,12 @@
 
 use crate::pool::on_threads;
 use crate::{CoupletError, UndecidedError, told};
+use couplet::Error;
 use couplet::arch::SelfWeight;
 use couplet::atlas::{NoSketch, Sketch};
 use couplet::certify::state::Certify;
 use couplet::certify::state::find as seek;
-use couplet::certify::{self, CertifiedLandmark, Undecided, quantities};
+use couplet::certify::{self, CertifiedLandmark, quantities};
 use couplet::check::{Certificate, Refusal};
 use couplet::cli::{self, Engine, parse};
 use couplet::problem::{Arch, Landmark, Mode, Quantity};
@@ -66,11 +67,12 @@ pub(crate) fn constants<'py>(
     let is_wanted = |of: &Quantity| wanted.is_empty() || wanted.contains(of);
     let answer = |(landmark, weight): (Landmark, SelfWeight)| {
         let asked: Vec<_> = quantities(landmark).filter(is_wanted).map(|of| (of, digits)).collect();
-        let proved = CertifiedLandmark::new(landmark, weight).and_then(|point| {
+        let proved = || -> Result<Answer, Error> {
+            let point = CertifiedLandmark::new(landmark, weight)?;
             let constants = point.constants_of(&asked)?;
             Ok(Answer::landmark((landmark, weight), Ok((&point, constants))))
-        });
-        proved.unwrap_or_else(|undecided| Answer::landmark((landmark, weight), Err(&undecided)))
+        };
+        proved().unwrap_or_else(|error| Answer::landmark((landmark, weight), Err(&error)))
     };
     let points: Vec<_> =
         weights.iter().flat_map(|&weight| landmarks.iter().map(move |&of| (of, weight))).collect();
@@ -130,12 +132,18 @@ pub(crate) fn find<'py>(
     let question = parse::question(modes, (half_opening, friction), thickness).map_err(wrong)?;
     let digits = parse::state_digits(digits).map_err(wrong)?;
     let found = py.detach(|| on_threads(1, || seek::find(weight, &question, digits)))?;
-    told::answer(py, &Answer::finding(1, (weight, &question), &found.map_err(wrong)?))
+    if let Err(Error::Refused(refused)) = &found {
+        return Err(wrong(refused));
+    }
+    told::answer(py, &Answer::finding(1, (weight, &question), &found))
 }
 
 /// A certificate as a file has it.
-fn written(made: Result<Certificate, Undecided>) -> PyResult<String> {
-    let made = made.map_err(|undecided| UndecidedError::new_err(undecided.to_string()))?;
+fn written(made: Result<Certificate, Error>) -> PyResult<String> {
+    let made = made.map_err(|error| match error {
+        Error::Undecided(undecided) => UndecidedError::new_err(undecided.to_string()),
+        Error::Refused(refused) => wrong(refused),
+    })?;
     let mut bytes = Vec::new();
     made.write(&mut bytes)?;
     Ok(String::from_utf8(bytes)?)

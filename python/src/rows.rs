@@ -34,6 +34,7 @@ pub(crate) fn states<'py>(
     let (alphas, mus) = (doubles(&arrays.0), doubles(&arrays.1));
     let etas = arrays.2.as_deref().map(doubles);
     let rows = py.detach(|| on_threads(threads, || asked.rows(&alphas, &mus, etas.as_deref())))?;
+    let rows = rows.map_err(|refused| CoupletError::new_err(refused.to_string()))?;
     let codes =
         |code: fn(&Row) -> u8| PyBytes::new(py, &rows.iter().map(code).collect::<Vec<u8>>());
     let column = |quantity: usize, bound: usize| {

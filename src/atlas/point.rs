@@ -4,8 +4,8 @@ use super::form::{Form, Thrust};
 use super::place::Place;
 use super::trace::Trace;
 use super::variable::Variable;
-use crate::certify::Undecided;
 use crate::certify::root::{self, root_near};
+use crate::certify::{Refused, Undecided};
 use crate::number::{Ball, Enclosure, ExactNumber, Real, Rounded, Stumpff, bits_of};
 use crate::problem::Quantity;
 use rug::Float;
@@ -26,6 +26,9 @@ pub enum NoPoint {
         /// About where it ends.
         high: f64,
     },
+    /// The question makes no sense.
+    #[error(transparent)]
+    Refused(#[from] Refused),
     /// The proof fails, or a rounding stays open.
     #[error(transparent)]
     Undecided(#[from] Undecided),
@@ -52,13 +55,14 @@ const GUARD: u32 = 48;
 const ATTEMPTS: u32 = 6;
 
 /// The quantities of the point of a curve at an exact parameter, strictly between those of its ends, each correctly
-/// rounded to `digits` significant digits. What the curve fixes, as the thickness 2 of its limit, is left out, as is
+/// rounded to `digits` significant digits, up to [`MAX_DIGITS`](crate::certify::MAX_DIGITS). What the curve fixes, as the thickness 2 of its limit, is left out, as is
 /// what was given. That the point is on the curve, and not on another branch, is proved by the tube around it.
 pub fn point(
     trace: &Trace,
     parameter: &ExactNumber,
     digits: usize,
 ) -> Result<Vec<(Quantity, Rounded)>, NoPoint> {
+    Refused::digits(digits)?;
     let exactly = |bits: u32| parameter.enclosure::<Ball>(bits);
     let s = exactly(256);
     let [low, high] = trace.parameters();
@@ -86,7 +90,7 @@ pub fn point(
             return Ok(all);
         }
     }
-    Err(Undecided::new("a rounding is not decided").into())
+    Err(Undecided::rounding("a rounding is not decided").into())
 }
 
 /// The quantities that are neither given nor fixed.
@@ -151,6 +155,12 @@ mod tests {
                 assert!(few > 0.0, "{curve} {quantity:?}");
             }
         }
+    }
+
+    #[test]
+    fn no_digits_are_refused() {
+        let error = at("rotation", "1", 0).unwrap_err();
+        assert!(matches!(error, NoPoint::Refused(Refused::Digits { asked: 0, .. })), "{error}");
     }
 
     #[test]

@@ -7,13 +7,13 @@ use super::curve::Curve;
 use super::end::{End, EndValues};
 use super::variable::Variable;
 use crate::arch::SelfWeight;
-use crate::certify::{Eliminated, Undecided};
+use crate::certify::{Eliminated, Error, Refused, Undecided};
 use crate::number::{Ball, Dual, Enclosure};
 use crate::problem::{Landmark, Line};
 
-/// `d eta/d phi`, `phi` in rad, of a line in one of the two landmarks between which it runs. Undecided if it does not end there,
-/// or if it may be upright.
-pub fn tangent(line: Line, weight: SelfWeight, at: Landmark) -> Result<Ball, Undecided> {
+/// `d eta/d phi`, `phi` in rad, of a line in one of the two landmarks between which it runs. Refused if it does not end there,
+/// undecided if it may be upright.
+pub fn tangent(line: Line, weight: SelfWeight, at: Landmark) -> Result<Ball, Error> {
     let curve = Curve::Line(line);
     let failed =
         |what: &str| Undecided::new(format!("the tangent of {line} at {}: {what}", at.symbol()));
@@ -21,7 +21,7 @@ pub fn tangent(line: Line, weight: SelfWeight, at: Landmark) -> Result<Ball, Und
     let leg = match line.ends() {
         [_, Some(end)] if end == at => legs.pop(),
         [Some(end), _] if end == at => legs.into_iter().next(),
-        _ => return Err(failed("it does not end there")),
+        _ => return Err(Refused::NoEnd { line, at }.into()),
     };
     let form = leg.ok_or_else(|| failed("it has no equations"))?.form;
     let values = EndValues::of(End::Landmark(at), weight)?;
@@ -36,7 +36,7 @@ pub fn tangent(line: Line, weight: SelfWeight, at: Landmark) -> Result<Ball, Und
     let slope = |variable| form.value(variable, &one, &slopes).cloned();
     let both = slope(Variable::Thickness).zip(slope(Variable::FrictionAngle));
     let tangent = both.map(|(eta, phi)| eta / phi).filter(Enclosure::is_bounded);
-    tangent.ok_or_else(|| failed("it may be upright"))
+    Ok(tangent.ok_or_else(|| failed("it may be upright"))?)
 }
 
 #[cfg(test)]
@@ -79,6 +79,7 @@ mod tests {
     #[test]
     fn a_line_has_no_tangent_where_it_does_not_end() {
         let nowhere = tangent(Line::RotationShoulder, SelfWeight::Heyman, Landmark::Junction);
-        assert!(nowhere.unwrap_err().to_string().contains("does not end there"));
+        let refused = nowhere.unwrap_err().to_string();
+        assert_eq!(refused, "the line rrr/srr does not end at J, but at T");
     }
 }

@@ -14,11 +14,11 @@
 //!
 //! The mirror image is a solution at the same thickness. **What is found is proved; that there are no others is not.**
 
-use super::Undecided;
 use super::posed::Posed;
 use super::root::{no_candidate, root_near};
 use super::state::{Figure, raise};
 use super::voussoirs::grip;
+use super::{Refused, Undecided};
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode, Place};
 use crate::arch::mechanism::Contact;
 use crate::arch::whole::{Motion, Side};
@@ -85,15 +85,19 @@ const GUARD: u32 = 64;
 const SEARCH_BITS: u32 = 64;
 
 /// The asymmetric solutions that the search finds for an arch, each proved, to `digits` significant digits; or why one is
-/// not. With unlimited friction there are none to find.
-pub fn asymmetric(arch: &Arch, digits: usize) -> Vec<Result<AsymmetricDigits, Undecided>> {
+/// not. With unlimited friction there are none to find. Digits beyond [`MAX_ARCH_DIGITS`](super::MAX_ARCH_DIGITS) are refused.
+pub fn asymmetric(
+    arch: &Arch,
+    digits: usize,
+) -> Result<Vec<Result<AsymmetricDigits, Undecided>>, Refused> {
+    Refused::arch_digits(digits)?;
     let bits = bits_of(digits) + GUARD;
     let proved = |candidate: &AsymmetricCandidate| {
         raise(bits, |bits| {
             Ok(CertifiedAsymmetric::new(arch, candidate, bits)?.rounded(arch, digits))
         })
     };
-    found(arch).iter().map(proved).collect()
+    Ok(found(arch).iter().map(proved).collect())
 }
 
 /// Horseshoes between these half openings are looked at by [`asymmetric_thicknesses`]: of others no solution is known.
@@ -103,13 +107,14 @@ const HINT: usize = 12;
 
 /// The thicknesses of the asymmetric solutions that are found and proved for an arch, to twelve digits at the most; a hint, that costs
 /// nothing for arches of which none is known.
-pub fn asymmetric_thicknesses(arch: &Arch, digits: usize) -> Vec<Figure> {
+pub fn asymmetric_thicknesses(arch: &Arch, digits: usize) -> Result<Vec<Figure>, Refused> {
     let half_opening: Ball = arch.half_opening().enclosure(SEARCH_BITS);
     let [low, high] = KNOWN;
     if *half_opening.mid() < low || *half_opening.mid() > high {
-        return Vec::new();
+        return Ok(Vec::new());
     }
-    asymmetric(arch, digits.min(HINT)).into_iter().flatten().map(|found| found.thickness).collect()
+    let found = asymmetric(arch, digits.min(HINT))?.into_iter().flatten();
+    Ok(found.map(|found| found.thickness).collect())
 }
 
 /// The candidates of an arch.
@@ -219,7 +224,7 @@ mod tests {
     }
 
     fn solutions(arch: &Arch) -> Vec<AsymmetricDigits> {
-        asymmetric(arch, 12).into_iter().map(|solution| solution.unwrap()).collect()
+        asymmetric(arch, 12).unwrap().into_iter().map(|solution| solution.unwrap()).collect()
     }
 
     fn kinds(arch: &Arch) -> Vec<AsymmetricMode> {

@@ -1,10 +1,10 @@
 //! Makes the certificate of an asymmetric solution of (19).
 
-use super::Undecided;
 use super::asymmetric::{found, root};
 use super::certificate::{Root, attempt};
 use super::root::no_candidate;
 use super::verdict::rounded;
+use super::{Error, Refused};
 use crate::arch::asymmetric::AsymmetricMode;
 use crate::check::Certificate;
 use crate::problem::{Arch, Known, Problem, Quantity};
@@ -38,16 +38,17 @@ pub fn asymmetric_kinds(arch: &Arch) -> Vec<AsymmetricMode> {
 }
 
 /// A certificate of the asymmetric solution of a kind that the search finds for an arch, with `digits` significant
-/// digits of each value, at least one; else undecided. With unlimited friction there is none.
+/// digits of each value; else undecided. With unlimited friction there is none.
 pub fn certify_asymmetric(
     arch: &Arch,
     mode: AsymmetricMode,
     digits: usize,
-) -> Result<Certificate, Undecided> {
+) -> Result<Certificate, Error> {
+    Refused::arch_digits(digits)?;
     let candidate = found(arch).into_iter().find(|candidate| candidate.mode == mode);
     let candidate = candidate.ok_or_else(no_candidate)?;
     let problem = Problem::Asymmetric { mode, arch: arch.clone() };
-    attempt(digits, 0, |bits| {
+    let made = attempt(digits, 0, |bits| {
         let at = root(&problem, &candidate, bits)?;
         let stated = STATED.into_iter().filter(|quantity| problem.has(*quantity));
         let values = stated.filter_map(|quantity| match problem.known(quantity, &at) {
@@ -58,7 +59,8 @@ pub fn certify_asymmetric(
         let unknowns = problem.system().values(&at);
         let centre = unknowns.iter().map(|x| x.mid().clone()).collect();
         Ok(Root { problem: problem.clone(), centre, values })
-    })
+    });
+    Ok(made?)
 }
 
 #[cfg(test)]

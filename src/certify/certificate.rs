@@ -5,7 +5,7 @@
 //! does not accept.
 
 use super::root::{Equations, Ladder, Operator, inverse_jacobian, largest_boxes};
-use super::{CertifiedLandmark, Constant, Undecided, Value};
+use super::{CertifiedLandmark, Constant, Error, Refused, Undecided, Value};
 use crate::arch::{SelfWeight, Unknown};
 use crate::check::{
     Certificate, ClaimFile, EXTRA_BITS, Refusal, SCHEMA, ValueFile, WITNESS_BITS, Witness,
@@ -32,13 +32,14 @@ const SPARE: u32 = 24;
 const ROOM: f64 = 0.9;
 
 /// A certificate of a landmark with `digits` significant digits of each of its quantities, 1 to
-/// [`MAX_DIGITS`](super::MAX_DIGITS); else, or if a proof fails, undecided.
+/// [`MAX_DIGITS`](super::MAX_DIGITS); undecided if a proof fails.
 pub fn certify_landmark(
     landmark: Landmark,
     weight: SelfWeight,
     digits: usize,
-) -> Result<Certificate, Undecided> {
-    landmark_certificate(&CertifiedLandmark::new(landmark, weight)?, digits)
+) -> Result<Certificate, Error> {
+    Refused::digits(digits)?;
+    Ok(landmark_certificate(&CertifiedLandmark::new(landmark, weight)?, digits)?)
 }
 
 /// The same of a landmark that is proved already.
@@ -48,11 +49,11 @@ pub(super) fn landmark_certificate(
 ) -> Result<Certificate, Undecided> {
     let problem = Problem::Landmark { landmark: point.landmark(), weight: point.weight() };
     attempt(digits, 0, |bits| {
-        let refined = point.enclosure(bits)?;
-        let constants = point.constants_at(&refined, digits);
-        let constants = constants.ok_or_else(|| Undecided::new("a rounding is not decided"))?;
+        let enclosed = point.enclosure(bits)?;
+        let rounding = || Undecided::rounding("a rounding is not decided");
+        let constants = enclosed.constants(digits).ok_or_else(rounding)?;
         let file = |constant: &Constant| value_file(constant.quantity, &constant.value);
-        let at = refined.configuration();
+        let at = enclosed.configuration();
         let centre =
             problem.system().unknowns.iter().map(|&unknown| at.value(unknown).mid().clone());
         let values = constants.iter().map(file).collect();
@@ -82,7 +83,7 @@ pub(super) fn attempt(
     lost: u32,
     find: impl Fn(u32) -> Result<Root, Undecided>,
 ) -> Result<Certificate, Undecided> {
-    let mut reason = Undecided::new("no attempt was made");
+    let mut reason = Undecided::root("no attempt was made");
     for attempt in 0..ATTEMPTS {
         let bits = bits_of(digits) + lost + (GUARD << attempt);
         // Next to a limit the box is examined with more bits too.
@@ -101,7 +102,7 @@ pub(super) fn attempt(
         });
         match checked {
             Ok(certificate) => return Ok(certificate),
-            Err(undecided) => reason = undecided,
+            Err(undecided) => reason = undecided.at(bits),
         }
     }
     Err(reason)
@@ -130,7 +131,7 @@ impl Root {
         lost: u32,
     ) -> Result<Certificate, Undecided> {
         let large = LargeBox::new(&self.problem, &self.centre, wide, lost)
-            .ok_or_else(|| Undecided::new("no box around the root is mapped into itself"))?;
+            .ok_or_else(|| Undecided::root("no box around the root is mapped into itself"))?;
         let dyadic = |x: &Float| Dyadic::from(x);
         let magnitude = |x: &Magnitude| Dyadic::from(&x.to_float());
         let small = large.radius.iter().map(|radius| magnitude(&radius.shifted(-i64::from(bits))));

@@ -1,7 +1,7 @@
 //! The hash of a landmark's certificate: what ties a number that was handed on to a proof of it.
 
 use super::certificate::landmark_certificate;
-use super::{CertifiedLandmark, Undecided};
+use super::{CertifiedLandmark, Error, Refused, Undecided};
 use sha2::{Digest, Sha256};
 
 /// The largest number of digits for which a hash is made: a certificate costs several times as much as
@@ -12,11 +12,9 @@ pub const MAX_FINGERPRINT_DIGITS: usize = 10_000;
 /// digits.
 ///
 /// `couplet certify T --weight heyman --digits 30 | sha256sum` prints the same. An error says why there
-/// is none; beyond [`MAX_FINGERPRINT_DIGITS`] it comes at once.
-pub fn fingerprint(point: &CertifiedLandmark, digits: usize) -> Result<String, Undecided> {
-    if digits > MAX_FINGERPRINT_DIGITS {
-        return Err(Undecided::new(format!("made up to {MAX_FINGERPRINT_DIGITS} digits only")));
-    }
+/// is none; beyond [`MAX_FINGERPRINT_DIGITS`] it is refused at once.
+pub fn fingerprint(point: &CertifiedLandmark, digits: usize) -> Result<String, Error> {
+    Refused::digits_to(digits, MAX_FINGERPRINT_DIGITS)?;
     let mut file = Vec::new();
     landmark_certificate(point, digits)?
         .write(&mut file)

@@ -122,7 +122,7 @@ fn root<E: Doubles, const N: usize>(
         }
         centre = middle;
     }
-    found.ok_or_else(|| Undecided::new("no box around the candidate is mapped into itself"))
+    found.ok_or_else(|| Undecided::root("no box around the candidate is mapped into itself"))
 }
 
 /// Newton's method in doubles for positive unknowns: a candidate, and an approximate inverse of the Jacobian there.

@@ -1,16 +1,14 @@
 //! The constants: each quantity of each landmark, with all its digits proved.
 
-use super::closed_value::{Exact, exact};
-use super::{Isolated, Refined, Undecided, isolate, refine, refine_watched, stages};
-use crate::arch::{SelfWeight, Unknown, thrust};
-use crate::number::{Ball, Binary, Real, Rounded, bits_of, degrees};
+use super::closed_value::Exact;
+use super::constant::quantities;
+use super::{Constant, Enclosed, Error, Isolated, Refused, Undecided};
+use super::{isolate, refine, refine_watched, stages};
+use crate::arch::SelfWeight;
+use crate::number::bits_of;
 use crate::problem::{Landmark, Problem, Quantity};
 use crate::solve::{newton, start};
 use rayon::prelude::*;
-use std::fmt;
-
-/// The largest number of digits that can be asked for.
-pub const MAX_DIGITS: usize = 1_000_000;
 
 /// How often the precision is raised before a rounding counts as undecided.
 const ATTEMPTS: u32 = 6;
@@ -26,73 +24,15 @@ const GUARD: u32 = 32;
 /// let triple = CertifiedLandmark::new(Landmark::Triple, SelfWeight::Heyman)?;
 /// let thickness = triple.constant(Quantity::Thickness, 30)?;
 /// assert_eq!(thickness.to_string(), "0.679604732098885514787534896210");
-/// # Ok::<(), couplet::certify::Undecided>(())
+/// # Ok::<(), couplet::Error>(())
 /// ```
 ///
 /// See also: [`certify_landmark`](super::certify_landmark) for a proof that others can check,
 /// [`Certify`](super::state::Certify) for arches.
 #[derive(Clone, Debug)]
 pub struct CertifiedLandmark {
-    landmark: Landmark,
-    weight: SelfWeight,
-    isolated: Isolated,
     /// The enclosure of few digits, on which the conditions were proved.
-    narrow: Refined,
-}
-
-/// A quantity of a landmark with its digits.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Constant {
-    /// The self-weight model.
-    pub weight: SelfWeight,
-    /// The landmark.
-    pub landmark: Landmark,
-    /// The quantity.
-    pub quantity: Quantity,
-    /// The correctly rounded value with its bounds.
-    pub value: Value,
-    /// The exact value, where there is one.
-    pub exact: Option<String>,
-    /// The nearest double of the true value, not of its digits; infinite where the value is.
-    pub double: f64,
-    /// What that double leaves open.
-    pub binary: Binary,
-}
-
-/// A finite value with bounds, or infinity.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Value {
-    /// Correctly rounded, with outward bounds.
-    Finite(Rounded),
-    /// Exactly infinite.
-    Infinite,
-}
-
-impl fmt::Display for Constant {
-    /// The digits, or `inf`.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.value.fmt(f)
-    }
-}
-
-impl fmt::Display for Value {
-    /// The digits, or `inf`.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Finite(rounded) => f.pad(&rounded.value.to_string()),
-            Self::Infinite => f.pad("inf"),
-        }
-    }
-}
-
-/// The quantities that exist at a landmark, in the order of [`Quantity::LANDMARK`].
-pub fn quantities(landmark: Landmark) -> impl Iterator<Item = Quantity> {
-    // Which variables a landmark has does not depend on the weight.
-    let system = landmark.system(SelfWeight::Heyman);
-    Quantity::LANDMARK
-        .into_iter()
-        .filter(move |quantity| quantity.variable().is_some_and(|unknown| system.knows(unknown)))
+    narrow: Enclosed,
 }
 
 impl CertifiedLandmark {
@@ -101,83 +41,62 @@ impl CertifiedLandmark {
     pub fn new(landmark: Landmark, weight: SelfWeight) -> Result<Self, Undecided> {
         let system = landmark.system(weight);
         let candidate = newton(&system, start::landmark(landmark, weight), 64)
-            .ok_or_else(|| Undecided::new("Newton's method finds no candidate"))?;
+            .ok_or_else(|| Undecided::root("Newton's method finds no candidate"))?;
         let isolated = isolate(landmark, weight, &candidate)?;
         let narrow = refine(&isolated, NARROW)?;
         let problem = Problem::Landmark { landmark, weight };
         match problem.first_failure(narrow.configuration(), 64) {
-            None => Ok(Self { landmark, weight, isolated, narrow }),
+            None => Ok(Self { narrow: Enclosed::new(landmark, isolated, narrow) }),
             Some(condition) => Err(Undecided::new(condition.label())),
         }
     }
 
     /// The landmark.
     pub fn landmark(&self) -> Landmark {
-        self.landmark
+        self.narrow.landmark()
     }
 
     /// The self-weight model.
     pub fn weight(&self) -> SelfWeight {
-        self.weight
+        self.narrow.weight()
     }
 
     /// The system and the box in which its root is unique.
     pub fn isolated(&self) -> &Isolated {
-        &self.isolated
+        self.narrow.isolated()
     }
 
-    /// An enclosure of all variables to about `bits` bits (and never fewer than 256);
+    /// The landmark with all variables enclosed to about `bits` bits (and never fewer than 256);
     /// undecided if the proof fails at that precision.
-    pub fn enclosure(&self, bits: u32) -> Result<Refined, Undecided> {
+    pub fn enclosure(&self, bits: u32) -> Result<Enclosed, Undecided> {
         self.enclosure_with(bits, &|| ())
     }
 
     /// The same, calling `tick` [`stages`] times on the way.
-    fn enclosure_with(&self, bits: u32, tick: &(dyn Fn() + Sync)) -> Result<Refined, Undecided> {
+    fn enclosure_with(&self, bits: u32, tick: &(dyn Fn() + Sync)) -> Result<Enclosed, Undecided> {
         if bits > NARROW {
-            return refine_watched(&self.isolated, bits, tick);
+            let refined = refine_watched(self.isolated(), bits, tick)?;
+            return Ok(self.narrow.clone().narrowed(refined));
         }
-        (0..stages(self.isolated.system())).for_each(|_| tick());
+        (0..stages(self.isolated().system())).for_each(|_| tick());
         Ok(self.narrow.clone())
     }
 
     /// The exact value of a quantity, where it has one.
     pub fn exact(&self, quantity: Quantity) -> Option<Exact> {
-        exact(self.landmark, &self.isolated, quantity)
-    }
-
-    /// An enclosure of a quantity, from the enclosures of the variables; `None` where it does not
-    /// exist or is infinite.
-    pub fn quantity(&self, refined: &Refined, quantity: Quantity) -> Option<Ball> {
-        if let Some(angle) = quantity.in_radians() {
-            return Some(degrees(&self.quantity(refined, angle)?));
-        }
-        if let Some(Exact::Pi(factor)) = self.exact(quantity) {
-            let pi = refined.value(Unknown::HalfOpening)?.pi();
-            return Some(Ball::enclosing(&factor, pi.prec()) * pi);
-        }
-        match quantity {
-            Quantity::FrictionAngle => refined.friction_angle(),
-            Quantity::IntrinsicThrust => {
-                Some(refined.value(Unknown::Thickness)? * refined.value(Unknown::Thrust)?)
-            }
-            Quantity::OpeningVariable => {
-                Some(thrust::opening_variable(&refined.configuration().half_opening).value())
-            }
-            _ => refined.value(quantity.variable()?),
-        }
+        self.narrow.exact(quantity)
     }
 
     /// One quantity of the landmark, correctly rounded to `digits` significant digits, 1 to
-    /// [`MAX_DIGITS`]. Undecided for a quantity that the landmark does not have.
-    pub fn constant(&self, quantity: Quantity, digits: usize) -> Result<Constant, Undecided> {
+    /// [`MAX_DIGITS`](super::MAX_DIGITS). Other digits, and a quantity that the landmark does not have, are refused.
+    pub fn constant(&self, quantity: Quantity, digits: usize) -> Result<Constant, Error> {
         let found = self.constants_of(&[(quantity, digits)])?.pop();
-        found.ok_or_else(|| Undecided::new("nothing was asked for"))
+        Ok(found.ok_or_else(|| Undecided::rounding("the rounding"))?)
     }
 
     /// All quantities of the landmark, correctly rounded to `digits` significant digits, 1 to
-    /// [`MAX_DIGITS`]; else, or if a rounding stays open, undecided.
-    pub fn constants(&self, digits: usize) -> Result<Vec<Constant>, Undecided> {
+    /// [`MAX_DIGITS`](super::MAX_DIGITS); undecided if a rounding stays open.
+    pub fn constants(&self, digits: usize) -> Result<Vec<Constant>, Error> {
         self.constants_with(digits, &|| ())
     }
 
@@ -186,15 +105,15 @@ impl CertifiedLandmark {
         &self,
         digits: usize,
         tick: &(dyn Fn() + Sync),
-    ) -> Result<Vec<Constant>, Undecided> {
-        let all: Vec<_> = quantities(self.landmark).map(|quantity| (quantity, digits)).collect();
+    ) -> Result<Vec<Constant>, Error> {
+        let all: Vec<_> = quantities(self.landmark()).map(|quantity| (quantity, digits)).collect();
         self.constants_of_with(&all, tick)
     }
 
     /// Some quantities of the landmark, each correctly rounded to its own number of significant digits:
     /// the landmark is refined once, to the most that are asked for. A quantity that the landmark does
-    /// not have is undecided.
-    pub fn constants_of(&self, asked: &[(Quantity, usize)]) -> Result<Vec<Constant>, Undecided> {
+    /// not have is refused.
+    pub fn constants_of(&self, asked: &[(Quantity, usize)]) -> Result<Vec<Constant>, Error> {
         self.constants_of_with(asked, &|| ())
     }
 
@@ -203,19 +122,21 @@ impl CertifiedLandmark {
         &self,
         asked: &[(Quantity, usize)],
         tick: &(dyn Fn() + Sync),
-    ) -> Result<Vec<Constant>, Undecided> {
-        for (_, digits) in asked {
-            Precision::new(*digits)?;
+    ) -> Result<Vec<Constant>, Error> {
+        let possible: Vec<Quantity> = quantities(self.landmark()).collect();
+        for &(quantity, digits) in asked {
+            Refused::digits(digits)?;
+            Refused::quantity(quantity, &possible)?;
         }
         let most = asked.iter().map(|(_, digits)| *digits).max();
-        let mut precision = Precision::new(most.unwrap_or(1))?;
+        let mut precision = Precision::new(most.unwrap_or(1));
         let mut refined = self.enclosure_with(precision.bits, tick)?;
         let mut found: Vec<((Quantity, usize), Option<Constant>)> =
             asked.iter().map(|&asked| (asked, None)).collect();
         loop {
             found.par_iter_mut().filter(|(_, constant)| constant.is_none()).for_each(
                 |((quantity, digits), constant)| {
-                    *constant = self.rounded(&refined, *quantity, *digits);
+                    *constant = refined.rounded(*quantity, *digits);
                     if constant.is_some() {
                         tick();
                     }
@@ -230,12 +151,6 @@ impl CertifiedLandmark {
         Ok(found.into_iter().filter_map(|(_, constant)| constant).collect())
     }
 
-    /// All quantities of the landmark from enclosures of its variables; `None` if a rounding stays open.
-    pub(super) fn constants_at(&self, refined: &Refined, digits: usize) -> Option<Vec<Constant>> {
-        let all: Vec<Quantity> = quantities(self.landmark).collect();
-        all.into_par_iter().map(|quantity| self.rounded(refined, quantity, digits)).collect()
-    }
-
     /// How often [`CertifiedLandmark::constants`] reports progress for a landmark.
     pub fn ticks(landmark: Landmark) -> u64 {
         Self::ticks_of(landmark, quantities(landmark).count())
@@ -244,34 +159,6 @@ impl CertifiedLandmark {
     /// How often [`CertifiedLandmark::constants_of`] reports progress for a number of quantities.
     pub fn ticks_of(landmark: Landmark, quantities: usize) -> u64 {
         stages(&landmark.system(SelfWeight::Heyman)) + quantities as u64
-    }
-
-    /// The value rounded to digits and to a double, if the enclosure decides both.
-    fn rounded(&self, refined: &Refined, quantity: Quantity, digits: usize) -> Option<Constant> {
-        let prec = || refined.value(Unknown::HalfOpening).map(|x| x.prec());
-        let exact = self.exact(quantity);
-        let finite = |ball: Ball, rounded: Option<Rounded>| {
-            let double = ball.nearest_double()?;
-            Some((Value::Finite(rounded?), double, Binary::new(&ball, double)))
-        };
-        let from_ball = |ball: Ball| {
-            let rounded = Rounded::from_ball(&ball, digits);
-            finite(ball, rounded)
-        };
-        let (value, double, binary) = match &exact {
-            Some(Exact::Infinite) => (Value::Infinite, f64::INFINITY, Binary::infinite()),
-            Some(Exact::Surd(surd)) => match surd.parts() {
-                (rational, factor, _) if factor.is_zero() => finite(
-                    Ball::enclosing(rational, prec()?),
-                    Rounded::from_rational(rational, digits),
-                )?,
-                _ => from_ball(surd.enclosure(prec()?))?,
-            },
-            Some(Exact::Pi(_)) | None => from_ball(self.quantity(refined, quantity)?)?,
-        };
-        let exact = exact.map(|exact| exact.text());
-        let (weight, landmark) = (self.weight, self.landmark);
-        Some(Constant { weight, landmark, quantity, value, exact, double, binary })
     }
 }
 
@@ -282,21 +169,16 @@ struct Precision {
 }
 
 impl Precision {
-    fn new(digits: usize) -> Result<Self, Undecided> {
-        if digits == 0 || digits > MAX_DIGITS {
-            return Err(Undecided::new(format!("digits must be from 1 to {MAX_DIGITS}")));
-        }
-        Ok(Self { bits: bits_of(digits) + GUARD, attempt: 0 })
+    fn new(digits: usize) -> Self {
+        Self { bits: bits_of(digits) + GUARD, attempt: 0 }
     }
 
     fn raise(&mut self, quantity: Quantity) -> Result<(), Undecided> {
         self.attempt += 1;
         if self.attempt > ATTEMPTS {
-            let name = quantity.name();
-            return Err(Undecided::new(format!(
-                "the rounding of {name} is not decided at {} bits",
-                self.bits
-            )));
+            let (name, bits) = (quantity.name(), self.bits);
+            let reason = format!("the rounding of {name} is not decided at {bits} bits");
+            return Err(Undecided::rounding(reason).at(bits));
         }
         self.bits += GUARD << self.attempt;
         Ok(())
@@ -306,6 +188,8 @@ impl Precision {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::arch::Unknown;
+    use crate::certify::{MAX_DIGITS, Value};
     use crate::number::Field;
     use crate::problem::{Condition, Examined};
     use rug::Rational;
@@ -367,8 +251,11 @@ mod tests {
     #[test]
     fn digits_out_of_range_are_refused_before_anything_is_computed() {
         let point = CertifiedLandmark::new(Landmark::OverturningEnd, SelfWeight::Heyman).unwrap();
-        assert!(point.constants(0).is_err());
-        assert!(point.constants(MAX_DIGITS + 1).is_err());
+        for asked in [0, MAX_DIGITS + 1, usize::MAX] {
+            let refused = Error::Refused(Refused::Digits { asked, most: MAX_DIGITS });
+            assert_eq!(point.constants(asked), Err(refused.clone()));
+            assert_eq!(point.constant(Quantity::Thickness, asked), Err(refused));
+        }
     }
 
     #[test]
@@ -385,9 +272,16 @@ mod tests {
     }
 
     #[test]
-    fn a_quantity_that_a_landmark_does_not_have_is_undecided() {
+    fn a_quantity_that_a_landmark_does_not_have_is_refused() {
         let widest = CertifiedLandmark::new(Landmark::WidestJoint, SelfWeight::Heyman).unwrap();
-        assert!(widest.constants_of(&[(Quantity::Friction, 5)]).is_err());
+        for quantity in [Quantity::Friction, Quantity::SlidingJoint, Quantity::GeometricSafety] {
+            let Err(Error::Refused(refused)) = widest.constant(quantity, 5) else { panic!() };
+            let expected = format!("there is no {} here; the quantities are ", quantity.name());
+            assert!(refused.to_string().starts_with(&expected), "{refused}");
+        }
+        // Zero at every landmark where it is fixed so, and infinite: these it has.
+        let end = CertifiedLandmark::new(Landmark::OverturningEnd, SelfWeight::Heyman).unwrap();
+        assert_eq!(end.constant(Quantity::Friction, 5).unwrap().to_string(), "inf");
     }
 
     #[test]

@@ -30,10 +30,10 @@
 //! **At the least thickness** the value is exactly zero, which no ball tells from a small one: there (19) has the solution that is proved with
 //! the other thicknesses ([`enumerate`](super::enumerate)).
 
-use super::Undecided;
 use super::arithmetic::Arithmetic;
 use super::extent::Extent;
 use super::vector::{Vector, cross, dot};
+use super::{Error, Refused, Undecided};
 use crate::arch::mechanism::Contact;
 use crate::number::{DoubleBall, Enclosure, ExactNumber, Field};
 use crate::problem::Arch;
@@ -69,15 +69,14 @@ pub fn programme(
     arch: &Arch,
     thickness: &ExactNumber,
     (stones, extent): (u64, Extent),
-) -> Result<Programme, Undecided> {
-    let number =
-        i32::try_from(stones).ok().filter(|n| (2..=MOST_JOINTED_STONES as i32).contains(n));
-    let number = number.ok_or_else(|| Undecided::new("the number of stones"))?;
+) -> Result<Programme, Error> {
+    Refused::thickness(thickness)?;
+    let number = Refused::stones(stones, MOST_JOINTED_STONES)?;
     if !arch.is_limited() {
-        return Err(Undecided::new("whether a joint opens without friction to limit it"));
+        return Err(Undecided::new("whether a joint opens without friction to limit it").into());
     }
     let all = Search::new(conditions(arch, thickness, (number, extent)), extent);
-    all.least()
+    Ok(all.least()?)
 }
 
 /// The conditions, and their motions as columns of the programme of the rates.

@@ -128,7 +128,7 @@ fn newton(isolated: &Isolated, bits: u32) -> Result<Vec<Float>, Undecided> {
     let start: Vec<f64> = isolated.image().iter().map(|x| x.mid().to_f64()).collect();
     crate::solve::newton(isolated.system(), &start, bits)
         .map(|candidate| candidate.0)
-        .ok_or_else(|| Undecided::new("Newton's method leaves the isolated root"))
+        .ok_or_else(|| Undecided::root("Newton's method leaves the isolated root"))
 }
 
 /// The bits of the anchors of a level.
@@ -228,7 +228,7 @@ impl Level {
         let at = place(&system, &anchors, &around, step);
         let slopes = system.residuals(&system.variables(&at));
         let jacobian = Eliminated::new(&slopes)
-            .ok_or_else(|| Undecided::new("the Jacobian at the root is singular"))?;
+            .ok_or_else(|| Undecided::root("the Jacobian at the root is singular"))?;
         Ok(Self { system, bits, anchors, centre, step, around, jacobian })
     }
 
@@ -256,7 +256,7 @@ impl Level {
     /// The last step, with the proof.
     fn enclose(&self, isolated: &Isolated) -> Result<Configuration<Ball>, Undecided> {
         if !self.around.iter().zip(isolated.domain()).all(|(x, whole)| x.lies_inside(whole)) {
-            return Err(Undecided::new("the refined box leaves the box of uniqueness"));
+            return Err(Undecided::root("the refined box leaves the box of uniqueness"));
         }
         let (at, corrections) = self.corrections(self.bits);
         let centre = self.system.values(&at);
@@ -264,7 +264,7 @@ impl Level {
         let image: Vec<Ball> = image.collect();
         let is_within = |x: &[Ball]| krawczyk::is_contracted(x, &self.around);
         if !(is_within(&centre) && is_within(&image)) {
-            return Err(Undecided::new("the refined box is not mapped into itself"));
+            return Err(Undecided::root("the refined box is not mapped into itself"));
         }
         let given = Configuration::zero(&Ball::integer(0, self.bits));
         Ok(self.system.place_with(given, &image, |index, rad| {

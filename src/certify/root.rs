@@ -233,7 +233,7 @@ pub(crate) fn root_near<S: Form<Ball>>(
 
 /// What is undecided where there is nothing to prove.
 pub(crate) fn no_candidate() -> Undecided {
-    Undecided::new("no candidate is found")
+    Undecided::root("no candidate is found")
 }
 
 /// Newton's method with more and more bits: at each precision it starts from the root to half of it.
@@ -261,7 +261,7 @@ fn smallest_box<S: Equations<Ball>>(
     let points: Vec<Ball> = centre.iter().map(|x| Ball::exact(x.clone(), bits)).collect();
     let coarse: Vec<Ball> = points.iter().map(|x| x.with_precision(few)).collect();
     let at_centre = equations.slopes(few, &coarse);
-    let singular = || Undecided::new("the Jacobian is singular");
+    let singular = || Undecided::root("the Jacobian is singular");
     let inverse = inverse_jacobian(&at_centre, few).ok_or_else(singular)?;
     let exact = |y: &Float| Ball::exact(y.clone(), few);
     let operator = Operator {
@@ -277,7 +277,7 @@ fn smallest_box<S: Equations<Ball>>(
     };
     let radii = corrections(&inverse, &operator.residuals, centre, bits);
     inflated(&operator, &radii)
-        .ok_or_else(|| Undecided::new("no box around the candidate is mapped into itself"))
+        .ok_or_else(|| Undecided::root("no box around the candidate is mapped into itself"))
 }
 
 /// The sizes of the corrections that the residuals at a centre of `bits` bits ask for, rounding included.

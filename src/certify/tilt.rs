@@ -11,17 +11,17 @@
 //! if its joints open and do not slide, as with unlimited friction. With friction an admissible state
 //! does not exclude a motion, as sliding opens no joint: the value then is an upper bound of what the arch can bear.
 
-use super::Undecided;
 use super::positive::is_positive_on;
 use super::state::{Figure, raise};
 use super::voussoirs::grip;
+use super::{Refused, Undecided};
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
 use crate::arch::tilt::{TiltedRow, row};
 use crate::arch::whole::along;
 use crate::arch::{Ring, SelfWeight};
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Jet, bits_of};
-use crate::problem::{Arch, Friction, is_thickness};
+use crate::problem::{Arch, Friction};
 use crate::solve::tilt::{Search, TiltCandidate, Touch, contacts};
 use rug::Float;
 
@@ -86,10 +86,9 @@ pub fn tilted(
     thickness: &ExactNumber,
     tilt: &Friction,
     digits: usize,
-) -> Result<TiltDigits, Undecided> {
-    if !is_thickness(thickness) {
-        return Err(Undecided::new("the thickness is not between 0 and 2"));
-    }
+) -> Result<TiltDigits, Refused> {
+    Refused::thickness(thickness)?;
+    Refused::arch_digits(digits)?;
     let first = 3 * (bits_of(digits) + GUARD);
     let compared = |proof: &Proof, bounds: &Option<Bounds>| {
         let Some(([low, high], _)) = bounds else { return Some(true) };

@@ -10,10 +10,10 @@
 //!
 //! What it means is said in [`tilted`](super::tilted): with friction an admissible state does not exclude a motion.
 
-use super::Undecided;
 use super::state::{Figure, raise};
 use super::tilt::{LargestTilt, NOT_FOUND, TiltDigits, TiltLimit, acceleration, rates};
 use super::voussoirs::grip;
+use super::{Refused, Undecided};
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
 use crate::arch::tilt::{TiltedRow, row};
@@ -21,7 +21,7 @@ use crate::arch::whole::Side;
 use crate::arch::{Ring, SelfWeight};
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, bits_of};
 use crate::problem::stones::Stones;
-use crate::problem::{Arch, Friction, is_thickness};
+use crate::problem::{Arch, Friction};
 use crate::solve::tilt::{StoneTilt, against_of_stones, inside_of_stones, of_stones};
 use rug::Float;
 
@@ -47,14 +47,11 @@ pub fn tilted_stones(
     thickness: &ExactNumber,
     tilt: &Friction,
     digits: usize,
-) -> Result<TiltDigits, Undecided> {
-    if !is_thickness(thickness) {
-        return Err(Undecided::new("the thickness is not between 0 and 2"));
-    }
-    stones.check().map_err(|error| Undecided::new(error.to_string()))?;
-    if stones.count() > MOST_TILTED_STONES / 2 + 1 {
-        return Err(Undecided::new("the number of stones"));
-    }
+) -> Result<TiltDigits, Refused> {
+    Refused::thickness(thickness)?;
+    Refused::arch_digits(digits)?;
+    stones.check()?;
+    Refused::stones(stones.number(), MOST_TILTED_STONES)?;
     let first = bits_of(digits) + GUARD;
     let mut is_admissible = None;
     let largest = raise(first, |bits| {

@@ -6,7 +6,7 @@ use super::decide::decide;
 use super::posed::Posed;
 use super::root::root_near;
 use super::state::{Certify, Fall, Figure, Outcome, State, bits_lost};
-use super::{Undecided, Value};
+use super::{Error, Refused, Undecided, Value};
 use crate::arch::Unknown;
 use crate::check::{Certificate, EXTRA_BITS, ValueFile};
 use crate::number::{Ball, Dyadic, ExactNumber};
@@ -18,14 +18,17 @@ use std::cell::Cell;
 /// The most bits that an arch loses; the format leaves room for a little more.
 const MOST_LOST: u32 = EXTRA_BITS as u32 - 64;
 
-/// A certificate of what an arch does, with `digits` significant digits of each value, at least one: of its state at
+/// A certificate of what an arch does, with `digits` significant digits of each value: of its state at
 /// the least thickness, or why it stands at no thickness; with a `thickness`, in `(0, 2]`, that it stands with it or
-/// does not. Undecided if a comparison stays open.
+/// does not. Digits beyond [`MAX_ARCH_DIGITS`](super::MAX_ARCH_DIGITS) and any other thickness are refused; undecided if
+/// a comparison stays open.
 pub fn certify_arch(
     arch: &Arch,
     thickness: Option<&ExactNumber>,
     digits: usize,
-) -> Result<Certificate, Undecided> {
+) -> Result<Certificate, Error> {
+    Refused::arch_digits(digits)?;
+    thickness.map_or(Ok(()), Refused::thickness)?;
     let too_wide = |bits| limit(arch, Verdict::TooWide, widest(arch, bits), bits, digits);
     let slides = Cell::new(false);
     let found = made(arch, digits, |bits| {
@@ -48,10 +51,10 @@ pub fn certify_arch(
     });
     // Next to half a turn the friction of pure sliding is beyond all numbers. The widest half opening is not, and
     // is another reason.
-    match found {
-        Err(open) if slides.get() => made(arch, digits, too_wide).map_err(|_| open),
-        found => found,
-    }
+    Ok(match found {
+        Err(open) if slides.get() => made(arch, digits, too_wide).map_err(|_| open)?,
+        found => found?,
+    })
 }
 
 fn made(
@@ -99,7 +102,7 @@ pub(super) fn rounded(
     ball: &Ball,
     digits: usize,
 ) -> Result<ValueFile, Undecided> {
-    let rounding = || Undecided::new(format!("the rounding of {}", quantity.name()));
+    let rounding = || Undecided::rounding(format!("the rounding of {}", quantity.name()));
     let figure = Figure::new(ball, digits).ok_or_else(rounding)?;
     Ok(value_file(quantity, &Value::Finite(figure.decimal)))
 }
@@ -150,7 +153,7 @@ fn standing(
     let given = given.with(Unknown::Thickness, eta);
     let found = solve::standing(arch.weight(), &given, arch.is_limited(), &float(&state.thrust));
     let found =
-        found.ok_or_else(|| Undecided::new("no line of thrust inside the arch is found"))?;
+        found.ok_or_else(|| Undecided::root("no line of thrust inside the arch is found"))?;
     let standing = Standing {
         thickness: thickness.clone(),
         thrust: Dyadic::from(&found.thrust),

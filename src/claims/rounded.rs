@@ -94,7 +94,8 @@ fn rounded_values(d: &mut Derivation) -> Result<Finding, Undecided> {
         let point = CertifiedLandmark::new(*landmark, *weight)?;
         let words = format!("{} at {}, {}", quantity.name(), landmark.symbol(), weight.name());
         let value = point
-            .quantity(&point.enclosure(128)?, *quantity)
+            .enclosure(128)?
+            .quantity(*quantity)
             .ok_or_else(|| Undecided::new(words.clone()))?;
         for text in *texts {
             rounds_to(d, &words, &value, text)?;

@@ -104,7 +104,7 @@ fn compared(d: &mut Derivation, quantity: Quantity) -> Result<Finding, Undecided
             };
             let value = |weight| {
                 let (point, _) = enclosed(landmark, weight)?;
-                let value = point.quantity(&point.enclosure(128)?, quantity);
+                let value = point.enclosure(128)?.quantity(quantity);
                 value.ok_or_else(|| Undecided::new(words.clone()))
             };
             let [less, more] = weights.map(value);

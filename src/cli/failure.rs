@@ -1,5 +1,7 @@
 //! Why a command did not do what was asked.
 
+#[cfg(feature = "mpfr")]
+use crate::certify::{Error, Refused};
 use std::fmt::Display;
 use std::io::{self, Write};
 
@@ -16,6 +18,23 @@ pub(super) enum Failure {
     /// A file or a stream.
     #[error("{0}")]
     Io(String),
+}
+
+#[cfg(feature = "mpfr")]
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        match error {
+            Error::Refused(refused) => Self::Input(refused.to_string()),
+            Error::Undecided(undecided) => Self::Undecided(undecided.to_string()),
+        }
+    }
+}
+
+#[cfg(feature = "mpfr")]
+impl From<Refused> for Failure {
+    fn from(refused: Refused) -> Self {
+        Self::from(Error::from(refused))
+    }
 }
 
 impl Failure {

@@ -2,7 +2,7 @@
 
 use super::printed::{Known, PrintedNumber, PrintedVerdict, correct_digits};
 use crate::arch::SelfWeight;
-use crate::certify::{CertifiedLandmark, Exact, Refined, Undecided};
+use crate::certify::{CertifiedLandmark, Enclosed, Exact, Undecided};
 use crate::number::{Ball, Decimal, Enclosure, Rounded, Ternary};
 use crate::problem::published::{PRINTED, Printed};
 use crate::problem::{Landmark, Quantity};
@@ -71,13 +71,9 @@ impl Relation {
     }
 }
 
-/// A landmark with an enclosure that decides every comparison with what is printed.
-pub type Enclosed = (CertifiedLandmark, Refined);
-
-/// The enclosure of a landmark for [`audit_of`].
-pub fn enclosed(point: CertifiedLandmark) -> Result<Enclosed, Undecided> {
-    let refined = point.enclosure(BITS)?;
-    Ok((point, refined))
+/// The enclosure of a landmark for [`audit_of`]: it decides every comparison with what is printed.
+pub fn enclosed(point: &CertifiedLandmark) -> Result<Enclosed, Undecided> {
+    point.enclosure(BITS)
 }
 
 /// Compares every printed number with its enclosure; undecided if a landmark cannot be proved or a
@@ -141,7 +137,7 @@ fn all_enclosed(landmarks: &[Landmark]) -> Result<Vec<Enclosed>, Undecided> {
     // Serial on purpose: under rayon a waiting thread could steal a claim that waits for this result, and
     // neither would end.
     let points = all.into_iter();
-    points.map(|(landmark, weight)| enclosed(CertifiedLandmark::new(landmark, weight)?)).collect()
+    points.map(|(landmark, weight)| enclosed(&CertifiedLandmark::new(landmark, weight)?)).collect()
 }
 
 /// Landmarks with an enclosure each.
@@ -149,7 +145,7 @@ struct Points<'a>(&'a [Enclosed]);
 
 impl Points<'_> {
     fn find(&self, landmark: Landmark, weight: SelfWeight) -> Option<&Enclosed> {
-        self.0.iter().find(|(point, _)| point.landmark() == landmark && point.weight() == weight)
+        self.0.iter().find(|point| point.landmark() == landmark && point.weight() == weight)
     }
 
     fn value(
@@ -160,13 +156,13 @@ impl Points<'_> {
     ) -> Result<Known, Undecided> {
         let missing =
             || Undecided::new(format!("{} has no finite {}", landmark.symbol(), quantity.name()));
-        let (point, refined) = self.find(landmark, weight).ok_or_else(missing)?;
+        let point = self.find(landmark, weight).ok_or_else(missing)?;
         match point.exact(quantity) {
             Some(Exact::Surd(surd)) => Ok(match surd.parts() {
                 (rational, factor, _) if factor.is_zero() => Known::Exact(rational.clone()),
                 _ => Known::Enclosed(surd.enclosure(BITS)),
             }),
-            _ => point.quantity(refined, quantity).map(Known::Enclosed).ok_or_else(missing),
+            _ => point.quantity(quantity).map(Known::Enclosed).ok_or_else(missing),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! What a row of results says.
 
 use super::printed::PrintedNumber;
+use crate::certify::Refused;
 use crate::number::{Decimal, ExactNumber, shown as short};
 use crate::problem::{Mode, Quantity};
 
@@ -77,6 +78,9 @@ pub enum ClaimError {
         "the {0} '{1}' is out of range: at most {MAX_DIGITS} digits, from 1e-{MAX_SIZE} to 1e{MAX_SIZE}"
     )]
     Range(&'static str, String),
+    /// The thickness that it has is none.
+    #[error(transparent)]
+    Thickness(#[from] Refused),
     /// One column says that the arch stands, another that it falls.
     #[error("the {0} says that the arch stands, the {1} that it falls")]
     Contradiction(&'static str, &'static str),
@@ -102,6 +106,7 @@ impl Claim {
     /// it, by an empty least thickness where no column says whether the arch stands, or by the mode `[s,s]`
     /// alone. Any other empty field claims nothing.
     pub fn read(said: &Said) -> Result<Self, ClaimError> {
+        said.thickness.as_ref().map_or(Ok(()), Refused::thickness)?;
         let numbers: Vec<Claimed> = said
             .numbers
             .iter()

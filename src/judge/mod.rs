@@ -40,8 +40,7 @@ mod truth;
 mod verdict;
 
 pub use audit::{
-    Audited, Comparison, Enclosed, Relation, audit, audit_of, compare_weights, compare_weights_of,
-    enclosed,
+    Audited, Comparison, Relation, audit, audit_of, compare_weights, compare_weights_of, enclosed,
 };
 pub use boundary::Boundary;
 pub use claim::{Claim, ClaimError, Claimed, Said};

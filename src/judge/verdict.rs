@@ -208,7 +208,7 @@ fn assessed(
     claim: &Claim,
     bits: u32,
 ) -> Result<Assessment, Undecided> {
-    let found = assessment_enclosed(arch, thickness, bits)?;
+    let found = assessment_enclosed(arch, thickness, bits);
     if claim.stands.is_some() {
         found.stands.clone()?;
     }

@@ -93,6 +93,14 @@ impl Stones {
         }
     }
 
+    /// The stones of the whole arch.
+    pub fn number(&self) -> u64 {
+        match self {
+            Self::Equal { stones, .. } => *stones,
+            Self::Joints(_) => 2 * self.count() - 1 - u64::from(self.has_joint_at_crown()),
+        }
+    }
+
     /// The joints of the half arch, shoulder and, where there is one, crown included.
     pub fn count(&self) -> u64 {
         match self {

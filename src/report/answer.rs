@@ -9,7 +9,7 @@ use super::words::reason;
 use crate::arch::{SelfWeight, Unknown};
 use crate::certify::state::find::{Finding, Question};
 use crate::certify::state::{Answer as Outcome, AssessmentDigits, Enough, Fall, Figure};
-use crate::certify::{CertifiedLandmark, Constant, Undecided};
+use crate::certify::{CertifiedLandmark, Constant, Error, Refused, Undecided};
 use crate::number::ExactNumber;
 use crate::problem::Arch;
 use crate::problem::measures::Circle;
@@ -120,6 +120,15 @@ impl Status {
     }
 }
 
+impl From<&Error> for Status {
+    fn from(error: &Error) -> Self {
+        match error {
+            Error::Undecided(undecided) => Self::Undecided(undecided.clone()),
+            Error::Refused(refused) => Self::Refused(refused.to_string()),
+        }
+    }
+}
+
 /// Why no friction is enough at a thickness.
 const TOO_THIN: &str = "there is none: the arch is too thin, whatever the friction";
 
@@ -147,7 +156,7 @@ impl Answer {
     /// A landmark with some of its constants, or why they are not proved.
     pub fn landmark(
         (landmark, weight): (Landmark, SelfWeight),
-        found: Result<(&CertifiedLandmark, Vec<Constant>), &Undecided>,
+        found: Result<(&CertifiedLandmark, Vec<Constant>), &Error>,
     ) -> Self {
         let mut answer = Self::new(Subject::Landmark { landmark, weight }, Status::Proved);
         match found {
@@ -157,8 +166,8 @@ impl Answer {
                 answer.proof = Some(Proof::new(point));
                 answer.certificate = Err("not asked for".into());
             }
-            Err(undecided) => {
-                answer.status = Status::Undecided(undecided.clone());
+            Err(error) => {
+                answer.status = error.into();
                 answer.certificate = Err("nothing is proved".into());
             }
         }
@@ -167,19 +176,24 @@ impl Answer {
 
     /// The same with the hash of the certificate of its values to `digits` digits, or why there is none
     /// ([`fingerprint`](crate::certify::fingerprint)). What is not proved has no certificate.
-    pub fn with_certificate(mut self, digits: usize, hash: Result<String, Undecided>) -> Self {
+    pub fn with_certificate(mut self, digits: usize, hash: Result<String, Error>) -> Self {
         if let (Subject::Landmark { landmark, weight }, Some(_)) = (&self.subject, &self.proof) {
             let (symbol, weight) = (landmark.symbol(), weight.name());
             let command = format!("couplet certify {symbol} --weight {weight} --digits {digits}");
-            self.certificate = hash
-                .map(|sha256| Fingerprint { command, sha256 })
-                .map_err(|undecided| undecided.reason.into_owned());
+            self.certificate =
+                hash.map(|sha256| Fingerprint { command, sha256 }).map_err(|error| match error {
+                    Error::Refused(Refused::Digits { most, .. }) => {
+                        format!("made up to {most} digits only")
+                    }
+                    Error::Refused(refused) => refused.to_string(),
+                    Error::Undecided(undecided) => undecided.reason.into_owned(),
+                });
         }
         self
     }
 
     /// The state of an arch at its least thickness. The line tells arches apart.
-    pub fn state(line: u64, arch: &Arch, found: &Result<Outcome, Undecided>) -> Self {
+    pub fn state(line: u64, arch: &Arch, found: &Result<Outcome, Error>) -> Self {
         let mut answer = Self::new(Subject::arch(line, arch, None), Status::Proved);
         match found {
             Ok(Outcome::Stands(digits)) => {
@@ -200,7 +214,7 @@ impl Answer {
                     answer.enough = [friction, half_opening].map(|x| x.as_ref().map(value));
                 }
             }
-            Err(undecided) => answer.status = Status::Undecided(undecided.clone()),
+            Err(error) => answer.status = error.into(),
         }
         answer
     }
@@ -209,7 +223,7 @@ impl Answer {
     pub fn assessment(
         line: u64,
         (arch, thickness): (&Arch, &ExactNumber),
-        found: &Result<AssessmentDigits, Undecided>,
+        found: &Result<AssessmentDigits, Refused>,
     ) -> Self {
         let mut answer = Self::new(Subject::arch(line, arch, Some(thickness)), Status::Proved);
         match found {
@@ -229,7 +243,7 @@ impl Answer {
                     value.limited_by = Some(limit.limited_by);
                 }
             }
-            Err(undecided) => answer.status = Status::Undecided(undecided.clone()),
+            Err(refused) => answer.status = Status::Refused(refused.to_string()),
         }
         answer
     }
@@ -238,7 +252,7 @@ impl Answer {
     pub fn measured(
         mut self,
         circle: Circle,
-        found: Result<Vec<(Quantity, Option<Figure>)>, Undecided>,
+        found: Result<Vec<(Quantity, Option<Figure>)>, Error>,
     ) -> Self {
         self.measured_at = Some(circle);
         match found {
@@ -246,7 +260,8 @@ impl Answer {
                 self.values.extend(sizes.iter().map(|(of, x)| (*of, Value::figure(x.as_ref()))))
             }
             // All are made from one state; the first stands for them.
-            Err(undecided) => self.open.push((Quantity::Radius, undecided)),
+            Err(Error::Undecided(undecided)) => self.open.push((Quantity::Radius, undecided)),
+            Err(Error::Refused(refused)) => self.status = Status::Refused(refused.to_string()),
         }
         self
     }
@@ -263,7 +278,7 @@ impl Answer {
     pub fn finding(
         line: u64,
         (weight, question): (SelfWeight, &Question),
-        found: &Result<Finding, Undecided>,
+        found: &Result<Finding, Error>,
     ) -> Self {
         let mut answer = Self::new(Subject::sought(line, weight, question), Status::Proved);
         match found {
@@ -280,7 +295,7 @@ impl Answer {
                     None => answer.proved = Some(TOO_THIN.to_owned()),
                 }
             }
-            Err(undecided) => answer.status = Status::Undecided(undecided.clone()),
+            Err(error) => answer.status = error.into(),
         }
         answer
     }

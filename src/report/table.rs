@@ -259,7 +259,7 @@ mod tests {
 
     #[test]
     fn what_stays_open_changes_nothing_of_what_is_said_besides() {
-        let open = || Undecided::new("the rounding");
+        let open = || crate::Error::from(Undecided::new("the rounding"));
         let (state_of, assessed) = (Quantity::STATE, Quantity::ASSESSMENT);
         let stands = told(
             state("0.6").measured(Circle::Intrados, Err(open())),
@@ -280,7 +280,7 @@ mod tests {
             let (arch, eta) = (arch("0.6"), eta.parse().unwrap());
             let mut found =
                 Inquiry::new(&arch, 5, false).assess(&eta, 5, Wanted::Everything).unwrap();
-            found.required_friction = Err(open());
+            found.required_friction = Err(Undecided::new("the rounding"));
             let answer = Answer::assessment(1, (&arch, &eta), &Ok(found));
             let table = told(
                 answer.measured(Circle::Intrados, Err(open())),

@@ -4,8 +4,8 @@ use super::pieces::{CurvePiece, Pieces};
 use super::plan::{PAGE_DIGITS, Plan};
 use super::schema::{SceneArch, SceneDrawing, SceneMap, What};
 use crate::arch::SelfWeight;
-use crate::certify::Undecided;
-use crate::judge::{Enclosed, audit_of, compare_weights_of};
+use crate::certify::{Enclosed, Error};
+use crate::judge::{audit_of, compare_weights_of};
 use crate::problem::Quantity;
 use crate::report::{Answer, Answers, Audit, Claims, Drawing, Format, Map, Report, Sketched};
 use std::io;
@@ -182,7 +182,7 @@ fn undecided_landmarks(list: &[Answer]) -> Vec<String> {
     names.collect()
 }
 
-fn audit(plan: &Plan, pieces: &Pieces, index: usize) -> Result<Audit, Undecided> {
+fn audit(plan: &Plan, pieces: &Pieces, index: usize) -> Result<Audit, Error> {
     let places = plan.needs[index].landmarks.iter();
     let points: Vec<Enclosed> = places
         .filter_map(|&place| pieces.landmarks[place].as_ref())

@@ -67,8 +67,8 @@ pub use read_sweep::read_sweep;
 pub use run::{Costs, Run};
 pub(crate) use same::contour_key;
 pub use schema::{
-    Drawn, EXAMPLE, Item, Kind, MAX_ARCH_DIGITS, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, MapLine, SCHEMA,
-    Scene, SceneArch, SceneDrawing, SceneMap, What,
+    Drawn, EXAMPLE, Item, Kind, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, MapLine, SCHEMA, Scene,
+    SceneArch, SceneDrawing, SceneMap, What,
 };
 #[cfg(feature = "parquet")]
 pub(crate) use sweep::{MAX_CHUNK, MAX_SAMPLE};

@@ -6,9 +6,11 @@ use super::schema::{Drawn, MapLine};
 use crate::arch::SelfWeight;
 use crate::atlas::{Level, NoLevel, NoSketch, Sketch, Trace};
 use crate::certify::state::{Answer, AssessmentDigits, Columns, Inquiry};
-use crate::certify::{CertifiedLandmark, Constant, Undecided, fingerprint};
+use crate::certify::{
+    CertifiedLandmark, Constant, Enclosed, Error, Refused, Undecided, fingerprint,
+};
 use crate::claims::Decision;
-use crate::judge::{Enclosed, enclosed};
+use crate::judge::enclosed;
 use crate::problem::Quantity;
 use std::collections::{BTreeMap, HashMap};
 use std::sync::OnceLock;
@@ -16,7 +18,7 @@ use std::sync::OnceLock;
 /// The pieces of a plan, in its order; nothing for what is not computed yet.
 pub(super) struct Pieces {
     /// Landmarks.
-    pub landmarks: Vec<Option<Result<LandmarkPiece, Undecided>>>,
+    pub landmarks: Vec<Option<Result<LandmarkPiece, Error>>>,
     /// Arches.
     pub arches: Vec<Option<ArchPiece>>,
     /// Claims.
@@ -34,7 +36,7 @@ pub(super) struct LandmarkPiece {
     /// In the order in which they are asked for.
     constants: Vec<Constant>,
     /// The hash of its certificate, or why there is none, by the number of digits.
-    pub certificates: BTreeMap<usize, Result<String, Undecided>>,
+    pub certificates: BTreeMap<usize, Result<String, Error>>,
     /// For the printed numbers, if they are asked for.
     pub enclosed: Option<Enclosed>,
 }
@@ -48,9 +50,9 @@ pub(super) enum CurvePiece {
 /// What is certain of an arch.
 pub(super) struct ArchPiece {
     /// By the number of digits.
-    pub states: BTreeMap<usize, Result<Answer, Undecided>>,
+    pub states: BTreeMap<usize, Result<Answer, Error>>,
     /// In the order in which they are asked for.
-    pub thicknesses: Vec<Result<AssessmentDigits, Undecided>>,
+    pub thicknesses: Vec<Result<AssessmentDigits, Refused>>,
 }
 
 /// A result for each piece, none of them there yet.
@@ -73,7 +75,7 @@ impl Pieces {
 
 impl LandmarkPiece {
     /// Isolates the landmark and refines it once, to the most digits that are asked for.
-    pub(super) fn new(node: &LandmarkNode, tick: &(dyn Fn() + Sync)) -> Result<Self, Undecided> {
+    pub(super) fn new(node: &LandmarkNode, tick: &(dyn Fn() + Sync)) -> Result<Self, Error> {
         let point = CertifiedLandmark::new(node.landmark, node.weight)?;
         let constants = match node.asked.as_slice() {
             [] => Vec::new(),
@@ -81,7 +83,7 @@ impl LandmarkPiece {
         };
         let certificates =
             node.certificates.iter().map(|&digits| (digits, fingerprint(&point, digits))).collect();
-        let enclosed = if node.audited { Some(enclosed(point.clone())?) } else { None };
+        let enclosed = if node.audited { Some(enclosed(&point)?) } else { None };
         Ok(Self { point, constants, certificates, enclosed })
     }
 
@@ -136,7 +138,9 @@ impl Shared {
     /// Nothing is proved yet.
     pub(super) fn new(plan: &Plan) -> Self {
         let asked = plan.arches.iter().filter_map(ArchNode::shared);
-        Self(asked.map(|asked| (asked, Columns::new(asked.0, asked.1))).collect())
+        Self(
+            asked.filter_map(|asked| Some((asked, Columns::new(asked.0, asked.1).ok()?))).collect(),
+        )
     }
 }
 

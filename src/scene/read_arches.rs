@@ -2,9 +2,10 @@
 
 use super::overall::Overall;
 use super::read_numbers::{Meaning, Numbers, SceneNumber, numbers};
-use super::schema::{MAX_ARCH_DIGITS, MAX_ARCHES, SceneArch, What};
+use super::schema::{MAX_ARCHES, SceneArch, What};
 use super::value::{Reader, Value};
 use crate::arch::SelfWeight;
+use crate::certify::MAX_ARCH_DIGITS;
 use crate::number::{ExactNumber, ParseExactError};
 use crate::problem::Arch;
 use crate::problem::Quantity;

@@ -19,8 +19,6 @@ pub const EXAMPLE: &str = include_str!("example.toml");
 
 /// Digits where a scene does not say how many.
 pub(super) const DIGITS: usize = 30;
-/// States are proved in numbers of moderate length.
-pub const MAX_ARCH_DIGITS: usize = 10_000;
 /// The most arches of a scene, and the most steps of a range.
 pub const MAX_ARCHES: usize = 100_000;
 /// The most items of a scene.

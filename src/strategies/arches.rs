@@ -4,6 +4,7 @@ use super::numbers::decimal;
 use super::places::half_openings;
 use super::queries::{Query, query};
 use super::weight;
+use crate::certify::Refused;
 use crate::certify::state::{Answer, Certify, Digits};
 use crate::problem::Mode;
 use crate::problem::{Arch, Friction};
@@ -17,7 +18,8 @@ pub fn arch() -> impl Strategy<Value = Arch> {
 }
 
 /// Arches that stand, with their state at the least thickness, correctly rounded to `digits`
-/// significant digits. What falls, and what is undecided, is left out.
+/// significant digits, 1 to [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS); with others everything is rejected. What falls,
+/// and what is undecided, is left out.
 ///
 /// ```
 /// use couplet::strategies::standing;
@@ -34,7 +36,8 @@ pub fn arch() -> impl Strategy<Value = Arch> {
 /// assert!(verdict.is_ok());
 /// ```
 pub fn standing(digits: usize) -> impl Strategy<Value = (Query, Box<Digits>)> {
-    query().prop_filter_map("stands", move |query| Some((query.clone(), stands(&query, digits)?)))
+    let whence = whence("stands", digits);
+    query().prop_filter_map(whence, move |query| Some((query.clone(), stands(&query, digits)?)))
 }
 
 /// Arches that stand and collapse in `mode` at their least thickness, with the state as in
@@ -51,22 +54,31 @@ pub fn collapsing(mode: Mode, digits: usize) -> impl Strategy<Value = (Query, Bo
         .prop_flat_map(|(weight, [low, high])| {
             (Just(weight), decimal(low, high), 1usize..=17, 0.0..1.0f64)
         })
-        .prop_filter_map("collapses otherwise", move |(weight, alpha, places, part)| {
-            let friction = match mode {
-                Mode::Overturning => Friction::Infinite,
-                _ => {
-                    let mu = above_sliding(alpha.parse().ok()?, part);
-                    // A quick look: not everything that is drawn is worth a proof.
-                    if quick_state(weight, alpha.parse().ok()?, mu).mode != Some(mode) {
-                        return None;
+        .prop_filter_map(
+            whence("collapses otherwise", digits),
+            move |(weight, alpha, places, part)| {
+                let friction = match mode {
+                    Mode::Overturning => Friction::Infinite,
+                    _ => {
+                        let mu = above_sliding(alpha.parse().ok()?, part);
+                        // A quick look: not everything that is drawn is worth a proof.
+                        if quick_state(weight, alpha.parse().ok()?, mu).mode != Some(mode) {
+                            return None;
+                        }
+                        Friction::Coefficient(format!("{mu:.places$}").parse().ok()?)
                     }
-                    Friction::Coefficient(format!("{mu:.places$}").parse().ok()?)
-                }
-            };
-            let query = Query { weight, half_opening: alpha.parse().ok()?, friction };
-            let state = stands(&query, digits).filter(|state| state.mode == mode)?;
-            Some((query, state))
-        })
+                };
+                let query = Query { weight, half_opening: alpha.parse().ok()?, friction };
+                let state = stands(&query, digits).filter(|state| state.mode == mode)?;
+                Some((query, state))
+            },
+        )
+}
+
+/// Why an arch is left out: because of the digits, if none can be had to so many.
+fn whence(otherwise: &str, digits: usize) -> String {
+    Refused::arch_digits(digits)
+        .map_or_else(|refused| refused.to_string(), |()| otherwise.to_owned())
 }
 
 /// The proved state of an arch that stands.

@@ -46,6 +46,8 @@ mod landmarks;
 #[cfg(all(feature = "mpfr", feature = "cli"))]
 mod map;
 #[cfg(feature = "mpfr")]
+mod misuse;
+#[cfg(feature = "mpfr")]
 mod number_suite;
 #[cfg(all(unix, feature = "study", feature = "cli"))]
 mod outputs;

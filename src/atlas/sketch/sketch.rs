@@ -6,7 +6,7 @@ use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::certify::state::{
     Assessment, Fall, Outcome, assessment_enclosed, raised, sliding_configuration, state_enclosed,
 };
-use crate::certify::{CertifiedLandmark, Undecided};
+use crate::certify::{CertifiedLandmark, Refused, Undecided};
 use crate::number::{Ball, Drawable, Enclosure, ExactNumber, Rounded, Ternary};
 use crate::problem::{Arch, Fixed, Landmark, Mode, Quantity};
 use crate::sketch::joints_of;
@@ -59,6 +59,9 @@ pub enum NoSketch {
     /// The arch stands at no thickness, which is proved.
     #[error("the arch stands at no thickness: {}", .0.reason())]
     Falls(Fall),
+    /// The thickness is none.
+    #[error(transparent)]
+    Refused(#[from] Refused),
     /// The proof did not succeed.
     #[error(transparent)]
     Undecided(#[from] Undecided),
@@ -122,14 +125,15 @@ impl Sketch {
         let at = refined.configuration().clone();
         let subject = (Subject::Landmark(landmark), weight);
         let sketch = Self::of_modes(subject, at, is_limited, &mechanisms(landmark), is_dilatant)?;
-        Ok(sketch.decided().ok_or_else(|| Undecided::new("the rounding"))?)
+        Ok(sketch.decided().ok_or_else(|| Undecided::rounding("the rounding"))?)
     }
 
     /// An arch of a given thickness, in `(0, 2]`, as it stands; without lines if it does not.
     pub fn standing(arch: &Arch, thickness: &ExactNumber) -> Result<Self, NoSketch> {
+        Refused::thickness(thickness)?;
         wide(arch)?;
         Ok(raised(arch, DIGITS, |bits| {
-            let assessment = assessment_enclosed(arch, thickness, bits)?;
+            let assessment = assessment_enclosed(arch, thickness, bits);
             assessment.stands.clone()?;
             for quantity in Quantity::ASSESSMENT {
                 if let Some(open) = assessment.why_open(quantity) {
@@ -158,6 +162,7 @@ impl Sketch {
         thickness: &ExactNumber,
         is_dilatant: bool,
     ) -> Result<Self, NoSketch> {
+        Refused::thickness(thickness)?;
         wide(arch)?;
         raised(arch, DIGITS, |bits| {
             let at = sliding_configuration(arch, bits)?;

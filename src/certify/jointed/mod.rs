@@ -33,10 +33,10 @@ mod vertex;
 
 pub use found::{Enumeration, JointedMotion, JointedSolution, LeastSolution, Standing};
 
-use super::Undecided;
 use super::extent::Extent;
 use super::programme::MOST_JOINTED_STONES;
 use super::voussoirs::{Voussoirs, voussoirs};
+use super::{Error, Refused, Undecided};
 use crate::number::DoubleBall;
 use crate::problem::Arch;
 use crate::problem::stones::Stones;
@@ -62,7 +62,7 @@ pub fn enumerate(
     stones: u64,
     extent: Extent,
     digits: usize,
-) -> Result<Enumeration, Undecided> {
+) -> Result<Enumeration, Error> {
     let (equal, number, found) = standing((arch, stones, MOST_ENUMERATED_STONES), digits)?;
     let nothing = |standing| Enumeration {
         extent,
@@ -108,7 +108,7 @@ pub fn least_solution(
     stones: u64,
     extent: Extent,
     digits: usize,
-) -> Result<LeastSolution, Undecided> {
+) -> Result<LeastSolution, Error> {
     let (equal, number, found) = standing((arch, stones, MOST_JOINTED_STONES), digits)?;
     let of = Digits { arch, stones: &equal, number, extent, digits };
     Ok(match found {
@@ -122,14 +122,13 @@ pub fn least_solution(
 fn standing(
     (arch, stones, most): (&Arch, u64, u64),
     digits: usize,
-) -> Result<(Stones, i32, Voussoirs), Undecided> {
-    let number = i32::try_from(stones).ok().filter(|_| (2..=most).contains(&stones));
-    let number = number.ok_or_else(|| Undecided::new("the number of stones"))?;
+) -> Result<(Stones, i32, Voussoirs), Error> {
+    Refused::arch_digits(digits)?;
+    let number = Refused::stones(stones, most)?;
     if !arch.is_limited() {
-        return Err(Undecided::new("whether a joint opens without friction to limit it"));
+        return Err(Undecided::new("whether a joint opens without friction to limit it").into());
     }
-    let equal = Stones::equal(stones, arch.half_opening().clone());
-    let equal = equal.map_err(|error| Undecided::new(error.to_string()))?;
+    let equal = Stones::equal(stones, arch.half_opening().clone())?;
     let found = voussoirs(&equal, arch.weight(), arch.friction(), digits.max(START_DIGITS))?;
     Ok((equal, number, found))
 }

@@ -188,7 +188,7 @@ fn a_line_that_may_have_no_end_is_not_decided() {
     };
     for extent in [Extent::Whole, Extent::Half] {
         let open = of("0.54630248984379051325", extent).unwrap_err();
-        assert_eq!(open.reason, "whether a line is admissible as a whole");
+        assert_eq!(open.to_string(), "undecided: whether a line is admissible as a whole");
         for mu in ["0.546", "0.547"] {
             assert!(matches!(of(mu, extent), Ok(Programme::Least { .. })), "{mu}");
         }

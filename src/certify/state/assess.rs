@@ -14,9 +14,7 @@ use crate::certify::Undecided;
 use crate::certify::arithmetic::Arithmetic;
 use crate::certify::decide::{decide, require};
 use crate::number::{Ball, ExactNumber, Ternary};
-use crate::problem::{
-    Arch, Quantity, friction_angle_is_half_opening, has_no_arm_at_crown, is_thickness,
-};
+use crate::problem::{Arch, Quantity, friction_angle_is_half_opening, has_no_arm_at_crown};
 
 /// What is certain of an arch of a given thickness, each answer with a reason where it stays open.
 #[derive(Clone, Debug)]
@@ -85,10 +83,7 @@ pub(super) fn assessment<E: Arithmetic>(
     bits: u32,
     wanted: Wanted,
     mut state: impl FnMut(bool) -> Result<Outcome<E>, Undecided>,
-) -> Result<Assessment<E>, Undecided> {
-    if !is_thickness(thickness) {
-        return Err(Undecided::new("the thickness is not between 0 and 2"));
-    }
+) -> Assessment<E> {
     let eta: E = thickness.enclosure(bits);
     let enough = |least: &E, question| decide(&(eta.clone() - least), question, &[]);
     let own = state(true);
@@ -101,7 +96,7 @@ pub(super) fn assessment<E: Arithmetic>(
     let stands = stands.map(|enough| enough == Some(true));
     let geometric_safety = of(&least_thickness, |least| Ok(eta.clone() / least));
     if wanted == Wanted::Standing {
-        return Ok(Assessment {
+        return Assessment {
             stands,
             fall,
             least_thickness,
@@ -109,7 +104,7 @@ pub(super) fn assessment<E: Arithmetic>(
             required_friction: Ok(None),
             friction_safety: Ok(None),
             thrust: [Ok(None), Ok(None)],
-        });
+        };
     }
     let mut query: Query<E> = Query::new(arch, bits);
     query.given = query.given.with(Unknown::Thickness, eta.clone());
@@ -150,7 +145,7 @@ pub(super) fn assessment<E: Arithmetic>(
         ]),
         Err(ref open) => [Err(open.clone()), Err(open.clone())],
     };
-    Ok(Assessment {
+    Assessment {
         stands,
         fall,
         least_thickness,
@@ -158,7 +153,7 @@ pub(super) fn assessment<E: Arithmetic>(
         required_friction,
         friction_safety,
         thrust,
-    })
+    }
 }
 
 /// The range of an arch that stands: the two routes have to agree.

@@ -7,9 +7,12 @@ use super::mode::{Asked, outcome, pure_sliding};
 use super::query::{DOUBLE, Query, bits_lost};
 use super::quick;
 use super::state::{Fall, Outcome};
-use crate::certify::{Undecided, decide::require};
+use crate::certify::{Error, Refused, Undecided, decide::require};
 use crate::number::{Ball, DoubleBall, ExactNumber};
 use crate::problem::Arch;
+
+/// Fewer bits tell nothing of any arch.
+const LEAST_BITS: u32 = 32;
 
 /// Why an arch has no least thickness to show.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -17,12 +20,26 @@ pub enum NoState {
     /// It stands at no thickness, which is proved.
     #[error("the arch stands at no thickness: {}", .0.reason())]
     Falls(Fall),
+    /// The question makes no sense.
+    #[error(transparent)]
+    Refused(#[from] Refused),
     /// The proof did not succeed.
     #[error(transparent)]
     Undecided(#[from] Undecided),
 }
 
+impl From<Error> for NoState {
+    fn from(error: Error) -> Self {
+        match error {
+            Error::Refused(refused) => refused.into(),
+            Error::Undecided(undecided) => undecided.into(),
+        }
+    }
+}
+
 /// Proofs about an arch.
+///
+/// Digits are from 1 to [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS); others are refused, as is a thickness that is none.
 ///
 /// ```
 /// use couplet::prelude::*;
@@ -36,7 +53,7 @@ pub enum NoState {
 ///
 /// [`CertifiedLandmark`]: crate::certify::CertifiedLandmark
 pub trait Certify {
-    /// The state at the least thickness, correctly rounded to `digits` significant digits, at least one.
+    /// The state at the least thickness, correctly rounded to `digits` significant digits.
     fn least(&self, digits: usize) -> Result<Digits, NoState>;
 
     /// The same, with the proof that the arch stands at no thickness as one of the answers: the precision
@@ -46,21 +63,20 @@ pub trait Certify {
     /// Up to 25 digits balls of double-doubles are asked first, and balls of MPFR only for what those leave open. Digits
     /// and nearest doubles are the same either way; the bounds in the field `binary` of a figure are others, just as valid, and the
     /// nearest quadruple is known from balls of MPFR alone, those of an [`Inquiry`].
-    fn certify(&self, digits: usize) -> Result<Answer, Undecided>;
+    fn certify(&self, digits: usize) -> Result<Answer, Error>;
 
     /// The same without the frictions at which the mode changes: nothing is evaluated that the proof of
     /// the state does not need.
-    fn certify_alone(&self, digits: usize) -> Result<Answer, Undecided>;
+    fn certify_alone(&self, digits: usize) -> Result<Answer, Error>;
 
-    /// What holds for the arch with a given thickness `t/r` in `(0, 2]`, in the same way; any other
-    /// thickness is undecided.
+    /// What holds for the arch with a given thickness `t/r` in `(0, 2]`, in the same way.
     fn certify_thickness(
         &self,
         thickness: &ExactNumber,
         digits: usize,
-    ) -> Result<AssessmentDigits, Undecided>;
+    ) -> Result<AssessmentDigits, Refused>;
 
-    /// The state in enclosures, proved with numbers of `bits` bits, at least one: 64 are enough for an
+    /// The state in enclosures, proved with numbers of `bits` bits (and never fewer than 32): 64 are enough for an
     /// ordinary arch. What these cannot tell is undecided; more bits may.
     fn state(&self, bits: u32) -> Result<Outcome, Undecided>;
 
@@ -82,8 +98,8 @@ pub trait Certify {
     /// ```
     fn state_in_doubles(&self) -> Result<Outcome<DoubleBall>, Undecided>;
 
-    /// What holds for the arch with a given thickness, in enclosures.
-    fn assess(&self, thickness: &ExactNumber, bits: u32) -> Result<Assessment, Undecided>;
+    /// What holds for the arch with a given thickness in `(0, 2]`, in enclosures.
+    fn assess(&self, thickness: &ExactNumber, bits: u32) -> Result<Assessment, Refused>;
 
     /// The friction below which nothing stands at this half opening: that of the purely sliding state.
     fn sliding_friction(&self, bits: u32) -> Result<Ball, Undecided>;
@@ -101,14 +117,14 @@ impl Certify for Arch {
         }
     }
 
-    fn certify(&self, digits: usize) -> Result<Answer, Undecided> {
+    fn certify(&self, digits: usize) -> Result<Answer, Error> {
         match quick::state(self, digits, Asked::Frictions) {
             Some(answer) => Ok(answer),
             None => Inquiry::new(self, digits, true).state(digits, true),
         }
     }
 
-    fn certify_alone(&self, digits: usize) -> Result<Answer, Undecided> {
+    fn certify_alone(&self, digits: usize) -> Result<Answer, Error> {
         match quick::state(self, digits, Asked::Nothing) {
             Some(answer) => Ok(answer),
             None => Inquiry::new(self, digits, false).state(digits, false),
@@ -119,7 +135,8 @@ impl Certify for Arch {
         &self,
         thickness: &ExactNumber,
         digits: usize,
-    ) -> Result<AssessmentDigits, Undecided> {
+    ) -> Result<AssessmentDigits, Refused> {
+        Refused::thickness(thickness)?;
         match quick::assess(self, thickness, digits) {
             Some(found) => Ok(found),
             None => Inquiry::new(self, digits, false).assess(thickness, digits, Wanted::Everything),
@@ -127,11 +144,11 @@ impl Certify for Arch {
     }
 
     fn state(&self, bits: u32) -> Result<Outcome, Undecided> {
-        outcome(&Query::new(self, bits), Asked::Frictions)
+        outcome(&Query::new(self, bits.max(LEAST_BITS)), Asked::Frictions)
     }
 
     fn state_alone(&self, bits: u32) -> Result<Outcome, Undecided> {
-        outcome(&Query::new(self, bits), Asked::Nothing)
+        outcome(&Query::new(self, bits.max(LEAST_BITS)), Asked::Nothing)
     }
 
     fn state_in_doubles(&self) -> Result<Outcome<DoubleBall>, Undecided> {
@@ -144,12 +161,14 @@ impl Certify for Arch {
         Ok(found)
     }
 
-    fn assess(&self, thickness: &ExactNumber, bits: u32) -> Result<Assessment, Undecided> {
-        Inquiry::new(self, 1, false).assessment(thickness, bits, Wanted::Everything)
+    fn assess(&self, thickness: &ExactNumber, bits: u32) -> Result<Assessment, Refused> {
+        Refused::thickness(thickness)?;
+        let bits = bits.max(LEAST_BITS);
+        Ok(Inquiry::new(self, 1, false).assessment(thickness, bits, Wanted::Everything))
     }
 
     fn sliding_friction(&self, bits: u32) -> Result<Ball, Undecided> {
-        pure_sliding(&Query::new(self, bits))
+        pure_sliding(&Query::new(self, bits.max(LEAST_BITS)))
     }
 
     fn bits_lost(&self) -> u32 {

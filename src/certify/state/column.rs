@@ -16,9 +16,9 @@ use super::query::{DOUBLE_DOUBLE, Query};
 use super::quick::is_quick;
 use super::state::{Fall, Frictions, Outcome};
 use crate::arch::SelfWeight;
-use crate::certify::Undecided;
+use crate::certify::{Error, Refused};
 use crate::number::{DoubleDouble, DoubleDoubleBall, Enclosure, ExactNumber, Real};
-use crate::problem::{Arch, ArchError, Friction};
+use crate::problem::{Arch, Friction};
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
@@ -29,12 +29,12 @@ use std::sync::OnceLock;
 /// use couplet::prelude::*;
 /// let column = Column::new(SelfWeight::Milankovitch, "80deg".parse()?, 17)?;
 /// for friction in ["0.1", "0.35", "0.6", "1.2"] {
-///     match &*column.certify_alone(friction.parse()?)?? {
+///     match &*column.certify_alone(friction.parse()?)? {
 ///         Answer::Stands(state) => println!("{friction}: {} {}", state.mode, state.thickness),
 ///         Answer::Falls { fall, .. } => println!("{friction}: {}", fall.reason()),
 ///     }
 /// }
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), couplet::Error>(())
 /// ```
 ///
 /// See also: [`Certify::certify_alone`], which answers one.
@@ -57,13 +57,14 @@ pub struct Column {
 }
 
 impl Column {
-    /// The arches of a half opening in `(0, pi)`, with values to `digits` significant digits, at least one. It costs
-    /// about as much as two arches.
+    /// The arches of a half opening in `(0, pi)`, with values to `digits` significant digits. It costs about as much as two
+    /// arches. Any other half opening, and digits beyond [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS), are refused.
     pub fn new(
         weight: SelfWeight,
         half_opening: ExactNumber,
         digits: usize,
-    ) -> Result<Self, ArchError> {
+    ) -> Result<Self, Refused> {
+        Refused::arch_digits(digits)?;
         let unlimited = Arch::new(weight, half_opening, Friction::Infinite)?;
         let query = Query::<DoubleDoubleBall>::new(&unlimited, DOUBLE_DOUBLE);
         let (sliding, same_from) = match outcome(&query, Asked::Frictions) {
@@ -84,41 +85,38 @@ impl Column {
         Ok(Self { unlimited, digits, answer, sliding, same_from, slides, frictions, enough })
     }
 
-    /// What [`Certify::certify_alone`] finds for the arch of this friction; an error if that is out of its range.
-    pub fn certify_alone(
-        &self,
-        friction: Friction,
-    ) -> Result<Result<Cow<'_, Answer>, Undecided>, ArchError> {
+    /// What [`Certify::certify_alone`] finds for the arch of this friction; refused if that is out of its range.
+    pub fn certify_alone(&self, friction: Friction) -> Result<Cow<'_, Answer>, Error> {
         if let Friction::Coefficient(mu) = &friction
             && let Some(answer) = self.shared(&mu.enclosure(DOUBLE_DOUBLE))
         {
-            return Ok(Ok(Cow::Borrowed(answer)));
+            return Ok(Cow::Borrowed(answer));
         }
-        Ok(self.alone(&self.arch(friction)?))
+        self.alone(&self.arch(friction)?)
     }
 
-    /// What [`Certify::certify`] finds for the arch of this friction, with the frictions at which its mode changes; an
-    /// error if that is out of its range.
+    /// What [`Certify::certify`] finds for the arch of this friction, with the frictions at which its mode changes; refused
+    /// if that is out of its range.
     ///
     /// ```
     /// use couplet::certify::state::{Answer, Column};
     /// use couplet::prelude::*;
     /// let column = Column::new(SelfWeight::Milankovitch, "80deg".parse()?, 17)?;
-    /// let Answer::Stands(state) = column.certify("0.6".parse()?)?? else { panic!() };
+    /// let Answer::Stands(state) = column.certify("0.6".parse()?)? else { panic!() };
     /// assert_eq!(state.frictions.unwrap().sliding.to_string(), "0.21939417869493803");
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// # Ok::<(), couplet::Error>(())
     /// ```
-    pub fn certify(&self, friction: Friction) -> Result<Result<Answer, Undecided>, ArchError> {
-        Ok(self.whole(&self.arch(friction)?))
+    pub fn certify(&self, friction: Friction) -> Result<Answer, Error> {
+        self.whole(&self.arch(friction)?)
     }
 
     /// The arch of a friction.
-    fn arch(&self, friction: Friction) -> Result<Arch, ArchError> {
-        Arch::new(self.unlimited.weight(), self.unlimited.half_opening().clone(), friction)
+    fn arch(&self, friction: Friction) -> Result<Arch, Refused> {
+        Ok(Arch::new(self.unlimited.weight(), self.unlimited.half_opening().clone(), friction)?)
     }
 
     /// What is found for an arch of this half opening and weight, without frictions.
-    pub(super) fn alone(&self, arch: &Arch) -> Result<Cow<'_, Answer>, Undecided> {
+    pub(super) fn alone(&self, arch: &Arch) -> Result<Cow<'_, Answer>, Error> {
         let shared = match Self::enclosed(arch.friction()) {
             Some(friction) => self.shared(&friction),
             None => self.answer.as_ref(),
@@ -130,7 +128,7 @@ impl Column {
     }
 
     /// The same with them.
-    pub(super) fn whole(&self, arch: &Arch) -> Result<Answer, Undecided> {
+    pub(super) fn whole(&self, arch: &Arch) -> Result<Answer, Error> {
         match self.alone(arch).map(Cow::into_owned) {
             Ok(Answer::Stands(state)) => {
                 if let Some(frictions) = self.frictions() {
@@ -249,14 +247,14 @@ mod tests {
     fn same(column: &Column, friction: &str) -> bool {
         let friction: Friction = friction.parse().unwrap();
         let arch = column.arch(friction.clone()).unwrap();
-        let found = column.certify_alone(friction).unwrap().unwrap();
+        let found = column.certify_alone(friction).unwrap();
         equal(&arch.certify_alone(column.digits).unwrap(), &found);
         matches!(found, Cow::Borrowed(_))
     }
 
     fn same_with_frictions(column: &Column, friction: &str) {
         let arch = column.arch(friction.parse().unwrap()).unwrap();
-        let found = column.certify(friction.parse().unwrap()).unwrap();
+        let found = column.certify(friction.parse().unwrap());
         match (arch.certify(column.digits), found) {
             (Ok(alone), Ok(found)) => equal(&alone, &found),
             (alone, found) => assert_eq!(alone.err(), found.err(), "{arch}"),
@@ -327,7 +325,8 @@ mod tests {
     fn a_friction_that_makes_no_sense_is_refused() {
         let column = Column::new(SelfWeight::Heyman, "1".parse().unwrap(), 17).unwrap();
         for friction in ["-1", "-1e-300", "tan(91deg)", "200deg", "tan(-1)"] {
-            assert!(column.certify_alone(friction.parse().unwrap()).is_err(), "{friction}");
+            let found = column.certify_alone(friction.parse().unwrap());
+            assert!(matches!(found, Err(Error::Refused(Refused::Arch(_)))), "{friction}");
         }
         assert!(same(&column, "1e-30") && same(&column, "89deg"));
         assert!(!same(&column, "0"));
@@ -336,5 +335,7 @@ mod tests {
         }
         assert!(column.shared_at(1e-30).is_some() && column.shared_at(50.0).is_some());
         assert!(Column::new(SelfWeight::Heyman, "pi".parse().unwrap(), 17).is_err());
+        let none = Column::new(SelfWeight::Heyman, "1".parse().unwrap(), 0).unwrap_err();
+        assert!(matches!(none, Refused::Digits { asked: 0, .. }));
     }
 }

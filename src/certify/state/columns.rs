@@ -7,7 +7,7 @@ use super::certify::Certify;
 use super::column::Column;
 use super::digits::Answer;
 use crate::arch::SelfWeight;
-use crate::certify::Undecided;
+use crate::certify::{Error, Refused};
 use crate::number::ExactNumber;
 use crate::problem::Arch;
 use std::borrow::Cow;
@@ -19,12 +19,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// ```
 /// use couplet::certify::state::{Answer, Columns};
 /// use couplet::prelude::*;
-/// let columns = Columns::new(17, true);
+/// let columns = Columns::new(17, true)?;
 /// for friction in ["0.1", "0.35", "0.6", "1.2"] {
 ///     let arch = Arch::parse("milankovitch", "80deg", friction)?;
 ///     assert_eq!(matches!(columns.certify(&arch)?, Answer::Stands(_)), friction != "0.1");
 /// }
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), couplet::Error>(())
 /// ```
 #[derive(Debug)]
 pub struct Columns {
@@ -50,14 +50,15 @@ const ALONE: usize = 2;
 const MOST: usize = 4096;
 
 impl Columns {
-    /// Values to `digits` significant digits, at least one; `frictions` says whether the frictions at which the mode
-    /// changes are asked for.
-    pub fn new(digits: usize, frictions: bool) -> Self {
-        Self { digits, frictions, seen: Mutex::default() }
+    /// Values to `digits` significant digits; `frictions` says whether the frictions at which the mode changes are asked for.
+    /// Digits beyond [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS) are refused.
+    pub fn new(digits: usize, frictions: bool) -> Result<Self, Refused> {
+        Refused::arch_digits(digits)?;
+        Ok(Self { digits, frictions, seen: Mutex::default() })
     }
 
     /// What [`Certify::certify`] or [`Certify::certify_alone`] finds for an arch, as the frictions are asked for or not.
-    pub fn certify(&self, arch: &Arch) -> Result<Answer, Undecided> {
+    pub fn certify(&self, arch: &Arch) -> Result<Answer, Error> {
         match (self.column(arch), self.frictions) {
             (Some(column), true) => column.whole(arch),
             (Some(column), false) => column.alone(arch).map(Cow::into_owned),
@@ -103,7 +104,7 @@ mod tests {
     }
 
     /// What is asked of an arch, as text.
-    fn told(found: &Result<Answer, Undecided>) -> String {
+    fn told(found: &Result<Answer, Error>) -> String {
         let shown = |x: Option<&Figure>| match x {
             Some(x) => format!("{:?} {:?}", x.decimal, [x.double, x.binary.lower, x.binary.upper]),
             None => "none".to_owned(),
@@ -134,7 +135,7 @@ mod tests {
     #[test]
     fn an_arch_is_answered_as_alone_whoever_came_before() {
         for frictions in [false, true] {
-            let columns = Columns::new(17, frictions);
+            let columns = Columns::new(17, frictions).unwrap();
             for arch in arches() {
                 let alone = match frictions {
                     true => arch.certify(17),
@@ -148,7 +149,7 @@ mod tests {
 
     #[test]
     fn threads_may_ask_at_a_time() {
-        let columns = Columns::new(17, true);
+        let columns = Columns::new(17, true).unwrap();
         let all = || arches().iter().map(|arch| told(&columns.certify(arch))).collect::<Vec<_>>();
         let found: Vec<Vec<String>> = thread::scope(|scope| {
             let threads = [(); 3].map(|()| scope.spawn(all));
@@ -159,7 +160,7 @@ mod tests {
 
     #[test]
     fn half_openings_that_do_not_come_again_are_forgotten() {
-        let columns = Columns::new(1, false);
+        let columns = Columns::new(1, false).unwrap();
         let alpha = |place: usize| ExactNumber::from(&rug::Rational::from((1, place + 1)));
         let arch = |place| {
             Arch::new(SelfWeight::Heyman, alpha(place), crate::problem::Friction::Infinite).unwrap()

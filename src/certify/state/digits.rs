@@ -176,11 +176,14 @@ impl AssessmentDigits {
         self.stands.as_ref().err().or_else(|| self.open().next().map(|(_, undecided)| undecided))
     }
 
-    /// Every value rounded to `digits` significant digits; one that the enclosures do not decide is open.
-    pub(super) fn new<E: Figured>(assessment: Assessment<E>, digits: usize) -> Self {
-        let rounding = || Undecided::new("the rounding");
+    /// Every value rounded to `digits` significant digits; one that the enclosures, of `bits` bits, do not decide is open.
+    pub(super) fn new<E: Figured>(assessment: Assessment<E>, (digits, bits): (usize, u32)) -> Self {
+        let at = |open: Undecided| open.at(bits);
+        let rounding = || Undecided::rounding("the rounding");
         let round = |x: &E| x.figure(digits).ok_or_else(rounding);
-        let rounded = |x: Result<Option<E>, Undecided>| x?.as_ref().map(round).transpose();
+        let rounded = |x: Result<Option<E>, Undecided>| {
+            x.and_then(|x| x.as_ref().map(round).transpose()).map_err(at)
+        };
         let limit = |limit: Limit<E>| {
             Ok(LimitDigits {
                 thrust: limit.thrust.as_ref().map(round).transpose()?,
@@ -189,13 +192,15 @@ impl AssessmentDigits {
             })
         };
         Self {
-            stands: assessment.stands,
+            stands: assessment.stands.map_err(at),
             fall: assessment.fall,
             least_thickness: rounded(assessment.least_thickness),
             geometric_safety: rounded(assessment.geometric_safety),
             required_friction: rounded(assessment.required_friction),
             friction_safety: rounded(assessment.friction_safety),
-            thrust: assessment.thrust.map(|end| end?.map(limit).transpose()),
+            thrust: assessment
+                .thrust
+                .map(|end| end.and_then(|end| end.map(limit).transpose()).map_err(at)),
         }
     }
 

@@ -8,9 +8,9 @@ use super::column::Column;
 use super::digits::{Answer, AssessmentDigits};
 use super::figure::Figure;
 use crate::arch::SelfWeight;
-use crate::certify::Undecided;
+use crate::certify::{Error, Refused};
 use crate::number::ExactNumber;
-use crate::problem::{Arch, Friction, Mode, Quantity, is_thickness};
+use crate::problem::{Arch, Friction, Mode, Quantity};
 use rayon::prelude::*;
 use rug::Rational;
 use std::collections::HashMap;
@@ -76,7 +76,7 @@ impl Row {
         row
     }
 
-    fn state(found: Result<&Answer, &Undecided>, quantities: &[Quantity]) -> Self {
+    fn state(found: Result<&Answer, &Error>, quantities: &[Quantity]) -> Self {
         match found {
             Ok(Answer::Stands(digits)) => {
                 let is = (RowVerdict::Stands, Some(digits.mode));
@@ -87,12 +87,13 @@ impl Row {
                 let sliding = sliding.map(|figure| (Quantity::SlidingFriction, Some(figure)));
                 Self::with((RowVerdict::Falls, None), quantities, sliding.into_iter())
             }
-            Err(_) => Self::without(RowVerdict::Undecided, quantities),
+            Err(Error::Undecided(_)) => Self::without(RowVerdict::Undecided, quantities),
+            Err(Error::Refused(_)) => Self::without(RowVerdict::Refused, quantities),
         }
     }
 
-    fn assessment(found: &Result<AssessmentDigits, Undecided>, quantities: &[Quantity]) -> Self {
-        let Ok(digits) = found else { return Self::without(RowVerdict::Undecided, quantities) };
+    fn assessment(found: &Result<AssessmentDigits, Refused>, quantities: &[Quantity]) -> Self {
+        let Ok(digits) = found else { return Self::without(RowVerdict::Refused, quantities) };
         let verdict = match digits.stands {
             Ok(true) => RowVerdict::Stands,
             Ok(false) => RowVerdict::Falls,
@@ -120,10 +121,11 @@ fn friction(mu: f64) -> Option<Friction> {
 /// use couplet::certify::state::{Doubles, RowVerdict};
 /// use couplet::prelude::*;
 /// let asked = Doubles { weight: SelfWeight::Milankovitch, quantities: vec![Quantity::Thickness] };
-/// let rows = asked.rows(&[2.45, 2.45, 4.0], &[1.35, 0.1, 1.0], None);
+/// let rows = asked.rows(&[2.45, 2.45, 4.0], &[1.35, 0.1, 1.0], None)?;
 /// assert_eq!((rows[0].mode, rows[0].values[0][0]), (Mode::named("rrs"), 0.65024378080138357));
 /// assert_eq!(rows[1].verdict, RowVerdict::Falls);
 /// assert_eq!(rows[2].verdict, RowVerdict::Refused);
+/// # Ok::<(), couplet::Error>(())
 /// ```
 ///
 /// See also: [`Certify::certify_alone`] and [`Certify::certify_thickness`], which answer one.
@@ -131,14 +133,26 @@ fn friction(mu: f64) -> Option<Friction> {
 pub struct Doubles {
     /// The self-weight model.
     pub weight: SelfWeight,
-    /// The quantities, of [`Quantity::STATE`], or of [`Quantity::ASSESSMENT`] where there are thicknesses. Any other has
-    /// no value.
+    /// The quantities, of [`Quantity::STATE`], or of [`Quantity::ASSESSMENT`] where there are thicknesses.
     pub quantities: Vec<Quantity>,
 }
 
 impl Doubles {
     /// The answers for half openings in `(0, pi)`, rad, and frictions from 0 to infinity, both of one length; with
-    /// thicknesses, of the same length and in `(0, 2]`, for arches that have these. What is out of its range is refused.
+    /// thicknesses, of the same length and in `(0, 2]`, for arches that have these. A row with a number out of its range is
+    /// [`RowVerdict::Refused`], and no other is. All are refused where the lengths differ, or a quantity is asked for that such
+    /// arches do not have.
+    ///
+    /// ```
+    /// use couplet::Refused;
+    /// use couplet::certify::state::Doubles;
+    /// use couplet::prelude::*;
+    /// let asked = Doubles { weight: SelfWeight::Heyman, quantities: vec![Quantity::GeometricSafety] };
+    /// assert_eq!(asked.rows(&[1.0, 1.2], &[0.5], None), Err(Refused::Lengths(vec![2, 1])));
+    /// // A safety is that of a thickness.
+    /// assert!(matches!(asked.rows(&[1.0], &[0.5], None), Err(Refused::NoSuchQuantity { .. })));
+    /// assert!(asked.rows(&[1.0], &[0.5], Some(&[0.1])).is_ok());
+    /// ```
     ///
     /// Inside a pool of rayon its threads share the work; elsewhere all is done in the thread that calls.
     pub fn rows(
@@ -146,15 +160,25 @@ impl Doubles {
         half_openings: &[f64],
         frictions: &[f64],
         thicknesses: Option<&[f64]>,
-    ) -> Vec<Row> {
+    ) -> Result<Vec<Row>, Refused> {
+        let mut lengths = vec![half_openings.len(), frictions.len()];
+        lengths.extend(thicknesses.map(<[f64]>::len));
+        if lengths.iter().any(|length| *length != lengths[0]) {
+            return Err(Refused::Lengths(lengths));
+        }
+        let possible = match thicknesses {
+            Some(_) => &Quantity::ASSESSMENT[..],
+            None => &Quantity::STATE,
+        };
+        self.quantities.iter().try_for_each(|of| Refused::quantity(*of, possible))?;
         let arches: Vec<(f64, f64)> =
             half_openings.iter().copied().zip(frictions.iter().copied()).collect();
         if let Some(etas) = thicknesses {
             let all: Vec<_> = arches.into_iter().zip(etas).collect();
-            return each(&all, |&((alpha, mu), &eta)| self.assessment(alpha, mu, eta));
+            return Ok(each(&all, |&((alpha, mu), &eta)| self.assessment(alpha, mu, eta)));
         }
         let columns = self.columns(half_openings);
-        each(&arches, |&(alpha, mu)| self.state(alpha, mu, columns.get(&alpha.to_bits())))
+        Ok(each(&arches, |&(alpha, mu)| self.state(alpha, mu, columns.get(&alpha.to_bits()))))
     }
 
     fn refused(&self) -> Row {
@@ -174,19 +198,14 @@ impl Doubles {
     fn state(&self, alpha: f64, mu: f64, column: Option<&Column>) -> Row {
         let quantities = &self.quantities;
         if let Some(column) = column {
+            let Some(friction) = friction(mu) else { return self.refused() };
             if self.has_frictions() {
-                let found = friction(mu).and_then(|mu| column.certify(mu).ok());
-                return found.map_or_else(
-                    || self.refused(),
-                    |found| Row::state(found.as_ref(), quantities),
-                );
+                return Row::state(column.certify(friction).as_ref(), quantities);
             }
-            if let Some(found) = column.shared_at(mu) {
-                return Row::state(Ok(found), quantities);
-            }
-            let found = friction(mu).and_then(|mu| column.certify_alone(mu).ok());
-            return found
-                .map_or_else(|| self.refused(), |found| Row::state(found.as_deref(), quantities));
+            return match column.shared_at(mu) {
+                Some(found) => Row::state(Ok(found), quantities),
+                None => Row::state(column.certify_alone(friction).as_deref(), quantities),
+            };
         }
         let Some(arch) = self.arch(alpha, mu) else { return self.refused() };
         let found = match self.has_frictions() {
@@ -197,8 +216,7 @@ impl Doubles {
     }
 
     fn assessment(&self, alpha: f64, mu: f64, eta: f64) -> Row {
-        let eta = exact(eta).filter(is_thickness);
-        let Some((arch, eta)) = self.arch(alpha, mu).zip(eta) else { return self.refused() };
+        let Some((arch, eta)) = self.arch(alpha, mu).zip(exact(eta)) else { return self.refused() };
         Row::assessment(&arch.certify_thickness(&eta, DIGITS), &self.quantities)
     }
 
@@ -257,12 +275,12 @@ mod tests {
     fn a_row_is_what_it_is_alone_whatever_the_threads() {
         let asked = asked(&[Quantity::Thrust, Quantity::Thickness]);
         let (alphas, mus) = grid();
-        let together = bits(&asked.rows(&alphas, &mus, None));
-        let alone =
-            alphas.iter().zip(&mus).flat_map(|(&alpha, &mu)| asked.rows(&[alpha], &[mu], None));
+        let rows = |alphas: &[f64], mus: &[f64]| asked.rows(alphas, mus, None).unwrap();
+        let together = bits(&rows(&alphas, &mus));
+        let alone = alphas.iter().zip(&mus).flat_map(|(&alpha, &mu)| rows(&[alpha], &[mu]));
         assert_eq!(together, bits(&alone.collect::<Vec<_>>()));
         let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
-        assert_eq!(together, bits(&pool.install(|| asked.rows(&alphas, &mus, None))));
+        assert_eq!(together, bits(&pool.install(|| rows(&alphas, &mus))));
         let falls = together.iter().filter(|(verdict, ..)| *verdict == RowVerdict::Falls).count();
         assert!((5..25).contains(&falls), "{falls}");
     }
@@ -271,9 +289,9 @@ mod tests {
     fn a_row_with_frictions_is_what_it_is_alone() {
         let asked = asked(&[Quantity::SlidingFriction, Quantity::RotationalFriction]);
         let (alphas, mus) = grid();
-        let together = asked.rows(&alphas, &mus, None);
-        let alone =
-            alphas.iter().zip(&mus).flat_map(|(&alpha, &mu)| asked.rows(&[alpha], &[mu], None));
+        let rows = |alphas: &[f64], mus: &[f64]| asked.rows(alphas, mus, None).unwrap();
+        let together = rows(&alphas, &mus);
+        let alone = alphas.iter().zip(&mus).flat_map(|(&alpha, &mu)| rows(&[alpha], &[mu]));
         assert_eq!(bits(&together), bits(&alone.collect::<Vec<_>>()));
         let is_known = |row: &&Row| row.values[0][0] > 0.0;
         assert!(together.iter().filter(is_known).count() > 20);
@@ -282,7 +300,7 @@ mod tests {
     #[test]
     fn a_value_is_that_of_the_arch() {
         let asked = asked(&[Quantity::RotationalFriction, Quantity::Thickness]);
-        let row = &asked.rows(&[1.5], &[0.5], None)[0];
+        let row = &asked.rows(&[1.5], &[0.5], None).unwrap()[0];
         let arch = Arch::parse("milankovitch", "1.5", "0.5").unwrap();
         let state = arch.least(17).unwrap();
         let rotational = state.frictions.unwrap().rotational.unwrap();
@@ -303,11 +321,27 @@ mod tests {
         let rows =
             [&rows[..], &[(1.0, -1.0, 0.1), (1.0, 1.0, 0.0), (1.0, 1.0, 2.5), (-0.0, 1.0, 1.0)]];
         for &(alpha, mu, eta) in rows.concat().iter() {
-            let found = asked.rows(&[1.0, alpha], &[1.0, mu], Some(&[0.1, eta]));
+            let found = asked.rows(&[1.0, alpha], &[1.0, mu], Some(&[0.1, eta])).unwrap();
             let verdicts = found.iter().map(|row| row.verdict).collect::<Vec<_>>();
             assert_eq!(verdicts, [RowVerdict::Stands, RowVerdict::Refused], "{alpha} {mu} {eta}");
             assert!(found[1].values[0].iter().all(|x| x.is_nan()) && found[1].mode_code() == 255);
         }
-        assert!(asked.rows(&[], &[], None).is_empty());
+        assert!(asked.rows(&[], &[], Some(&[])).unwrap().is_empty());
+    }
+
+    #[test]
+    fn arrays_of_other_lengths_and_quantities_of_other_arches_are_refused() {
+        let safety = asked(&[Quantity::Thickness, Quantity::GeometricSafety]);
+        let lengths = |all: &[usize]| Err(Refused::Lengths(all.to_vec()));
+        assert_eq!(safety.rows(&[1.0, 1.2, 1.4], &[0.6], None), lengths(&[3, 1]));
+        assert_eq!(safety.rows(&[1.0], &[0.6], Some(&[])), lengths(&[1, 1, 0]));
+        for (thicknesses, quantity) in
+            [(None, Quantity::GeometricSafety), (Some(&[0.1][..]), Quantity::Thickness)]
+        {
+            let refused = safety.rows(&[1.0], &[0.6], thicknesses).unwrap_err();
+            let told =
+                matches!(&refused, Refused::NoSuchQuantity { quantity: of, .. } if *of == quantity);
+            assert!(told, "{refused}");
+        }
     }
 }

@@ -107,7 +107,7 @@ fn required<E: Arithmetic>(
 ) -> Result<Option<E>, Undecided> {
     let unlimited = arch.unlimited();
     let state = outcome::<E>(&Query::new(&unlimited, bits), Asked::Nothing);
-    assessment(&unlimited, limit, bits, Wanted::Everything, |_| state.clone())?.required_friction
+    assessment(&unlimited, limit, bits, Wanted::Everything, |_| state.clone()).required_friction
 }
 
 /// The widest half opening that stands at the limit.

@@ -5,7 +5,7 @@ use rug::Rational;
 use std::fmt;
 
 /// A proved value: decimal digits with bounds, and the nearest double.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 #[non_exhaustive]
 pub struct Figure {
     /// Correctly rounded, with outward bounds.
@@ -67,9 +67,44 @@ impl Figured for DoubleDoubleBall {
     }
 }
 
+impl fmt::Debug for Figure {
+    /// The correctly rounded digits.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
 impl fmt::Display for Figure {
     /// The correctly rounded digits.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(&self.decimal.value.to_string())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::certify::state::Certify;
+    use crate::number::{Ball, Rounded};
+    use crate::problem::Arch;
+    use rug::Rational;
+
+    /// What a failed test shows of a state is a line.
+    #[test]
+    fn figures_are_shown_as_they_are_written() {
+        let state = Arch::parse("milankovitch", "80deg", "0.6").unwrap().least(17).unwrap();
+        assert_eq!(format!("{:?}", state.thickness), "0.068650463330373536");
+        assert_eq!(
+            format!("{:?}", state.thickness.decimal),
+            "0.068650463330373536 in [0.068650463330373535, 0.068650463330373536]"
+        );
+        let all = format!("{state:?}");
+        assert!(all.len() < 400 && all.contains("thickness: 0.068650463330373536,"), "{all}");
+    }
+
+    #[test]
+    fn nothing_has_no_digits() {
+        assert_eq!(Rounded::from_ball(&Ball::integer(3, 64), 0), None);
+        assert_eq!(Rounded::from_rational(&Rational::from((1, 3)), 0), None);
+        assert_eq!(Rounded::from_rational(&Rational::new(), 0), None);
     }
 }

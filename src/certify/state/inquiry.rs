@@ -7,7 +7,7 @@ use super::mode::{Asked, outcome};
 use super::query::{Query, bits_lost, bits_lost_unless_small};
 use super::raise::{GUARD, raise};
 use super::state::Outcome;
-use crate::certify::Undecided;
+use crate::certify::{Error, MAX_ARCH_DIGITS, Refused, Undecided};
 use crate::number::{ExactNumber, bits_of};
 use crate::problem::Arch;
 use std::collections::BTreeMap;
@@ -28,15 +28,16 @@ impl<'a> Inquiry<'a> {
     /// Questions of at most `most_digits` digits; `frictions` says whether any asks for the frictions at which
     /// the mode changes.
     pub fn new(arch: &'a Arch, most_digits: usize, frictions: bool) -> Self {
-        let bits = bits_of(most_digits) + GUARD;
+        let bits = bits_of(most_digits.min(MAX_ARCH_DIGITS)) + GUARD;
         let asked = if frictions { Asked::Frictions } else { Asked::Nothing };
         let (states, unlimited) = (BTreeMap::new(), BTreeMap::new());
         Self { arch, asked, bits, states, unlimited }
     }
 
     /// The state to `digits` digits. The frictions at which the mode changes are left out unless they are
-    /// asked for here and in [`Inquiry::new`].
-    pub fn state(&mut self, digits: usize, frictions: bool) -> Result<Answer, Undecided> {
+    /// asked for here and in [`Inquiry::new`]. Digits beyond [`MAX_ARCH_DIGITS`] are refused.
+    pub fn state(&mut self, digits: usize, frictions: bool) -> Result<Answer, Error> {
+        Refused::arch_digits(digits)?;
         let lost = bits_lost_unless_small(self.arch, self.bits);
         let answer = raise(self.bits + lost, |bits| {
             Ok(match self.outcome(bits)? {
@@ -55,38 +56,40 @@ impl<'a> Inquiry<'a> {
         })
     }
 
-    /// What holds for the arch with a given thickness, in `(0, 2]`, to `digits` digits.
+    /// What holds for the arch with a given thickness, in `(0, 2]`, to `digits` digits; any other thickness, and digits beyond
+    /// [`MAX_ARCH_DIGITS`], are refused.
     pub fn assess(
         &mut self,
         thickness: &ExactNumber,
         digits: usize,
         wanted: Wanted,
-    ) -> Result<AssessmentDigits, Undecided> {
+    ) -> Result<AssessmentDigits, Refused> {
+        Refused::arch_digits(digits)?;
+        Refused::thickness(thickness)?;
         let first = self.bits + bits_lost(self.arch);
+        let mut at =
+            |bits| AssessmentDigits::new(self.assessment(thickness, bits, wanted), (digits, bits));
         let mut found: Option<AssessmentDigits> = None;
-        let decided = raise(first, |bits| {
-            let last = AssessmentDigits::new(self.assessment(thickness, bits, wanted)?, digits);
+        // What stays open says so itself.
+        let _ = raise(first, |bits| {
             let all = match found.take() {
-                Some(before) => before.or(last),
-                None => last,
+                Some(before) => before.or(at(bits)),
+                None => at(bits),
             };
             let open = all.first_open().cloned();
             found = Some(all);
             open.map_or(Ok(Some(())), Err)
         });
-        match found {
-            Some(found) => Ok(found),
-            None => Err(decided.err().unwrap_or_else(|| Undecided::new("the thickness"))),
-        }
+        Ok(found.unwrap_or_else(|| at(first)))
     }
 
-    /// What holds for the arch with a given thickness, in enclosures of `bits` bits.
+    /// What holds for the arch with a given thickness, in `(0, 2]`, in enclosures of `bits` bits.
     pub(super) fn assessment(
         &mut self,
         thickness: &ExactNumber,
         bits: u32,
         wanted: Wanted,
-    ) -> Result<Assessment, Undecided> {
+    ) -> Assessment {
         assessment(self.arch, thickness, bits, wanted, |is_limited| match is_limited {
             true => self.outcome(bits),
             false => self.unlimited(bits),

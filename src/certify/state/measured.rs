@@ -5,7 +5,7 @@ use super::figure::{Figure, Figured};
 use super::quick::{assessment_enclosed, state_enclosed};
 use super::raise::raised;
 use super::state::Outcome;
-use crate::certify::Undecided;
+use crate::certify::{Error, Refused};
 use crate::number::{Ball, ExactNumber, Form, degrees};
 use crate::problem::measures::Measures;
 use crate::problem::{Arch, Quantity};
@@ -14,12 +14,9 @@ use crate::problem::{Arch, Quantity};
 type Measured = Vec<(Quantity, Option<Figure>)>;
 
 /// The sizes of an arch at its least thickness, of [`Quantity::MEASURED_STATE`]; if it does not stand its shape alone.
-pub fn measured_state(
-    arch: &Arch,
-    measures: &Measures,
-    digits: usize,
-) -> Result<Measured, Undecided> {
-    raised(arch, digits, |bits| {
+pub fn measured_state(arch: &Arch, measures: &Measures, digits: usize) -> Result<Measured, Error> {
+    Refused::arch_digits(digits)?;
+    let found = raised(arch, digits, |bits| {
         let mut sized = shape(arch, measures, bits);
         if let Outcome::Stands(state) = state_enclosed(arch, bits, false)? {
             let sizes = measures.sizes(&state.thickness, &half_opening(arch, bits), bits);
@@ -31,7 +28,8 @@ pub fn measured_state(
             sized.extend(forces.into_iter().filter_map(|(of, x)| Some((of, Some(x?.into())))));
         }
         Ok(figures(sized, digits))
-    })
+    });
+    Ok(found?)
 }
 
 /// The sizes of an arch of a given thickness, of [`Quantity::MEASURED_ASSESSMENT`]; what stays undecided is left out.
@@ -39,9 +37,11 @@ pub fn measured_assessment(
     (arch, thickness): (&Arch, &ExactNumber),
     measures: &Measures,
     digits: usize,
-) -> Result<Measured, Undecided> {
-    raised(arch, digits, |bits| {
-        let found: Assessment = assessment_enclosed(arch, thickness, bits)?;
+) -> Result<Measured, Error> {
+    Refused::arch_digits(digits)?;
+    Refused::thickness(thickness)?;
+    let found = raised(arch, digits, |bits| {
+        let found: Assessment = assessment_enclosed(arch, thickness, bits);
         let alpha = half_opening(arch, bits);
         let sizes = measures.sizes(&thickness.enclosure(bits), &alpha, bits);
         let least = found.least_thickness.ok().flatten();
@@ -70,7 +70,8 @@ pub fn measured_assessment(
         ];
         sized.extend(rest.into_iter().filter_map(|(of, x)| Some((of, x?.map(Size::from)))));
         Ok(figures(sized, digits))
-    })
+    });
+    Ok(found?)
 }
 
 fn half_opening(arch: &Arch, bits: u32) -> Ball {

@@ -22,7 +22,7 @@ const MOST_DIGITS: usize = 25;
 
 /// Whether these numbers are asked first.
 pub(super) fn is_quick(digits: usize) -> bool {
-    digits <= MOST_DIGITS
+    (1..=MOST_DIGITS).contains(&digits)
 }
 
 /// An arch in these numbers.
@@ -98,16 +98,12 @@ pub(crate) fn sliding_configuration(
     sliding_root(&Query::new(arch, bits))
 }
 
-/// What holds for an arch of a given thickness in the same way, if these numbers leave nothing open.
-pub(crate) fn assessment_enclosed(
-    arch: &Arch,
-    thickness: &ExactNumber,
-    bits: u32,
-) -> Result<Assessment, Undecided> {
+/// What holds for an arch of a given thickness, in `(0, 2]`, in the same way.
+pub(crate) fn assessment_enclosed(arch: &Arch, thickness: &ExactNumber, bits: u32) -> Assessment {
     if bits <= DOUBLE_DOUBLE
         && let Some(found) = decided(arch, thickness)
     {
-        return Ok(found.map(|x| x.to_ball(bits)));
+        return found.map(|x| x.to_ball(bits));
     }
     Inquiry::new(arch, 1, false).assessment(thickness, bits, Wanted::Everything)
 }
@@ -118,7 +114,7 @@ fn decided(arch: &Arch, thickness: &ExactNumber) -> Option<Assessment<DoubleDoub
         true => state_in_double_doubles(arch),
         false => state_in_double_doubles(&arch.unlimited()),
     };
-    let found = assessment(arch, thickness, DOUBLE_DOUBLE, Wanted::Everything, state).ok()?;
+    let found = assessment(arch, thickness, DOUBLE_DOUBLE, Wanted::Everything, state);
     // More bits may tell a joint from the shoulder next to it.
     let mut touches = found.thrust.iter().flatten().flatten().map(|limit| &limit.touch);
     let is_near = touches.any(|touch| matches!(touch, Touch::AtShoulder));
@@ -133,10 +129,10 @@ pub(super) fn assess(
     thickness: &ExactNumber,
     digits: usize,
 ) -> Option<AssessmentDigits> {
-    if digits > MOST_DIGITS {
+    if !is_quick(digits) {
         return None;
     }
-    let found = AssessmentDigits::new(decided(arch, thickness)?, digits);
+    let found = AssessmentDigits::new(decided(arch, thickness)?, (digits, DOUBLE_DOUBLE));
     found.first_open().is_none().then_some(found)
 }
 
@@ -202,7 +198,7 @@ mod tests {
             thickness: Some("0.12345000000000005".parse().unwrap()),
         };
         let found = find(SelfWeight::Milankovitch, &question, 45).unwrap();
-        let Ok(Finding::Found(found)) = found else { panic!() };
+        let Finding::Found(found) = found else { panic!() };
         let alpha = found.figures[0].1.decimal.value.to_string();
         leaves_open(&arch(&alpha, "inf"), 16);
         assert!(state(&arch(&alpha, "inf"), 15, Asked::Frictions).is_some(), "not the state");

@@ -9,9 +9,7 @@ use crate::certify::Undecided;
 use crate::certify::state::{Figure, raise};
 use crate::number::{Ball, Enclosure, ExactNumber};
 use crate::problem::stones::{JointContact, Stones};
-use crate::problem::{
-    Arch, Friction, friction_angle_is_half_opening, has_no_arm_at_crown, is_thickness,
-};
+use crate::problem::{Arch, Friction, friction_angle_is_half_opening, has_no_arm_at_crown};
 
 /// A bound of the thrust.
 #[derive(Clone, Debug)]
@@ -63,10 +61,7 @@ pub(super) fn assessed(
     arch: &Arch,
     thickness: &ExactNumber,
     (first, digits): (u32, usize),
-) -> Result<VoussoirAssessment, Undecided> {
-    if !is_thickness(thickness) {
-        return Err(Undecided::new("the thickness is not between 0 and 2"));
-    }
+) -> VoussoirAssessment {
     let ties = Ties {
         never_slides: friction_angle_is_half_opening(arch),
         has_no_arm: has_no_arm_at_crown(arch, thickness),
@@ -113,7 +108,7 @@ pub(super) fn assessed(
         let needed = required(bits)?.filter(|needed| needed.excludes_zero());
         Ok(figure(coefficient(own, bits).zip(needed).map(|(mu, needed)| mu / needed)))
     });
-    Ok(VoussoirAssessment { standing, geometric_safety, required_friction, friction_safety })
+    VoussoirAssessment { standing, geometric_safety, required_friction, friction_safety }
 }
 
 /// The coefficient of a friction that is limited.

@@ -47,8 +47,8 @@ pub(super) use joints::grip;
 pub use loss::{VoussoirLoss, voussoir_loss};
 pub use thickness::{VoussoirDigits, Voussoirs};
 
-use super::Undecided;
 use super::state::raise;
+use super::{Error, Refused};
 use crate::arch::SelfWeight;
 use crate::number::{ExactNumber, bits_of};
 use crate::problem::stones::Stones;
@@ -65,12 +65,12 @@ pub fn voussoirs(
     weight: SelfWeight,
     friction: &Friction,
     digits: usize,
-) -> Result<Voussoirs, Undecided> {
-    let arch = checked(stones, weight, friction)?;
-    raise(bits_of(digits) + GUARD, |bits| {
+) -> Result<Voussoirs, Error> {
+    let arch = checked(stones, weight, friction, digits)?;
+    Ok(raise(bits_of(digits) + GUARD, |bits| {
         let joints = Joints::new(stones, weight, arch.friction(), bits);
         Ok(proved(&joints, joints.search().candidate())?.rounded(&joints, digits))
-    })
+    })?)
 }
 
 /// What holds for an arch of voussoirs with a thickness in `(0, 2]`, to `digits` significant digits.
@@ -80,15 +80,20 @@ pub fn assess_voussoirs(
     friction: &Friction,
     thickness: &ExactNumber,
     digits: usize,
-) -> Result<VoussoirAssessment, Undecided> {
-    let arch = checked(stones, weight, friction)?;
-    assess::assessed(stones, &arch, thickness, (bits_of(digits) + GUARD, digits))
+) -> Result<VoussoirAssessment, Refused> {
+    let arch = checked(stones, weight, friction, digits)?;
+    Refused::thickness(thickness)?;
+    Ok(assess::assessed(stones, &arch, thickness, (bits_of(digits) + GUARD, digits)))
 }
 
 /// What is public may not have been made by those who check it.
-fn checked(stones: &Stones, weight: SelfWeight, friction: &Friction) -> Result<Arch, Undecided> {
-    let refused = |error: &dyn std::fmt::Display| Undecided::new(error.to_string());
-    stones.check().map_err(|error| refused(&error))?;
-    let arch = Arch::new(weight, stones.half_opening().clone(), friction.clone());
-    arch.map_err(|error| refused(&error))
+fn checked(
+    stones: &Stones,
+    weight: SelfWeight,
+    friction: &Friction,
+    digits: usize,
+) -> Result<Arch, Refused> {
+    Refused::arch_digits(digits)?;
+    stones.check()?;
+    Ok(Arch::new(weight, stones.half_opening().clone(), friction.clone())?)
 }

@@ -101,9 +101,9 @@ fn tilted(
     notes::frictions(arches.iter().take(1).map(Arch::friction));
     notes::tilt(&tilt);
     let answer = |arch: &Arch| {
-        let standing = Inquiry::new(arch, digits, false).assess(eta, digits, Wanted::Standing);
-        let found = match standing.and_then(|found| found.stands) {
-            Ok(true) => crate::certify::tilted(arch, eta, &tilt, digits).map(Some),
+        let standing = Inquiry::new(arch, digits, false).assess(eta, digits, Wanted::Standing)?;
+        let found = match standing.stands {
+            Ok(true) => Ok(Some(crate::certify::tilted(arch, eta, &tilt, digits)?)),
             Ok(false) => Ok(None),
             Err(undecided) => Err(undecided),
         };
@@ -114,9 +114,9 @@ fn tilted(
             tilt.to_string(),
         ];
         let (weight, is_limited) = (arch.weight(), arch.is_limited());
-        TiltedArch { weight, given, stones: None, is_limited, found }
+        Ok(TiltedArch { weight, given, stones: None, is_limited, found })
     };
-    let answers = TiltedArches(arches.iter().map(answer).collect());
+    let answers = TiltedArches(arches.iter().map(answer).collect::<Result<_, Failure>>()?);
     let open = answers.0.iter().find_map(TiltedArch::first_open).cloned();
     output.write(|out| Report::Tilted(answers).write(format, out))?;
     open.map_or(Ok(()), |open| Err(Failure::Undecided(open.to_string())))

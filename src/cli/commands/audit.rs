@@ -2,9 +2,9 @@
 
 use super::output::OutputFile;
 use super::parse::{self, Weights};
-use crate::certify::{CertifiedLandmark, Undecided};
+use crate::certify::{CertifiedLandmark, Enclosed, Undecided};
 use crate::cli::failure::Failure;
-use crate::judge::{Enclosed, audit_of, compare_weights_of, enclosed};
+use crate::judge::{audit_of, compare_weights_of, enclosed};
 use crate::problem::Landmark;
 use crate::report::{Audit, Content, Format, Report};
 use clap::Args;
@@ -40,7 +40,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let weights = arguments.weight.all();
     let points: Result<Vec<Enclosed>, Undecided> = landmarks
         .flat_map(|landmark| weights.iter().map(move |&weight| (landmark, weight)))
-        .map(|(landmark, weight)| enclosed(CertifiedLandmark::new(landmark, weight)?))
+        .map(|(landmark, weight)| enclosed(&CertifiedLandmark::new(landmark, weight)?))
         .collect();
     let points = points.map_err(undecided)?;
     let report = Report::Audit(Audit {

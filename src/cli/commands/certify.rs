@@ -6,9 +6,7 @@ use super::output::{Output, is_standard};
 use super::parse::{self, thickness};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::AsymmetricMode;
-use crate::certify::{
-    Undecided, asymmetric_kinds, certify_arch, certify_asymmetric, certify_landmark,
-};
+use crate::certify::{asymmetric_kinds, certify_arch, certify_asymmetric, certify_landmark};
 use crate::check::Certificate;
 use crate::cli::failure::Failure;
 use crate::number::ExactNumber;
@@ -105,7 +103,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Target::Landmark(landmark) => {
             let output = output()?;
             let made = certify_landmark(landmark, weight, arguments.digits);
-            write(output, &made.map_err(undecided)?)
+            write(output, &made?)
         }
         Target::Asymmetric => {
             let needs = Needs { missing: Vec::new(), example: ASYMMETRIC };
@@ -120,7 +118,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             let output = output()?;
             notes::frictions([arch.friction()]);
             let made = certify_asymmetric(&arch, mode, arguments.digits);
-            write(output, &made.map_err(undecided)?)
+            write(output, &made?)
         }
         Target::State | Target::Arch => {
             let thickness = arguments.thickness.as_ref();
@@ -134,7 +132,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             let output = output()?;
             notes::frictions([arch.friction()]);
             let made = certify_arch(&arch, thickness, arguments.digits);
-            write(output, &made.map_err(undecided)?)
+            write(output, &made?)
         }
     }
 }
@@ -152,10 +150,6 @@ fn only_kind(arch: &Arch) -> Result<AsymmetricMode, Failure> {
     }
 }
 
-fn undecided(undecided: Undecided) -> Failure {
-    Failure::Undecided(undecided.to_string())
-}
-
 /// All landmarks, each in a file of its own.
 fn all(arguments: &Arguments) -> Result<(), Failure> {
     let folder = arguments.output.as_deref().filter(|folder| !is_standard(folder));
@@ -171,8 +165,7 @@ fn all(arguments: &Arguments) -> Result<(), Failure> {
     let made: Vec<Certificate> = points
         .par_iter()
         .map(|&(landmark, weight)| certify_landmark(landmark, weight, arguments.digits))
-        .collect::<Result<_, _>>()
-        .map_err(undecided)?;
+        .collect::<Result<_, _>>()?;
     for ((landmark, weight), certificate) in points.into_iter().zip(&made) {
         let path = folder.join(file_name(landmark, weight));
         write(Output::open(Some(Path::new(&path)))?, certificate)?;

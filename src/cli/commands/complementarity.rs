@@ -8,8 +8,8 @@ use super::parse;
 use crate::atlas::{Branch, Contour, Level, NoBranch, NoLevel};
 use crate::certify::state::Inquiry;
 use crate::certify::{
-    Extent, LeastSolution, MOST_ENUMERATED_STONES, MOST_JOINTED_STONES, Programme, Undecided,
-    asymmetric, enumerate, least_solution, programme,
+    Error, Extent, LeastSolution, MOST_ENUMERATED_STONES, MOST_JOINTED_STONES, Programme, Refused,
+    Undecided, asymmetric, enumerate, least_solution, programme,
 };
 use crate::cli::failure::Failure;
 use crate::cli::line::typed;
@@ -120,21 +120,24 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     notes::frictions(arches.iter().take(1).map(Arch::friction));
     let answer = |arch: Arch| {
         let (enumeration, programme) = match (arguments.stones, &arguments.thickness) {
-            (Some(stones), None) => (Some(enumerate(&arch, stones, extent, digits)), None),
+            (Some(stones), None) => {
+                (Some(Error::apart(enumerate(&arch, stones, extent, digits))?), None)
+            }
             (Some(stones), Some(at)) => {
-                (None, Some(at_thickness(&arch, at, (stones, extent), digits)))
+                (None, Some(at_thickness(&arch, at, (stones, extent), digits)?))
             }
             (None, _) => (None, None),
         };
-        ComplementarityArch {
-            symmetric: Inquiry::new(&arch, digits, false).state(digits, false),
-            asymmetric: asymmetric(&arch, digits),
+        Ok(ComplementarityArch {
+            symmetric: Error::apart(Inquiry::new(&arch, digits, false).state(digits, false))?,
+            asymmetric: asymmetric(&arch, digits)?,
             enumeration,
             programme,
             arch,
-        }
+        })
     };
-    let answers = ComplementarityArches(arches.into_iter().map(answer).collect());
+    let arches = arches.into_iter().map(answer).collect::<Result<_, Failure>>()?;
+    let answers = ComplementarityArches(arches);
     let open = answers.0.iter().find_map(ComplementarityArch::first_open);
     file.write(|out| Report::Complementarity(answers).write(format, out))?;
     open.map_or(Ok(()), |open| Err(Failure::Undecided(open.to_string())))
@@ -146,14 +149,15 @@ fn at_thickness(
     at: &At,
     (stones, extent): (u64, Extent),
     digits: usize,
-) -> AtThickness {
+) -> Result<AtThickness, Refused> {
     let (thickness, named, found) = match at {
         At::Given(thickness) => {
-            let found = programme(arch, thickness, (stones, extent));
+            let found = Error::apart(programme(arch, thickness, (stones, extent)))?;
             (thickness.to_string(), None, found.map(ProgrammeFound::At))
         }
         At::Least => {
-            let (named, found) = match least_solution(arch, stones, extent, digits) {
+            let least = Error::apart(least_solution(arch, stones, extent, digits))?;
+            let (named, found) = match least {
                 Ok(LeastSolution::At(solution)) => {
                     (Some(solution.thickness), Ok(ProgrammeFound::At(Programme::Zero)))
                 }
@@ -164,7 +168,7 @@ fn at_thickness(
             ("least".to_owned(), named, found)
         }
     };
-    AtThickness { thickness, named, stones, extent, found }
+    Ok(AtThickness { thickness, named, stones, extent, found })
 }
 
 /// A command line of a branch.

@@ -5,7 +5,7 @@ use super::output::AnswerOutput;
 use super::parse::{self, Weights};
 use super::progress;
 use crate::arch::SelfWeight;
-use crate::certify::{CertifiedLandmark, fingerprint, quantities};
+use crate::certify::{CertifiedLandmark, Error, fingerprint, quantities};
 use crate::cli::failure::Failure;
 use crate::problem::{Landmark, Quantity};
 use crate::report::words::list;
@@ -70,7 +70,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let ticks = points.iter().map(|&(landmark, _)| ticks_of(landmark)).sum();
     let bar = progress::bar(ticks, points.len() * digits);
     let answer = |point: (Landmark, SelfWeight)| {
-        let proved = CertifiedLandmark::new(point.0, point.1).and_then(|landmark| {
+        let proved = || -> Result<Answer, Error> {
+            let landmark = CertifiedLandmark::new(point.0, point.1)?;
             let constants = landmark.constants_of_with(&asked(point.0), &|| bar.inc(1))?;
             let hash = hashed.then(|| fingerprint(&landmark, digits));
             let answer = Answer::landmark(point, Ok((&landmark, constants)));
@@ -78,8 +79,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
                 Some(hash) => answer.with_certificate(digits, hash),
                 None => answer,
             })
-        });
-        proved.unwrap_or_else(|undecided| Answer::landmark(point, Err(&undecided)))
+        };
+        proved().unwrap_or_else(|error| Answer::landmark(point, Err(&error)))
     };
     let answers: Vec<Answer> = points.into_par_iter().map(answer).collect();
     bar.finish_and_clear();

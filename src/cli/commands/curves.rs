@@ -2,7 +2,7 @@
 
 use crate::arch::SelfWeight;
 use crate::atlas::{Border, Contour, Curve, Level, NoLevel, Trace};
-use crate::certify::{CertifiedLandmark, Undecided, quantities};
+use crate::certify::{CertifiedLandmark, Error, Undecided, quantities};
 use crate::cli::failure::Failure;
 use crate::problem::Landmark;
 use crate::report::{Answer, Format};
@@ -38,11 +38,12 @@ pub(super) fn landmarks(weights: &[SelfWeight]) -> Vec<Answer> {
         weights.iter().flat_map(|&weight| Landmark::ALL.map(|landmark| (landmark, weight)));
     let answer = |point: (Landmark, SelfWeight)| {
         let asked: Vec<_> = quantities(point.0).map(|of| (of, LANDMARK_DIGITS)).collect();
-        let proved = CertifiedLandmark::new(point.0, point.1).and_then(|landmark| {
+        let proved = || -> Result<Answer, Error> {
+            let landmark = CertifiedLandmark::new(point.0, point.1)?;
             let constants = landmark.constants_of(&asked)?;
             Ok(Answer::landmark(point, Ok((&landmark, constants))))
-        });
-        proved.unwrap_or_else(|undecided| Answer::landmark(point, Err(&undecided)))
+        };
+        proved().unwrap_or_else(|error| Answer::landmark(point, Err(&error)))
     };
     points.map(answer).collect()
 }

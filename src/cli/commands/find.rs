@@ -5,6 +5,7 @@ use super::notes;
 use super::output::AnswerOutput;
 use super::parse::{self, thickness};
 use crate::certify::state::find::{Given, Question, find};
+use crate::certify::{Error, Refused};
 use crate::cli::failure::Failure;
 use crate::problem::{Friction, Line, Quantity, Sought};
 use crate::report::words::list;
@@ -70,7 +71,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let digits = arguments.arch.digits;
     let answer = |(line, weight)| {
         let found = find(weight, &question, digits);
-        let found = found.map_err(|error| Failure::Input(error.to_string()))?;
+        if let Err(Error::Refused(refused)) = found {
+            return Err(refused.into());
+        }
         Ok(Answer::finding(line, (weight, &question), &found).only(&quantities))
     };
     let weights = (1..).zip(arguments.arch.weight.all());
@@ -135,10 +138,7 @@ fn question(arguments: &Arguments) -> Result<Question, Failure> {
             let line = arguments.modes.ok_or_else(|| missing("the pair of modes", example))?;
             let given = match (half_opening, friction) {
                 (Some(alpha), None) => Given::HalfOpening(alpha),
-                (None, Some(Friction::Infinite)) => {
-                    let message = "a boundary needs a limited friction: with inf nothing slides";
-                    return Err(Failure::Input(message.into()));
-                }
+                (None, Some(Friction::Infinite)) => return Err(Refused::UnlimitedFriction.into()),
                 (None, Some(mu)) => Given::Friction(mu),
                 (None, None) => return Err(missing("--friction or --half-opening", example)),
                 (Some(_), Some(_)) => {

@@ -10,7 +10,7 @@ use crate::atlas::BorderLine;
 use crate::atlas::{
     Contour, Curve, Difference, Divide, LEAST_DIFFERENCE, LEAST_TOLERANCE, NoPoint, Trace, point,
 };
-use crate::certify::{MAX_DIGITS, Undecided};
+use crate::certify::{Error, Undecided};
 use crate::cli::failure::Failure;
 use crate::cli::line::typed;
 use crate::number::{ExactNumber, ParseExactError};
@@ -231,11 +231,10 @@ impl Arguments {
         notes::frictions(self.frictions.iter().chain(self.marks.iter().map(Marked::friction)));
         let marks = each_once(&self.marks, ToString::to_string, |mark| format!("the mark {mark}"));
         let view = if self.lines { View::Lines } else { View::Map(asked.plane()) };
-        let undecided = |open: Undecided| Failure::Undecided(open.to_string());
         let all = weights.into_iter();
         let all = all.flat_map(|weight| marks.iter().map(move |mark| (mark, weight)));
-        let marks = all.map(|(mark, weight)| mark.proved(weight).map_err(undecided));
-        let marks = marks.collect::<Result<_, _>>()?;
+        let marks = all.map(|(mark, weight)| mark.proved(weight));
+        let marks = marks.collect::<Result<_, Error>>()?;
         Ok(Drawing { view, axes, marks, command: typed() })
     }
 
@@ -316,13 +315,12 @@ fn one_point(arguments: &Arguments, parameter: &str) -> Result<(), Failure> {
     is_written("a point", Content::MapPoint, format)?;
     let wrong = |error: ParseExactError| Failure::Input(error.to_string());
     let exact: ExactNumber = parameter.parse().map_err(wrong)?;
-    let digits = arguments.digits.min(MAX_DIGITS);
     let weights = arguments.weights(format);
     let weights = if curve.is_weightless() { &weights[..1] } else { &weights[..] };
     let points = weights.iter().map(|&weight| {
         let undecided = |undecided: Undecided| Failure::Undecided(undecided.to_string());
         let trace = Trace::new(curve, weight, COARSE).map_err(undecided)?;
-        let values = point(&trace, &exact, digits).map_err(|error| match error {
+        let values = point(&trace, &exact, arguments.digits).map_err(|error| match error {
             NoPoint::Undecided(_) => Failure::Undecided(error.to_string()),
             _ => Failure::Input(error.to_string()),
         })?;

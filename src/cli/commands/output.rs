@@ -2,9 +2,10 @@
 
 use super::notes::each_once;
 use super::parse;
+use crate::certify::Refused;
 use crate::cli::failure::Failure;
 use crate::problem::Quantity;
-use crate::report::words::{list, shortened};
+use crate::report::words::shortened;
 use crate::report::{Content, Format};
 use clap::Args;
 use std::fs::{self, File};
@@ -115,11 +116,7 @@ impl OutputFile {
 
 /// The quantities asked for, of those that there are; all if none is named.
 pub(super) fn chosen(asked: &[Quantity], all: &[Quantity]) -> Result<Vec<Quantity>, Failure> {
-    if let Some(other) = asked.iter().find(|quantity| !all.contains(quantity)) {
-        let names = list(all.iter().map(|quantity| quantity.name()));
-        let message = format!("there is no {} here; the quantities are {names}", other.name());
-        return Err(Failure::Input(message));
-    }
+    asked.iter().try_for_each(|quantity| Refused::quantity(*quantity, all))?;
     let names = |of: &Quantity| of.name().to_owned();
     let asked = each_once(asked.iter().copied(), |of| *of, names);
     Ok(if asked.is_empty() { all.to_vec() } else { asked })

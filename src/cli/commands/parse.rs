@@ -1,15 +1,14 @@
 //! What reads the values of options: one language for every command, and for other doors to the program.
 
-use crate::arch::SelfWeight;
 use crate::arch::asymmetric::AsymmetricMode;
-use crate::certify::MAX_DIGITS;
+use crate::arch::{NoWeight, SelfWeight};
 use crate::certify::state::find::{Given, Question};
+use crate::certify::{MAX_ARCH_DIGITS, MAX_DIGITS, Refused};
 use crate::claims::{Claim, claims};
 use crate::number::ExactNumber;
-use crate::problem::{Arch, Friction, Landmark, Line, Mode, Quantity};
+use crate::problem::{Arch, Friction, Landmark, Line, Mode, NoLandmark, Quantity};
 use crate::report::words::{did_you_mean, list, shortened};
 use crate::report::{Content, Format};
-use crate::scene::MAX_ARCH_DIGITS;
 use std::str::FromStr;
 
 /// A name that is not known: what the names are, and the one that was perhaps meant.
@@ -25,8 +24,7 @@ pub fn landmark(text: &str) -> Result<Landmark, String> {
 
 /// The same, where other names are read too.
 pub fn landmark_or(text: &str, others: &[&str]) -> Result<Landmark, String> {
-    Landmark::named(text).ok_or_else(|| {
-        let symbols = list(Landmark::ALL.map(Landmark::symbol));
+    text.parse().map_err(|none: NoLandmark| {
         let long = Landmark::ALL.map(Landmark::long_name);
         let names: Vec<&str> =
             Landmark::ALL.into_iter().map(Landmark::symbol).chain(long).collect();
@@ -36,7 +34,7 @@ pub fn landmark_or(text: &str, others: &[&str]) -> Result<Landmark, String> {
             [rest @ .., last] => format!(", or {} or {last}", rest.join(", ")),
             [] => String::new(),
         };
-        format!("a landmark is one of {symbols}, or {}{others}{hint}", list(long))
+        format!("{none}{others}{hint}")
     })
 }
 
@@ -49,7 +47,7 @@ pub fn mode(text: &str) -> Result<Mode, String> {
 /// A self-weight model by its name.
 pub fn weight(text: &str) -> Result<SelfWeight, String> {
     let names = SelfWeight::ALL.map(SelfWeight::name);
-    SelfWeight::named(text).ok_or_else(|| unknown("a weight", text, &names))
+    text.parse().map_err(|none: NoWeight| format!("{none}{}", did_you_mean(text, &names)))
 }
 
 /// One self-weight model, or both.
@@ -99,11 +97,8 @@ pub fn quantity(text: &str) -> Result<Quantity, String> {
 pub fn quantity_of(text: &str, possible: &[Quantity]) -> Result<Quantity, String> {
     let names: Vec<&str> = possible.iter().map(|of| of.name()).collect();
     let quantity = Quantity::named(text).ok_or_else(|| unknown("a quantity", text, &names))?;
-    let other = || {
-        let names = names.join(", ");
-        format!("there is no {} here; the quantities are {names}", quantity.name())
-    };
-    possible.contains(&quantity).then_some(quantity).ok_or_else(other)
+    let refused = |refused: Refused| refused.to_string();
+    Refused::quantity(quantity, possible).map(|()| quantity).map_err(refused)
 }
 
 /// How the mechanism of an asymmetric solution closes, by its name.
@@ -140,18 +135,18 @@ pub(super) fn usual_format_help(content: Content, usual: &str) -> String {
 
 /// A number of significant digits.
 pub fn digits(text: &str) -> Result<usize, String> {
-    text.parse()
-        .ok()
-        .filter(|digits| (1..=MAX_DIGITS).contains(digits))
-        .ok_or_else(|| format!("digits are a whole number from 1 to {MAX_DIGITS}"))
+    digits_to(text, MAX_DIGITS)
 }
 
 /// The same for a state.
 pub fn state_digits(text: &str) -> Result<usize, String> {
-    digits(text)
-        .ok()
-        .filter(|digits| *digits <= MAX_ARCH_DIGITS)
-        .ok_or_else(|| format!("digits are a whole number from 1 to {MAX_ARCH_DIGITS}"))
+    digits_to(text, MAX_ARCH_DIGITS)
+}
+
+/// What is no whole number is as little a number of digits as zero.
+fn digits_to(text: &str, most: usize) -> Result<usize, String> {
+    let digits = text.parse().unwrap_or(0);
+    Refused::digits_to(digits, most).map(|()| digits).map_err(|refused| refused.to_string())
 }
 
 /// A thickness-to-radius ratio between 0 and the physical limit 2.
@@ -181,9 +176,7 @@ pub fn question(
         (Some(_), ..) if thickness.is_some() => {
             Err("a thickness does not belong to a boundary".to_owned())
         }
-        (Some(_), None, Some(Friction::Infinite)) => {
-            Err("a boundary needs a limited friction: with inf nothing slides".to_owned())
-        }
+        (Some(_), None, Some(Friction::Infinite)) => Err(Refused::UnlimitedFriction.to_string()),
         (Some(line), None, Some(mu)) => Ok(Question::Boundary { line, given: Given::Friction(mu) }),
         (Some(line), Some(alpha), None) => {
             Ok(Question::Boundary { line, given: Given::HalfOpening(alpha) })

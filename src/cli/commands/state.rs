@@ -7,7 +7,7 @@ use super::output::AnswerOutput;
 use super::parse;
 use crate::certify::state::{Inquiry, measured_state};
 use crate::certify::{
-    CertifiedLandmark, Undecided, asymmetric_thicknesses, quantities as quantities_of,
+    CertifiedLandmark, Error, asymmetric_thicknesses, quantities as quantities_of,
 };
 use crate::cli::failure::Failure;
 use crate::problem::{Arch, Landmark, Quantity};
@@ -77,7 +77,9 @@ pub(super) fn hinted(
     answer: Answer,
 ) -> Answer {
     match output.format().map(|format| format.name) {
-        Ok("table") => answer.with_asymmetric(|| asymmetric_thicknesses(arch, digits)),
+        Ok("table") => {
+            answer.with_asymmetric(|| asymmetric_thicknesses(arch, digits).unwrap_or_default())
+        }
         _ => answer,
     }
 }
@@ -114,9 +116,9 @@ fn at_landmark(landmark: Landmark, arguments: &Arguments) -> Result<(), Failure>
         let answer = Answer::landmark((landmark, weight), Ok((&point, constants)));
         Ok(Answer { modes: landmark.modes().to_vec(), ..answer })
     };
-    let answers: Result<Vec<Answer>, Undecided> =
+    let answers: Result<Vec<Answer>, Error> =
         arguments.arch.weight.all().into_iter().map(answer).collect();
-    let list = answers.map_err(|error| Failure::Undecided(error.to_string()))?;
+    let list = answers?;
     let report = Report::Answers(Answers {
         scope: Scope::Point,
         digits,

@@ -170,7 +170,7 @@ impl Asked {
     fn new(answers: &Answers, format: &Format) -> Self {
         let (digits, quantities) = (answers.digits, answers.quantities.clone());
         let frictions = quantities.iter().any(|quantity| quantity.is_friction());
-        let shared = (!format.has_errors).then(|| Shared::new(digits, frictions));
+        let shared = if format.has_errors { None } else { Shared::new(digits, frictions).ok() };
         Self { digits, quantities, shared }
     }
 }

@@ -7,7 +7,7 @@ use super::parse::{self, thickness};
 use super::tilt::acceleration;
 use crate::certify::state::{Answer, Figure, Inquiry};
 use crate::certify::{
-    MOST_TILTED_STONES, VoussoirStanding, Voussoirs, assess_voussoirs, tilted_stones,
+    Error, MOST_TILTED_STONES, VoussoirStanding, Voussoirs, assess_voussoirs, tilted_stones,
     voussoir_loss, voussoirs,
 };
 use crate::cli::failure::Failure;
@@ -106,7 +106,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             .into_iter()
             .map(move |stones| answer(&arch, stones, continuous.as_ref(), eta.as_ref(), digits))
     };
-    let arches = arches.iter().flat_map(of_weight).collect();
+    let arches = arches.iter().flat_map(of_weight).collect::<Result<_, Failure>>()?;
     let answers = VoussoirArches { arches, is_range };
     if format.is_picture && answers.arches.iter().all(|arch| arch.loss.is_none()) {
         let message =
@@ -143,10 +143,10 @@ fn tilted(
     let digits = arguments.arch.digits;
     let answer = |arch: &Arch| {
         let (weight, friction) = (arch.weight(), arch.friction());
-        let standing = assess_voussoirs(stones, weight, friction, eta, digits);
-        let found = match standing.and_then(|found| found.standing) {
+        let standing = assess_voussoirs(stones, weight, friction, eta, digits)?;
+        let found = match standing.standing {
             Ok(VoussoirStanding::Stands(_)) => {
-                tilted_stones(arch, stones, eta, &tilt, digits).map(Some)
+                Ok(Some(tilted_stones(arch, stones, eta, &tilt, digits)?))
             }
             Ok(VoussoirStanding::Falls(_)) => Ok(None),
             Err(undecided) => Err(undecided),
@@ -158,9 +158,9 @@ fn tilted(
             tilt.to_string(),
         ];
         let (stones, is_limited) = (Some(stones.clone()), arch.is_limited());
-        TiltedArch { weight, given, stones, is_limited, found }
+        Ok(TiltedArch { weight, given, stones, is_limited, found })
     };
-    let answers = TiltedArches(arches.iter().map(answer).collect());
+    let answers = TiltedArches(arches.iter().map(answer).collect::<Result<_, Failure>>()?);
     let open = answers.0.iter().find_map(TiltedArch::first_open).cloned();
     file.write(|out| Report::Tilted(answers).write(format, out))?;
     open.map_or(Ok(()), |open| Err(Failure::Undecided(open.to_string())))
@@ -173,20 +173,22 @@ fn answer(
     continuous: Option<&Figure>,
     eta: Option<&ExactNumber>,
     digits: usize,
-) -> VoussoirArch {
-    let found = voussoirs(&stones, arch.weight(), arch.friction(), digits);
+) -> Result<VoussoirArch, Failure> {
+    let found = Error::apart(voussoirs(&stones, arch.weight(), arch.friction(), digits))?;
     let loss = match (&found, continuous) {
         (Ok(Voussoirs::Stands(state)), Some(continuous)) => {
             voussoir_loss(continuous, &state.thickness)
         }
         _ => None,
     };
-    let given = eta.map(|eta| GivenThickness {
-        thickness: eta.clone(),
-        found: assess_voussoirs(&stones, arch.weight(), arch.friction(), eta, digits),
-    });
+    let given = |eta: &ExactNumber| -> Result<GivenThickness, Failure> {
+        let found = assess_voussoirs(&stones, arch.weight(), arch.friction(), eta, digits)?;
+        Ok(GivenThickness { thickness: eta.clone(), found })
+    };
+    let given = eta.map(given).transpose()?;
     let (weight, friction) = (arch.weight(), arch.friction().to_string());
-    VoussoirArch { weight, friction, stones, found, continuous: continuous.cloned(), loss, given }
+    let continuous = continuous.cloned();
+    Ok(VoussoirArch { weight, friction, stones, found, continuous, loss, given })
 }
 
 /// Numbers of stones, all from the first to the last.

@@ -3,7 +3,7 @@
 use super::sheet::Sheet;
 use crate::arch::SelfWeight;
 use crate::atlas::tangent;
-use crate::certify::CertifiedLandmark;
+use crate::certify::{CertifiedLandmark, Error};
 use crate::number::Rounded;
 use crate::problem::{Landmark, Line, Quantity};
 use crate::report::answer::Answer;
@@ -46,11 +46,12 @@ pub(super) fn known(sheets: &[Sheet]) -> Vec<String> {
 
 fn point(landmark: Landmark, weight: SelfWeight) -> String {
     let asked = [(Quantity::Friction, DIGITS), (Quantity::Thickness, DIGITS)];
-    let proved = CertifiedLandmark::new(landmark, weight).and_then(|point| {
+    let proved = || -> Result<Answer, Error> {
+        let point = CertifiedLandmark::new(landmark, weight)?;
         let constants = point.constants_of(&asked)?;
         Ok(Answer::landmark((landmark, weight), Ok((&point, constants))))
-    });
-    let Ok(answer) = proved else { return "undecided".to_owned() };
+    };
+    let Ok(answer) = proved() else { return "undecided".to_owned() };
     let text =
         |quantity| answer.value(quantity).map(Value::text).unwrap_or_default().replace("inf", "∞");
     format!("μ = {}, η = {}", text(Quantity::Friction), text(Quantity::Thickness))

@@ -4,7 +4,7 @@ use super::canvas::Canvas;
 use super::plane::Axis;
 use crate::arch::SelfWeight;
 use crate::atlas::Variable;
-use crate::certify::Undecided;
+use crate::certify::Error;
 use crate::certify::state::{Answer, Certify};
 use crate::number::{Ball, ExactNumber, arctangent};
 use crate::picture::color::{INK, WHITE};
@@ -35,7 +35,7 @@ const SIZE: f64 = 12.0;
 
 impl Mark {
     /// An arch, of a given thickness or not, with its proved state.
-    pub fn new(arch: &Arch, thickness: Option<&ExactNumber>) -> Result<Self, Undecided> {
+    pub fn new(arch: &Arch, thickness: Option<&ExactNumber>) -> Result<Self, Error> {
         let number = |x: &ExactNumber| x.enclosure::<Ball>(BITS).mid().to_f64();
         let friction_angle = match arch.friction() {
             Friction::Coefficient(mu) => arctangent(&mu.enclosure(BITS)).mid().to_f64(),
@@ -43,8 +43,10 @@ impl Mark {
             Friction::Infinite => std::f64::consts::FRAC_PI_2,
         };
         let answer = arch.certify(DIGITS)?;
-        let stands =
-            thickness.map(|eta| arch.certify_thickness(eta, DIGITS)?.stands).transpose()?;
+        let stands = match thickness {
+            Some(eta) => Some(arch.certify_thickness(eta, DIGITS)?.stands?),
+            None => None,
+        };
         let (alpha, mu) = (arch.half_opening().to_string(), arch.friction().to_string());
         let given = thickness.map(|eta| format!(", η = {eta}")).unwrap_or_default();
         let verdict = match stands {

@@ -2,7 +2,7 @@
 
 use super::mark::Mark;
 use crate::arch::SelfWeight;
-use crate::certify::Undecided;
+use crate::certify::{Error, Undecided};
 use crate::number::{ExactNumber, ParseExactError};
 use crate::problem::{Arch, ArchError, Friction, thickness};
 use std::fmt;
@@ -66,10 +66,14 @@ impl Marked {
     }
 
     /// With what is proved of it.
-    pub fn proved(&self, weight: SelfWeight) -> Result<Mark, Undecided> {
-        let arch = self.arch(weight).map_err(|error| Undecided::new(error.to_string()))?;
-        Mark::new(&arch, self.thickness.as_ref())
-            .map_err(|undecided| Undecided::new(format!("{arch}: {undecided}")))
+    pub fn proved(&self, weight: SelfWeight) -> Result<Mark, Error> {
+        let arch = self.arch(weight)?;
+        let open = |undecided: Undecided| Undecided {
+            reason: format!("{arch}: {undecided}").into(),
+            ..undecided
+        };
+        let mark = Error::apart(Mark::new(&arch, self.thickness.as_ref()))?;
+        Ok(mark.map_err(open)?)
     }
 }
 

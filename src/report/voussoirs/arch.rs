@@ -36,13 +36,13 @@ pub struct GivenThickness {
     /// The thickness.
     pub thickness: ExactNumber,
     /// What holds for it.
-    pub found: Result<VoussoirAssessment, Undecided>,
+    pub found: VoussoirAssessment,
 }
 
 impl GivenThickness {
     /// Whether it stands; `None` if that stays open.
     pub(super) fn stands(&self) -> Option<bool> {
-        let standing = self.found.as_ref().ok()?.standing.as_ref().ok()?;
+        let standing = self.found.standing.as_ref().ok()?;
         Some(matches!(standing, VoussoirStanding::Stands(_)))
     }
 }
@@ -71,8 +71,7 @@ impl VoussoirArch {
     /// Why something stays open, if anything does.
     pub fn first_open(&self) -> Option<&Undecided> {
         match &self.given {
-            Some(GivenThickness { found: Ok(found), .. }) => found.first_open(),
-            Some(GivenThickness { found: Err(undecided), .. }) => Some(undecided),
+            Some(given) => given.found.first_open(),
             None => self.found.as_ref().err(),
         }
     }

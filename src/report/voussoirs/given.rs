@@ -33,10 +33,7 @@ pub(super) fn lines(
     given: &GivenThickness,
     out: &mut dyn io::Write,
 ) -> io::Result<()> {
-    let found = match &given.found {
-        Ok(found) => found,
-        Err(undecided) => return writeln!(out, "{undecided}"),
-    };
+    let found = &given.found;
     let joints = arch.stones.count();
     match &found.standing {
         Ok(VoussoirStanding::Stands(_)) => {
@@ -115,14 +112,11 @@ pub(super) fn cells(arch: &VoussoirArch, given: &GivenThickness) -> Vec<String> 
     let text = |figure: Option<&Figure>| figure.map_or(String::new(), ToString::to_string);
     let mut cells = vec![given.thickness.to_string()];
     cells.push(given.stands().map_or(String::new(), |stands| stands.to_string()));
-    let found = given.found.as_ref().ok();
-    let values = found.map(|found| {
-        quotients(found).map(|(.., value)| text(value.as_ref().ok().and_then(Option::as_ref)))
-    });
-    cells.extend(values.unwrap_or_default());
-    let ends = match found.map(|found| &found.standing) {
-        Some(Ok(VoussoirStanding::Stands(ends) | VoussoirStanding::Falls(ends))) => Some(ends),
-        _ => None,
+    let value = |value: &Rounded| text(value.as_ref().ok().and_then(Option::as_ref));
+    cells.extend(quotients(&given.found).map(|(.., of)| value(of)));
+    let ends = match &given.found.standing {
+        Ok(VoussoirStanding::Stands(ends) | VoussoirStanding::Falls(ends)) => Some(ends),
+        Err(_) => None,
     };
     let thrusts = ends
         .filter(|_| given.stands() == Some(true))
@@ -140,18 +134,13 @@ pub(super) fn fields(arch: &VoussoirArch, given: &GivenThickness) -> Fields {
     fields.add("thickness", given.thickness.to_string());
     fields.add("stands", given.stands());
     let value = |value: &Rounded| value.as_ref().ok().and_then(Option::as_ref).map(bounds);
-    let found = given.found.as_ref().ok();
-    for (index, name) in
-        ["geometric_safety", "required_friction", "friction_safety"].iter().enumerate()
-    {
-        fields.add_fields(name, found.and_then(|found| value(quotients(found)[index].2)));
+    for (name, _, of) in quotients(&given.found) {
+        fields.add_fields(name, value(of));
     }
-    let ends = match found.map(|found| &found.standing) {
-        Some(Ok(VoussoirStanding::Stands(ends))) => {
-            Some((["least_thrust", "largest_thrust"], ends))
-        }
-        Some(Ok(VoussoirStanding::Falls(ends))) => Some((["needed_thrust", "borne_thrust"], ends)),
-        _ => None,
+    let ends = match &given.found.standing {
+        Ok(VoussoirStanding::Stands(ends)) => Some((["least_thrust", "largest_thrust"], ends)),
+        Ok(VoussoirStanding::Falls(ends)) => Some((["needed_thrust", "borne_thrust"], ends)),
+        Err(_) => None,
     };
     let limit = |end: &VoussoirLimit| {
         let mut fields = Fields::default();

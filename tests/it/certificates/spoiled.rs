@@ -91,7 +91,7 @@ fn solution(mode: AsymmetricMode, arch: &Arch, digits: usize) -> Option<Asymmetr
     }
     KNOWN.with_borrow_mut(|known| {
         let all = known.entry(format!("{arch} {digits}")).or_insert_with(|| {
-            couplet::certify::asymmetric(arch, digits).into_iter().flatten().collect()
+            couplet::certify::asymmetric(arch, digits).into_iter().flatten().flatten().collect()
         });
         all.iter().find(|solution| solution.mode == mode).cloned()
     })

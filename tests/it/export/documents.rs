@@ -87,7 +87,7 @@ fn where_there_is_no_hash_is_a_reason() {
 
 #[test]
 fn an_undecided_landmark_is_named_and_has_no_values() {
-    let reason = Undecided::new("for a test");
+    let reason = Undecided::new("for a test").into();
     let undecided = Answer::landmark((Landmark::Triple, SelfWeight::Heyman), Err(&reason));
     let report = Report::Answers(Answers::constants(30, vec![undecided]));
     let text = |format| {

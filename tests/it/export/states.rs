@@ -1,9 +1,9 @@
 //! Arches in every format, by the same code: with text from outside that is as bad as it can be.
 
 use super::has;
-use crate::arches::{H, arch, number};
+use crate::arches::{H, arch};
 use crate::program::Scratch;
-use couplet::certify::Undecided;
+use couplet::Undecided;
 use couplet::certify::state::{Answer as State, Certify, Fall};
 use couplet::report::{Answer, Answers, Content, Format, Report, Subject};
 
@@ -11,9 +11,9 @@ use couplet::report::{Answer, Answers, Content, Format, Report, Subject};
 const HOSTILE: &str =
     "pi/2 */ \"\"\" ' \" \\ \n\r%} =# -- $(x) ??/\n \\input{/etc/passwd} # ! & \u{2028}";
 
-/// Something that cannot be told: an arch thicker than twice its radius.
+/// Something that cannot be told.
 fn doubt() -> Undecided {
-    arch(H, "pi/2", "inf").certify_thickness(&number("3"), 10).unwrap_err()
+    Undecided::new("whether the thickness is enough")
 }
 
 fn report() -> Report {
@@ -28,7 +28,7 @@ fn report() -> Report {
     let list = vec![
         answer(2, slides.certify(40)),
         answer(3, Ok(State::Falls { fall: Fall::Sliding, enough: None })),
-        answer(4, Err(doubt())),
+        answer(4, Err(doubt().into())),
         Answer::refused(5, HOSTILE.into()),
     ];
     Report::Answers(Answers { list, ..Answers::arches(40, false) })

@@ -2,6 +2,7 @@
 
 use super::{float_text, mode};
 use crate::arches::{H, M, arch, number};
+use couplet::Refused;
 use couplet::arch::SelfWeight;
 use couplet::certify::state::{AssessmentDigits, Certify, Outcome};
 use couplet::problem::{Mode, Quantity};
@@ -13,11 +14,17 @@ fn assessed(weight: SelfWeight, alpha: &str, mu: &str, eta: &str) -> AssessmentD
 
 /// A thickness outside `(0, 2]` is none: nothing is said of it.
 #[test]
-fn an_impossible_thickness_is_a_doubt() {
+fn an_impossible_thickness_is_refused() {
     for thickness in ["0", "-1/10", "2.000001", "3"] {
-        let doubt = arch(H, "pi/2", "0.5").certify_thickness(&number(thickness), 6).unwrap_err();
-        assert_eq!(doubt.reason, "the thickness is not between 0 and 2", "{thickness}");
+        let refused = arch(H, "pi/2", "0.5").certify_thickness(&number(thickness), 6).unwrap_err();
+        assert_eq!(refused, Refused::Thickness(number(thickness)));
+        assert_eq!(
+            refused.to_string(),
+            format!("the thickness {thickness} is not between 0 and 2")
+        );
     }
+    let refused = arch(H, "pi/2", "0.5").certify_thickness(&number("pi/20"), 6).unwrap_err();
+    assert_eq!(refused, Refused::NoRatio(number("pi/20")), "it is 0.157");
     for thickness in ["1.99", "2"] {
         assert_eq!(assessed(H, "pi/2", "0.5", thickness).stands, Ok(true), "{thickness}");
     }

@@ -2,8 +2,10 @@
 
 use super::{BOTH, beside, digits, float_text, frictions, proved_twice};
 use crate::arches::{H, M, arch};
+use couplet::Error;
 use couplet::arch::Unknown;
 use couplet::certify::CertifiedLandmark;
+use couplet::certify::Open;
 use couplet::certify::state::{Answer, Certify, Fall, Outcome};
 use couplet::number::Ball;
 use couplet::problem::{Landmark, Mode};
@@ -151,7 +153,8 @@ fn beyond_the_last_precision_the_answer_is_undecided() {
         other => panic!("{other:?}"),
     };
     let friction = float_text(critical.mid(), 11_000);
-    let doubt = arch(H, alpha, &friction).certify(10).unwrap_err();
+    let doubt = Error::apart(arch(H, alpha, &friction).certify(10)).unwrap().unwrap_err();
+    assert_eq!((doubt.kind, doubt.bits.is_some_and(|bits| bits > 4_000)), (Open::Comparison, true));
     assert_eq!(doubt.between, [Mode::Rotational, Mode::SlidingRotational]);
     assert!(doubt.gap.is_some_and(|gap| (0.0..1e-300).contains(&gap)));
 }
@@ -166,6 +169,6 @@ fn a_friction_decides_where_the_end_of_rotation_cannot_be_told() {
     let arch = arch(H, &half_opening, "2");
     let Ok(Answer::Stands(state)) = arch.certify_alone(10) else { panic!() };
     assert_eq!(state.mode, Mode::OverturningSliding);
-    let doubt = arch.certify(10).unwrap_err();
+    let doubt = Error::apart(arch.certify(10)).unwrap().unwrap_err();
     assert_eq!(doubt.between, [Mode::OverturningSliding]);
 }

@@ -54,12 +54,11 @@ pub(super) fn point_on(
 
 /// What is said where no point of the line is found.
 fn none(line: Line, open: &Undecided) -> Undecided {
-    let Undecided { between, gap, .. } = open.clone();
     let ends = line.ends().map(|end| end.map_or("a half opening of zero", Landmark::symbol));
     let [from, to] = ends;
     let reason = format!(
         "no point of the line {line} is found there (it runs from {from} to {to}): {}",
         open.reason
     );
-    Undecided { between, gap, ..Undecided::new(reason) }
+    Undecided { reason: reason.into(), ..open.clone() }
 }

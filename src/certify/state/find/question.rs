@@ -3,15 +3,15 @@
 use super::line::point_on;
 use super::widest::{at_thickness, bits_lost, widest};
 use crate::arch::{Configuration, SelfWeight};
-use crate::certify::Undecided;
 use crate::certify::state::assess::Wanted;
 use crate::certify::state::figure::Figure;
 use crate::certify::state::inquiry::Inquiry;
 use crate::certify::state::query::Query;
 use crate::certify::state::raise::{GUARD, raise};
 use crate::certify::state::state::Fall;
+use crate::certify::{Error, Refused, Undecided};
 use crate::number::{Ball, ExactNumber, Field, Real, bits_of};
-use crate::problem::{Arch, ArchError, Friction, Line, Mode, Quantity, Sought, is_thickness};
+use crate::problem::{Arch, ArchError, Friction, Line, Mode, Quantity, Sought};
 use rug::Rational;
 
 /// A question the other way round.
@@ -114,21 +114,16 @@ impl Question {
     }
 }
 
-/// Answers a question, with every value correctly rounded to `digits` significant digits, at least one. An
-/// error if the half opening or the friction that is given is out of its range; undecided if the thickness is.
-pub fn find(
-    weight: SelfWeight,
-    question: &Question,
-    digits: usize,
-) -> Result<Result<Finding, Undecided>, ArchError> {
+/// Answers a question, with every value correctly rounded to `digits` significant digits. Refused if what is given is out of its
+/// range, and digits beyond [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS).
+pub fn find(weight: SelfWeight, question: &Question, digits: usize) -> Result<Finding, Error> {
+    Refused::arch_digits(digits)?;
     let arch = question.arch(weight)?;
-    if question.thickness().is_some_and(|eta| !is_thickness(eta)) {
-        return Ok(Err(Undecided::new("the thickness is not between 0 and 2")));
-    }
+    question.thickness().map_or(Ok(()), Refused::thickness)?;
     let two = ExactNumber::from(&Rational::from(2));
     let limit = question.thickness().is_none_or(|eta| eta.factor() == two.factor());
     let eta = question.thickness().unwrap_or(&two);
-    Ok(match question {
+    match question {
         Question::HalfOpening { .. } if has_no_friction(&arch) => {
             Ok(Finding::Nothing(Some(Fall::Sliding)))
         }
@@ -138,10 +133,10 @@ pub fn find(
                 Some(_) => "every narrower arch stands at this thickness, no wider one does",
                 None => "every narrower arch stands at some thickness, no wider one does at any",
             };
-            in_digits(&query, digits, |query| {
+            Ok(in_digits(&query, digits, |query| {
                 let (mode, at) = widest(query, limit)?;
                 Ok(place(vec![mode], &at, Sought::HalfOpening, proved.to_owned()))
-            })
+            })?)
         }
         Question::Friction { thickness, .. } => {
             least_friction(&arch, eta, thickness.is_some(), digits)
@@ -156,15 +151,15 @@ pub fn find(
                 }
             };
             if *given == Given::Friction(Friction::Infinite) {
-                return Ok(Err(Undecided::new("with unlimited friction nothing slides")));
+                return Err(Refused::UnlimitedFriction.into());
             }
             let proved = sides(*line, sought);
-            in_digits(&query, digits, |query| {
+            Ok(in_digits(&query, digits, |query| {
                 let at = point_on(query, *line, sought)?;
                 Ok(place(line.modes().to_vec(), &at, sought, proved.clone()))
-            })
+            })?)
         }
-    })
+    }
 }
 
 fn has_no_friction(arch: &Arch) -> bool {
@@ -180,7 +175,7 @@ fn least_friction(
     thickness: &ExactNumber,
     is_given: bool,
     digits: usize,
-) -> Result<Finding, Undecided> {
+) -> Result<Finding, Error> {
     let found = Inquiry::new(arch, digits, false).assess(thickness, digits, Wanted::Everything)?;
     let proved = match is_given {
         true => "it stands at this thickness with every larger friction, with none that is smaller",

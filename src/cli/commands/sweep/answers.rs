@@ -3,7 +3,7 @@
 
 use super::query::{Arches, Grid, Listed, Queries};
 use crate::arch::SelfWeight;
-use crate::certify::Undecided;
+use crate::certify::Error;
 use crate::certify::state::{Answer, Certify, Column, Figure};
 use crate::number::{DoubleDoubleBall, ExactNumber};
 use crate::problem::{Arch, Friction, Mode, Quantity};
@@ -87,7 +87,7 @@ impl Wanted {
         Found { verdict, mode: None, values: vec![None; self.quantities.len()], reason }
     }
 
-    fn found(&self, answer: Result<&Answer, &Undecided>) -> Found {
+    fn found(&self, answer: Result<&Answer, &Error>) -> Found {
         match answer {
             Ok(Answer::Stands(digits)) => {
                 let value = |of: &Quantity| {
@@ -106,8 +106,11 @@ impl Wanted {
                 }
                 found
             }
-            Err(undecided) => {
+            Err(Error::Undecided(undecided)) => {
                 self.without(Verdict::Undecided, Some(undecided.reason.clone().into_owned()))
+            }
+            Err(Error::Refused(refused)) => {
+                self.without(Verdict::Refused, Some(refused.to_string()))
             }
         }
     }
@@ -220,22 +223,18 @@ impl Wanted {
         for (row, friction, enclosed) in rows {
             let shared = enclosed.and_then(|mu| column.shared(&mu));
             let answer = match shared {
-                Some(answer) => Ok(Ok(Cow::Borrowed(answer))),
+                Some(answer) => Ok(Cow::Borrowed(answer)),
                 None => column.certify_alone(friction.clone()),
             };
             match (answer, last) {
-                (Ok(Ok(Cow::Borrowed(answer))), Some((of, place))) if ptr::eq(of, answer) => {
+                (Ok(Cow::Borrowed(answer)), Some((of, place))) if ptr::eq(of, answer) => {
                     answers.places[row] = place;
                 }
-                (Ok(Ok(Cow::Borrowed(answer))), _) => {
+                (Ok(Cow::Borrowed(answer)), _) => {
                     answers.put(row, self.found(Ok(answer)));
                     last = Some((answer, answers.places[row]));
                 }
-                (Ok(answer), _) => answers.put(row, self.found(answer.as_deref())),
-                (Err(error), _) => {
-                    let refused = self.without(Verdict::Refused, Some(error.to_string()));
-                    answers.put(row, refused);
-                }
+                (answer, _) => answers.put(row, self.found(answer.as_deref())),
             }
         }
     }
