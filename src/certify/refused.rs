@@ -4,7 +4,7 @@
 
 use crate::number::ExactNumber;
 use crate::problem::stones::StonesError;
-use crate::problem::{ArchError, Landmark, Line, Quantity, is_thickness};
+use crate::problem::{ArchError, Landmark, Line, Quantity, ThicknessError};
 
 /// The largest number of digits of a constant that can be asked for.
 pub const MAX_DIGITS: usize = 1_000_000;
@@ -43,12 +43,9 @@ pub enum Refused {
         /// What there is.
         possible: Vec<Quantity>,
     },
-    /// The thickness is not above 0 and at most 2.
-    #[error("the thickness {0} is not between 0 and 2")]
-    Thickness(ExactNumber),
-    /// The thickness is a multiple of pi, or another number that is no ratio.
-    #[error("the thickness {0} is no ratio of thickness to radius (0.12, 3/25)")]
-    NoRatio(ExactNumber),
+    /// The thickness is not above 0 and at most 2, or a multiple of pi, which is no ratio.
+    #[error(transparent)]
+    Thickness(#[from] ThicknessError),
     /// The half opening or the friction is out of its range.
     #[error(transparent)]
     Arch(#[from] ArchError),
@@ -97,11 +94,7 @@ impl Refused {
 
     /// Whether a number is a thickness.
     pub(crate) fn thickness(thickness: &ExactNumber) -> Result<(), Self> {
-        match thickness {
-            eta if is_thickness(eta) => Ok(()),
-            eta if eta.is_rational() => Err(Self::Thickness(eta.clone())),
-            eta => Err(Self::NoRatio(eta.clone())),
-        }
+        Ok(ThicknessError::check(thickness, &thickness.to_string())?)
     }
 
     /// Whether a quantity is one of these.

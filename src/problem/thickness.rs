@@ -78,13 +78,29 @@ pub fn thickness(text: &str, measures: Option<&Measures>) -> Result<ExactNumber,
         }
     };
     match measures {
-        _ if !eta.is_rational() => Err(ThicknessError::Irrational(shown())),
-        Some(_) if number == text && text.parse::<Length>().is_err() => {
+        Some(_) if eta.is_rational() && number == text && text.parse::<Length>().is_err() => {
             Err(ThicknessError::NoUnit(shown()))
         }
-        _ if !is_thickness(&eta) => Err(ThicknessError::Outside(shown())),
-        Some(of) if of.exact_radius(Some(&eta)).is_none() => Err(ThicknessError::Point(shown())),
-        _ => Ok(eta),
+        _ => {
+            ThicknessError::check(&eta, text)?;
+            match measures {
+                Some(of) if of.exact_radius(Some(&eta)).is_none() => {
+                    Err(ThicknessError::Point(shown()))
+                }
+                _ => Ok(eta),
+            }
+        }
+    }
+}
+
+impl ThicknessError {
+    /// Whether a number that is written so is a thickness.
+    pub(crate) fn check(eta: &ExactNumber, text: &str) -> Result<(), Self> {
+        match eta {
+            eta if is_thickness(eta) => Ok(()),
+            eta if eta.is_rational() => Err(Self::Outside(shown(text))),
+            _ => Err(Self::Irrational(shown(text))),
+        }
     }
 }
 
