@@ -67,9 +67,11 @@ pub use figure::Figure;
 pub use inquiry::Inquiry;
 pub use measured::{measured_assessment, measured_state};
 pub(crate) use query::bits_lost;
+#[cfg(feature = "study")]
+pub(crate) use quick::state_in_double_doubles;
 pub(crate) use quick::{
     assessment_enclosed, raised_from_doubles, sliding_configuration, sliding_enclosed,
-    state_enclosed, state_in_double_doubles,
+    state_enclosed,
 };
 pub(crate) use raise::{raise, raised};
 pub use state::{Fall, Frictions, Outcome, State};
