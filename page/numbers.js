@@ -49,7 +49,7 @@ function tell({ given, found, isAsked }, answer) {
   at("save").hidden = false;
   const { subject, digits, stands } = answer;
   if (!isArch) {
-    const limit = subject === "slides" ? `the friction is below ${values.friction}, which this half opening needs`
+    const limit = subject === "slides" ? `it slides with less friction than ${values.friction}${beyond(answer.helpless?.values)}`
       : `the half opening is beyond ${values.half_opening} rad, at which a thickness of 2 is just enough`;
     return say("proof", `Proved here: it stands at no thickness, as ${limit}.`, "proved");
   }
@@ -64,6 +64,14 @@ function tell({ given, found, isAsked }, answer) {
   for (const id of MORE) if (values[id]) row(id, values[id], "proved");
   say("proof", `Proved here: each number with ✓, correctly rounded to ${digits} digits or, where it ends or fewer are certain, fewer.`, "proved");
   if (given.thickness !== undefined) assess(stands, values.geometric_safety, answer.has_line);
+}
+
+/** What more friction would do, where it is proved that this is not enough. */
+function beyond(values) {
+  if (!values) return "";
+  const { half_opening, given_friction } = values;
+  return given_friction === "∞" ? `, and beyond a half opening of ${half_opening} rad nothing stands at any friction`
+    : `, and with ${given_friction} it would have to be thicker than twice its radius`;
 }
 
 /** An arch of a given thickness beside its least one: exactly from that on it stands. */

@@ -14,13 +14,23 @@ function starts({ halfOpening, eta, thrust, rotation, sliding, phi }) {
 
 /** What seems to decide that no thickness is enough, the likelier first. */
 function falls(given) {
-  const alpha = opening(given), delta = given.weight === "heyman" ? 0 : 1;
-  const phi = frictionAngle(given);
+  const alpha = opening(given), phi = frictionAngle(given);
   const least = zero((phi) => alpha - slidingOut(slidingInside(phi).thrust, phi), 1e-9, Math.PI / 2);
-  const inner = slidingInside(phi), fac = 1 + delta / 3;
   const slides = { subject: "slides", start: starts({ ...slidingInside(least), phi: least, halfOpening: alpha, eta: 2, rotation: 0 }) };
-  const wide = { subject: "too_wide", start: starts({ ...inner, phi, halfOpening: turning(2, inner.thrust, 0, fac), eta: 2, rotation: 0 }) };
-  return phi < least ? [slides, wide] : [wide, slides];
+  return phi < least ? [slides, tooWide(given, phi)] : [tooWide(given, phi), slides];
+}
+
+/** That with this friction a thickness of 2 is not enough. */
+function tooWide({ weight }, phi) {
+  const inner = slidingInside(phi), fac = 1 + (weight === "heyman" ? 0 : 1) / 3;
+  return { subject: "too_wide", start: starts({ ...inner, phi, halfOpening: turning(2, inner.thrust, 0, fac), eta: 2, rotation: 0 }) };
+}
+
+/** Why more friction does not help an arch that slides: nothing stands so wide, or not with a little more than it slides with. */
+function helpless({ weight, half_opening, span, rise, measured_at }, { values }) {
+  const more = (Number(values.friction) * (1 + 1e-8)).toPrecision(10);
+  const question = (friction, phi) => encoded({ weight, half_opening, span, rise, measured_at, friction, digits: DIGITS, ...tooWide({ weight }, phi) });
+  return [question("inf", Math.PI / 2), question(more, Math.atan(more))];
 }
 
 /** What is asked about an arch: a place of the map has the half opening that was found for it, and is drawn only. */
@@ -36,6 +46,7 @@ function questions(given, found, wanted) {
 async function prove(given, found, wanted) {
   const late = setTimeout(() => prover.stop(), patience * 1000);
   const answer = await prover.ask("prove", questions(given, found, wanted));
+  if (answer?.subject === "slides") answer.helpless = await prover.ask("prove", helpless(given, answer));
   clearTimeout(late);
   return answer ?? { reason: `the proof takes longer than ${patience} seconds here` };
 }

@@ -160,6 +160,13 @@ def numbers_of_states(page, couplet):
     return len(modes)
 
 
+def more_friction(page):
+    """Short of B friction is what an arch that slides lacks, between B and L it lacks more, beyond L it is too wide."""
+    for alpha, said, other in [("149deg", "slides with less friction than", ", and"), ("151deg", "thicker than twice its radius", "nothing stands"), ("155.2deg", "nothing stands at any friction", "needs")]:
+        proof = page.show(given("milankovitch", alpha, "0.9"))["proof"]
+        assert said in proof and other not in proof, (alpha, proof)
+
+
 def verdicts_on_thicknesses(page, couplet):
     """Stands or falls, the safety, and a certificate of it that the command accepts; the command shown makes it too."""
     for arch in THICK:
@@ -394,6 +401,7 @@ def test(index, couplet):
     with Page(index, "half_opening=80deg&friction=0.35&weight=heyman") as page:
         assert page.texts()["thickness"] == "0.06863521258", page.texts()
         states = numbers_of_states(page, couplet)
+        more_friction(page)
         verdicts_on_thicknesses(page, couplet)
         measures(page, couplet)
         steps = drags(page, couplet)

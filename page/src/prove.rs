@@ -438,6 +438,25 @@ mod tests {
         assert!(slides("0.31").is_err());
     }
 
+    /// Beyond B the friction with which it slides is not enough, beyond L none is: what the page adds to a proof that it slides.
+    #[test]
+    fn more_friction_is_proved_not_to_help() {
+        let of = |alpha, mu, subject, start: &[(&str, f64)]| {
+            proof(&question(["milankovitch", alpha, mu], subject, start))
+        };
+        let start = [("friction", 2.26), ("thrust", 0.0427), ("sliding_joint", 0.2)];
+        let slides = of("155.2deg", "0.9", "slides", &start).unwrap();
+        assert!(slides.values["friction"].starts_with("2.25996463"), "{:?}", slides.values);
+        let start = [("half_opening", 2.64), ("thrust", 0.0427), ("sliding_joint", 0.2)];
+        for mu in ["inf", "2.259964657"] {
+            assert!(of("155.2deg", mu, "too_wide", &start).is_ok(), "{mu}");
+        }
+        // Short of L friction helps, and short of B that with which it slides.
+        for (alpha, mu) in [("151.5deg", "inf"), ("149deg", "2")] {
+            assert!(of(alpha, mu, "too_wide", &start).is_err(), "{alpha}");
+        }
+    }
+
     /// The limit is not what is given.
     #[test]
     fn too_wide_an_arch_is_proved_beyond_the_limit() {
