@@ -46,7 +46,7 @@ impl MapPicture<'_> {
         if content.asymmetric.is_some() {
             words[0].push_str(&asymmetric::words(self.sheet.weight));
         }
-        words.splice(1..1, mark::words(self.marks));
+        words.splice(1..1, mark::words(self.marks, canvas));
         let (page, mut svg) = Page::new(canvas, self.shows(), &words, has_levels);
         let frame = &page.frame;
         svg.clipped(&frame.outline(), |svg| content.draw(svg, frame, ""));
@@ -57,16 +57,16 @@ impl MapPicture<'_> {
         let marks = mark::places(self.marks, canvas, frame);
         let legend = content.asymmetric.as_ref().map(|asymmetric| asymmetric.taken(frame));
         let taken: Vec<Rectangle> =
-            marks.iter().map(|(_, at)| mark::taken(*at)).chain(legend).collect();
+            marks.iter().map(|mark| mark::taken(mark.at)).chain(legend).collect();
         let mut insets = Inset::all(&content, canvas, frame, &taken);
         // No inset covers a mark.
-        insets.retain(|inset| !marks.iter().any(|(_, at)| inset.covers(*at)));
+        insets.retain(|inset| !marks.iter().any(|mark| inset.covers(mark.at)));
         let mut named = Vec::new();
         for inset in &insets {
             inset.draw(&mut svg, canvas, |svg, id| content.draw(svg, &inset.frame, id));
             let mut names = self.names(&content, &inset.frame, INSET_NAMES);
             let larger = mark::places(self.marks, canvas, &inset.frame);
-            names.taken = larger.iter().map(|(_, at)| mark::taken(*at)).collect();
+            names.taken = larger.iter().map(|mark| mark::taken(mark.at)).collect();
             names.landmarks(&mut svg, inset.is_close());
             names.overturning(&mut svg);
             // This one is seen better in the map.

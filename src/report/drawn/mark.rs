@@ -9,7 +9,7 @@ use crate::certify::state::{Answer, Certify};
 use crate::number::{Ball, ExactNumber, arctangent};
 use crate::picture::color::{INK, WHITE};
 use crate::picture::room::Rectangle;
-use crate::picture::{Anchor, Frame, Point, Svg, Type};
+use crate::picture::{Anchor, Frame, Path, Point, Stroke, Svg, Type};
 use crate::problem::{Arch, Friction};
 
 /// An arch in a map.
@@ -19,8 +19,10 @@ pub struct Mark {
     weight: SelfWeight,
     half_opening: f64,
     friction_angle: f64,
-    /// The given one, else the least; `None` if none is enough.
-    thickness: Option<f64>,
+    /// The least one; `None` if none is enough.
+    least: Option<f64>,
+    /// The one of the arch, if it is given.
+    given: Option<f64>,
     /// What is proved of it.
     words: String,
 }
@@ -31,6 +33,8 @@ const BITS: u32 = 64;
 /// Of the ring.
 const RADIUS: f64 = 10.0;
 const LINE: f64 = 1.4;
+/// Of the end of a stroke, to each side.
+const CAP: f64 = 5.0;
 const SIZE: f64 = 12.0;
 
 impl Mark {
@@ -73,17 +77,17 @@ impl Mark {
             Answer::Falls { .. } => None,
         };
         let half_opening = number(arch.half_opening());
-        let (weight, thickness) = (arch.weight(), thickness.map(number).or(least));
-        Ok(Self { weight, half_opening, friction_angle, thickness, words })
+        let (weight, given) = (arch.weight(), thickness.map(number));
+        Ok(Self { weight, half_opening, friction_angle, least, given, words })
     }
 
-    /// Where it is on a canvas, if it has a thickness or needs none.
-    fn at(&self, canvas: &Canvas) -> Option<Point> {
+    /// Where an arch of its shape and friction and of some thickness is on a canvas, if that needs none or there is one.
+    fn at(&self, canvas: &Canvas, thickness: Option<f64>) -> Option<Point> {
         let on = |axis: &Axis| {
             let value = match axis.coordinate.variable()? {
                 Variable::HalfOpening => self.half_opening,
                 Variable::FrictionAngle => self.friction_angle,
-                _ => self.thickness?,
+                _ => thickness?,
             };
             Some(axis.shown(value))
         };
@@ -92,21 +96,44 @@ impl Mark {
     }
 }
 
+/// A mark on the page: its state, where its mode is that of the domain around it.
+pub(super) struct Placed {
+    number: String,
+    /// At the least thickness.
+    pub at: Point,
+    /// The end of a stroke to the thickness that is given, and whether the frame shows that.
+    given: Option<(Point, bool)>,
+}
+
 /// Those of a weight.
 pub(super) fn of_weight(marks: &[Mark], weight: SelfWeight) -> Vec<Mark> {
     marks.iter().filter(|mark| mark.weight == weight).cloned().collect()
 }
 
 /// What is said of marks below, with their numbers.
-pub(super) fn words(marks: &[Mark]) -> Vec<String> {
-    (1..).zip(marks).map(|(number, mark)| format!("({number}) {}", mark.words)).collect()
+pub(super) fn words(marks: &[Mark], canvas: &Canvas) -> Vec<String> {
+    let all = (1..).zip(marks).map(|(number, mark)| format!("({number}) {}", mark.words));
+    let has_stroke = |mark: &Mark| {
+        mark.least.is_some() && mark.given.is_some() && mark.at(canvas, None).is_none()
+    };
+    let stroke = marks.iter().any(has_stroke).then(|| STROKE.to_owned());
+    all.chain(stroke).collect()
 }
 
-/// The numbers of the marks that a frame shows, with their places on the page.
-pub(super) fn places(marks: &[Mark], canvas: &Canvas, frame: &Frame) -> Vec<(String, Point)> {
+/// What is said where a thickness is given and shown.
+const STROKE: &str = "A mark is the state of its arch at the least thickness, in the domain of its mode; the stroke goes \
+                      to the thickness that is given.";
+
+/// The marks that a frame shows, with their places on the page.
+pub(super) fn places(marks: &[Mark], canvas: &Canvas, frame: &Frame) -> Vec<Placed> {
     let place = |(number, mark): (u32, &Mark)| {
-        let at = mark.at(canvas).filter(|at| frame.shows(*at))?;
-        Some((number.to_string(), frame.at(at)))
+        let at = mark.at(canvas, mark.least).filter(|at| frame.shows(*at))?;
+        let given = mark.given.and_then(|given| mark.at(canvas, Some(given)));
+        let given = given.filter(|given| *given != at).map(|(x, y)| {
+            let [low, high] = frame.y;
+            (frame.at((x, y.clamp(low, high))), frame.shows((x, y)))
+        });
+        Some(Placed { number: number.to_string(), at: frame.at(at), given })
     };
     (1..).zip(marks).filter_map(place).collect()
 }
@@ -117,10 +144,17 @@ pub(super) fn taken((x, y): Point) -> Rectangle {
 }
 
 /// Draws them, in a group for each; an `inset` sets the names of its groups apart.
-pub(super) fn draw(svg: &mut Svg, places: &[(String, Point)], inset: &str) {
+pub(super) fn draw(svg: &mut Svg, places: &[Placed], inset: &str) {
     let of = if inset.is_empty() { String::new() } else { format!("{inset}-") };
-    for (number, at) in places {
+    for Placed { number, at, given } in places {
         svg.group(&format!("{of}mark-{number}"), |svg| {
+            if let Some((end, is_shown)) = given {
+                svg.stroke(&Path::through([*at, *end]), Stroke::new(INK, LINE));
+                let cap = [-CAP, CAP].map(|across| (end.0 + across, end.1));
+                if *is_shown {
+                    svg.stroke(&Path::through(cap), Stroke::new(INK, LINE));
+                }
+            }
             svg.disc(*at, RADIUS, INK);
             svg.disc(*at, RADIUS - LINE, WHITE);
             svg.text(number, *at, Type::new(SIZE, INK).at(Anchor::Middle));
@@ -146,7 +180,9 @@ mod tests {
             mark("80deg", "tan(35deg)", None),
             mark("140deg", "0.2", None),
         ];
-        let said = words(&all);
+        let said = words(&all, &Canvas::usual(Plane::ThicknessFriction));
+        assert!(said[4].contains("the stroke goes to the thickness that is given"));
+        assert_eq!(words(&all, &Canvas::usual(Plane::OpeningFriction)).len(), 4, "no thickness");
         assert_eq!(
             said[0],
             "(1) α = 80°, μ = 0.6, η = 0.15: stands; least thickness 0.0686505, [r,r,r]"
@@ -157,15 +193,31 @@ mod tests {
     }
 
     #[test]
-    fn a_mark_is_where_its_arch_is() {
-        let (given, least) = (mark("80deg", "1", Some("0.15")), mark("80deg", "inf", None));
-        assert_eq!(given.at(&Canvas::usual(Plane::ThicknessFriction)), Some((45.0, 0.15)));
-        let (alpha, phi) = least.at(&Canvas::usual(Plane::OpeningFriction)).unwrap();
+    fn a_mark_is_where_its_state_is() {
+        let at = |mark: &Mark, plane| mark.at(&Canvas::usual(plane), mark.least);
+        let least = mark("80deg", "inf", None);
+        let (alpha, phi) = at(&least, Plane::OpeningFriction).unwrap();
         assert!((alpha - 80.0).abs() < 1e-12 && phi == 90.0);
-        let (_, eta) = least.at(&Canvas::usual(Plane::OpeningThickness)).unwrap();
+        let (_, eta) = at(&least, Plane::OpeningThickness).unwrap();
         assert!((eta - 0.06865046333).abs() < 1e-6);
-        let falls = mark("140deg", "0.2", None);
-        assert!(falls.at(&Canvas::usual(Plane::OpeningFriction)).is_some());
-        assert!(falls.at(&Canvas::usual(Plane::OpeningThickness)).is_none(), "it has no thickness");
+        let falls = mark("140deg", "0.2", Some("1"));
+        assert!(at(&falls, Plane::OpeningFriction).is_some());
+        assert!(at(&falls, Plane::OpeningThickness).is_none(), "it has no state");
+        assert_eq!(words(&[falls], &Canvas::usual(Plane::OpeningThickness)).len(), 1);
+    }
+
+    /// In the plane of thickness and friction the given thickness is another arch's, of another mode.
+    #[test]
+    fn a_stroke_goes_from_the_state_to_the_given_thickness() {
+        let canvas = Canvas::usual(Plane::ThicknessFriction);
+        let [x, y] = canvas.axes.map(|axis| axis.range);
+        let frame = Frame { corner: (0.0, 0.0), size: (90.0, 200.0), x, y };
+        let all = [mark("80deg", "1", Some("0.15")), mark("80deg", "1", None)];
+        let [given, bare] = &places(&all, &canvas, &frame)[..] else { panic!("both are shown") };
+        assert_eq!(given.at, bare.at);
+        assert!((given.at.1 - 193.1349).abs() < 1e-3, "{:?}", given.at);
+        assert_eq!((given.given, bare.given), (Some(((45.0, 185.0), true)), None));
+        let near = Frame { y: [0.0, 0.1], ..frame };
+        assert_eq!(places(&all, &canvas, &near)[0].given, Some(((45.0, 0.0), false)), "beyond");
     }
 }
