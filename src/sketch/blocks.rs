@@ -34,7 +34,7 @@ impl Blocks {
         joints: &[f64],
     ) -> Self {
         let eta = at.thickness.double();
-        let at = |share: f64| moved(collapse, at, amplitude * share);
+        let at = |share: f64| moved(collapse, at, amplitude * share).blocks;
         let steps = if animate { 2 * STEPS } else { 0 };
         // Slow at both ends.
         let share =

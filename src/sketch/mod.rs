@@ -31,7 +31,7 @@ pub(crate) use blocks::arrow;
 pub use collapse::{Collapse, NoCollapse};
 pub use forces::{Forces, Mark, joints_of, moment_of};
 pub use line::Line;
-pub use moved::{Block, moved};
+pub use moved::{Block, Moved, moved};
 pub use picture::picture;
 pub use scale::Scale;
 #[cfg(all(feature = "mpfr", feature = "cli"))]

@@ -5,9 +5,20 @@ use crate::arch::Configuration;
 use crate::arch::mechanism::Motion;
 use crate::number::Drawable;
 
+/// The blocks of a mode, from the shoulder, where they have moved to.
+#[derive(Clone, Debug)]
+pub struct Moved {
+    /// The blocks: those of the mechanism that have an extent.
+    pub blocks: Vec<Block>,
+    /// How far the corner that moved most has moved, in units of `r`.
+    pub by: f64,
+}
+
 /// A rigid block of the right half.
 #[derive(Clone, Debug)]
 pub struct Block {
+    /// Which of the mechanism it is: the place of its twist.
+    pub place: usize,
     /// Its joints nearer to the crown and to the shoulder, rad.
     pub between: [f64; 2],
     /// Where it is.
@@ -22,12 +33,8 @@ const HALVINGS: u32 = 60;
 const LARGEST: f64 = 1.5;
 
 /// The blocks from the shoulder, moved so far that no corner has moved by more than `amplitude`, in units of `r`, and one
-/// by so much.
-pub fn moved<T: Drawable>(
-    collapse: &Collapse<T>,
-    at: &Configuration<T>,
-    amplitude: f64,
-) -> Vec<Block> {
+/// by so much, or as far as they go: thin arches are flat before.
+pub fn moved<T: Drawable>(collapse: &Collapse<T>, at: &Configuration<T>, amplitude: f64) -> Moved {
     let at = at.map_ref(T::double);
     let dilatancy = if collapse.is_dilatant { at.friction } else { 0.0 };
     let ends: Vec<f64> =
@@ -35,8 +42,12 @@ pub fn moved<T: Drawable>(
     let blocks = |by: f64| -> Vec<Block> {
         let moves = collapse.mode.moves(&at, &by, &dilatancy);
         let uppers = ends.iter().copied().skip(1).chain([0.0]);
-        let all = ends.iter().zip(uppers).zip(moves);
-        let all = all.map(|((lower, upper), motion)| Block { between: [upper, *lower], motion });
+        let all = ends.iter().zip(uppers).zip(moves).enumerate();
+        let all = all.map(|(place, ((lower, upper), motion))| Block {
+            place,
+            between: [upper, *lower],
+            motion,
+        });
         let narrow = NARROW * at.half_opening.rad;
         all.filter(|block| block.between[1] - block.between[0] > narrow).collect()
     };
@@ -60,5 +71,5 @@ pub fn moved<T: Drawable>(
         let middle = (low + high) / 2.0;
         if largest(middle) <= amplitude { low = middle } else { high = middle }
     }
-    blocks(low)
+    Moved { blocks: blocks(low), by: largest(low) }
 }

@@ -47,6 +47,129 @@ fn json_has_the_geometry() {
     assert!((angle - 2.45).abs() < 1e-12);
 }
 
+fn drawn(line: &str) -> Value {
+    let words: Vec<&str> = line.split(' ').chain(["--format", "json"]).collect();
+    serde_json::from_str(&written(&words)).unwrap()
+}
+
+/// At S the joint that opens is the one that slides: between them there is no block. The last one is the crown's.
+#[test]
+fn each_block_has_its_own_twist() {
+    for (line, modes) in [
+        ("draw --at S", &["[s,s]", "[r,r+s]"][..]),
+        ("draw --at S --weight heyman --dilatant", &["[s,s]", "[r,r+s]"]),
+        ("draw --at T", &["[r,r,r]", "[s,r,r]", "[r,r,s]", "[s,s]"]),
+    ] {
+        let json = drawn(line);
+        let mechanisms = json["arches"][0]["mechanisms"].as_array().unwrap();
+        let mut found: Vec<&str> =
+            mechanisms.iter().map(|of| of["mode"].as_str().unwrap()).collect();
+        found.sort_unstable();
+        let mut modes = modes.to_vec();
+        modes.sort_unstable();
+        assert_eq!(found, modes, "{line}");
+        for of in mechanisms {
+            let blocks = of["blocks"].as_array().unwrap();
+            let mut above: Vec<&Value> = blocks.iter().map(|block| &block["between"][0]).collect();
+            above.pop();
+            let below = blocks.iter().skip(1).map(|block| &block["between"][1]);
+            assert!(above.into_iter().eq(below), "end to end: {line}");
+            let last = blocks.last().unwrap();
+            assert_eq!(last["between"][0], 0.0);
+            let up = last["twist"]["velocity"][1]["double"].as_f64().unwrap();
+            assert_eq!(of["crown_drop"]["double"].as_f64().unwrap(), -up, "{line} {}", of["mode"]);
+            assert!(of.get("twists").is_none());
+        }
+    }
+}
+
+/// Its rate is the horizontal velocity of the half arch at the crown's centreline.
+#[test]
+fn a_crown_that_opens_is_no_pair_of_hinges() {
+    for line in ["draw --at L", "draw --at l", "draw --alpha 2.62 --mu inf"] {
+        let json = drawn(line);
+        let of = &json["arches"][0]["mechanisms"][0];
+        let joints = of["joints"].as_array().unwrap();
+        let contacts: Vec<&Value> = joints.iter().map(|joint| &joint["contact"]).collect();
+        assert_eq!(contacts, ["hinge at the extrados", "opens at the crown"], "{line}");
+        let twist = &of["blocks"][0]["twist"];
+        let number = |of: &Value| of["double"].as_f64().unwrap();
+        let across = number(&twist["velocity"][0]) - number(&twist["rotation"]);
+        assert!((number(&joints[1]["rate"]) - across).abs() < 1e-12, "{line}: {across}");
+    }
+}
+
+/// Thin arches are flat before a corner has moved so far.
+#[test]
+fn the_amplitude_is_the_one_that_is_reached() {
+    let thin = drawn("draw --half-opening 0.05 --friction 0.3");
+    let of = &thin["arches"][0]["mechanisms"][0];
+    let reached = of["amplitude"].as_f64().unwrap();
+    assert!((2e-4..1e-3).contains(&reached), "{reached}");
+    let radii = [-0.5, 0.5]
+        .map(|side| 1.0 + side * thin["arches"][0]["thickness"]["double"].as_f64().unwrap());
+    let mut most = 0.0_f64;
+    for block in of["blocks"].as_array().unwrap() {
+        let between = block["between"].as_array().unwrap();
+        let rest = between.iter().flat_map(|joint| {
+            let (sin, cos) = joint.as_f64().unwrap().sin_cos();
+            radii.map(|radius| [radius * sin, radius * cos])
+        });
+        for (rest, moved) in rest.zip(block["corners"].as_array().unwrap()) {
+            let [x, y] = [0, 1].map(|k| moved[k].as_f64().unwrap() - rest[k]);
+            most = most.max(x.hypot(y));
+        }
+    }
+    assert!((most - reached).abs() < 1e-12, "{most} {reached}");
+    let svg = written(&["draw", "--half-opening", "0.05", "--friction", "0.3"]);
+    assert!(svg.contains("the corner that moves most by 5.") && !svg.contains("0.12"));
+    assert!(written(&ARCH).contains("the corner that moves most by 0.12 r."));
+}
+
+/// With more friction the first stands, the others do not.
+#[test]
+fn an_arch_that_does_not_stand_says_which_condition_fails() {
+    for (alpha, mu, eta, is_friction) in [
+        ("90deg", "0.3", "0.2", true),
+        ("80deg", "0.1", "0.5", true),
+        ("80deg", "0.1", "0.05", false),
+        ("80deg", "0.6", "0.05", false),
+        ("80deg", "inf", "0.05", false),
+        ("2.7", "0.5", "2", false),
+    ] {
+        let svg = written(&["draw", "--alpha", alpha, "--mu", mu, "--eta", eta]);
+        let said = |words: &str| svg.contains(words);
+        assert_eq!(said("lines of thrust lie within it, none keeps within friction"), is_friction);
+        assert_eq!(said("it asks for a friction of"), is_friction, "{alpha} {mu} {eta}");
+        assert_eq!(said("no line of thrust lies within it"), !is_friction, "{alpha} {mu} {eta}");
+    }
+}
+
+/// A landmark has more joints at their limits than give way in a mode.
+#[test]
+fn lines_touch_where_some_mode_gives_way() {
+    for (arguments, is_landmark) in [
+        (&["figure", "1"][..], true),
+        (&["draw", "--at", "T", "--mode", "rrs"], true),
+        (&["draw", "--at", "J"], true),
+        (&ARCH, false),
+    ] {
+        let svg = written(arguments);
+        let words = "on its faces only at joints that give way in one of the modes there";
+        assert_eq!(svg.contains(words), is_landmark, "{arguments:?}");
+        assert_eq!(svg.contains("only at the joints that give way,"), !is_landmark);
+    }
+}
+
+/// Programs for CAD take a number for their own unit, unless the file names its own.
+#[test]
+fn a_file_for_cad_names_its_unit_where_it_has_one() {
+    let metres =
+        written(&["draw", "--radius", "5m", "--alpha", "1", "--mu", "1", "--format", "dxf"]);
+    assert!(metres.contains("9\n$INSUNITS\n70\n6\n9\n$MEASUREMENT\n70\n1\n0\nENDSEC"));
+    assert!(!written(&[&ARCH[..], &["--format", "dxf"]].concat()).contains("$INSUNITS"));
+}
+
 /// Points are larger by the radius, rates are the same, and forces are those of `couplet state` and `couplet assess`.
 #[test]
 fn json_is_in_metres_where_the_arch_is() {

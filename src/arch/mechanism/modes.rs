@@ -26,6 +26,17 @@ impl<T: Field> Mechanism<T> {
         }
     }
 
+    /// How fast a crown that opens along its whole joint does so at the centreline, in units of `r`: the mean of what
+    /// its two hinges open at the other face. `None` of a crown that turns or stays closed.
+    pub fn opening(&self, thickness: &T) -> Option<T> {
+        match &self.crown[..] {
+            [inner, outer] => {
+                Some((inner.rate.clone() + &outer.rate) * thickness / thickness.int(2))
+            }
+            _ => None,
+        }
+    }
+
     /// The twists of the blocks, from the shoulder.
     pub fn twists(&self, thickness: &T) -> Vec<Twist<T>> {
         let add = |sum: &mut Twist<T>, joint: &Joint<T>| {

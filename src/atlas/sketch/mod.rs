@@ -14,7 +14,7 @@ mod range;
 #[allow(clippy::module_inception, reason = "the folder is named after what it makes")]
 mod sketch;
 
-pub use crate::sketch::{Block, Line, moved};
+pub use crate::sketch::{Block, Line, Moved, moved};
 pub use sketch::{NoSketch, Sketch, Subject};
 
 use crate::number::Ball;

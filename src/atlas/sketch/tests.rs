@@ -311,7 +311,7 @@ fn blocks_are_moved_by_the_amplitude() {
         let [inner, outer] = sketch.radii();
         for collapse in &sketch.collapses {
             for amplitude in [0.001, 0.12] {
-                let blocks = moved(collapse, &sketch.at, amplitude);
+                let Moved { blocks, by } = moved(collapse, &sketch.at, amplitude);
                 let corners = |block: &Block| {
                     block
                         .between
@@ -325,6 +325,7 @@ fn blocks_are_moved_by_the_amplitude() {
                 });
                 let most = away.fold(0.0, f64::max);
                 assert!((most - amplitude).abs() < 1e-9, "{}: {most}", collapse.mode);
+                assert!((most - by).abs() < 1e-12);
                 for pair in blocks.windows(2) {
                     // The face of the lower block, and the corners of the one above it.
                     let joint = pair[0].between[0];

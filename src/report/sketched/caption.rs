@@ -2,9 +2,10 @@
 
 use super::Sketched;
 use super::metres::{Metres, Size};
-use crate::atlas::{Collapse, Forces, Sketch, Subject};
+use crate::atlas::{Collapse, Forces, Sketch, Subject, moved};
 use crate::certify::state::{Assessment, Limit};
 use crate::number::{Ball, Form, arctangent, degrees};
+use crate::picture::text;
 use crate::problem::measures::Measures;
 use crate::problem::{Arch, Landmark, Mode};
 use crate::report::words;
@@ -64,7 +65,7 @@ fn falls(mode: Mode) -> &'static str {
 }
 
 /// A mode as it is named there: at S one joint opens and slides.
-fn name(sketch: &Sketch, mode: Mode) -> (&'static str, &'static str) {
+pub(super) fn name(sketch: &Sketch, mode: Mode) -> (&'static str, &'static str) {
     match (&sketch.subject, mode) {
         (Subject::Landmark(Landmark::Shift), Mode::RotationalSliding) => {
             ("[r,r+s]", "the shoulder opens, one inner joint opens and slides")
@@ -90,9 +91,19 @@ pub(super) fn title(sketch: &Sketch, collapse: Option<&Collapse>) -> [String; 2]
                 "stands".into(),
                 "its lines of thrust, from the least thrust to the largest".into(),
             ],
-            _ => ["does not stand".into(), "no line of thrust lies within it".into()],
+            _ => ["does not stand".into(), fails(assessment).into()],
         },
         (None, _) => [String::new(), String::new()],
+    }
+}
+
+/// Which condition an arch that does not stand fails.
+fn fails(assessment: &Assessment) -> &'static str {
+    match &assessment.required_friction {
+        Ok(None) => "no line of thrust lies within it",
+        Ok(Some(_)) => "lines of thrust lie within it, none keeps within friction",
+        // True in both cases.
+        Err(_) => "no line of thrust within it keeps within friction",
     }
 }
 
@@ -209,20 +220,53 @@ pub(super) fn paragraphs(drawn: &Sketched) -> Vec<String> {
         all.push(SYMBOLS.to_owned());
     }
     if has(|sketch| !sketch.collapses.is_empty()) {
-        let state = match has(|sketch| matches!(sketch.subject, Subject::Sliding { .. })) {
-            true => "one solution of the equations, nothing stands with less friction",
-            false => {
-                "one solution of the equations, the lines within the arch and on its faces only at the joints that give \
-                 way, none thinner"
+        let is_sliding = has(|sketch| matches!(sketch.subject, Subject::Sliding { .. }));
+        let is_landmark = has(|sketch| matches!(sketch.subject, Subject::Landmark(_)));
+        // A landmark has more joints at their limits than one of its modes moves.
+        let lines = match (is_sliding, is_landmark) {
+            (true, _) => "nothing stands with less friction",
+            (_, true) => {
+                "the lines within the arch and on its faces only at joints that give way in one of the modes there, none \
+                 thinner"
+            }
+            _ => {
+                "the lines within the arch and on its faces only at the joints that give way, none thinner"
             }
         };
         all.push(format!(
-            "Proved: {state}; every rate of a mechanism is positive. Blocks are moved rigidly, no corner by more than {} r.",
-            drawn.style.amplitude
+            "Proved: one solution of the equations, {lines}; every rate of a mechanism is positive. Blocks are moved rigidly, \
+             the corner that moves most by {}.",
+            reached(drawn)
         ));
     }
     all.push(format!("Command: {}", drawn.command));
     all
+}
+
+/// How far blocks are moved: as far as asked, or in each panel as far as they go.
+fn reached(drawn: &Sketched) -> String {
+    let asked = drawn.style.amplitude;
+    let by = |(sketch, collapse): (&Sketch, Option<&Collapse>)| {
+        let by = moved(collapse?, &sketch.at, asked).by;
+        Some(if asked - by < REACHED * asked { format!("{asked} r") } else { length(by) })
+    };
+    let mut all: Vec<String> = drawn.panels().filter_map(by).collect();
+    all.dedup();
+    all.join(", ")
+}
+
+/// What is missing of an amplitude that is reached but for rounding.
+const REACHED: f64 = 1e-6;
+
+/// A length for the eye, in units of `r`.
+fn length(by: f64) -> String {
+    match by {
+        small if small < 1e-3 => {
+            let order = small.log10().floor();
+            format!("{:.1}×{} r", small / 10f64.powf(order), text::power_of_ten(order as i64))
+        }
+        by => format!("{by:.3} r"),
+    }
 }
 
 fn paragraph(drawn: &Sketched, sketch: &Sketch) -> String {
@@ -328,14 +372,18 @@ fn standing(assessment: &Assessment, sketch: &Sketch) -> String {
     let required = assessment.required_friction.as_ref().ok().and_then(Option::as_ref);
     let friction = assessment.friction_safety.as_ref().ok().and_then(Option::as_ref);
     if assessment.stands != Ok(true) {
-        return match (least, assessment.fall) {
-            (_, Some(fall)) => format!("It stands at no thickness: {}. Proved.", fall.reason()),
+        let said = match (least, assessment.fall) {
+            (_, Some(fall)) => format!("It stands at no thickness: {}", fall.reason()),
             (Some(least), _) => format!(
-                "It does not stand: it is thinner than the least, t/r = {}. Proved.",
+                "It does not stand: it is thinner than the least, t/r = {}",
                 rounded(least, DIGITS)
             ),
-            _ => "It does not stand. Proved.".into(),
+            _ => "It does not stand".into(),
         };
+        let more = required.map(|required| {
+            format!("; with its thickness it asks for a friction of {}", rounded(required, DIGITS))
+        });
+        return said + &more.unwrap_or_default() + ". Proved.";
     }
     let mut said = "It stands, which is proved".to_owned();
     if let (Some(least), Some(safety)) = (least, safety) {

@@ -147,11 +147,15 @@ fn arch(dxf: &mut Dxf, sketch: &Sketch, half: bool) {
 /// The tables of a file: its layers.
 fn head(dxf: &mut Dxf, unit: &str) {
     dxf.put(999, &format!("couplet: lengths in {unit}"));
-    for (code, value) in
-        [(0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1009"), (0, "ENDSEC")]
-    {
+    for (code, value) in [(0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1009")] {
         dxf.put(code, value);
     }
+    // Younger than the release, and read by those who know them: metres, and metric.
+    let metric = [(9, "$INSUNITS"), (70, "6"), (9, "$MEASUREMENT"), (70, "1")];
+    for (code, value) in metric.into_iter().filter(|_| unit == "m") {
+        dxf.put(code, value);
+    }
+    dxf.put(0, "ENDSEC");
     for (code, value) in [(0, "SECTION"), (2, "TABLES"), (0, "TABLE"), (2, "LAYER"), (70, "6")] {
         dxf.put(code, value);
     }

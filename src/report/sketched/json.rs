@@ -1,9 +1,10 @@
-//! JSON: `couplet.drawing/1`. Fields may be added, none changes its meaning.
+//! JSON: `couplet.drawing/2`. Fields may be added, none changes its meaning.
 
 use super::Sketched;
+use super::caption::name;
 use super::lean;
 use super::metres::{Loads, Metres, Size};
-use crate::arch::mechanism::{Joint, Twist};
+use crate::arch::mechanism::{Joint, Mechanism, Twist};
 use crate::atlas::{Block, Collapse, Forces, Line, Sketch, Subject, moved};
 use crate::number::Ball;
 use crate::problem::Mode;
@@ -104,13 +105,22 @@ fn forces(forces: &Forces, metres: Option<&Metres>, unit: f64) -> Json {
     })
 }
 
-fn joint(joint: &Joint<Ball>) -> Json {
-    json!({
-        "contact": joint.contact.name(),
-        "joint": figure(&joint.at.rad),
-        "rate": figure(&joint.rate),
-    })
+fn joint(contact: &str, at: &Ball, rate: &Ball) -> Json {
+    json!({ "contact": contact, "joint": figure(at), "rate": figure(rate) })
 }
+
+/// The joints from the shoulder; a crown that opens along its whole joint is no pair of hinges.
+fn joints(mechanism: &Mechanism<Ball>, thickness: &Ball) -> Vec<Json> {
+    let hinge = |of: &Joint<Ball>| joint(of.contact.name(), &of.at.rad, &of.rate);
+    let crown = match (mechanism.crown.first(), mechanism.opening(thickness)) {
+        (Some(crown), Some(opening)) => Some(joint(OPENS, &crown.at.rad, &opening)),
+        (crown, _) => crown.map(hinge),
+    };
+    mechanism.joints.iter().map(hinge).chain(crown).collect()
+}
+
+/// The contact of a crown that opens.
+const OPENS: &str = "opens at the crown";
 
 fn twist(twist: &Twist<Ball>) -> Json {
     json!({
@@ -119,7 +129,7 @@ fn twist(twist: &Twist<Ball>) -> Json {
     })
 }
 
-fn block(block: &Block, radii: [f64; 2], unit: f64) -> Json {
+fn block(block: &Block, of: Option<&Twist<Ball>>, radii: [f64; 2], unit: f64) -> Json {
     let [cos, sin] = block.motion.turn;
     let corners = block.between.into_iter().flat_map(|joint| {
         radii.map(|radius| {
@@ -129,6 +139,7 @@ fn block(block: &Block, radii: [f64; 2], unit: f64) -> Json {
     });
     json!({
         "between": block.between,
+        "twist": of.map(twist),
         "rotation": sin.atan2(cos),
         "shift": block.motion.shift.map(|x| x * unit),
         "corners": corners.collect::<Vec<_>>(),
@@ -137,17 +148,18 @@ fn block(block: &Block, radii: [f64; 2], unit: f64) -> Json {
 
 fn collapse(sketch: &Sketch, collapse: &Collapse, amplitude: f64, unit: f64) -> Json {
     let mechanism = &collapse.mechanism;
-    let joints = mechanism.joints.iter().chain(&mechanism.crown).map(joint);
-    let blocks = moved(collapse, &sketch.at, amplitude);
-    let blocks = blocks.iter().map(|moved| block(moved, sketch.radii(), unit));
+    let moved = moved(collapse, &sketch.at, amplitude);
+    let blocks = moved
+        .blocks
+        .iter()
+        .map(|moved| block(moved, collapse.twists.get(moved.place), sketch.radii(), unit));
     json!({
-        "mode": collapse.mode.label(),
+        "mode": name(sketch, collapse.mode).0,
         "flow_rule": if collapse.is_dilatant { "associated" } else { "without dilatancy" },
-        "joints": joints.collect::<Vec<_>>(),
-        "twists": collapse.twists.iter().map(twist).collect::<Vec<_>>(),
+        "joints": joints(mechanism, &sketch.at.thickness),
         "crown_drop": enclosure(&collapse.crown_drop),
         "power": enclosure(&collapse.friction_power),
-        "amplitude": amplitude * unit,
+        "amplitude": moved.by * unit,
         "blocks": blocks.collect::<Vec<_>>(),
     })
 }
@@ -191,5 +203,5 @@ pub(in crate::report) fn json(report: &Sketched, out: &mut dyn io::Write) -> io:
     };
     let unit = if report.measures.is_some() { "m" } else { "r" };
     let arches = report.sketches.iter().map(arch).collect();
-    lean::write(&DrawingFile { schema: "couplet.drawing/1", unit, arches }, out)
+    lean::write(&DrawingFile { schema: "couplet.drawing/2", unit, arches }, out)
 }
