@@ -138,14 +138,14 @@ pub struct Rates<T> {
     pub sliding: T,
 }
 
-/// The lever arm of `h` between the haunch's intrados and the crown's extrados, `(1 + eta/2) -
-/// (1 - eta/2) cos beta`, and between the shoulder's extrados and the haunch's intrados,
+/// The lever arm of `h` between the haunch's intrados and the crown's extrados, `(1 + eta/2) cos b0 -
+/// (1 - eta/2) cos beta` with `b0` zero but beside a keystone, and between the shoulder's extrados and the haunch's intrados,
 /// `(1 - eta/2) cos beta - (1 + eta/2) cos alpha`.
 fn arms<T: Field>(at: &Configuration<T>) -> (T, T) {
     let two = at.thickness.int(2);
     let (inner, outer) = (two.clone() - &at.thickness, two.clone() + &at.thickness);
     let haunch = inner * &at.rotation_joint.cos;
-    let upper = (outer.clone() - &haunch) / &two;
+    let upper = (outer.clone() * &at.crown_hinge.cos - &haunch) / &two;
     let lower = (haunch - outer * &at.half_opening.cos) / two;
     (upper, lower)
 }

@@ -66,7 +66,7 @@ pub struct Configuration<T> {
     pub thrust: T,
     /// `mu`.
     pub friction: T,
-    /// `b0`; like what follows zero in a symmetric state.
+    /// `b0`, at which the crown turns; like what follows zero in a symmetric state, but for a keystone's joint.
     pub crown_hinge: Angle<T>,
     /// `p`.
     pub crown_moment: T,

@@ -55,7 +55,9 @@ pub use part::Part;
 pub use place::Place;
 pub use point::{NoPoint, point};
 pub use section::Section;
-pub use sketch::{Block, Collapse, Forces, Line, Mark, Moved, NoSketch, Sketch, Subject, moved};
+pub use sketch::{
+    Block, Bound, Collapse, Forces, Line, Mark, Moved, NoSketch, Sketch, Stability, Subject, moved,
+};
 pub use tangent::tangent;
 pub use trace::{LEAST_TOLERANCE, Piece, Point, Trace};
 pub use variable::Variable;

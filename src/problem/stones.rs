@@ -132,6 +132,23 @@ impl Stones {
         !is_limited || joint == 0 && self.has_joint_at_crown()
     }
 
+    /// How a joint is at its limit, in words.
+    pub fn at_limit(&self, (contact, joint): JointContact, is_limited: bool) -> &'static str {
+        match contact {
+            slip if !slip.is_hinge() && self.may_open(joint, is_limited) => "opens",
+            other => other.name(),
+        }
+    }
+
+    /// Where a joint is, in words.
+    pub fn place(&self, joint: u64) -> String {
+        match joint {
+            0 if self.has_joint_at_crown() => "at the crown".to_owned(),
+            joint if joint + 1 == self.count() => "at the shoulder".to_owned(),
+            joint => format!("at joint {}", joint + u64::from(!self.has_joint_at_crown())),
+        }
+    }
+
     /// How an arch with these contacts collapses, by its label from the shoulder; `None` for contacts that are no
     /// mechanism of the seven.
     pub fn mode(&self, contacts: &[JointContact; 3], is_limited: bool) -> Option<Mode> {

@@ -167,9 +167,6 @@ fn drawing(
     }
     let (style, command) = (asked.style, asked.command.clone());
     let drawn = Sketched { sketches, style, measures: None, command };
-    if !drawn.shows_stones() {
-        open.push("a page shows at most 1000 stones".to_owned());
-    }
     (open.is_empty().then_some(Report::Sketched(drawn)), open)
 }
 

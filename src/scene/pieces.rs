@@ -170,11 +170,17 @@ impl ArchPiece {
 /// What is drawn of an arch.
 pub(super) fn sketch(drawn: &Drawn) -> Result<Sketch, NoSketch> {
     match drawn {
-        Drawn::Least { arch, is_dilatant } => Sketch::least(arch, *is_dilatant),
+        Drawn::Least { arch, stones: Some(stones), is_dilatant } => {
+            Sketch::least_of_stones(arch, *stones, *is_dilatant)
+        }
+        Drawn::Least { arch, stones: None, is_dilatant } => Sketch::least(arch, *is_dilatant),
         Drawn::Landmark { landmark, weight, is_dilatant } => {
             Sketch::landmark(*landmark, *weight, *is_dilatant)
         }
-        Drawn::Standing { arch, thickness } => Sketch::standing(arch, thickness),
+        Drawn::Standing { arch, stones: Some(stones), thickness } => {
+            Sketch::standing_of_stones(arch, *stones, thickness)
+        }
+        Drawn::Standing { arch, stones: None, thickness } => Sketch::standing(arch, thickness),
         Drawn::Sliding { arch, thickness, is_dilatant } => {
             Sketch::sliding(arch, thickness, *is_dilatant)
         }

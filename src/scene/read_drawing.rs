@@ -67,7 +67,7 @@ pub(super) fn drawing(
     };
     // Of what is wrong any other does, to read the rest.
     let any = weight.unwrap_or(SelfWeight::Milankovitch);
-    let about = (any, mode.flatten(), dilatant.unwrap_or(false));
+    let about = (any, mode.flatten(), stones.flatten(), dilatant.unwrap_or(false));
     let drawn = arch(reader, span, table, about);
     let (drawn, mode) = (drawn?, mode?);
     weight?;
@@ -75,12 +75,17 @@ pub(super) fn drawing(
         amplitude: amplitude?,
         half: half?,
         arrows: arrows?,
-        stones: stones?,
         animate: animate?,
         notation: false,
     };
     let is_svg = format.is_some_and(|format| format.name == "svg");
+    let is_picture = format.is_none_or(|format| format.is_picture);
     let wrong = match &drawn {
+        Drawn::Landmark { .. } | Drawn::Sliding { .. } if stones?.is_some() => Some(
+            "stones are of an arch with half_opening and friction: a landmark, and an arch at the friction at which it slides, \
+             have a joint at every angle",
+        ),
+        _ if style.arrows && !is_picture => Some("only svg and png have arrows; leave out arrows"),
         _ if style.animate && !is_svg => Some("only svg moves; leave out animate"),
         Drawn::Standing { .. } if mode.is_some() || dilatant? || style.animate => Some(
             "an arch as it stands does not move; leave out mode, dilatant and animate, or thickness",
@@ -104,7 +109,7 @@ fn arch(
     reader: &mut Reader,
     span: &Range<usize>,
     table: &DeTable,
-    (weight, mode, is_dilatant): (SelfWeight, Option<Mode>, bool),
+    (weight, mode, stones, is_dilatant): (SelfWeight, Option<Mode>, Option<u64>, bool),
 ) -> Option<Drawn> {
     let before = reader.faults.len();
     let mut given = |meaning: Meaning| Some((meaning, meaning.given(reader, table)?));
@@ -153,8 +158,8 @@ fn arch(
     let arches = product(&[weight], &[alpha], &friction, &[thickness]);
     let SceneArch { arch, thickness } = arches.into_iter().next()?;
     Some(match thickness {
-        Some(thickness) => Drawn::Standing { arch, thickness },
-        None => Drawn::Least { arch, is_dilatant },
+        Some(thickness) => Drawn::Standing { arch, stones, thickness },
+        None => Drawn::Least { arch, stones, is_dilatant },
     })
 }
 
@@ -202,11 +207,11 @@ fn amplitude(reader: &mut Reader, table: &DeTable) -> Option<f64> {
     amplitude
 }
 
-fn stones(reader: &mut Reader, table: &DeTable) -> Option<Option<u32>> {
+fn stones(reader: &mut Reader, table: &DeTable) -> Option<Option<u64>> {
     let Some(value) = table.get("stones") else { return Some(None) };
     let (least, most) = Style::STONES.into_inner();
     let stones = reader.whole("stones", value, least as usize..=most as usize)?;
-    Some(u32::try_from(stones).ok())
+    Some(u64::try_from(stones).ok())
 }
 
 /// The command that asks for the same.
@@ -234,7 +239,9 @@ fn command(drawn: &Drawn, mode: Option<Mode>, style: &Style) -> String {
     if style.amplitude != Style::default().amplitude {
         command += &format!(" --amplitude {:?}", style.amplitude);
     }
-    if let Some(stones) = style.stones {
+    if let Drawn::Least { stones: Some(stones), .. }
+    | Drawn::Standing { stones: Some(stones), .. } = drawn
+    {
         command += &format!(" --stones {stones}");
     }
     for (is_asked, name) in [

@@ -10,6 +10,7 @@ use rug::Rational;
 /// What makes two arches the same, however they are written.
 pub(super) type ArchKey = (SelfWeight, Number, Option<(bool, Number)>);
 type Number = (Rational, Form);
+type DrawnKey = (Option<Landmark>, Option<ArchKey>, Option<u64>, Option<Rational>, bool);
 
 fn number(x: &ExactNumber) -> Number {
     (x.to_rational(), x.form())
@@ -37,15 +38,18 @@ pub(crate) fn contour_key(contour: &Contour) -> (&'static str, Option<(bool, Num
 }
 
 /// What makes two drawn arches the same; no friction is read of one that slides.
-pub(super) fn drawn_key(
-    drawn: &Drawn,
-) -> (Option<Landmark>, Option<ArchKey>, Option<Rational>, bool) {
+pub(super) fn drawn_key(drawn: &Drawn) -> DrawnKey {
     let is_dilatant = drawn.is_dilatant();
     match drawn {
-        Drawn::Least { arch, .. } => (None, Some(arch_key(arch)), None, is_dilatant),
-        Drawn::Landmark { landmark, .. } => (Some(*landmark), None, None, is_dilatant),
-        Drawn::Standing { arch, thickness } | Drawn::Sliding { arch, thickness, .. } => {
-            (None, Some(arch_key(arch)), Some(thickness.to_rational()), is_dilatant)
+        Drawn::Least { arch, stones, .. } => {
+            (None, Some(arch_key(arch)), *stones, None, is_dilatant)
+        }
+        Drawn::Landmark { landmark, .. } => (Some(*landmark), None, None, None, is_dilatant),
+        Drawn::Standing { arch, stones, thickness } => {
+            (None, Some(arch_key(arch)), *stones, Some(thickness.to_rational()), is_dilatant)
+        }
+        Drawn::Sliding { arch, thickness, .. } => {
+            (None, Some(arch_key(arch)), None, Some(thickness.to_rational()), is_dilatant)
         }
     }
 }

@@ -109,6 +109,8 @@ pub enum Drawn {
     Least {
         /// The arch.
         arch: Arch,
+        /// Its stones, if its joints are between them alone.
+        stones: Option<u64>,
         /// Whether joints that slide open too.
         is_dilatant: bool,
     },
@@ -125,6 +127,8 @@ pub enum Drawn {
     Standing {
         /// The arch.
         arch: Arch,
+        /// Its stones, if its joints are between them alone.
+        stones: Option<u64>,
         /// Its thickness.
         thickness: ExactNumber,
     },
@@ -164,6 +168,11 @@ impl Drawn {
 impl fmt::Display for Drawn {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let weight = self.weight().name();
+        if let Self::Least { stones: Some(stones), .. }
+        | Self::Standing { stones: Some(stones), .. } = self
+        {
+            write!(f, "{stones} stones, ")?;
+        }
         match self {
             Self::Least { arch, .. } => write!(
                 f,
@@ -172,7 +181,7 @@ impl fmt::Display for Drawn {
                 arch.friction()
             ),
             Self::Landmark { landmark, .. } => write!(f, "{} {weight}", landmark.symbol()),
-            Self::Standing { arch, thickness } => write!(
+            Self::Standing { arch, thickness, .. } => write!(
                 f,
                 "half opening {}, friction {}, thickness {thickness}, {weight}",
                 arch.half_opening(),

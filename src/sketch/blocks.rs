@@ -47,9 +47,25 @@ impl Blocks {
         }
     }
 
-    /// The outlines of a half, 1 for the right one and -1 for the left.
-    pub fn draw(&self, svg: &mut Svg, scale: &Scale, side: f64) {
+    /// Whether a stone lies over the crown, so that the block there is one for both halves.
+    pub fn has_keystone(&self) -> bool {
+        self.joints.first().is_some_and(|first| *first > 0.0)
+    }
+
+    /// The outlines of both halves or of one, 1 for the right one and -1 for the left.
+    pub fn draw(&self, svg: &mut Svg, scale: &Scale, sides: &[f64]) {
+        for side in sides {
+            self.draw_half(svg, scale, *side, self.has_keystone() && sides.len() > 1);
+        }
+    }
+
+    /// A half; the right one has the whole of a block that is one for both.
+    fn draw_half(&self, svg: &mut Svg, scale: &Scale, side: f64, has_keystone: bool) {
         for (place, block) in self.fallen.iter().enumerate() {
+            let is_keystone = has_keystone && block.between[0] == 0.0;
+            if is_keystone && side < 0.0 {
+                continue;
+            }
             let steps: Vec<Rigid> = self
                 .steps
                 .iter()
@@ -62,11 +78,14 @@ impl Blocks {
                 .copied()
                 .filter(|joint| (block.between[0]..block.between[1]).contains(joint))
                 .collect();
-            let outline = scale.sector(block.between, self.radii, side);
+            let [from, to] = block.between;
+            let (from, sides) =
+                if is_keystone { (-to, &[1.0, -1.0][..]) } else { (from, &[side][..]) };
+            let outline = scale.sector([from, to], self.radii, side);
             svg.moved(rigid(block, scale, side), &steps, SECONDS, |svg| {
                 svg.tint(&outline, look::FALLEN, look::SHEER);
-                if !joints.is_empty() {
-                    svg.stroke(&scale.joints(&joints, self.radii, side), look::FALLEN_JOINT);
+                for side in sides.iter().filter(|_| !joints.is_empty()) {
+                    svg.stroke(&scale.joints(&joints, self.radii, *side), look::FALLEN_JOINT);
                 }
                 svg.stroke(&outline, look::FALLEN_EDGE);
             });

@@ -51,7 +51,10 @@ impl<T: Drawable> Collapse<T> {
     ) -> Result<Self, NoCollapse> {
         let none = at.thrust.int(0);
         let dilatancy = if is_dilatant { at.friction.clone() } else { none.clone() };
-        let mechanism = mode.mechanism(at, &dilatancy);
+        let mechanism = match at.crown_hinge.rad.is_positive() {
+            Ternary::True => mode.mechanism(at, &dilatancy).below_keystone(),
+            _ => mode.mechanism(at, &dilatancy),
+        };
         let joints = || mechanism.joints.iter().chain(&mechanism.crown);
         if joints().any(|joint| joint.rate.is_positive() != Ternary::True) {
             return Err(NoCollapse::Rates(mode));

@@ -18,7 +18,7 @@ pub struct Forces<T> {
     /// The line of friction.
     pub friction_line: Line,
     /// What limits the thrust, in words, if it is an end of a range.
-    pub limited_by: Option<&'static str>,
+    pub limited_by: Option<String>,
     /// The joints at their limits.
     pub marks: Vec<Mark<T>>,
 }

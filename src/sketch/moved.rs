@@ -2,7 +2,7 @@
 
 use super::collapse::Collapse;
 use crate::arch::Configuration;
-use crate::arch::mechanism::Motion;
+use crate::arch::mechanism::{Motion, moves_keystone};
 use crate::number::Drawable;
 
 /// The blocks of a mode, from the shoulder, where they have moved to.
@@ -29,6 +29,8 @@ pub struct Block {
 const NARROW: f64 = 1e-9;
 /// Halvings of the parameter.
 const HALVINGS: u32 = 60;
+/// What is missing of an amplitude that is reached, but for the halvings.
+const REACHED: f64 = 1e-9;
 /// The parameter, an angle or a slip, is less.
 const LARGEST: f64 = 1.5;
 
@@ -40,7 +42,11 @@ pub fn moved<T: Drawable>(collapse: &Collapse<T>, at: &Configuration<T>, amplitu
     let ends: Vec<f64> =
         collapse.mechanism.joints.iter().map(|joint| joint.at.rad.double()).collect();
     let blocks = |by: f64| -> Vec<Block> {
-        let moves = collapse.mode.moves(&at, &by, &dilatancy);
+        let mut moves = collapse.mode.moves(&at, &by, &dilatancy);
+        // A keystone is one block more.
+        let keystone = moves.last().filter(|_| moves.len() < ends.len());
+        let keystone = keystone.map(|below| moves_keystone(&at, below));
+        moves.extend(keystone);
         let uppers = ends.iter().copied().skip(1).chain([0.0]);
         let all = ends.iter().zip(uppers).zip(moves).enumerate();
         let all = all.map(|(place, ((lower, upper), motion))| Block {
@@ -71,5 +77,9 @@ pub fn moved<T: Drawable>(collapse: &Collapse<T>, at: &Configuration<T>, amplitu
         let middle = (low + high) / 2.0;
         if largest(middle) <= amplitude { low = middle } else { high = middle }
     }
-    Moved { blocks: blocks(low), by: largest(low) }
+    let by = largest(low);
+    Moved {
+        blocks: blocks(low),
+        by: if amplitude - by < REACHED * amplitude { amplitude } else { by },
+    }
 }

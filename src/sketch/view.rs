@@ -86,7 +86,7 @@ impl View<'_> {
         self.bands(svg, scale);
         if let Some(blocks) = &self.blocks {
             svg.group("mechanism", |svg| {
-                self.falling().iter().for_each(|side| blocks.draw(svg, scale, *side));
+                blocks.draw(svg, scale, self.falling());
             });
         }
         svg.group("outline", |svg| svg.stroke(&self.outline(scale), look::OUTLINE));

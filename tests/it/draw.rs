@@ -83,6 +83,75 @@ fn each_block_has_its_own_twist() {
     }
 }
 
+/// Thickness, thrust, mode and joints are those of `couplet voussoirs`; blocks end between stones, at the crown or in a
+/// keystone, which does not turn.
+#[test]
+fn stones_are_those_of_voussoirs() {
+    for (arch, stones, blocks) in [
+        ("--half-opening 120deg --friction 0.75", 21, 3),
+        ("--half-opening 120deg --friction 0.75", 20, 2),
+        ("--half-opening pi/2 --friction 1 --weight heyman", 9, 3),
+        ("--half-opening 2.45 --friction 1.35", 21, 3),
+        ("--half-opening 2.57 --friction 2.2", 21, 2),
+        ("--half-opening 2.57 --friction 2.2", 20, 2),
+        ("--half-opening 2.62 --friction inf", 20, 1),
+    ] {
+        let with = |command: &str| drawn(&format!("{command} {arch} --stones {stones}"));
+        let (json, truth) = (with("draw"), with("voussoirs --digits 17"));
+        let of = &json["arches"][0];
+        for name in ["thickness", "thrust"] {
+            assert_eq!(of[name]["value"], truth[name]["value"], "{arch} {stones} {name}");
+        }
+        let mechanism = &of["mechanisms"][0];
+        assert_eq!(mechanism["mode"], truth["mode"]);
+        let alpha = of["half_opening"]["double"].as_f64().unwrap();
+        let is_joint = |angle: f64| {
+            let share = (angle / alpha + 1.0) / 2.0 * f64::from(stones);
+            (share - share.round()).abs() < 1e-9
+        };
+        let all = mechanism["blocks"].as_array().unwrap();
+        assert_eq!(all.len(), blocks, "{arch} {stones}");
+        for block in all {
+            let ends = [0, 1].map(|k| block["between"][k].as_f64().unwrap());
+            assert!(ends.into_iter().all(|end| is_joint(end) || end == 0.0), "{arch}: {ends:?}");
+        }
+        for joint in mechanism["joints"].as_array().unwrap() {
+            assert!(is_joint(joint["joint"]["double"].as_f64().unwrap()));
+        }
+        let joints = of["stone_joints"].as_array().unwrap();
+        assert_eq!(joints.len(), stones as usize / 2);
+        assert!(joints.iter().all(|joint| is_joint(joint.as_f64().unwrap())));
+        if stones % 2 == 1 {
+            let last = all.last().unwrap();
+            assert_eq!(last["rotation"], 0.0);
+            assert!(last["shift"][0].as_f64().unwrap().abs() < 1e-12);
+        }
+    }
+}
+
+/// It may stand where the arch with a joint at every angle does not, with a wider range of thrusts.
+#[test]
+fn an_arch_of_stones_stands_by_its_own_conditions() {
+    let arch = "--half-opening 120deg --friction 0.75 --thickness 0.423";
+    assert_eq!(drawn(&format!("draw {arch}"))["arches"][0]["verdict"], "falls");
+    let json = drawn(&format!("draw {arch} --stones 21"));
+    let of = &json["arches"][0];
+    assert_eq!(of["verdict"], "stands");
+    let truth = drawn(&format!("voussoirs {arch} --stones 21 --digits 17"));
+    for (line, end) in ["least_thrust", "largest_thrust"].into_iter().enumerate() {
+        let line = &of["lines"][line];
+        assert_eq!(line["thrust"]["value"], truth["assessment"][end]["thrust"]["value"]);
+        let limits = truth["assessment"][end]["limited_by"].as_array().unwrap();
+        assert_eq!(limits.len(), line["at_limit"].as_array().unwrap().len());
+    }
+    let svg =
+        written(&["draw", "--alpha", "90deg", "--mu", "0.3", "--eta", "0.2", "--stones", "9"]);
+    assert!(svg.contains("none keeps within friction at its joints"));
+    let dxf =
+        written(&["draw", "--alpha", "2", "--mu", "0.75", "--stones", "21", "--format", "dxf"]);
+    assert_eq!(dxf.matches("LINE\n8\nSTONES\n").count(), 20);
+}
+
 /// Its rate is the horizontal velocity of the half arch at the crown's centreline.
 #[test]
 fn a_crown_that_opens_is_no_pair_of_hinges() {
@@ -252,6 +321,8 @@ fn options_change_what_they_say() {
         with(&["--stones", "9"]).contains("stroke-width=\"0.6\"")
             && !still.contains("stroke-width=\"0.6\"")
     );
+    let half = with(&["--stones", "9", "--half"]);
+    assert_eq!(half.matches("<g transform=").count(), 3, "with half a keystone");
     let one = written(&["draw", "--at", "T", "--mode", "[s,r,r]"]);
     assert!(one.contains("[s,r,r] at T") && !one.contains("panel-1"));
 }
@@ -280,7 +351,12 @@ fn what_cannot_be_drawn_is_refused() {
         (&["draw", "--alpha", "1", "--mu", "1", "--eta", "2.1"], "not between 0 and 2"),
         (&["draw", "--at", "T", "--amplitude", "0"], "an amplitude is a number from 0.001 to 1"),
         (&["draw", "--at", "T", "--stones", "1"], "stones are a whole number from 2 to 500"),
-        (&["draw", "--at", "T", "--stones", "251"], "at most 1000 stones"),
+        (&["draw", "--at", "T", "--stones", "9"], "have a joint at every angle"),
+        (&["draw", "--alpha", "1", "--eta", "1", "--mode", "ss", "--stones", "9"], "every angle"),
+        (&["draw", "--alpha", "1", "--mu", "1", "--stones", "3"], "stands at every thickness"),
+        (&["draw", "--alpha", "2.62", "--mu", "inf", "--stones", "21"], "an even number of stones"),
+        (&["draw", "--at", "T", "--arrows", "--format", "dxf"], "only svg and png have arrows"),
+        (&["draw", "--at", "T", "--arrows", "--format", "json"], "not json"),
         (&["draw", "--at", "T", "--animate", "--format", "json"], "only svg moves"),
         (&["draw", "--at", "T", "--format", "csv"], "a format is one of"),
         (&["draw", "--span", "10m", "--rise", "3m", "--radius", "5m", "--mu", "1"], "contradicts"),

@@ -28,7 +28,8 @@ pub use modes::{
     sliding_above_haunch, sliding_below_haunch,
 };
 pub use motion::{
-    Motion, moves_overturning, moves_overturning_sliding, moves_rotating, moves_sliding,
-    moves_sliding_above_haunch, moves_sliding_below_haunch, moves_with_shoulder_sliding,
+    Motion, moves_keystone, moves_overturning, moves_overturning_sliding, moves_rotating,
+    moves_sliding, moves_sliding_above_haunch, moves_sliding_below_haunch,
+    moves_with_shoulder_sliding,
 };
 pub use twist::Twist;

@@ -37,6 +37,12 @@ impl<T: Field> Mechanism<T> {
         }
     }
 
+    /// The same beside a keystone, which is a block above the hinge of the crown and moves up and down only.
+    pub fn below_keystone(mut self) -> Self {
+        self.joints.append(&mut self.crown);
+        self
+    }
+
     /// The twists of the blocks, from the shoulder.
     pub fn twists(&self, thickness: &T) -> Vec<Twist<T>> {
         let add = |sum: &mut Twist<T>, joint: &Joint<T>| {
@@ -97,26 +103,24 @@ fn slide<T: Field>(contact: Contact, at: &Angle<T>, across: &T, dilatancy: &T) -
 /// `[r,r,r]`, with rotation one at the crown.
 pub fn rotation<T: Field>(at: &Configuration<T>) -> Mechanism<T> {
     let rates = contact::rates_of_rotation(at);
-    let crown = Angle::zero(&at.thickness);
     Mechanism {
         joints: vec![
             hinge(Contact::Extrados, &at.half_opening, rates.shoulder),
             hinge(Contact::Intrados, &at.rotation_joint, rates.haunch),
         ],
-        crown: vec![hinge(Contact::Extrados, &crown, rates.crown)],
+        crown: vec![hinge(Contact::Extrados, &at.crown_hinge, rates.crown)],
     }
 }
 
 /// `[s,r,r]`, with rotation one at the crown.
 pub fn shoulder_sliding<T: Field>(at: &Configuration<T>, dilatancy: &T) -> Mechanism<T> {
     let rates = contact::rates_of_shoulder_sliding(at);
-    let crown = Angle::zero(&at.thickness);
     Mechanism {
         joints: vec![
             slide(Contact::Outwards, &at.half_opening, &rates.sliding, dilatancy),
             hinge(Contact::Intrados, &at.rotation_joint, rates.haunch),
         ],
-        crown: vec![hinge(Contact::Extrados, &crown, rates.crown)],
+        crown: vec![hinge(Contact::Extrados, &at.crown_hinge, rates.crown)],
     }
 }
 
@@ -184,11 +188,19 @@ mod tests {
         Configuration::rational()
     }
 
+    /// With a keystone of some width.
+    fn keystone() -> Configuration<Exact> {
+        let angle = Angle { rad: (1, 5).into(), sin: (9, 41).into(), cos: (40, 41).into() };
+        Configuration { crown_hinge: angle, ..at() }
+    }
+
     fn all(dilatancy: &Exact) -> Vec<(Configuration<Exact>, Mechanism<Exact>)> {
         let crown = Configuration { rotation_joint: Angle::zero(&Exact::new()), ..at() };
         vec![
             (at(), rotation(&at())),
             (at(), shoulder_sliding(&at(), dilatancy)),
+            (keystone(), rotation(&keystone()).below_keystone()),
+            (keystone(), shoulder_sliding(&keystone(), dilatancy).below_keystone()),
             (at(), sliding_above_haunch(&at(), dilatancy)),
             (at(), sliding_below_haunch(&at(), dilatancy)),
             (crown.clone(), overturning_sliding(&crown, dilatancy)),

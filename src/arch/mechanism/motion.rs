@@ -54,8 +54,8 @@ fn hinges<T: Field>(at: &Configuration<T>) -> [[T; 2]; 3] {
     let (outer, inner) = (two.clone() + &at.thickness, two.clone() - &at.thickness);
     let point =
         |twice: &T, joint: &Angle<T>| [&joint.sin, &joint.cos].map(|x| twice.clone() * x / &two);
-    let crown = Angle::zero(&at.thickness);
-    [point(&outer, &at.half_opening), point(&inner, &at.rotation_joint), point(&outer, &crown)]
+    let (shoulder, haunch) = (&at.half_opening, &at.rotation_joint);
+    [point(&outer, shoulder), point(&inner, haunch), point(&outer, &at.crown_hinge)]
 }
 
 /// The half arch turned about the shoulder's hinge.
@@ -69,17 +69,24 @@ fn direction<T: Field>(contact: Contact, joint: &Angle<T>, dilatancy: &T) -> [T;
     contact.twist(joint, dilatancy, dilatancy).velocity
 }
 
-/// The part above the haunch, as its hinge moves with the part below and the crown's extrados stays on the axis.
+/// The part above the haunch, as its hinge moves with the part below and the crown's stays on the axis, or as far from it.
 fn above_haunch<T: Real>(at: &Configuration<T>, lower: Motion<T>) -> Vec<Motion<T>> {
     let [_, haunch, crown] = hinges(at);
     let (moved, [x, y]) = (lower.to(&haunch), difference(&crown, &haunch));
-    // The rotation that takes the bar from the haunch to the crown, (x, y), to (-moved[0], ...).
+    // The rotation that takes the bar from the haunch to the crown, (x, y), to (across, height).
+    let across = crown[0].clone() - &moved[0];
     let square = x.square() + y.square();
-    let height = (square.clone() - moved[0].square()).sqrt();
-    let cos = (height.clone() * &y - moved[0].clone() * &x) / &square;
-    let sin = (height * &x + moved[0].clone() * &y) / square;
+    let height = (square.clone() - across.square()).sqrt();
+    let cos = (height.clone() * &y + across.clone() * &x) / &square;
+    let sin = (height * &x - across * &y) / square;
     let upper = Motion::about(&haunch, &moved, [cos, sin]);
     vec![lower, upper]
+}
+
+/// A keystone above the crown's hinge, as the block below moves it.
+pub fn moves_keystone<T: Field>(at: &Configuration<T>, below: &Motion<T>) -> Motion<T> {
+    let [_, _, crown] = hinges(at);
+    Motion::translation(difference(&below.to(&crown), &crown))
 }
 
 /// `[r,r,r]` by the angle at the shoulder.

@@ -63,5 +63,5 @@ pub(super) fn forces_of_limit(
         Touch::Nothing => (contact::crown_moment(&at), Vec::new()),
     };
     let forces = Forces::new(weight, &at, is_limited, &[moment], marks);
-    Ok(Some(Forces { limited_by: Some(limit.touch.name()), ..forces }))
+    Ok(Some(Forces { limited_by: Some(limit.touch.name().to_owned()), ..forces }))
 }

@@ -5,6 +5,8 @@
 //! | `sketch` | which arch: at its least thickness, at a landmark, or as it stands |
 //! | `forces` | the forces of a state, and of an end of a range of thrusts |
 //! | `range` | the crown moments that fit a thrust, where there is more than one |
+//! | `stones` | the same of an arch of stones |
+//! | `stability` | what holds for an arch of a given thickness, of stones or not |
 //!
 //! Joints, contacts, rates and thrusts are enclosures of what is proved; the points of lines and of moved blocks are
 //! doubles for the eye: [`sketch`](crate::sketch) computes them in any enclosure.
@@ -13,9 +15,12 @@ mod forces;
 mod range;
 #[allow(clippy::module_inception, reason = "the folder is named after what it makes")]
 mod sketch;
+mod stability;
+mod stones;
 
 pub use crate::sketch::{Block, Line, Moved, moved};
 pub use sketch::{NoSketch, Sketch, Subject};
+pub use stability::{Bound, Stability};
 
 use crate::number::Ball;
 

@@ -1,15 +1,21 @@
 //! Which arch is drawn: at its least thickness, at a landmark, or as it stands.
 
 use super::forces::{forces_of_limit, forces_of_mode};
+use super::stability::Stability;
+use super::stones;
 use super::{Collapse, Forces, Mark};
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::certify::state::{
-    Assessment, Fall, Outcome, assessment_enclosed, raised, sliding_configuration, state_enclosed,
+    Fall, Outcome, assessment_enclosed, raised, sliding_configuration, state_enclosed,
 };
-use crate::certify::{CertifiedLandmark, Refused, Undecided};
+use crate::certify::{
+    CertifiedLandmark, Error, Refused, Undecided, VoussoirStanding, Voussoirs, assess_voussoirs,
+    voussoirs,
+};
 use crate::number::{Ball, Drawable, Enclosure, ExactNumber, Rounded, Ternary};
-use crate::problem::{Arch, Fixed, Landmark, Mode, Quantity};
-use crate::sketch::joints_of;
+use crate::problem::stones::Stones;
+use crate::problem::{Arch, Fixed, Landmark, Mode};
+use crate::sketch::{NoCollapse, joints_of};
 
 /// An arch to be drawn.
 #[derive(Clone, Debug)]
@@ -22,6 +28,8 @@ pub struct Sketch {
     pub at: Configuration<Ball>,
     /// Whether the friction is limited.
     pub is_limited: bool,
+    /// Its stones, if its joints are between them alone.
+    pub stones: Option<Stones>,
     /// The lines: of the state, or of the least and the largest thrust. None if it does not stand.
     pub forces: Vec<Forces>,
     /// How it falls: in one mode, in several at once, or not at all.
@@ -42,7 +50,7 @@ pub enum Subject {
         /// Its thickness as given.
         thickness: ExactNumber,
         /// What holds for it.
-        assessment: Box<Assessment>,
+        stability: Box<Stability>,
     },
     /// An arch of a given thickness at the friction at which it slides.
     Sliding {
@@ -59,7 +67,7 @@ pub enum NoSketch {
     /// The arch stands at no thickness, which is proved.
     #[error("the arch stands at no thickness: {}", .0.reason())]
     Falls(Fall),
-    /// The thickness is none.
+    /// The thickness or the stones are none.
     #[error(transparent)]
     Refused(#[from] Refused),
     /// The proof did not succeed.
@@ -70,6 +78,15 @@ pub enum NoSketch {
         "no line of thrust fits into an arch of this thickness that slides only: it has to be thicker"
     )]
     NoRoom,
+    /// An arch of so few stones that it stands at every thickness.
+    #[error("an arch of {0} stones stands at every thickness: give --thickness, or more stones")]
+    AnyThickness(u64),
+    /// A keystone without a thrust on it.
+    #[error(
+        "with unlimited friction the keystone of {0} stones hangs where there is no thrust: give a limited --friction, or an even number \
+         of stones"
+    )]
+    HangingKeystone(u64),
     /// A mode in which the arch does not fall.
     #[error("the arch does not fall as {0}, but as {1}")]
     OtherMode(Mode, String),
@@ -134,12 +151,7 @@ impl Sketch {
         wide(arch)?;
         Ok(raised(arch, DIGITS, |bits| {
             let assessment = assessment_enclosed(arch, thickness, bits);
-            assessment.stands.clone()?;
-            for quantity in Quantity::ASSESSMENT {
-                if let Some(open) = assessment.why_open(quantity) {
-                    return Err(open.clone());
-                }
-            }
+            let stability = Box::new(Stability::of_arch(&assessment)?);
             let at = arch.given(bits).with(Unknown::Thickness, thickness.enclosure(bits));
             let (weight, is_limited) = (arch.weight(), arch.is_limited());
             let mut forces = Vec::new();
@@ -149,11 +161,65 @@ impl Sketch {
                 }
             }
             let (arch, thickness) = (Box::new(arch.clone()), thickness.clone());
-            let assessment = Box::new(assessment);
-            let subject = Subject::Standing { arch, thickness, assessment };
-            let collapses = Vec::new();
-            Ok(Self { subject, weight, at, is_limited, forces, collapses }.decided())
+            let subject = Subject::Standing { arch, thickness, stability };
+            let (stones, collapses) = (None, Vec::new());
+            Ok(Self { subject, weight, at, is_limited, stones, forces, collapses }.decided())
         })?)
+    }
+
+    /// An arch of so many stones at the least thickness that these need.
+    pub fn least_of_stones(arch: &Arch, stones: u64, is_dilatant: bool) -> Result<Self, NoSketch> {
+        wide(arch)?;
+        let all = Stones::equal(stones, arch.half_opening().clone()).map_err(Refused::from)?;
+        let (weight, is_limited) = (arch.weight(), arch.is_limited());
+        let state = match Error::apart(voussoirs(&all, weight, arch.friction(), stones::DIGITS))?? {
+            Voussoirs::Stands(state) => state,
+            Voussoirs::AnyThickness => return Err(NoSketch::AnyThickness(stones)),
+            Voussoirs::Slides => return Err(NoSketch::Falls(Fall::Sliding)),
+            Voussoirs::TooThick => return Err(NoSketch::Falls(Fall::Thickness)),
+        };
+        if state.mode == Mode::Overturning && !all.has_joint_at_crown() {
+            return Err(NoSketch::HangingKeystone(stones));
+        }
+        let at = stones::state(arch, &all, &state);
+        let open = |none: NoCollapse| Undecided::new(none.to_string());
+        let collapse = Collapse::new(weight, state.mode, &at, is_dilatant).map_err(open)?;
+        let moment = stones::moment((arch, &all), &at, state.contacts[1]);
+        let joints = joints_of(state.mode, &at);
+        let forces = Forces::new(weight, &at, is_limited, moment.as_slice(), joints);
+        let subject = Subject::Least(Box::new(arch.clone()));
+        let (stones, forces, collapses) = (Some(all), vec![forces], vec![collapse]);
+        let sketch = Self { subject, weight, at, is_limited, stones, forces, collapses };
+        Ok(sketch.decided().ok_or_else(|| Undecided::new("the rounding"))?)
+    }
+
+    /// An arch of so many stones and a given thickness, in `(0, 2]`, as it stands; without lines if it does not.
+    pub fn standing_of_stones(
+        arch: &Arch,
+        stones: u64,
+        thickness: &ExactNumber,
+    ) -> Result<Self, NoSketch> {
+        wide(arch)?;
+        let all = Stones::equal(stones, arch.half_opening().clone()).map_err(Refused::from)?;
+        let (weight, is_limited) = (arch.weight(), arch.is_limited());
+        let least = Error::apart(voussoirs(&all, weight, arch.friction(), stones::DIGITS))??;
+        let found = assess_voussoirs(&all, weight, arch.friction(), thickness, stones::DIGITS)?;
+        let stability = Stability::of_stones((&all, is_limited), &least, &found)?;
+        let eta = thickness.enclosure(stones::BITS);
+        let at = arch.given(stones::BITS).with(Unknown::Thickness, eta);
+        let forces = match &found.standing {
+            Ok(VoussoirStanding::Stands(ends)) => ends
+                .iter()
+                .zip([true, false])
+                .filter_map(|(end, is_least)| stones::forces((arch, &all), &at, end, is_least))
+                .collect(),
+            _ => Vec::new(),
+        };
+        let (arch, stability) = (Box::new(arch.clone()), Box::new(stability));
+        let subject = Subject::Standing { arch, thickness: thickness.clone(), stability };
+        let (stones, collapses) = (Some(all), Vec::new());
+        let sketch = Self { subject, weight, at, is_limited, stones, forces, collapses };
+        Ok(sketch.decided().ok_or_else(|| Undecided::new("the rounding"))?)
     }
 
     /// An arch of a given thickness at the friction at which it slides; the friction of the arch is not read.
@@ -222,6 +288,14 @@ impl Sketch {
         self.at.half_opening.rad.double()
     }
 
+    /// The joints between stones of the right half but for the shoulder, from the crown, rad; none of an arch that is not of
+    /// stones.
+    pub fn stone_joints(&self) -> Vec<f64> {
+        let stones = self.stones.iter();
+        let joints = stones.flat_map(|all| (0..all.count() - 1).map(|k| stones::angle(all, k).rad));
+        joints.map(|joint: Ball| joint.double()).collect()
+    }
+
     /// The thickness, in units of `r`.
     pub fn thickness(&self) -> f64 {
         self.at.thickness.double()
@@ -260,7 +334,8 @@ impl Sketch {
                 forces.marks.push(mark);
             }
         }
-        Ok(Self { subject, weight, at, is_limited, forces: vec![forces], collapses })
+        let (stones, forces) = (None, vec![forces]);
+        Ok(Self { subject, weight, at, is_limited, stones, forces, collapses })
     }
 }
 

@@ -18,7 +18,7 @@ use clap::Args;
 /// Without --thickness: the arch at its least thickness, its lines of thrust and of friction, and its mechanism. With it:
 /// the lines of the least and of the largest thrust, what limits each, and the safety. --at: a landmark, one
 /// picture for each mode that is possible there. --mode [s,s] with --thickness and no friction: an arch at the friction at
-/// which it slides. In metres, with --span and --rise or with --radius: sizes in the picture and its caption, and JSON and
+/// which it slides. --stones: an arch of so many stones, as couplet voussoirs proves it. In metres, with --span and --rise or with --radius: sizes in the picture and its caption, and JSON and
 /// DXF in metres.
 #[derive(Args)]
 #[command(
@@ -58,11 +58,12 @@ pub(crate) struct Arguments {
     #[arg(long)]
     half: bool,
 
-    /// Arrows from where the blocks were to where they are.
+    /// For svg and png: arrows from where the blocks were to where they are.
     #[arg(long)]
     arrows: bool,
 
-    /// Show the joints of so many stones, 2 to 500.
+    /// An arch of so many stones, 2 to 500, which opens and slides between them alone: at its own least thickness, or as it
+    /// stands.
     #[arg(long, value_name = "N", value_parser = stones, allow_negative_numbers = true)]
     stones: Option<u32>,
 
@@ -80,6 +81,10 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     measures: MeasureArguments,
 }
+
+/// Why there are no stones.
+const STONES: &str = "--stones is for an arch with --half-opening and --friction: a landmark, and an arch at the friction at which it \
+                      slides, have a joint at every angle";
 
 /// A command line that has everything.
 const EXAMPLE: &str = "couplet draw --half-opening 80deg --friction 0.35 -o arch.svg";
@@ -99,6 +104,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.animate && format.name != "svg" {
         return Err(Failure::Input(format!("only svg moves, not {}", format.name)));
     }
+    if arguments.arrows && !format.is_picture {
+        return Err(Failure::Input(format!("only svg and png have arrows, not {}", format.name)));
+    }
     let measured = arguments.measures.measured()?;
     let sketch = arguments.sketch(measured.as_ref())?;
     let measures = measured.map(|measured| measured.measures);
@@ -106,7 +114,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         amplitude: arguments.amplitude,
         half: arguments.half,
         arrows: arguments.arrows,
-        stones: arguments.stones,
         animate: arguments.animate,
         notation: false,
     };
@@ -114,10 +121,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if !drawn.can_be_drawn() {
         let message =
             "a drawing has a radius from 1mm to 1000000m, and forces of a size that doubles hold";
-        return Err(Failure::Input(message.into()));
-    }
-    if !drawn.shows_stones() {
-        let message = "a page shows at most 1000 stones: ask for fewer --stones, or for one --mode";
         return Err(Failure::Input(message.into()));
     }
     let file = arguments.file.open_for(format)?;
@@ -129,6 +132,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 impl Arguments {
     /// What is asked for, in the modes asked for.
     fn sketch(&self, measured: Option<&Measured>) -> Result<Sketch, Failure> {
+        let stones = self.stones.map(u64::from);
+        let has_given = (self.at, self.mode, &self.thickness, self.shape.has_friction());
+        if let (Some(_), ..) | (_, Some(Mode::Sliding), Some(_), false) = has_given
+            && stones.is_some()
+        {
+            return Err(Failure::Input(STONES.into()));
+        }
         if let Some(landmark) = self.at {
             let sketch = Sketch::landmark(landmark, self.weight, self.dilatant).map_err(failure)?;
             return sketch.in_modes(self.mode.as_slice()).map_err(failure);
@@ -148,11 +158,20 @@ impl Arguments {
                 Err(Failure::Input(message.into()))
             }
             (Some(thick), _) => {
-                Sketch::standing(&shape.arch(self.weight, &needs)?, thick).map_err(failure)
+                let arch = shape.arch(self.weight, &needs)?;
+                match stones {
+                    Some(stones) => Sketch::standing_of_stones(&arch, stones, thick),
+                    None => Sketch::standing(&arch, thick),
+                }
+                .map_err(failure)
             }
             (None, _) => {
                 let arch = shape.arch(self.weight, &needs)?;
-                let sketch = Sketch::least(&arch, self.dilatant).map_err(failure)?;
+                let sketch = match stones {
+                    Some(stones) => Sketch::least_of_stones(&arch, stones, self.dilatant),
+                    None => Sketch::least(&arch, self.dilatant),
+                };
+                let sketch = sketch.map_err(failure)?;
                 sketch.in_modes(self.mode.as_slice()).map_err(failure)
             }
         }

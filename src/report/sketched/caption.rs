@@ -2,8 +2,7 @@
 
 use super::Sketched;
 use super::metres::{Metres, Size};
-use crate::atlas::{Collapse, Forces, Sketch, Subject, moved};
-use crate::certify::state::{Assessment, Limit};
+use crate::atlas::{Bound, Collapse, Forces, Sketch, Stability, Subject, moved};
 use crate::number::{Ball, Form, arctangent, degrees};
 use crate::picture::text;
 use crate::problem::measures::Measures;
@@ -70,8 +69,18 @@ pub(super) fn name(sketch: &Sketch, mode: Mode) -> (&'static str, &'static str) 
         (Subject::Landmark(Landmark::Shift), Mode::RotationalSliding) => {
             ("[r,r+s]", "the shoulder opens, one inner joint opens and slides")
         }
+        (_, Mode::Rotational) if has_keystone(sketch) => {
+            (mode.label(), "shoulder, haunch and the joint beside the keystone open")
+        }
+        (_, Mode::SlidingRotational) if has_keystone(sketch) => {
+            (mode.label(), "the shoulder slides, haunch and the joint beside the keystone open")
+        }
         _ => (mode.label(), falls(mode)),
     }
+}
+
+fn has_keystone(sketch: &Sketch) -> bool {
+    sketch.stones.as_ref().is_some_and(|stones| !stones.has_joint_at_crown())
 }
 
 /// The heading of a panel: the mode or the verdict, and what that means.
@@ -86,24 +95,25 @@ pub(super) fn title(sketch: &Sketch, collapse: Option<&Collapse>) -> [String; 2]
             };
             [format!("{label}{place}{rule}"), falls.to_owned()]
         }
-        (None, Subject::Standing { assessment, .. }) => match &assessment.stands {
-            Ok(true) => [
+        (None, Subject::Standing { stability, .. }) => match stability.stands {
+            true => [
                 "stands".into(),
                 "its lines of thrust, from the least thrust to the largest".into(),
             ],
-            _ => ["does not stand".into(), fails(assessment).into()],
+            false => {
+                let stones = at_joints(sketch, " at its joints");
+                ["does not stand".into(), format!("{}{stones}", fails(stability))]
+            }
         },
         (None, _) => [String::new(), String::new()],
     }
 }
 
 /// Which condition an arch that does not stand fails.
-fn fails(assessment: &Assessment) -> &'static str {
-    match &assessment.required_friction {
-        Ok(None) => "no line of thrust lies within it",
-        Ok(Some(_)) => "lines of thrust lie within it, none keeps within friction",
-        // True in both cases.
-        Err(_) => "no line of thrust within it keeps within friction",
+fn fails(stability: &Stability) -> &'static str {
+    match &stability.required_friction {
+        None => "no line of thrust lies within it",
+        Some(_) => "lines of thrust lie within it, none keeps within friction",
     }
 }
 
@@ -151,14 +161,16 @@ fn shape(arch: &Arch, sketch: &Sketch, metres: Option<&Metres>) -> String {
         }
         _ => given.to_string(),
     };
+    let stones = sketch.stones.as_ref().map(|stones| format!("{}, ", words::division(stones)));
+    let stones = stones.unwrap_or_default();
     match metres {
         Some(of) => format!(
-            "span {} and rise {} at its {}, half opening {alpha}",
+            "{stones}span {} and rise {} at its {}, half opening {alpha}",
             metre(&of.span),
             metre(&of.rise),
             of.circle.name()
         ),
-        None => format!("half opening {alpha}"),
+        None => format!("{stones}half opening {alpha}"),
     }
 }
 
@@ -174,8 +186,8 @@ fn in_metres(sketch: &Sketch, measures: &Measures, of: &Metres) -> String {
         shown(&of.radius, DIGITS),
         shown(&of.thickness, DIGITS)
     );
-    if let Subject::Standing { assessment, .. } = &sketch.subject
-        && let Ok(Some(least)) = &assessment.least_thickness
+    if let Subject::Standing { stability, .. } = &sketch.subject
+        && let Some(least) = &stability.least_thickness
     {
         let least = Metres::thickness_of(measures, sketch, least);
         said += &format!(", least t = {}", shown(&least, DIGITS));
@@ -225,6 +237,9 @@ pub(super) fn paragraphs(drawn: &Sketched) -> Vec<String> {
         // A landmark has more joints at their limits than one of its modes moves.
         let lines = match (is_sliding, is_landmark) {
             (true, _) => "nothing stands with less friction",
+            _ if has(|sketch| sketch.stones.is_some()) => {
+                "the conditions hold at every joint between the stones, none thinner"
+            }
             (_, true) => {
                 "the lines within the arch and on its faces only at joints that give way in one of the modes there, none \
                  thinner"
@@ -248,15 +263,12 @@ fn reached(drawn: &Sketched) -> String {
     let asked = drawn.style.amplitude;
     let by = |(sketch, collapse): (&Sketch, Option<&Collapse>)| {
         let by = moved(collapse?, &sketch.at, asked).by;
-        Some(if asked - by < REACHED * asked { format!("{asked} r") } else { length(by) })
+        Some(if by == asked { format!("{asked} r") } else { length(by) })
     };
     let mut all: Vec<String> = drawn.panels().filter_map(by).collect();
     all.dedup();
     all.join(", ")
 }
-
-/// What is missing of an amplitude that is reached but for rounding.
-const REACHED: f64 = 1e-6;
 
 /// A length for the eye, in units of `r`.
 fn length(by: f64) -> String {
@@ -275,8 +287,8 @@ fn paragraph(drawn: &Sketched, sketch: &Sketch) -> String {
     let in_metres =
         drawn.measures.as_ref().zip(metres).map(|(measures, of)| in_metres(sketch, measures, &of));
     let in_metres = in_metres.unwrap_or_default();
-    if let Subject::Standing { assessment, .. } = &sketch.subject {
-        return said + ". " + &standing(assessment, sketch) + &in_metres;
+    if let Subject::Standing { stability, .. } = &sketch.subject {
+        return said + ". " + &standing(stability, sketch) + &in_metres;
     }
     let values: Vec<String> = values(sketch).collect();
     said += &format!(". {}.{in_metres}", capital(&values.join(", ")));
@@ -366,13 +378,11 @@ fn relation(sketch: &Sketch) -> String {
 }
 
 /// The safety of an arch as it stands, in words.
-fn standing(assessment: &Assessment, sketch: &Sketch) -> String {
-    let least = assessment.least_thickness.as_ref().ok().and_then(Option::as_ref);
-    let safety = assessment.geometric_safety.as_ref().ok().and_then(Option::as_ref);
-    let required = assessment.required_friction.as_ref().ok().and_then(Option::as_ref);
-    let friction = assessment.friction_safety.as_ref().ok().and_then(Option::as_ref);
-    if assessment.stands != Ok(true) {
-        let said = match (least, assessment.fall) {
+fn standing(found: &Stability, sketch: &Sketch) -> String {
+    let least = found.least_thickness.as_ref();
+    let required = found.required_friction.as_ref();
+    if !found.stands {
+        let said = match (least, found.fall) {
             (_, Some(fall)) => format!("It stands at no thickness: {}", fall.reason()),
             (Some(least), _) => format!(
                 "It does not stand: it is thinner than the least, t/r = {}",
@@ -386,7 +396,7 @@ fn standing(assessment: &Assessment, sketch: &Sketch) -> String {
         return said + &more.unwrap_or_default() + ". Proved.";
     }
     let mut said = "It stands, which is proved".to_owned();
-    if let (Some(least), Some(safety)) = (least, safety) {
+    if let (Some(least), Some(safety)) = (least, &found.geometric_safety) {
         said += &format!(
             ": its thickness is {} times the least, t/r = {}",
             rounded(safety, FEW),
@@ -394,7 +404,7 @@ fn standing(assessment: &Assessment, sketch: &Sketch) -> String {
         );
     }
     if let Some(required) = required {
-        said += &match friction {
+        said += &match &found.friction_safety {
             Some(times) => format!(
                 ", its friction {} times what it asks for, {}",
                 rounded(times, FEW),
@@ -403,16 +413,13 @@ fn standing(assessment: &Assessment, sketch: &Sketch) -> String {
             None => format!("; it asks for a friction of {}", rounded(required, DIGITS)),
         };
     }
-    let ends = assessment.thrust.each_ref().map(|end| end.as_ref().ok().and_then(Option::as_ref));
-    let end = |limit: Option<&Limit>| {
-        let limit = limit?;
-        let by = limit.touch.name();
-        Some(match &limit.thrust {
-            Some(thrust) => format!("{} ({by})", rounded(thrust, DIGITS)),
-            None => "any size".into(),
-        })
+    let end = |Bound { thrust, by }: &Bound| match thrust {
+        Some(thrust) => format!("{} ({by})", rounded(thrust, DIGITS)),
+        None => "any size".into(),
     };
-    if let [Some(least), Some(largest)] = ends.map(end) {
+    if let [Some(least), Some(largest)] =
+        found.thrust.each_ref().map(|bound| bound.as_ref().map(end))
+    {
         said += &format!(". Its thrust h = H/(wr) is from {least} to {largest}");
     }
     let several = |forces: &Forces| forces.marks.iter().any(|mark| !mark.contact.is_hinge());
@@ -421,4 +428,13 @@ fn standing(assessment: &Assessment, sketch: &Sketch) -> String {
                  least thrust, the lowest for the largest";
     }
     said + "."
+        + at_joints(
+            sketch,
+            " The conditions hold at the joints between stones, where it can open and slide.",
+        )
+}
+
+/// What is said of an arch of stones.
+fn at_joints<'a>(sketch: &Sketch, words: &'a str) -> &'a str {
+    if sketch.stones.is_some() { words } else { "" }
 }

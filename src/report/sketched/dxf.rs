@@ -9,8 +9,15 @@ use crate::sketch::Blocks;
 use std::io;
 
 /// The layers and their colours by number.
-const LAYERS: [(&str, u8); 6] =
-    [("ARCH", 7), ("THRUST", 1), ("FRICTION", 5), ("HINGES", 7), ("SLIDING", 5), ("MECHANISM", 3)];
+const LAYERS: [(&str, u8); 7] = [
+    ("ARCH", 7),
+    ("STONES", 8),
+    ("THRUST", 1),
+    ("FRICTION", 5),
+    ("HINGES", 7),
+    ("SLIDING", 5),
+    ("MECHANISM", 3),
+];
 /// How far a line's points may be from the arcs that stand for it, and that as a part of the thickness.
 const WITHIN: f64 = 1e-5;
 const PART: f64 = 4e-4;
@@ -135,6 +142,12 @@ fn arch(dxf: &mut Dxf, sketch: &Sketch, half: bool) {
     for joint in [from, alpha] {
         dxf.line("ARCH", radii.map(|radius| polar(joint, radius)));
     }
+    let sides: &[f64] = if half { &[1.0] } else { &[1.0, -1.0] };
+    for joint in sketch.stone_joints() {
+        for side in sides.iter().filter(|side| joint > 0.0 || **side > 0.0) {
+            dxf.line("STONES", radii.map(|radius| mirrored(polar(joint, radius), *side)));
+        }
+    }
     let within = WITHIN.min(PART * sketch.thickness());
     for forces in &sketch.forces {
         for line in &forces.thrust_lines {
@@ -156,7 +169,7 @@ fn head(dxf: &mut Dxf, unit: &str) {
         dxf.put(code, value);
     }
     dxf.put(0, "ENDSEC");
-    for (code, value) in [(0, "SECTION"), (2, "TABLES"), (0, "TABLE"), (2, "LAYER"), (70, "6")] {
+    for (code, value) in [(0, "SECTION"), (2, "TABLES"), (0, "TABLE"), (2, "LAYER"), (70, "7")] {
         dxf.put(code, value);
     }
     for (name, color) in LAYERS {
@@ -212,6 +225,10 @@ fn mechanism(dxf: &mut Dxf, blocks: &Blocks, [inner, outer]: [f64; 2], sides: &[
             let to = |point: [f64; 2]| mirrored(block.motion.to(&point), *side);
             let [upper, lower] = block.between;
             for joint in [upper, lower] {
+                // The middle of a keystone is no joint.
+                if joint == 0.0 && blocks.has_keystone() {
+                    continue;
+                }
                 dxf.line("MECHANISM", [inner, outer].map(|radius| to(polar(joint, radius))));
             }
             let turned = block.motion.turn[1].atan2(block.motion.turn[0]).to_degrees();
@@ -252,7 +269,8 @@ pub(in crate::report) fn dxf(report: &Sketched, out: &mut dyn io::Write) -> io::
                 let mut widest = radii[1];
                 if let Some(collapse) = collapse {
                     let amplitude = report.style.amplitude;
-                    let blocks = Blocks::new(collapse, &sketch.at, amplitude, false, &[]);
+                    let blocks =
+                        Blocks::new(collapse, &sketch.at, amplitude, false, &sketch.stone_joints());
                     widest = blocks.corners().map(|[x, _]| x).fold(widest, f64::max);
                     mechanism(dxf, &blocks, radii, sides);
                 }

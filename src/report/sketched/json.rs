@@ -64,6 +64,8 @@ fn given(sketch: &Sketch) -> Fields {
         arch.filter(|_| has_friction).map(|arch| arch.friction().to_string()),
     );
     fields.add("thickness_given", thickness);
+    let stones = sketch.stones.as_ref();
+    fields.add("stone_joints", stones.map(|_| sketch.stone_joints()));
     fields
 }
 
@@ -171,7 +173,7 @@ pub(in crate::report) fn json(report: &Sketched, out: &mut dyn io::Write) -> io:
         let metres = report.metres(sketch);
         let unit = metres.as_ref().map_or(1.0, |of| of.radius.double());
         let verdict = match &sketch.subject {
-            Subject::Standing { assessment, .. } if assessment.stands == Ok(true) => "stands",
+            Subject::Standing { stability, .. } if stability.stands => "stands",
             Subject::Standing { .. } => "falls",
             _ => "collapses",
         };

@@ -42,9 +42,6 @@ use crate::problem::measures::Measures;
 use metres::Metres;
 use std::ops::RangeInclusive;
 
-/// The most stones of a page.
-const MOST_STONES: usize = 1000;
-
 /// Arches to be drawn, beside each other.
 #[derive(Debug)]
 pub struct Sketched {
@@ -67,8 +64,6 @@ pub struct Style {
     pub half: bool,
     /// Arrows from where the blocks were to where they are.
     pub arrows: bool,
-    /// Stones of the whole arch, to be shown by their joints.
-    pub stones: Option<u32>,
     /// The blocks move.
     pub animate: bool,
     /// The symbols of the paper, as Figure 1 has them, with the mechanism on the right.
@@ -89,8 +84,8 @@ impl Style {
 
 impl Default for Style {
     fn default() -> Self {
-        let (half, arrows, stones, animate) = (false, false, None, false);
-        Self { amplitude: 0.12, half, arrows, stones, animate, notation: false }
+        let (half, arrows, animate) = (false, false, false);
+        Self { amplitude: 0.12, half, arrows, animate, notation: false }
     }
 }
 
@@ -104,12 +99,6 @@ impl Sketched {
     /// that doubles hold.
     pub fn can_be_drawn(&self) -> bool {
         self.sketches.iter().filter_map(|sketch| self.metres(sketch)).all(|of| of.can_be_drawn())
-    }
-
-    /// Whether the stones that are asked for can be shown: a thousand in all pictures of a page.
-    pub fn shows_stones(&self) -> bool {
-        let pictures = self.panels().count();
-        self.style.stones.is_none_or(|stones| pictures * stones as usize <= MOST_STONES)
     }
 
     /// Each arch with a mode in which it falls, or with none.

@@ -142,7 +142,7 @@ impl Panel<'_> {
 
 /// What is drawn of an arch, in the mode of its panel where there is one.
 fn view<'a>(sketch: &'a Sketch, collapse: Option<&Collapse>, style: Style) -> View<'a> {
-    let stones = stones(sketch, style.stones);
+    let stones = sketch.stone_joints();
     let marks = match collapse {
         Some(collapse) => collapse.joints_at_limit(),
         None => {
@@ -166,12 +166,4 @@ fn view<'a>(sketch: &'a Sketch, collapse: Option<&Collapse>, style: Style) -> Vi
         half: style.half,
         falls_right: style.notation,
     }
-}
-
-/// The joints between stones of the right half.
-fn stones(sketch: &Sketch, number: Option<u32>) -> Vec<f64> {
-    let Some(number) = number else { return Vec::new() };
-    let alpha = sketch.half_opening();
-    let joints = (1..number).map(|k| alpha * (2.0 * f64::from(k) / f64::from(number) - 1.0));
-    joints.filter(|joint| *joint >= -CROWN * alpha).collect()
 }

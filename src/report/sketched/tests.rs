@@ -49,8 +49,7 @@ fn pictures() -> Vec<(String, String)> {
     ] {
         add(name, least(alpha, mu), Style::default());
     }
-    let rich =
-        Style { half: true, arrows: true, stones: Some(21), animate: true, ..Style::default() };
+    let rich = Style { half: true, arrows: true, animate: true, ..Style::default() };
     add("half", least("2.45", "1.35"), rich);
     add("moving", least("2.45", "1.35"), Style { animate: true, ..Style::default() });
     let thick = "1".parse().unwrap();

@@ -106,23 +106,8 @@ impl VoussoirArch {
 }
 
 /// A contact in words.
-pub(super) fn at_limit(arch: &VoussoirArch, (contact, joint): &JointContact) -> &'static str {
-    match contact {
-        slip if !slip.is_hinge() && arch.stones.may_open(*joint, arch.is_limited()) => "opens",
-        other => other.name(),
-    }
-}
-
-/// Where it is, in words.
-pub(super) fn place(stones: &Stones, (_, joint): &JointContact) -> String {
-    match *joint {
-        0 if stones.has_joint_at_crown() => "at the crown".to_owned(),
-        joint if joint + 1 == stones.count() => "at the shoulder".to_owned(),
-        joint => {
-            let from_crown = u64::from(!stones.has_joint_at_crown());
-            format!("at joint {}", joint + from_crown)
-        }
-    }
+pub(super) fn at_limit(arch: &VoussoirArch, contact: &JointContact) -> &'static str {
+    arch.stones.at_limit(*contact, arch.is_limited())
 }
 
 /// The number of equal stones.

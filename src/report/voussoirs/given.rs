@@ -1,8 +1,9 @@
 //! What holds at a given thickness: lines for a person, cells of a row, and an object.
 
-use super::arch::{GivenThickness, VoussoirArch, at_limit, bounds, place};
+use super::arch::{GivenThickness, VoussoirArch, at_limit, bounds};
 use crate::certify::state::Figure;
 use crate::certify::{Undecided, VoussoirAssessment, VoussoirLimit, VoussoirStanding, Voussoirs};
+use crate::problem::stones::JointContact;
 use crate::report::fields::Fields;
 use std::io;
 
@@ -85,8 +86,8 @@ pub(super) fn lines(
 
 /// What limits a thrust, in words.
 fn limited(arch: &VoussoirArch, end: &VoussoirLimit) -> String {
-    let one = |(contact, joint): (&_, &Figure)| {
-        let at = place(&arch.stones, contact);
+    let one = |(contact, joint): (&JointContact, &Figure)| {
+        let at = arch.stones.place(contact.1);
         let rad =
             if at.starts_with("at joint") { format!(" ({joint} rad)") } else { String::new() };
         format!("{} {at}{rad}", at_limit(arch, contact))

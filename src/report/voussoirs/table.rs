@@ -1,6 +1,6 @@
 //! Arches of voussoirs for a person at a terminal.
 
-use super::arch::{VoussoirArch, VoussoirArches, at_limit, place};
+use super::arch::{VoussoirArch, VoussoirArches, at_limit};
 use super::{convergence, given};
 use crate::certify::{VoussoirDigits, Voussoirs};
 use crate::report::words::model;
@@ -65,7 +65,7 @@ fn stands(arch: &VoussoirArch, state: &VoussoirDigits, out: &mut dyn io::Write) 
     }
     writeln!(out, "\nmechanism, joints counted from the crown")?;
     state.contacts.iter().try_for_each(|contact| {
-        let (words, place) = (at_limit(arch, contact), place(&arch.stones, contact));
+        let (words, place) = (at_limit(arch, contact), arch.stones.place(contact.1));
         writeln!(out, "   {words:<22} {place}")
     })
 }
