@@ -114,6 +114,12 @@ pub(super) fn division(stones: &Stones) -> String {
     }
 }
 
+/// With a capital at its beginning.
+pub(super) fn capital(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -359,7 +359,8 @@ fn an_arch_as_it_stands_has_both_extremes() {
     let both = standing(["80deg", "0.35"], "0.16");
     assert_eq!(both.forces.len(), 2);
     assert!(both.collapses.is_empty());
-    let words: Vec<_> = both.forces.iter().filter_map(|forces| forces.limited_by).collect();
+    let words: Vec<_> =
+        both.forces.iter().filter_map(|forces| forces.limited_by.as_deref()).collect();
     assert_eq!(words, ["intrados at the haunch", "sliding of the shoulder"]);
     assert!(standing(["80deg", "0.6"], "0.05").forces.is_empty(), "it does not stand");
     // Without thrust the line starts at half the radius of the centroids.

@@ -103,7 +103,7 @@ pub(in crate::report) fn branches(
         ),
         format!("Command: {command}"),
     ];
-    Graphs { title, x, panels, legend, legend_at, words }.svg()
+    Graphs { title, panels, legend, legend_at, words }.svg()
 }
 
 fn panel(branch: &Branch, least: &Level, x: Axis, y: Axis) -> Panel {
@@ -119,5 +119,5 @@ fn panel(branch: &Branch, least: &Level, x: Axis, y: Axis) -> Panel {
         Some(Mark { name: String::new(), at, away: (0.0, 0.0), color: INK })
     };
     let marks = branch.meetings().filter_map(mark).collect();
-    Panel { y, lines: least.into_iter().chain(parts).collect(), marks }
+    Panel { x, y, lines: least.into_iter().chain(parts).collect(), marks }
 }

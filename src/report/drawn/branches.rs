@@ -20,15 +20,19 @@ use crate::report::words;
 pub enum Branches {
     /// The rotational joint, the thickness and the thrust over the half opening.
     Rotation,
-    /// The thickness over `A = alpha cot(alpha/2)`.
-    OpeningVariable,
-    /// The thickness over the half opening.
-    Opening,
+    /// The thickness of overturning over `A = alpha cot(alpha/2)` and over the half opening.
+    Overturning,
+    /// The same with rotation before it, and how they join.
+    Joined,
 }
 
 /// The purely sliding states, and those beyond the border point.
 const SLIDING: Stroke = Stroke::new(INK, 1.6);
 const BEYOND: Stroke = Stroke { color: INK, width: 1.6, dashes: &[3.0, 4.0] };
+/// The tangent that two curves have in common.
+const TANGENT: Stroke = Stroke { color: INK, width: 1.2, dashes: &[16.0, 5.0, 3.0, 5.0] };
+/// How far it is drawn, to each side, in degrees.
+const FAR: f64 = 4.5;
 /// What is no further from the foot of a panel is on it.
 const FOOT: f64 = 1e-9;
 
@@ -42,7 +46,19 @@ const fn axis(coordinate: Coordinate, label: &'static str, range: [f64; 2], step
 }
 
 const OPENING: Axis = axis(Coordinate::HalfOpening, "half opening α (°)", [0.0, 180.0], 20.0);
-const THICKNESS: Axis = axis(Coordinate::Thickness, "thickness η = t/r", [0.0, 2.2], 0.5);
+const VARIABLE: Axis = axis(Coordinate::OpeningVariable, "A = α cot(α/2)", [0.0, 2.0], 0.2);
+const THICKNESS: Axis = thickness_axis([0.0, 2.2], 0.5);
+/// Where half arches overturn.
+const WIDE: Axis = Axis { range: [146.0, 162.0], step: 2.0, ..OPENING };
+const WIDE_VARIABLE: Axis = Axis { range: [0.4, 0.9], step: 0.1, ..VARIABLE };
+const THICK: Axis = thickness_axis([0.8, 2.1], 0.2);
+/// About the ends of rotation.
+const NEAR: Axis = Axis { range: [143.0, 157.0], step: 2.0, ..OPENING };
+const NEAR_THICKNESS: Axis = thickness_axis([0.6, 1.4], 0.2);
+
+const fn thickness_axis(range: [f64; 2], step: f64) -> Axis {
+    axis(Coordinate::Thickness, "thickness η = t/r", range, step)
+}
 
 fn number(ball: &Ball) -> f64 {
     ball.mid().to_f64()
@@ -73,65 +89,131 @@ type Read = fn(&Place) -> Option<f64>;
 impl Branches {
     /// The figure of both weights as SVG.
     pub(super) fn svg(self, sheets: &[Sheet], command: &str) -> String {
-        let (title, x, read_x): (&str, Axis, Read) = match self {
-            Self::Rotation => (
-                "Purely rotational and purely sliding states over the half opening",
-                OPENING,
-                opening,
-            ),
-            Self::OpeningVariable => (
-                "Thickness of purely rotational and purely overturning states over A",
-                axis(Coordinate::OpeningVariable, "A = α cot(α/2)", [0.0, 2.0], 0.2),
-                opening_variable,
-            ),
-            Self::Opening => (
-                "Thickness of purely rotational and purely overturning states over the half opening",
-                OPENING,
-                opening,
-            ),
+        let panels = match self {
+            Self::Rotation => over_the_half_opening(sheets),
+            Self::Overturning => [
+                (WIDE_VARIABLE, opening_variable as Read, Course::FallsOpposite),
+                (WIDE, opening, Course::Rises),
+            ]
+            .map(|(x, read_x, course)| Panel {
+                x,
+                y: THICK,
+                lines: lines(sheets, &[Curve::Overturning], &[x, THICK]),
+                marks: marks(sheets, &ENDS[1..], (read_x, thickness), course),
+            })
+            .into(),
+            Self::Joined => joined(sheets),
         };
-        let course = if self == Self::Opening { Course::Rises } else { Course::FallsOpposite };
-        let panels: Vec<Panel> = match self {
-            Self::Rotation => {
-                let joint = axis(Coordinate::RotationJoint, "joint βᵣ (°)", [0.0, 70.0], 10.0);
-                let thick = axis(Coordinate::Thickness, "thickness η = t/r", [0.0, 1.1], 0.2);
-                let push = axis(Coordinate::Thrust, "thrust h = H/(w r)", [0.0, 1.0], 0.2);
-                let panel = |y, read, course| Panel {
-                    y,
-                    lines: lines(sheets, &[Curve::Rotation], &[x, y]),
-                    marks: marks(sheets, &ENDS[..2], read_x, read, course),
-                };
-                let mut first = panel(joint, rotation_joint as Read, Course::Falls);
-                first.marks.extend(widest(sheets));
-                let mut last = panel(push, thrust as Read, Course::Falls);
-                last.lines.extend(sliding(sheets, &[x, push]));
-                vec![first, panel(thick, thickness as Read, Course::Rises), last]
+        let title = match self {
+            Self::Rotation => "Purely rotational and purely sliding states over the half opening",
+            Self::Overturning => {
+                "Thickness of purely overturning states over A and over the half opening"
             }
-            Self::OpeningVariable | Self::Opening => vec![Panel {
-                y: THICKNESS,
-                lines: lines(sheets, &[Curve::Rotation, Curve::Overturning], &[x, THICKNESS]),
-                marks: marks(sheets, &ENDS, read_x, thickness, course),
-            }],
+            Self::Joined => {
+                "Thickness of purely rotational and purely overturning states over A and over the half opening"
+            }
+        };
+        let of_weight = |sheet: &Sheet, curve: Curve| {
+            (
+                format!("{curve}, {}-like", words::capital(sheet.weight.name())),
+                look_of(sheet.weight, curve),
+            )
+        };
+        let curves: &[Curve] = match self {
+            Self::Rotation => &[Curve::Rotation],
+            Self::Overturning => &[Curve::Overturning],
+            Self::Joined => &[Curve::Rotation, Curve::Overturning],
         };
         let names =
-            sheets.iter().map(|sheet| (words::model(sheet.weight), look::of_weight(sheet.weight)));
-        let pure = ("pure sliding, dotted beyond B".to_owned(), SLIDING);
-        let legend = names.chain((self == Self::Rotation).then_some(pure)).collect();
-        let legend_at = match self {
-            Self::Rotation => (1, 60.0),
-            Self::OpeningVariable => (0, 400.0),
-            Self::Opening => (0, 30.0),
+            sheets.iter().flat_map(|sheet| curves.iter().map(move |c| of_weight(sheet, *c)));
+        let (more, legend_at) = match self {
+            Self::Rotation => {
+                (Some(("pure sliding, dotted beyond B".to_owned(), SLIDING)), (1, 60.0))
+            }
+            Self::Overturning => (None, (0, 395.0)),
+            Self::Joined => (Some(("common tangent at ℓ".to_owned(), TANGENT)), (0, 340.0)),
         };
-        let sheets: Vec<&Sheet> = sheets.iter().collect();
-        let proved = proved(&sheets, &off(x, &panels), (WIDTH, height(panels.len())));
-        let words = vec![format!("{title}. {proved}"), format!("Command: {command}")];
-        Graphs { title, x, panels, legend, legend_at, words }.svg()
+        let legend = names.chain(more).collect();
+        let joins = match self {
+            Self::Joined => {
+                " Below, larger: at ℓ rotation and overturning have one slope, which the claims joining-heyman and \
+                 joining-milankovitch of couplet prove decide."
+            }
+            _ => "",
+        };
+        let all: Vec<&Sheet> = sheets.iter().collect();
+        let proved = proved(&all, &off(&panels), (WIDTH, height(panels.len())));
+        let weights: Vec<String> = sheets.iter().map(|sheet| words::model(sheet.weight)).collect();
+        let weights = weights.join(" and ");
+        let words =
+            vec![format!("{title}. {weights}.{joins} {proved}"), format!("Command: {command}")];
+        Graphs { title, panels, legend, legend_at, words }.svg()
+    }
+}
+
+/// The joint, the thickness and the thrust of rotation, and the thrust of sliding.
+fn over_the_half_opening(sheets: &[Sheet]) -> Vec<Panel> {
+    let x = OPENING;
+    let joint = axis(Coordinate::RotationJoint, "joint βᵣ (°)", [0.0, 70.0], 10.0);
+    let push = axis(Coordinate::Thrust, "thrust h = H/(w r)", [0.0, 1.0], 0.2);
+    let panel = |y, read, course| Panel {
+        x,
+        y,
+        lines: lines(sheets, &[Curve::Rotation], &[x, y]),
+        marks: marks(sheets, &ENDS[..2], (opening, read), course),
+    };
+    let mut first = panel(joint, rotation_joint as Read, Course::Falls);
+    first.marks.extend(widest(sheets));
+    let mut last = panel(push, thrust as Read, Course::Falls);
+    last.lines.extend(sliding(sheets, &[x, push]));
+    vec![first, panel(thickness_axis([0.0, 1.1], 0.2), thickness as Read, Course::Rises), last]
+}
+
+/// Rotation and overturning, over the opening variable, over the half opening, and near the points where they join.
+fn joined(sheets: &[Sheet]) -> Vec<Panel> {
+    let panel = |x, y, (read_x, curves): (Read, &[Curve]), course| Panel {
+        x,
+        y,
+        lines: lines(sheets, &[Curve::Rotation, Curve::Overturning], &[x, y]),
+        marks: marks(sheets, curves, (read_x, thickness), course),
+    };
+    let mut near = panel(NEAR, NEAR_THICKNESS, (opening, &ENDS[1..2]), Course::Rises);
+    near.lines.extend(sheets.iter().filter_map(tangent));
+    vec![
+        panel(VARIABLE, THICKNESS, (opening_variable, &ENDS), Course::FallsOpposite),
+        panel(OPENING, THICKNESS, (opening, &ENDS), Course::Rises),
+        near,
+    ]
+}
+
+/// The tangent of a weight at the end of rotation: that with which overturning begins.
+fn tangent(sheet: &Sheet) -> Option<Line> {
+    let chain = along(sheet.trace(Curve::Overturning)?, &[NEAR, NEAR_THICKNESS])?;
+    let [(x, y), (across, up), ..] = chain.0.first()?.corners;
+    let slope = (up - y) / (across - x);
+    let end = |far: f64| (x + far, y + far * slope);
+    let id = format!("{}-tangent", sheet.weight.name());
+    Some(Line { id, chain: Chain::straight(end(-FAR), end(FAR)), stroke: TANGENT })
+}
+
+/// How a curve of a weight looks: overturning is told from rotation by its dashes.
+fn look_of(weight: SelfWeight, curve: Curve) -> Stroke {
+    let stroke = look::of_weight(weight);
+    match (curve, weight) {
+        (Curve::Overturning, SelfWeight::Heyman) => {
+            Stroke { dashes: &[2.0, 3.5], width: 3.0, ..stroke }
+        }
+        (Curve::Overturning, SelfWeight::Milankovitch) => {
+            Stroke { dashes: &[12.0, 3.0, 2.0, 3.0], width: 3.0, ..stroke }
+        }
+        _ => stroke,
     }
 }
 
 /// How far lines may be from the truth, along each axis.
-fn off(x: Axis, panels: &[Panel]) -> Vec<(Axis, f64)> {
+fn off(panels: &[Panel]) -> Vec<(Axis, f64)> {
     let of_panel = |panel: &Panel| {
+        let x = panel.x;
         let frame = Frame { corner: (0.0, 0.0), size: (1.0, 1.0), x: x.range, y: panel.y.range };
         let chains = panel.lines.iter().map(|line| &line.chain);
         let [across, up] = chains.map(|chain| chain.off(&frame)).fold([0.0; 2], larger);
@@ -148,7 +230,7 @@ fn lines(sheets: &[Sheet], curves: &[Curve], axes: &[Axis; 2]) -> Vec<Line> {
     let line = |sheet: &Sheet, curve: &Curve| {
         let chain = along(sheet.trace(*curve)?, axes)?;
         let id = format!("{}-{curve}", sheet.weight.name());
-        Some(Line { id, chain, stroke: look::of_weight(sheet.weight) })
+        Some(Line { id, chain, stroke: look_of(sheet.weight, *curve) })
     };
     sheets.iter().flat_map(|sheet| curves.iter().filter_map(move |c| line(sheet, c))).collect()
 }
@@ -172,7 +254,7 @@ const ENDS: [Curve; 3] =
     [Curve::Line(crate::problem::Line::RotationShoulder), Curve::Rotation, Curve::Overturning];
 
 /// The landmarks at the ends of some curves.
-fn marks(sheets: &[Sheet], curves: &[Curve], x: Read, y: Read, course: Course) -> Vec<Mark> {
+fn marks(sheets: &[Sheet], curves: &[Curve], (x, y): (Read, Read), course: Course) -> Vec<Mark> {
     let mark = |sheet: &Sheet, curve: Curve| {
         let point = sheet.trace(curve)?.points().pop()?;
         let Some(End::Landmark(landmark)) = point.end else { return None };
@@ -226,5 +308,29 @@ fn named(landmark: Landmark, weight: SelfWeight, at: Point, course: Course) -> M
         at,
         away,
         color: look::of_weight(weight).color,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The tangent with which overturning begins is the one with which rotation ends, over A and over the half opening.
+    #[test]
+    fn rotation_and_overturning_have_one_slope_where_they_join() {
+        for weight in SelfWeight::ALL {
+            let traces = [Curve::Rotation, Curve::Overturning]
+                .map(|of| Trace::new(of, weight, 1e-5).unwrap());
+            for x in [OPENING, VARIABLE] {
+                let [rotation, overturning] =
+                    traces.each_ref().map(|trace| along(trace, &[x, THICKNESS]).unwrap());
+                let slope = |(x, y): Point, (u, v): Point| (v - y) / (u - x);
+                let [.., before, end] = rotation.0.last().unwrap().corners;
+                let [start, after, ..] = overturning.0.first().unwrap().corners;
+                assert!((end.0 - start.0).abs() < 1e-9 && (end.1 - start.1).abs() < 1e-9);
+                let [one, other] = [slope(before, end), slope(start, after)];
+                assert!((one / other - 1.0).abs() < 1e-3, "{weight:?} {one} {other}");
+            }
+        }
     }
 }

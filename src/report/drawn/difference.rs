@@ -119,7 +119,7 @@ pub(in crate::report) fn differences(differences: &[Difference], command: &str) 
     };
     let panels: Vec<Panel> = [(ALL, false), (NEAR, true)]
         .into_iter()
-        .map(|(y, is_larger)| Panel { y, lines: lines(), marks: marks(differences, is_larger) })
+        .map(|(y, is_larger)| Panel { x, y, lines: lines(), marks: marks(differences, is_larger) })
         .collect();
     let frame = |panel: &Panel| Frame {
         corner: (0.0, 0.0),
@@ -142,5 +142,5 @@ pub(in crate::report) fn differences(differences: &[Difference], command: &str) 
         format!("Command: {command}"),
     ];
     let legend = Divide::ALL.map(|divide| (name(divide).to_owned(), look(divide))).to_vec();
-    Graphs { title, x, panels, legend, legend_at: (0, 60.0), words }.svg()
+    Graphs { title, panels, legend, legend_at: (0, 60.0), words }.svg()
 }

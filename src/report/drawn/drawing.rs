@@ -51,8 +51,8 @@ impl View {
     pub fn of_figure(number: usize) -> Option<Self> {
         Some(match number {
             2 => Self::Branches(Branches::Rotation),
-            3 => Self::Branches(Branches::OpeningVariable),
-            4 => Self::Branches(Branches::Opening),
+            3 => Self::Branches(Branches::Overturning),
+            4 => Self::Branches(Branches::Joined),
             5 => Self::Lines,
             6 => Self::Map(Plane::ThicknessFriction),
             _ => return None,

@@ -1,4 +1,4 @@
-//! Graphs below each other over one axis.
+//! Graphs below each other; neighbours over the same axis share its ticks.
 
 use super::chain::Chain;
 use super::look;
@@ -7,10 +7,9 @@ use super::spot::disc;
 use crate::picture::color::{GRID, INK, WHITE};
 use crate::picture::{Anchor, Color, Frame, Path, Point, Side, Stroke, Svg, Type, text};
 
-/// Graphs with a common horizontal axis, a legend in one of them, and paragraphs below.
+/// Graphs, a legend in one of them, and paragraphs below.
 pub(super) struct Graphs {
     pub title: &'static str,
-    pub x: Axis,
     pub panels: Vec<Panel>,
     /// Names of lines, and where they stand: in which panel, and how far from its left edge.
     pub legend: Vec<(String, Stroke)>,
@@ -20,6 +19,7 @@ pub(super) struct Graphs {
 
 /// One graph.
 pub(super) struct Panel {
+    pub x: Axis,
     pub y: Axis,
     pub lines: Vec<Line>,
     pub marks: Vec<Mark>,
@@ -66,15 +66,15 @@ impl Graphs {
     /// The picture as SVG.
     pub(super) fn svg(&self) -> String {
         let height = height(self.panels.len());
-        let top = if self.x.is_friction_angle() { AXIS } else { TOP };
-        let frames: Vec<Frame> = (0..self.panels.len())
-            .map(|k| Frame {
-                corner: (LEFT, top + k as f64 * (height + BETWEEN)),
-                size: (WIDTH, height),
-                x: self.x.range,
-                y: self.panels[k].y.range,
-            })
-            .collect();
+        let is_friction = |panel: &Panel| panel.x.is_friction_angle();
+        let top = if self.panels.first().is_some_and(is_friction) { AXIS } else { TOP };
+        let mut next = top;
+        let frame = |(k, panel): (usize, &Panel)| {
+            let corner = (LEFT, next);
+            next += height + if self.has_ticks(k) { BELOW } else { BETWEEN };
+            Frame { corner, size: (WIDTH, height), x: panel.x.range, y: panel.y.range }
+        };
+        let frames: Vec<Frame> = self.panels.iter().enumerate().map(frame).collect();
         let bottom = frames.last().map_or(top, Frame::bottom);
         let width = LEFT + WIDTH + RIGHT;
         let wrapped = |words: &String| text::wrap(words, SMALL, width - 2.0 * MARGIN);
@@ -82,11 +82,10 @@ impl Graphs {
         let all = bottom + BELOW + lines.len() as f64 * SMALL * text::LEADING + MARGIN;
         let mut svg = Svg::new((width, all), self.title, &self.words.join(" "));
         for (k, (panel, frame)) in self.panels.iter().zip(&frames).enumerate() {
-            let is_last = k + 1 == self.panels.len();
             let letter = b"abcdefgh".get(k).filter(|_| self.panels.len() > 1);
-            svg.group(&format!("panel-{k}"), |svg| self.panel(svg, panel, frame, is_last));
-            if k == 0 && self.x.is_friction_angle() {
-                self.friction(&mut svg, frame);
+            svg.group(&format!("panel-{k}"), |svg| panel.draw(svg, frame, self.has_ticks(k)));
+            if k == 0 && is_friction(panel) {
+                panel.friction(&mut svg, frame);
             }
             if let Some(letter) = letter {
                 let name = format!("({})", char::from(*letter));
@@ -103,6 +102,22 @@ impl Graphs {
         svg.finish()
     }
 
+    /// Whether a panel has the ticks of its horizontal axis: it is the last over that.
+    fn has_ticks(&self, k: usize) -> bool {
+        self.panels.get(k + 1).is_none_or(|below| below.x != self.panels[k].x)
+    }
+
+    fn legend(&self, svg: &mut Svg, frame: &Frame) {
+        for (k, (name, stroke)) in self.legend.iter().enumerate() {
+            let (x, y) =
+                (frame.corner.0 + self.legend_at.1, frame.corner.1 + 20.0 + 24.0 * k as f64);
+            svg.stroke(&Path::through([(x, y), (x + SAMPLE, y)]), *stroke);
+            svg.text(name, (x + SAMPLE + 10.0, y), Type::new(TICK, INK).on(WHITE));
+        }
+    }
+}
+
+impl Panel {
     /// The friction coefficient, above.
     fn friction(&self, svg: &mut Svg, frame: &Frame) {
         frame.ticks(svg, Side::Top, &friction_ticks(&self.x), TICK);
@@ -110,8 +125,8 @@ impl Graphs {
         svg.text(FRICTION_LABEL, at, Type::new(LABEL, INK).at(Anchor::Middle));
     }
 
-    fn panel(&self, svg: &mut Svg, panel: &Panel, frame: &Frame, is_last: bool) {
-        let (x, y) = (self.x.ticks(self.x.range, None), panel.y.ticks(panel.y.range, None));
+    fn draw(&self, svg: &mut Svg, frame: &Frame, has_ticks: bool) {
+        let (x, y) = (self.x.ticks(self.x.range, None), self.y.ticks(self.y.range, None));
         for tick in &x {
             let (x, _) = frame.at((tick.place, 0.0));
             let line = Path::through([(x, frame.corner.1), (x, frame.bottom())]);
@@ -123,7 +138,7 @@ impl Graphs {
             svg.stroke(&line, Stroke::new(GRID, 1.0));
         }
         svg.clipped(&frame.outline(), |svg| {
-            for line in &panel.lines {
+            for line in &self.lines {
                 svg.group(&line.id, |svg| {
                     let [proved, open] = line.chain.paths(frame);
                     svg.stroke(&proved, line.stroke);
@@ -139,27 +154,18 @@ impl Graphs {
         let up = frame.corner.1 + frame.size.1 / 2.0;
         let widest = y.iter().map(|tick| text::width(&tick.label, TICK)).fold(0.0, f64::max);
         let off = (widest + NEXT).max(64.0);
-        svg.text(panel.y.label, (frame.corner.0 - off, up), middle.turned(-90.0));
-        if is_last {
+        svg.text(self.y.label, (frame.corner.0 - off, up), middle.turned(-90.0));
+        if has_ticks {
             frame.ticks(svg, Side::Bottom, &x, TICK);
             let across = frame.corner.0 + WIDTH / 2.0;
             svg.text(self.x.label, (across, frame.bottom() + 49.0), middle);
         }
-        for mark in &panel.marks {
+        for mark in &self.marks {
             let at = frame.at(mark.at);
             disc(svg, at);
             let anchor = if mark.away.0 < 0.0 { Anchor::End } else { Anchor::Start };
             let style = Type::new(LABEL, mark.color).at(anchor).on(WHITE);
             svg.text(&mark.name, (at.0 + mark.away.0, at.1 + mark.away.1), style);
-        }
-    }
-
-    fn legend(&self, svg: &mut Svg, frame: &Frame) {
-        for (k, (name, stroke)) in self.legend.iter().enumerate() {
-            let (x, y) =
-                (frame.corner.0 + self.legend_at.1, frame.corner.1 + 20.0 + 24.0 * k as f64);
-            svg.stroke(&Path::through([(x, y), (x + SAMPLE, y)]), *stroke);
-            svg.text(name, (x + SAMPLE + 10.0, y), Type::new(TICK, INK).on(WHITE));
         }
     }
 }

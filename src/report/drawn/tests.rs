@@ -99,8 +99,8 @@ fn pictures() -> &'static [(String, String)] {
         let both = |name: &str, view| (name.to_owned(), picture(&SelfWeight::ALL, view, 1e-3));
         let mut pictures = vec![
             both("figure-2", View::Branches(Branches::Rotation)),
-            both("figure-3", View::Branches(Branches::OpeningVariable)),
-            both("figure-4", View::Branches(Branches::Opening)),
+            both("figure-3", View::Branches(Branches::Overturning)),
+            both("figure-4", View::Branches(Branches::Joined)),
             both("figure-5", View::Lines),
         ];
         for weight in SelfWeight::ALL {
@@ -180,6 +180,39 @@ fn a_map_has_every_domain_line_and_name() {
             assert!(words.iter().any(|word| word == landmark), "{name} {landmark}");
         }
     }
+}
+
+/// Overturning over A and over the half opening, each with its axis; then rotation and overturning, told apart by dashes, and
+/// their tangent where they join.
+#[test]
+fn overturning_has_figures_of_its_own() {
+    let of = |name: &str| &pictures().iter().find(|(other, _)| other == name).unwrap().1;
+    let (third, fourth) = (of("figure-3"), of("figure-4"));
+    for (svg, panels) in [(third, 2), (fourth, 3)] {
+        assert!(svg.contains(&format!("id=\"panel-{}\"", panels - 1)));
+        assert!(!svg.contains(&format!("id=\"panel-{panels}\"")));
+        let words = texts(svg).unwrap();
+        for label in ["A = α cot(α/2)", "half opening α (°)", "(a)", "(b)"] {
+            assert!(words.iter().any(|word| word == label), "{label}");
+        }
+        for weight in SelfWeight::ALL {
+            let id = format!("<g id=\"{}-overturning\">", weight.name());
+            assert_eq!(svg.matches(&id).count(), panels);
+        }
+    }
+    assert!(!third.contains("-rotation\"") && !third.contains("tangent"));
+    for weight in SelfWeight::ALL {
+        let stroke = |curve: &str| {
+            let group =
+                fourth.split(&format!("<g id=\"{}-{curve}\">", weight.name())).nth(1).unwrap();
+            let path = group.split('>').next().unwrap();
+            path.split("stroke-dasharray=\"").nth(1).map(|dashes| dashes.split('"').next().unwrap())
+        };
+        assert_ne!(stroke("rotation"), stroke("overturning"), "{weight:?}");
+        assert!(stroke("tangent").is_some());
+    }
+    let words = texts(fourth).unwrap().join(" ");
+    assert!(words.contains("joining-heyman") && words.contains("common tangent at ℓ"));
 }
 
 #[test]

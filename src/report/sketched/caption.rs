@@ -136,7 +136,7 @@ fn subject(sketch: &Sketch, metres: Option<&Metres>) -> String {
             format!("Arch of {}, friction {}, {model}", shape(arch), arch.friction())
         }
         Subject::Landmark(landmark) => {
-            format!("{} {}, {model}", capital(landmark.name()), words::symbol(*landmark))
+            format!("{} {}, {model}", words::capital(landmark.name()), words::symbol(*landmark))
         }
         Subject::Standing { arch, thickness, .. } => format!(
             "Arch of {}, friction {}, thickness {}, {model}",
@@ -210,11 +210,6 @@ fn in_metres(sketch: &Sketch, measures: &Measures, of: &Metres) -> String {
         }
     };
     said + "."
-}
-
-fn capital(words: &str) -> String {
-    let mut letters = words.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// What the symbols of Figure 1 mean.
@@ -291,7 +286,7 @@ fn paragraph(drawn: &Sketched, sketch: &Sketch) -> String {
         return said + ". " + &standing(stability, sketch) + &in_metres;
     }
     let values: Vec<String> = values(sketch).collect();
-    said += &format!(". {}.{in_metres}", capital(&values.join(", ")));
+    said += &format!(". {}.{in_metres}", words::capital(&values.join(", ")));
     let falls = |collapse: &Collapse| {
         let is_alone =
             sketch.collapses.len() == 1 && !matches!(sketch.subject, Subject::Landmark(_));
