@@ -183,6 +183,46 @@ fn rates_are_those_computed_elsewhere() {
     }
 }
 
+/// Between stones too, with a keystone that goes up and down or with a joint at the crown: blocks displaced by a millionth are
+/// where their velocities bring them.
+#[test]
+fn stones_move_as_their_rates_say() {
+    let number = |x: &Ball| x.double();
+    for (alpha, mu, stones, blocks) in [
+        ("pi/2", "1", 9, 3),
+        ("120deg", "0.75", 21, 3),
+        ("120deg", "0.75", 20, 2),
+        ("2.45", "1.35", 21, 3),
+        ("2.57", "2.2", 21, 2),
+    ] {
+        let arch = arch(SelfWeight::Milankovitch, [alpha, mu]);
+        let sketch = Sketch::least_of_stones(&arch, stones, false).unwrap();
+        let collapse = &sketch.collapses[0];
+        let Moved { blocks: found, by } = moved(collapse, &sketch.at, 1e-6);
+        assert_eq!(found.len(), blocks, "{alpha} {mu} {stones}");
+        let corners = |block: &Block| {
+            let radii = sketch.radii();
+            block.between.map(|at| radii.map(|r| [r * at.sin(), r * at.cos()])).concat()
+        };
+        let velocity = |block: &Block, corner: &[f64; 2]| {
+            let twist = &collapse.twists[block.place];
+            let (turn, [x, y]) = (number(&twist.rotation), twist.velocity.each_ref().map(number));
+            [x - turn * corner[1], y + turn * corner[0]]
+        };
+        let all = || {
+            let of = |block| corners(block).into_iter().map(move |corner| (block, corner));
+            found.iter().flat_map(of)
+        };
+        let fastest = all().map(|(block, at)| velocity(block, &at)).map(|[x, y]| x.hypot(y));
+        let unit = by / fastest.fold(0.0, f64::max);
+        for (block, at) in all() {
+            let (to, velocity) = (block.motion.to(&at), velocity(block, &at));
+            let off = [0, 1].map(|k| to[k] - at[k] - unit * velocity[k]);
+            assert!(off[0].hypot(off[1]) < 1e-10, "{alpha} {mu} {stones}: {off:?}");
+        }
+    }
+}
+
 /// The same at B, where the intrados is a point, and at l and L, where friction is unlimited: rises of the crown.
 #[test]
 fn rates_of_degenerate_states_are_those_computed_elsewhere() {

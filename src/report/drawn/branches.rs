@@ -50,8 +50,8 @@ const VARIABLE: Axis = axis(Coordinate::OpeningVariable, "A = α cot(α/2)", [0.
 const THICKNESS: Axis = thickness_axis([0.0, 2.2], 0.5);
 /// Where half arches overturn.
 const WIDE: Axis = Axis { range: [146.0, 162.0], step: 2.0, ..OPENING };
-const WIDE_VARIABLE: Axis = Axis { range: [0.4, 0.9], step: 0.1, ..VARIABLE };
-const THICK: Axis = thickness_axis([0.8, 2.1], 0.2);
+const WIDE_VARIABLE: Axis = Axis { range: [0.4, 1.0], step: 0.1, ..VARIABLE };
+const THICK: Axis = thickness_axis([0.8, 2.2], 0.2);
 /// About the ends of rotation.
 const NEAR: Axis = Axis { range: [143.0, 157.0], step: 2.0, ..OPENING };
 const NEAR_THICKNESS: Axis = thickness_axis([0.6, 1.4], 0.2);

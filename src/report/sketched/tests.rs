@@ -83,6 +83,16 @@ fn pictures() -> Vec<(String, String)> {
         let style = Style { half, ..Style::default() };
         put(name, measured(least(alpha, mu), style, circle, has_forces));
     }
+    let thick = |eta: &str| eta.parse().unwrap();
+    let of_stones = |alpha: &str, mu: &str, stones| {
+        Sketch::least_of_stones(&arch(alpha, mu), stones, false).unwrap()
+    };
+    put("keystone", drawn(vec![of_stones("120deg", "0.75", 21)], Style::default()));
+    put("stones", drawn(vec![of_stones("2.45", "1.35", 20)], Style::default()));
+    let rich = Style { half: true, arrows: true, animate: true, ..Style::default() };
+    put("keystone-half", drawn(vec![of_stones("pi/2", "1", 9)], rich));
+    let standing = Sketch::standing_of_stones(&arch("2.45", "1.35"), 21, &thick("0.8")).unwrap();
+    put("stones-stand", measured(standing, Style::default(), Circle::Intrados, true));
     let standing = Sketch::standing(&arch("80deg", "0.35"), &"0.16".parse().unwrap()).unwrap();
     let of = measured(standing, Style::default(), Circle::Centreline, true);
     put("metres-stands", of);
@@ -113,6 +123,7 @@ fn each_mode_has_its_blocks_hinges_and_sliding_joints() {
         ("rs", 2, 3, 2),
         ("r", 1, 2, 0),
         ("ss", 2, 0, 4),
+        ("stones", 3, 4, 2),
     ] {
         let svg = &all.iter().find(|(other, _)| other == name).unwrap().1;
         let group = |id: &str| {
@@ -127,6 +138,16 @@ fn each_mode_has_its_blocks_hinges_and_sliding_joints() {
         let sliding = group("sliding");
         assert_eq!(sliding.split("</g>").next().unwrap().matches("<path").count(), slides);
     }
+}
+
+/// One over the crown, with a hinge on each side.
+#[test]
+fn a_keystone_is_one_block() {
+    let all = pictures();
+    let svg = &all.iter().find(|(name, _)| name == "keystone").unwrap().1;
+    assert_eq!(svg.matches("<g transform=").count(), 2 * 2 + 1);
+    let hinges = svg.split("<g id=\"hinges\">").nth(1).unwrap().split("</g>").next().unwrap();
+    assert_eq!(hinges.matches("<circle").count(), 4);
 }
 
 /// The mechanism on the right, the symbols where they belong.
@@ -174,6 +195,11 @@ fn a_caption_says_the_numbers() {
         ("milankovitch-shift", &["[r,r+s]", "βᵣ = βₛ"]),
         ("ss", &["associated flow rule", "extreme lines of thrust"]),
         ("thin", &["unrolled"]),
+        ("keystone", &["21 equal stones", "0.41946,", "the joint beside the keystone open"]),
+        (
+            "stones-stand",
+            &["slides inwards at joint 2", "The conditions hold at the joints between"],
+        ),
         ("metres", &["span 9.848 m", "rise 4.132 m", "r = 5, t = 0.34"]),
         ("metres-half", &["half of the span", "at the extrados", "on each shoulder V ="]),
         (

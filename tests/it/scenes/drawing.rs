@@ -7,8 +7,8 @@ use couplet::scene::{Plan, read};
 const DRAWINGS: &str = "[[figure]]\nnumber = 7\noutput = \"seven.svg\"\n\
     [[figure]]\nnumber = 8\noutput = \"eight.svg\"\n\
     [[figure]]\nnumber = 1\noutput = \"one.svg\"\n\
-    [[drawing]]\nat = \"triple\"\nmode = \"srr\"\namplitude = \"0.05\"\nstones = 9\noutput = \"T.svg\"\n\
-    [[drawing]]\nalpha = \"80deg\"\nmu = 0.35\nhalf = true\narrows = true\nanimate = true\noutput = \"a.svg\"\n\
+    [[drawing]]\nat = \"triple\"\nmode = \"srr\"\namplitude = \"0.05\"\noutput = \"T.svg\"\n\
+    [[drawing]]\nalpha = \"80deg\"\nmu = 0.35\nstones = 9\nhalf = true\narrows = true\nanimate = true\noutput = \"a.svg\"\n\
     [[drawing]]\nhalf_opening = \"80deg\"\nfriction_angle = \"20deg\"\nthickness = \"4/25\"\noutput = \"b.json\"\n\
     [[drawing]]\nhalf_opening = 1\nthickness = 1\nmode = \"[s,s]\"\ndilatant = true\nweight = \"heyman\"\noutput = \"c.dxf\"\n";
 
@@ -29,10 +29,10 @@ fn a_scene_draws_what_the_commands_draw() {
     for (file, command) in [
         ("seven.svg", "figure 7 --weight milankovitch"),
         ("one.svg", "figure 1 --weight milankovitch"),
-        ("T.svg", "draw --at T --weight milankovitch --mode [s,r,r] --amplitude 0.05 --stones 9"),
+        ("T.svg", "draw --at T --weight milankovitch --mode [s,r,r] --amplitude 0.05"),
         (
             "a.svg",
-            "draw --half-opening 80deg --friction 0.35 --weight milankovitch --half --arrows --animate",
+            "draw --half-opening 80deg --friction 0.35 --weight milankovitch --stones 9 --half --arrows --animate",
         ),
         (
             "b.json",
@@ -64,8 +64,8 @@ fn an_arch_is_computed_once() {
         Plan::new(&scene, vec![false; all.len()]).drawings.len()
     };
     let one = || arch("1.5", "");
-    assert_eq!(drawn(&[one(), arch("\"3/2\"", "arrows = true")]), 1);
-    for other in ["dilatant = true", "weight = \"heyman\"", "thickness = 0.2"] {
+    assert_eq!(drawn(&[one(), arch("\"3/2\"", "half = true")]), 1);
+    for other in ["dilatant = true", "stones = 9", "weight = \"heyman\"", "thickness = 0.2"] {
         assert_eq!(drawn(&[one(), arch("1.5", other)]), 2, "{other}");
     }
 }
@@ -100,6 +100,11 @@ fn faults_of_drawings_have_their_places() {
         (
             "[[drawing]]\nat = \"T\"\nstones = 1",
             "4:10: stones 1 is not a whole number from 2 to 500",
+        ),
+        ("[[drawing]]\nat = \"T\"\nstones = 9", "2:1: stones are of an arch"),
+        (
+            "[[drawing]]\nat = \"T\"\narrows = true\noutput = \"x.dxf\"",
+            "2:1: only svg and png have arrows; leave out arrows",
         ),
         ("[[drawing]]\nat = \"T\"\nhalf = 1", "4:8: half 1 is not true or false"),
         (
