@@ -24,7 +24,7 @@ use crate::arch::mechanism::Contact;
 use crate::arch::whole::{Motion, Side};
 use crate::arch::{Configuration, Ring};
 use crate::check::whole;
-use crate::number::{Ball, Enclosure, ExactNumber, bits_of};
+use crate::number::{Ball, DoubleBall, DoubleDoubleBall, Engine, ExactNumber, bits_of};
 use crate::problem::{Arch, Problem};
 use crate::solve::asymmetric::{AsymmetricCandidate, asymmetric as candidates};
 use rug::Float;
@@ -68,15 +68,15 @@ pub struct AsymmetricJoint {
 /// An asymmetric solution that is proved.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
-pub struct CertifiedAsymmetric {
+pub struct CertifiedAsymmetric<T = Ball> {
     /// How its mechanism closes.
     pub mode: AsymmetricMode,
     /// Its variables.
-    pub at: Asymmetric<Ball>,
+    pub at: Asymmetric<T>,
     /// Its motion: every rate is positive.
-    pub motion: Motion<Ball>,
+    pub motion: Motion<T>,
     /// The power of the weight.
-    pub power: Ball,
+    pub power: T,
 }
 
 /// Bits beyond those of the digits.
@@ -91,30 +91,18 @@ pub fn asymmetric(
     digits: usize,
 ) -> Result<Vec<Result<AsymmetricDigits, Undecided>>, Refused> {
     Refused::arch_digits(digits)?;
-    let bits = bits_of(digits) + GUARD;
-    let proved = |candidate: &AsymmetricCandidate| {
-        raise(bits, |bits| {
-            Ok(CertifiedAsymmetric::new(arch, candidate, bits)?.rounded(arch, digits))
-        })
-    };
-    Ok(found(arch).iter().map(proved).collect())
+    Ok(found(arch).iter().map(|candidate| certified(arch, candidate, digits)).collect())
 }
 
-/// Horseshoes between these half openings are looked at by [`asymmetric_thicknesses`]: of others no solution is known.
-const KNOWN: [f64; 2] = [2.15, 2.52];
-/// Digits of a hint.
-const HINT: usize = 12;
-
-/// The thicknesses of the asymmetric solutions that are found and proved for an arch, to twelve digits at the most; a hint, that costs
-/// nothing for arches of which none is known.
-pub fn asymmetric_thicknesses(arch: &Arch, digits: usize) -> Result<Vec<Figure>, Refused> {
-    let half_opening: Ball = arch.half_opening().enclosure(SEARCH_BITS);
-    let [low, high] = KNOWN;
-    if *half_opening.mid() < low || *half_opening.mid() > high {
-        return Ok(Vec::new());
-    }
-    let found = asymmetric(arch, digits.min(HINT))?.into_iter().flatten();
-    Ok(found.map(|found| found.thickness).collect())
+/// The solution of a candidate, proved, to `digits` significant digits.
+pub(super) fn certified(
+    arch: &Arch,
+    candidate: &AsymmetricCandidate,
+    digits: usize,
+) -> Result<AsymmetricDigits, Undecided> {
+    raise(bits_of(digits) + GUARD, |bits| {
+        Ok(CertifiedAsymmetric::new(arch, candidate, bits)?.rounded(arch, digits))
+    })
 }
 
 /// The candidates of an arch.
@@ -131,6 +119,10 @@ fn require(is_proved: bool, question: &'static str) -> Result<(), Undecided> {
     if is_proved { Ok(()) } else { Err(Undecided::new(question)) }
 }
 
+fn rough(x: &Ball) -> DoubleBall {
+    DoubleDoubleBall::from(x).into()
+}
+
 /// The root next to a candidate, unique in a box.
 pub(super) fn root(
     problem: &Problem,
@@ -141,6 +133,40 @@ pub(super) fn root(
     let start = candidate.unknowns.iter().map(|x| Float::with_val(bits, x)).collect();
     let root = root_near(&Posed { system: &system, given: &given }, bits, start)?;
     Ok(system.place(given, &root))
+}
+
+impl<E: Engine> CertifiedAsymmetric<E> {
+    /// The rest of the proof, for variables that enclose a root of the equations; `rough` encloses a number in doubles.
+    pub(super) fn proved(
+        problem: &Problem,
+        at: &Configuration<E>,
+        bits: u32,
+        rough: impl Fn(&E) -> DoubleBall,
+    ) -> Result<Self, Undecided> {
+        let Problem::Asymmetric { mode, arch } = problem else {
+            return Err(Undecided::new("what is asked"));
+        };
+        let (mode, weight) = (*mode, arch.weight());
+        let residuals = problem.system().residuals(at);
+        let at_limit = residuals.iter().all(|residual| !residual.excludes_zero());
+        require(at_limit, "whether the joints are at their limits")?;
+        if let Some(condition) = problem.first_failure(at, bits) {
+            return Err(Undecided::new(condition.label()));
+        }
+        // Balls of doubles are nearly always enough for margins.
+        let rough = Asymmetric::from(&at.map_ref(rough));
+        let at = Asymmetric::from(at);
+        let open = whole::first_failure::<DoubleBall>(mode, weight, &rough)
+            .and_then(|_| whole::first_failure(mode, weight, &at));
+        if let Some(contact) = open {
+            return Err(Undecided::new(whole::label(contact)));
+        }
+        let motion = at.motion(mode);
+        let power = motion.power(&Ring::new(weight, &at.thickness));
+        let balance = power.overlaps(&motion.friction_power(&at.forces));
+        require(balance, "whether the weight works by as much as friction takes")?;
+        Ok(Self { mode, at, motion, power })
+    }
 }
 
 impl CertifiedAsymmetric {
@@ -157,30 +183,7 @@ impl CertifiedAsymmetric {
         bits: u32,
     ) -> Result<Self, Undecided> {
         let problem = Problem::Asymmetric { mode: candidate.mode, arch: arch.clone() };
-        Self::proved(&problem, &root(&problem, candidate, bits)?, bits)
-    }
-
-    /// The rest of the proof, for variables that enclose a root of the equations.
-    fn proved(problem: &Problem, at: &Configuration<Ball>, bits: u32) -> Result<Self, Undecided> {
-        let Problem::Asymmetric { mode, arch } = problem else {
-            return Err(Undecided::new("what is asked"));
-        };
-        let (mode, weight) = (*mode, arch.weight());
-        let residuals = problem.system().residuals(at);
-        let at_limit = residuals.iter().all(|residual| !residual.excludes_zero());
-        require(at_limit, "whether the joints are at their limits")?;
-        if let Some(condition) = problem.first_failure(at, bits) {
-            return Err(Undecided::new(condition.label()));
-        }
-        let at = Asymmetric::from(at);
-        if let Some(contact) = whole::first_failure(mode, weight, &at) {
-            return Err(Undecided::new(whole::label(contact)));
-        }
-        let motion = at.motion(mode);
-        let power = motion.power(&Ring::new(weight, &at.thickness));
-        let balance = power.overlaps(&motion.friction_power(&at.forces));
-        require(balance, "whether the weight works by as much as friction takes")?;
-        Ok(Self { mode, at, motion, power })
+        Self::proved(&problem, &root(&problem, candidate, bits)?, bits, rough)
     }
 
     /// The digits; `None` if a rounding is not decided.
@@ -217,7 +220,7 @@ impl CertifiedAsymmetric {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{Angle, Field};
+    use crate::number::{Angle, Enclosure, Field};
 
     fn arch(weight: &str, alpha: &str, mu: &str) -> Arch {
         Arch::parse(weight, alpha, mu).unwrap()
@@ -295,7 +298,7 @@ mod tests {
         let like = at.thickness.clone();
         let small = like.ratio(1, 1000);
         let reason = |at: &Configuration<Ball>| {
-            let proved = CertifiedAsymmetric::proved(&problem, at, 128);
+            let proved = CertifiedAsymmetric::proved(&problem, at, 128, rough);
             proved.err().map(|open| open.reason.to_string())
         };
         assert_eq!(reason(&at), None);

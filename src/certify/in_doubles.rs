@@ -91,7 +91,7 @@ const BOXES: usize = 3;
 /// How many times as wide a box is as the correction that the residuals ask for.
 const INFLATION: f64 = 4.0;
 
-/// Encloses the root of at most four equations next to a start value, proved to exist and to be unique in a box on
+/// Encloses the root of at most seven equations, but five, next to a start value, proved to exist and to be unique in a box on
 /// which the equations are regular.
 pub(super) fn root_near<E: Doubles>(
     equations: &impl Form<E>,
@@ -102,6 +102,8 @@ pub(super) fn root_near<E: Doubles>(
         [a, b] => root(equations, [a, b]).map(Vec::from),
         [a, b, c] => root(equations, [a, b, c]).map(Vec::from),
         [a, b, c, d] => root(equations, [a, b, c, d]).map(Vec::from),
+        [a, b, c, d, e, f] => root(equations, [a, b, c, d, e, f]).map(Vec::from),
+        [a, b, c, d, e, f, g] => root(equations, [a, b, c, d, e, f, g]).map(Vec::from),
         _ => Err(no_candidate()),
     }
 }

@@ -7,6 +7,7 @@
 mod arithmetic;
 mod asymmetric;
 mod asymmetric_certificate;
+mod asymmetric_thickness;
 mod certificate;
 mod closed_value;
 mod constant;
@@ -36,10 +37,9 @@ mod vector;
 mod verdict;
 mod voussoirs;
 
-pub use asymmetric::{
-    AsymmetricDigits, AsymmetricJoint, CertifiedAsymmetric, asymmetric, asymmetric_thicknesses,
-};
+pub use asymmetric::{AsymmetricDigits, AsymmetricJoint, CertifiedAsymmetric, asymmetric};
 pub use asymmetric_certificate::{asymmetric_kinds, certify_asymmetric};
+pub use asymmetric_thickness::asymmetric_thicknesses;
 pub use certificate::certify_landmark;
 pub use closed_value::Exact;
 pub use constant::{Constant, Value, quantities};

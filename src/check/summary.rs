@@ -2,6 +2,7 @@
 
 use super::checker::Accepted;
 use super::given::{friction_text, given_text};
+use crate::problem::asymmetric_region::STANDS;
 use crate::problem::{Arch, Problem, Quantity, Verdict};
 
 /// What was accepted, in a few words: the end of the line that `couplet check` gives a file.
@@ -31,7 +32,7 @@ pub fn summary(accepted: &Accepted) -> String {
                     (format!("does not stand {arch}{thick}; at the least {mode}"), Some(limit))
                 }
                 Verdict::Stands(standing) => {
-                    (format!("stands {arch}{}", thick(&standing.thickness)), None)
+                    (format!("stands ({STANDS}) {arch}{}", thick(&standing.thickness)), None)
                 }
             }
         }
@@ -46,7 +47,11 @@ pub fn summary(accepted: &Accepted) -> String {
     let (name, value) = (quantity.name(), shortened_value(value));
     let plural = if accepted.digits == 1 { "" } else { "s" };
     let digits = accepted.digits;
-    format!("{subject} {weight}  {relation}{name} {value} to {digits} digit{plural}")
+    let meaning = match &accepted.problem {
+        Problem::State { .. } => format!("; stands from it on ({STANDS})"),
+        _ => String::new(),
+    };
+    format!("{subject} {weight}  {relation}{name} {value} to {digits} digit{plural}{meaning}")
 }
 
 /// What is given of an arch.

@@ -12,6 +12,7 @@
 //! | `thickness` | a thickness as it is written: a ratio, or a length |
 //! | [`stones`] | the joints of an arch of voussoirs |
 //! | `asymmetric` | an asymmetric solution of (19): system, conditions, quantities |
+//! | [`asymmetric_region`] | of which arches one is known; what "stands" means |
 //! | `ties` | what is exactly zero in an arch |
 //! | `problem` | a landmark or the state of an arch: system, what is given, conditions |
 //! | `condition` | what makes a state admissible, and the thinnest |
@@ -26,6 +27,8 @@
 mod arch;
 #[cfg(feature = "check")]
 mod asymmetric;
+#[cfg(feature = "check")]
+pub mod asymmetric_region;
 mod condition;
 mod equation;
 mod examined;

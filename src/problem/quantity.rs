@@ -52,6 +52,8 @@ pub enum Quantity {
     SlidingFriction,
     /// The friction from which collapse is purely rotational; infinite where none is enough.
     RotationalFriction,
+    /// The largest thickness of an asymmetric solution of (19) that is found for an arch that stands.
+    AsymmetricThickness,
     /// The least thickness at which an arch stands.
     LeastThickness,
     /// The thickness over the least thickness.
@@ -164,6 +166,29 @@ impl Quantity {
         Self::LargestThrust,
     ];
 
+    /// What rows of arrays and sweeps may ask of a state. Elsewhere the asymmetric thickness goes with each verdict, asked or not.
+    pub const STATE_ROW: [Self; 8] = [
+        Self::Thickness,
+        Self::Thrust,
+        Self::IntrinsicThrust,
+        Self::RotationJoint,
+        Self::SlidingJoint,
+        Self::SlidingFriction,
+        Self::RotationalFriction,
+        Self::AsymmetricThickness,
+    ];
+
+    /// The same of an arch of a given thickness.
+    pub const ASSESSMENT_ROW: [Self; 7] = [
+        Self::LeastThickness,
+        Self::GeometricSafety,
+        Self::RequiredFriction,
+        Self::FrictionSafety,
+        Self::LeastThrust,
+        Self::LargestThrust,
+        Self::AsymmetricThickness,
+    ];
+
     /// What is told besides of an arch that is [measured](super::measures), at its least thickness.
     pub const MEASURED_STATE: [Self; 7] = [
         Self::Span,
@@ -234,6 +259,9 @@ impl Quantity {
                 "mu from which nothing slides",
                 r"$\mu$ from which nothing slides",
             ),
+            Self::AsymmetricThickness => {
+                row("asymmetric_thickness", "eta of (19)", r"$\eta$ of (19)")
+            }
             Self::LeastThickness => row("least_thickness", "least eta", r"least $\eta$"),
             Self::GeometricSafety => {
                 row("geometric_safety", "eta over least eta", r"$\eta$ over least $\eta$")
@@ -282,7 +310,7 @@ impl Quantity {
 
     /// The quantity of a name or of a letter of the paper.
     pub fn named(name: &str) -> Option<Self> {
-        let all = Self::LANDMARK.into_iter().chain(Self::STATE).chain(Self::ASSESSMENT);
+        let all = Self::LANDMARK.into_iter().chain(Self::STATE_ROW).chain(Self::ASSESSMENT);
         let mut all = all.chain(Self::MEASURED_STATE).chain(Self::MEASURED_ASSESSMENT);
         all.find(|quantity| quantity.name() == name || quantity.letter() == Some(name))
     }
@@ -368,6 +396,7 @@ impl Quantity {
             | Self::Power
             | Self::SlidingFriction
             | Self::RotationalFriction
+            | Self::AsymmetricThickness
             | Self::LeastThickness
             | Self::GeometricSafety
             | Self::RequiredFriction

@@ -12,6 +12,7 @@ use crate::certify::state::{Answer as Outcome, AssessmentDigits, Enough, Fall, F
 use crate::certify::{CertifiedLandmark, Constant, Error, Refused, Undecided};
 use crate::number::ExactNumber;
 use crate::problem::Arch;
+use crate::problem::asymmetric_region::{LOOK, MAY_MOVE};
 use crate::problem::measures::Circle;
 use crate::problem::{Equation, Landmark, Mode, Quantity};
 use std::borrow::Cow;
@@ -38,8 +39,10 @@ pub struct Answer {
     /// What would be enough for an arch that stands at no thickness: the least friction at its half opening,
     /// and the widest half opening (rad) with its friction.
     pub enough: [Option<Value>; 2],
-    /// Thicknesses at which an asymmetric motion is not forbidden, where they are looked for and found.
+    /// The thicknesses of the asymmetric solutions of (19) that are found for an arch that stands, the largest first.
     pub asymmetric: Vec<Figure>,
+    /// Whether such a solution is known of any of the arches of which a finding says that they stand.
+    pub some_may_move: bool,
     /// What is proved of a finding besides its digits.
     pub proved: Option<String>,
     /// How a landmark is proved.
@@ -146,6 +149,7 @@ impl Answer {
             measured_at: None,
             enough: [None, None],
             asymmetric: Vec::new(),
+            some_may_move: false,
             proved: None,
             proof: None,
             certificate: Err("certificates are hashed for landmarks only".into()),
@@ -266,10 +270,21 @@ impl Answer {
         self
     }
 
-    /// The same with the thicknesses of its asymmetric solutions of Eq. (19), if it stands.
-    pub fn with_asymmetric(mut self, thicknesses: impl FnOnce() -> Vec<Figure>) -> Self {
-        if self.can_stand.or(self.stands) == Some(true) {
-            self.asymmetric = thicknesses();
+    /// The same with the [thicknesses](crate::certify::asymmetric_thicknesses) of its asymmetric solutions of (19), if it stands.
+    pub fn with_asymmetric(
+        mut self,
+        thicknesses: impl FnOnce() -> Result<Vec<Figure>, Refused>,
+    ) -> Self {
+        if self.can_stand.or(self.stands) != Some(true) {
+            return self;
+        }
+        match thicknesses() {
+            Ok(all) => {
+                self.asymmetric = all;
+                let largest = self.asymmetric.first().map(|eta| Value::figure(Some(eta)));
+                self.values.extend(largest.map(|eta| (Quantity::AsymmetricThickness, eta)));
+            }
+            Err(refused) => self.status = Status::Refused(refused.to_string()),
         }
         self
     }
@@ -287,6 +302,7 @@ impl Answer {
                 let values = found.figures.iter();
                 answer.values = values.map(|(of, x)| (*of, Value::figure(Some(x)))).collect();
                 answer.proved = Some(found.proved.clone());
+                answer.some_may_move = found.some_may_move;
             }
             Ok(Finding::Nothing(fall)) => {
                 answer.stands = Some(false);
@@ -298,6 +314,16 @@ impl Answer {
             Err(error) => answer.status = error.into(),
         }
         answer
+    }
+
+    /// What is proved of a finding besides its digits, and what that leaves open.
+    pub fn proved_in_words(&self) -> Option<String> {
+        let proved = self.proved.clone()?;
+        let known = "asymmetric mechanisms are known of some of these arches";
+        Some(match self.some_may_move {
+            true => format!("{proved}\n{known}: {MAY_MOVE} ({LOOK})"),
+            false => proved,
+        })
     }
 
     /// A query that could not be read, and why.
@@ -313,14 +339,15 @@ impl Answer {
         self.values.iter().find(|(of, _)| *of == quantity).map(|(_, value)| value)
     }
 
-    /// The same with only some of its values; with a thrust stays the joint that limits it, and the least thickness is
-    /// the thickness of a state.
+    /// The same with only some of its values; with a thrust stays the joint that limits it, the least thickness is
+    /// the thickness of a state, and what goes with the verdict stays.
     pub fn only(mut self, quantities: &[Quantity]) -> Self {
         let is_least = |of: Quantity| of == Quantity::LeastThickness;
         let asked: Vec<Quantity> = quantities
             .iter()
             .flat_map(|&of| [Some(of), of.joint(), is_least(of).then_some(Quantity::Thickness)])
             .flatten()
+            .chain([Quantity::AsymmetricThickness])
             .collect();
         self.values.retain(|(quantity, _)| asked.contains(quantity));
         // One size that stays open stands for all.

@@ -5,6 +5,7 @@ use super::answers::Answers;
 use super::fields::Fields;
 use super::given::GivenDoubles;
 use super::subject::Subject;
+use crate::problem::Quantity;
 use crate::problem::measures::Circle;
 
 /// What was asked of an arch, and so which fields it has.
@@ -146,6 +147,8 @@ fn row(report: &Answers, answer: &Answer) -> Fields {
     let mut fields = given(answer, asked);
     fields.append(circle(report, answer));
     fields.append(verdict(answer, asked));
+    let asymmetric = answer.value(Quantity::AsymmetricThickness).map(|value| value.text());
+    fields.add(Quantity::AsymmetricThickness.name(), asymmetric);
     for &quantity in &report.quantities {
         let open = answer.why_open(quantity).map(|_| "undecided".to_owned());
         fields.add(quantity.name(), open.or(answer.value(quantity).map(|value| value.text())));

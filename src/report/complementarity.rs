@@ -1,7 +1,8 @@
 //! Solutions of the complementarity problem (19) of an arch: for a person, CSV, and JSON (`couplet.complementarity/1`).
 
+use super::bounds::bounds;
 use super::fields::Fields;
-use super::jointed::{self, bounds};
+use super::jointed;
 use super::programme::{self, AtThickness};
 use super::words::model;
 use super::{csv, json};

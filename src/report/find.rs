@@ -69,7 +69,7 @@ fn one(report: &Answers, answer: &Answer, out: &mut dyn io::Write) -> io::Result
         (None, ["[s,s]"]) => writeln!(out, "\nslides there as [s,s], whatever the thickness")?,
         (None, modes) => writeln!(out, "\ncollapses there as {}", modes.join(" "))?,
     }
-    match &answer.proved {
+    match answer.proved_in_words() {
         Some(proved) => writeln!(out, "proved: {proved}"),
         None => Ok(()),
     }
@@ -125,6 +125,7 @@ pub(super) fn fields(
         }
     }
     fields.add("proved", answer.proved.as_deref());
+    fields.add("some_may_move", answer.some_may_move);
     fields.add("reason", answer.reason());
     fields
 }

@@ -1,8 +1,8 @@
 //! All solutions of the complementarity problem (19) between equal stones: lines for a person, rows, and an object.
 
+use super::bounds::bounds;
 use super::fields::Fields;
 use crate::arch::whole::Side;
-use crate::certify::state::Figure;
 use crate::certify::{Enumeration, Extent, JointedMotion, JointedSolution, Standing, Undecided};
 use crate::problem::Arch;
 use std::io;
@@ -204,14 +204,5 @@ fn solved(solution: &JointedSolution) -> Fields {
         fields
     };
     fields.add_list("joints", solution.joints.iter().map(joint).collect());
-    fields
-}
-
-/// A value and its bounds.
-pub(super) fn bounds(figure: &Figure) -> Fields {
-    let mut fields = Fields::default();
-    fields.add("value", figure.decimal.value.to_string());
-    fields.add("lower", figure.decimal.lower.to_string());
-    fields.add("upper", figure.decimal.upper.to_string());
     fields
 }

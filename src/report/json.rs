@@ -123,6 +123,9 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Fields {
     fields.append(columns::circle(report, answer));
     columns::doubles(answer, asked).into_iter().for_each(|(name, x)| fields.add(name, x));
     fields.append(columns::verdict(answer, asked));
+    let asymmetric = answer.value(Quantity::AsymmetricThickness);
+    let asymmetric = asymmetric.map(|value| figure(value, report.have_doubles()));
+    fields.add_fields(Quantity::AsymmetricThickness.name(), asymmetric);
     let quantities =
         if asked.assessment { &Quantity::ASSESSMENT[..] } else { &Quantity::STATE[..] };
     for &quantity in quantities {

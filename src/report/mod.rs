@@ -24,6 +24,7 @@
 mod answer;
 mod answers;
 mod audit;
+mod bounds;
 mod branch;
 mod c;
 mod claims;

@@ -1,7 +1,8 @@
 //! The programme (20) of an arch of equal stones: lines for a person, a row, and an object.
 
+use super::bounds::bounds;
 use super::fields::Fields;
-use super::jointed::{self, bounds};
+use super::jointed;
 use crate::certify::state::Figure;
 use crate::certify::{Extent, Programme, Undecided};
 use crate::number::{Ball, Rounded};

@@ -5,9 +5,10 @@ use super::answers::{Answers, Scope};
 use super::columns;
 use super::find;
 use super::subject::Subject;
-use super::words::{count, list, model};
+use super::words::{count, may_move, model};
 use crate::certify::state::Fall;
 use crate::problem::Quantity;
+use crate::problem::asymmetric_region::STANDS;
 use std::io;
 
 /// Landmarks or arches.
@@ -96,19 +97,10 @@ fn arch(report: &Answers, answer: &Answer, out: &mut dyn io::Write) -> io::Resul
 
 /// What the static theorem does not exclude.
 fn asymmetric(answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
-    if answer.asymmetric.is_empty() {
-        return Ok(());
+    match may_move(&answer.asymmetric) {
+        Some(words) => writeln!(out, "\n{words}"),
+        None => Ok(()),
     }
-    let at: Vec<String> = answer.asymmetric.iter().map(ToString::to_string).collect();
-    writeln!(
-        out,
-        "\nasymmetric mechanism at the thickness {} (couplet complementarity)",
-        list(at.iter().map(String::as_str))
-    )?;
-    writeln!(
-        out,
-        "   there an admissible state exists, and also a motion that friction without dilatancy does not forbid"
-    )
 }
 
 fn falls(fall: Fall, answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
@@ -129,7 +121,7 @@ fn falls(fall: Fall, answer: &Answer, out: &mut dyn io::Write) -> io::Result<()>
 fn state(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
     let modes: Vec<&str> = answer.modes.iter().map(|mode| mode.label()).collect();
     let mode = modes.join(" ");
-    writeln!(out, "stands from the thickness below on; collapses there as {mode}")?;
+    writeln!(out, "stands from the thickness below on: {STANDS}; collapses there as {mode}")?;
     writeln!(out, "proved: one solution, admissible on the whole half arch, none thinner\n")?;
     let ratios = asked.iter().filter(|quantity| !quantity.is_measured());
     let (frictions, others): (Vec<Quantity>, Vec<Quantity>) =
@@ -182,7 +174,7 @@ const ASSESSED: [(Quantity, &str, Option<&str>); 6] = [
 fn assessment(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
     match (&answer.status, answer.stands) {
         (Status::Undecided(undecided), _) => writeln!(out, "{undecided}\n")?,
-        (_, Some(true)) => writeln!(out, "stands, proved\n")?,
+        (_, Some(true)) => writeln!(out, "stands, proved: {STANDS}\n")?,
         (_, Some(false)) => writeln!(out, "collapses, proved\n")?,
         (_, None) => {}
     }
@@ -217,7 +209,7 @@ fn arches(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
         true => "Arches of given thickness",
         false => "Arches at their least thickness",
     };
-    writeln!(out, "{what}, {}\n", rounding(report))?;
+    writeln!(out, "{what}, {}; stands: {STANDS}\n", rounding(report))?;
     let header = columns::names(report);
     let rows = report.list.iter().map(|answer| columns::cells(report, answer));
     let rows: Vec<Vec<String>> = std::iter::once(header).chain(rows).collect();

@@ -1,5 +1,6 @@
-//! Arches under a horizontal acceleration: for a person, CSV, and JSON (`couplet.tilt/1`).
+//! Arches under a horizontal acceleration: for a person, CSV, and JSON (`couplet.tilt/2`).
 
+use super::bounds::bounds;
 use super::fields::Fields;
 use super::words::{division, model};
 use super::{csv, json};
@@ -7,6 +8,7 @@ use crate::arch::SelfWeight;
 use crate::arch::whole::Side;
 use crate::certify::state::Figure;
 use crate::certify::{LargestTilt, TiltDigits, TiltLimit, Undecided};
+use crate::problem::asymmetric_region::MAY_MOVE;
 use crate::problem::stones::Stones;
 use std::io;
 
@@ -51,11 +53,15 @@ impl TiltedArch {
     /// What became of it, in a word.
     fn outcome(&self) -> &'static str {
         match self.is_admissible() {
-            Some(true) if self.is_limited => "admissible",
             Some(true) => "stands",
             Some(false) => "collapses",
             None => "undecided",
         }
+    }
+
+    /// Whether that does not exclude a motion: joints that slide do not open.
+    fn may_move(&self) -> bool {
+        self.is_limited && self.is_admissible() == Some(true)
     }
 
     /// The largest acceleration, where it is known.
@@ -124,19 +130,16 @@ pub(super) fn table(
                 continue;
             }
             ("stands", _) => {
-                writeln!(out, "stands, proved: nothing slides, and no joint is under tension")?
-            }
-            ("admissible", _) => {
                 let joints =
                     if arch.stones.is_some() { "between the stones" } else { "on the whole arch" };
+                let state = "an admissible state exists";
                 writeln!(
                     out,
-                    "has an admissible state, proved: {joints} no joint slides or is under tension"
+                    "stands, proved: {state}, {joints} no joint slides or is under tension"
                 )?;
-                writeln!(
-                    out,
-                    "With friction this does not exclude a motion, as joints that slide do not open."
-                )?;
+                if arch.may_move() {
+                    writeln!(out, "{MAY_MOVE}: that is not excluded")?;
+                }
             }
             ("collapses", _) => writeln!(out, "collapses, proved: no state is admissible")?,
             _ => {
@@ -165,7 +168,8 @@ const GIVEN: [&str; 4] = ["half_opening", "friction", "thickness", "tilt"];
 
 pub(super) fn csv(TiltedArches(arches): &TiltedArches, out: &mut dyn io::Write) -> io::Result<()> {
     let header = ["weight"].into_iter().chain(GIVEN);
-    let header = header.chain(["outcome", "largest_tilt", "limited_by", "reason", "stones"]);
+    let header =
+        header.chain(["outcome", "largest_tilt", "limited_by", "reason", "may_move", "stones"]);
     let row = |arch: &TiltedArch| {
         let largest = match arch.largest() {
             Some(LargestTilt::Limited(figure, _)) => figure.to_string(),
@@ -174,7 +178,9 @@ pub(super) fn csv(TiltedArches(arches): &TiltedArches, out: &mut dyn io::Write) 
         };
         let reason = arch.first_open().map_or(String::new(), |open| open.reason.to_string());
         let stones = arch.stones.as_ref().map(division).unwrap_or_default();
-        let found = [arch.outcome().to_owned(), largest, arch.limits().join("; "), reason, stones];
+        let may_move = arch.may_move().to_string();
+        let limits = arch.limits().join("; ");
+        let found = [arch.outcome().to_owned(), largest, limits, reason, may_move, stones];
         let given = arch.given.iter().cloned();
         [arch.weight.name().to_owned()].into_iter().chain(given).chain(found).collect()
     };
@@ -185,18 +191,12 @@ pub(super) fn csv(TiltedArches(arches): &TiltedArches, out: &mut dyn io::Write) 
 pub(super) fn json(TiltedArches(arches): &TiltedArches, out: &mut dyn io::Write) -> io::Result<()> {
     let entry = |arch: &TiltedArch| {
         let mut fields = Fields::default();
-        fields.add("schema", "couplet.tilt/1");
+        fields.add("schema", "couplet.tilt/2");
         fields.add("weight", arch.weight.name());
         GIVEN.iter().zip(&arch.given).for_each(|(name, text)| fields.add(name, text.as_str()));
         fields.add("outcome", arch.outcome());
+        fields.add("may_move", arch.may_move());
         fields.add("reason", arch.first_open().map(|open| open.reason.to_string()));
-        let bounds = |figure: &Figure| {
-            let mut fields = Fields::default();
-            fields.add("value", figure.decimal.value.to_string());
-            fields.add("lower", figure.decimal.lower.to_string());
-            fields.add("upper", figure.decimal.upper.to_string());
-            fields
-        };
         fields.add_fields("largest_tilt", arch.figure().map(bounds));
         let is_unbounded = arch.largest().map(|largest| matches!(largest, LargestTilt::Unlimited));
         fields.add("is_unbounded", is_unbounded);

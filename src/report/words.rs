@@ -1,7 +1,8 @@
 //! Words and numbers as every format writes them.
 
 use crate::arch::SelfWeight;
-use crate::certify::state::Fall;
+use crate::certify::state::{Fall, Figure};
+use crate::problem::asymmetric_region::{LOOK, MAY_MOVE};
 use crate::problem::stones::Stones;
 use crate::problem::{Landmark, Quantity};
 use std::fmt::Display;
@@ -40,6 +41,23 @@ pub(crate) fn did_you_mean(written: &str, names: &[&str]) -> String {
         .filter(|name| names.contains(name))
         .or(nearest)
         .map_or(String::new(), |name| format!(" (did you mean \"{name}\"?)"))
+}
+
+/// What an arch that stands may do all the same, if anything is proved of that: the one sentence of all formats.
+pub(crate) fn may_move(thicknesses: &[Figure]) -> Option<String> {
+    let at: Vec<String> = thicknesses.iter().map(ToString::to_string).collect();
+    let noun = if at.len() == 1 { "thickness" } else { "thicknesses" };
+    let at = at.join(" and ");
+    let words = format!("asymmetric mechanism, proved, at the {noun} {at}: {MAY_MOVE} ({LOOK})");
+    (!thicknesses.is_empty()).then_some(words)
+}
+
+/// The same of stones and limited friction, of which it depends on their number.
+pub(crate) fn stones_may_move(stones: &Stones) -> String {
+    match stones {
+        Stones::Equal { stones, .. } => format!("{MAY_MOVE} ({LOOK} --stones {stones})"),
+        Stones::Joints(_) => format!("{MAY_MOVE} ({LOOK})"),
+    }
 }
 
 /// Whose self-weight model it is.

@@ -100,10 +100,12 @@ fn arches(plan: &Plan, pieces: &Pieces, index: usize, digits: usize) -> Vec<Answ
     let needs = arches.iter().zip(&plan.needs[index].arches);
     let answers = (1..).zip(needs).map(|(line, (SceneArch { arch, thickness }, (place, of)))| {
         let piece = pieces.arches[*place].as_ref()?;
-        Some(match thickness.as_ref().zip(*of) {
+        let answer = match thickness.as_ref().zip(*of) {
             Some((eta, of)) => Answer::assessment(line, (arch, eta), &piece.thicknesses[of]),
             None => Answer::state(line, arch, piece.states.get(&digits)?),
-        })
+        };
+        let asymmetric = || piece.asymmetric.get(&digits).cloned().unwrap_or(Ok(Vec::new()));
+        Some(answer.with_asymmetric(asymmetric))
     });
     answers.flatten().collect()
 }

@@ -5,9 +5,10 @@ use super::plan::Plan;
 use super::schema::{Drawn, MapLine};
 use crate::arch::SelfWeight;
 use crate::atlas::{Level, NoLevel, NoSketch, Sketch, Trace};
-use crate::certify::state::{Answer, AssessmentDigits, Columns, Inquiry};
+use crate::certify::state::{Answer, AssessmentDigits, Columns, Figure, Inquiry};
 use crate::certify::{
-    CertifiedLandmark, Constant, Enclosed, Error, Refused, Undecided, fingerprint,
+    CertifiedLandmark, Constant, Enclosed, Error, Refused, Undecided, asymmetric_thicknesses,
+    fingerprint,
 };
 use crate::claims::Decision;
 use crate::judge::enclosed;
@@ -53,6 +54,8 @@ pub(super) struct ArchPiece {
     pub states: BTreeMap<usize, Result<Answer, Error>>,
     /// In the order in which they are asked for.
     pub thicknesses: Vec<Result<AssessmentDigits, Refused>>,
+    /// The thicknesses of its asymmetric solutions, by the number of digits.
+    pub asymmetric: BTreeMap<usize, Result<Vec<Figure>, Refused>>,
 }
 
 /// A result for each piece, none of them there yet.
@@ -147,11 +150,15 @@ impl Shared {
 impl ArchPiece {
     /// Proves the state once, and what is asked of each thickness. A state alone shares the proofs of its half opening.
     pub(super) fn new(node: &ArchNode, shared: &Shared) -> Self {
+        let of_thicknesses = node.thicknesses.iter().map(|asked| asked.digits);
+        let asymmetric = node.states.keys().copied().chain(of_thicknesses);
+        let asymmetric =
+            asymmetric.map(|digits| (digits, asymmetric_thicknesses(node.arch, digits))).collect();
         if let Some(asked) = node.shared()
             && let Some(columns) = shared.0.get(&asked)
         {
             let states = BTreeMap::from([(asked.0, columns.certify(node.arch))]);
-            return Self { states, thicknesses: Vec::new() };
+            return Self { states, thicknesses: Vec::new(), asymmetric };
         }
         let mut inquiry = Inquiry::new(node.arch, node.digits(), node.frictions());
         let states = node.states.iter();
@@ -163,7 +170,7 @@ impl ArchPiece {
             .iter()
             .map(|asked| inquiry.assess(&asked.thickness, asked.digits, asked.wanted))
             .collect();
-        Self { states, thicknesses }
+        Self { states, thicknesses, asymmetric }
     }
 }
 

@@ -39,7 +39,7 @@ fn plan(reader: &mut Reader, root: &DeTable) -> Option<SweepPlan> {
     let given = weights(reader, root);
     let quantities = match root.get("quantities") {
         Some(value) => {
-            let known = Quantity::STATE.map(|quantity| (quantity.name(), quantity));
+            let known = Quantity::STATE_ROW.map(|quantity| (quantity.name(), quantity));
             reader.names("quantities", value, &known)
         }
         None => Some(vec![Quantity::Thickness]),
@@ -65,7 +65,7 @@ fn plan(reader: &mut Reader, root: &DeTable) -> Option<SweepPlan> {
     }
     Some(SweepPlan {
         weights: given.unwrap_or(vec![SelfWeight::Milankovitch]),
-        quantities: Quantity::STATE.into_iter().filter(|of| quantities.contains(of)).collect(),
+        quantities: Quantity::STATE_ROW.into_iter().filter(|of| quantities.contains(of)).collect(),
         digits: digits?,
         chunk: chunk?,
         arches: arches?,

@@ -24,7 +24,7 @@ pub(crate) const MAX_CHUNK: usize = 10_000_000;
 pub struct SweepPlan {
     /// The weights of a grid, in the order in which they are swept; of a data set one, that of the rows without.
     pub weights: Vec<SelfWeight>,
-    /// The values that are computed, in the order of [`Quantity::STATE`].
+    /// The values that are computed, in the order of [`Quantity::STATE_ROW`].
     pub quantities: Vec<Quantity>,
     /// Significant digits.
     pub digits: usize,

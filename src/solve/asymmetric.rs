@@ -27,10 +27,15 @@ pub struct AsymmetricCandidate {
 
 /// The curve is followed in steps of this part of the half opening.
 const STEP: f64 = 1.0 / 128.0;
+/// It is followed up to a vertical force of this part of the half opening: solutions of all half openings and frictions between which
+/// they are known have at most 0.073 of it (`couplet complementarity --branch`).
+const LARGEST: f64 = 1.0 / 8.0;
 /// Newton's method takes fewer steps from a neighbour.
 const NEWTON_STEPS: usize = 20;
 /// A step that is this short beside the unknowns is the last one.
 const SHORT: f64 = 1e-13;
+/// The same on the way, where the error that is left is about its square.
+const ROUGH: f64 = 1e-6;
 /// Joints of half an arch at which the margins of a candidate are looked at.
 const JOINTS: i32 = 64;
 /// A margin that is rounding.
@@ -69,13 +74,15 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The states of the curve, `h, p, v, eta, b0, b1`, as far as the thickness is physical.
+    /// The states of the curve, `h, p, v, eta, b0, b1`, as far as the thickness is physical and solutions are known.
     fn curve(&self) -> impl Iterator<Item = Vec<f64>> {
         let step = STEP * self.half_opening;
-        let next = move |state: &Vec<f64>| {
-            let [h, p, v, eta, crown, haunch] = state[..] else { return None };
-            let vertical = v + step;
-            let state = self.settled(vec![h, p, eta, crown, haunch], |x| {
+        let next = move |(before, last): &(Vec<f64>, Vec<f64>)| {
+            // From where the last two point to.
+            let near = last.iter().zip(before).map(|(last, before)| 2.0 * last - before);
+            let [h, p, _, eta, crown, haunch] = near.collect::<Vec<_>>()[..] else { return None };
+            let vertical = last[2] + step;
+            let state = self.settled(vec![h, p, eta, crown, haunch], ROUGH, |x| {
                 let [h, p, eta, crown, haunch] = x else { return Vec::new() };
                 let v = Dual::constant(vertical);
                 let x = [h, p, &v, eta, crown, haunch].map(Clone::clone);
@@ -83,9 +90,12 @@ impl Search<'_> {
             })?;
             let [h, p, eta, crown, haunch] = state[..] else { return None };
             let is_physical = h > 0.0 && eta > 0.0 && eta < 2.0 && haunch < self.half_opening;
-            is_physical.then(|| vec![h, p, vertical, eta, crown, haunch])
+            let is_near = vertical <= LARGEST * self.half_opening;
+            let state = vec![h, p, vertical, eta, crown, haunch];
+            (is_physical && is_near).then(|| (last.clone(), state))
         };
-        std::iter::successors(self.symmetric(), next)
+        let first = self.symmetric().map(|state| (state.clone(), state));
+        std::iter::successors(first, next).map(|(_, state)| state)
     }
 
     fn at(&self, x: &[Dual<f64>]) -> Option<Asymmetric<Dual<f64>>> {
@@ -139,16 +149,17 @@ impl Search<'_> {
         if mode == AsymmetricMode::InnerSliding {
             near.push(self.sliding_joint(*near.first()?).0);
         }
-        let unknowns = self.settled(near, |x| {
+        let unknowns = self.settled(near, SHORT, |x| {
             self.at(x).map_or_else(Vec::new, |at| at.residuals(mode, self.weight))
         })?;
         Some(AsymmetricCandidate { mode, unknowns })
     }
 
-    /// Newton's method; `None` where it does not settle.
+    /// Newton's method, up to a step that is `short`; `None` where it does not settle.
     fn settled(
         &self,
         mut x: Vec<f64>,
+        short: f64,
         residuals: impl Fn(&[Dual<f64>]) -> Vec<Dual<f64>>,
     ) -> Option<Vec<f64>> {
         for _ in 0..NEWTON_STEPS {
@@ -158,7 +169,7 @@ impl Search<'_> {
             if size(&steps).is_nan() || size(&x) > 10.0 {
                 return None;
             }
-            if size(&steps) < SHORT * size(&x).max(1.0) {
+            if size(&steps) < short * size(&x).max(1.0) {
                 return Some(x);
             }
         }

@@ -112,11 +112,11 @@ fn all_solutions_between_stones_are_told() {
 #[test]
 fn state_and_assess_tell_a_person() {
     let arch = ["--half-opening", "2.3", "--friction", "1.05", "--digits", "6"];
-    let told = "asymmetric mechanism at the thickness 0.583084 (couplet complementarity)";
+    let told = "asymmetric mechanism, proved, at the thickness 0.583084: ";
     let state = [&["state"], &arch[..]].concat();
     assert!(output(&state).contains(told));
     let plain = [&state[..], &["--format", "json"]].concat();
-    assert!(!output(&plain).contains("asymmetric"));
+    assert!(output(&plain).contains("\"asymmetric_thickness\": {"));
     let assess = |eta: &str| output(&[&["assess", "--thickness", eta], &arch[..]].concat());
     assert!(assess("0.55").contains(told));
     assert!(!assess("0.5").contains("asymmetric"), "it falls anyway");

@@ -54,6 +54,8 @@ mod outputs;
 mod rooms;
 #[cfg(all(feature = "mpfr", feature = "cli"))]
 mod scenes;
+#[cfg(all(feature = "mpfr", feature = "cli"))]
+mod standing;
 #[cfg(feature = "mpfr")]
 mod states;
 #[cfg(feature = "study")]

@@ -176,6 +176,7 @@ mod tests {
     use super::super::branch::Branch;
     use super::*;
     use crate::number::Enclosure;
+    use crate::problem::asymmetric_region::some_may_move;
 
     fn value(place: &Place, variable: Variable) -> Ball {
         place.coordinate(variable).unwrap().clone()
@@ -225,6 +226,49 @@ mod tests {
             assert!(expected.overlaps(&found), "{}", line.line.name());
             let off = Ball::exact(Float::with_val(53, 1e-6), 64);
             assert!(!(expected + off).overlaps(&found), "false twin");
+        }
+    }
+
+    /// The table of half openings and frictions holds what the lines bound, with room to spare, and little more.
+    #[test]
+    fn the_table_holds_what_branches_reach_and_little_more() {
+        for weight in SelfWeight::ALL {
+            let lines = Border::all(weight, 1e-4).unwrap();
+            let edges = [Line::ShoulderEnd, Line::RotationShoulder]
+                .map(|line| Trace::new(Curve::Line(line), weight, 1e-4).unwrap());
+            let tangent = |phi: &Ball| phi.mid().to_f64().tan();
+            let on_line = |line: &Border, alpha: f64| {
+                let place = line.section.pieces().find_map(|piece| piece.place(alpha))?;
+                Some(tangent(&value(&place, Variable::FrictionAngle)))
+            };
+            let on_edge = |edge: &Trace, alpha: f64| {
+                let alpha = Ball::exact(Float::with_val(BITS, alpha), BITS);
+                let place = Crossing::find(edge, Variable::HalfOpening, &alpha).unwrap().unwrap();
+                tangent(&place.value(Variable::FrictionAngle))
+            };
+            let ends = [&lines[0].section.ends()[0], &lines[3].section.ends()[1]];
+            let [from, to] = ends.map(|end| value(end, Variable::HalfOpening).mid().to_f64());
+            let holds = |alpha: f64, mu: f64| some_may_move(weight, [alpha; 2], [mu; 2]);
+            for k in 0..40 {
+                let alpha = from + (f64::from(k) + 0.5) / 40.0 * (to - from);
+                let least = on_edge(&edges[0], alpha);
+                let outer = lines.iter().filter(|line| line.line.is_outer(weight));
+                let outer = outer.filter_map(|line| on_line(line, alpha)).reduce(f64::max);
+                let largest = outer.unwrap_or_else(|| on_edge(&edges[1], alpha));
+                assert!(least < largest, "{weight:?} {alpha}");
+                assert!(holds(alpha, least - 0.0005) && holds(alpha, largest + 0.0005));
+                assert!(!holds(alpha, least - 0.007) && !holds(alpha, largest + 0.007));
+            }
+            let all = [0.0, f64::INFINITY];
+            for (alpha, inside) in [
+                (from, true),
+                (from - 0.001, true),
+                (from - 0.01, false),
+                (to, true),
+                (to + 0.01, false),
+            ] {
+                assert_eq!(some_may_move(weight, [alpha; 2], all), inside, "{weight:?} {alpha}");
+            }
         }
     }
 

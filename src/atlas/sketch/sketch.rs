@@ -6,11 +6,11 @@ use super::stones;
 use super::{Collapse, Forces, Mark};
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::certify::state::{
-    Fall, Outcome, assessment_enclosed, raised, sliding_configuration, state_enclosed,
+    Fall, Figure, Outcome, assessment_enclosed, raised, sliding_configuration, state_enclosed,
 };
 use crate::certify::{
     CertifiedLandmark, Error, Refused, Undecided, VoussoirStanding, Voussoirs, assess_voussoirs,
-    voussoirs,
+    asymmetric_thicknesses, voussoirs,
 };
 use crate::number::{Ball, Drawable, Enclosure, ExactNumber, Rounded, Ternary};
 use crate::problem::stones::Stones;
@@ -51,6 +51,8 @@ pub enum Subject {
         thickness: ExactNumber,
         /// What holds for it.
         stability: Box<Stability>,
+        /// The thicknesses of its asymmetric solutions, if it stands and has a joint at every angle.
+        asymmetric: Vec<Figure>,
     },
     /// An arch of a given thickness at the friction at which it slides.
     Sliding {
@@ -149,6 +151,7 @@ impl Sketch {
     pub fn standing(arch: &Arch, thickness: &ExactNumber) -> Result<Self, NoSketch> {
         Refused::thickness(thickness)?;
         wide(arch)?;
+        let asymmetric = asymmetric_thicknesses(arch, DIGITS)?;
         Ok(raised(arch, DIGITS, |bits| {
             let assessment = assessment_enclosed(arch, thickness, bits);
             let stability = Box::new(Stability::of_arch(&assessment)?);
@@ -160,8 +163,12 @@ impl Sketch {
                     forces.extend(forces_of_limit(weight, &at, is_limited, limit, is_least)?);
                 }
             }
+            let asymmetric = match stability.stands {
+                true => asymmetric.clone(),
+                false => Vec::new(),
+            };
             let (arch, thickness) = (Box::new(arch.clone()), thickness.clone());
-            let subject = Subject::Standing { arch, thickness, stability };
+            let subject = Subject::Standing { arch, thickness, stability, asymmetric };
             let (stones, collapses) = (None, Vec::new());
             Ok(Self { subject, weight, at, is_limited, stones, forces, collapses }.decided())
         })?)
@@ -216,7 +223,8 @@ impl Sketch {
             _ => Vec::new(),
         };
         let (arch, stability) = (Box::new(arch.clone()), Box::new(stability));
-        let subject = Subject::Standing { arch, thickness: thickness.clone(), stability };
+        let (thickness, asymmetric) = (thickness.clone(), Vec::new());
+        let subject = Subject::Standing { arch, thickness, stability, asymmetric };
         let (stones, collapses) = (Some(all), Vec::new());
         let sketch = Self { subject, weight, at, is_limited, stones, forces, collapses };
         Ok(sketch.decided().ok_or_else(|| Undecided::new("the rounding"))?)

@@ -8,7 +8,7 @@ use super::column::Column;
 use super::digits::{Answer, AssessmentDigits};
 use super::figure::Figure;
 use crate::arch::SelfWeight;
-use crate::certify::{Error, Refused};
+use crate::certify::{Error, Refused, asymmetric_thicknesses};
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Friction, Mode, Quantity};
 use rayon::prelude::*;
@@ -133,7 +133,7 @@ fn friction(mu: f64) -> Option<Friction> {
 pub struct Doubles {
     /// The self-weight model.
     pub weight: SelfWeight,
-    /// The quantities, of [`Quantity::STATE`], or of [`Quantity::ASSESSMENT`] where there are thicknesses.
+    /// The quantities, of [`Quantity::STATE_ROW`], or of [`Quantity::ASSESSMENT_ROW`] where there are thicknesses.
     pub quantities: Vec<Quantity>,
 }
 
@@ -167,18 +167,36 @@ impl Doubles {
             return Err(Refused::Lengths(lengths));
         }
         let possible = match thicknesses {
-            Some(_) => &Quantity::ASSESSMENT[..],
-            None => &Quantity::STATE,
+            Some(_) => &Quantity::ASSESSMENT_ROW[..],
+            None => &Quantity::STATE_ROW,
         };
         self.quantities.iter().try_for_each(|of| Refused::quantity(*of, possible))?;
         let arches: Vec<(f64, f64)> =
             half_openings.iter().copied().zip(frictions.iter().copied()).collect();
         if let Some(etas) = thicknesses {
             let all: Vec<_> = arches.into_iter().zip(etas).collect();
-            return Ok(each(&all, |&((alpha, mu), &eta)| self.assessment(alpha, mu, eta)));
+            return Ok(each(&all, |&((alpha, mu), &eta)| {
+                self.with_asymmetric(self.assessment(alpha, mu, eta), alpha, mu)
+            }));
         }
         let columns = self.columns(half_openings);
-        Ok(each(&arches, |&(alpha, mu)| self.state(alpha, mu, columns.get(&alpha.to_bits()))))
+        Ok(each(&arches, |&(alpha, mu)| {
+            let row = self.state(alpha, mu, columns.get(&alpha.to_bits()));
+            self.with_asymmetric(row, alpha, mu)
+        }))
+    }
+
+    /// The row with the asymmetric thickness of its arch, if it stands and that is asked.
+    fn with_asymmetric(&self, mut row: Row, alpha: f64, mu: f64) -> Row {
+        let place = self.quantities.iter().position(|of| *of == Quantity::AsymmetricThickness);
+        if let Some(place) = place.filter(|_| row.verdict == RowVerdict::Stands)
+            && let Some(arch) = self.arch(alpha, mu)
+            && let Ok(all) = asymmetric_thicknesses(&arch, DIGITS)
+            && let Some(largest) = all.first()
+        {
+            row.values[place] = [largest.double, largest.binary.lower, largest.binary.upper];
+        }
+        row
     }
 
     fn refused(&self) -> Row {
@@ -311,6 +329,24 @@ mod tests {
         assert_eq!(row.mode, Some(state.mode));
         let [value, lower, upper] = row.values[1];
         assert!(lower <= value && value <= upper && lower < upper);
+    }
+
+    #[test]
+    fn the_asymmetric_thickness_is_there_for_arches_that_have_one_and_stand() {
+        let asked = asked(&[Quantity::AsymmetricThickness]);
+        let (alphas, mus) = ([2.3, 2.3, 2.3, 1.5], [1.05, 1.2, 1.05, 0.6]);
+        // The double next to 2.3 is another half opening.
+        let arch = asked.arch(2.3, 1.05).unwrap();
+        let known = asymmetric_thicknesses(&arch, DIGITS).unwrap()[0].double;
+        approx::assert_abs_diff_eq!(known, 0.583_084_449_604_488_6, epsilon = 1e-15);
+        for etas in [None, Some(&[0.55, 0.55, 0.5, 0.2][..])] {
+            let rows = asked.rows(&alphas, &mus, etas).unwrap();
+            let [value, lower, upper] = rows[0].values[0];
+            assert_eq!(value, known);
+            assert!(lower <= value && value <= upper && lower < upper);
+            assert!(rows[1].values[0][0].is_nan() && rows[3].values[0][0].is_nan());
+            assert_eq!(rows[2].values[0][0].is_nan(), etas.is_some(), "one falls");
+        }
     }
 
     #[test]

@@ -64,9 +64,11 @@ pub use digits::{Answer, AssessmentDigits, Digits, LimitDigits};
 pub use doubles::{Doubles, Row, RowVerdict};
 pub use enough::Enough;
 pub use figure::Figure;
+pub(super) use figure::Figured;
 pub use inquiry::Inquiry;
 pub use measured::{measured_assessment, measured_state};
 pub(crate) use query::bits_lost;
+pub(super) use quick::is_quick;
 #[cfg(feature = "study")]
 pub(crate) use quick::state_in_double_doubles;
 pub(crate) use quick::{

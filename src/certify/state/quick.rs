@@ -21,7 +21,7 @@ use crate::problem::{Arch, Quantity};
 const MOST_DIGITS: usize = 25;
 
 /// Whether these numbers are asked first.
-pub(super) fn is_quick(digits: usize) -> bool {
+pub(in crate::certify) fn is_quick(digits: usize) -> bool {
     (1..=MOST_DIGITS).contains(&digits)
 }
 

@@ -4,8 +4,9 @@ use super::arch::{ArchArguments, Needs};
 use super::measures::{self, MeasureArguments, Measured};
 use super::notes;
 use super::output::AnswerOutput;
-use super::state::{hinted, print};
+use super::state::print;
 use super::tilt::acceleration;
+use crate::certify::asymmetric_thicknesses;
 use crate::certify::state::{Inquiry, Wanted, measured_assessment};
 use crate::cli::failure::Failure;
 use crate::number::ExactNumber;
@@ -68,8 +69,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             // Some formats have quadruples, which take more bits than the digits.
             let mut inquiry = Inquiry::new(&arch, digits, false);
             let found = inquiry.assess(&eta, digits, Wanted::Everything);
-            let answer = Answer::assessment(line, (&arch, &eta), &found);
-            let answer = hinted(&arguments.output, (&arch, digits), answer);
+            let answer = Answer::assessment(line, (&arch, &eta), &found)
+                .with_asymmetric(|| asymmetric_thicknesses(&arch, digits));
             match &measured {
                 Some(Measured { measures, .. }) => {
                     let sizes = measured_assessment((&arch, &eta), measures, digits);

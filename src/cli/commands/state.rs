@@ -57,8 +57,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let answer = |(line, arch): (u64, Arch)| {
             // Some formats have quadruples, which take more bits than the digits.
             let found = Inquiry::new(&arch, digits, frictions).state(digits, frictions);
-            let answer =
-                hinted(&arguments.output, (&arch, digits), Answer::state(line, &arch, &found));
+            let answer = Answer::state(line, &arch, &found)
+                .with_asymmetric(|| asymmetric_thicknesses(&arch, digits));
             match &measured {
                 Some(Measured { measures, .. }) => {
                     answer.measured(measures.circle(), measured_state(&arch, measures, digits))
@@ -68,20 +68,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         };
         (1..).zip(arches).map(answer).collect()
     })
-}
-
-/// The answer with what a person is told beside it.
-pub(super) fn hinted(
-    output: &AnswerOutput,
-    (arch, digits): (&Arch, usize),
-    answer: Answer,
-) -> Answer {
-    match output.format().map(|format| format.name) {
-        Ok("table") => {
-            answer.with_asymmetric(|| asymmetric_thicknesses(arch, digits).unwrap_or_default())
-        }
-        _ => answer,
-    }
 }
 
 /// Computes and prints the answers for one arch, or for several.

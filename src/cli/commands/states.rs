@@ -7,6 +7,7 @@ use super::rows::{
     Syntax, Table, Together, in_order, objects,
 };
 use crate::arch::SelfWeight;
+use crate::certify::asymmetric_thicknesses;
 use crate::certify::state::{Certify, Columns as Shared, Inquiry, Wanted};
 use crate::check::visible_name;
 use crate::cli::failure::Failure;
@@ -188,6 +189,8 @@ fn answer(reader: &Reader, (line, query): Line<Row>, asked: &Asked) -> Answer {
 /// A row is asked what it asks: about its thickness if it has one.
 fn found(reader: &Reader, line: u64, cells: &Cells, asked: &Asked) -> Result<Answer, String> {
     let (arch, digits) = (reader.arch(cells)?, asked.digits);
+    let with_asymmetric =
+        |answer: Answer| answer.with_asymmetric(|| asymmetric_thicknesses(&arch, digits));
     let Some((text, _)) = reader.given(cells, Role::GivenThickness) else {
         let found = match &asked.shared {
             Some(shared) => shared.certify(&arch),
@@ -196,14 +199,14 @@ fn found(reader: &Reader, line: u64, cells: &Cells, asked: &Asked) -> Result<Ans
                 Inquiry::new(&arch, digits, frictions).state(digits, frictions)
             }
         };
-        return Ok(Answer::state(line, &arch, &found));
+        return Ok(with_asymmetric(Answer::state(line, &arch, &found)));
     };
     let eta = thickness(&reader.spelling.exact(text))?;
     let found = match &asked.shared {
         Some(_) => arch.certify_thickness(&eta, digits),
         None => Inquiry::new(&arch, digits, false).assess(&eta, digits, Wanted::Everything),
     };
-    Ok(Answer::assessment(line, (&arch, &eta), &found))
+    Ok(with_asymmetric(Answer::assessment(line, (&arch, &eta), &found)))
 }
 
 /// Of a table.

@@ -4,13 +4,14 @@ use super::canvas::Canvas;
 use super::plane::Axis;
 use crate::arch::SelfWeight;
 use crate::atlas::Variable;
-use crate::certify::Error;
 use crate::certify::state::{Answer, Certify};
+use crate::certify::{Error, asymmetric_thicknesses};
 use crate::number::{Ball, ExactNumber, arctangent};
 use crate::picture::color::{INK, WHITE};
 use crate::picture::room::Rectangle;
 use crate::picture::{Anchor, Frame, Path, Point, Stroke, Svg, Type};
 use crate::problem::{Arch, Friction};
+use crate::report::words::may_move;
 
 /// An arch in a map.
 #[derive(Clone, Debug)]
@@ -67,8 +68,13 @@ impl Mark {
             }
             Answer::Falls { fall, .. } => format!("stands at no thickness: {}", fall.reason()),
         };
+        let moves = match stands {
+            Some(true) => may_move(&asymmetric_thicknesses(arch, DIGITS)?),
+            _ => None,
+        };
+        let moves = moves.map_or(String::new(), |words| format!("; {words}"));
         let words = format!(
-            "α = {}, μ = {}{given}: {least}",
+            "α = {}, μ = {}{given}: {least}{moves}",
             alpha.replace("deg", "°"),
             mu.replace("deg", "°").replace("inf", "∞")
         );

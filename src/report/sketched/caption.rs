@@ -5,6 +5,7 @@ use super::metres::{Metres, Size};
 use crate::atlas::{Bound, Collapse, Forces, Sketch, Stability, Subject, moved};
 use crate::number::{Ball, Form, arctangent, degrees};
 use crate::picture::text;
+use crate::problem::asymmetric_region::STANDS;
 use crate::problem::measures::Measures;
 use crate::problem::{Arch, Landmark, Mode};
 use crate::report::words;
@@ -282,8 +283,11 @@ fn paragraph(drawn: &Sketched, sketch: &Sketch) -> String {
     let in_metres =
         drawn.measures.as_ref().zip(metres).map(|(measures, of)| in_metres(sketch, measures, &of));
     let in_metres = in_metres.unwrap_or_default();
-    if let Subject::Standing { stability, .. } = &sketch.subject {
-        return said + ". " + &standing(stability, sketch) + &in_metres;
+    if let Subject::Standing { stability, asymmetric, .. } = &sketch.subject {
+        let of_stones = sketch.stones.as_ref().filter(|_| stability.stands && sketch.is_limited);
+        let may_move = words::may_move(asymmetric).or(of_stones.map(words::stones_may_move));
+        let may_move = may_move.map_or(String::new(), |all| format!(" {}.", words::capital(&all)));
+        return said + ". " + &standing(stability, sketch) + &may_move + &in_metres;
     }
     let values: Vec<String> = values(sketch).collect();
     said += &format!(". {}.{in_metres}", words::capital(&values.join(", ")));
@@ -390,10 +394,10 @@ fn standing(found: &Stability, sketch: &Sketch) -> String {
         });
         return said + &more.unwrap_or_default() + ". Proved.";
     }
-    let mut said = "It stands, which is proved".to_owned();
+    let mut said = format!("It stands, which is proved: {STANDS}");
     if let (Some(least), Some(safety)) = (least, &found.geometric_safety) {
         said += &format!(
-            ": its thickness is {} times the least, t/r = {}",
+            "; its thickness is {} times the least, t/r = {}",
             rounded(safety, FEW),
             rounded(least, DIGITS)
         );

@@ -8,6 +8,7 @@ use crate::arch::mechanism::{Joint, Mechanism, Twist};
 use crate::atlas::{Block, Collapse, Forces, Line, Sketch, Subject, moved};
 use crate::number::Ball;
 use crate::problem::Mode;
+use crate::report::bounds::bounds;
 use crate::report::fields::Fields;
 use rug::float::Round;
 use serde::Serialize;
@@ -66,6 +67,11 @@ fn given(sketch: &Sketch) -> Fields {
     fields.add("thickness_given", thickness);
     let stones = sketch.stones.as_ref();
     fields.add("stone_joints", stones.map(|_| sketch.stone_joints()));
+    let asymmetric = match &sketch.subject {
+        Subject::Standing { asymmetric, .. } => asymmetric.first(),
+        _ => None,
+    };
+    fields.add_fields("asymmetric_thickness", asymmetric.map(bounds));
     fields
 }
 

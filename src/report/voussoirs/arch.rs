@@ -5,10 +5,9 @@ use crate::certify::state::Figure;
 use crate::certify::{
     Undecided, VoussoirAssessment, VoussoirDigits, VoussoirLoss, VoussoirStanding, Voussoirs,
 };
-use crate::number::{ExactNumber, Rounded};
+use crate::number::ExactNumber;
 use crate::problem::stones::{JointContact, Stones};
 use crate::problem::{Friction, Quantity};
-use crate::report::fields::Fields;
 use crate::report::words;
 
 /// An arch of voussoirs, what is proved of it, and the same arch without end of joints.
@@ -81,6 +80,20 @@ impl VoussoirArch {
         self.friction != Friction::Infinite.to_string()
     }
 
+    /// Whether it stands with limited friction, which does not exclude a motion.
+    pub(super) fn may_move(&self) -> bool {
+        let stands = match &self.given {
+            Some(given) => given.stands() == Some(true),
+            None => matches!(self.found, Ok(Voussoirs::Stands(_) | Voussoirs::AnyThickness)),
+        };
+        stands && self.is_limited()
+    }
+
+    /// That in words, with the command that looks for one.
+    pub(super) fn may_move_in_words(&self) -> Option<String> {
+        self.may_move().then(|| words::stones_may_move(&self.stones))
+    }
+
     /// The state, where it has one.
     pub(super) fn state(&self) -> Option<&VoussoirDigits> {
         match &self.found {
@@ -116,18 +129,4 @@ pub(super) fn stones(arch: &VoussoirArch) -> Option<String> {
         Stones::Equal { stones, .. } => Some(stones.to_string()),
         Stones::Joints(_) => None,
     }
-}
-
-/// A value and its bounds.
-pub(super) fn bounds(figure: &Figure) -> Fields {
-    of_rounded(&figure.decimal)
-}
-
-/// The same of a decimal.
-pub(super) fn of_rounded(decimal: &Rounded) -> Fields {
-    let mut fields = Fields::default();
-    fields.add("value", decimal.value.to_string());
-    fields.add("lower", decimal.lower.to_string());
-    fields.add("upper", decimal.upper.to_string());
-    fields
 }

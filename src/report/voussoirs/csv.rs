@@ -20,6 +20,7 @@ pub(crate) fn csv(
         "continuous_thickness",
         "loss",
         "relative_loss",
+        "may_move",
     ];
     let names = names.map(str::to_owned);
     let rows = arches.iter().map(|arch| {
@@ -46,6 +47,7 @@ pub(crate) fn csv(
             .chain(figures)
             .chain([continuous])
             .chain(loss)
+            .chain([arch.may_move().to_string()])
             .chain(assessed)
             .collect()
     });

@@ -1,9 +1,11 @@
 //! What holds at a given thickness: lines for a person, cells of a row, and an object.
 
-use super::arch::{GivenThickness, VoussoirArch, at_limit, bounds};
+use super::arch::{GivenThickness, VoussoirArch, at_limit};
 use crate::certify::state::Figure;
 use crate::certify::{Undecided, VoussoirAssessment, VoussoirLimit, VoussoirStanding, Voussoirs};
+use crate::problem::asymmetric_region::STANDS;
 use crate::problem::stones::JointContact;
+use crate::report::bounds::bounds;
 use crate::report::fields::Fields;
 use std::io;
 
@@ -38,7 +40,8 @@ pub(super) fn lines(
     let joints = arch.stones.count();
     match &found.standing {
         Ok(VoussoirStanding::Stands(_)) => {
-            writeln!(out, "stands, proved: admissible at all {joints} joints of the half arch\n")?;
+            let where_to = format!("admissible at all {joints} joints of the half arch");
+            writeln!(out, "stands, proved: {STANDS}, {where_to}\n")?;
         }
         Ok(VoussoirStanding::Falls(_)) => {
             writeln!(out, "collapses, proved: no thrust satisfies all conditions\n")?;

@@ -1,8 +1,9 @@
 //! Arches of voussoirs as JSON, `couplet.voussoirs/1`.
 
-use super::arch::{VoussoirArch, VoussoirArches, at_limit, bounds, of_rounded};
+use super::arch::{VoussoirArch, VoussoirArches, at_limit};
 use super::given;
 use crate::problem::stones::{JointContact, Stones};
+use crate::report::bounds::{bounds, of_rounded};
 use crate::report::fields::Fields;
 use crate::report::json;
 use std::io;
@@ -32,6 +33,7 @@ fn entry(arch: &VoussoirArch) -> Fields {
     }
     fields.add("friction", arch.friction.as_str());
     fields.add("outcome", arch.outcome());
+    fields.add("may_move", arch.may_move());
     fields.add("reason", arch.found.as_ref().err().map(|undecided| undecided.reason.to_string()));
     fields.add("mode", arch.state().map(|state| state.mode.label()));
     for (quantity, figure) in arch.figures() {

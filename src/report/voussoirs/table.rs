@@ -3,6 +3,7 @@
 use super::arch::{VoussoirArch, VoussoirArches, at_limit};
 use super::{convergence, given};
 use crate::certify::{VoussoirDigits, Voussoirs};
+use crate::problem::asymmetric_region::STANDS;
 use crate::report::words::model;
 use std::io;
 
@@ -26,13 +27,14 @@ pub(crate) fn table(all: &VoussoirArches, out: &mut dyn io::Write) -> io::Result
         )?;
         if let Some(given) = given {
             given::lines(arch, given, out)?;
+            may_move(arch, out)?;
             continue;
         }
         match &arch.found {
             Ok(Voussoirs::Stands(state)) => stands(arch, state, out)?,
             Ok(Voussoirs::AnyThickness) => writeln!(
                 out,
-                "stands at every thickness, proved: it has no joint inside its halves"
+                "stands at every thickness, proved: {STANDS}, as it has no joint inside its halves"
             )?,
             Ok(Voussoirs::Slides) => writeln!(
                 out,
@@ -43,13 +45,19 @@ pub(crate) fn table(all: &VoussoirArches, out: &mut dyn io::Write) -> io::Result
             }
             Err(undecided) => writeln!(out, "{undecided}")?,
         }
+        may_move(arch, out)?;
     }
     Ok(())
 }
 
+/// What the static theorem does not exclude.
+fn may_move(arch: &VoussoirArch, out: &mut dyn io::Write) -> io::Result<()> {
+    arch.may_move_in_words().map_or(Ok(()), |words| writeln!(out, "\n{words}"))
+}
+
 fn stands(arch: &VoussoirArch, state: &VoussoirDigits, out: &mut dyn io::Write) -> io::Result<()> {
     let mode = state.mode.label();
-    writeln!(out, "stands from the thickness below on; collapses there as {mode}")?;
+    writeln!(out, "stands from the thickness below on: {STANDS}; collapses there as {mode}")?;
     writeln!(
         out,
         "proved: admissible at all {} joints of the half arch, none thinner\n",

@@ -304,7 +304,7 @@ fn what_is_certified_is_said() {
     );
     assert_eq!(
         line(&[&arch[..], &["--eta", "1.9"]].concat()),
-        "-: accepted  stands half_opening 4/9 pi friction tan 31/180 pi thickness 19/10 milankovitch\n"
+        "-: accepted  stands (an admissible symmetric state exists) half_opening 4/9 pi friction tan 31/180 pi thickness 19/10 milankovitch\n"
     );
     let refused = |arguments: &[&str], words: &str| {
         let (code, _, message) = said(&couplet(&[&["certify"], arguments].concat()));

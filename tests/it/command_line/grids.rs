@@ -58,13 +58,12 @@ fn only_what_is_asked_for_is_there() {
         let output = fed(&[&["states", "--digits", "5"], arguments].concat(), input);
         stdout(&output).lines().next().unwrap().to_owned()
     };
-    let names =
-        "weight,half_opening,friction,verdict,can_stand,mode,thrust,thickness,reason,line,error,";
+    let names = "weight,half_opening,friction,verdict,can_stand,mode,asymmetric_thickness,thrust,thickness,reason,line,error,";
     for asked in [["--quantity", "thrust,thickness"], ["--quantities", "h,eta,h"]] {
         assert!(header(&asked, &input).starts_with(names), "{}", header(&asked, &input));
     }
     // Where rows may have a thickness, the least has its own name.
-    let names = "weight,half_opening,friction,thickness,verdict,can_stand,stands,mode,least_thickness,thrust,reason";
+    let names = "weight,half_opening,friction,thickness,verdict,can_stand,stands,mode,asymmetric_thickness,least_thickness,thrust,reason";
     let asked = ["--quantity", "thickness,thrust,least_thickness"];
     assert!(header(&asked, "alpha,mu,eta\n1,1,\n1,1,0.1\n").starts_with(names));
     let mixed = answers(&asked, "{\"alpha\":1,\"mu\":1}\n{\"alpha\":1,\"mu\":1,\"eta\":0.1}\n");

@@ -421,3 +421,24 @@ fn the_plans_of_the_page_are_plans() {
     let printed = said(&couplet(&["sweep", "--schema"])).1;
     assert!(couplet::scene::read_sweep(printed.as_bytes()).is_ok());
 }
+
+/// A plan that asks for it gets it, alone and beside rows that share their proofs; one that does not has the rows it had.
+#[test]
+fn the_asymmetric_thickness_is_there_if_it_is_asked() {
+    let grid = "[grid]\nhalf_opening = [1.5, 2.3]\nfriction = [0.9, 1.03, 1.05, 1.07, 1.2]\n";
+    let scratch =
+        planned(&format!("quantities = [\"thickness\", \"asymmetric_thickness\"]\n{grid}"));
+    assert_eq!(sweep(&scratch, "out", &[]).0, Some(0));
+    assert_eq!(sweep(&scratch, "out", &["--verify", "10"]).0, Some(0));
+    let found = |row: &BTreeMap<String, Field>| match row["asymmetric_thickness"] {
+        Field::Double(eta) => Some(eta),
+        _ => None,
+    };
+    let all: Vec<Option<f64>> = rows(&scratch, "out").iter().map(found).collect();
+    assert!(all[..6].iter().chain(&all[9..]).all(Option::is_none), "{all:?}");
+    assert_eq!(all[7], Some(0.583_084_449_604_488_7));
+    assert!(all[6..9].iter().all(Option::is_some), "{all:?}");
+    let without = planned(grid);
+    assert_eq!(sweep(&without, "out", &[]).0, Some(0));
+    assert!(!rows(&without, "out")[0].contains_key("asymmetric_thickness"));
+}

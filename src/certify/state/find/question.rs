@@ -10,7 +10,8 @@ use crate::certify::state::query::Query;
 use crate::certify::state::raise::{GUARD, raise};
 use crate::certify::state::state::Fall;
 use crate::certify::{Error, Refused, Undecided};
-use crate::number::{Ball, ExactNumber, Field, Real, bits_of};
+use crate::number::{Ball, DoubleBall, ExactNumber, Field, Real, bits_of};
+use crate::problem::asymmetric_region::{STANDS, some_may_move as reaches};
 use crate::problem::{Arch, ArchError, Friction, Line, Mode, Quantity, Sought};
 use rug::Rational;
 
@@ -69,6 +70,8 @@ pub struct Found {
     pub figures: Vec<(Quantity, Figure)>,
     /// What is proved besides: why there is no other answer.
     pub proved: String,
+    /// Whether an asymmetric mechanism of (19) is [known](crate::problem::asymmetric_region) of any of the arches that stand by this.
+    pub some_may_move: bool,
 }
 
 /// What is found, in enclosures.
@@ -123,7 +126,7 @@ pub fn find(weight: SelfWeight, question: &Question, digits: usize) -> Result<Fi
     let two = ExactNumber::from(&Rational::from(2));
     let limit = question.thickness().is_none_or(|eta| eta.factor() == two.factor());
     let eta = question.thickness().unwrap_or(&two);
-    match question {
+    let found: Result<Finding, Error> = match question {
         Question::HalfOpening { .. } if has_no_friction(&arch) => {
             Ok(Finding::Nothing(Some(Fall::Sliding)))
         }
@@ -133,9 +136,10 @@ pub fn find(weight: SelfWeight, question: &Question, digits: usize) -> Result<Fi
                 Some(_) => "every narrower arch stands at this thickness, no wider one does",
                 None => "every narrower arch stands at some thickness, no wider one does at any",
             };
+            let proved = defined(proved);
             Ok(in_digits(&query, digits, |query| {
                 let (mode, at) = widest(query, limit)?;
-                Ok(place(vec![mode], &at, Sought::HalfOpening, proved.to_owned()))
+                Ok(place(vec![mode], &at, Sought::HalfOpening, proved.clone()))
             })?)
         }
         Question::Friction { thickness, .. } => {
@@ -159,7 +163,30 @@ pub fn find(weight: SelfWeight, question: &Question, digits: usize) -> Result<Fi
                 Ok(place(line.modes().to_vec(), &at, sought, proved.clone()))
             })?)
         }
-    }
+    };
+    found.map(|finding| match finding {
+        Finding::Found(found) => {
+            let some_may_move = some_may_move(question, &arch, &found);
+            Finding::Found(Found { some_may_move, ..found })
+        }
+        nothing => nothing,
+    })
+}
+
+/// Whether an asymmetric mechanism is known of any of the arches of which the answer says that they stand.
+fn some_may_move(question: &Question, arch: &Arch, found: &Found) -> bool {
+    let given = arch.given::<DoubleBall>(53);
+    let range = |x: &DoubleBall| [x.lower(), x.upper()];
+    let bounds =
+        |of: Quantity| found.figures.iter().find(|(name, _)| *name == of).map(|(_, x)| &x.binary);
+    let ranges = match question {
+        Question::HalfOpening { .. } if arch.is_limited() => bounds(Quantity::HalfOpening)
+            .map(|widest| ([0.0, widest.upper], range(&given.friction))),
+        Question::Friction { .. } => bounds(Quantity::Friction)
+            .map(|least| (range(&given.half_opening.rad), [least.lower, f64::INFINITY])),
+        _ => None,
+    };
+    ranges.is_some_and(|(alphas, mus)| reaches(arch.weight(), alphas, mus))
 }
 
 fn has_no_friction(arch: &Arch) -> bool {
@@ -186,11 +213,17 @@ fn least_friction(
     Ok(match found.required_friction? {
         Some(friction) => {
             let figures = vec![(Quantity::Friction, friction)];
-            Finding::Found(Found { modes: Vec::new(), figures, proved: proved.to_owned() })
+            let (modes, proved) = (Vec::new(), defined(proved));
+            Finding::Found(Found { modes, figures, proved, some_may_move: false })
         }
         None if is_given => Finding::Nothing(found.fall),
         None => Finding::Nothing(Some(Fall::Thickness)),
     })
+}
+
+/// What is proved, with the meaning of its word.
+fn defined(proved: &str) -> String {
+    format!("{proved}; stands: {STANDS}")
 }
 
 /// What is on which side of a line.
@@ -244,6 +277,6 @@ fn in_digits(
         let Place { modes, values, proved } = proof(&query(bits))?;
         let figures = values.iter().map(|(of, x)| Some((*of, Figure::new(x, digits)?)));
         let Some(figures) = figures.collect::<Option<Vec<_>>>() else { return Ok(None) };
-        Ok(Some(Finding::Found(Found { modes, figures, proved })))
+        Ok(Some(Finding::Found(Found { modes, figures, proved, some_may_move: false })))
     })
 }

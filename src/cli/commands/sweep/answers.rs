@@ -3,8 +3,8 @@
 
 use super::query::{Arches, Grid, Listed, Queries};
 use crate::arch::SelfWeight;
-use crate::certify::Error;
 use crate::certify::state::{Answer, Certify, Column, Figure};
+use crate::certify::{Error, asymmetric_thicknesses};
 use crate::number::{DoubleDoubleBall, ExactNumber};
 use crate::problem::{Arch, Friction, Mode, Quantity};
 use std::borrow::Cow;
@@ -117,6 +117,21 @@ impl Wanted {
 
     /// Of a row by itself, without what others share.
     pub(super) fn alone(&self, arch: &Result<Arch, String>) -> Found {
+        let found = self.single(arch);
+        self.with_asymmetric(&found, || arch.clone().ok()).unwrap_or(found)
+    }
+
+    /// The same with the asymmetric thickness of its arch, if it stands, has one, and that is asked.
+    fn with_asymmetric(&self, found: &Found, arch: impl FnOnce() -> Option<Arch>) -> Option<Found> {
+        let place = self.quantities.iter().position(|of| *of == Quantity::AsymmetricThickness);
+        let place = place.filter(|_| found.verdict == Verdict::Stands)?;
+        let all = asymmetric_thicknesses(&arch()?, self.digits).ok()?;
+        let mut found = found.clone();
+        found.values[place] = Some(self.value(Some(all.first()?)));
+        Some(found)
+    }
+
+    fn single(&self, arch: &Result<Arch, String>) -> Found {
         let answer = match arch {
             Ok(arch) if self.asks_frictions() => arch.certify(self.digits),
             Ok(arch) => arch.certify_alone(self.digits),
@@ -131,10 +146,16 @@ impl Wanted {
 
     /// Of the rows of a part; those that share an answer share it here.
     pub(super) fn all(&self, queries: &Queries) -> Answers {
-        match &queries.arches {
+        let mut answers = match &queries.arches {
             Arches::Grid(grid) => self.grid(grid),
             Arches::Listed(listed) => self.listed(listed),
+        };
+        for row in 0..answers.len() {
+            if let Some(found) = self.with_asymmetric(answers.of(row), || queries.arch(row).ok()) {
+                answers.put(row, found);
+            }
         }
+        answers
     }
 
     fn grid(&self, Grid { columns, frictions }: &Grid) -> Answers {
@@ -155,7 +176,7 @@ impl Wanted {
                         let half_opening = half_opening.number.clone();
                         let arch = Arch::new(*weight, half_opening, mu.number.clone());
                         let arch = arch.map_err(|error| error.to_string());
-                        answers.put(row, self.alone(&arch));
+                        answers.put(row, self.single(&arch));
                     }
                 }
             }
@@ -185,7 +206,7 @@ impl Wanted {
         for (row, group) in groups.into_iter().enumerate() {
             match group.filter(|group| counts[*group] >= SHARED && !self.asks_frictions()) {
                 Some(group) => shared.entry(group).or_default().push(row),
-                None => answers.put(row, self.alone(&arches[row])),
+                None => answers.put(row, self.single(&arches[row])),
             }
         }
         for rows in shared.into_values() {
@@ -200,7 +221,7 @@ impl Wanted {
                     let rows = rows.map(|(row, mu)| (row, mu, Column::enclosed(mu)));
                     self.together(&column, rows, &mut answers);
                 }
-                None => rows.iter().for_each(|&row| answers.put(row, self.alone(&arches[row]))),
+                None => rows.iter().for_each(|&row| answers.put(row, self.single(&arches[row]))),
             }
         }
         answers
