@@ -47,7 +47,7 @@ function tell({ given, found, isAsked }, answer) {
   at("certify-command").textContent = answer.command ?? "";
   if (!values) return say("proof", `Candidates (≈), not proved: ${answer.reason}.`, "open");
   at("save").hidden = false;
-  const { subject, digits, stands } = answer;
+  const { subject, digits } = answer;
   if (!isArch) {
     const limit = subject === "slides" ? `it slides with less friction than ${values.friction}${beyond(answer.helpless?.values)}`
       : `the half opening is beyond ${values.half_opening} rad, at which a thickness of 2 is just enough`;
@@ -62,8 +62,9 @@ function tell({ given, found, isAsked }, answer) {
   for (const [id, text] of Object.entries(texts)) if (text) row(id, text, "proved");
   for (const id of ["rotation_joint", "sliding_joint"]) row(id, angle(id) ?? "none", "proved");
   for (const id of MORE) if (values[id]) row(id, values[id], "proved");
-  say("proof", `Proved here: each number with ✓, correctly rounded to ${digits} digits or, where it ends or fewer are certain, fewer.`, "proved");
-  if (given.thickness !== undefined) assess(stands, values.geometric_safety, answer.has_line);
+  const moves = answer.may_move ? ` ${answer.may_move}` : "";
+  say("proof", `Proved here: each number with ✓, correctly rounded to ${digits} digits or, where it ends or fewer are certain, fewer.${moves}`, "proved");
+  if (given.thickness !== undefined) assess(answer, values.geometric_safety);
 }
 
 /** What more friction would do, where it is proved that this is not enough. */
@@ -75,11 +76,11 @@ function beyond(values) {
 }
 
 /** An arch of a given thickness beside its least one: exactly from that on it stands. */
-function assess(stands, safety, hasLine) {
-  const times = safety ? `: its thickness is ${safety} times the least` : "";
+function assess({ stands, meaning, has_line: hasLine }, safety) {
+  const times = safety ? `; its thickness is ${safety} times the least` : "";
   const table = "Mode, thrust and joints in the table are those at the least thickness.";
   const line = hasLine ? " The line of thrust that is drawn fits, which is proved too." : "";
-  if (stands === true) say("verdict", `It stands, proved${times}.${line} ${table}`, "proved");
+  if (stands === true) say("verdict", `It stands, proved: ${meaning}${times}.${line} ${table}`, "proved");
   else if (stands === false) say("verdict", `It falls, proved${times}. No line of thrust fits. ${table}`, "proved");
   else say("verdict", "Undecided: the thickness is too near to the least one to tell here; couplet assess does.", "open");
 }

@@ -74,7 +74,9 @@ extern "C" {
 // ("31deg"). digits: significant digits, 1 to 10000; up to 25 cost a tenth of what 30 cost.
 //
 // Values: thickness (t/r), thrust (H/(w r)), intrinsic_thrust, rotation_joint and sliding_joint (rad from the crown),
-// sliding_friction, rotational_friction. Verdict: "stands", "falls" or "undecided".
+// sliding_friction, rotational_friction, and asymmetric_thickness, the largest above the least at which an asymmetric mechanism
+// is found and proved: none where none is found. Verdict: "stands" (an admissible symmetric state exists, which with friction
+// does not exclude such a mechanism), "falls" or "undecided".
 int couplet_state(const char *weight,
                   const char *half_opening,
                   const char *friction,
@@ -86,8 +88,8 @@ int couplet_state(const char *weight,
 //
 // thickness: t/r, above 0 and at most 2, exact text ("0.12", "3/25").
 //
-// Values: least_thickness, geometric_safety, required_friction, friction_safety, least_thrust, largest_thrust, and the joints
-// that limit the thrusts. Verdict: "stands", "falls" or "undecided"; a value that stays open beside it makes the code
+// Values: least_thickness, geometric_safety, required_friction, friction_safety, least_thrust, largest_thrust, the joints
+// that limit the thrusts, and asymmetric_thickness as for `couplet_state`. Verdict: "stands", "falls" or "undecided"; a value that stays open beside it makes the code
 // `COUPLET_OPEN`.
 int couplet_assess(const char *weight,
                    const char *half_opening,
@@ -158,7 +160,7 @@ int couplet_check(const void *certificate,
 //
 // weight: as for `couplet_state`, of all. half_opening, friction: `n` doubles each; infinity is a friction. thickness: `n`
 // doubles, or NULL. quantities: names with commas ("thickness,thrust"), those of `couplet_state`, or with thicknesses those of
-// `couplet_assess`; NULL for none. threads: 1 for the calling thread alone, up to 1024, or 0 for one on each core; they end
+// `couplet_assess`; NULL for none. asymmetric_thickness costs rows only where such mechanisms are known. threads: 1 for the calling thread alone, up to 1024, or 0 for one on each core; they end
 // with the call.
 //
 // verdict: `n` bytes, `COUPLET_STANDS`, `COUPLET_FALLS`, `COUPLET_UNDECIDED` or `COUPLET_REFUSED`. mode: `n` bytes, which

@@ -5,6 +5,7 @@ use crate::codes::{COUPLET_FAULT, COUPLET_OPEN, COUPLET_PROVED, COUPLET_RESOURCE
 use couplet::check::{Accepted, Certificate, summary};
 use couplet::problem::Quantity;
 use couplet::report::{self, Answers, Status, Subject, Value, write_json};
+use std::borrow::Cow;
 use std::ffi::{CStr, CString, c_char, c_int};
 use std::sync::OnceLock;
 
@@ -86,7 +87,7 @@ impl Answer {
             return Self::new(COUPLET_FAULT, "failed", "there is no answer");
         };
         let code = if told.is_undecided() { COUPLET_OPEN } else { COUPLET_PROVED };
-        let reason = told.reason().or(told.proved.as_deref().map(Into::into));
+        let reason = told.reason().map(Cow::into_owned).or_else(|| told.proved_in_words());
         let mut answer = Self::new(code, verdict(told), reason.unwrap_or_default());
         let labels: Vec<&str> = told.modes.iter().map(|mode| mode.label()).collect();
         answer.mode = c_text(labels.join("/"));

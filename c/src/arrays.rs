@@ -20,7 +20,7 @@ const ROWS: usize = 1 << 16;
 ///
 /// weight: as for `couplet_state`, of all. half_opening, friction: `n` doubles each; infinity is a friction. thickness: `n`
 /// doubles, or NULL. quantities: names with commas ("thickness,thrust"), those of `couplet_state`, or with thicknesses those of
-/// `couplet_assess`; NULL for none. threads: 1 for the calling thread alone, up to 1024, or 0 for one on each core; they end
+/// `couplet_assess`; NULL for none. asymmetric_thickness costs rows only where such mechanisms are known. threads: 1 for the calling thread alone, up to 1024, or 0 for one on each core; they end
 /// with the call.
 ///
 /// verdict: `n` bytes, `COUPLET_STANDS`, `COUPLET_FALLS`, `COUPLET_UNDECIDED` or `COUPLET_REFUSED`. mode: `n` bytes, which
@@ -51,8 +51,8 @@ pub unsafe extern "C" fn couplet_states(
         answered(answer, || {
             let weight = parse::weight(text(weight, "weight")?).map_err(wrong)?;
             let possible = match thickness.is_null() {
-                true => &Quantity::STATE[..],
-                false => &Quantity::ASSESSMENT[..],
+                true => &Quantity::STATE_ROW[..],
+                false => &Quantity::ASSESSMENT_ROW[..],
             };
             let names = optional(quantities, "quantities")?.unwrap_or_default();
             let asked = Doubles { weight, quantities: named(names, possible)? };

@@ -8,7 +8,7 @@ use couplet::Error;
 use couplet::arch::SelfWeight;
 use couplet::certify::state::Certify;
 use couplet::certify::state::find as seek;
-use couplet::certify::{self, CertifiedLandmark, quantities};
+use couplet::certify::{self, CertifiedLandmark, asymmetric_thicknesses, quantities};
 use couplet::check::{Certificate, Refusal};
 use couplet::cli::{Engine, parse};
 use couplet::problem::{Arch, Landmark, Quantity};
@@ -66,7 +66,9 @@ pub(crate) fn named(names: &str, possible: &[Quantity]) -> Result<Vec<Quantity>,
 /// ("31deg"). digits: significant digits, 1 to 10000; up to 25 cost a tenth of what 30 cost.
 ///
 /// Values: thickness (t/r), thrust (H/(w r)), intrinsic_thrust, rotation_joint and sliding_joint (rad from the crown),
-/// sliding_friction, rotational_friction. Verdict: "stands", "falls" or "undecided".
+/// sliding_friction, rotational_friction, and asymmetric_thickness, the largest above the least at which an asymmetric mechanism
+/// is found and proved: none where none is found. Verdict: "stands" (an admissible symmetric state exists, which with friction
+/// does not exclude such a mechanism), "falls" or "undecided".
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn couplet_state(
     weight: *const c_char,
@@ -80,7 +82,8 @@ pub unsafe extern "C" fn couplet_state(
         answered(answer, || {
             let arch = arch(weight, half_opening, friction)?;
             let digits = state_digits(digits)?;
-            let found = report::Answer::state(1, &arch, &arch.certify(digits));
+            let found = report::Answer::state(1, &arch, &arch.certify(digits))
+                .with_asymmetric(|| asymmetric_thicknesses(&arch, digits));
             Ok(Answer::told(Answers::arch(digits, found)))
         })
     }
@@ -91,8 +94,8 @@ pub unsafe extern "C" fn couplet_state(
 ///
 /// thickness: t/r, above 0 and at most 2, exact text ("0.12", "3/25").
 ///
-/// Values: least_thickness, geometric_safety, required_friction, friction_safety, least_thrust, largest_thrust, and the joints
-/// that limit the thrusts. Verdict: "stands", "falls" or "undecided"; a value that stays open beside it makes the code
+/// Values: least_thickness, geometric_safety, required_friction, friction_safety, least_thrust, largest_thrust, the joints
+/// that limit the thrusts, and asymmetric_thickness as for `couplet_state`. Verdict: "stands", "falls" or "undecided"; a value that stays open beside it makes the code
 /// `COUPLET_OPEN`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn couplet_assess(
@@ -110,7 +113,8 @@ pub unsafe extern "C" fn couplet_assess(
             let eta = parse::thickness(text(thickness, "thickness")?).map_err(wrong)?;
             let digits = state_digits(digits)?;
             let found = arch.certify_thickness(&eta, digits);
-            let found = report::Answer::assessment(1, (&arch, &eta), &found);
+            let found = report::Answer::assessment(1, (&arch, &eta), &found)
+                .with_asymmetric(|| asymmetric_thicknesses(&arch, digits));
             Ok(Answer::told(Answers::arch(digits, found)))
         })
     }

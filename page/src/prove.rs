@@ -15,6 +15,7 @@ use couplet::check::{
 use couplet::number::{
     AstroInterval, DoubleDouble, DoubleDoubleBall, Drawable, Dyadic, Enclosure, Engine, Ternary,
 };
+use couplet::problem::asymmetric_region::{LOOK, MAY_MOVE, STANDS, may_move_asymmetrically};
 use couplet::problem::{Known, Mode, Nearest, Problem, Quantity, Standing, Verdict};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -75,6 +76,10 @@ pub struct Proved {
     pub values: BTreeMap<&'static str, String>,
     /// Whether the arch stands with its thickness, if it has one: `None` if it is too near to the least to tell.
     pub stands: Option<bool>,
+    /// What that says, if it has one and stands.
+    pub meaning: Option<&'static str>,
+    /// What it may do all the same, where an asymmetric mechanism is known of such arches; this page does not look for it.
+    pub may_move: Option<String>,
     /// Whether a line of thrust that fits its thickness is proved too.
     pub has_line: bool,
     /// The file, if it was wanted.
@@ -142,6 +147,11 @@ pub fn proof(question: &Question) -> Result<Proved, String> {
             Ternary::Undecided => None,
         },
     };
+    proved.meaning = (proved.stands == Some(true)).then_some(STANDS);
+    let stands = mode.is_some() && proved.stands != Some(false);
+    proved.may_move = (stands && may_move_asymmetrically(&given.arch)).then(|| {
+        format!("Asymmetric mechanisms are known at such half openings and frictions: {MAY_MOVE} ({LOOK}).")
+    });
     if let (Some(eta), Some(least)) = (eta, least) {
         proved.values.extend(with_zeros(&(eta / least), SAFETY).map(|x| ("geometric_safety", x)));
     }
@@ -349,6 +359,16 @@ mod tests {
         assert!(sentence(&found).contains("[s,r,r]"));
     }
 
+    /// As the command does for 2.3 and 1.05, without the thickness of the mechanism.
+    #[test]
+    fn an_arch_of_which_a_mechanism_is_known_may_move() {
+        let start = [("rotation_joint", 1.104), ("thickness", 0.513), ("thrust", 0.186)];
+        let of =
+            |mu: &str| proof(&question(["milankovitch", "2.3", mu], "[s,r,r]", &start)).unwrap();
+        assert!(of("1.05").may_move.unwrap().contains("dilatancy"));
+        assert_eq!(of("1.02495").meaning, None);
+    }
+
     #[test]
     fn what_is_not_so_is_not_proved() {
         for (arch, subject) in
@@ -370,7 +390,11 @@ mod tests {
         for (thickness, safety) in [("0.1222", "1.000"), ("0.2", "1.637"), ("1.9", "15.55")] {
             let found = of(thickness).unwrap();
             assert_eq!((found.stands, &found.values["geometric_safety"][..]), (Some(true), safety));
-            assert!(sentence(&found).contains("stands half_opening"));
+            assert!(
+                sentence(&found)
+                    .contains("stands (an admissible symmetric state exists) half_opening")
+            );
+            assert_eq!((found.meaning, found.may_move), (Some(STANDS), None));
             let drawing = found.drawing.unwrap();
             assert!(drawing.contains("id=\"thrust\"") && !drawing.contains("mechanism"));
         }

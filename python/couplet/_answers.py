@@ -86,6 +86,13 @@ class _OfArch(Answer):
         return str(self._told["weight"])
 
     @property
+    def asymmetric_thickness(self) -> Certified | None:
+        """The largest thickness above the least at which an asymmetric mechanism is found and proved: there the arch stands, as an
+        admissible symmetric state exists, and friction without dilatancy may let it move. None if none is found; that there is
+        none is not proved."""
+        return self._value("asymmetric_thickness")
+
+    @property
     def can_stand(self) -> bool | None:
         """Whether the arch stands at some thickness; None if that is not asked or undecided."""
         return self._told["can_stand"]  # type: ignore[no-any-return]
@@ -111,7 +118,7 @@ class State(_OfArch):
 
     @property
     def verdict(self) -> str:
-        """``'stands'``: at some thickness; ``'falls'``: at none; ``'undecided'``."""
+        """``'stands'``: at some thickness an admissible symmetric state exists; ``'falls'``: at none; ``'undecided'``."""
         stands = self._told["can_stand"]
         return "undecided" if stands is None else "stands" if stands else "falls"
 
@@ -173,7 +180,8 @@ class State(_OfArch):
         return self._told["gap"]  # type: ignore[no-any-return]
 
     def _said(self) -> list[tuple[str, Any]]:
-        return [("mode", self.mode), ("thickness", self.thickness), ("reason", self.reason)]
+        moves = self.asymmetric_thickness
+        return [("mode", self.mode), ("thickness", self.thickness), ("asymmetric_thickness", moves), ("reason", self.reason)]
 
 
 class Assessment(_OfArch):
@@ -186,7 +194,7 @@ class Assessment(_OfArch):
 
     @property
     def verdict(self) -> str:
-        """``'stands'``: with this thickness; ``'falls'``; ``'undecided'``."""
+        """``'stands'``: with this thickness an admissible symmetric state exists; ``'falls'``; ``'undecided'``."""
         stands = self._told["stands"]
         return "undecided" if stands is None else "stands" if stands else "falls"
 
@@ -226,7 +234,8 @@ class Assessment(_OfArch):
         return self._value("largest_thrust")
 
     def _said(self) -> list[tuple[str, Any]]:
-        return [("geometric_safety", self.geometric_safety), ("reason", self.reason)]
+        moves = self.asymmetric_thickness
+        return [("geometric_safety", self.geometric_safety), ("asymmetric_thickness", moves), ("reason", self.reason)]
 
 
 class Found(Answer):
@@ -255,6 +264,12 @@ class Found(Answer):
     def proved(self) -> str | None:
         """Why there is no other answer."""
         return self._told["proved"]  # type: ignore[no-any-return]
+
+    @property
+    def some_may_move(self) -> bool:
+        """Whether asymmetric mechanisms are known of some of the arches of which ``proved`` says that they stand: friction
+        without dilatancy may let these move."""
+        return bool(self._told["some_may_move"])
 
     def _said(self) -> list[tuple[str, Any]]:
         value = self.value

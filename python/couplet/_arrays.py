@@ -48,12 +48,14 @@ def states(
         weight: the model of self-weight of all, 'heyman' or 'milankovitch'.
         quantities: the values that are computed. Without a thickness of 'thickness' (usual), 'thrust', 'intrinsic_thrust',
             'rotation_joint', 'sliding_joint', 'sliding_friction', 'rotational_friction'; with one of 'geometric_safety'
-            (usual), 'least_thickness', 'required_friction', 'friction_safety', 'least_thrust', 'largest_thrust'.
+            (usual), 'least_thickness', 'required_friction', 'friction_safety', 'least_thrust', 'largest_thrust'; and always
+            'asymmetric_thickness', the largest at which an asymmetric mechanism is found and proved of an arch that stands.
         threads: threads to compute with; 0 for one on each core, 1 where other processes have the others.
         progress: True for a bar, if tqdm is installed; or what is called with the rows done and all rows.
 
     Returns: an array of the common shape with the fields
-        verdict: a place in couplet.VERDICTS: 0 stands, 1 falls, 2 undecided, 3 refused.
+        verdict: a place in couplet.VERDICTS: 0 stands (an admissible symmetric state exists, which with friction does not
+            exclude an asymmetric mechanism), 1 falls, 2 undecided, 3 refused.
         mode: a place in couplet.MODES, how it collapses at its least thickness; 255 where there is none.
         and for each quantity NAME, NAME_lower, NAME_upper: the double nearest to the true value, correctly rounded, and
         doubles not above and not below it. Not a number where there is no such value, or it is undecided: an arch that

@@ -8,7 +8,7 @@ use couplet::arch::SelfWeight;
 use couplet::atlas::{NoSketch, Sketch};
 use couplet::certify::state::Certify;
 use couplet::certify::state::find as seek;
-use couplet::certify::{self, CertifiedLandmark, quantities};
+use couplet::certify::{self, CertifiedLandmark, asymmetric_thicknesses, quantities};
 use couplet::check::{Certificate, Refusal};
 use couplet::cli::{self, Engine, parse};
 use couplet::problem::{Arch, Landmark, Mode, Quantity};
@@ -93,12 +93,16 @@ pub(crate) fn state<'py>(
     let arch = arch(weight, half_opening, friction)?;
     let digits = parse::state_digits(digits).map_err(wrong)?;
     let found = py.detach(|| {
-        on_threads(1, || match frictions {
-            true => arch.certify(digits),
-            false => arch.certify_alone(digits),
+        on_threads(1, || {
+            let found = match frictions {
+                true => arch.certify(digits),
+                false => arch.certify_alone(digits),
+            };
+            let answer = Answer::state(1, &arch, &found);
+            answer.with_asymmetric(|| asymmetric_thicknesses(&arch, digits))
         })
     })?;
-    told::answer(py, &Answer::state(1, &arch, &found))
+    told::answer(py, &found)
 }
 
 #[pyfunction]
@@ -113,8 +117,14 @@ pub(crate) fn assess<'py>(
     let arch = arch(weight, half_opening, friction)?;
     let eta = parse::thickness(thickness).map_err(wrong)?;
     let digits = parse::state_digits(digits).map_err(wrong)?;
-    let found = py.detach(|| on_threads(1, || arch.certify_thickness(&eta, digits)))?;
-    told::answer(py, &Answer::assessment(1, (&arch, &eta), &found))
+    let found = py.detach(|| {
+        on_threads(1, || {
+            let found = arch.certify_thickness(&eta, digits);
+            let answer = Answer::assessment(1, (&arch, &eta), &found);
+            answer.with_asymmetric(|| asymmetric_thicknesses(&arch, digits))
+        })
+    })?;
+    told::answer(py, &found)
 }
 
 /// The question is the one for which everything is given that it needs: the package sees to that.

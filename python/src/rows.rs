@@ -28,7 +28,7 @@ pub(crate) fn states<'py>(
 ) -> PyResult<Columns<'py>> {
     let weight = parse::weight(weight).map_err(CoupletError::new_err)?;
     let possible =
-        if arrays.2.is_some() { &Quantity::ASSESSMENT[..] } else { &Quantity::STATE[..] };
+        if arrays.2.is_some() { &Quantity::ASSESSMENT_ROW[..] } else { &Quantity::STATE_ROW[..] };
     let quantities = names.iter().map(|name| asked::quantity(name, possible));
     let asked = Doubles { weight, quantities: quantities.collect::<PyResult<_>>()? };
     let (alphas, mus) = (doubles(&arrays.0), doubles(&arrays.1));

@@ -45,6 +45,7 @@ pub(crate) fn answer<'py>(py: Python<'py>, answer: &Answer) -> PyResult<Bound<'p
     all.set_item("enough", enough)?;
     all.set_item("reason", answer.reason())?;
     all.set_item("proved", answer.proved.as_deref())?;
+    all.set_item("some_may_move", answer.some_may_move)?;
     let (between, gap) = match &answer.status {
         Status::Undecided(undecided) => (labels(&undecided.between), undecided.gap),
         _ => (Vec::new(), None),

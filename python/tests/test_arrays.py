@@ -42,6 +42,14 @@ def test_a_row_is_the_state_of_its_arch():
     assert {STANDS, FALLS} == set(found["verdict"].tolist())
 
 
+def test_an_asymmetric_thickness_is_there_if_it_is_asked():
+    for thickness in (None, 0.55):
+        found = couplet.states([2.3, 1.5], [1.05, 0.6], thickness, quantities=["asymmetric_thickness"])
+        told = couplet.state(2.3, 1.05, digits=17).asymmetric_thickness.double
+        assert found["asymmetric_thickness"][0] == told and np.isnan(found["asymmetric_thickness"][1])
+    assert "asymmetric_thickness" not in couplet.states([2.3], [1.05]).dtype.names
+
+
 def test_the_bounds_are_the_neighbours():
     found = couplet.states(*drawn(50))
     stands = found[found["verdict"] == STANDS]

@@ -45,6 +45,19 @@ def test_a_whole_number_is_one_whatever_its_class_says():
         assert couplet.state("0.5", 1, digits=one).thickness.text == couplet.state("0.5", 1, digits=1).thickness.text
 
 
+def test_an_arch_that_stands_and_may_move():
+    state = couplet.state("2.3", "1.05", digits=12)
+    arch = couplet.assess("2.3", "1.05", "0.55", digits=12)
+    for answer in (state, arch):
+        assert answer.verdict == "stands"
+        assert answer.asymmetric_thickness.text == answer.values["asymmetric_thickness"].text == "0.583084449604"
+        assert "asymmetric_thickness='0.583084449604'" in repr(answer)
+    assert couplet.state("1.5", "0.6", digits=5).asymmetric_thickness is None
+    assert couplet.assess("2.3", "1.05", "0.5", digits=5).asymmetric_thickness is None
+    assert couplet.find("friction", half_opening="2.3", thickness="0.55", digits=5).some_may_move
+    assert not couplet.find("friction", half_opening="80deg", thickness="0.1", digits=5).some_may_move
+
+
 def test_a_state():
     state = couplet.state(half_opening="pi/2", friction="0.38", weight="heyman", digits=12)
     assert (state.verdict, state.mode, state.can_stand, state.reason) == ("stands", "[s,r,r]", True, None)

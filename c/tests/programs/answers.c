@@ -42,6 +42,11 @@ static void state(void) {
   SAYS(couplet_text(answer, "thickness", COUPLET_VALUE), "");
   couplet_free(answer);
 
+  /* It stands, and an asymmetric mechanism is proved. */
+  IS(couplet_assess(M, "2.3", "1.05", "0.55", 12, &answer) == COUPLET_PROVED);
+  SAYS(couplet_verdict(answer), "stands");
+  SAYS(couplet_text(answer, "asymmetric_thickness", COUPLET_VALUE), "0.583084449604");
+  couplet_free(answer);
 }
 
 /* Nearer to a boundary than can be told: its friction to 10,000 digits. */
