@@ -23,7 +23,7 @@ impl Drawing<'_> {
     pub(crate) fn state(&self, mode: Mode, moves: bool) -> Option<String> {
         let moment = moment_of(self.weight, mode, self.at)?;
         let marks = joints_of(mode, self.at);
-        let forces = Forces::new(self.weight, self.at, self.is_limited, &[moment], marks);
+        let forces = Forces::new(self.weight, (self.at, &[]), self.is_limited, &[moment], marks);
         let collapse = Collapse::new(self.weight, mode, self.at, false).ok()?;
         let blocks = Blocks::new(&collapse, self.at, AMPLITUDE, moves, &[]);
         Some(self.drawn(Some(&forces), collapse.joints_at_limit(), Some(blocks)))
@@ -31,7 +31,8 @@ impl Drawing<'_> {
 
     /// As it stands, with the line of a crown moment.
     pub(crate) fn standing(&self, moment: DoubleDoubleBall) -> String {
-        let forces = Forces::new(self.weight, self.at, self.is_limited, &[moment], Vec::new());
+        let forces =
+            Forces::new(self.weight, (self.at, &[]), self.is_limited, &[moment], Vec::new());
         self.drawn(Some(&forces), Vec::new(), None)
     }
 

@@ -41,10 +41,10 @@ impl<T: Drawable> Mark<T> {
 
 impl<T: Drawable> Forces<T> {
     /// Those of the thrust of a configuration with one crown moment or, where two are given, between two; the friction is
-    /// unlimited if it is not.
+    /// unlimited if it is not. Of an arch of stones the joints between them, from the crown on; of another there are none.
     pub fn new(
         weight: SelfWeight,
-        at: &Configuration<T>,
+        (at, joints): (&Configuration<T>, &[f64]),
         is_limited: bool,
         moments: &[T],
         marks: Vec<Mark<T>>,
@@ -57,8 +57,8 @@ impl<T: Drawable> Forces<T> {
         Self {
             thrust: at.thrust.clone(),
             moments: [first, last],
-            thrust_lines: moments.iter().map(|p| thrust_line(weight, at, p)).collect(),
-            friction_line: friction_line(at, is_limited),
+            thrust_lines: moments.iter().map(|p| thrust_line(weight, (at, joints), p)).collect(),
+            friction_line: friction_line((at, joints), is_limited),
             limited_by: None,
             marks,
         }
@@ -87,11 +87,27 @@ pub fn joints_of<T: Drawable>(mode: Mode, at: &Configuration<T>) -> Vec<Mark<T>>
     joints.map(|joint| Mark { contact: joint.contact, at: joint.at.rad.clone() }).collect()
 }
 
+/// A line of a configuration: through joints where there are some.
+fn line<T: Drawable>(
+    (at, joints): (&Configuration<T>, &[f64]),
+    radius: impl Fn(&Angle<T>) -> T,
+) -> Line {
+    let ends = [&at.half_opening.rad, &at.thickness];
+    match joints {
+        [] => Line::new(ends, radius),
+        some => Line::through_joints(ends, some, radius),
+    }
+}
+
 /// The locus of the pressure points.
-fn thrust_line<T: Drawable>(weight: SelfWeight, at: &Configuration<T>, moment: &T) -> Line {
+fn thrust_line<T: Drawable>(
+    weight: SelfWeight,
+    (at, joints): (&Configuration<T>, &[f64]),
+    moment: &T,
+) -> Line {
     let fac = Ring::new(weight, &at.thickness).centroid_factor;
     let without_thrust = at.thrust.is_zero();
-    Line::new([&at.half_opening.rad, &at.thickness], |joint| match without_thrust {
+    line((at, joints), |joint| match without_thrust {
         true if joint.rad.is_zero() => fac.ratio(1, 2) * &fac,
         true => statics::radius_without_thrust(joint, &fac),
         false => statics::pressure_radius(joint, &at.thrust, moment, &fac),
@@ -99,11 +115,11 @@ fn thrust_line<T: Drawable>(weight: SelfWeight, at: &Configuration<T>, moment: &
 }
 
 /// At the offset `(eta/2) T/(mu N)` from the centreline.
-fn friction_line<T: Drawable>(at: &Configuration<T>, is_limited: bool) -> Line {
+fn friction_line<T: Drawable>((at, joints): (&Configuration<T>, &[f64]), is_limited: bool) -> Line {
     if !is_limited {
         return centreline(&at.half_opening.rad, &at.thickness);
     }
-    Line::new([&at.half_opening.rad, &at.thickness], |joint: &Angle<T>| {
+    line((at, joints), |joint: &Angle<T>| {
         statics::friction_radius(joint, [&at.thrust, &at.friction, &at.thickness])
     })
 }

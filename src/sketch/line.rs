@@ -58,6 +58,31 @@ impl Line {
         Self { points, thickness: eta }
     }
 
+    /// The chain through the points of a line at some joints, from the crown on, and at the shoulder: between stones it is
+    /// said of joints alone. It is straight over a keystone, too.
+    pub fn through_joints<T: Drawable>(
+        [half_opening, thickness]: [&T; 2],
+        joints: &[f64],
+        radius: impl Fn(&Angle<T>) -> T,
+    ) -> Self {
+        let eta = thickness.double();
+        let at = |joint: T| {
+            let beta = joint.double();
+            let aside = radius(&Angle::new(joint)) - thickness.int(1);
+            [beta, (aside / thickness).double()]
+        };
+        let inside = joints.iter().map(|joint| at(half_opening.of_double(*joint)));
+        let mut points: Vec<[f64; 2]> = inside.collect();
+        points.push(at(half_opening.clone()));
+        if let [first, offset] = points[0]
+            && first > 0.0
+        {
+            let sagitta = 2.0 * (first / 2.0).sin().powi(2);
+            points.insert(0, [0.0, offset * first.cos() - sagitta / eta]);
+        }
+        Self { points, thickness: eta }
+    }
+
     /// Its points to the right and up.
     pub fn places(&self) -> impl DoubleEndedIterator<Item = [f64; 2]> + ExactSizeIterator + '_ {
         self.points.iter().map(|point| place(*point, self.thickness))

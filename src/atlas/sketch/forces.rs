@@ -21,7 +21,7 @@ pub(super) fn forces_of_mode(
         Some(moment) => vec![moment],
         None => moments(weight, at)?.to_vec(),
     };
-    Ok(Forces::new(weight, at, is_limited, &moments, joints_of(mode, at)))
+    Ok(Forces::new(weight, (at, &[]), is_limited, &moments, joints_of(mode, at)))
 }
 
 /// Those of an end of a range of thrusts, at least or at most so much; `None` where there is no bound.
@@ -62,6 +62,6 @@ pub(super) fn forces_of_limit(
         // Without thrust the crown moment is zero.
         Touch::Nothing => (contact::crown_moment(&at), Vec::new()),
     };
-    let forces = Forces::new(weight, &at, is_limited, &[moment], marks);
+    let forces = Forces::new(weight, (&at, &[]), is_limited, &[moment], marks);
     Ok(Some(Forces { limited_by: Some(limit.touch.name().to_owned()), ..forces }))
 }

@@ -193,7 +193,13 @@ impl Sketch {
         let collapse = Collapse::new(weight, state.mode, &at, is_dilatant).map_err(open)?;
         let moment = stones::moment((arch, &all), &at, state.contacts[1]);
         let joints = joints_of(state.mode, &at);
-        let forces = Forces::new(weight, &at, is_limited, moment.as_slice(), joints);
+        let forces = Forces::new(
+            weight,
+            (&at, &stones::joints(&all)),
+            is_limited,
+            moment.as_slice(),
+            joints,
+        );
         let subject = Subject::Least(Box::new(arch.clone()));
         let (stones, forces, collapses) = (Some(all), vec![forces], vec![collapse]);
         let sketch = Self { subject, weight, at, is_limited, stones, forces, collapses };
@@ -299,9 +305,7 @@ impl Sketch {
     /// The joints between stones of the right half but for the shoulder, from the crown, rad; none of an arch that is not of
     /// stones.
     pub fn stone_joints(&self) -> Vec<f64> {
-        let stones = self.stones.iter();
-        let joints = stones.flat_map(|all| (0..all.count() - 1).map(|k| stones::angle(all, k).rad));
-        joints.map(|joint: Ball| joint.double()).collect()
+        self.stones.iter().flat_map(stones::joints).collect()
     }
 
     /// The thickness, in units of `r`.

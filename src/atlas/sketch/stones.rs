@@ -5,7 +5,7 @@ use super::{Forces, Mark};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Configuration, Ring, Unknown};
 use crate::certify::{VoussoirDigits, VoussoirLimit};
-use crate::number::{Angle, Ball, Enclosure, Ternary};
+use crate::number::{Angle, Ball, Drawable, Enclosure, Ternary};
 use crate::problem::stones::{JointContact, Stones};
 use crate::problem::{Arch, Mode};
 
@@ -20,6 +20,11 @@ pub(super) fn angle(stones: &Stones, index: u64) -> Angle<Ball> {
         true => Angle::zero(&Ball::integer(0, BITS)),
         false => Angle::new(stones.joint(index, BITS)),
     }
+}
+
+/// The joints of the right half but for the shoulder, from the crown, rad.
+pub(super) fn joints(stones: &Stones) -> Vec<f64> {
+    (0..stones.count() - 1).map(|index| angle(stones, index).rad.double()).collect()
 }
 
 /// Where it is at its least thickness: the hinge at the intrados is the rotational joint, that of a keystone the hinge of the crown.
@@ -89,6 +94,6 @@ pub(super) fn forces(
     let mark =
         |(contact, joint): &JointContact| Mark { contact: *contact, at: angle(stones, *joint).rad };
     let marks = limit.contacts.iter().filter(|contact| slips(contact)).map(mark).collect();
-    let forces = Forces::new(arch.weight(), &at, is_limited, &[moment], marks);
+    let forces = Forces::new(arch.weight(), (&at, &joints(stones)), is_limited, &[moment], marks);
     Some(Forces { limited_by: Some(limited_by((stones, is_limited), limit)), ..forces })
 }

@@ -430,3 +430,33 @@ fn rates_that_are_not_positive_are_undecided() {
     let refused = Collapse::new(sketch.weight, Mode::Rotational, &at, false);
     assert_eq!(refused.unwrap_err(), NoCollapse::Rates(Mode::Rotational));
 }
+
+/// Between stones nothing says where a line is: it has its points at the joints, over a keystone it is straight.
+#[test]
+fn lines_of_stones_are_those_of_their_joints() {
+    for (alpha, mu, stones) in [("2.3", "1.05", 3), ("pi/2", "0.7", 7), ("120deg", "0.75", 20)] {
+        let arch = arch(SelfWeight::Milankovitch, [alpha, mu]);
+        let thickness = "1.2".parse().unwrap();
+        let sketches = [
+            Sketch::least_of_stones(&arch, stones, false).unwrap(),
+            Sketch::standing_of_stones(&arch, stones, &thickness).unwrap(),
+        ];
+        for sketch in sketches {
+            let joints = sketch.stone_joints();
+            let crown = usize::from(joints[0] > 0.0);
+            assert!(!sketch.forces.is_empty());
+            for line in sketch.forces.iter().flat_map(|forces| &forces.thrust_lines) {
+                let inside = &line.points[crown..joints.len() + crown];
+                assert!(inside.iter().zip(&joints).all(|([at, _], joint)| at == joint));
+                assert_eq!(line.points.len(), joints.len() + crown + 1, "{alpha} {stones}");
+                // Admissible at every joint.
+                let within = |[_, offset]: &[f64; 2]| offset.abs() < 0.5 + 1e-9;
+                assert!(line.points[crown..].iter().all(within), "{alpha} {stones}: {line:?}");
+                if crown == 1 {
+                    let [middle, first] = [0, 1].map(|k| line.places().nth(k).unwrap());
+                    assert!((middle[1] - first[1]).abs() < 1e-12 && middle[0] == 0.0);
+                }
+            }
+        }
+    }
+}

@@ -234,7 +234,7 @@ pub(super) fn paragraphs(drawn: &Sketched) -> Vec<String> {
         let lines = match (is_sliding, is_landmark) {
             (true, _) => "nothing stands with less friction",
             _ if has(|sketch| sketch.stones.is_some()) => {
-                "the conditions hold at every joint between the stones, none thinner"
+                "the conditions hold at every joint between the stones, where the lines have their points, none thinner"
             }
             (_, true) => {
                 "the lines within the arch and on its faces only at joints that give way in one of the modes there, none \

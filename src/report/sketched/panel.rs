@@ -97,7 +97,8 @@ impl<'a> Panel<'a> {
                 names.iter_mut().find(|(known, _, _)| (*known - joint).abs() < CROWN * alpha);
             match known {
                 _ if !is_inner => {}
-                Some((_, _, name)) => *name = label("βᵣ = βₛ", joint),
+                Some((_, _, name)) if *name != text => *name = label("βᵣ = βₛ", joint),
+                Some(_) => {}
                 None => names.push((joint, side, text)),
             }
         }
