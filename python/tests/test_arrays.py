@@ -142,7 +142,7 @@ def test_names_that_are_unknown():
         couplet.states(1, 1, quantities=["thiknes"])
     # What is offered there is, and it is all that there is.
     offered = str(caught.value).split("one of ")[1].split(" (did")[0].split(", ")
-    assert len(offered) == 7 and couplet.states(1, 1, quantities=offered).dtype.names[-1].endswith("_upper")
+    assert len(offered) == 8 and couplet.states(1, 1, quantities=offered).dtype.names[-1].endswith("_upper")
     with pytest.raises(couplet.CoupletError, match="there is no geometric_safety here"):
         couplet.states(1, 1, quantities="geometric_safety")
     with pytest.raises(couplet.CoupletError, match="a weight is one of"):
