@@ -103,6 +103,17 @@ const fn row(name: &'static str, symbol: &'static str, latex: &'static str) -> R
     Row { name, symbol, latex }
 }
 
+/// A list with the asymmetric thickness behind it.
+const fn and_asymmetric<const N: usize, const M: usize>(list: [Quantity; N]) -> [Quantity; M] {
+    let mut all = [Quantity::AsymmetricThickness; M];
+    let mut k = 0;
+    while k < N {
+        all[k] = list[k];
+        k += 1;
+    }
+    all
+}
+
 impl Quantity {
     /// What a landmark can have, in the order in which it is shown.
     pub const LANDMARK: [Self; 13] = [
@@ -167,27 +178,10 @@ impl Quantity {
     ];
 
     /// What rows of arrays and sweeps may ask of a state. Elsewhere the asymmetric thickness goes with each verdict, asked or not.
-    pub const STATE_ROW: [Self; 8] = [
-        Self::Thickness,
-        Self::Thrust,
-        Self::IntrinsicThrust,
-        Self::RotationJoint,
-        Self::SlidingJoint,
-        Self::SlidingFriction,
-        Self::RotationalFriction,
-        Self::AsymmetricThickness,
-    ];
+    pub const STATE_ROW: [Self; 8] = and_asymmetric(Self::STATE);
 
     /// The same of an arch of a given thickness.
-    pub const ASSESSMENT_ROW: [Self; 7] = [
-        Self::LeastThickness,
-        Self::GeometricSafety,
-        Self::RequiredFriction,
-        Self::FrictionSafety,
-        Self::LeastThrust,
-        Self::LargestThrust,
-        Self::AsymmetricThickness,
-    ];
+    pub const ASSESSMENT_ROW: [Self; 7] = and_asymmetric(Self::ASSESSMENT);
 
     /// What is told besides of an arch that is [measured](super::measures), at its least thickness.
     pub const MEASURED_STATE: [Self; 7] = [
