@@ -6,7 +6,7 @@
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
 # them too old.
-ALL := --features plots,parquet,proptest
+ALL := --features study,proptest
 
 # $(call need,TEST,PACKAGES,WHY): if the test fails, installs Debian packages as root, and names them otherwise.
 define need

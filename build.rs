@@ -3,13 +3,12 @@
 use std::fs;
 use std::process::Command;
 
+/// What the program is built from.
+const SOURCES: [&str; 5] = ["build.rs", "Cargo.toml", "Cargo.lock", "src", "crates"];
+
 fn main() {
-    for path in ["build.rs", "Cargo.toml", "Cargo.lock", "src"] {
+    for path in SOURCES {
         println!("cargo:rerun-if-changed={path}");
-    }
-    // A commit changes what is logged of the head.
-    if let Some(log) = git(&["rev-parse", "--git-path", "logs/HEAD"]) {
-        println!("cargo:rerun-if-changed={log}");
     }
     let commit = packaged().or_else(checked_out).unwrap_or("unknown".to_owned());
     println!("cargo:rustc-env=COUPLET_COMMIT={commit}");
@@ -22,14 +21,21 @@ fn packaged() -> Option<String> {
     rest.split_once('"').map(|(commit, _)| commit.to_owned())
 }
 
-/// The commit of a checkout of this repository, and whether what is built differs from it.
+/// The last commit of this repository that changed the sources, and whether what is built differs from it. A commit of other
+/// files changes nothing of the program, so nothing is built again.
 fn checked_out() -> Option<String> {
     let top = git(&["rev-parse", "--show-toplevel"])?;
     let is_ours = fs::canonicalize(top).ok()? == fs::canonicalize(".").ok()?;
-    let commit = git(&["rev-parse", "HEAD"]).filter(|_| is_ours)?;
-    let changes =
-        git(&["status", "--porcelain", "--", "build.rs", "Cargo.toml", "Cargo.lock", "src"]);
-    Some(if changes.is_some() { format!("{commit} with changes") } else { commit })
+    let of_sources = |words: &[&str]| git(&[words, &["--"], &SOURCES].concat());
+    let commit = of_sources(&["log", "-1", "--format=%H"]).filter(|_| is_ours)?;
+    if of_sources(&["status", "--porcelain"]).is_none() {
+        return Some(commit);
+    }
+    // Once the changes are committed, they are none any more: what is logged of the head tells when.
+    if let Some(log) = git(&["rev-parse", "--git-path", "logs/HEAD"]) {
+        println!("cargo:rerun-if-changed={log}");
+    }
+    Some(format!("{commit} with changes"))
 }
 
 /// What git answers, if anything.

@@ -14,11 +14,11 @@
 use couplet::Error;
 use couplet::arch::SelfWeight;
 use couplet::certify::state::{Answer, Certify, Column, Doubles, Figure, Row};
-use couplet::cli::sweep::Sweep;
 use couplet::number::ExactNumber;
 use couplet::problem::{Arch, Friction, Mode, Quantity};
 use couplet::scene::{SweepArches, read_sweep};
 use couplet::strategies::samples;
+use couplet::sweep::sweep::Sweep;
 use cpu_time::{ProcessTime, ThreadTime};
 use rayon::ThreadPool;
 use rayon::prelude::*;

@@ -10,10 +10,11 @@
 //! of symmetric circular masonry arches, Part II: Milankovitch-like self-weight distribution*
 //! (accepted preprint, 25 March 2025, University of Bergamo), "the paper" in all that follows.
 //!
-//! A program that certifies takes `default-features = false, features = ["mpfr"]`; one that checks what
-//! others have certified takes `features = ["check"]`, pure Rust. The page `docs/features.md` of the
+//! A program that certifies takes `default-features = false`; one that checks what others have certified
+//! takes the crate `couplet-check`, pure Rust. The page `docs/features.md` of the
 //! repository has all features, and what each costs.
-#![cfg_attr(feature = "mpfr", doc = "", doc = include_str!("../docs/tour.md"))]
+#![doc = ""]
+#![doc = include_str!("../docs/tour.md")]
 //!
 //! # Where an equation is
 //!
@@ -45,78 +46,33 @@
 //! [`certify::state`].
 //!
 //! Taken on trust: the compiler, GMP and MPFR, the hardware, and that the equations describe masonry.
-#![cfg_attr(
-    not(all(feature = "study", feature = "cli", feature = "proptest")),
-    allow(
-        rustdoc::broken_intra_doc_links,
-        reason = "the page speaks of rooms that a smaller build does not have"
-    )
-)]
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
 /// The program of the README.
-#[cfg(all(doctest, feature = "mpfr"))]
+#[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct Readme;
 
 /// The numbers of GMP and MPFR that balls are made of, in the version that this crate uses.
-#[cfg(feature = "mpfr")]
 pub use rug;
 
-#[cfg(feature = "mpfr")]
 pub use certify::{Error, Refused, Undecided};
 
-/// What most programs need: `use couplet::prelude::*`.
-///
-/// ```
-/// use couplet::prelude::*;
-/// let arch = Arch::parse("heyman", "90deg", "0.38")?;
-/// let state = arch.least(12)?;
-/// assert_eq!(format!("{} {}", state.mode, state.thickness), "[s,r,r] 0.122191586363");
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[cfg(feature = "mpfr")]
-pub mod prelude {
-    pub use crate::arch::SelfWeight;
-    pub use crate::certify::state::{Answer, Certify};
-    pub use crate::certify::{CertifiedLandmark, Error, Refused, Undecided};
-    pub use crate::number::ExactNumber;
-    pub use crate::problem::{Arch, Friction, Landmark, Mode, Quantity};
-}
-
-pub mod arch;
-#[cfg(feature = "mpfr")]
-pub mod atlas;
-#[cfg(feature = "mpfr")]
-pub mod certify;
-#[cfg(feature = "check")]
-pub mod check;
-#[cfg(feature = "mpfr")]
-pub mod claims;
-#[doc(hidden)]
-#[cfg(feature = "cli")]
-pub mod cli;
-#[cfg(feature = "mpfr")]
-pub mod judge;
-pub mod number;
-#[doc(hidden)]
-#[cfg(feature = "check")]
-pub mod picture;
-pub mod problem;
-#[cfg(all(feature = "mpfr", feature = "cli"))]
-pub mod report;
-#[doc(hidden)]
-#[cfg(all(feature = "mpfr", feature = "cli"))]
-pub mod scene;
-#[cfg(feature = "check")]
-pub mod sketch;
-#[doc(hidden)]
-#[cfg(feature = "mpfr")]
-pub mod solve;
-#[cfg(feature = "mpfr")]
-pub mod strategies;
-#[doc(hidden)]
+pub use couplet_check::{arch, check, problem};
+pub use couplet_claims::claims;
 #[cfg(feature = "study")]
-pub mod study;
-#[cfg(feature = "mpfr")]
-pub mod symbolic;
+#[doc(hidden)]
+pub use couplet_claims::study;
+#[doc(hidden)]
+pub use couplet_draw::{picture, sketch};
+pub use couplet_number::{number, symbolic};
+#[doc(hidden)]
+pub use couplet_prove::solve;
+pub use couplet_prove::{atlas, certify, judge, prelude, strategies};
+pub use couplet_report::report;
+#[doc(hidden)]
+pub use couplet_sweep::{self as sweep, scene};
+
+#[cfg(feature = "cli")]
+#[doc(hidden)]
+pub mod cli;

@@ -10,9 +10,9 @@ use couplet::certify::state::Certify;
 use couplet::certify::state::find as seek;
 use couplet::certify::{self, CertifiedLandmark, asymmetric_thicknesses, quantities};
 use couplet::check::{Certificate, Refusal};
-use couplet::cli::{Engine, parse};
 use couplet::problem::{Arch, Landmark, Quantity};
 use couplet::report::{self, Answers, Scope};
+use couplet::sweep::{engine::Engine, parse};
 use std::ffi::{c_char, c_int, c_void};
 use std::fmt::Display;
 

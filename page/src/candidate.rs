@@ -1,7 +1,7 @@
 //! A root from a start in doubles: candidates for the witnesses of a certificate, of which nothing is certain.
 
-use couplet::number::{DoubleDouble, DoubleDoubleBall, Dual, Dyadic};
-use couplet::problem::Problem;
+use couplet_check::problem::Problem;
+use couplet_number::number::{DoubleDouble, DoubleDoubleBall, Dual, Dyadic};
 
 /// Newton steps: a start good to five digits needs three.
 const STEPS: usize = 6;
@@ -13,7 +13,7 @@ pub(crate) struct Candidate {
     pub(crate) root: Vec<DoubleDouble>,
     pub(crate) inverse: Vec<Vec<f64>>,
     /// What is known of the problem at the root.
-    pub(crate) at: couplet::arch::Configuration<DoubleDoubleBall>,
+    pub(crate) at: couplet_check::arch::Configuration<DoubleDoubleBall>,
 }
 
 /// Newton's method from a start; `None` where it meets a singular matrix, or leaves the doubles.

@@ -1,9 +1,9 @@
 //! The picture of an arch, by what draws the pictures of `couplet draw`.
 
-use couplet::arch::{Configuration, SelfWeight};
-use couplet::number::{DoubleDoubleBall, Drawable};
-use couplet::problem::Mode;
-use couplet::sketch::{Blocks, Collapse, Forces, Lines, View, joints_of, moment_of, picture};
+use couplet_check::arch::{Configuration, SelfWeight};
+use couplet_check::problem::Mode;
+use couplet_draw::sketch::{Blocks, Collapse, Forces, Lines, View, joints_of, moment_of, picture};
+use couplet_number::number::{DoubleDoubleBall, Drawable};
 
 /// The width in units of the picture.
 const WIDTH: f64 = 560.0;
@@ -44,7 +44,7 @@ impl Drawing<'_> {
     fn drawn(
         &self,
         forces: Option<&Forces<DoubleDoubleBall>>,
-        marks: Vec<(couplet::arch::mechanism::Contact, f64)>,
+        marks: Vec<(couplet_check::arch::mechanism::Contact, f64)>,
         blocks: Option<Blocks>,
     ) -> String {
         let eta = self.at.thickness.double();

@@ -2,9 +2,9 @@
 
 use crate::prove::Question;
 use crate::rounding::rounded;
-use couplet::number::{DoubleDouble, DoubleDoubleBall, ExactNumber, Field, Real};
-use couplet::problem::measures::{Circle, Length, Measures, of_span_and_rise};
-use couplet::problem::{self, Arch, Friction, Known};
+use couplet_check::problem::measures::{Circle, Length, Measures, of_span_and_rise};
+use couplet_check::problem::{self, Arch, Friction, Known};
+use couplet_number::number::{DoubleDouble, DoubleDoubleBall, ExactNumber, Field, Real};
 
 /// What is given of an arch.
 pub(crate) struct Given {

@@ -10,7 +10,7 @@ mod prove;
 mod rounding;
 mod standing;
 
-use couplet::check::{Refusal, summary, verify};
+use couplet_check::check::{Refusal, summary, verify};
 use serde::Serialize;
 use std::cell::RefCell;
 

@@ -8,15 +8,15 @@ use crate::drawing::Drawing;
 use crate::given::{Given, given};
 use crate::rounding::{rounded, with_zeros};
 use crate::standing;
-use couplet::arch::{Configuration, Unknown};
-use couplet::check::{
+use couplet_check::arch::{Configuration, Unknown};
+use couplet_check::check::{
     Certificate, ClaimFile, Refusal, SCHEMA, ValueFile, Witness, check_certificate,
 };
-use couplet::number::{
+use couplet_check::problem::asymmetric_region::{LOOK, MAY_MOVE, STANDS, may_move_asymmetrically};
+use couplet_check::problem::{Known, Mode, Nearest, Problem, Quantity, Standing, Verdict};
+use couplet_number::number::{
     AstroInterval, DoubleDouble, DoubleDoubleBall, Drawable, Dyadic, Enclosure, Engine, Ternary,
 };
-use couplet::problem::asymmetric_region::{LOOK, MAY_MOVE, STANDS, may_move_asymmetrically};
-use couplet::problem::{Known, Mode, Nearest, Problem, Quantity, Standing, Verdict};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 

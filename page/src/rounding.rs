@@ -1,6 +1,6 @@
 //! Decimals of what balls of double-doubles enclose: only those that are proved.
 
-use couplet::number::{DoubleDoubleBall, Enclosure, Tens, Written};
+use couplet_number::number::{DoubleDoubleBall, Enclosure, Tens, Written};
 
 /// Bits of what it is compared with.
 const BITS: usize = 106;
@@ -33,7 +33,7 @@ fn shortened(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use couplet::number::{DoubleDouble, Field};
+    use couplet_number::number::{DoubleDouble, Field};
 
     #[test]
     fn only_decided_digits_are_written() {

@@ -1,8 +1,8 @@
 //! A line of thrust well inside an arch, found in doubles: a candidate, as that of `couplet certify arch` for its own.
 
-use couplet::arch::{Configuration, Ring, SelfWeight, Unknown, contact};
-use couplet::number::Angle;
-use couplet::problem::{Nearest, inward_friction, room_for_steepest, shoulder_friction};
+use couplet_check::arch::{Configuration, Ring, SelfWeight, Unknown, contact};
+use couplet_check::problem::{Nearest, inward_friction, room_for_steepest, shoulder_friction};
+use couplet_number::number::Angle;
 
 /// A thrust and a crown moment that seem to be admissible.
 pub(crate) struct Line {

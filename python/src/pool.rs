@@ -4,7 +4,7 @@
 //! them for ever. So nothing runs in the global pool, and a pool is of the process that made it.
 
 use crate::CoupletError;
-use couplet::cli::{MAX_THREADS, usual_threads};
+use couplet::sweep::pool::{MAX_THREADS, usual_threads};
 use pyo3::PyResult;
 use pyo3::exceptions::PyRuntimeError;
 use rayon::{ThreadPool, ThreadPoolBuilder};

@@ -3,8 +3,8 @@
 use crate::pool::on_threads;
 use crate::{CoupletError, asked};
 use couplet::certify::state::{Doubles, Row};
-use couplet::cli::parse;
 use couplet::problem::Quantity;
+use couplet::sweep::parse;
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;

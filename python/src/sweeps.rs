@@ -2,8 +2,8 @@
 
 use crate::CoupletError;
 use crate::pool::on_threads;
-use couplet::cli::sweep::{Sweep, SweepError, verify};
 use couplet::scene::{Fault, read_sweep};
+use couplet::sweep::sweep::{Sweep, SweepError, verify};
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};

@@ -1,8 +1,8 @@
 //! `couplet check`: also the whole of the small program.
 
-use super::engine::Engine;
-use super::failure::{Failure, print, reason};
 use crate::check::{Accepted, MAX_DIGITS, Refusal, summary, visible_name};
+use crate::sweep::engine::Engine;
+use crate::sweep::failure::{Failure, print, reason};
 use clap::Args;
 use std::ffi::{OsStr, OsString};
 use std::fs::File;
@@ -24,27 +24,6 @@ pub(super) struct Arguments {
     /// malachite (pure Rust, quicker than astro, up to 50000 digits; in part MPFR's algorithms, so no witness beside mpfr).
     #[arg(long, default_value = "astro", value_parser = Engine::named)]
     engine: Engine,
-}
-
-/// The commands of the small program.
-#[cfg(not(feature = "mpfr"))]
-#[derive(clap::Subcommand)]
-pub(super) enum Command {
-    Check(Arguments),
-    Completions(super::completions::Arguments),
-    Man(super::man::Arguments),
-}
-
-#[cfg(not(feature = "mpfr"))]
-impl Command {
-    /// Runs the command; `program` describes the whole command line.
-    pub(super) fn run(&self, program: fn() -> clap::Command) -> Result<(), Failure> {
-        match self {
-            Self::Check(arguments) => run(arguments),
-            Self::Completions(arguments) => super::completions::run(arguments, program()),
-            Self::Man(arguments) => super::man::run(arguments, program()),
-        }
-    }
 }
 
 /// A certificate of a million digits has about 25 MB.

@@ -1,6 +1,6 @@
 //! `couplet completions`.
 
-use super::failure::{Failure, print};
+use crate::sweep::failure::{Failure, print};
 use clap::{Args, Command};
 use clap_complete::Shell;
 

@@ -12,7 +12,6 @@ pub(super) fn keep(arguments: &[OsString]) {
 }
 
 /// The command as it was typed.
-#[cfg(feature = "mpfr")]
 pub(super) fn typed() -> String {
     let words = WORDS.lock().unwrap_or_else(PoisonError::into_inner);
     let words: Vec<_> = words.iter().map(|word| word.to_string_lossy()).collect();

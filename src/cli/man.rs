@@ -1,6 +1,6 @@
 //! `couplet man`.
 
-use super::failure::{Failure, print};
+use crate::sweep::failure::{Failure, print};
 use clap::{Args, Command};
 use clap_mangen::{Man, generate_to};
 use std::fs;

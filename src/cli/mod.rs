@@ -4,35 +4,21 @@
 //! usage or input; 3 a resource or I/O failure.
 
 mod check;
-#[cfg(feature = "mpfr")]
 mod commands;
 mod completions;
-mod engine;
-mod failure;
 mod line;
 mod man;
-#[cfg(feature = "mpfr")]
-mod pool;
 mod version;
 
 use crate::check::visible;
+use crate::sweep::failure::Failure;
+use crate::sweep::pool;
 use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser};
-use failure::Failure;
 use std::ffi::{OsStr, OsString};
 use std::io;
 use std::process::ExitCode;
 
-#[cfg(not(feature = "mpfr"))]
-use check::Command;
-#[cfg(feature = "mpfr")]
 use commands::Command;
-#[cfg(feature = "mpfr")]
-pub use commands::parse;
-#[cfg(feature = "parquet")]
-pub use commands::sweep;
-pub use engine::Engine;
-#[cfg(feature = "mpfr")]
-pub use pool::{MAX_THREADS, usual_threads};
 
 /// Certified constants of the finite-friction Couplet–Heyman problem: how thin a circular masonry
 /// arch can be and still stand, and how it falls.
@@ -53,7 +39,6 @@ struct Cli {
     color: ColorChoice,
 
     /// Threads to compute with; one for each core if not given.
-    #[cfg(feature = "mpfr")]
     #[arg(long, global = true, help_heading = "Options of every command", value_name = "N", value_parser = pool::read)]
     threads: Option<usize>,
 }
@@ -85,7 +70,6 @@ pub fn run_from(arguments: Vec<OsString>) -> u8 {
             eprintln!("couplet: {}", visible(&failure.to_string()));
             match failure {
                 Failure::Undecided(_) => 1,
-                #[cfg(feature = "mpfr")]
                 Failure::Input(_) => 2,
                 Failure::Io(_) => 3,
             }
@@ -95,7 +79,6 @@ pub fn run_from(arguments: Vec<OsString>) -> u8 {
 
 impl Cli {
     fn run(&self) -> Result<(), Failure> {
-        #[cfg(feature = "mpfr")]
         if self.threads.is_some() || self.command.computes() {
             pool::start(self.threads)?;
         }

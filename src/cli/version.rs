@@ -15,10 +15,8 @@ pub(super) static LONG: LazyLock<String> = LazyLock::new(|| {
 });
 
 /// The features, and whether they are built in.
-const FEATURES: [(&str, bool); 9] = [
-    ("mpfr", cfg!(feature = "mpfr")),
+const FEATURES: [(&str, bool); 7] = [
     ("system-gmp", cfg!(feature = "system-gmp")),
-    ("check", cfg!(feature = "check")),
     ("malachite", cfg!(feature = "malachite")),
     ("cli", cfg!(feature = "cli")),
     ("study", cfg!(feature = "study")),
@@ -27,7 +25,6 @@ const FEATURES: [(&str, bool); 9] = [
     ("proptest", cfg!(feature = "proptest")),
 ];
 
-#[cfg(feature = "mpfr")]
 fn arithmetic() -> String {
     use gmp_mpfr_sys::{gmp, mpfr};
     let gmp = [gmp::VERSION, gmp::VERSION_MINOR, gmp::VERSION_PATCHLEVEL];
@@ -35,11 +32,6 @@ fn arithmetic() -> String {
     let [gmp, mpfr] = [gmp, mpfr].map(|parts| parts.map(|part| part.to_string()).join("."));
     let from = if cfg!(feature = "system-gmp") { ", of the system or newer" } else { "" };
     format!("GMP {gmp}, MPFR {mpfr}{from}; {PURE_RUST}")
-}
-
-#[cfg(not(feature = "mpfr"))]
-fn arithmetic() -> String {
-    PURE_RUST.to_owned()
 }
 
 const PURE_RUST: &str =

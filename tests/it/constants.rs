@@ -1,7 +1,6 @@
 //! The certificates in `proofs/constants`, `proofs/states` and `proofs/asymmetric` are accepted, and are those that the program makes.
 
 use couplet::arch::SelfWeight;
-#[cfg(feature = "mpfr")]
 use couplet::arch::asymmetric::AsymmetricMode;
 use couplet::check::{Accepted, check};
 use couplet::number::AstroInterval;
@@ -33,7 +32,6 @@ fn every_landmark_has_an_accepted_certificate() {
         let text = fs::read_to_string(&path).unwrap();
         let accepted = accepted(&text);
         let Problem::Landmark { landmark, weight } = accepted.problem else { panic!("{path:?}") };
-        #[cfg(feature = "mpfr")]
         {
             let made = couplet::certify::certify_landmark(landmark, weight, 100).unwrap();
             let made = serde_json::to_string_pretty(&made).unwrap() + "\n";
@@ -48,7 +46,6 @@ fn every_landmark_has_an_accepted_certificate() {
     assert_eq!(subjects, all);
 }
 
-#[cfg(feature = "mpfr")]
 #[test]
 fn the_stored_states_are_those_that_the_program_makes() {
     for path in stored("states") {
@@ -63,7 +60,6 @@ fn the_stored_states_are_those_that_the_program_makes() {
     }
 }
 
-#[cfg(feature = "mpfr")]
 #[test]
 fn the_stored_asymmetric_solutions_are_those_that_the_program_makes() {
     let mut kinds = Vec::new();

@@ -3,6 +3,7 @@
 use crate::hard::{circle_point, config, positive_rational, weights};
 use couplet::arch::{Quotient, Ring, SelfWeight, cubic, overturning, sliding, statics, thrust};
 use couplet::number::{Angle, Dual, Field};
+use couplet::symbolic::{Letters, Notation, Symbol};
 use proptest::prelude::*;
 use rug::Rational;
 
@@ -196,4 +197,22 @@ proptest! {
         let steepness = -sliding::steepest(&beta, &h) / Field::square(normal.value());
         prop_assert_eq!(slope, steepness);
     }
+}
+
+#[test]
+fn the_cubic_reads_as_in_the_paper() {
+    let delta = Symbol::Flag.number();
+    let cubic = cubic::in_thickness(
+        &cubic::abbreviations(&Symbol::joint()),
+        &delta,
+        &Symbol::Thickness.number(),
+    );
+    let cubic = cubic.as_polynomial().unwrap();
+    assert_eq!(
+        cubic.show_by(Symbol::Thickness, Notation::Text),
+        "S delta eta^3 + 3 (beta C + beta + S C + S) eta^2 - 12 (beta + S C - S) eta \
+         - 12 (beta C - beta - S C + S)"
+    );
+    let latex = cubic.show_by(Symbol::Thickness, Notation::Latex);
+    assert!(latex.starts_with(r"S \delta_M {\eta}^{3} + 3 (\beta C"), "{latex}");
 }

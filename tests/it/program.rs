@@ -18,11 +18,9 @@ pub(crate) fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
 }
 
-#[cfg(feature = "mpfr")]
 pub(crate) use whole::*;
 
 /// What only the tests of the whole program need.
-#[cfg(feature = "mpfr")]
 mod whole {
     use super::{command, couplet, text};
     use serde_json::Value;
@@ -115,7 +113,6 @@ mod whole {
 
 /// One test for each wrong use of the program: its name, the arguments, and words of the one line that
 /// it is refused with.
-#[cfg(feature = "mpfr")]
 macro_rules! wrong_uses {
     ($($(#[$condition:meta])* $name:ident: $arguments:expr => $words:expr;)*) => {$(
         $(#[$condition])*

@@ -1,11 +1,11 @@
 //! The arguments that describe an arch.
 
-use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
-use crate::cli::failure::Failure;
 use crate::number::{ExactNumber, ParseExactError};
 use crate::problem::{Arch, Friction};
 use crate::report::words::list;
+use crate::sweep::failure::Failure;
+use crate::sweep::parse::{self, Weights};
 use clap::Args;
 
 /// An arch, all of it exact: `0.1` is one tenth, `80deg` and `pi/2` are what they say.

@@ -8,10 +8,10 @@ use super::state::print;
 use super::tilt::acceleration;
 use crate::certify::asymmetric_thicknesses;
 use crate::certify::state::{Inquiry, Wanted, measured_assessment};
-use crate::cli::failure::Failure;
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Quantity};
 use crate::report::{Answer, Content, Format, Report, TiltedArch, TiltedArches};
+use crate::sweep::failure::Failure;
 use clap::Args;
 
 /// Print whether an arch of a given thickness stands, its safety factors, and the thrusts it can bear.

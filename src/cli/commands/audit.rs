@@ -1,12 +1,12 @@
 //! `couplet audit`.
 
 use super::output::OutputFile;
-use super::parse::{self, Weights};
 use crate::certify::{CertifiedLandmark, Enclosed, Undecided};
-use crate::cli::failure::Failure;
 use crate::judge::{audit_of, compare_weights_of, enclosed};
 use crate::problem::Landmark;
 use crate::report::{Audit, Content, Format, Report};
+use crate::sweep::failure::Failure;
+use crate::sweep::parse::{self, Weights};
 use clap::Args;
 
 /// Compare every number the paper prints, and its claims on the two weights, with certified values.

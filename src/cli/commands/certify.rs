@@ -3,14 +3,14 @@
 use super::arch::{Needs, ShapeArguments};
 use super::notes;
 use super::output::{Output, is_standard};
-use super::parse::{self, thickness};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::AsymmetricMode;
 use crate::certify::{asymmetric_kinds, certify_arch, certify_asymmetric, certify_landmark};
 use crate::check::Certificate;
-use crate::cli::failure::Failure;
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Landmark};
+use crate::sweep::failure::Failure;
+use crate::sweep::parse::{self, thickness};
 use clap::Args;
 use rayon::prelude::*;
 use std::fs;

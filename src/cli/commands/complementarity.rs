@@ -4,14 +4,12 @@ use super::arch::{ArchArguments, Needs};
 use super::map::{is_written, tolerance};
 use super::notes;
 use super::output::OutputFile;
-use super::parse;
 use crate::atlas::{Branch, Contour, Level, NoBranch, NoLevel};
 use crate::certify::state::Inquiry;
 use crate::certify::{
     Error, Extent, LeastSolution, MOST_ENUMERATED_STONES, MOST_JOINTED_STONES, Programme, Refused,
     Undecided, asymmetric, enumerate, least_solution, programme,
 };
-use crate::cli::failure::Failure;
 use crate::cli::line::typed;
 use crate::number::ExactNumber;
 use crate::problem::Arch;
@@ -19,6 +17,8 @@ use crate::report::{
     AtThickness, BranchArch, BranchArches, ComplementarityArch, ComplementarityArches, Content,
     Format, ProgrammeFound, Report,
 };
+use crate::sweep::failure::Failure;
+use crate::sweep::parse;
 use clap::Args;
 
 /// Print the thicknesses at which the complementarity problem (19) of the whole arch has a solution, each proved.

@@ -2,14 +2,14 @@
 
 use super::notes::each_once;
 use super::output::AnswerOutput;
-use super::parse::{self, Weights};
 use super::progress;
 use crate::arch::SelfWeight;
 use crate::certify::{CertifiedLandmark, Error, fingerprint, quantities};
-use crate::cli::failure::Failure;
 use crate::problem::{Landmark, Quantity};
 use crate::report::words::list;
 use crate::report::{Answer, Answers, Report};
+use crate::sweep::failure::Failure;
+use crate::sweep::parse::{self, Weights};
 use clap::Args;
 use rayon::prelude::*;
 

@@ -3,9 +3,9 @@
 use crate::arch::SelfWeight;
 use crate::atlas::{Border, Contour, Curve, Level, NoLevel, Trace};
 use crate::certify::{CertifiedLandmark, Error, Undecided, quantities};
-use crate::cli::failure::Failure;
 use crate::problem::Landmark;
 use crate::report::{Answer, Format};
+use crate::sweep::failure::Failure;
 use rayon::prelude::*;
 
 /// Curves on all cores, and what of them is not proved. A picture needs all: without one it would show other domains.

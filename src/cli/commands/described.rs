@@ -1,9 +1,9 @@
 //! What a file of TOML describes, a scene or a sweep: read whole, its faults told.
 
 use crate::check::visible;
-use crate::cli::failure::Failure;
 use crate::report::words::count;
-use crate::scene::{Fault, MAX_BYTES};
+use crate::sweep::failure::Failure;
+use crate::sweep::scene::{Fault, MAX_BYTES};
 use std::fs::File;
 use std::io::{self, Read, Write};
 use std::path::Path;

@@ -4,13 +4,13 @@ use super::arch::{Needs, ShapeArguments};
 use super::measures::{self, MeasureArguments, Measured};
 use super::notes;
 use super::output::OutputFile;
-use super::parse;
 use crate::arch::SelfWeight;
 use crate::atlas::{NoSketch, Sketch};
-use crate::cli::failure::Failure;
 use crate::cli::line::typed;
 use crate::problem::{Landmark, Mode};
 use crate::report::{Content, Format, Report, Sketched, Style};
+use crate::sweep::failure::Failure;
+use crate::sweep::parse;
 use clap::Args;
 
 /// Draw an arch at its least thickness, how it falls there, or an arch as it stands.

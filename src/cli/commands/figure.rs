@@ -4,15 +4,15 @@ use super::curves::{levels, traced};
 use super::draw::failure;
 use super::map::tolerance;
 use super::output::OutputFile;
-use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
 use crate::atlas::{Curve, Sketch};
-use crate::cli::failure::Failure;
 use crate::cli::line::typed;
 use crate::problem::{Landmark, Mode};
 use crate::report::{
     Axes, Content, Drawing, Format, Map, Report, Sketched, Style, View, arches_of_figure,
 };
+use crate::sweep::failure::Failure;
+use crate::sweep::parse::{self, Weights};
 use clap::Args;
 
 /// A figure of the paper, drawn from proved curves and states.

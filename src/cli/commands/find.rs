@@ -3,13 +3,13 @@
 use super::arch::ArchArguments;
 use super::notes;
 use super::output::AnswerOutput;
-use super::parse::{self, thickness};
 use crate::certify::state::find::{Given, Question, find};
 use crate::certify::{Error, Refused};
-use crate::cli::failure::Failure;
 use crate::problem::{Friction, Line, Quantity, Sought};
 use crate::report::words::list;
 use crate::report::{Answer, Answers, Report, Scope};
+use crate::sweep::failure::Failure;
+use crate::sweep::parse::{self, thickness};
 use clap::Args;
 
 /// Find the widest half opening that stands, the least friction, or where one mode becomes another, with a proof.

@@ -1,8 +1,8 @@
 //! The folder that a run writes into: nothing outside it, and nothing in it that is not the run's.
 
 use super::output::{Output, is_same_file, is_standard};
-use crate::cli::failure::Failure;
-use crate::scene::{Item, MANIFEST, Manifest};
+use crate::sweep::failure::Failure;
+use crate::sweep::scene::{Item, MANIFEST, Manifest};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};

@@ -4,14 +4,12 @@ use super::axes::AxesArguments;
 use super::curves::{borders, landmarks, levels, traced};
 use super::notes::{self, each_once};
 use super::output::{Output, OutputFile};
-use super::parse::{self, Weights};
 use crate::arch::SelfWeight;
 use crate::atlas::BorderLine;
 use crate::atlas::{
     Contour, Curve, Difference, Divide, LEAST_DIFFERENCE, LEAST_TOLERANCE, NoPoint, Trace, point,
 };
 use crate::certify::{Error, Undecided};
-use crate::cli::failure::Failure;
 use crate::cli::line::typed;
 use crate::number::{ExactNumber, ParseExactError};
 use crate::problem::Friction;
@@ -19,7 +17,9 @@ use crate::report::{
     Content, Drawing, Format, Map, MapAsked, MapDifferences, MapPoint, MapPoints, Marked, Plane,
     Report, View,
 };
-use crate::scene::contour_key;
+use crate::sweep::failure::Failure;
+use crate::sweep::parse::{self, Weights};
+use crate::sweep::scene::contour_key;
 use clap::Args;
 use rayon::prelude::*;
 

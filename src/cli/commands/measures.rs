@@ -1,11 +1,11 @@
 //! The arguments of an arch that is measured in metres.
 
-use crate::cli::failure::Failure;
 use crate::number::ExactNumber;
 use crate::problem::measures::{
     Circle, Length, MeasureError, Measures, UnitWeight, of_span_and_rise,
 };
 use crate::problem::{Quantity, ThicknessError};
+use crate::sweep::failure::Failure;
 use clap::Args;
 
 /// An arch as it is measured; all lengths with their unit (10m, 60cm, 600mm, 33ft, 7in).

@@ -18,25 +18,21 @@ mod map;
 mod measures;
 mod notes;
 mod output;
-pub mod parse;
 mod progress;
 mod prove;
-mod rows;
 mod run;
 mod sample;
 mod state;
 mod states;
+mod stream;
 #[cfg(feature = "study")]
 mod study;
-#[cfg(feature = "parquet")]
-pub mod sweep;
-#[cfg(not(feature = "parquet"))]
 mod sweep;
 mod tilt;
 mod voussoirs;
 
-use super::failure::Failure;
 use super::{check, completions, man};
+use crate::sweep::failure::Failure;
 use clap::Subcommand;
 
 #[derive(Subcommand)]

@@ -1,12 +1,12 @@
 //! Where a report goes: standard output, or a file that appears whole or not at all.
 
 use super::notes::each_once;
-use super::parse;
 use crate::certify::Refused;
-use crate::cli::failure::Failure;
 use crate::problem::Quantity;
 use crate::report::words::shortened;
 use crate::report::{Content, Format};
+use crate::sweep::failure::Failure;
+use crate::sweep::parse;
 use clap::Args;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, IsTerminal, Write};

@@ -2,13 +2,13 @@
 
 use super::notes::each_once;
 use super::output::{Output, OutputFile};
-use super::parse;
 use crate::check::visible_name;
 use crate::claims::Claim;
 use crate::claims::coq::{self, StateError};
 use crate::cli::check::read;
-use crate::cli::failure::Failure;
 use crate::report::{Claims, Content, Format, Index, Report};
+use crate::sweep::failure::Failure;
+use crate::sweep::parse;
 use clap::Args;
 use rayon::prelude::*;
 use std::collections::HashMap;

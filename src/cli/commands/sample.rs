@@ -1,10 +1,10 @@
 //! `couplet sample`.
 
 use super::output::OutputFile;
-use super::parse;
-use crate::cli::failure::Failure;
 use crate::report::{Content, Format};
 use crate::strategies::samples;
+use crate::sweep::failure::Failure;
+use crate::sweep::parse;
 use clap::Args;
 
 /// Draw arches to test a solver with: ordinary ones, or hard ones.

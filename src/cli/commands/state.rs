@@ -4,14 +4,14 @@ use super::arch::{ArchArguments, Needs};
 use super::measures::{self, MeasureArguments, Measured};
 use super::notes;
 use super::output::AnswerOutput;
-use super::parse;
 use crate::certify::state::{Inquiry, measured_state};
 use crate::certify::{
     CertifiedLandmark, Error, asymmetric_thicknesses, quantities as quantities_of,
 };
-use crate::cli::failure::Failure;
 use crate::problem::{Arch, Landmark, Quantity};
 use crate::report::{Answer, Answers, Report, Scope};
+use crate::sweep::failure::Failure;
+use crate::sweep::parse;
 use clap::Args;
 
 /// Print whether an arch can stand, how thin it can be, and how it collapses there, with a proof.

@@ -1,18 +1,19 @@
 //! `couplet states`.
 
 use super::output::{OutputFile, chosen};
-use super::parse::{self, thickness};
-use super::rows::{
-    Cells, Columns, Input, Keep, Line, Progress, Purpose, Reader, Role, Row, Source, Spelling,
-    Syntax, Table, Together, in_order, objects,
-};
+use super::stream::{Progress, Together, in_order};
 use crate::arch::SelfWeight;
 use crate::certify::asymmetric_thicknesses;
 use crate::certify::state::{Certify, Columns as Shared, Inquiry, Wanted};
 use crate::check::visible_name;
-use crate::cli::failure::Failure;
 use crate::problem::Quantity;
 use crate::report::{Answer, Answers, Content, Format, Status};
+use crate::sweep::failure::Failure;
+use crate::sweep::parse::{self, thickness};
+use crate::sweep::rows::{
+    Cells, Columns, Input, Keep, Line, Purpose, Reader, Role, Row, Source, Spelling, Syntax, Table,
+    objects,
+};
 use clap::Args;
 use std::io;
 use std::path::{Path, PathBuf};

@@ -2,13 +2,13 @@
 
 use super::output::Output;
 use super::progress::styled;
-use crate::cli::failure::Failure;
 use crate::cli::line::typed;
 use crate::report::study::{StudyFiles, accuracy_table, stability_table};
 use crate::study::accuracy;
 use crate::study::cases::{QUANTITIES, cases};
 use crate::study::limits::LIMITS;
 use crate::study::stability;
+use crate::sweep::failure::Failure;
 use clap::{Args, Subcommand};
 use std::fs;
 use std::path::{Path, PathBuf};

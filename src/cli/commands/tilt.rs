@@ -1,9 +1,9 @@
 //! Horizontal accelerations on the command line.
 
 use crate::arch::SelfWeight;
-use crate::cli::failure::Failure;
 use crate::number::{ExactNumber, shown};
 use crate::problem::{Arch, Friction};
+use crate::sweep::failure::Failure;
 use rug::Rational;
 
 /// Whether there is none.

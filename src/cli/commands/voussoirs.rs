@@ -3,20 +3,20 @@
 use super::arch::{ArchArguments, Needs};
 use super::notes;
 use super::output::OutputFile;
-use super::parse::{self, thickness};
 use super::tilt::acceleration;
 use crate::certify::state::{Answer, Figure, Inquiry};
 use crate::certify::{
     Error, MOST_TILTED_STONES, VoussoirStanding, Voussoirs, assess_voussoirs, tilted_stones,
     voussoir_loss, voussoirs,
 };
-use crate::cli::failure::Failure;
 use crate::number::ExactNumber;
 use crate::problem::Arch;
 use crate::problem::stones::{MOST_STONES, Stones, StonesError};
 use crate::report::{
     Content, Format, GivenThickness, Report, TiltedArch, TiltedArches, VoussoirArch, VoussoirArches,
 };
+use crate::sweep::failure::Failure;
+use crate::sweep::parse::{self, thickness};
 use clap::Args;
 
 /// Print the least thickness of an arch of given stones, and how it collapses there, with a proof.

@@ -238,7 +238,6 @@ fn of_all_the_roots_one_is_accepted() {
 }
 
 /// The command writes what is found, and the checker says it.
-#[cfg(feature = "cli")]
 #[test]
 fn what_is_certified_is_said() {
     use crate::program::{couplet, fed, said, text};

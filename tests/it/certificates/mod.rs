@@ -5,13 +5,11 @@ mod refusals;
 
 mod asymmetric;
 mod claim;
-#[cfg(feature = "cli")]
 mod commands;
 mod conditions;
 mod file;
 mod monsters;
 mod originals;
-#[cfg(feature = "cli")]
 mod printed;
 mod roots;
 mod sizes;

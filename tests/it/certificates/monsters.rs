@@ -53,7 +53,7 @@ macro_rules! monsters {
             }
         )*
 
-        #[cfg(all(target_os = "linux", feature = "cli"))]
+        #[cfg(target_os = "linux")]
         const MONSTERS: &[fn() -> Vec<u8>] = &[$(|| $bytes),*];
     };
 }
@@ -122,7 +122,7 @@ fn a_file_of_spaces_is_refused() {
 }
 
 /// The program refuses them all with a quarter of a gigabyte.
-#[cfg(all(target_os = "linux", feature = "cli"))]
+#[cfg(target_os = "linux")]
 #[test]
 fn monsters_are_refused_in_little_memory() {
     let folder = tempfile::tempdir().unwrap();

@@ -3,7 +3,6 @@
 use super::originals::{alike, verdict};
 use super::refusals::{Cases, MAX_DIGITS, Original, Spoiled};
 use crate::arches::{H, arch};
-#[cfg(feature = "cli")]
 use crate::program::text;
 use couplet::certify::certify_arch;
 use couplet::check::Refusal;
@@ -236,7 +235,6 @@ fn the_originals_are_accepted() {
 }
 
 /// Whatever is done to a given thickness, half opening or friction: what is accepted is so.
-#[cfg(feature = "cli")]
 #[test]
 fn around_its_limit_a_claim_is_accepted_on_one_side_only() {
     use crate::arches::{M, number};
@@ -255,7 +253,6 @@ fn around_its_limit_a_claim_is_accepted_on_one_side_only() {
 }
 
 /// What `couplet assess` says.
-#[cfg(feature = "cli")]
 fn semicircle_stands(weight: &str, thickness: &str) -> bool {
     let weight = weight.to_lowercase();
     let output = crate::program::couplet(&[
@@ -275,7 +272,6 @@ fn semicircle_stands(weight: &str, thickness: &str) -> bool {
 }
 
 /// The command writes what the verdict is, and the checker says it.
-#[cfg(feature = "cli")]
 #[test]
 fn what_is_certified_is_said() {
     use crate::program::{couplet, fed, said};
@@ -325,7 +321,6 @@ fn an_arch_next_to_half_a_turn_has_a_certificate() {
 }
 
 /// A limit is told of the quantity that is compared, whatever the order of the values.
-#[cfg(feature = "cli")]
 #[test]
 fn what_is_printed_compares_only_what_is_compared() {
     let mut made = verdict("1.5", "0.1", "1").clone();

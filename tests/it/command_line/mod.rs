@@ -11,7 +11,6 @@ mod notes;
 mod owners;
 mod rows;
 mod states;
-#[cfg(feature = "study")]
 mod study;
 mod wrong;
 

@@ -30,9 +30,7 @@ wrong_uses! {
     an_unknown_claim: ["prove", "eq-7-eat"] => "(did you mean \"eq-7-eta\"?); --list shows the claims";
     half_a_claim: ["prove", "eq-"] => "unknown claim 'eq-'";
     a_format_that_claims_do_not_have: ["prove", "--format", "csv"] => "one of text, json, latex";
-    #[cfg(feature = "study")]
     an_unknown_experiment: ["study", "accuracy", "--only", "T"] => "the studies are eta-cubic, A-cubic";
-    #[cfg(feature = "study")]
     an_unknown_limit: ["study", "stability", "--only", "state"] => "the studies are alpha-to-zero";
 
     a_zero_half_opening: ["state", "--alpha", "0", "--mu", "1"] => "between 0 and pi";

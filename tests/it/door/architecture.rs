@@ -1,6 +1,6 @@
 //! The picture of the rooms in `docs/architecture.md` is drawn from the code.
 
-use crate::rooms::{ROOMS, code, rooms_used, root, sources};
+use crate::rooms::{ROOMS, code, room, rooms_used, sources};
 use std::fs;
 use std::path::Path;
 
@@ -10,8 +10,8 @@ const END: &str = "<!-- end -->\n";
 /// A row for each room: ■ itself, □ a room that it uses, · one that it does without.
 fn picture() -> String {
     let mut lines = String::from("```text\n");
-    for (level, room) in ROOMS.iter().enumerate() {
-        let files = sources(&root().join(room));
+    for (level, name) in ROOMS.iter().enumerate() {
+        let files = sources(&room(name));
         let texts: Vec<String> = files.iter().map(|path| code(path)).collect();
         let uses = |other: &str| {
             texts.iter().any(|text| rooms_used(text).iter().any(|used| used == other))
@@ -19,31 +19,31 @@ fn picture() -> String {
         let marks = ROOMS[..level].iter().map(|other| if uses(other) { "□ " } else { "· " });
         let marks: String = marks.chain(["■ "]).collect();
         let width = 2 * ROOMS.len();
-        let line = format!("{room:<11}{marks:<width$}  {}", needs(room));
+        let line = format!("{name:<11}{marks:<width$}  {}", home(name));
         lines += &format!("{}\n", line.trim_end());
     }
     lines + "```\n\n" + &table()
 }
 
-/// The features without which a room is not built, as `lib.rs` has them.
-fn needs(room: &str) -> String {
-    let library = fs::read_to_string(root().join("lib.rs")).unwrap();
-    let before = library.split(&format!("pub mod {room};")).next().unwrap();
-    let condition = before.lines().last().filter(|line| line.starts_with("#[cfg("));
-    let names = condition.unwrap_or_default().split('"').skip(1).step_by(2);
-    names.collect::<Vec<_>>().join(" and ")
+/// The crate that a room belongs to.
+fn home(name: &str) -> String {
+    let floor = room(name).parent().and_then(Path::parent).unwrap().to_owned();
+    let manifest = fs::read_to_string(floor.join("Cargo.toml")).unwrap();
+    manifest.split("\nname = \"").nth(1).unwrap().split('"').next().unwrap().to_owned()
 }
 
 /// What each room says of itself first.
 fn table() -> String {
     let mut lines = String::from("| room | what is in it |\n|---|---|\n");
-    for room in ROOMS {
-        let file = fs::read_to_string(root().join(room).join("mod.rs")).unwrap();
+    for name in ROOMS {
+        let place = room(name);
+        let front = if place.is_dir() { place.join("mod.rs") } else { place };
+        let file = fs::read_to_string(front).unwrap();
         let words = file.lines().map_while(|line| line.strip_prefix("//! "));
         let words = words.collect::<Vec<_>>().join(" ");
         let words = words.replace("[`", "`").replace("`]", "`");
         let first = words.split(". ").next().unwrap().trim_end_matches('.');
-        lines += &format!("| `{room}` | {first} |\n");
+        lines += &format!("| `{name}` | {first} |\n");
     }
     lines
 }
@@ -74,9 +74,8 @@ fn every_symbol_has_its_name() {
         let lines = text.lines().filter(|line| !line.trim_start().starts_with("//"));
         lines.collect::<Vec<_>>().join("\n")
     };
-    let texts = ["number", "arch", "problem"].map(|room| {
-        sources(&root().join(room)).into_iter().map(text).collect::<Vec<_>>().join("\n")
-    });
+    let texts = ["number", "arch", "problem"]
+        .map(|name| sources(&room(name)).into_iter().map(text).collect::<Vec<_>>().join("\n"));
     let is_there = |name: &str| {
         let name = name.rsplit("::").next().unwrap();
         let words =

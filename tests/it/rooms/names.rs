@@ -1,6 +1,6 @@
 //! What each file declares, imports and names, and the file that a name stands for.
 
-use super::source::{bare, root, sources, tokens};
+use super::source::{bare, floors, sources, tokens};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
@@ -31,12 +31,19 @@ pub(super) struct File {
 pub(super) struct Tree(BTreeMap<Module, File>);
 
 impl Tree {
-    /// The crate itself.
-    pub(super) fn of_the_crate() -> Self {
-        let text = |path| (fs::read_to_string(&path).unwrap(), path);
-        let texts = sources(&root()).into_iter().map(text).map(|(text, path)| {
-            (path.strip_prefix(root()).unwrap().to_str().unwrap().to_owned(), text)
-        });
+    /// The whole house: the rooms of every crate, as if they were of one. What a crate calls by the name of another one's room
+    /// is that room.
+    pub(super) fn of_the_house() -> Self {
+        let mut texts = BTreeMap::<String, String>::new();
+        for floor in floors() {
+            for path in sources(&floor) {
+                let place = path.strip_prefix(&floor).unwrap().to_str().unwrap().to_owned();
+                let text = fs::read_to_string(&path).unwrap();
+                let is_own = |line: &&str| !line.contains("use couplet_");
+                let text = text.lines().filter(is_own).map(|line| format!("{line}\n"));
+                texts.entry(place).or_default().extend(text);
+            }
+        }
         Self::new(texts)
     }
 

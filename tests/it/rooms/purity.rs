@@ -1,6 +1,6 @@
 //! Equations neither loop nor compare nor round.
 
-use super::source::{bare, code, root, sources};
+use super::source::{bare, code, room, sources};
 
 /// What an equation must not contain.
 fn impurity(code: &str) -> Option<&str> {
@@ -37,7 +37,7 @@ fn equations_neither_loop_nor_compare_nor_round() {
     assert!(impurity("let x = 0.1;").is_some() && impurity("if a > b {").is_some());
     let words = "// if\nconst WORDS: &str = \"0.1 if a > b\";\nimpl<T: for<'a> A<'a>> B for C {}";
     assert_eq!(impurity(&bare(words)), None);
-    let files = sources(&root().join("arch"));
+    let files = sources(&room("arch"));
     assert!(files.len() > 8);
     for path in files {
         assert_eq!(impurity(&code(&path)), None, "{}", path.display());

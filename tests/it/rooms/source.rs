@@ -3,12 +3,32 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-pub(crate) fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
+/// The folders of the sources: of the face, and of each crate.
+pub(crate) fn floors() -> Vec<PathBuf> {
+    let house = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let crates = fs::read_dir(house.join("crates")).unwrap();
+    let crates = crates.map(|entry| entry.unwrap().path().join("src"));
+    let mut floors: Vec<PathBuf> = crates.chain([house.join("src")]).collect();
+    floors.sort();
+    floors
 }
 
-/// All files below a folder.
+/// The folder or the file of a room.
+pub(crate) fn room(name: &str) -> PathBuf {
+    let places = floors()
+        .into_iter()
+        .flat_map(|floor| ["", ".rs"].map(|end| floor.join(format!("{name}{end}"))));
+    let mut places = places.filter(|place| place.exists());
+    let place = places.next().unwrap_or_else(|| panic!("there is no room {name}"));
+    assert_eq!(places.next(), None, "{name} is there twice");
+    place
+}
+
+/// All files of a folder and below, or the file itself.
 pub(crate) fn sources(folder: &Path) -> Vec<PathBuf> {
+    if folder.is_file() {
+        return vec![folder.to_owned()];
+    }
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();

@@ -7,7 +7,6 @@ mod cost;
 mod crown;
 mod found;
 mod known;
-#[cfg(feature = "proptest")]
 mod quick;
 mod random;
 mod small;

@@ -3,19 +3,19 @@
 mod row;
 
 use super::output::OutputFile;
-use super::rows::{
-    CHUNK, Columns, Input, Keep, Line, Progress, Reader, Role, Row, Source, Spelling, Syntax,
-    Table, Together, in_order, objects,
-};
+use super::stream::{CHUNK, Progress, Together, in_order};
 use crate::arch::SelfWeight;
 use crate::check::visible_name;
-use crate::cli::commands::parse;
-use crate::cli::failure::Failure;
 use crate::judge::{Demand, Verdict};
 use crate::problem::Quantity;
 use crate::report::judged::{JudgeSummary, verdicts};
 use crate::report::words::list;
 use crate::report::{Content, Format};
+use crate::sweep::failure::Failure;
+use crate::sweep::parse;
+use crate::sweep::rows::{
+    Columns, Input, Keep, Line, Reader, Role, Row, Source, Spelling, Syntax, Table, objects,
+};
 use clap::Args;
 use row::Judge;
 use std::io;

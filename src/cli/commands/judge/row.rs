@@ -1,10 +1,10 @@
 //! A row of results: its arch, and what it claims.
 
-use super::super::parse::thickness;
-use super::super::rows::{Cells, Reader, Role, Row};
 use crate::judge::{Claim, Demand, Said, judge};
 use crate::problem::Quantity;
 use crate::report::judged::JudgedRow;
+use crate::sweep::parse::thickness;
+use crate::sweep::rows::{Cells, Reader, Role, Row};
 
 /// How rows are read and judged.
 pub(super) struct Judge {

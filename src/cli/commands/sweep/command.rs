@@ -1,15 +1,13 @@
 //! The command itself: surveys, computes what is missing, looks through.
 
-use super::answers::Verdict;
 use super::arguments::{Arguments, Share};
-use super::sweep::{Sweep, SweepError};
-use super::verify::verify;
 use crate::cli::commands::described::{described, remark, say};
 use crate::cli::commands::output::Output;
 use crate::cli::commands::progress::styled;
-use crate::cli::failure::{Failure, print};
 use crate::report::words::count;
-use crate::scene::{SWEEP_EXAMPLE, read_sweep};
+use crate::sweep::failure::{Failure, print};
+use crate::sweep::scene::{SWEEP_EXAMPLE, read_sweep};
+use crate::sweep::sweep::{Sweep, SweepError, Verdict, verify};
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use std::path::Path;

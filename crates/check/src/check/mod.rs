@@ -1,0 +1,28 @@
+//! Checks: the operator behind every proof, and what a stranger needs to verify a result.
+//!
+//! This room sees the number traits and the equations, never a solver, and builds without a C
+//! compiler (`--no-default-features --features check`; with `check,cli` the command is there too).
+
+mod checker;
+mod claim;
+mod decimals;
+mod format;
+mod given;
+pub mod krawczyk;
+mod object;
+mod refusal;
+mod summary;
+mod visible;
+pub mod whole;
+
+pub use crate::number::visible;
+#[cfg(feature = "malachite")]
+pub use checker::MALACHITE_DIGITS;
+pub use checker::{
+    ASTRO_DIGITS, Accepted, EXTRA_BITS, MAX_DIGITS, WITNESS_BITS, check, check_certificate, verify,
+};
+pub use claim::{ArchFile, AsymmetricFile, ClaimFile, StandsFile, StateFile, TooThinFile};
+pub use format::{Certificate, SCHEMA, ValueFile, Witness};
+pub use refusal::Refusal;
+pub use summary::summary;
+pub use visible::visible_name;

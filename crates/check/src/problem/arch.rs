@@ -1,0 +1,316 @@
+//! An arch, as it is asked about.
+
+use crate::arch::{Configuration, SelfWeight, Unknown};
+use crate::number::{
+    AstroInterval, DoubleBall, Engine, ExactNumber, Form, ParseExactError, Ternary, is_angle, shown,
+};
+use num_bigint::Sign;
+use num_rational::BigRational;
+use std::fmt;
+use std::str::FromStr;
+
+/// The friction of the joints.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Friction {
+    /// `mu`.
+    Coefficient(ExactNumber),
+    /// `phi = atan(mu)`, rad.
+    Angle(ExactNumber),
+    /// No limit.
+    Infinite,
+}
+
+/// An arch whose thickness is asked for.
+///
+/// ```
+/// use couplet_check::problem::Arch;
+/// let arch = Arch::parse("milankovitch", "80deg", "0.6").unwrap();
+/// assert_eq!(arch.to_string(), "milankovitch, half opening 80deg, friction 0.6");
+/// assert!(Arch::parse("milankovitch", "180deg", "0.6").is_err(), "not below pi");
+/// assert!(std::collections::HashSet::from([arch.clone()]).contains(&arch));
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Arch {
+    weight: SelfWeight,
+    half_opening: ExactNumber,
+    friction: Friction,
+}
+
+/// Why an arch is refused.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ArchError {
+    /// The half opening is not between 0 and pi.
+    #[error("the half opening {0} is not between 0 and pi (180deg){hint}", hint = self.hint())]
+    HalfOpening(ExactNumber),
+    /// The friction is negative.
+    #[error("the friction {0} is negative")]
+    Friction(String),
+    /// The friction angle is not between 0 and a right angle.
+    #[error("the friction angle {0} is not between 0 and pi/2 (90deg){hint}", hint = self.hint())]
+    FrictionAngle(String),
+    /// The self-weight model has no such name.
+    #[error("'{0}' is not a self-weight model: heyman or milankovitch")]
+    SelfWeight(String),
+    /// A text is not an exact number.
+    #[error(transparent)]
+    Number(#[from] ParseExactError),
+}
+
+impl ArchError {
+    /// What a number that is refused may have been meant to be; empty if nothing is near.
+    pub fn hint(&self) -> String {
+        match self {
+            Self::HalfOpening(angle) => meant_degrees(angle),
+            Self::FrictionAngle(angle) => meant_friction_angle(angle),
+            Self::Friction(_) | Self::SelfWeight(_) | Self::Number(_) => String::new(),
+        }
+    }
+}
+
+/// How people write that nothing slides, in small letters.
+const INFINITE: [&str; 3] = ["inf", "infinity", "∞"];
+
+impl FromStr for Friction {
+    type Err = ParseExactError;
+
+    /// Reads a coefficient (`0.6`), an angle with its unit (`31deg`, `0.54rad`) or as the argument of a
+    /// tangent (`tan(0.54)`, `tan(31deg)`), or `inf`, also as `infinity` and `∞`.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let text = text.trim();
+        let is_infinite = INFINITE.contains(&text.trim_start_matches('+').to_lowercase().as_str());
+        let tangent = text.strip_prefix("tan(").and_then(|rest| rest.strip_suffix(')'));
+        let friction = match tangent {
+            Some(angle) => angle.parse().map(Self::Angle),
+            None if is_infinite => Ok(Self::Infinite),
+            None if is_angle(text) => text.parse().map(Self::Angle),
+            None => text.parse().map(Self::Coefficient),
+        };
+        friction.map_err(|error| match error {
+            ParseExactError::Syntax(shown) => ParseExactError::Friction(shown),
+            error => error,
+        })
+    }
+}
+
+impl fmt::Display for Friction {
+    /// The coefficient, `tan(angle)` or `inf`: what [`Friction::from_str`] reads.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Coefficient(mu) => mu.fmt(f),
+            Self::Angle(phi) => write!(f, "tan({phi})"),
+            Self::Infinite => f.write_str("inf"),
+        }
+    }
+}
+
+/// Whether a thickness is above 0 and at most the physical limit 2.
+pub fn is_thickness(thickness: &ExactNumber) -> bool {
+    let (zero, limit) = (ratio(0, 1), ratio(2, 1));
+    thickness.is_rational() && *thickness.factor() > zero && *thickness.factor() <= limit
+}
+
+impl Arch {
+    /// An arch, if its half opening is in `(0, pi)`, in radians, and its friction coefficient in
+    /// `[0, inf)` or its friction angle in `[0, pi/2]`, in radians; pi/2 is [`Friction::Infinite`].
+    pub fn new(
+        weight: SelfWeight,
+        half_opening: ExactNumber,
+        friction: Friction,
+    ) -> Result<Self, ArchError> {
+        if !is_between(&half_opening, false, 1) {
+            return Err(ArchError::HalfOpening(half_opening));
+        }
+        let friction = match friction {
+            Friction::Coefficient(mu) if sign(&mu) == Sign::Minus => {
+                return Err(ArchError::Friction(mu.to_string()));
+            }
+            Friction::Angle(phi) if phi.form() == Form::TimesPi && *phi.factor() == ratio(1, 2) => {
+                Friction::Infinite
+            }
+            Friction::Angle(phi) if !is_between(&phi, true, 2) => {
+                return Err(ArchError::FrictionAngle(phi.to_string()));
+            }
+            friction => friction,
+        };
+        Ok(Self { weight, half_opening, friction })
+    }
+
+    /// An arch from the texts that the command line reads: `heyman` or `milankovitch`, a half opening
+    /// in radians or degrees, a [`Friction`].
+    pub fn parse(weight: &str, half_opening: &str, friction: &str) -> Result<Self, ArchError> {
+        let unknown = || ArchError::SelfWeight(shown(weight));
+        let weight = SelfWeight::named(weight).ok_or_else(unknown)?;
+        Self::new(weight, half_opening.parse()?, friction.parse()?)
+    }
+
+    /// The same arch with unlimited friction.
+    pub fn unlimited(&self) -> Self {
+        Self { friction: Friction::Infinite, ..self.clone() }
+    }
+
+    /// The self-weight model.
+    pub fn weight(&self) -> SelfWeight {
+        self.weight
+    }
+
+    /// The half opening as given.
+    pub fn half_opening(&self) -> &ExactNumber {
+        &self.half_opening
+    }
+
+    /// The friction as given.
+    pub fn friction(&self) -> &Friction {
+        &self.friction
+    }
+
+    /// Whether the friction is limited.
+    pub fn is_limited(&self) -> bool {
+        self.friction != Friction::Infinite
+    }
+
+    /// What is given, in numbers of `bits` bits: the half opening and, if it is limited, the friction;
+    /// everything else zero.
+    pub fn given<E: Engine>(&self, bits: u32) -> Configuration<E> {
+        let alpha: E = self.half_opening.enclosure(bits);
+        let given = Configuration::zero(&alpha).with(Unknown::HalfOpening, alpha);
+        match &self.friction {
+            Friction::Coefficient(mu) => given.with(Unknown::Friction, mu.enclosure(bits)),
+            Friction::Angle(phi) => {
+                let (sin, cos) = phi.enclosure::<E>(bits).sin_cos();
+                given.with(Unknown::Friction, sin / cos)
+            }
+            Friction::Infinite => given,
+        }
+    }
+}
+
+impl fmt::Display for Arch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { weight, half_opening, friction } = self;
+        write!(f, "{}, half opening {half_opening}, friction {friction}", weight.name())
+    }
+}
+
+/// What a half opening that is refused may have been meant to be, if it would be one in degrees.
+fn meant_degrees(half_opening: &ExactNumber) -> String {
+    // Hardly anybody means four times a radian.
+    let in_degrees = half_opening.is_rational()
+        && *half_opening.factor() >= ratio(4, 1)
+        && is_between(&half_opening.degrees(), false, 1);
+    match in_degrees {
+        true => format!("; did you mean {}?", half_opening.degrees()),
+        false => String::new(),
+    }
+}
+
+/// The same of a friction angle.
+fn meant_friction_angle(angle: &str) -> String {
+    let in_degrees = |angle: &ExactNumber| {
+        let is_large = angle.is_rational() && *angle.factor() >= ratio(2, 1);
+        is_large && is_between(&angle.degrees(), true, 2)
+    };
+    match angle.parse().ok().filter(in_degrees) {
+        Some(angle) => format!("; did you mean {}?", angle.degrees()),
+        None => String::new(),
+    }
+}
+
+fn ratio(numerator: i32, denominator: i32) -> BigRational {
+    BigRational::new(numerator.into(), denominator.into())
+}
+
+/// The sign of a number, whose denominator may be negative.
+fn sign(x: &ExactNumber) -> Sign {
+    x.factor().numer().sign() * x.factor().denom().sign()
+}
+
+/// Whether an angle is above zero (or is zero, if that is allowed) and below `pi / divisor`.
+fn is_between(x: &ExactNumber, zero_is_in: bool, divisor: i32) -> bool {
+    let positive = match sign(x) {
+        Sign::Plus => true,
+        Sign::NoSign => zero_is_in,
+        Sign::Minus => false,
+    };
+    match x.form() {
+        // A multiple of pi is compared exactly.
+        Form::TimesPi => return positive && *x.factor() < ratio(1, divisor),
+        // Below pi whatever its tangent.
+        Form::TwiceArctangent if divisor == 1 => return positive,
+        _ => {}
+    }
+    // Doubles decide nearly always; the last bits are more than the longest number that is read has.
+    let long = || {
+        let below =
+            [128, 80_000].into_iter().map(|bits| is_below::<AstroInterval>(x, divisor, bits));
+        below.into_iter().find(|below| *below != Ternary::Undecided)
+    };
+    let below = match is_below::<DoubleBall>(x, divisor, 0) {
+        Ternary::Undecided => long().unwrap_or(Ternary::Undecided),
+        decided => decided,
+    };
+    positive && below.is_proved()
+}
+
+/// Whether a number is below `pi / divisor`.
+fn is_below<E: Engine>(x: &ExactNumber, divisor: i32, bits: u32) -> Ternary {
+    let x: E = x.enclosure(bits);
+    x.is_less_than(&(x.pi() / x.int(divisor)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_displayed_is_read_back() {
+        for text in ["0.6", "inf", "tan(35deg)", "tan(0.5)", "1/3"] {
+            let friction: Friction = text.parse().unwrap();
+            assert_eq!(friction.to_string(), text);
+            assert_eq!(friction.to_string().parse(), Ok(friction));
+        }
+        assert_eq!("35deg".parse::<Friction>(), "tan(35deg)".parse());
+        assert_eq!("35 °".parse::<Friction>(), "tan(35deg)".parse());
+        for text in ["Inf", "INF", "infinity", "+Infinity", "∞", " inf "] {
+            assert_eq!(text.parse::<Friction>(), Ok(Friction::Infinite), "{text}");
+        }
+        let error = "unlimited".parse::<Friction>().unwrap_err().to_string();
+        assert!(error.contains("inf") && error.contains("31deg"), "{error}");
+        assert!("tan(35deg".parse::<Friction>().is_err());
+    }
+
+    #[test]
+    fn an_arch_outside_its_range_is_refused() {
+        let refused = |weight, alpha, mu| Arch::parse(weight, alpha, mu).unwrap_err();
+        assert!(matches!(refused("heyman", "pi", "1"), ArchError::HalfOpening(_)));
+        assert!(matches!(refused("heyman", "0", "1"), ArchError::HalfOpening(_)));
+        assert!(matches!(
+            refused("heyman", "3.1415926535897932385", "1"),
+            ArchError::HalfOpening(_)
+        ));
+        assert!(Arch::parse("heyman", "3.1415926535897932384", "1").is_ok());
+        assert!(matches!(refused("heyman", "1", "-1"), ArchError::Friction(_)));
+        assert!(matches!(refused("heyman", "1", "tan(91deg)"), ArchError::FrictionAngle(_)));
+        let degrees =
+            "the friction angle 31 is not between 0 and pi/2 (90deg); did you mean 31deg?";
+        assert_eq!(refused("heyman", "1", "tan(31)").to_string(), degrees);
+        assert!(!refused("heyman", "1", "tan(91)").to_string().contains("mean"));
+        assert!(matches!(refused("heymann", "1", "1"), ArchError::SelfWeight(_)));
+        assert!(Arch::parse("Heyman", "1", "1").is_ok(), "whatever the case");
+        assert_eq!(
+            refused("heyman", "90", "1").to_string(),
+            "the half opening 90 is not between 0 and pi (180deg); did you mean 90deg?"
+        );
+        assert!(matches!(refused("heyman", "200", "1"), ArchError::HalfOpening(_)));
+        assert!(matches!(refused("heyman", "x", "1"), ArchError::Number(_)));
+        let right = Arch::parse("heyman", "1", "90deg").unwrap();
+        assert_eq!(*right.friction(), Friction::Infinite);
+    }
+
+    #[test]
+    fn a_thickness_is_a_number_above_zero_and_at_most_two() {
+        let is = |text: &str| is_thickness(&text.parse().unwrap());
+        assert!(is("1e-30") && is("1.999") && is("2"));
+        assert!(!is("0") && !is("2.0001") && !is("-1") && !is("pi/4"));
+    }
+}

@@ -1,0 +1,299 @@
+//! The landmark points of the `eta`-`mu` map, each as a square system with a simple root.
+//!
+//! | point | equations | what is fixed |
+//! |---|---|---|
+//! | `T` triple | (2), (4), (5), (17), (18) | |
+//! | `S` shift | (3), (5), (17), (18) | `beta_r = beta_s` |
+//! | `J` junction | (3), (5) at `beta_r -> 0`, (17), (18) | `beta_r = 0` |
+//! | `B` border | (3), (17), (18) | `beta_r = 0`, `eta = 2` |
+//! | `l` end of rotation | (4), (5) at `beta_r -> 0` | `h = 0`, `beta_r = beta_s = 0`, `mu = inf` |
+//! | `L` end of overturning | (4) | `h = 0`, `eta = 2`, `beta_r = beta_s = 0`, `mu = inf` |
+//! | `sb` widest joint | (2), (4), (5), `d/d eta` of (2) = (5) | |
+//!
+//! (18) stands for two equations, the friction at `beta_s` and `beta_s² = h (1 - h)`, which keeps
+//! square roots out of the system.
+//!
+//! Three of them are degenerate as the paper states them, and are posed here so that the root is
+//! simple:
+//!
+//! - **`l` and `J`**, `beta_r -> 0`. Equation (5) is 0/0 at `beta_r = 0` and even in `beta_r`, so the
+//!   states nearby come in pairs `±beta_r` and `beta_r` grows like the square root of the distance.
+//!   But (5) sees the joint only through `beta cot(beta) = 1 - beta²/3 - …`, which is analytic with
+//!   the value 1; putting that value leaves a regular system in the other unknowns. For `l`, (2) holds
+//!   too, since its numerator has a factor `beta²`.
+//! - **`sb`**: there two branches of the cubic (7) meet, so (2) and (5) have a double root in `eta`,
+//!   and adding the radicand (12) leaves the Jacobian singular. Adding instead that the derivative of
+//!   (2) = (5) to `eta` is zero gives, in `(beta, eta)`, the Jacobian
+//!   `[[G_beta, 0], [G_beta_eta, G_eta_eta]]`, which is regular because neither `G_beta` nor
+//!   `G_eta_eta` vanishes; and it is the same equation for both weights.
+
+use super::{Condition, Equation, Fixed, Mode, System};
+use crate::arch::{SelfWeight, Unknown};
+use std::fmt;
+use std::iter;
+use std::str::FromStr;
+
+/// Why a text is no landmark.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NoLandmark;
+
+impl fmt::Display for NoLandmark {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [symbols, names] =
+            [Landmark::symbol, Landmark::long_name].map(|name| Landmark::ALL.map(name).join(", "));
+        write!(f, "a landmark is one of {symbols}, or {names}")
+    }
+}
+
+impl std::error::Error for NoLandmark {}
+
+impl FromStr for Landmark {
+    type Err = NoLandmark;
+
+    /// Reads what [`Landmark::named`] does.
+    ///
+    /// ```
+    /// use couplet_check::problem::Landmark;
+    /// assert_eq!("T".parse(), Ok(Landmark::Triple));
+    /// assert_eq!("rotation-end".parse(), Ok(Landmark::RotationEnd));
+    /// let error = "X".parse::<Landmark>().unwrap_err();
+    /// assert!(error.to_string().starts_with("a landmark is one of T, S, J, B, l, L, sb, or triple"));
+    /// ```
+    fn from_str(text: &str) -> Result<Self, NoLandmark> {
+        Self::named(text).ok_or(NoLandmark)
+    }
+}
+
+/// A landmark point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Landmark {
+    /// `T`: four collapse modes meet.
+    Triple,
+    /// `S`: the rotational and the sliding joint coincide.
+    Shift,
+    /// `J`: the rotational joint reaches the crown.
+    Junction,
+    /// `B`: the physical limit `eta = 2` is reached.
+    Border,
+    /// `l`: the end of the purely rotational states.
+    RotationEnd,
+    /// `L`: the end of the purely overturning states.
+    OverturningEnd,
+    /// `sb`: the rotational joint is widest.
+    WidestJoint,
+}
+
+impl Landmark {
+    /// All landmarks in the order in which they are shown.
+    pub const ALL: [Self; 7] = [
+        Self::Triple,
+        Self::Shift,
+        Self::Junction,
+        Self::Border,
+        Self::RotationEnd,
+        Self::OverturningEnd,
+        Self::WidestJoint,
+    ];
+
+    /// The symbol used on the command line and in files; `l` and `L` differ.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Triple => "T",
+            Self::Shift => "S",
+            Self::Junction => "J",
+            Self::Border => "B",
+            Self::RotationEnd => "l",
+            Self::OverturningEnd => "L",
+            Self::WidestJoint => "sb",
+        }
+    }
+
+    /// A name to show.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Triple => "triple point",
+            Self::Shift => "shift point",
+            Self::Junction => "junction point",
+            Self::Border => "border point",
+            Self::RotationEnd => "end of rotation",
+            Self::OverturningEnd => "end of overturning",
+            Self::WidestJoint => "widest rotational joint",
+        }
+    }
+
+    /// A name to type: the symbols `l` and `L` are easily confused.
+    pub fn long_name(self) -> &'static str {
+        match self {
+            Self::Triple => "triple",
+            Self::Shift => "shift",
+            Self::Junction => "junction",
+            Self::Border => "border",
+            Self::RotationEnd => "rotation-end",
+            Self::OverturningEnd => "overturning-end",
+            Self::WidestJoint => "widest-joint",
+        }
+    }
+
+    /// The landmark of a symbol or of a long name, whose case does not matter.
+    pub fn named(name: &str) -> Option<Self> {
+        let is_named = |landmark: &Self| {
+            landmark.symbol() == name
+                || landmark.long_name().eq_ignore_ascii_case(&name.replace(['_', ' '], "-"))
+        };
+        Self::ALL.into_iter().find(is_named)
+    }
+
+    /// The collapse modes that meet at the landmark: those whose equations follow from its own. At `T`
+    /// (3) follows from (2) and (4); at the others each mode has a part of the landmark's equations.
+    pub fn modes(self) -> &'static [Mode] {
+        use Mode::*;
+        match self {
+            Self::Triple => &[Rotational, SlidingRotational, RotationalSliding, Sliding],
+            Self::Shift => &[RotationalSliding, RotationalSlidingRotational, Sliding],
+            Self::Junction => &[RotationalSlidingRotational, OverturningSliding, Sliding],
+            Self::Border => &[OverturningSliding, Sliding],
+            Self::RotationEnd => &[Rotational, Overturning],
+            Self::OverturningEnd => &[Overturning],
+            Self::WidestJoint => &[Rotational],
+        }
+    }
+
+    /// The system whose root the landmark is.
+    pub fn system(self, weight: SelfWeight) -> System {
+        use {Equation as E, Fixed as F, Unknown as U};
+        let unlimited: &[(U, F)] = &[
+            (U::Thrust, F::Integer(0)),
+            (U::RotationJoint, F::Integer(0)),
+            (U::SlidingJoint, F::Integer(0)),
+            (U::Friction, F::Infinite),
+        ];
+        let (unknowns, equations, fixed): (&[U], &[E], &[(U, F)]) = match self {
+            Self::Triple => (
+                &[
+                    U::HalfOpening,
+                    U::RotationJoint,
+                    U::SlidingJoint,
+                    U::Thickness,
+                    U::Thrust,
+                    U::Friction,
+                ],
+                &[
+                    E::LowerThrust,
+                    E::WholeThrust,
+                    E::Tangency,
+                    E::ShoulderSliding,
+                    E::InnerSliding,
+                    E::Steepest,
+                ],
+                &[],
+            ),
+            Self::Shift => (
+                &[U::HalfOpening, U::SlidingJoint, U::Thickness, U::Thrust, U::Friction],
+                &[E::UpperThrust, E::Tangency, E::ShoulderSliding, E::InnerSliding, E::Steepest],
+                &[(U::RotationJoint, F::SameAs(U::SlidingJoint))],
+            ),
+            Self::Junction => (
+                &[U::HalfOpening, U::SlidingJoint, U::Thickness, U::Thrust, U::Friction],
+                &[
+                    E::UpperThrust,
+                    E::TangencyAtCrown,
+                    E::ShoulderSliding,
+                    E::InnerSliding,
+                    E::Steepest,
+                ],
+                &[(U::RotationJoint, F::Integer(0))],
+            ),
+            Self::Border => (
+                &[U::HalfOpening, U::SlidingJoint, U::Thrust, U::Friction],
+                &[E::UpperThrust, E::ShoulderSliding, E::InnerSliding, E::Steepest],
+                &[(U::RotationJoint, F::Integer(0)), (U::Thickness, F::Integer(2))],
+            ),
+            Self::RotationEnd => {
+                (&[U::HalfOpening, U::Thickness], &[E::WholeThrust, E::TangencyAtCrown], unlimited)
+            }
+            Self::OverturningEnd => (
+                &[U::HalfOpening],
+                &[E::WholeThrust],
+                &[
+                    (U::Thickness, F::Integer(2)),
+                    (U::Thrust, F::Integer(0)),
+                    (U::RotationJoint, F::Integer(0)),
+                    (U::SlidingJoint, F::Integer(0)),
+                    (U::Friction, F::Infinite),
+                ],
+            ),
+            Self::WidestJoint => (
+                &[U::HalfOpening, U::RotationJoint, U::Thickness, U::Thrust],
+                &[E::LowerThrust, E::WholeThrust, E::Tangency, E::DoubleThickness],
+                &[],
+            ),
+        };
+        System { weight, unknowns, equations, fixed }
+    }
+
+    /// What has to be positive at the landmark, mode by mode: the physical range of what is solved for, `0 <
+    /// alpha < pi`, `0 < beta < alpha`, `0 < eta < 2`, `0 < h < 1`, `mu > 0`; and all that the state of each
+    /// mode that meets there needs, so that its lines of thrust and of friction are inside the arch and no
+    /// thinner one stands. What is zero by the equations is left out: there the modes meet.
+    pub fn conditions(self, weight: SelfWeight) -> Vec<(Mode, Vec<Condition>)> {
+        let system = self.system(weight);
+        let is_limited = system.knows(Unknown::Friction)
+            && system.fixed_value(Unknown::Friction) != Some(Fixed::Infinite);
+        let range = |unknown: &Unknown| [Condition::Above(*unknown), Condition::Below(*unknown)];
+        let range = system.unknowns.iter().flat_map(range).collect();
+        let state = |mode: &Mode| {
+            let all = Condition::of(*mode, is_limited);
+            (*mode, all.filter(|condition| !condition.is_tie(&system)).collect())
+        };
+        let modes = self.modes();
+        iter::once((modes[0], range)).chain(modes.iter().map(state)).collect()
+    }
+}
+
+// A landmark that is added is listed in `ALL`: the compiler stops here.
+const _: () = match Landmark::Triple {
+    Landmark::Triple
+    | Landmark::Shift
+    | Landmark::Junction
+    | Landmark::Border
+    | Landmark::RotationEnd
+    | Landmark::OverturningEnd
+    | Landmark::WidestJoint => assert!(Landmark::ALL.len() == 7),
+};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arch::Configuration;
+    use crate::number::Angle;
+
+    #[test]
+    fn a_landmark_has_two_names() {
+        for landmark in Landmark::ALL {
+            assert_eq!(Landmark::named(landmark.symbol()), Some(landmark));
+            assert_eq!(Landmark::named(landmark.long_name()), Some(landmark));
+        }
+        assert_eq!(Landmark::named("Rotation_End"), Some(Landmark::RotationEnd));
+        assert_eq!(Landmark::named("t"), None, "in symbols the case counts");
+    }
+
+    #[test]
+    fn every_system_is_square_and_reads_only_what_it_knows() {
+        for landmark in Landmark::ALL {
+            let system = landmark.system(SelfWeight::Milankovitch);
+            assert_eq!(system.unknowns.len(), system.equations.len(), "{landmark:?}");
+            // A variable that the system does not know is set to NaN: no residual may see it.
+            let values: Vec<f64> = (1..=system.unknowns.len()).map(|i| 0.3 * i as f64).collect();
+            let at = system.place(Configuration::zero(&0.0), &values);
+            let known = |u| system.knows(u) && system.fixed_value(u) != Some(Fixed::Infinite);
+            let spoiled = at.map_each(
+                |u, x| if known(u) { x } else { Angle::new(f64::NAN) },
+                |u, x| if known(u) { x } else { f64::NAN },
+            );
+            for equation in system.equations {
+                let residual = equation.residual(system.weight, &spoiled);
+                assert!(residual.is_finite(), "{landmark:?} {equation:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,496 @@
+//! The steps of a proof, checked as they are written down.
+
+use super::{Claim, Finding};
+use crate::certify::{Undecided, cover};
+use crate::number::{Ball, Enclosure, ExactField, Field, Ternary};
+use crate::symbolic::{Fraction, Notation, Polynomial, Relations, Series, Symbol};
+use rug::Rational;
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
+
+/// A formula in both notations.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Formula {
+    /// For a terminal.
+    pub text: String,
+    /// For a document.
+    pub latex: String,
+}
+
+impl Formula {
+    fn new(show: impl Fn(Notation) -> String) -> Self {
+        Self { text: show(Notation::Text), latex: show(Notation::Latex) }
+    }
+}
+
+impl From<String> for Formula {
+    /// The text of an exact value: `2(2√3−3)`.
+    fn from(text: String) -> Self {
+        let latex = text.replace('√', r"\surd ").replace('−', "-");
+        Self { text, latex }
+    }
+}
+
+impl From<&Fraction> for Formula {
+    /// A polynomial of many terms is sorted by its first symbol.
+    fn from(fraction: &Fraction) -> Self {
+        let sorted = fraction.as_polynomial().filter(|p| p.len() > 3).and_then(|p| {
+            let symbol = p.main_symbol()?;
+            Some(Self::new(|notation| p.show_by(symbol, notation)))
+        });
+        sorted.unwrap_or_else(|| Self::new(|notation| fraction.show(notation)))
+    }
+}
+
+/// What a step rests on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Support {
+    /// It is assumed.
+    Hypothesis,
+    /// It gives a name.
+    Definition,
+    /// A normal form that is zero, or exact arithmetic.
+    Algebra,
+    /// Balls that cover a whole range.
+    Balls,
+    /// Another claim, decided by itself.
+    Claim,
+    /// A conclusion from the steps before, in words.
+    Conclusion,
+    /// An argument in words that carries the claim: what is checked before it does not say as much.
+    Argument,
+}
+
+impl Support {
+    /// The word used in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Hypothesis => "hypothesis",
+            Self::Definition => "definition",
+            Self::Algebra => "algebra",
+            Self::Balls => "balls",
+            Self::Claim => "claim",
+            Self::Conclusion => "conclusion",
+            Self::Argument => "argument",
+        }
+    }
+}
+
+/// One line of a derivation.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Step {
+    /// What it rests on.
+    pub support: Support,
+    /// What it says.
+    pub words: String,
+    /// The formula it is about.
+    pub formula: Option<Formula>,
+}
+
+/// Where an argument in words is that no machine has checked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Argument {
+    /// In the claim itself.
+    Own,
+    /// In a claim that is used.
+    Beneath,
+}
+
+impl Argument {
+    /// The word used in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Own => "own",
+            Self::Beneath => "beneath",
+        }
+    }
+
+    /// How it is told.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Own => "and an argument in words",
+            Self::Beneath => "and claims that rest on an argument in words",
+        }
+    }
+}
+
+/// What the false twin of a check has changed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Twin {
+    /// The first coefficient of an identity or of a series.
+    Coefficient,
+    /// An exact value.
+    Value,
+    /// The sign of what is positive, on each piece of a range.
+    Sign,
+    /// Where the statement is made: another arch, landmark, range or bound, at which it does not hold.
+    Input,
+    /// The sides of an inequality between two numbers.
+    Sides,
+    /// Only the verdict: what is proved is a box or a cell, which has no false place at hand.
+    Verdict,
+}
+
+/// A proof as far as it has come. A check that fails ends it.
+#[derive(Clone, Debug, Default)]
+pub struct Derivation {
+    steps: Vec<Step>,
+    /// The false twins that the checks so far have.
+    twins: Vec<Twin>,
+    /// What the claims used rest on.
+    beneath: Vec<Support>,
+    /// The check that is made on a false twin.
+    spoiled: Option<usize>,
+}
+
+impl Derivation {
+    /// Nothing yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// A derivation whose check number `index` is made on a false twin of what it is given. No claim may come through.
+    #[cfg(test)]
+    pub fn spoiled(index: usize) -> Self {
+        Self { spoiled: Some(index), ..Self::default() }
+    }
+
+    /// The steps so far.
+    pub fn steps(&self) -> &[Step] {
+        &self.steps
+    }
+
+    /// What the false twin of each check changes.
+    #[cfg(test)]
+    pub(super) fn twins(&self) -> &[Twin] {
+        &self.twins
+    }
+
+    /// What is assumed.
+    pub fn hypotheses(&self) -> impl Iterator<Item = &str> {
+        let assumed = self.steps.iter().filter(|step| step.support == Support::Hypothesis);
+        assumed.map(|step| step.words.as_str())
+    }
+
+    /// What the derivation rests on, in words.
+    pub fn method(&self) -> String {
+        let uses = |support| self.supports().any(|other| other == support);
+        let checked = match (uses(Support::Algebra), uses(Support::Balls)) {
+            (true, true) => "algebra (normal forms, exact) and analysis (balls over a whole range)",
+            (false, true) => "analysis (balls)",
+            _ => "algebra (normal forms, exact)",
+        };
+        match self.argument() {
+            Some(argument) => format!("{checked}, {}", argument.words()),
+            None => checked.to_owned(),
+        }
+    }
+
+    /// Whether an argument in words carries the claim, or one that it uses.
+    pub fn argument(&self) -> Option<Argument> {
+        let carries = |support: &Support| *support == Support::Argument;
+        match self.steps.iter().any(|step| carries(&step.support)) {
+            true => Some(Argument::Own),
+            false => self.beneath.iter().any(carries).then_some(Argument::Beneath),
+        }
+    }
+
+    fn push(&mut self, support: Support, words: impl Into<String>, formula: Option<Formula>) {
+        self.steps.push(Step { support, words: words.into(), formula });
+    }
+
+    /// Assumes something: it becomes part of the claim.
+    pub fn assume(&mut self, words: &str) {
+        self.push(Support::Hypothesis, words, None);
+    }
+
+    /// Draws a conclusion from the checks before.
+    pub fn conclude(&mut self, words: impl Into<String>) {
+        self.push(Support::Conclusion, words, None);
+    }
+
+    /// Draws a conclusion that carries the claim, by an argument in words.
+    pub fn argue(&mut self, words: impl Into<String>) {
+        self.push(Support::Argument, words, None);
+    }
+
+    /// Uses another claim, which is decided too; its steps are not repeated. One that does not hold as it is
+    /// stated cannot be used.
+    pub fn lemma(&mut self, claim: &Claim) -> Result<(), Undecided> {
+        self.beneath.extend(used(claim)?);
+        self.push(Support::Claim, format!("{}: {}", claim.id, claim.statement), None);
+        Ok(())
+    }
+
+    /// What the steps rest on, and those of the claims used.
+    fn supports(&self) -> impl Iterator<Item = Support> {
+        self.steps.iter().map(|step| step.support).chain(self.beneath.iter().copied())
+    }
+
+    /// Names a formula.
+    pub fn define(&mut self, words: &str, formula: &Fraction) {
+        self.push(Support::Definition, words, Some(formula.into()));
+    }
+
+    /// Names a polynomial, sorted by the powers of `symbol`.
+    pub fn define_by(&mut self, words: &str, polynomial: &Polynomial, symbol: Symbol) {
+        let formula = Formula::new(|notation| polynomial.show_by(symbol, notation));
+        self.push(Support::Definition, words, Some(formula));
+    }
+
+    /// Whether the check that comes next is to be made on its false twin.
+    fn twin(&mut self, twin: Twin) -> bool {
+        let index = self.twins.len();
+        self.twins.push(twin);
+        self.spoiled == Some(index)
+    }
+
+    /// Checks `left = right` wherever the relations hold and no denominator vanishes.
+    pub fn identity(
+        &mut self,
+        words: impl Into<String>,
+        left: &Fraction,
+        right: &Fraction,
+        relations: &Relations,
+    ) -> Result<(), Undecided> {
+        self.identity_as(words, left, right, relations, right.into())
+    }
+
+    /// The same, with the right side shown as it was made.
+    pub fn identity_as(
+        &mut self,
+        words: impl Into<String>,
+        left: &Fraction,
+        right: &Fraction,
+        relations: &Relations,
+        shown: Formula,
+    ) -> Result<(), Undecided> {
+        let words = words.into();
+        let left = if self.twin(Twin::Coefficient) { false_twin(left) } else { left.clone() };
+        if [&left, right].iter().any(|x| relations.normal_form(x.denominator()).is_zero()) {
+            return Err(Undecided::new(format!("{words}: a denominator vanishes identically")));
+        }
+        let difference = left - right;
+        let normal_form = relations.normal_form(difference.numerator());
+        if !normal_form.is_zero() {
+            return Err(Undecided::new(format!("{words}: the difference is {normal_form}")));
+        }
+        self.push(Support::Algebra, words, Some(shown));
+        Ok(())
+    }
+
+    /// Checks that two exact values are equal.
+    pub fn equal<T: ExactField + ToString>(
+        &mut self,
+        words: impl Into<String>,
+        left: &T,
+        right: &T,
+    ) -> Result<(), Undecided> {
+        let words = words.into();
+        let left = if self.twin(Twin::Value) { left.int(1) + left } else { left.clone() };
+        if !(left.clone() - right).is_zero() {
+            return Err(Undecided::new(format!(
+                "{words}: {} is not {}",
+                left.to_string(),
+                right.to_string()
+            )));
+        }
+        self.push(Support::Algebra, words, Some(right.to_string().into()));
+        Ok(())
+    }
+
+    /// Checks that two exact values differ, and returns the words that show it.
+    pub fn differ<T: ExactField + ToString>(
+        &mut self,
+        words: &str,
+        left: &T,
+        right: &T,
+    ) -> Result<String, Undecided> {
+        let left = if self.twin(Twin::Value) { right.clone() } else { left.clone() };
+        if (left.clone() - right).is_zero() {
+            return Err(Undecided::new(format!("{words}: both are {}", right.to_string())));
+        }
+        let counterexample = format!("{words}: {} is not {}", left.to_string(), right.to_string());
+        self.push(Support::Algebra, &counterexample, None);
+        Ok(counterexample)
+    }
+
+    /// Names a series in the variable called `name`.
+    pub fn series<T: ExactField + ToString>(
+        &mut self,
+        words: &str,
+        series: &Series<T>,
+        name: &str,
+    ) {
+        self.push(Support::Definition, words, Some(series.show(name).into()));
+    }
+
+    /// Checks that a series vanishes to the order to which it is known.
+    pub fn vanishes<T: ExactField + ToString>(
+        &mut self,
+        words: &str,
+        series: &Series<T>,
+    ) -> Result<(), Undecided> {
+        let spoiled = self.twin(Twin::Coefficient);
+        let series = if spoiled { series.int(1) + series } else { series.clone() };
+        let (valuation, order) = (series.valuation(), series.order());
+        if valuation < order || order < 1 {
+            return Err(Undecided::new(format!("{words}: the residual is {}", series.show("x"))));
+        }
+        self.push(
+            Support::Algebra,
+            format!("{words}: the residual is zero up to order {order}"),
+            None,
+        );
+        Ok(())
+    }
+
+    /// Checks a statement about an input. Its false twin is the same statement about another input, at which it does not
+    /// hold: a statement that does not look at its input is not proved here.
+    pub fn certain<X>(
+        &mut self,
+        support: Support,
+        words: impl Into<String>,
+        [input, elsewhere]: [X; 2],
+        holds: impl FnOnce(X) -> Result<Ternary, Undecided>,
+    ) -> Result<(), Undecided> {
+        let input = if self.twin(Twin::Input) { elsewhere } else { input };
+        self.decided(support, words.into(), holds(input)?)
+    }
+
+    /// Checks that one number is less than another. Its false twin exchanges them.
+    pub fn less(
+        &mut self,
+        words: impl Into<String>,
+        [less, more]: [&Ball; 2],
+    ) -> Result<(), Undecided> {
+        let sides = if self.twin(Twin::Sides) { [more, less] } else { [less, more] };
+        self.decided(Support::Balls, words.into(), sides[0].is_less_than(sides[1]))
+    }
+
+    /// Checks that a number is positive. Its false twin is the same number at another input, where it is not.
+    pub fn above_zero(
+        &mut self,
+        words: impl Into<String>,
+        values: [&Ball; 2],
+    ) -> Result<(), Undecided> {
+        self.certain(Support::Balls, words, values, |value| Ok(value.is_positive()))
+    }
+
+    /// Notes what was proved elsewhere about a whole curve or area. Its false twin has nothing but the other verdict.
+    pub fn proved_elsewhere(
+        &mut self,
+        words: impl Into<String>,
+        is_proved: bool,
+    ) -> Result<(), Undecided> {
+        let is_proved = is_proved != self.twin(Twin::Verdict);
+        let truth = if is_proved { Ternary::True } else { Ternary::Undecided };
+        self.decided(Support::Balls, words.into(), truth)
+    }
+
+    fn decided(
+        &mut self,
+        support: Support,
+        words: String,
+        truth: Ternary,
+    ) -> Result<(), Undecided> {
+        match truth {
+            Ternary::True => {
+                self.push(support, words, None);
+                Ok(())
+            }
+            Ternary::False => Err(Undecided::new(format!("{words}: false"))),
+            Ternary::Undecided => Err(Undecided::new(format!("{words}: not decided"))),
+        }
+    }
+
+    /// Checks that `value` is positive on all of `[low, high]`, by balls.
+    pub fn positive(
+        &mut self,
+        words: &str,
+        (low, high): (&Rational, &Rational),
+        value: impl Fn(&Ball) -> Ball,
+    ) -> Result<(), Undecided> {
+        let negated = self.twin(Twin::Sign);
+        let holds = |x: &Ball| {
+            let value = value(x);
+            if negated { (-value).is_positive() } else { value.is_positive() }
+        };
+        let pieces = cover(low, high, &holds).map_err(|undecided| undecided.about(words))?;
+        let range = format!("{words} on [{low}, {high}], {pieces} pieces");
+        self.push(Support::Balls, range, None);
+        Ok(())
+    }
+}
+
+/// What a claim that is used rests on, if it holds as it is stated; each is decided once in a process.
+fn used(claim: &Claim) -> Result<Vec<Support>, Undecided> {
+    type Used = Result<Vec<Support>, Undecided>;
+    static KNOWN: Mutex<BTreeMap<&str, Used>> = Mutex::new(BTreeMap::new());
+    let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(used) = known().get(claim.id) {
+        return used.clone();
+    }
+    // Not under the lock: a claim uses others.
+    let decision = claim.decide();
+    let used = match decision.outcome {
+        Ok(Finding::AsPrinted | Finding::Implicit) => Ok(decision.derivation.supports().collect()),
+        Ok(_) => Err(Undecided::new(format!("{} does not hold as it is stated", claim.id))),
+        Err(undecided) => Err(undecided.about(claim.id)),
+    };
+    known().insert(claim.id, used.clone());
+    used
+}
+
+/// The fraction with the first coefficient of its numerator changed; one for zero.
+fn false_twin(fraction: &Fraction) -> Fraction {
+    let changed = fraction.numerator().with_changed_coefficient();
+    Fraction::new(changed, fraction.denominator().clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::symbolic::Letters;
+
+    #[test]
+    fn a_false_identity_ends_the_derivation() {
+        let joint = Symbol::joint();
+        let (one, circle) = (joint.sin.int(1), joint.sin.square() + joint.cos.square());
+        let relations = Relations::trigonometric();
+        let mut derivation = Derivation::new();
+        derivation.identity("the circle", &circle, &one, &relations).unwrap();
+        assert!(
+            derivation
+                .identity("twice", &(circle.clone() * &one.int(2)), &one, &relations)
+                .is_err()
+        );
+        assert!(Derivation::spoiled(0).identity("twin", &circle, &one, &relations).is_err());
+        assert_eq!(derivation.steps().len(), 1);
+        let undefined = one.clone() / (circle.clone() - &one);
+        assert!(derivation.identity("1/0", &undefined, &undefined, &relations).is_err());
+    }
+
+    #[test]
+    fn a_sign_is_proved_on_the_whole_range() {
+        let range = (&Rational::from(1), &Rational::from(3));
+        let mut derivation = Derivation::new();
+        derivation.positive("x", range, Ball::clone).unwrap();
+        assert!(derivation.positive("x - 2", range, |x| x.clone() - x.int(2)).is_err());
+        assert!(Derivation::spoiled(0).positive("x", range, Ball::clone).is_err());
+    }
+
+    #[test]
+    fn a_statement_that_does_not_look_at_its_input_survives_its_twin() {
+        let check = |mut d: Derivation, holds: fn(i32) -> Ternary| {
+            d.certain(Support::Balls, "x > 0", [1, -1], |x| Ok(holds(x)))
+        };
+        let honest = |x| Ball::integer(x, 53).is_positive();
+        assert!(check(Derivation::new(), honest).is_ok());
+        assert!(check(Derivation::spoiled(0), honest).is_err());
+        let blind = |_| Ternary::True;
+        assert!(check(Derivation::spoiled(0), blind).is_ok(), "and a test finds it");
+    }
+}

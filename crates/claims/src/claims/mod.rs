@@ -1,0 +1,269 @@
+//! What the paper claims, one statement at a time, each proved or refuted.
+//!
+//! | claims about | file |
+//! |---|---|
+//! | what `r`, `w`, `h` are: (1) | `units.rs` |
+//! | moments, tangency, centroids: (2)–(6) | `moments.rs` |
+//! | the cubics and their abbreviations: (7), (8) | `cubics.rs` |
+//! | the curve of rotational states, the widest joint | `curve.rs` |
+//! | the closed forms (9)–(11), their branches, the range of (12) | `branches.rs` |
+//! | purely overturning states: (13)–(16) | `overturning.rs` |
+//! | their trends, Fig. 3, with both weights | `trends.rs` |
+//! | how rotation and overturning join | `joining.rs` |
+//! | sliding: (17), (18) | `sliding.rs` |
+//! | (2)–(5), (17), (18) in forms that are regular everywhere | `regular.rs` |
+//! | series for small openings and about `l` | `asymptotics.rs` |
+//! | the landmarks | `landmarks.rs` |
+//! | values of few digits, frictions that suffice | `rounded.rs` |
+//! | the landmarks again, as Coq theorems | [`coq`] |
+//! | the two weights at one half opening | `same_opening.rs`, `differences.rs` |
+//! | the two weights compared at the landmarks | `weights.rs` |
+//! | friction along sliding and along rotation | `frictions.rs`, with the states of `along.rs` |
+//! | the two weights compared on the map | `map_of_weights.rs`, `border.rs` |
+//! | which joints can be at their limits | `contacts.rs` |
+//! | why there are seven modes | `modes.rs` |
+//! | how the blocks move in each | `mechanisms.rs` |
+//! | where on the map the modes are | `domains.rs` |
+//! | why they fill it | `tiling.rs` |
+//! | its lines as curves without gaps | `lines.rs` |
+//! | its domains as areas, cell by cell | `areas.rs` |
+//! | the landmarks as states of the whole arch | `admissible.rs` |
+//! | one least thickness, one half opening | `uniqueness.rs` |
+//! | asymmetric mechanisms above the least thickness | `asymmetric.rs` |
+//! | where symmetric states have them too | `asymmetric_begins.rs` |
+//! | signs by algebra | `sign.rs` |
+//! | what the paper says, place by place, and what decides it | `index.rs`, `sentences.rs` |
+//!
+//! A claim is decided by a [`Derivation`]: the equations of `arch` are evaluated over
+//! [`symbolic`](crate::symbolic) numbers, and each step is checked exactly, or in balls over a whole
+//! range. A person can read the steps; a test makes each of them in turn on a false twin, and then the claim
+//! must fail.
+
+mod admissible;
+mod along;
+mod areas;
+mod asymmetric;
+mod asymmetric_begins;
+mod asymptotics;
+mod border;
+mod branches;
+mod contacts;
+pub mod coq;
+mod cubics;
+mod curve;
+mod derivation;
+mod differences;
+mod domains;
+mod frictions;
+mod index;
+mod joining;
+mod landmarks;
+mod letters;
+mod lines;
+mod map_of_weights;
+mod measured;
+mod mechanisms;
+mod modes;
+mod moments;
+mod overturning;
+mod regular;
+mod rounded;
+mod same_opening;
+mod sentence;
+mod sentences;
+mod sign;
+mod sliding;
+mod states;
+mod tiling;
+mod trends;
+mod uniqueness;
+mod units;
+mod weights;
+
+pub use derivation::{Argument, Derivation, Formula, Step, Support};
+pub use index::index;
+pub use sentence::{Decided, Sentence};
+
+use crate::certify::Undecided;
+use std::time::{Duration, Instant};
+
+/// A statement of the paper, or one that it leaves implicit.
+#[derive(Clone, Copy, Debug)]
+pub struct Claim {
+    /// A stable name.
+    pub id: &'static str,
+    /// The equation, table or section.
+    pub place: &'static str,
+    /// What is claimed, as it is printed where it is.
+    pub statement: &'static str,
+    decide: fn(&mut Derivation) -> Result<Finding, Undecided>,
+}
+
+/// What a completed derivation says of the statement.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Finding {
+    /// It holds as it is printed.
+    AsPrinted,
+    /// It holds; the paper does not state it.
+    Implicit,
+    /// It holds as it is printed, but in some places only with equality.
+    Equality {
+        /// Where both sides are the same: `thickness at B is 2 for both weights`.
+        at: String,
+    },
+    /// It speaks of an amount without a number, or with a rounded one: "about", "limited", "suffices".
+    Measured {
+        /// The number with which it is proved.
+        holds_with: String,
+        /// A number with which it is refuted, the printed one above all.
+        fails_with: Option<String>,
+    },
+    /// It is false as printed.
+    Misprint {
+        /// Where it fails: a point with the two values, or the difference that is not zero.
+        counterexample: String,
+        /// What holds instead, and is proved by the derivation.
+        corrected: &'static str,
+    },
+}
+
+/// How a claim was decided.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Decision {
+    /// The claim.
+    pub claim: Claim,
+    /// The finding, or why there is none.
+    pub outcome: Result<Finding, Undecided>,
+    /// The steps, as far as they went.
+    pub derivation: Derivation,
+    /// How long it took.
+    pub time: Duration,
+}
+
+impl Claim {
+    /// Whether a name means this claim: its id, or the beginning of it up to a hyphen.
+    pub fn is_named(&self, name: &str) -> bool {
+        self.id.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
+    }
+
+    /// Decides the claim.
+    pub fn decide(&self) -> Decision {
+        self.decide_with(Derivation::new())
+    }
+
+    fn decide_with(&self, mut derivation: Derivation) -> Decision {
+        let start = Instant::now();
+        let outcome = (self.decide)(&mut derivation);
+        Decision { claim: *self, outcome, derivation, time: start.elapsed() }
+    }
+}
+
+/// All claims, in the order of the paper.
+pub fn claims() -> Vec<Claim> {
+    [
+        units::CLAIMS,
+        moments::CLAIMS,
+        cubics::CLAIMS,
+        curve::CLAIMS,
+        branches::CLAIMS,
+        overturning::CLAIMS,
+        trends::CLAIMS,
+        joining::CLAIMS,
+        sliding::CLAIMS,
+        regular::CLAIMS,
+        asymptotics::CLAIMS,
+        landmarks::CLAIMS,
+        rounded::CLAIMS,
+        same_opening::CLAIMS,
+        differences::CLAIMS,
+        weights::CLAIMS,
+        frictions::CLAIMS,
+        map_of_weights::CLAIMS,
+        border::CLAIMS,
+        contacts::CLAIMS,
+        modes::CLAIMS,
+        mechanisms::CLAIMS,
+        domains::CLAIMS,
+        tiling::CLAIMS,
+        lines::CLAIMS,
+        areas::CLAIMS,
+        admissible::CLAIMS,
+        uniqueness::CLAIMS,
+        asymmetric::CLAIMS,
+        asymmetric_begins::CLAIMS,
+    ]
+    .concat()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::{BTreeMap, BTreeSet};
+    use std::sync::OnceLock;
+
+    /// All claims, decided once for these tests.
+    fn decisions() -> &'static [Decision] {
+        static DECIDED: OnceLock<Vec<Decision>> = OnceLock::new();
+        DECIDED.get_or_init(|| claims().iter().map(Claim::decide).collect())
+    }
+
+    #[test]
+    fn every_claim_is_decided() {
+        for Decision { claim, outcome, derivation, time } in decisions() {
+            println!("{:20} {time:?}", claim.id);
+            assert!(outcome.is_ok(), "{}: {outcome:?}", claim.id);
+            assert!(!derivation.twins().is_empty(), "{} checks nothing", claim.id);
+        }
+    }
+
+    #[test]
+    fn no_claim_survives_a_false_twin_of_any_of_its_checks() {
+        let mut survivors = Vec::new();
+        for Decision { claim, derivation, .. } in decisions() {
+            for index in 0..derivation.twins().len() {
+                let spoiled = claim.decide_with(Derivation::spoiled(index));
+                survivors.extend(spoiled.outcome.is_ok().then(|| format!("{} {index}", claim.id)));
+            }
+        }
+        assert!(survivors.is_empty(), "{survivors:?}");
+    }
+
+    /// How many checks have which twin is told in `proofs/README.md`, and held here.
+    #[test]
+    fn what_false_twins_change_is_told() {
+        let mut counts = BTreeMap::new();
+        for twin in decisions().iter().flat_map(|decision| decision.derivation.twins()) {
+            *counts.entry(*twin).or_insert(0) += 1;
+        }
+        let told = include_str!("../../../../proofs/README.md");
+        let rows = told.lines().skip_while(|line| !line.starts_with("| checks |")).skip(2);
+        let numbers = rows.map_while(|row| row.split('|').nth(1)?.trim().parse().ok());
+        let counts = counts.into_values();
+        assert_eq!(numbers.collect::<Vec<i32>>(), counts.collect::<Vec<_>>());
+    }
+
+    /// A bound in a proof is the rational that was used: no decimal has more digits than are proved of any number.
+    #[test]
+    fn no_step_shows_the_noise_of_a_double() {
+        let significant = |number: &str| {
+            let digits = number.chars().filter(char::is_ascii_digit);
+            digits.skip_while(|digit| *digit == '0').count()
+        };
+        for step in decisions().iter().flat_map(|decision| decision.derivation.steps()) {
+            let shown = step.formula.as_ref().map_or("", |formula| &formula.text);
+            for text in [&step.words, shown] {
+                let numbers = text.split(|c: char| !c.is_ascii_digit() && c != '.');
+                for number in numbers.filter(|number| number.trim_matches('.').contains('.')) {
+                    assert!(significant(number) <= 12, "{number} in {text}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_claim_has_a_name_of_its_own() {
+        let names: BTreeSet<_> = claims().iter().map(|claim| claim.id).collect();
+        assert_eq!(names.len(), claims().len());
+    }
+}

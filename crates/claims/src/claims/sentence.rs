@@ -1,0 +1,23 @@
+//! An equation or a sentence of the paper, with what decides it.
+
+/// An equation or a sentence of the paper.
+#[derive(Clone, Copy, Debug)]
+pub struct Sentence {
+    /// Where it stands.
+    pub place: &'static str,
+    /// What it says.
+    pub says: &'static str,
+    /// What decides it.
+    pub decided: Decided,
+}
+
+/// What decides a sentence.
+#[derive(Clone, Copy, Debug)]
+pub enum Decided {
+    /// Claims, by their ids; there is at least one.
+    Claims(&'static [&'static str]),
+    /// Printed digits: `couplet audit` compares each with its certified value.
+    Audit,
+    /// Not decided here, and why.
+    Open(&'static str),
+}

@@ -1,0 +1,11 @@
+//! What the paper claims, proved or refuted, for a reader and for Coq; and how others would compute.
+#![cfg_attr(not(test), warn(clippy::unwrap_used))]
+
+pub mod claims;
+#[cfg(feature = "study")]
+pub mod study;
+
+use couplet_check::{arch, check, problem};
+use couplet_draw::picture;
+use couplet_number::{number, symbolic};
+use couplet_prove::{atlas, certify, judge, solve};

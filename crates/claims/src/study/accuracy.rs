@@ -1,0 +1,351 @@
+//! Error against run time: every way the product can compute a value, on the same problems.
+
+use super::Task;
+use super::cases::{Case, arch};
+use super::closed::{printed, trigonometric};
+use super::double_double;
+use super::enclosure::{Errors, enclose, error, relative_radius};
+use super::newton::{doubling, newton};
+use super::row::{Row, Timed, timed};
+use super::static_programme::least_thickness;
+use crate::arch::Unknown;
+use crate::certify::CertifiedLandmark;
+use crate::certify::state::{Answer, Certify, Outcome, state_in_double_doubles};
+use crate::number::{
+    Angle, AstroInterval, Ball, DoubleBall, Enclosure, Engine, Magnitude, Real, Rounded,
+    rational_like,
+};
+use crate::problem::tally;
+use rug::Float;
+use std::f64::consts::LOG10_2;
+use std::time::Duration;
+
+/// How much is measured.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub struct Effort {
+    /// Precisions in bits.
+    pub bits: &'static [u32],
+    /// The largest precision for the second arithmetic, which is slow.
+    pub astro_bits: u32,
+    /// Time for the repeats of one measurement.
+    pub budget: Duration,
+}
+
+/// A look of some seconds.
+pub const QUICK: Effort =
+    Effort { bits: &[64, 113, 256, 1024], astro_bits: 256, budget: Duration::from_millis(5) };
+/// The whole study.
+pub const FULL: Effort = Effort {
+    bits: &[64, 113, 256, 1024, 4096, 16_384, 65_536],
+    astro_bits: 4096,
+    budget: Duration::from_millis(100),
+};
+
+/// Joints of the static programme.
+const JOINTS: &[usize] = &[100, 1000];
+
+/// Bits by which the reference is more precise than what is measured.
+const REFERENCE: u32 = 160;
+
+/// What the product does for a state: the certified digits of the command.
+pub const COMMAND: &str = "what couplet state does";
+
+/// The quantity of the rows of [`sines`].
+pub const SINES: &str = "sin-cos";
+
+/// One sine and cosine in MPFR at each precision: the unit in which everything else can be read.
+pub fn sines(effort: &Effort) -> Vec<Row> {
+    let measure = |&bits: &u32| {
+        let angle = Float::with_val(bits, 3).sqrt();
+        let timed = timed(effort.budget, || Real::sin_cos(&angle));
+        let digits = f64::from(bits) * LOG10_2;
+        let row = Row {
+            quantity: SINES.into(),
+            case: "sqrt(3)".into(),
+            method: "one sine and cosine, MPFR".into(),
+            precision_bits: Some(bits),
+            error_relative_log10: Some(-digits),
+            verdict: "computed".into(),
+            ..Row::default()
+        };
+        row.with_times(&timed)
+    };
+    effort.bits.iter().map(measure).collect()
+}
+
+/// All measurements of one case.
+pub fn measure(case: &Case, effort: &Effort) -> Vec<Row> {
+    let mut rows = Vec::new();
+    let most = effort.bits.iter().max().copied().unwrap_or(64);
+    let Some(truth) = enclose::<Ball>(&case.problem, &case.start, most + REFERENCE) else {
+        return vec![Row { verdict: "no reference".into(), ..named(case, "reference", None) }];
+    };
+    let study = Study { case, effort, truth: &truth };
+    let mut computed =
+        |method: &str, bits: u32, steps: Option<usize>, timed: Timed<Option<Vec<Float>>>| {
+            let evaluations = steps.map(|steps| steps * truth.len());
+            let row = Row { newton_steps: steps, evaluations, ..study.row(method, Some(bits)) };
+            let row = row.with_times(&timed);
+            rows.push(match &timed.value {
+                Some(values) => Row { verdict: "computed".into(), working_bits: Some(bits), ..row }
+                    .with_errors(&study.errors(values), bits),
+                None => Row { verdict: "no value".into(), ..row },
+            });
+        };
+    let double = |x: f64| x.is_finite().then(|| vec![Float::with_val(53, x)]);
+    if let Some((form, branch, joint)) = &case.closed {
+        let joint = joint.to_f64();
+        let timed_form = timed(effort.budget, || double(printed(*form, *branch, joint)));
+        computed("closed form, complex double", 53, None, timed_form);
+        let timed_form =
+            timed(effort.budget, || double(trigonometric(*form, *branch, &Angle::new(joint))));
+        computed("trigonometric form, double", 53, None, timed_form);
+    }
+    let steps = newton(&case.problem, &case.start, 53).map(|found| found.steps);
+    let by_newton = timed(effort.budget, || {
+        let found = newton(&case.problem, &case.start, 53)?;
+        Some(found.root.iter().map(|x| Float::with_val(53, x)).collect())
+    });
+    computed("Newton, double", 53, steps, by_newton);
+    let start: Vec<double_double::Qd> =
+        case.start.iter().map(|&x| double_double::Qd::from(x)).collect();
+    let steps = newton(&case.problem, &start, double_double::BITS).map(|found| found.steps);
+    let by_newton = timed(effort.budget, || {
+        let found = newton(&case.problem, &start, double_double::BITS)?;
+        Some(found.root.iter().map(double_double::to_float).collect())
+    });
+    computed("Newton, double-double", double_double::BITS, steps, by_newton);
+    for &bits in effort.bits {
+        if let Some((form, branch, joint)) = &case.closed {
+            let by_form = timed(effort.budget, || {
+                let joint = rational_like(&Float::new(bits), joint);
+                Some(vec![trigonometric(*form, *branch, &Angle::new(joint))])
+            });
+            computed("trigonometric form, MPFR", bits, None, by_form);
+        }
+        let steps = doubling(&case.problem, &case.start, bits).map(|found| found.steps);
+        let by_newton =
+            timed(effort.budget, || Some(doubling(&case.problem, &case.start, bits)?.root));
+        computed("Newton, MPFR", bits, steps, by_newton);
+    }
+    for &joints in JOINTS {
+        if let Some(row) = study.static_programme(joints) {
+            rows.push(row);
+        }
+    }
+    for &bits in effort.bits {
+        let method = "one proved root, balls of MPFR";
+        rows.push(study.proved(method, bits, study.root(bits)));
+        if bits <= effort.astro_bits {
+            let found = study.root::<AstroInterval>(bits);
+            let hulls = |all: Vec<AstroInterval>| all.iter().map(|x| hull(x, bits + 64)).collect();
+            let found = found.map(|root| root.and_then(hulls));
+            rows.push(study.proved("one proved root, astro-float", bits, found));
+        }
+        if matches!(case.problem, Task::Landmark { .. } | Task::State { .. }) {
+            rows.push(study.proofs(bits));
+        }
+    }
+    rows.extend(study.quick_proofs());
+    rows
+}
+
+/// The row of a method on a case.
+fn named(case: &Case, method: &str, bits: Option<u32>) -> Row {
+    Row {
+        quantity: case.quantity.into(),
+        case: case.name.clone(),
+        method: method.into(),
+        precision_bits: bits,
+        threads: 1,
+        ..Row::default()
+    }
+}
+
+/// A case with what is measured against.
+struct Study<'a> {
+    case: &'a Case,
+    effort: &'a Effort,
+    /// The unknowns, enclosed at a higher precision.
+    truth: &'a [Ball],
+}
+
+impl Study<'_> {
+    fn row(&self, method: &str, bits: Option<u32>) -> Row {
+        named(self.case, method, bits)
+    }
+
+    fn errors(&self, values: &[Float]) -> Vec<Errors> {
+        values.iter().zip(self.truth).map(|(x, t)| error(x, t)).collect()
+    }
+
+    /// The discrete static programme, for the thickness of a state: its error is that of the joints.
+    fn static_programme(&self, joints: usize) -> Option<Row> {
+        let Task::State { weight, mode, half_opening, friction } = &self.case.problem else {
+            return None;
+        };
+        let index = mode.system(*weight).index(Unknown::Thickness)?;
+        let (alpha, mu) = (half_opening.to_f64(), friction.to_f64());
+        let timed = timed(self.effort.budget, || least_thickness(*weight, alpha, mu, joints));
+        let value = Float::with_val(53, timed.value);
+        let row = self.row(&format!("static programme, {joints} joints"), Some(53));
+        let row = row.with_times(&timed).with_errors(&[error(&value, &self.truth[index])], 53);
+        Some(Row { verdict: "computed".into(), working_bits: Some(53), ..row })
+    }
+
+    /// One root, from the start to proved digits: the centre by Newton's method in MPFR, its box in the arithmetic of a
+    /// method.
+    fn root<E: Engine>(&self, bits: u32) -> Timed<Option<Vec<E>>> {
+        timed(self.effort.budget, || enclose(&self.case.problem, &self.case.start, bits))
+    }
+
+    /// What the product proves: a landmark, isolated and refined, or a state with everything that belongs to it.
+    fn certified(&self, bits: u32) -> Option<Vec<Ball>> {
+        match &self.case.problem {
+            Task::Landmark { weight, landmark } => {
+                let point = CertifiedLandmark::new(*landmark, *weight).ok()?;
+                let refined = point.enclosure(bits).ok()?;
+                let unknowns = landmark.system(*weight).unknowns.iter();
+                unknowns.map(|&unknown| refined.value(unknown)).collect()
+            }
+            Task::State { weight, half_opening, friction, .. } => {
+                let arch = arch(*weight, half_opening, friction)?;
+                self.enclosures(&arch.state_alone(bits).ok()?)
+            }
+            _ => None,
+        }
+    }
+
+    /// The unknowns of a state that stands.
+    fn enclosures<E: Enclosure>(&self, outcome: &Outcome<E>) -> Option<Vec<E>> {
+        let (Task::State { weight, mode, .. }, Outcome::Stands(state)) =
+            (&self.case.problem, outcome)
+        else {
+            return None;
+        };
+        let value = |&unknown| state.value(unknown).cloned();
+        mode.system(*weight).unknowns.iter().map(value).collect()
+    }
+
+    /// The proofs of the product, at one precision.
+    fn proofs(&self, bits: u32) -> Row {
+        let timed = timed(self.effort.budget, || self.certified(bits));
+        let (_, tally) = tally::measure(|| self.certified(bits));
+        let counted = |count: u64| (count > 0).then_some(count as usize);
+        Row {
+            evaluations: counted(tally.evaluations()),
+            newton_steps: counted(tally.newton_steps),
+            ..self.proved("certified, balls of MPFR", bits, timed)
+        }
+    }
+
+    /// The proofs of a state that the product asks first, and what the command does.
+    fn quick_proofs(&self) -> Vec<Row> {
+        let Task::State { weight, half_opening, friction, .. } = &self.case.problem else {
+            return Vec::new();
+        };
+        let Some(arch) = arch(*weight, half_opening, friction) else { return Vec::new() };
+        let doubles = timed(self.effort.budget, || self.enclosures(&arch.state_in_doubles().ok()?));
+        let doubles = doubles.map(|found| found.map(|all| all.iter().map(double_ball).collect()));
+        let pairs =
+            timed(self.effort.budget, || self.enclosures(&state_in_double_doubles(&arch).ok()?));
+        let pairs =
+            pairs.map(|found| found.map(|all| all.iter().map(|x| x.to_ball(170)).collect()));
+        let mut rows = vec![
+            self.proved("certified, balls of doubles", 53, doubles),
+            self.proved("certified, balls of double-doubles", 106, pairs),
+        ];
+        for &bits in self.effort.bits {
+            let digits = (f64::from(bits) * LOG10_2) as usize - 2;
+            let command = timed(self.effort.budget, || arch.certify_alone(digits).ok());
+            let command = command.map(|answer| self.rounded(&answer?, bits));
+            rows.push(self.proved(COMMAND, bits, command));
+        }
+        rows
+    }
+
+    /// The unknowns of a state as balls around their correctly rounded digits.
+    fn rounded(&self, answer: &Answer, bits: u32) -> Option<Vec<Ball>> {
+        let (Task::State { weight, mode, .. }, Answer::Stands(state)) =
+            (&self.case.problem, answer)
+        else {
+            return None;
+        };
+        let value = |unknown: &Unknown| {
+            let figure = match unknown {
+                Unknown::Thickness => Some(&state.thickness),
+                Unknown::Thrust => Some(&state.thrust),
+                Unknown::RotationJoint => Some(&state.rotation_joint),
+                Unknown::SlidingJoint => state.sliding_joint.as_ref(),
+                _ => None,
+            };
+            let Rounded { lower, upper, .. } = &figure?.decimal;
+            let [lower, upper] =
+                [lower, upper].map(|end| Ball::enclosing(&end.to_rational(), bits + 64));
+            Some(lower.hull(&upper))
+        };
+        mode.system(*weight).unknowns.iter().map(value).collect()
+    }
+
+    /// The row of a method that proves balls, or nothing.
+    fn proved(&self, method: &str, bits: u32, timed: Timed<Option<Vec<Ball>>>) -> Row {
+        let row = self.row(method, Some(bits)).with_times(&timed);
+        let Some(balls) = &timed.value else {
+            return Row { verdict: "undecided".into(), ..row };
+        };
+        let values: Vec<Float> = balls.iter().map(|x| x.mid().clone()).collect();
+        let claimed = balls.iter().map(relative_radius).fold(f64::NEG_INFINITY, f64::max);
+        Row {
+            verdict: "proved".into(),
+            claimed_relative_log10: Some(claimed),
+            certified_digits: Some(-claimed),
+            working_bits: values.iter().map(|x| x.prec()).max(),
+            ..row
+        }
+        .with_errors(&self.errors(&values), bits)
+    }
+}
+
+/// What a ball of doubles holds.
+fn double_ball(ball: &DoubleBall) -> Ball {
+    let [mid, rad] = [ball.mid(), ball.rad()].map(|x| Float::with_val(53, x));
+    Ball::exact(mid, 170).widened(Magnitude::upper(&rad))
+}
+
+/// A ball that holds an interval.
+fn hull(interval: &AstroInterval, bits: u32) -> Option<Ball> {
+    let (low, high) = interval.ends()?;
+    let centre = Float::with_val(bits, &low + &high) / 2u32;
+    let radius = Float::with_val(64, &high - &low);
+    let radius = <Ball as Engine>::around(&(&centre).into(), &(&radius).into(), bits as usize);
+    radius.is_bounded().then_some(radius)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::cases::cases;
+
+    /// A claimed bound is never below the true error, on every row of every case.
+    #[test]
+    fn what_is_claimed_holds() {
+        let effort = Effort { bits: &[64, 256], astro_bits: 64, budget: Duration::ZERO };
+        let mut proved = 0;
+        for case in cases() {
+            let rows = measure(&case, &effort);
+            assert!(rows.len() >= 5, "{} {}: {rows:?}", case.quantity, case.name);
+            for row in rows {
+                if let (Some(claimed), Some(true_error)) =
+                    (row.claimed_relative_log10, row.error_relative_log10)
+                {
+                    // Decimal logarithms in doubles, rounded to nearest.
+                    assert!(claimed >= true_error - 1e-9, "{row:?}");
+                    proved += 1;
+                }
+                assert_ne!(row.verdict, "undecided", "{row:?}");
+            }
+        }
+        assert!(proved > 100);
+    }
+}

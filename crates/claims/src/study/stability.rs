@@ -1,0 +1,188 @@
+//! What is lost where the problem is hard: ladders of distances towards each limit.
+//!
+//! The [condition number](super::condition) of a problem says how many digits of the result the input
+//! decides. What a method loses beyond it, the method has lost.
+
+use super::closed::{Branch, Form, printed, trigonometric};
+use super::double_double;
+use super::enclosure::{error, relative_radius};
+use super::limits::Limit;
+use super::newton::{doubling, newton};
+use super::row::timed;
+use super::target::{Target, WEIGHT, factored};
+use crate::arch::overturning;
+use crate::number::{Angle, Ball};
+use crate::problem::Mode;
+use rug::ops::Pow;
+use rug::{Float, Integer, Rational};
+use serde::Serialize;
+use std::time::Duration;
+
+/// One method on one rung.
+#[derive(Clone, Debug, Default, Serialize)]
+#[non_exhaustive]
+pub struct Rung {
+    /// Which limit.
+    pub limit: &'static str,
+    /// What is computed.
+    pub output: &'static str,
+    /// `log10` of the distance from the limit.
+    pub distance_log10: i32,
+    /// How it was computed.
+    pub method: &'static str,
+    /// The bits that the method was given, or needed.
+    pub working_bits: u32,
+    /// `log10` of the condition number.
+    pub condition_log10: f64,
+    /// `log10` of the relative error.
+    pub error_relative_log10: Option<f64>,
+    /// Decimal digits lost: those of the precision beyond the error. For a certified result those of the
+    /// working precision beyond what is proved.
+    pub digits_lost: Option<f64>,
+    /// Median CPU time, s.
+    pub cpu_seconds: f64,
+    /// `proved`, `computed`, or why there is no value.
+    pub verdict: &'static str,
+}
+
+/// Digits that a certified result is asked for.
+const DIGITS: f64 = 16.0;
+/// The largest working precision that is tried.
+const MOST_BITS: u32 = 1 << 14;
+
+fn tenth_to(k: u32) -> Rational {
+    Rational::from((Integer::from(1), Integer::from(10).pow(k)))
+}
+
+/// All methods on one rung.
+pub fn climb(limit: &Limit, k: u32, budget: Duration) -> Vec<Rung> {
+    let rung = |method, working_bits| Rung {
+        limit: limit.name,
+        output: limit.output,
+        distance_log10: -(k as i32),
+        method,
+        working_bits,
+        ..Rung::default()
+    };
+    let nothing = |verdict| vec![Rung { verdict, ..rung("certified", 0) }];
+    let Some(target) = (limit.at)(&tenth_to(k)) else { return nothing("no problem") };
+    // The reference: many more bits than any method is given.
+    let high = 2048 + 48 * k;
+    let Some(truth) = target.enclosure(high) else { return nothing("no reference") };
+    let Some(condition_log10) = target.condition(high) else { return nothing("no condition") };
+    let mut rungs = Vec::new();
+    let mut add = |method, bits: u32, job: &dyn Fn() -> Option<Float>| {
+        let timed = timed(budget, job);
+        let mut found = Rung {
+            condition_log10,
+            cpu_seconds: timed.cpu[1].as_secs_f64(),
+            verdict: "no value",
+            ..rung(method, bits)
+        };
+        if let Some(value) = timed.value.filter(|x| x.is_finite()) {
+            let relative = error(&value, &truth).relative;
+            let digits = f64::from(bits) * std::f64::consts::LOG10_2;
+            found.error_relative_log10 = Some(relative);
+            found.digits_lost = Some((digits + relative).clamp(0.0, digits));
+            found.verdict = "computed";
+        }
+        rungs.push(found);
+    };
+    let double = |x: f64| Some(Float::with_val(53, x));
+    if let Target::Closed { joint } = &target {
+        let joint = joint.to_f64();
+        add("closed form, double", 53, &|| double(printed(Form::Thickness, Branch::Upper, joint)));
+        add("trigonometric form, double", 53, &|| {
+            double(trigonometric(Form::Thickness, Branch::Upper, &Angle::new(joint)))
+        });
+    }
+    if let Target::Overturning { distance } = &target {
+        let x = distance.to_f64();
+        let a = 2.0 / 3.0 + x;
+        add("(15) as printed, double", 53, &|| double(overturning::thickness(WEIGHT, &a)));
+        add("(15) from A - 2/3, double", 53, &|| double(factored(&x)));
+        let a = Float::with_val(256, Rational::from((2, 3)) + distance);
+        add("(15) as printed, 256 bits", 256, &|| Some(overturning::thickness(WEIGHT, &a)));
+    }
+    if let Some(problem) = target.problem() {
+        let index = target.index();
+        let start: Option<Vec<f64>> =
+            target.start(512).map(|start| start.iter().map(Float::to_f64).collect());
+        if let Some(start) = start.filter(|x| x.iter().all(|x| x.is_normal())) {
+            add("equations, Newton, double", 53, &|| {
+                double(newton(&problem, &start, 53)?.root[index])
+            });
+            add("equations, Newton, double-double", double_double::BITS, &|| {
+                let start: Vec<double_double::Qd> =
+                    start.iter().map(|&x| double_double::Qd::from(x)).collect();
+                let found = newton(&problem, &start, double_double::BITS)?;
+                Some(double_double::to_float(&found.root[index]))
+            });
+            add("equations, Newton, 256 bits", 256, &|| {
+                Some(doubling(&problem, &start, 256)?.root.swap_remove(index))
+            });
+        }
+        if limit.is_small {
+            add("scaled equations, 53 bits", 53, &|| target.scaled(53));
+        }
+        if matches!(target, Target::State { mode: Mode::Rotational, .. }) {
+            add("start value, double", 53, &|| Some(target.start(53)?.swap_remove(index)));
+        }
+    }
+    rungs.push(certified(&target, &truth, rung("certified", 0), condition_log10, budget));
+    rungs
+}
+
+/// The certified result: the working precision is doubled until sixteen digits are proved.
+fn certified(
+    target: &Target,
+    truth: &Ball,
+    rung: Rung,
+    condition_log10: f64,
+    budget: Duration,
+) -> Rung {
+    let mut bits = 64;
+    while bits <= MOST_BITS {
+        let proved = target.enclosure(bits).filter(|ball| -relative_radius(ball) >= DIGITS);
+        if let Some(ball) = proved {
+            let timed = timed(budget, || target.enclosure(bits));
+            let digits = f64::from(bits) * std::f64::consts::LOG10_2;
+            return Rung {
+                working_bits: bits,
+                condition_log10,
+                error_relative_log10: Some(error(ball.mid(), truth).relative),
+                digits_lost: Some((digits + relative_radius(&ball)).max(0.0)),
+                cpu_seconds: timed.cpu[1].as_secs_f64(),
+                verdict: "proved",
+                ..rung
+            };
+        }
+        // Steps of a quarter: the precision that is needed shows.
+        bits += (bits / 4).next_multiple_of(32);
+    }
+    Rung { condition_log10, verdict: "undecided", ..rung }
+}
+
+/// The rungs that are climbed: powers of a tenth.
+pub const FULL: [u32; 13] = [1, 2, 3, 4, 6, 8, 12, 16, 20, 30, 40, 50, 60];
+/// The same for a quick look.
+pub const QUICK: [u32; 5] = [1, 3, 8, 20, 60];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::limits::LIMITS;
+
+    /// The certified path proves every rung, and its error is what it claims.
+    #[test]
+    fn every_rung_is_proved() {
+        for limit in &LIMITS {
+            for k in [1, 12, 60] {
+                let rungs = climb(limit, k, Duration::ZERO);
+                let certified = rungs.last().unwrap();
+                assert_eq!(certified.verdict, "proved", "{} 1e-{k}: {certified:?}", limit.name);
+                assert!(certified.error_relative_log10.unwrap() <= -DIGITS);
+            }
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! A line through the arch as a chain of points.
+
+use crate::number::{Angle, Drawable};
+
+/// A line from the crown to the shoulder.
+#[derive(Clone, Debug)]
+pub struct Line {
+    /// Angle from the crown and offset from the centreline of each point, in rad and in thicknesses, outwards: from -1/2 at
+    /// the intrados to 1/2 at the extrados.
+    pub points: Vec<[f64; 2]>,
+    /// The thickness, in units of `r`.
+    pub thickness: f64,
+}
+
+/// Angles between two points at first.
+const STEP: f64 = 0.05;
+/// The largest distance of the true line from a chord, looked at in its middle, in units of `r`, and of a half opening below
+/// one in units of that.
+const CHORD: f64 = 1e-4;
+/// The largest error of an offset that is read off between two points, in thicknesses.
+const PART: f64 = 2e-3;
+/// A chord is halved so often at most.
+const HALVINGS: u32 = 12;
+
+/// To the right and up.
+fn place([angle, offset]: [f64; 2], thickness: f64) -> [f64; 2] {
+    let radius = 1.0 + offset * thickness;
+    [radius * angle.sin(), radius * angle.cos()]
+}
+
+impl Line {
+    /// The line of a radius at each joint, in units of `r`, down to the shoulder at `half_opening`.
+    pub fn new<T: Drawable>(
+        [half_opening, thickness]: [&T; 2],
+        radius: impl Fn(&Angle<T>) -> T,
+    ) -> Self {
+        let alpha = half_opening.double();
+        let within = Within { chord: CHORD * alpha.min(1.0), offset: PART };
+        let eta = thickness.double();
+        let at = |beta: f64| {
+            // The shoulder itself, not its nearest double.
+            let joint = match beta == alpha {
+                true => half_opening.clone(),
+                false => half_opening.of_double(beta),
+            };
+            let aside = radius(&Angle::new(joint)) - thickness.int(1);
+            [beta, (aside / thickness).double()]
+        };
+        let steps = (alpha / STEP).ceil().max(8.0) as u32;
+        let mut points = vec![at(0.0)];
+        for k in 1..=steps {
+            let end = match k == steps {
+                true => alpha,
+                false => alpha * f64::from(k) / f64::from(steps),
+            };
+            refine(&mut points, at(end), (&at, eta), (within, HALVINGS));
+        }
+        Self { points, thickness: eta }
+    }
+
+    /// The chain through the points of a line at some joints, from the crown on, and at the shoulder: between stones it is
+    /// said of joints alone. It is straight over a keystone, too.
+    pub fn through_joints<T: Drawable>(
+        [half_opening, thickness]: [&T; 2],
+        joints: &[f64],
+        radius: impl Fn(&Angle<T>) -> T,
+    ) -> Self {
+        let eta = thickness.double();
+        let at = |joint: T| {
+            let beta = joint.double();
+            let aside = radius(&Angle::new(joint)) - thickness.int(1);
+            [beta, (aside / thickness).double()]
+        };
+        let inside = joints.iter().map(|joint| at(half_opening.of_double(*joint)));
+        let mut points: Vec<[f64; 2]> = inside.collect();
+        points.push(at(half_opening.clone()));
+        if let [first, offset] = points[0]
+            && first > 0.0
+        {
+            let sagitta = 2.0 * (first / 2.0).sin().powi(2);
+            points.insert(0, [0.0, offset * first.cos() - sagitta / eta]);
+        }
+        Self { points, thickness: eta }
+    }
+
+    /// Its points to the right and up.
+    pub fn places(&self) -> impl DoubleEndedIterator<Item = [f64; 2]> + ExactSizeIterator + '_ {
+        self.points.iter().map(|point| place(*point, self.thickness))
+    }
+}
+
+/// How far a line may be from what its points say, on its way and in its offset.
+#[derive(Clone, Copy)]
+struct Within {
+    chord: f64,
+    offset: f64,
+}
+
+/// Adds the points from the last one to `end`.
+fn refine(
+    points: &mut Vec<[f64; 2]>,
+    end: [f64; 2],
+    (at, thickness): (&impl Fn(f64) -> [f64; 2], f64),
+    (within, halvings): (Within, u32),
+) {
+    let Some(&start) = points.last() else { return };
+    let middle = at((start[0] + end[0]) / 2.0);
+    let [a, b, m] = [start, end, middle].map(|point| place(point, thickness));
+    let off = [0, 1].map(|k| m[k] - (a[k] + b[k]) / 2.0);
+    let aside = (middle[1] - (start[1] + end[1]) / 2.0).abs();
+    if halvings > 0 && (off[0].hypot(off[1]) > within.chord || aside > within.offset) {
+        refine(points, middle, (at, thickness), (within, halvings - 1));
+        refine(points, end, (at, thickness), (within, halvings - 1));
+    } else {
+        points.push(end);
+    }
+}
+
+/// The centreline.
+pub(super) fn centreline<T: Drawable>(half_opening: &T, thickness: &T) -> Line {
+    Line::new([half_opening, thickness], |joint| joint.rad.int(1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::{Ball, Field};
+
+    /// Of a thin arch too, whose lines bend within it as much as those of any other.
+    #[test]
+    fn lines_have_few_points_however_thin_the_arch_is() {
+        for places in [1, 3, 9, 15] {
+            let tenth = Ball::integer(1, 200) / Ball::integer(10, 200);
+            let thin = (0..places).fold(Ball::integer(1, 200), |thin, _| thin * &tenth);
+            let alpha = thin.clone();
+            let line = Line::new([&alpha, &thin], |joint| {
+                let share = joint.rad.clone() / &alpha;
+                joint.rad.int(1) + (share.int(1) - share.clone() * share) * &thin / joint.rad.int(2)
+            });
+            assert!((9..200).contains(&line.points.len()), "{places}: {}", line.points.len());
+        }
+    }
+
+    #[test]
+    fn chords_are_near_the_line() {
+        let line = centreline(&Ball::integer(2, 64), &Ball::integer(1, 64));
+        assert!((70..200).contains(&line.points.len()), "{}", line.points.len());
+        for pair in line.points.windows(2) {
+            assert!(1.0 - ((pair[1][0] - pair[0][0]) / 2.0).cos() < 1e-4);
+        }
+        let [x, y] = line.places().last().unwrap();
+        assert_eq!([x, y], [2f64.sin(), 2f64.cos()]);
+    }
+}

@@ -1,0 +1,37 @@
+//! An arch as it is drawn: its lines of thrust and of friction, the joints at their limits, how it falls, and all that as SVG.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `line` | a line through the arch as a chain of points |
+//! | `forces` | a thrust with the lines that belong to it |
+//! | `collapse` | a mode: joints, rates, twists, the balance of power |
+//! | `moved` | the blocks after a finite motion |
+//! | `blocks` | the same on the page, at rest or moving |
+//! | `view` | one arch on the page |
+//! | `scale` | from units of `r` to the page |
+//! | `look` | colours and lines |
+//! | `picture` | that arch alone, as a picture |
+//!
+//! It is one text over any enclosure that can be seen as doubles: balls of MPFR for `couplet draw`, balls of double-doubles
+//! where there is no C compiler, as in a browser. What it says is as certain as the configuration that it is given.
+
+mod blocks;
+mod collapse;
+mod forces;
+mod line;
+pub mod look;
+mod moved;
+mod picture;
+mod scale;
+mod view;
+
+pub use blocks::Blocks;
+pub use blocks::arrow;
+pub use collapse::{Collapse, NoCollapse};
+pub use forces::{Forces, Mark, joints_of, moment_of};
+pub use line::Line;
+pub use moved::{Block, Moved, moved};
+pub use picture::picture;
+pub use scale::Scale;
+pub use view::CROWN;
+pub use view::{Lines, View};

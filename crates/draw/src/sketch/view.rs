@@ -1,0 +1,185 @@
+//! One arch on the page: its outline, its lines, the joints at their limits, and the blocks as they fall.
+
+use super::blocks::Blocks;
+use super::line::Line;
+use super::look;
+use super::scale::Scale;
+use crate::arch::mechanism::Contact;
+use crate::picture::color::WHITE;
+use crate::picture::{Path, Svg};
+
+/// An arch in doubles, in units of `r`.
+#[derive(Clone, Debug)]
+pub struct View<'a> {
+    /// The half opening, rad.
+    pub half_opening: f64,
+    /// Of the intrados and the extrados.
+    pub radii: [f64; 2],
+    /// The lines of each thrust.
+    pub lines: Vec<Lines<'a>>,
+    /// Whether these are the ends of a range, the least thrust first.
+    pub is_standing: bool,
+    /// Whether the line of friction jumps at the crown.
+    pub has_jump: bool,
+    /// The joints at their limits, rad.
+    pub marks: Vec<(Contact, f64)>,
+    /// How it falls.
+    pub blocks: Option<Blocks>,
+    /// The joints between stones of the right half, rad.
+    pub stones: Vec<f64>,
+    /// Only the right half.
+    pub half: bool,
+    /// Only the right half falls.
+    pub falls_right: bool,
+}
+
+/// The lines of a thrust.
+#[derive(Clone, Copy, Debug)]
+pub struct Lines<'a> {
+    /// Of thrust: one, or the two between which all others are.
+    pub thrust: &'a [Line],
+    /// Of friction.
+    pub friction: &'a Line,
+}
+
+/// A joint nearer to the crown than this part of the half arch is the crown.
+pub const CROWN: f64 = 1e-6;
+
+impl View<'_> {
+    /// The halves that are drawn.
+    fn sides(&self) -> &'static [f64] {
+        if self.half { &[1.0] } else { &[1.0, -1.0] }
+    }
+
+    /// The halves on which it falls.
+    fn falling(&self) -> &'static [f64] {
+        if self.half || self.falls_right { &[1.0] } else { &[1.0, -1.0] }
+    }
+
+    /// What it takes in units of `r`: left, right, below and above the centre.
+    pub fn extent(&self) -> [f64; 4] {
+        let [inner, outer] = self.radii;
+        let alpha = self.half_opening;
+        let wide = if alpha > std::f64::consts::FRAC_PI_2 { outer } else { outer * alpha.sin() };
+        let low = [inner, outer].map(|radius| radius * alpha.cos());
+        let mut extent = [0.0, wide, low[0].min(low[1]), outer];
+        let corners = self.blocks.iter().flat_map(Blocks::corners);
+        for [x, y] in corners {
+            extent = [0.0, extent[1].max(x), extent[2].min(y), extent[3].max(y)];
+        }
+        // Whichever half falls.
+        extent[0] = if self.half { -0.05 * outer } else { -extent[1] };
+        extent
+    }
+
+    /// The stone, the forces between extremes, the blocks as they fall, and the outline.
+    pub fn body(&self, svg: &mut Svg, scale: &Scale) {
+        svg.group("arch", |svg| {
+            for side in self.sides() {
+                svg.fill(&scale.sector([0.0, self.half_opening], self.radii, *side), look::STONE);
+                // Where blocks move, their stones do.
+                if !self.stones.is_empty() && (self.blocks.is_none() || self.falls_right) {
+                    svg.stroke(&scale.joints(&self.stones, self.radii, *side), look::JOINT);
+                }
+            }
+        });
+        self.bands(svg, scale);
+        if let Some(blocks) = &self.blocks {
+            svg.group("mechanism", |svg| {
+                blocks.draw(svg, scale, self.falling());
+            });
+        }
+        svg.group("outline", |svg| svg.stroke(&self.outline(scale), look::OUTLINE));
+    }
+
+    /// Arrows from where the blocks were to where they are.
+    pub fn arrows(&self, svg: &mut Svg, scale: &Scale) {
+        if let Some(blocks) = &self.blocks {
+            svg.group("arrows", |svg| {
+                self.falling().iter().for_each(|side| blocks.arrows(svg, scale, *side));
+            });
+        }
+    }
+
+    /// Once round the arch.
+    fn outline(&self, scale: &Scale) -> Path {
+        let alpha = self.half_opening;
+        let from = if self.half { 0.0 } else { -alpha };
+        scale.sector([from, alpha], self.radii, 1.0)
+    }
+
+    /// Between two lines of thrust.
+    fn bands(&self, svg: &mut Svg, scale: &Scale) {
+        let lines: Vec<&Line> = self.lines.iter().flat_map(|of| of.thrust).collect();
+        let [one, other] = lines[..] else { return };
+        svg.group("between", |svg| {
+            for side in self.sides() {
+                let there = one.places().map(|point| scale.at(point, *side));
+                let back = other.places().rev().map(|point| scale.at(point, *side));
+                svg.tint(&Path::around(there.chain(back)), look::BAND, look::FAINT);
+            }
+        });
+    }
+
+    fn along(&self, line: &Line, scale: &Scale) -> Path {
+        let right = line.places().map(|point| scale.at(point, 1.0));
+        if self.half {
+            return Path::through(right);
+        }
+        let left = line.places().skip(1).rev().map(|point| scale.at(point, -1.0));
+        Path::through(left.chain(right))
+    }
+
+    /// The lines of thrust and of friction.
+    pub fn lines(&self, svg: &mut Svg, scale: &Scale) {
+        for (place, of) in self.lines.iter().enumerate() {
+            let name = match (self.is_standing, place) {
+                (true, 0) => "-least",
+                (true, _) => "-largest",
+                _ => "",
+            };
+            let (thrust, friction) = match (place, of.thrust.len()) {
+                (0, 1) => (look::THRUST, look::FRICTION),
+                (0, _) => (look::EXTREME, look::FRICTION),
+                _ => (look::LARGEST, look::LARGEST_FRICTION),
+            };
+            svg.group(&format!("friction{name}"), |svg| {
+                svg.stroke(&self.along(of.friction, scale), friction);
+                if self.has_jump {
+                    let [_, outer] = self.radii;
+                    let ends = [1.0, outer].map(|radius| scale.polar(0.0, radius, 1.0));
+                    svg.stroke(&Path::through(ends), friction);
+                }
+            });
+            svg.group(&format!("thrust{name}"), |svg| {
+                for line in of.thrust {
+                    svg.stroke(&self.along(line, scale), thrust);
+                }
+            });
+        }
+    }
+
+    /// The joints at their limits.
+    pub fn marks(&self, svg: &mut Svg, scale: &Scale) {
+        let [inner, outer] = self.radii;
+        let crown = CROWN * self.half_opening;
+        let sides = |joint: f64| if joint < crown { &[1.0][..] } else { self.falling() };
+        svg.group("sliding", |svg| {
+            for (_, joint) in self.marks.iter().filter(|(contact, _)| !contact.is_hinge()) {
+                for side in sides(*joint) {
+                    let ends = [inner, outer].map(|radius| scale.polar(*joint, radius, *side));
+                    svg.stroke(&Path::through(ends), look::SLIDES);
+                }
+            }
+        });
+        svg.group("hinges", |svg| {
+            for (contact, joint) in self.marks.iter().filter(|(contact, _)| contact.is_hinge()) {
+                let radius = if *contact == Contact::Extrados { outer } else { inner };
+                for side in sides(*joint) {
+                    let at = scale.polar(*joint, radius, *side);
+                    svg.ring(at, look::HINGE_RADIUS, WHITE, look::HINGE);
+                }
+            }
+        });
+    }
+}

@@ -1,0 +1,12 @@
+//! Numbers that enclose, and polynomials that are exact: what couplet calculates with.
+//!
+//! No arch is known here: the traits are what its equations are written against.
+#![cfg_attr(not(test), warn(clippy::unwrap_used))]
+
+pub mod number;
+#[cfg(feature = "mpfr")]
+pub mod symbolic;
+
+/// The numbers of GMP and MPFR that balls are made of, in the version that this crate uses.
+#[cfg(feature = "mpfr")]
+pub use rug;

@@ -1,0 +1,382 @@
+//! Balls of double-doubles: about 106 bits with a radius that is a double, without a heap.
+//!
+//! Each operation errs by at most [`UNIT`](DoubleDouble::UNIT) `|m|` at its midpoint `m = hi + lo`, of which the first
+//! part may stand for the whole in a bound: `|m| <= (1 + u) |hi|` with `u = 2^-53`, and the proved errors are at most
+//! `(15 + 2^-40) u²`, so that `16 u² |hi|` has room for that factor. How radii are rounded up, and why nothing overflows or
+//! underflows unseen, is at [`DoubleBall`]: the ranges are the same, the factor `1 + u` counts as a rounding, and the
+//! error of a Dekker product of two midpoints, a multiple of `2^-(2 220 + 2 53)`, is exact. A low part may be of any size;
+//! where its products underflow they add less than `2^-1070`, and `u² |hi| / 2` is above `2^-560`.
+
+#[cfg(feature = "mpfr")]
+use super::double_ball::SMALLEST;
+use super::double_ball::{DOWN, UP, power_of_two, settled};
+use super::double_sine::{self, sin_cos};
+use super::stumpff::{from_series, terms};
+#[cfg(feature = "mpfr")]
+use super::{Ball, Magnitude};
+use super::{DoubleBall, DoubleDouble, Enclosure, Field, Real, Stumpff, Ternary};
+#[cfg(feature = "mpfr")]
+use rug::{Float, float::Round};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// All real numbers within `rad` of `mid`. The ranges are those of [`DoubleBall`].
+#[derive(Clone, Copy, Debug)]
+pub struct DoubleDoubleBall {
+    mid: DoubleDouble,
+    rad: f64,
+}
+
+impl DoubleDoubleBall {
+    /// The whole line: nothing is known.
+    pub const WHOLE: Self = Self { mid: DoubleDouble::ZERO, rad: f64::INFINITY };
+
+    /// All numbers within `rad` of `mid`; the whole line unless both are numbers and the second is not negative.
+    #[inline(always)]
+    pub fn new(mid: DoubleDouble, rad: f64) -> Self {
+        match settled(mid.hi().abs(), rad) {
+            Some((true, rad)) => Self { mid, rad },
+            Some((false, rad)) => Self { mid: DoubleDouble::ZERO, rad },
+            None => Self::WHOLE,
+        }
+    }
+
+    /// The number `mid`.
+    #[inline(always)]
+    pub fn exact(mid: DoubleDouble) -> Self {
+        Self::new(mid, 0.0)
+    }
+
+    /// `± mantissa 2^exponent`, the mantissa in words of 64 bits, the least significant first: exactly if it has at
+    /// most 106 bits, else with a bound of what is left.
+    pub fn of_words(is_negative: bool, mantissa: &[u64], exponent: i64) -> Self {
+        let zeros = mantissa.iter().rev().take_while(|word| **word == 0).count();
+        let Some((top, rest)) = mantissa[..mantissa.len() - zeros].split_last() else {
+            return Self::exact(DoubleDouble::ZERO);
+        };
+        // The leading 126 bits, from three words of which the first begins with its highest bit.
+        let word = |i: usize| u128::from(rest.len().checked_sub(i).map_or(0, |at| rest[at]));
+        let shift = top.leading_zeros();
+        let below = if shift > 0 { word(2) >> (64 - shift) } else { 0 };
+        let head = (u128::from(*top) << 64 | word(1)) << shift | below;
+        let is_cut = head & 3 != 0
+            || (word(2) << shift) as u64 != 0
+            || rest.iter().rev().skip(2).any(|word| *word != 0);
+        let leading = (head >> 2) as i128;
+        let exponent = exponent + 64 * (rest.len() as i64 + 1) - i64::from(shift) - 126;
+        if exponent > 200 {
+            return Self::WHOLE;
+        }
+        // Smaller ones are out of the range of a ball, and become a part of the radius.
+        let unit = power_of_two(exponent.max(-700) as i32);
+        // Both conversions round to nearest, and what they leave is an integer.
+        let hi = leading as f64;
+        let low = leading - hi as i128;
+        let lo = low as f64;
+        let left = (low - lo as i128).unsigned_abs() + u128::from(is_cut);
+        let sign = if is_negative { -unit } else { unit };
+        Self::new(DoubleDouble::sum(sign * hi, sign * lo), unit * left as f64)
+    }
+
+    /// The result of an operation of [`DoubleDouble`], with what its radius is but for the error of that.
+    #[inline(always)]
+    fn rounded(mid: DoubleDouble, rad: f64) -> Self {
+        Self::new(mid, (rad + DoubleDouble::UNIT * mid.hi().abs()) * UP)
+    }
+
+    /// The midpoint; zero for the whole line.
+    #[inline(always)]
+    pub fn mid(&self) -> DoubleDouble {
+        self.mid
+    }
+
+    /// The radius; infinite for the whole line.
+    #[inline(always)]
+    pub fn rad(&self) -> f64 {
+        self.rad
+    }
+
+    /// The same midpoint with `more`, not negative, added to the radius.
+    #[inline]
+    pub fn widened(&self, more: f64) -> Self {
+        Self::new(self.mid, (self.rad + more) * UP)
+    }
+
+    /// The double nearest to every number of the ball, ties to even; `None` if they may differ, and outside
+    /// `2^±200`.
+    pub fn nearest_double(&self) -> Option<f64> {
+        let (double, rest) = (self.mid.hi(), self.mid.lo());
+        let size = double.abs();
+        // A sum of two doubles is normalised so that its first part is the nearest double.
+        let is_exact = self.rad == 0.0;
+        let is_near = (rest.abs() + self.rad) * UP < 0.5 * (size - size.next_down());
+        let in_range =
+            size == 0.0 && is_exact || (power_of_two(-200)..power_of_two(200)).contains(&size);
+        // Adding zero makes a negative zero positive.
+        (in_range && (is_exact || is_near)).then_some(double + 0.0)
+    }
+
+    /// An upper bound of the size of all numbers of the ball.
+    pub fn size(&self) -> f64 {
+        (self.mid.hi().abs() + self.rad) * UP
+    }
+
+    /// The same set as a ball of MPFR, with results to be rounded to `prec` bits. Only a midpoint that spans
+    /// more than 256 bits is rounded, outward.
+    #[cfg(feature = "mpfr")]
+    pub fn to_ball(&self, prec: u32) -> Ball {
+        let part = |x: f64| Ball::exact(Float::with_val(53, x), prec.max(256));
+        let mid = part(self.mid.hi()) + part(self.mid.lo());
+        // The sum has more bits than asked for: they are kept.
+        let mid = Ball::new(mid.mid().clone(), mid.rad(), prec);
+        mid.widened(Magnitude::upper(&Float::with_val(53, self.rad)))
+    }
+}
+
+/// The same set, but for roundings: outward.
+#[cfg(feature = "mpfr")]
+impl From<&Ball> for DoubleDoubleBall {
+    fn from(ball: &Ball) -> Self {
+        let away = |x: &Float| x.to_f64_round(Round::AwayZero).abs();
+        let rad = away(&ball.rad().to_float());
+        let hi = ball.mid().to_f64();
+        if hi != 0.0 && hi.abs() < SMALLEST {
+            return Self::new(DoubleDouble::ZERO, (away(ball.mid()) + rad) * UP);
+        }
+        // Enough bits for exact differences.
+        let bits = ball.mid().prec() + 64;
+        let mid = DoubleDouble::sum(hi, Float::with_val(bits, ball.mid() - hi).to_f64());
+        let rest = Float::with_val(bits, ball.mid() - mid.hi()) - mid.lo();
+        Self::new(mid, (rad + away(&rest)) * UP)
+    }
+}
+
+/// The same set with the double nearest to the midpoint as midpoint: outward.
+impl From<DoubleDoubleBall> for DoubleBall {
+    #[inline(always)]
+    fn from(ball: DoubleDoubleBall) -> Self {
+        Self::new(ball.mid.hi(), (ball.rad + ball.mid.lo().abs()) * UP)
+    }
+}
+
+impl From<DoubleBall> for DoubleDoubleBall {
+    #[inline(always)]
+    fn from(ball: DoubleBall) -> Self {
+        Self { mid: DoubleDouble::exact(ball.mid()), rad: ball.rad() }
+    }
+}
+
+impl Field for DoubleDoubleBall {
+    #[inline(always)]
+    fn int(&self, n: i32) -> Self {
+        Self { mid: self.mid.int(n), rad: 0.0 }
+    }
+}
+
+impl Real for DoubleDoubleBall {
+    #[inline]
+    fn pi(&self) -> Self {
+        // What is left of pi, rounded up.
+        let mid = DoubleDouble::constant(std::f64::consts::PI, 1.2246467991473532e-16);
+        Self { mid, rad: 3e-33 }
+    }
+
+    /// The square root; the whole line unless every number of the ball is at least zero.
+    ///
+    /// Radius: `|√x - √m| = |x - m| / (√x + √m)` is at most `r / (√(m-r) + √m)`.
+    #[inline]
+    fn sqrt(&self) -> Self {
+        let hi = self.mid.hi();
+        if hi == 0.0 && self.rad == 0.0 {
+            return *self;
+        }
+        let low = hi * DOWN - self.rad;
+        if low <= 0.0 {
+            return Self::WHOLE;
+        }
+        let root = self.mid.sqrt();
+        Self::rounded(root, self.rad / (((low * DOWN).sqrt() + root.hi()) * DOWN))
+    }
+
+    /// Sine and cosine. For `|d| <= r`, `|sin(m+d) - sin m| <= min(r, r |cos m| + r²/2)`, and the same with the two
+    /// exchanged. Beyond `±4` the answer is `[-1, 1]`.
+    #[inline]
+    fn sin_cos(&self) -> (Self, Self) {
+        let (size, r) = (self.mid.hi().abs(), self.rad);
+        if size > double_sine::LARGEST || r >= 1.0 {
+            let unit = Self { mid: DoubleDouble::ZERO, rad: 1.0 };
+            return (unit, unit);
+        }
+        let (sin, cos) = sin_cos(self.mid);
+        let relative = if size <= double_sine::RELATIVE { size } else { 1.0 };
+        let around = |value: DoubleDouble, slope: DoubleDouble, error: f64| {
+            let bent = (slope.hi().abs() + double_sine::ERROR) * r + r * r / 2.0;
+            Self::new(value, (r.min(bent) + error) * UP)
+        };
+        (around(sin, cos, double_sine::ERROR * relative), around(cos, sin, double_sine::ERROR))
+    }
+}
+
+impl Stumpff for DoubleDoubleBall {
+    fn stumpff(&self, count: usize) -> Vec<Self> {
+        let size = self.size();
+        if size > 2.0 {
+            return vec![Self::WHOLE; count];
+        }
+        // As for balls of MPFR: what follows the terms is within |u| of one.
+        let tail = self.int(1).widened(size);
+        from_series(self, count, terms(106, 1), &tail)
+    }
+}
+
+impl Enclosure for DoubleDoubleBall {
+    #[inline(always)]
+    fn is_positive(&self) -> Ternary {
+        // `DOWN` has room for the low part.
+        if self.mid.hi() * DOWN > self.rad {
+            Ternary::True
+        } else if -self.mid.hi() * DOWN >= self.rad {
+            Ternary::False
+        } else {
+            Ternary::Undecided
+        }
+    }
+
+    #[inline(always)]
+    fn is_bounded(&self) -> bool {
+        self.rad.is_finite()
+    }
+
+    #[inline(always)]
+    fn midpoint(&self) -> Self {
+        Self { rad: 0.0, ..*self }
+    }
+
+    #[inline(always)]
+    fn centred(&self) -> Self {
+        Self { mid: DoubleDouble::ZERO, ..*self }
+    }
+
+    #[inline]
+    fn lies_inside(&self, outer: &Self) -> bool {
+        ((self.mid - outer.mid).hi().abs() + self.rad) * UP < outer.rad
+    }
+
+    #[inline]
+    fn overlaps(&self, other: &Self) -> bool {
+        (self.mid - other.mid).hi().abs() * DOWN <= (self.rad + other.rad) * UP
+    }
+}
+
+impl Neg for DoubleDoubleBall {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { mid: -self.mid, ..self }
+    }
+}
+
+impl Add<&DoubleDoubleBall> for DoubleDoubleBall {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: &Self) -> Self {
+        Self::rounded(self.mid + other.mid, self.rad + other.rad)
+    }
+}
+
+impl Sub<&DoubleDoubleBall> for DoubleDoubleBall {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: &Self) -> Self {
+        Self::rounded(self.mid - other.mid, self.rad + other.rad)
+    }
+}
+
+impl Mul<&DoubleDoubleBall> for DoubleDoubleBall {
+    type Output = Self;
+    /// For `|x - a| <= r` and `|y - b| <= s`, `|xy - ab| <= |a| s + (|b| + s) r`.
+    #[inline]
+    fn mul(self, other: &Self) -> Self {
+        let (a, b) = (self.mid.hi().abs(), other.mid.hi().abs());
+        Self::rounded(self.mid * other.mid, a * other.rad + (b + other.rad) * self.rad)
+    }
+}
+
+impl Div<&DoubleDoubleBall> for DoubleDoubleBall {
+    type Output = Self;
+    /// For `|x - a| <= r` and `|y - b| <= s`, `|x/y - a/b| <= (r + |a/b| s) / (|b| - s)`.
+    #[inline]
+    fn div(self, other: &Self) -> Self {
+        let least = (other.mid.hi().abs() * DOWN - other.rad) * DOWN;
+        if least <= 0.0 {
+            return Self::WHOLE;
+        }
+        let quotient = self.mid / other.mid;
+        Self::rounded(quotient, (self.rad + quotient.hi().abs() * other.rad) / least)
+    }
+}
+
+owned_operators!(DoubleDoubleBall);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rug::float::Constant;
+
+    #[test]
+    fn what_is_out_of_range_is_widened_or_the_whole_line() {
+        let exact = |x| DoubleDoubleBall::exact(DoubleDouble::exact(x));
+        let tiny = exact(1e-67);
+        assert!(tiny.mid() == DoubleDouble::ZERO && tiny.rad() >= 1e-67);
+        assert!(!exact(1e67).is_bounded() && !exact(f64::NAN).is_bounded());
+        assert!(!exact(1.0).widened(f64::INFINITY).is_bounded());
+        assert!(
+            !(exact(1e60) * exact(1e60)).is_bounded() && (exact(0.0) * exact(3.0)).rad() == 0.0
+        );
+        assert!(!(exact(1.0) / exact(1.0).widened(1.0)).is_bounded());
+        assert!(!exact(-1.0).sqrt().is_bounded() && exact(0.0).sqrt().rad() == 0.0);
+    }
+
+    /// The low part counts: `1 - 2^-54 ± r` for an `r` next to one.
+    #[test]
+    fn a_sign_that_hangs_on_the_low_part_is_not_guessed() {
+        let almost = DoubleDouble::sum(1.0, -f64::EPSILON / 4.0);
+        let sign = |rad| DoubleDoubleBall::new(almost, rad).is_positive();
+        assert_eq!(sign(1.0f64.next_down()), Ternary::Undecided);
+        assert_eq!([sign(1.0), sign(0.5)], [Ternary::Undecided, Ternary::True]);
+        assert_eq!((-DoubleDoubleBall::new(almost, 0.5)).is_positive(), Ternary::False);
+    }
+
+    #[test]
+    fn pi_lies_within_its_radius_and_not_within_a_little_less() {
+        let pi = DoubleDoubleBall::WHOLE.pi();
+        let error = Float::with_val(300, Constant::Pi) - pi.mid().hi() - pi.mid().lo();
+        assert!(error.clone().abs() <= pi.rad() && error.abs() > 0.99 * pi.rad());
+    }
+
+    /// Numbers of more bits than fit, far out of range, next to a tie: held, and tightly.
+    #[test]
+    fn a_ball_of_mpfr_is_held_and_comes_back() {
+        let third = Float::with_val(500, 1) / 3u32;
+        let tie = Float::with_val(500, 1) + f64::EPSILON * 1.5 - Float::with_val(500, 1e-40);
+        let far = |shift: i32| Float::with_val(500, &third << shift);
+        for mid in
+            [third.clone(), -third.clone(), tie, far(-230), far(-1080), far(-5000), far(5000)]
+        {
+            for rad in
+                [Magnitude::ZERO, Magnitude::power_of_two(-60), Magnitude::power_of_two(-2000)]
+            {
+                let ball = Ball::new(mid.clone(), rad, 500);
+                let found = DoubleDoubleBall::from(&ball);
+                let back = found.to_ball(500);
+                assert!(back.lower() <= ball.lower() && ball.upper() <= back.upper(), "{ball:?}");
+                let moderate = mid.get_exp().is_some_and(|e| (-200..200).contains(&e));
+                assert!(!moderate || found.rad() < 1e-32 || !rad.is_zero(), "{ball:?} {found:?}");
+                let short = DoubleBall::from(found);
+                let short = DoubleDoubleBall::from(short).to_ball(500);
+                assert!(short.lower() <= back.lower() && back.upper() <= short.upper());
+            }
+        }
+        assert!(!DoubleDoubleBall::from(&Ball::whole(64)).is_bounded());
+        assert_eq!(DoubleDoubleBall::from(&Ball::integer(7, 64)).rad(), 0.0);
+    }
+}

@@ -1,0 +1,356 @@
+//! Exact input: decimals, fractions, multiples of pi and arctangents, read as text and never rounded.
+
+use super::tangent::angle_of_tangent;
+use super::unit::{Unit, unit};
+use super::{Decimal, Dyadic, Engine, ParseDecimalError, shown};
+use num_bigint::{BigInt, Sign};
+use num_rational::BigRational;
+use std::fmt;
+use std::hash::{Hash, Hasher};
+use std::str::FromStr;
+
+/// A number given exactly.
+#[derive(Clone, Debug)]
+pub struct ExactNumber {
+    /// The rational number of its form.
+    factor: BigRational,
+    form: Form,
+    /// As it was given.
+    text: String,
+}
+
+/// What an exact number is, made of a rational number `q`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Form {
+    /// `q`.
+    Rational,
+    /// `q pi`.
+    TimesPi,
+    /// `2 atan(q)`: the half opening of an arch whose rise is `q` times half its span.
+    TwiceArctangent,
+}
+
+/// Texts longer than this are refused; it is far more than any number of digits worth giving.
+const MAX_LENGTH: usize = 20_000;
+/// Exponents beyond this are refused.
+const MAX_EXPONENT: u32 = 1_000;
+/// The same in bits, and a little more.
+const MAX_BITS: u64 = 3_330;
+
+/// Why a text is not an exact number.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ParseExactError {
+    /// None of the forms that are read.
+    #[error(
+        "'{0}' is not a number: give a decimal (0.1), a fraction (1/3), a multiple of pi (2pi/3), or \
+         for an angle degrees (80deg)"
+    )]
+    Syntax(String),
+    /// None of the forms in which a friction is read.
+    #[error("'{0}' is not a friction: give a coefficient (0.6, 3/5, inf) or an angle (31deg)")]
+    Friction(String),
+    /// Pi behind the line of a fraction, which is not told from below it.
+    #[error("'{0}' has pi behind the line of the fraction: write it above the line, 3pi/4")]
+    PiBelow(String),
+    /// A comma instead of the point.
+    #[error("'{0}' has a comma; give the decimals behind a point (1.5)")]
+    Comma(String),
+    /// A fraction with nothing below.
+    #[error("'{0}' divides by zero")]
+    DivisionByZero(String),
+    /// Too long to be meant.
+    #[error("a number of {0} characters is too long: at most {MAX_LENGTH} are read")]
+    Length(usize),
+    /// Too large or too small to be meant.
+    #[error(
+        "'{0}' is out of range: sizes from 1e-{MAX_EXPONENT} to below 1e{MAX_EXPONENT} are read"
+    )]
+    Range(String),
+    /// Degrees of a multiple of pi.
+    #[error("'{0}' has two units")]
+    Units(String),
+}
+
+impl ExactNumber {
+    /// An exact rational number.
+    pub fn rational(factor: BigRational) -> Self {
+        let text = factor.to_string();
+        Self { factor, form: Form::Rational, text }
+    }
+
+    /// `2 atan(q)` in radians; a right angle is [one part of pi](Form::TimesPi), as every angle is that is both.
+    pub fn twice_arctangent(q: BigRational) -> Self {
+        let text = format!("2atan({q})");
+        // Of the rational multiples of pi below it only this one has a rational tangent of its half (Niven).
+        match q == BigRational::from(BigInt::from(1)) {
+            true => Self { factor: q / BigInt::from(2), form: Form::TimesPi, text: "pi/2".into() },
+            false => Self { factor: q, form: Form::TwiceArctangent, text },
+        }
+    }
+
+    /// The number of this form of the fraction `numerator/denominator`; `None` if the denominator is zero.
+    pub fn fraction(numerator: BigInt, denominator: BigInt, form: Form) -> Option<Self> {
+        if denominator == BigInt::ZERO {
+            return None;
+        }
+        // Reducing costs far more than anything that is done with it.
+        let factor = BigRational::new_raw(numerator, denominator);
+        let (above, below) = (factor.numer(), factor.denom());
+        let text = match form {
+            Form::Rational => format!("{above}/{below}"),
+            Form::TimesPi => format!("{above}*pi/{below}"),
+            Form::TwiceArctangent if above == below => {
+                return Some(Self::twice_arctangent(factor.reduced()));
+            }
+            Form::TwiceArctangent => format!("2atan({above}/{below})"),
+        };
+        Some(Self { factor, form, text })
+    }
+
+    /// The angle of this number of degrees, in radians: `value pi / 180`. For a rational number; every other form
+    /// has its unit already.
+    pub fn degrees(&self) -> Self {
+        let factor = &self.factor / BigInt::from(180);
+        Self { factor, form: Form::TimesPi, text: format!("{}deg", self.text) }
+    }
+
+    /// Whether it was given in degrees.
+    pub fn is_in_degrees(&self) -> bool {
+        self.text.ends_with("deg")
+    }
+
+    /// What it is, made of its [factor](Self::factor).
+    pub fn form(&self) -> Form {
+        self.form
+    }
+
+    /// Whether it is its factor.
+    pub fn is_rational(&self) -> bool {
+        self.form == Form::Rational
+    }
+
+    /// The rational number of its [form](Self::form).
+    pub fn factor(&self) -> &BigRational {
+        &self.factor
+    }
+
+    /// The same as a number of GMP.
+    #[cfg(feature = "mpfr")]
+    pub fn to_rational(&self) -> rug::Rational {
+        let integer = |x: &BigInt| {
+            let (sign, words) = x.to_u64_digits();
+            let size = rug::Integer::from_digits(&words, rug::integer::Order::Lsf);
+            if sign == Sign::Minus { -size } else { size }
+        };
+        rug::Rational::from((integer(self.factor.numer()), integer(self.factor.denom())))
+    }
+
+    /// The double nearest to it, ties to even: what a program in double precision makes of it at best.
+    /// `None` beyond the largest double.
+    #[cfg(feature = "mpfr")]
+    pub fn nearest_double(&self) -> Option<f64> {
+        nearest_double(self.enclosure(0), |bits| self.enclosure(bits))
+    }
+
+    /// An enclosure in numbers of `bits` bits, at least one.
+    pub fn enclosure<E: Engine>(&self, bits: u32) -> E {
+        let integer = |x: &BigInt| {
+            let (sign, words) = x.to_u64_digits();
+            E::exact(&Dyadic::new(sign == Sign::Minus, words, 0), bits as usize)
+        };
+        let numerator = integer(self.factor.numer());
+        let factor = match self.factor.is_integer() {
+            true => numerator,
+            false => numerator / integer(self.factor.denom()),
+        };
+        match self.form {
+            Form::Rational => factor,
+            Form::TimesPi => factor.pi() * factor,
+            Form::TwiceArctangent => angle_of_tangent(&factor, bits as usize) * factor.int(2),
+        }
+    }
+}
+
+#[cfg(feature = "mpfr")]
+impl From<&rug::Rational> for ExactNumber {
+    fn from(value: &rug::Rational) -> Self {
+        let integer = |x: &rug::Integer| {
+            let sign = if *x < 0 { Sign::Minus } else { Sign::Plus };
+            BigInt::from_slice(sign, &x.to_digits::<u32>(rug::integer::Order::Lsf))
+        };
+        Self::rational(BigRational::new(integer(value.numer()), integer(value.denom())))
+    }
+}
+
+/// The text says which number it is; to compare the fractions themselves could take very long.
+impl PartialEq for ExactNumber {
+    fn eq(&self, other: &Self) -> bool {
+        self.text == other.text && self.form == other.form
+    }
+}
+
+impl Eq for ExactNumber {}
+
+impl Hash for ExactNumber {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.text.hash(state);
+        self.form.hash(state);
+    }
+}
+
+impl fmt::Display for ExactNumber {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+impl FromStr for ExactNumber {
+    type Err = ParseExactError;
+
+    /// Reads `0.1`, `1e-30`, `1/3`, `pi`, `pi/2`, `2pi/3`, `0.8*pi`, radians by name, `1.5rad`, degrees:
+    /// `80deg`, `80°`, `80 degrees`, all of which are shown as `80deg`, and `2atan(3/5)` with a number above zero.
+    ///
+    /// ```
+    /// use couplet_number::number::ExactNumber;
+    /// let third: ExactNumber = "1/3".parse().unwrap();
+    /// assert!(third.is_rational());
+    /// let [degrees, radians]: [ExactNumber; 2] = ["120deg", "2pi/3"].map(|x| x.parse().unwrap());
+    /// assert_eq!(degrees.factor(), radians.factor());
+    /// ```
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        if text.len() > MAX_LENGTH {
+            return Err(ParseExactError::Length(text.len()));
+        }
+        let (number, unit) = unit(text);
+        let tangent = number.strip_prefix("2atan(").and_then(|rest| rest.strip_suffix(')'));
+        let number = match tangent {
+            Some(tangent) => Self::of_tangent(tangent, text)?,
+            None => Self::without_unit(number, text)?,
+        };
+        match (unit, number.is_rational()) {
+            (Unit::None, _) | (Unit::Radians, true) => Ok(number),
+            (Unit::Degrees, true) => Ok(number.degrees()),
+            _ => Err(ParseExactError::Units(shown(text))),
+        }
+    }
+}
+
+impl ExactNumber {
+    /// Twice the arctangent of a rational number above zero; `given` is the whole text.
+    fn of_tangent(text: &str, given: &str) -> Result<Self, ParseExactError> {
+        let q = Self::without_unit(text, given)?;
+        let is_tangent = q.is_rational() && *q.factor() > BigInt::ZERO.into();
+        match is_tangent {
+            true => Ok(Self { text: given.trim().to_owned(), ..Self::twice_arctangent(q.factor) }),
+            false => Err(ParseExactError::Syntax(shown(given))),
+        }
+    }
+
+    /// A number without its unit; `given` is the whole text.
+    fn without_unit(text: &str, given: &str) -> Result<Self, ParseExactError> {
+        let shown = || shown(given);
+        let syntax = || match text.contains(',') {
+            true => ParseExactError::Comma(shown()),
+            false => ParseExactError::Syntax(shown()),
+        };
+        let (numerator, denominator) = match text.split_once('/') {
+            Some((numerator, denominator)) => (numerator, Some(denominator)),
+            None => (text, None),
+        };
+        let (numerator, times_pi) =
+            match numerator.strip_suffix("pi").or(numerator.strip_suffix('π')) {
+                Some(rest) => (rest.strip_suffix('*').unwrap_or(rest), true),
+                None => (numerator, false),
+            };
+        let form = if times_pi { Form::TimesPi } else { Form::Rational };
+        let decimal = |text: &str| {
+            let decimal: Decimal = text.parse().map_err(|error| match error {
+                ParseDecimalError::Exponent(_) => ParseExactError::Range(shown()),
+                ParseDecimalError::Syntax(_) => syntax(),
+            })?;
+            let sizes = 1 - i64::from(MAX_EXPONENT)..=i64::from(MAX_EXPONENT);
+            let in_range = sizes.contains(&decimal.magnitude())
+                && decimal.exponent().unsigned_abs() <= (MAX_EXPONENT as usize + MAX_LENGTH) as u64;
+            match in_range || decimal.digits().is_empty() {
+                true => Ok(rational(&decimal)),
+                false => Err(ParseExactError::Range(shown())),
+            }
+        };
+        let mut factor = match numerator {
+            "" if times_pi => BigInt::from(1).into(),
+            "-" if times_pi => BigInt::from(-1).into(),
+            number => decimal(number)?,
+        };
+        if let Some(denominator) = denominator {
+            if denominator.ends_with("pi") || denominator.ends_with('π') {
+                return Err(ParseExactError::PiBelow(shown()));
+            }
+            let denominator = integer(denominator).ok_or_else(syntax)?;
+            if denominator.sign() == Sign::NoSign {
+                return Err(ParseExactError::DivisionByZero(shown()));
+            }
+            factor /= denominator;
+        }
+        // A division can leave the range too: 1e-1000/1000….
+        let (above, below) = (factor.numer().bits(), factor.denom().bits());
+        if above != 0 && above.abs_diff(below) > MAX_BITS {
+            return Err(ParseExactError::Range(shown()));
+        }
+        Ok(Self { factor, form, text: text.to_owned() })
+    }
+}
+
+/// The double nearest to a number that has a short enclosure and one of any number of bits, ties to even; `None` beyond
+/// the largest double.
+#[cfg(feature = "mpfr")]
+pub fn nearest_double(
+    short: super::DoubleDoubleBall,
+    enclosure: impl Fn(u32) -> super::Ball,
+) -> Option<f64> {
+    // Few bits decide nearly always; a tie is rational, and exact in the bits of a long number.
+    let long = || [128, 4096, 80_000].into_iter().find_map(|bits| enclosure(bits).nearest_double());
+    short.nearest_double().or_else(long).filter(|x| x.is_finite())
+}
+
+/// The exact value of a decimal.
+fn rational(decimal: &Decimal) -> BigRational {
+    if let Some(short) = short_rational(decimal) {
+        return short;
+    }
+    let Some(digits) = integer(decimal.digits()) else { return BigInt::ZERO.into() };
+    let digits = if decimal.is_negative() { -digits } else { digits };
+    let scale = BigInt::from(10).pow(decimal.exponent().unsigned_abs() as u32);
+    match decimal.exponent() < 0 {
+        true => BigRational::new(digits, scale),
+        false => (digits * scale).into(),
+    }
+}
+
+/// The same of a decimal fraction that fits words: what it has in common with its power of ten is found by counting
+/// twos and fives, which is much cheaper than a common divisor of long integers.
+fn short_rational(decimal: &Decimal) -> Option<BigRational> {
+    let places = u32::try_from(-decimal.exponent()).ok().filter(|places| *places < 19)?;
+    let mut numerator: u64 = decimal.digits().parse().ok()?;
+    let twos = numerator.trailing_zeros().min(places);
+    numerator >>= twos;
+    let mut denominator = 5u64.pow(places) << (places - twos);
+    for _ in 0..places {
+        if !numerator.is_multiple_of(5) {
+            break;
+        }
+        (numerator, denominator) = (numerator / 5, denominator / 5);
+    }
+    let sign = if decimal.is_negative() { Sign::Minus } else { Sign::Plus };
+    let numerator = BigInt::from_biguint(sign, numerator.into());
+    Some(BigRational::new_raw(numerator, denominator.into()))
+}
+
+/// An integer of decimal digits and nothing else.
+fn integer(digits: &str) -> Option<BigInt> {
+    let is_integer = !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
+    is_integer.then(|| digits.parse().ok())?
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,228 @@
+//! Arithmetic: the traits every equation is written against, and the numbers that implement them.
+//!
+//! | type | what it is | traits |
+//! |---|---|---|
+//! | [`f64`] | a quick look | [`Field`], [`Real`] |
+//! | [`DoubleDouble`] | the sum of two doubles, each operation with a proved bound of its error | [`Field`] |
+//! | [`DoubleBall`], [`DoubleDoubleBall`] | one or two doubles and a radius: quick enclosures | [`Field`], [`Real`], [`Enclosure`] |
+//! | [`ShortBall`] | fixed point of a few words on the stack, with a radius | [`Field`] |
+//! | [`rug::Float`] | MPFR, round to nearest: candidates | [`Field`], [`Real`] |
+//! | [`Ball`] | MPFR midpoint and radius: enclosures | [`Field`], [`Real`], [`Enclosure`] |
+//! | [`AstroInterval`] | two astro-float ends, rounded outward: the second arithmetic | [`Field`], [`Real`], [`Enclosure`] |
+//! | `MalachiteInterval` (feature `malachite`) | the same with other ends: quicker, and not independent of MPFR | [`Field`], [`Real`], [`Enclosure`] |
+//! | [`rug::Rational`] | exact | [`Field`] |
+//! | [`Surd`] | `a + b√d`, exact | [`Field`] |
+//! | [`symbolic::Fraction`](crate::symbolic::Fraction) | a formula, exact | [`Field`] |
+//! | [`Dual`] | a value and its gradient | as its component, up to [`Real`] |
+//! | [`Gradient`] | the same without a heap | as its component, up to [`Real`] |
+//! | [`Jet`] | the first terms of a Taylor series | as its component, up to [`Real`] |
+//!
+//! Precision travels inside a value: `x.int(3)` is a three "like `x`", so an equation needs no
+//! context argument. **Comparisons live in [`Enclosure`] and nowhere else**, so an equation, which
+//! asks for a [`Field`] or a [`Real`], cannot branch.
+
+/// Operators with an owned right-hand side, from those with a reference.
+macro_rules! owned_operators {
+    (@ [$($generics:tt)*] $type:ty, $op:ident, $method:ident) => {
+        impl<$($generics)*> $op for $type {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                self.$method(&other)
+            }
+        }
+    };
+    ([$($generics:tt)*] $type:ty) => {
+        owned_operators!(@ [$($generics)*] $type, Add, add);
+        owned_operators!(@ [$($generics)*] $type, Sub, sub);
+        owned_operators!(@ [$($generics)*] $type, Mul, mul);
+        owned_operators!(@ [$($generics)*] $type, Div, div);
+    };
+    ($type:ty) => {
+        owned_operators!([] $type);
+    };
+}
+
+#[cfg(feature = "mpfr")]
+pub(crate) use owned_operators;
+
+mod angle;
+mod astro;
+mod decimal;
+mod double;
+mod double_ball;
+mod double_double;
+mod double_double_ball;
+mod double_sine;
+mod double_sine_table;
+mod drawable;
+mod dual;
+mod dyadic;
+mod end;
+mod engine;
+mod exact;
+#[cfg(feature = "mpfr")]
+mod gmp;
+mod gradient;
+mod halving;
+mod interval;
+mod jet;
+#[cfg(feature = "malachite")]
+mod malachite;
+#[cfg(feature = "mpfr")]
+mod short_ball;
+mod shown;
+mod slopes;
+mod stumpff;
+mod tangent;
+mod tens;
+mod ternary;
+mod unit;
+#[cfg(feature = "mpfr")]
+mod words;
+mod written;
+
+pub use angle::Angle;
+pub use astro::{Astro, AstroInterval};
+pub use decimal::{Decimal, ParseDecimalError};
+pub use double_ball::DoubleBall;
+#[cfg(feature = "mpfr")]
+pub use double_ball::power_of_two;
+pub use double_double::DoubleDouble;
+pub use double_double_ball::DoubleDoubleBall;
+pub use drawable::Drawable;
+pub use dual::Dual;
+pub use dyadic::{Dyadic, MAX_EXPONENT, ParseDyadicError};
+pub use end::{Direction, End};
+pub use engine::Engine;
+#[cfg(feature = "mpfr")]
+pub use exact::nearest_double;
+pub use exact::{ExactNumber, Form, ParseExactError};
+#[cfg(feature = "mpfr")]
+pub use gmp::{
+    Anchor, Ball, Binary, Magnitude, Rounded, Surd, arctangent, bits_of, degrees, hexadecimal,
+    rational_like, rounded_double, terminating,
+};
+pub use gradient::Gradient;
+pub use interval::Interval;
+pub use jet::Jet;
+#[cfg(feature = "malachite")]
+pub use malachite::{Malachite, MalachiteInterval};
+#[cfg(feature = "mpfr")]
+pub use short_ball::ShortBall;
+pub use shown::{shown, visible};
+pub use slopes::Slopes;
+pub use stumpff::Stumpff;
+#[cfg(feature = "mpfr")]
+pub use stumpff::terms as stumpff_terms;
+pub use tens::Tens;
+pub use ternary::Ternary;
+pub use unit::is_angle;
+pub use written::Written;
+
+use std::fmt::Debug;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A number with `+ - * /` and small integers: enough for every algebraic statement.
+///
+/// Owned values combine with owned values and with references; a formula therefore starts each
+/// product with a constant (`x.int(2) * y`) or with a clone.
+pub trait Field:
+    Clone
+    + Debug
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + for<'a> Add<&'a Self, Output = Self>
+    + for<'a> Sub<&'a Self, Output = Self>
+    + for<'a> Mul<&'a Self, Output = Self>
+    + for<'a> Div<&'a Self, Output = Self>
+{
+    /// The integer `n`, exactly, with the precision of `self`.
+    fn int(&self, n: i32) -> Self;
+
+    /// The fraction `n/d` with the precision of `self`; `d` must not be zero.
+    fn ratio(&self, n: i32, d: i32) -> Self {
+        self.int(n) / self.int(d)
+    }
+
+    /// `self * self`.
+    fn square(&self) -> Self {
+        self.clone() * self
+    }
+}
+
+/// A field that recognises its zero: what a proof by normal form or an exact division needs.
+pub trait ExactField: Field {
+    /// Whether this is exactly zero; `false` means that it is not.
+    fn is_zero(&self) -> bool;
+}
+
+/// A field with pi, square roots, sines and cosines: what the statics of an arch need.
+pub trait Real: Field {
+    /// The constant `pi` with the precision of `self`.
+    fn pi(&self) -> Self;
+
+    /// The square root; below zero the answer is NaN or, for an enclosure, the whole line.
+    fn sqrt(&self) -> Self;
+
+    /// Sine and cosine of an angle in radians, in one go.
+    fn sin_cos(&self) -> (Self, Self);
+}
+
+/// A set of real numbers that holds the true value.
+///
+/// The contract of every operation `F` for a function `f`: **for all `x` in `X`, `f(x)` is in
+/// `F(X)`**. Outside the domain of `f` the answer is the whole line. A `true`, or a decided
+/// [`Ternary`], is a proof; anything else says nothing.
+pub trait Enclosure: Real {
+    /// Is every number of the set positive (`True`), none (`False`), or can this not be told?
+    fn is_positive(&self) -> Ternary;
+
+    /// Is the set bounded?
+    fn is_bounded(&self) -> bool;
+
+    /// The set that holds only the midpoint of this one; zero where this one is unbounded.
+    fn midpoint(&self) -> Self;
+
+    /// The set symmetric about zero with the radius of this one: `X - mid(X)`.
+    fn centred(&self) -> Self;
+
+    /// Does this set lie in the interior of `outer`? `true` is a proof.
+    fn lies_inside(&self, outer: &Self) -> bool;
+
+    /// May the two sets have a number in common? `false` proves that they have none.
+    fn overlaps(&self, other: &Self) -> bool;
+
+    /// Is every number of this set below every number of `other` (`True`), none below any
+    /// (`False`), or can this not be told?
+    fn is_less_than(&self, other: &Self) -> Ternary {
+        (other.clone() - self).is_positive()
+    }
+
+    /// Are all numbers of the set different from zero? `true` is a proof.
+    fn excludes_zero(&self) -> bool {
+        self.is_positive() == Ternary::True || (-self.clone()).is_positive() == Ternary::True
+    }
+}
+
+/// The configuration of property tests.
+#[cfg(any(test, feature = "proptest"))]
+#[doc(hidden)]
+pub mod test_config {
+    use proptest::test_runner::{Config, RngSeed};
+
+    /// The same arguments in every run, and bounded shrinking.
+    pub fn config(cases: u32) -> Config {
+        Config {
+            cases,
+            max_shrink_iters: 1000,
+            max_shrink_time: 20_000,
+            failure_persistence: None,
+            rng_seed: RngSeed::Fixed(0),
+            ..Config::default()
+        }
+    }
+}

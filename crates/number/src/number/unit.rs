@@ -1,0 +1,66 @@
+//! Units of angles, as they are written behind a number.
+
+/// The unit that is written behind a number.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Unit {
+    None,
+    Radians,
+    Degrees,
+}
+
+/// How units are written, in any case, with or without a space before them.
+const UNITS: [(&str, Unit); 6] = [
+    ("°", Unit::Degrees),
+    ("degrees", Unit::Degrees),
+    ("degree", Unit::Degrees),
+    ("deg", Unit::Degrees),
+    ("radians", Unit::Radians),
+    ("rad", Unit::Radians),
+];
+
+/// A text without its unit.
+pub(super) fn unit(text: &str) -> (&str, Unit) {
+    let text = text.trim();
+    let behind = |(written, unit): &(&str, Unit)| {
+        let (number, end) = text.split_at_checked(text.len().checked_sub(written.len())?)?;
+        end.eq_ignore_ascii_case(written).then(|| (number.trim_end(), *unit))
+    };
+    UNITS.iter().find_map(behind).unwrap_or((text, Unit::None))
+}
+
+/// Whether a number is written with the unit of an angle.
+pub fn is_angle(text: &str) -> bool {
+    unit(text).1 != Unit::None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::ExactNumber;
+    use num_rational::BigRational;
+
+    #[test]
+    fn units_are_read_in_their_usual_spellings() {
+        for text in
+            ["80deg", "80°", "80 deg", " 80 ° ", "80degrees", "80 Degrees", "80DEG", "80 degree"]
+        {
+            let number: ExactNumber = text.parse().unwrap();
+            assert_eq!(
+                (number.to_string().as_str(), number.is_in_degrees()),
+                ("80deg", true),
+                "{text}"
+            );
+            assert_eq!(*number.factor(), BigRational::new(4.into(), 9.into()));
+            assert!(is_angle(text));
+        }
+        for text in ["1.5rad", "1.5 rad", "1.5 radians", "1.5"] {
+            let number: ExactNumber = text.parse().unwrap();
+            assert_eq!(
+                (number.to_string().as_str(), number.is_in_degrees()),
+                ("1.5", false),
+                "{text}"
+            );
+        }
+        assert!(!is_angle("pi/6") && is_angle("0.5rad"));
+    }
+}

@@ -1,0 +1,63 @@
+//! The map as data: its curves from end to end, each proved for every value of a parameter.
+//!
+//! A [`Curve`] is followed by [`Trace::new`] in pieces. On each a [tube](Trace) about a cubic holds exactly one solution
+//! for every parameter; neighbouring tubes join; the ends are landmarks. A [`Level`] is the line of one half opening,
+//! thickness or friction, mode by mode; a [`Difference`] is that of two weights along the lines; [`boundary`] has the domains of the modes as loops of curves. A [`Sketch`] is an arch to be
+//! drawn.
+//!
+//! ```
+//! use couplet_check::arch::SelfWeight;
+//! use couplet_prove::atlas::{Curve, Trace};
+//! let curve = Curve::named("rrr/srr").unwrap();
+//! let trace = Trace::new(curve, SelfWeight::Heyman, 1e-4)?;
+//! assert_eq!(trace.gaps().count(), 0);
+//! assert!(trace.width() <= 1e-4);
+//! # Ok::<(), couplet_prove::certify::Undecided>(())
+//! ```
+
+mod arc;
+mod asymmetric;
+mod cell;
+mod cells;
+mod contour;
+mod crossing;
+mod cubic;
+mod curve;
+mod difference;
+mod domain;
+mod end;
+mod form;
+mod law;
+mod level;
+mod part;
+mod place;
+mod point;
+mod search;
+mod section;
+mod sketch;
+mod spot;
+mod tangent;
+mod trace;
+mod tube;
+mod variable;
+mod walk;
+
+pub use arc::{Arc, Coordinate, arc};
+pub use asymmetric::{Border, BorderLine, Branch, Meeting, NoBranch, Stretch};
+pub use cells::{Areas, Column, Row};
+pub use contour::Contour;
+pub use curve::Curve;
+pub use difference::{Difference, DifferencePoint, Divide, LEAST_DIFFERENCE, Step};
+pub use domain::{Corner, Side, boundary};
+pub use end::End;
+pub use level::{Level, NoLevel};
+pub use part::Part;
+pub use place::Place;
+pub use point::{NoPoint, point};
+pub use section::Section;
+pub use sketch::{
+    Block, Bound, Collapse, Forces, Line, Mark, Moved, NoSketch, Sketch, Stability, Subject, moved,
+};
+pub use tangent::tangent;
+pub use trace::{LEAST_TOLERANCE, Piece, Point, Trace};
+pub use variable::Variable;

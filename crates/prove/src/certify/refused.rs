@@ -1,0 +1,124 @@
+//! A question that makes no sense: what was wrong with it, and what is allowed.
+//!
+//! Every door of this room asks here before anything is computed.
+
+use crate::number::ExactNumber;
+use crate::problem::stones::StonesError;
+use crate::problem::{ArchError, Landmark, Line, Quantity, ThicknessError};
+
+/// The largest number of digits of a constant that can be asked for.
+pub const MAX_DIGITS: usize = 1_000_000;
+
+/// The largest number of digits of an arch that can be asked for: many of its values are no constants of which each
+/// digit is worth its time.
+pub const MAX_ARCH_DIGITS: usize = 10_000;
+
+/// What was asked wrongly. Nothing was computed, and the same question is refused again.
+///
+/// ```
+/// use couplet_prove::certify::Refused;
+/// use couplet_prove::prelude::*;
+/// let arch = Arch::parse("heyman", "80deg", "0.6")?;
+/// let Err(couplet_prove::certify::Error::Refused(why)) = arch.certify(0) else { panic!() };
+/// assert_eq!(why, Refused::Digits { asked: 0, most: 10_000 });
+/// assert_eq!(why.to_string(), "digits are a whole number from 1 to 10000");
+/// # Ok::<(), couplet_prove::certify::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Refused {
+    /// No value has so many digits, or none at all.
+    #[error("digits are a whole number from 1 to {most}")]
+    Digits {
+        /// What was asked for.
+        asked: usize,
+        /// The most that there are.
+        most: usize,
+    },
+    /// What is asked about does not have the quantity.
+    #[error("there is no {} here; the quantities are {}", .quantity.name(), names(.possible))]
+    NoSuchQuantity {
+        /// What was asked for.
+        quantity: Quantity,
+        /// What there is.
+        possible: Vec<Quantity>,
+    },
+    /// The thickness is not above 0 and at most 2, or a multiple of pi, which is no ratio.
+    #[error(transparent)]
+    Thickness(#[from] ThicknessError),
+    /// The half opening or the friction is out of its range.
+    #[error(transparent)]
+    Arch(#[from] ArchError),
+    /// The stones are none of an arch.
+    #[error(transparent)]
+    Stones(#[from] StonesError),
+    /// The stones are too few, or more than this question is answered for.
+    #[error("{asked} is no number of stones here: give one from 2 to {most}")]
+    StoneCount {
+        /// What was asked for.
+        asked: u64,
+        /// The most that there may be.
+        most: u64,
+    },
+    /// The line of the map does not end at the landmark.
+    #[error("the line {line} does not end at {}, but at {}", .at.symbol(), ends(.line))]
+    NoEnd {
+        /// The line.
+        line: Line,
+        /// The landmark that was asked for.
+        at: Landmark,
+    },
+    /// A boundary at unlimited friction.
+    #[error("a boundary needs a limited friction: with inf nothing slides")]
+    UnlimitedFriction,
+    /// Arrays that have to be of one length are not.
+    #[error("the arrays are not of one length: {}", lengths(.0))]
+    Lengths(Vec<usize>),
+}
+
+impl Refused {
+    /// Whether a constant may have so many digits.
+    pub(crate) fn digits(asked: usize) -> Result<(), Self> {
+        Self::digits_to(asked, MAX_DIGITS)
+    }
+
+    /// Whether the values of an arch may have so many digits.
+    pub(crate) fn arch_digits(asked: usize) -> Result<(), Self> {
+        Self::digits_to(asked, MAX_ARCH_DIGITS)
+    }
+
+    /// The same up to a number of one's own.
+    pub fn digits_to(asked: usize, most: usize) -> Result<(), Self> {
+        (1..=most).contains(&asked).then_some(()).ok_or(Self::Digits { asked, most })
+    }
+
+    /// Whether a number is a thickness.
+    pub(crate) fn thickness(thickness: &ExactNumber) -> Result<(), Self> {
+        Ok(ThicknessError::check(thickness, &thickness.to_string())?)
+    }
+
+    /// Whether a quantity is one of these.
+    pub fn quantity(asked: Quantity, possible: &[Quantity]) -> Result<(), Self> {
+        let refused = || Self::NoSuchQuantity { quantity: asked, possible: possible.to_vec() };
+        possible.contains(&asked).then_some(()).ok_or_else(refused)
+    }
+
+    /// The number of stones, from 2 to as many.
+    pub(crate) fn stones(asked: u64, most: u64) -> Result<i32, Self> {
+        let number = i32::try_from(asked).ok().filter(|_| (2..=most).contains(&asked));
+        number.ok_or(Self::StoneCount { asked, most })
+    }
+}
+
+fn names(quantities: &[Quantity]) -> String {
+    quantities.iter().map(|of| of.name()).collect::<Vec<_>>().join(", ")
+}
+
+fn ends(line: &Line) -> String {
+    let ends = line.ends().into_iter().flatten();
+    ends.map(Landmark::symbol).collect::<Vec<_>>().join(" and ")
+}
+
+fn lengths(all: &[usize]) -> String {
+    all.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")
+}

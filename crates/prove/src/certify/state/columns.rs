@@ -1,0 +1,176 @@
+//! Arches as they come, in any order: from its third arch on a half opening is a column.
+//!
+//! Nothing is known of what comes. A column costs about as much as two arches, so that what is shared costs at most
+//! twice what it would alone, and no digit depends on it.
+
+use super::certify::Certify;
+use super::column::Column;
+use super::digits::Answer;
+use crate::arch::SelfWeight;
+use crate::certify::{Error, Refused};
+use crate::number::ExactNumber;
+use crate::problem::Arch;
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// Arches that are asked the same, by any number of threads.
+///
+/// ```
+/// use couplet_prove::certify::state::{Answer, Columns};
+/// use couplet_prove::prelude::*;
+/// let columns = Columns::new(17, true)?;
+/// for friction in ["0.1", "0.35", "0.6", "1.2"] {
+///     let arch = Arch::parse("milankovitch", "80deg", friction)?;
+///     assert_eq!(matches!(columns.certify(&arch)?, Answer::Stands(_)), friction != "0.1");
+/// }
+/// # Ok::<(), couplet_prove::certify::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Columns {
+    digits: usize,
+    frictions: bool,
+    seen: Mutex<HashMap<(SelfWeight, ExactNumber), Seen>>,
+}
+
+/// What has come of a half opening and weight.
+#[derive(Clone, Debug)]
+enum Seen {
+    /// So many arches, each proved alone.
+    Arches(usize),
+    /// An arch whose thread makes the column. Others do not wait for it: its proof may wait for the work of this one.
+    Begun,
+    /// The column.
+    Column(Arc<Column>),
+}
+
+/// So many arches are proved alone before there is a column.
+const ALONE: usize = 2;
+/// So many half openings are remembered, a few megabytes; then all are forgotten.
+const MOST: usize = 4096;
+
+impl Columns {
+    /// Values to `digits` significant digits; `frictions` says whether the frictions at which the mode changes are asked for.
+    /// Digits beyond [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS) are refused.
+    pub fn new(digits: usize, frictions: bool) -> Result<Self, Refused> {
+        Refused::arch_digits(digits)?;
+        Ok(Self { digits, frictions, seen: Mutex::default() })
+    }
+
+    /// What [`Certify::certify`] or [`Certify::certify_alone`] finds for an arch, as the frictions are asked for or not.
+    pub fn certify(&self, arch: &Arch) -> Result<Answer, Error> {
+        match (self.column(arch), self.frictions) {
+            (Some(column), true) => column.whole(arch),
+            (Some(column), false) => column.alone(arch).map(Cow::into_owned),
+            (None, true) => arch.certify(self.digits),
+            (None, false) => arch.certify_alone(self.digits),
+        }
+    }
+
+    /// The column of an arch, if there is one by now.
+    fn column(&self, arch: &Arch) -> Option<Arc<Column>> {
+        let key = (arch.weight(), arch.half_opening().clone());
+        {
+            let mut all = self.seen.lock().unwrap_or_else(PoisonError::into_inner);
+            if all.len() >= MOST && !all.contains_key(&key) {
+                all.clear();
+            }
+            match all.entry(key.clone()).or_insert(Seen::Arches(0)) {
+                Seen::Column(column) => return Some(Arc::clone(column)),
+                Seen::Begun => return None,
+                Seen::Arches(count) if *count < ALONE => {
+                    *count += 1;
+                    return None;
+                }
+                seen => *seen = Seen::Begun,
+            }
+        }
+        let column = Arc::new(Column::new(key.0, key.1.clone(), self.digits).ok()?);
+        let seen = Seen::Column(Arc::clone(&column));
+        self.seen.lock().unwrap_or_else(PoisonError::into_inner).insert(key, seen);
+        Some(column)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certify::state::Figure;
+    use std::thread;
+
+    fn columns_of(columns: &Columns) -> usize {
+        let seen = columns.seen.lock().unwrap();
+        seen.values().filter(|seen| matches!(seen, Seen::Column(_))).count()
+    }
+
+    /// What is asked of an arch, as text.
+    fn told(found: &Result<Answer, Error>) -> String {
+        let shown = |x: Option<&Figure>| match x {
+            Some(x) => format!("{:?} {:?}", x.decimal, [x.double, x.binary.lower, x.binary.upper]),
+            None => "none".to_owned(),
+        };
+        match found {
+            Ok(Answer::Stands(state)) => {
+                let figures = state.figures().map(|(of, x)| format!("{of:?} {}", shown(x)));
+                format!("{:?} {}", state.mode, figures.collect::<Vec<_>>().join(" "))
+            }
+            Ok(Answer::Falls { fall, enough }) => {
+                let enough = enough.as_deref().map(|enough| {
+                    let all = [&enough.sliding_friction, &enough.friction, &enough.half_opening];
+                    all.map(|x| shown(x.as_ref())).join(" ")
+                });
+                format!("{fall:?} {enough:?}")
+            }
+            Err(undecided) => undecided.to_string(),
+        }
+    }
+
+    fn arches() -> Vec<Arch> {
+        let frictions = ["1/10", "0.3", "0.5", "45deg", "2", "inf", "0.7"];
+        let arch = |mu| SelfWeight::ALL.map(|w| ["1", "2.45"].map(|a| (w, a, mu)));
+        let all = frictions.into_iter().flat_map(arch).flatten();
+        all.map(|(weight, alpha, mu)| Arch::parse(weight.name(), alpha, mu).unwrap()).collect()
+    }
+
+    #[test]
+    fn an_arch_is_answered_as_alone_whoever_came_before() {
+        for frictions in [false, true] {
+            let columns = Columns::new(17, frictions).unwrap();
+            for arch in arches() {
+                let alone = match frictions {
+                    true => arch.certify(17),
+                    false => arch.certify_alone(17),
+                };
+                assert_eq!(told(&columns.certify(&arch)), told(&alone), "{arch}");
+            }
+            assert_eq!(columns_of(&columns), 4);
+        }
+    }
+
+    #[test]
+    fn threads_may_ask_at_a_time() {
+        let columns = Columns::new(17, true).unwrap();
+        let all = || arches().iter().map(|arch| told(&columns.certify(arch))).collect::<Vec<_>>();
+        let found: Vec<Vec<String>> = thread::scope(|scope| {
+            let threads = [(); 3].map(|()| scope.spawn(all));
+            threads.into_iter().map(|thread| thread.join().unwrap()).collect()
+        });
+        assert!(found.iter().all(|told| *told == found[0] && told.len() == 28));
+    }
+
+    #[test]
+    fn half_openings_that_do_not_come_again_are_forgotten() {
+        let columns = Columns::new(1, false).unwrap();
+        let alpha = |place: usize| ExactNumber::from(&rug::Rational::from((1, place + 1)));
+        let arch = |place| {
+            Arch::new(SelfWeight::Heyman, alpha(place), crate::problem::Friction::Infinite).unwrap()
+        };
+        (0..MOST).for_each(|place| assert!(columns.column(&arch(place)).is_none()));
+        assert_eq!(columns.seen.lock().unwrap().len(), MOST);
+        assert!(columns.column(&arch(MOST)).is_none());
+        assert_eq!(columns.seen.lock().unwrap().len(), 1);
+        (0..ALONE).for_each(|_| assert!(columns.column(&arch(0)).is_none()));
+        assert!(columns.column(&arch(0)).is_some());
+        assert_eq!(columns_of(&columns), 1);
+    }
+}

@@ -1,0 +1,79 @@
+//! The state of an arch at its least thickness, proved.
+//!
+//! For a half opening, a friction and a weight: does the arch stand at any thickness, how thin can it
+//! be, and how does it collapse there? The proof has four parts, all in balls:
+//!
+//! 1. the equations of the mode have exactly one solution in a box (Krawczyk);
+//! 2. that state is statically admissible on the whole half arch;
+//! 3. no thinner arch has an admissible state, and the mechanism has positive rates;
+//! 4. the mode is the only one for which this can be proved, and every comparison that it takes to know
+//!    that nothing stands is decided.
+//!
+//! Parts 2 and 3 come down to a few signs; [`crate::arch::contact`] has the lemma, and why a proved state
+//! has one mode. A comparison that is not decided raises the precision; if it stays undecided, that is the
+//! answer.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `certify` | the questions, as methods of an arch |
+//! | `query` | an arch at one precision; part 1 for the printed equations |
+//! | `rotation` | part 1 for pure rotation |
+//! | `inner` | part 1 where an inner joint slides, and which mode that is |
+//! | `small` | parts 1 to 3 for small half openings |
+//! | `mode` | parts 2 to 4: which mode, and its start values |
+//! | `state` | the outcome |
+//! | `thrust_range`, `assess` | an arch of a given thickness |
+//! | `enough` | what would be enough for an arch that falls |
+//! | `figure`, `digits` | the outcome in digits |
+//! | `measured` | the same in metres and kilonewtons |
+//! | [`find`] | questions the other way round |
+//! | `raise` | raises the precision until everything is decided |
+//! | `inquiry` | several questions about one arch, which share its state |
+//! | `column` | many frictions of one half opening, which share its proofs |
+//! | `columns` | arches as they come, which do so where a half opening comes again |
+//! | `doubles` | many arches in arrays of doubles |
+//! | `quick` | the same proofs in balls of double-doubles, where these are enough |
+
+mod assess;
+mod certify;
+mod column;
+mod columns;
+mod digits;
+mod doubles;
+mod enough;
+mod figure;
+pub mod find;
+mod inner;
+mod inquiry;
+mod measured;
+mod mode;
+mod query;
+mod quick;
+mod raise;
+mod rotation;
+mod small;
+#[allow(clippy::module_inception, reason = "the folder is named after what it proves")]
+mod state;
+mod thrust_range;
+
+pub use assess::{Assessment, Wanted};
+pub use certify::{Certify, NoState};
+pub use column::Column;
+pub use columns::Columns;
+pub use digits::{Answer, AssessmentDigits, Digits, LimitDigits};
+pub use doubles::{Doubles, Row, RowVerdict};
+pub use enough::Enough;
+pub use figure::Figure;
+pub(super) use figure::Figured;
+pub use inquiry::Inquiry;
+pub use measured::{measured_assessment, measured_state};
+pub(crate) use query::bits_lost;
+pub(super) use quick::is_quick;
+pub use quick::state_in_double_doubles;
+pub(crate) use quick::{
+    assessment_enclosed, raised_from_doubles, sliding_configuration, sliding_enclosed,
+    state_enclosed,
+};
+pub(crate) use raise::{raise, raised};
+pub use state::{Fall, Frictions, Outcome, State};
+pub use thrust_range::{Limit, Touch};

@@ -1,0 +1,225 @@
+//! The same proofs in balls of double-doubles, where these are enough: they take a tenth of the time.
+//!
+//! It is the text of this folder over another number. What these balls decide is proved; where they leave anything
+//! open, a sign, a box or a rounding, the answer is `None`, and balls of MPFR are asked.
+
+use super::assess::{Assessment, Wanted, assessment};
+use super::digits::{Answer, AssessmentDigits, Digits};
+use super::enough::enough;
+use super::inquiry::Inquiry;
+use super::mode::{Asked, outcome, pure_sliding, sliding_root};
+use super::query::{DOUBLE_DOUBLE, Query};
+use super::raise::raised;
+use super::state::Outcome;
+use super::thrust_range::Touch;
+use crate::arch::Configuration;
+use crate::certify::Undecided;
+use crate::number::{Ball, DoubleDoubleBall, ExactNumber};
+use crate::problem::{Arch, Quantity};
+
+/// Beyond so many digits few values would be decided.
+const MOST_DIGITS: usize = 25;
+
+/// Whether these numbers are asked first.
+pub(in crate::certify) fn is_quick(digits: usize) -> bool {
+    (1..=MOST_DIGITS).contains(&digits)
+}
+
+/// An arch in these numbers.
+fn query(arch: &Arch) -> Query<DoubleDoubleBall> {
+    Query::new(arch, DOUBLE_DOUBLE)
+}
+
+/// The state in these numbers, without the frictions at which its mode changes.
+pub fn state_in_double_doubles(arch: &Arch) -> Result<Outcome<DoubleDoubleBall>, Undecided> {
+    outcome(&query(arch), Asked::Nothing)
+}
+
+/// The state to `digits` digits.
+pub(super) fn state(arch: &Arch, digits: usize, asked: Asked) -> Option<Answer> {
+    if !is_quick(digits) {
+        return None;
+    }
+    match outcome(&query(arch), asked).ok()? {
+        Outcome::Falls(fall) => {
+            let enough = || Box::new(enough(arch, digits, true));
+            Some(Answer::Falls { fall, enough: (asked == Asked::Frictions).then(enough) })
+        }
+        Outcome::Stands(state) => {
+            Digits::new(&state, digits).map(|digits| Answer::Stands(Box::new(digits)))
+        }
+    }
+}
+
+/// The state in enclosures of `bits` bits, with the frictions at which the mode changes if they are asked for: in these
+/// numbers, where they have so many bits and decide it.
+pub(crate) fn state_enclosed(
+    arch: &Arch,
+    bits: u32,
+    frictions: bool,
+) -> Result<Outcome, Undecided> {
+    let asked = if frictions { Asked::Frictions } else { Asked::Nothing };
+    if bits <= DOUBLE_DOUBLE
+        && let Ok(found) = outcome(&query(arch), asked)
+    {
+        return Ok(found.map(|x| x.to_ball(bits)));
+    }
+    outcome(&Query::new(arch, bits), asked)
+}
+
+/// What a proof in such enclosures decides, for `digits` digits: with the bits that these numbers have first.
+pub(crate) fn raised_from_doubles<T>(
+    arch: &Arch,
+    digits: usize,
+    proof: impl Fn(u32) -> Result<Option<T>, Undecided>,
+) -> Result<T, Undecided> {
+    let quickly = match is_quick(digits) {
+        true => proof(DOUBLE_DOUBLE).ok().flatten(),
+        false => None,
+    };
+    quickly.map_or_else(|| raised(arch, digits, proof), Ok)
+}
+
+/// The friction of the purely sliding state in the same way.
+pub(crate) fn sliding_enclosed(arch: &Arch, bits: u32) -> Result<Ball, Undecided> {
+    if bits <= DOUBLE_DOUBLE
+        && let Ok(found) = pure_sliding(&query(arch))
+    {
+        return Ok(found.to_ball(bits));
+    }
+    pure_sliding(&Query::new(arch, bits))
+}
+
+/// The purely sliding state of a half opening, with all its variables, in balls of `bits` bits.
+pub(crate) fn sliding_configuration(
+    arch: &Arch,
+    bits: u32,
+) -> Result<Configuration<Ball>, Undecided> {
+    sliding_root(&Query::new(arch, bits))
+}
+
+/// What holds for an arch of a given thickness, in `(0, 2]`, in the same way.
+pub(crate) fn assessment_enclosed(arch: &Arch, thickness: &ExactNumber, bits: u32) -> Assessment {
+    if bits <= DOUBLE_DOUBLE
+        && let Some(found) = decided(arch, thickness)
+    {
+        return found.map(|x| x.to_ball(bits));
+    }
+    Inquiry::new(arch, 1, false).assessment(thickness, bits, Wanted::Everything)
+}
+
+/// What holds for an arch of a given thickness, if all of it is decided.
+fn decided(arch: &Arch, thickness: &ExactNumber) -> Option<Assessment<DoubleDoubleBall>> {
+    let state = |is_limited| match is_limited {
+        true => state_in_double_doubles(arch),
+        false => state_in_double_doubles(&arch.unlimited()),
+    };
+    let found = assessment(arch, thickness, DOUBLE_DOUBLE, Wanted::Everything, state);
+    // More bits may tell a joint from the shoulder next to it.
+    let mut touches = found.thrust.iter().flatten().flatten().map(|limit| &limit.touch);
+    let is_near = touches.any(|touch| matches!(touch, Touch::AtShoulder));
+    let is_open = found.stands.is_err()
+        || Quantity::ASSESSMENT.into_iter().any(|quantity| found.why_open(quantity).is_some());
+    (!is_near && !is_open).then_some(found)
+}
+
+/// What holds for an arch of a given thickness, to `digits` digits.
+pub(super) fn assess(
+    arch: &Arch,
+    thickness: &ExactNumber,
+    digits: usize,
+) -> Option<AssessmentDigits> {
+    if !is_quick(digits) {
+        return None;
+    }
+    let found = AssessmentDigits::new(decided(arch, thickness)?, (digits, DOUBLE_DOUBLE));
+    found.first_open().is_none().then_some(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arch::SelfWeight;
+    use crate::certify::state::Certify;
+    use crate::certify::state::find::{Finding, Question, find};
+    use crate::number::Rounded;
+    use crate::problem::Friction;
+
+    fn arch(half_opening: &str, friction: &str) -> Arch {
+        Arch::parse("milankovitch", half_opening, friction).unwrap()
+    }
+
+    /// Nothing is decided there, and what is asked then decides it.
+    fn leaves_open(arch: &Arch, digits: usize) {
+        assert!(state(arch, digits, Asked::Frictions).is_none(), "{arch}");
+        let by_mpfr = Inquiry::new(arch, digits, true).state(digits, true).unwrap();
+        let found = arch.certify(digits).unwrap();
+        match (found, by_mpfr) {
+            (Answer::Stands(found), Answer::Stands(by_mpfr)) => {
+                assert_eq!(found.mode, by_mpfr.mode);
+                let all = found.figures().zip(by_mpfr.figures());
+                all.for_each(|((of, x), (_, y))| {
+                    assert_eq!(x.map(|x| &x.decimal), y.map(|y| &y.decimal), "{of:?}");
+                });
+            }
+            (Answer::Falls { fall, .. }, Answer::Falls { fall: by_mpfr, .. }) => {
+                assert_eq!(fall, by_mpfr);
+            }
+            _ => panic!("{arch}"),
+        }
+    }
+
+    #[test]
+    fn what_these_numbers_leave_open_is_asked_of_others() {
+        // Numbers out of their range.
+        leaves_open(&arch("1e-300", "1e300"), 10);
+        leaves_open(&arch("1e-100", "inf"), 10);
+        // More digits than they have.
+        leaves_open(&arch("1", "1"), 26);
+    }
+
+    #[test]
+    fn a_comparison_that_they_leave_open_is_asked_of_others() {
+        let Answer::Stands(state) = arch("1", "1").certify(45).unwrap() else { panic!() };
+        let frictions = state.frictions.unwrap();
+        // The critical frictions, moved in their last digit.
+        for friction in [frictions.sliding, frictions.rotational.unwrap()] {
+            let Rounded { lower, upper, .. } = friction.decimal;
+            leaves_open(&arch("1", &lower.to_string()), 16);
+            leaves_open(&arch("1", &upper.to_string()), 16);
+        }
+    }
+
+    #[test]
+    fn a_rounding_that_they_leave_open_is_asked_of_others() {
+        // Half way between two numbers of sixteen digits, but for a part of 10^-44.
+        let question = Question::HalfOpening {
+            friction: Friction::Infinite,
+            thickness: Some("0.12345000000000005".parse().unwrap()),
+        };
+        let found = find(SelfWeight::Milankovitch, &question, 45).unwrap();
+        let Finding::Found(found) = found else { panic!() };
+        let alpha = found.figures[0].1.decimal.value.to_string();
+        leaves_open(&arch(&alpha, "inf"), 16);
+        assert!(state(&arch(&alpha, "inf"), 15, Asked::Frictions).is_some(), "not the state");
+    }
+
+    /// At the least thickness, moved in its last digit, what stands is told by other numbers.
+    #[test]
+    fn an_assessment_that_they_leave_open_is_asked_of_others() {
+        for (half_opening, friction) in [("1", "1"), ("80deg", "0.35"), ("2.57", "2.2")] {
+            let arch = arch(half_opening, friction);
+            let Answer::Stands(state) = arch.certify(45).unwrap() else { panic!("{arch}") };
+            let Rounded { lower, upper, .. } = state.thickness.decimal;
+            for (thickness, stands) in [(lower, false), (upper, true)] {
+                let thickness = thickness.to_string().parse().unwrap();
+                assert!(assess(&arch, &thickness, 10).is_none(), "{arch}");
+                let found = arch.certify_thickness(&thickness, 10).unwrap();
+                assert_eq!(found.stands.ok(), Some(stands), "{arch} {thickness}");
+            }
+            let thickness = "1.5".parse().unwrap();
+            assert!(assess(&arch, &thickness, 10).is_some(), "not the thickness: {arch}");
+            assert!(assess(&arch, &thickness, 26).is_none(), "more digits than they have");
+        }
+    }
+}

@@ -1,0 +1,355 @@
+//! The largest horizontal acceleration at which an arch of a given thickness has an admissible state, proved.
+//!
+//! **From above**: conditions at a few joints, whose multipliers are positive and leave nothing of `h, p` and `v`, leave a bound of `k`. It
+//! holds wherever the joints are; near the true ones it is off by the square of the distance. **From below**: a state that is
+//! admissible at every joint of `[-alpha, alpha]`, by pieces that cover it: a piece where a margin is convex is decided by its value and slope
+//! at one point, however little room there is. Between the candidate of the limit and a state well inside there is one as near to the
+//! limit as one likes; so both bounds come together to any number of digits.
+//!
+//! **What it means.** Admissible states at an acceleration lie between those at two others, and the mirror image is one to the left. So
+//! there are some exactly up to the largest, and beyond it the arch falls. Below it, the static theorem says that an arch stands
+//! if its joints open and do not slide, as with unlimited friction. With friction an admissible state
+//! does not exclude a motion, as sliding opens no joint: the value then is an upper bound of what the arch can bear.
+
+use super::positive::is_positive_on;
+use super::state::{Figure, raise};
+use super::voussoirs::grip;
+use super::{Refused, Undecided};
+use crate::arch::joint::Grip;
+use crate::arch::mechanism::Contact;
+use crate::arch::tilt::{TiltedRow, row};
+use crate::arch::whole::along;
+use crate::arch::{Ring, SelfWeight};
+use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Jet, bits_of};
+use crate::problem::{Arch, Friction};
+use crate::solve::tilt::{Search, TiltCandidate, Touch, contacts};
+use rug::Float;
+
+/// A condition of those that leave the bound.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TiltLimit {
+    /// The condition, by its sign: on the left half `Inwards` slides outwards, and the other way round.
+    pub contact: Contact,
+    /// Whether it is at a springing.
+    pub is_springing: bool,
+    /// Whether it is on the right half, to which the acceleration pushes.
+    pub is_right: bool,
+    /// The joint between two stones, from the crown; `None` where there is one at every angle.
+    pub joint: Option<u64>,
+}
+
+/// The largest acceleration with an admissible state.
+#[derive(Clone, Debug)]
+pub enum LargestTilt {
+    /// This, over that of gravity, and the conditions that leave the bound.
+    Limited(Box<Figure>, Vec<TiltLimit>),
+    /// There is an admissible state at every acceleration.
+    Unlimited,
+}
+
+/// What is certain of an arch under a horizontal acceleration.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct TiltDigits {
+    /// Whether there is an admissible state at the acceleration asked for.
+    pub is_admissible: Result<bool, Undecided>,
+    /// The largest acceleration with one.
+    pub largest: Result<LargestTilt, Undecided>,
+}
+
+impl TiltDigits {
+    /// What is proved, where the reason for what stays open names it: beside a verdict it is the largest acceleration.
+    pub(super) fn new(
+        is_admissible: Result<bool, Undecided>,
+        largest: Result<LargestTilt, Undecided>,
+    ) -> Self {
+        let named = |open: Undecided| match is_admissible {
+            Ok(_) => open.about("the largest tilt"),
+            Err(_) => open,
+        };
+        let largest = largest.map_err(named);
+        Self { is_admissible, largest }
+    }
+}
+
+/// What stays open where no direction with room is found.
+const UNBOUNDED: &str = "whether the acceleration is bounded";
+/// What stays open where the search finds no conditions that limit it.
+pub(super) const NOT_FOUND: &str = "which conditions limit the acceleration";
+/// Bits beyond a third, as the state from below is nearer to the limit than these.
+const GUARD: u32 = 16;
+
+/// What holds for an arch that stands at this thickness under an acceleration, to `digits` significant digits.
+pub fn tilted(
+    arch: &Arch,
+    thickness: &ExactNumber,
+    tilt: &Friction,
+    digits: usize,
+) -> Result<TiltDigits, Refused> {
+    Refused::thickness(thickness)?;
+    Refused::arch_digits(digits)?;
+    let first = 3 * (bits_of(digits) + GUARD);
+    let compared = |proof: &Proof, bounds: &Option<Bounds>| {
+        let Some(([low, high], _)) = bounds else { return Some(true) };
+        let given = acceleration(tilt, proof.bits);
+        let is_below = (low.clone() - &given).is_positive().is_proved();
+        let is_above = (given - high).is_positive().is_proved();
+        (is_below || is_above).then_some(is_below)
+    };
+    let mut is_admissible = None;
+    // Whether it is bounded at all is seen in doubles, with room or not: more bits tell no more.
+    let mut hopeless: Option<Undecided> = None;
+    let largest = raise(first, |bits| {
+        if let Some(open) = &hopeless {
+            return Err(open.clone());
+        }
+        let proof = Proof::new(arch, thickness, bits);
+        let bounds = proof.largest().inspect_err(|open| {
+            hopeless = (open.reason == UNBOUNDED).then(|| open.clone());
+        })?;
+        is_admissible = is_admissible.or_else(|| compared(&proof, &bounds));
+        Ok(match bounds {
+            None => Some(LargestTilt::Unlimited),
+            Some(([low, high], limits)) => Figure::new(&low.hull(&high), digits)
+                .map(|figure| LargestTilt::Limited(Box::new(figure), limits)),
+        })
+    });
+    // A state well inside tells by itself that there is one, whatever of the largest stays open. An acceleration nearer to the largest than its
+    // digits tell takes more bits.
+    let is_admissible = match (is_admissible, hopeless) {
+        (Some(decided), _) => Ok(decided),
+        (None, _) if Proof::new(arch, thickness, first).has_state(tilt) => Ok(true),
+        (None, Some(open)) => Err(open),
+        (None, None) => raise(2 * first, |bits| {
+            let proof = Proof::new(arch, thickness, bits);
+            let compared = compared(&proof, &proof.largest()?);
+            let open = || Undecided::new("whether the acceleration is below the largest");
+            compared.map(Some).ok_or_else(open)
+        }),
+    };
+    Ok(TiltDigits::new(is_admissible, largest))
+}
+
+/// The acceleration over gravity that is asked for, in balls of some bits: given like a friction, by itself or by its angle.
+pub(super) fn acceleration(tilt: &Friction, bits: u32) -> Ball {
+    let given = grip(tilt, bits);
+    given.normal / given.shear
+}
+
+/// An arch in balls of some bits.
+struct Proof {
+    half_opening: Ball,
+    weight: SelfWeight,
+    thickness: Ball,
+    grip: Grip<Ball>,
+    is_limited: bool,
+    bits: u32,
+}
+
+/// Numbers `h, p, v, k`, and the weight that goes with them: none for a direction.
+struct Line<'a> {
+    unknowns: &'a [Ball; 4],
+    weight: &'a Ball,
+}
+
+type Bounds = ([Ball; 2], Vec<TiltLimit>);
+
+impl Proof {
+    fn new(arch: &Arch, thickness: &ExactNumber, bits: u32) -> Self {
+        Self {
+            half_opening: arch.half_opening().enclosure(bits),
+            weight: arch.weight(),
+            thickness: thickness.enclosure(bits),
+            grip: grip(arch.friction(), bits),
+            is_limited: arch.is_limited(),
+            bits,
+        }
+    }
+
+    fn search(&self) -> Search {
+        let mid = |x: &Ball| Float::with_val(self.bits, x.mid());
+        let grip = self.grip.clone().map(|x| mid(&x));
+        let (alpha, thickness) = (mid(&self.half_opening), mid(&self.thickness));
+        Search::new(alpha, (self.weight, &thickness), (grip, self.is_limited), self.bits)
+    }
+
+    /// Whether the state at an acceleration that is farthest from all conditions satisfies them.
+    fn has_state(&self, tilt: &Friction) -> bool {
+        let tilt = acceleration(tilt, self.bits);
+        let Some(state) = self.search().inside_at(tilt.mid().to_f64()) else { return false };
+        let [h, p, v] = state.map(|x| Ball::exact(Float::with_val(self.bits, x), self.bits));
+        let (weight, unknowns) = (h.int(1), [h, p, v, tilt]);
+        self.is_admissible(&Line { unknowns: &unknowns, weight: &weight }).is_ok()
+    }
+
+    /// The largest acceleration between two bounds; `None` if there is none.
+    fn largest(&self) -> Result<Option<Bounds>, Undecided> {
+        match self.search().candidate() {
+            TiltCandidate::Nothing => Err(Undecided::new(NOT_FOUND)),
+            TiltCandidate::Unlimited => self.unlimited().map(|()| None),
+            TiltCandidate::Limited(near) => {
+                let (high, limits) = self.bound_above(&near.touches)?;
+                let low = self.bound_below(&near.limit, &near.inside)?;
+                if high.is_less_than(&low).is_proved() {
+                    return Err(Undecided::new("a bound of the acceleration"));
+                }
+                Ok(Some(([low, high], limits)))
+            }
+        }
+    }
+
+    /// A bound from above. A line that touches at fewer joints than are needed: one of them becomes two beside it, the first with which there is a
+    /// bound. Two hinges at an intrados that is one point are not.
+    fn bound_above(&self, touches: &[Touch]) -> Result<(Ball, Vec<TiltLimit>), Undecided> {
+        let is_pinned = touches.iter().any(|touch| touch.contact.is_hinge());
+        let kept: &[usize] = if is_pinned { &[0, 1, 2] } else { &[0, 2] };
+        let inside = || touches.iter().filter(|touch| touch.is_inside);
+        let found = (0..inside().count().max(1)).find_map(|first| {
+            let in_turn = inside().cycle().skip(first).take(inside().count());
+            self.bound_by(&self.apart(touches, in_turn, kept.len() + 1), kept)
+        });
+        let bound = found.ok_or_else(|| Undecided::new("a bound of the acceleration"))?;
+        let limit = |touch: &Touch| TiltLimit {
+            contact: touch.contact,
+            is_springing: !touch.is_inside,
+            is_right: touch.joint > 0,
+            joint: None,
+        };
+        Ok((bound, touches.iter().map(limit).collect()))
+    }
+
+    /// So many touches, with those of some joints, in turn, at two joints beside them.
+    fn apart<'a>(
+        &self,
+        touches: &[Touch],
+        joints: impl Iterator<Item = &'a Touch>,
+        count: usize,
+    ) -> Vec<Touch> {
+        let mut apart = touches.to_vec();
+        let offset = Float::with_val(self.bits, 1) >> (self.bits / 4);
+        for touch in joints {
+            if apart.len() >= count {
+                break;
+            }
+            let beside = |joint| Touch { joint, ..touch.clone() };
+            let at = apart.iter().position(|other| other.joint == touch.joint).unwrap_or(0);
+            apart[at] = beside(Float::with_val(self.bits, &touch.joint - &offset));
+            apart.push(beside(Float::with_val(self.bits, &touch.joint + &offset)));
+        }
+        apart
+    }
+
+    /// The bound that conditions at some joints leave, if their multipliers are positive and nothing is left of the numbers kept.
+    fn bound_by(&self, apart: &[Touch], kept: &[usize]) -> Option<Ball> {
+        // A joint beyond the springings is none of the arch.
+        let is_of_arch = |touch: &Touch| {
+            let size = Ball::exact(touch.joint.clone().abs(), self.bits);
+            !touch.is_inside || (self.half_opening.clone() - size).is_positive().is_proved()
+        };
+        if apart.len() != kept.len() + 1 || !apart.iter().all(is_of_arch) {
+            return None;
+        }
+        let rows: Vec<TiltedRow<Ball>> = apart.iter().map(|touch| self.row(touch)).collect();
+        let columns: Vec<Vec<Ball>> = rows
+            .iter()
+            .map(|row| kept.iter().map(|k| row.coefficients[*k].clone()).collect())
+            .collect();
+        let mut rates = rates(&columns);
+        if rates.iter().all(|rate| (-rate.clone()).is_positive().is_proved()) {
+            rates = rates.into_iter().map(|rate| -rate).collect();
+        }
+        let zero = Ball::integer(0, self.bits);
+        let sum = |of: &dyn Fn(&TiltedRow<Ball>) -> Ball| {
+            let terms = rates.iter().zip(&rows);
+            terms.fold(zero.clone(), |sum, (rate, row)| sum + rate.clone() * of(row))
+        };
+        let slope = sum(&|row| row.coefficients[3].clone());
+        let is_positive = |x: &Ball| x.is_positive().is_proved();
+        let is_bound = rates.iter().all(is_positive) && is_positive(&slope);
+        is_bound.then(|| -sum(&|row| row.load.clone()) / slope)
+    }
+
+    fn row(&self, touch: &Touch) -> TiltedRow<Ball> {
+        let joint = match (touch.is_inside, touch.joint > 0) {
+            (true, _) => Ball::exact(touch.joint.clone(), self.bits),
+            (false, true) => self.half_opening.clone(),
+            (false, false) => -self.half_opening.clone(),
+        };
+        let ring = Ring::new(self.weight, &self.thickness);
+        row(touch.contact, &Angle::new(joint), &ring, &self.grip)
+    }
+
+    /// The acceleration of an admissible state next to the limit.
+    fn bound_below(&self, limit: &[Float; 4], inside: &[Float; 4]) -> Result<Ball, Undecided> {
+        let share = Float::with_val(self.bits, 1) >> (self.bits / 3);
+        let mix = |k: usize| {
+            let way = Float::with_val(self.bits, &inside[k] - &limit[k]);
+            Ball::exact(Float::with_val(self.bits, &limit[k] + way * &share), self.bits)
+        };
+        let unknowns: [Ball; 4] = std::array::from_fn(mix);
+        let weight = Ball::integer(1, self.bits);
+        self.is_admissible(&Line { unknowns: &unknowns, weight: &weight })?;
+        let [.., tilt] = unknowns;
+        Ok(tilt)
+    }
+
+    /// More thrust, and with it more acceleration, passes no condition: to a state that is admissible any amount of it is added.
+    fn unlimited(&self) -> Result<(), Undecided> {
+        let ball = |x: &Ball| Ball::exact(Float::with_val(self.bits, x.mid()), self.bits);
+        let radius = |sign: i32| self.thickness.int(sign) * &self.thickness + self.thickness.int(2);
+        let cos = Angle::new(self.half_opening.clone()).cos;
+        let moment = ball(&((radius(1) * cos + radius(-1)) / self.thickness.int(4)));
+        let zero = moment.int(0);
+        let holds = |k: i64| {
+            let unknowns = [zero.int(1), moment.clone(), zero.clone(), zero.int(1).scaled(-k)];
+            self.is_admissible(&Line { unknowns: &unknowns, weight: &zero })
+        };
+        let found = (3..30).step_by(3).find_map(|k| holds(k).ok());
+        found.ok_or_else(|| Undecided::new(UNBOUNDED))
+    }
+
+    /// All margins are positive on the whole arch.
+    fn is_admissible(&self, line: &Line<'_>) -> Result<(), Undecided> {
+        let most = self.half_opening.upper();
+        contacts(self.is_limited).iter().try_for_each(|contact| {
+            let margin = |joint: &Ball| self.margin(*contact, joint, line);
+            is_positive_on(&margin, (&-most.clone(), &most), self.bits)
+        })
+    }
+
+    /// A margin as a series along the arch.
+    fn margin(&self, contact: Contact, joint: &Ball, line: &Line<'_>) -> Jet<Ball> {
+        let constant = |x: &Ball| Jet::constant(x.clone(), 2);
+        let ring = Ring::new(self.weight, &self.thickness);
+        let ring = Ring {
+            thickness: constant(&ring.thickness),
+            centroid_factor: constant(&ring.centroid_factor),
+        };
+        let grip = self.grip.clone().map(|x| constant(&x));
+        let row = row(contact, &along(&Angle::new(joint.clone())), &ring, &grip);
+        -row.at(&line.unknowns.each_ref().map(constant), &constant(line.weight))
+    }
+}
+
+/// Multipliers with which every column of the rows drops out, one row being too many: the minors, with signs in turn.
+pub(super) fn rates(rows: &[Vec<Ball>]) -> Vec<Ball> {
+    let without = |i: usize| {
+        let rest: Vec<&Vec<Ball>> =
+            rows.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, row)| row).collect();
+        let cross = |a: usize, b: usize, x: usize, y: usize| {
+            rest[a][x].clone() * &rest[b][y] - rest[a][y].clone() * &rest[b][x]
+        };
+        let minor = match rest.len() {
+            2 => cross(0, 1, 0, 1),
+            _ => {
+                rest[0][0].clone() * cross(1, 2, 1, 2) - rest[0][1].clone() * cross(1, 2, 0, 2)
+                    + rest[0][2].clone() * cross(1, 2, 0, 1)
+            }
+        };
+        if i.is_multiple_of(2) { minor } else { -minor }
+    };
+    (0..rows.len()).map(without).collect()
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,81 @@
+//! The outcome of a proof that did not succeed.
+
+use crate::problem::Mode;
+use std::borrow::Cow;
+
+/// Why a proof did not succeed. It says nothing about the truth of the statement.
+///
+/// What was asked made sense: a question that makes none is [`Refused`](super::Refused).
+///
+/// ```
+/// use couplet_prove::certify::Open;
+/// use couplet_prove::prelude::*;
+/// // Next to the friction at which the mode changes: more than doubles can tell.
+/// let arch = Arch::parse("heyman", "pi/2", "0.39583203813806954")?;
+/// let open = arch.state_in_doubles().unwrap_err();
+/// assert_eq!(open.kind, Open::Comparison);
+/// assert_eq!(open.between, [Mode::Rotational, Mode::SlidingRotational]);
+/// // With more bits it is proved.
+/// assert!(arch.certify(17).is_ok());
+/// # Ok::<(), couplet_prove::certify::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("undecided: {reason}")]
+#[non_exhaustive]
+pub struct Undecided {
+    /// What could not be told.
+    pub reason: Cow<'static, str>,
+    /// What kind of question that is.
+    pub kind: Open,
+    /// The most bits with which it was tried, where more were tried until it stayed open.
+    pub bits: Option<u32>,
+    /// The collapse modes, or the mode and nothing, between which an arch stands.
+    pub between: Vec<Mode>,
+    /// A bound of the difference that could not be told from zero, where one was looked at.
+    pub gap: Option<f64>,
+}
+
+/// What kind of question stayed open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Open {
+    /// A comparison: a sign, or an order. The arch lies on a boundary, or nearer to one than the bits tell.
+    Comparison,
+    /// The last digit of a value, or its nearest double: the value is a tie, or nearer to one than the bits tell.
+    Rounding,
+    /// A root: none is found, or none is proved to be the only one in a box.
+    Root,
+}
+
+impl Undecided {
+    /// A comparison that stayed open for this reason.
+    pub fn new(reason: impl Into<Cow<'static, str>>) -> Self {
+        let (kind, reason) = (Open::Comparison, reason.into());
+        Self { reason, kind, bits: None, between: Vec::new(), gap: None }
+    }
+
+    /// A value whose digits are not decided.
+    pub(crate) fn rounding(reason: impl Into<Cow<'static, str>>) -> Self {
+        Self { kind: Open::Rounding, ..Self::new(reason) }
+    }
+
+    /// A root that is not proved.
+    pub(crate) fn root(reason: impl Into<Cow<'static, str>>) -> Self {
+        Self { kind: Open::Root, ..Self::new(reason) }
+    }
+
+    /// The same, between these modes.
+    pub fn between(self, modes: &[Mode]) -> Self {
+        Self { between: modes.to_vec(), ..self }
+    }
+
+    /// The same, tried with as many bits.
+    pub(crate) fn at(self, bits: u32) -> Self {
+        Self { bits: Some(bits), ..self }
+    }
+
+    /// The same, with a statement before the reason.
+    pub fn about(self, statement: &str) -> Self {
+        Self { reason: format!("{statement}: {}", self.reason).into(), ..self }
+    }
+}

@@ -1,0 +1,128 @@
+//! An arch of voussoirs of a given thickness: does it stand, with what safety, and how much may it thrust?
+
+use super::friction::required;
+use super::joints::Joints;
+use super::thickness::{Outcome, proved};
+use super::thrusts::{End, Range, Ties, range};
+use crate::arch::Ring;
+use crate::certify::Undecided;
+use crate::certify::state::{Figure, raise};
+use crate::number::{Ball, Enclosure, ExactNumber};
+use crate::problem::stones::{JointContact, Stones};
+use crate::problem::{Arch, Friction, friction_angle_is_half_opening, has_no_arm_at_crown};
+
+/// A bound of the thrust.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct VoussoirLimit {
+    /// The thrust; `None` if there is no bound.
+    pub thrust: Option<Figure>,
+    /// What limits it: a joint that slides or opens, or a hinge at the extrados and one at the intrados.
+    pub contacts: Vec<JointContact>,
+    /// The angles of their joints, rad.
+    pub joints: Vec<Figure>,
+}
+
+/// Whether an arch of voussoirs of a given thickness stands.
+#[derive(Clone, Debug)]
+pub enum VoussoirStanding {
+    /// It does, with thrusts from the first to the second.
+    Stands([VoussoirLimit; 2]),
+    /// It does not: no thrust is as large as the first asks for and as small as the second allows.
+    Falls([VoussoirLimit; 2]),
+}
+
+/// What is certain of an arch of voussoirs of a given thickness, each answer with a reason where it stays open.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct VoussoirAssessment {
+    /// Whether it stands.
+    pub standing: Result<VoussoirStanding, Undecided>,
+    /// The thickness over the least thickness; `None` if there is none.
+    pub geometric_safety: Result<Option<Figure>, Undecided>,
+    /// The least friction with which it stands; `None` if none is enough.
+    pub required_friction: Result<Option<Figure>, Undecided>,
+    /// The friction over the required one; `None` if either is unbounded.
+    pub friction_safety: Result<Option<Figure>, Undecided>,
+}
+
+impl VoussoirAssessment {
+    /// Why something stays open, if anything does.
+    pub fn first_open(&self) -> Option<&Undecided> {
+        let others = [&self.geometric_safety, &self.required_friction, &self.friction_safety];
+        self.standing.as_ref().err().or_else(|| others.into_iter().find_map(|x| x.as_ref().err()))
+    }
+}
+
+/// What holds for an arch of voussoirs with a thickness in `(0, 2]`, to `digits` significant digits.
+pub(super) fn assessed(
+    stones: &Stones,
+    arch: &Arch,
+    thickness: &ExactNumber,
+    (first, digits): (u32, usize),
+) -> VoussoirAssessment {
+    let ties = Ties {
+        never_slides: friction_angle_is_half_opening(arch),
+        has_no_arm: has_no_arm_at_crown(arch, thickness),
+        is_solid: thickness.is_rational() && thickness.to_rational() == 2,
+    };
+    let joints = |friction: &Friction, bits| Joints::new(stones, arch.weight(), friction, bits);
+    let eta = |bits| thickness.enclosure::<Ball>(bits);
+    let own = arch.friction();
+    let standing = raise(first, |bits| {
+        let joints = joints(own, bits);
+        let limit = |end: &End| limit(&joints, end, digits);
+        Ok(match range(&joints, &eta(bits), ties)? {
+            Range::Stands([least, most]) => {
+                limit(&least).zip(limit(&most)).map(|(a, b)| VoussoirStanding::Stands([a, b]))
+            }
+            Range::Falls([least, most]) => {
+                limit(&least).zip(limit(&most)).map(|(a, b)| VoussoirStanding::Falls([a, b]))
+            }
+        })
+    });
+    let geometric_safety = raise(first, |bits| {
+        let joints = joints(own, bits);
+        Ok(match proved(&joints, joints.search().candidate())? {
+            Outcome::Stands(state) => {
+                Figure::new(&(eta(bits) / &state.thickness), digits).map(Some)
+            }
+            _ => Some(None),
+        })
+    });
+    let required = |bits| match range(&joints(&Friction::Infinite, bits), &eta(bits), ties)? {
+        Range::Falls(_) => Ok(None),
+        Range::Stands(ends) => {
+            let ring = Ring::new(arch.weight(), &eta(bits));
+            required(&joints(&Friction::Infinite, bits), &ring, &ends).map(Some)
+        }
+    };
+    let figure = |x: Option<Ball>| match x {
+        Some(x) => Figure::new(&x, digits).map(Some),
+        None => Some(None),
+    };
+    let required_friction = raise(first, |bits| required(bits).map(figure));
+    let friction_safety = raise(first, |bits| {
+        // Where none is needed any is enough.
+        let needed = required(bits)?.filter(|needed| needed.excludes_zero());
+        Ok(figure(coefficient(own, bits).zip(needed).map(|(mu, needed)| mu / needed)))
+    });
+    VoussoirAssessment { standing, geometric_safety, required_friction, friction_safety }
+}
+
+/// The coefficient of a friction that is limited.
+fn coefficient(friction: &Friction, bits: u32) -> Option<Ball> {
+    let grip = super::joints::grip(friction, bits);
+    (*friction != Friction::Infinite).then(|| grip.normal / grip.shear)
+}
+
+/// An end in digits; `None` if the rounding is not decided.
+fn limit(joints: &Joints<'_>, end: &End, digits: usize) -> Option<VoussoirLimit> {
+    let thrust = match &end.thrust {
+        Some(thrust) => Some(Figure::new(thrust, digits)?),
+        None => None,
+    };
+    let angles = end.contacts.iter().map(|(_, joint)| joints.figure(*joint, digits));
+    let angles: Option<Vec<Figure>> = angles.collect();
+    Some(VoussoirLimit { thrust, contacts: end.contacts.clone(), joints: angles? })
+}

@@ -1,0 +1,97 @@
+//! Arches, and arches with a certified state.
+
+use super::numbers::decimal;
+use super::places::half_openings;
+use super::queries::{Query, query};
+use super::weight;
+use crate::certify::Refused;
+use crate::certify::state::{Answer, Certify, Digits};
+use crate::problem::Mode;
+use crate::problem::{Arch, Friction};
+use crate::solve::start::{quick_state, sliding};
+use proptest::prelude::*;
+use rug::Float;
+
+/// Any arch of the domain; the arch of a [`query`].
+pub fn arch() -> impl Strategy<Value = Arch> {
+    query().prop_filter_map("is in the domain", |query| query.arch().ok())
+}
+
+/// Arches that stand, with their state at the least thickness, correctly rounded to `digits`
+/// significant digits, 1 to [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS); with others everything is rejected. What falls,
+/// and what is undecided, is left out.
+///
+/// ```
+/// use couplet_prove::strategies::standing;
+/// use proptest::test_runner::TestRunner;
+///
+/// let mut runner = TestRunner::deterministic();
+/// let verdict = runner.run(&standing(9), |(query, state)| {
+///     // A solver of one's own would be asked about `query` here, and compared with `state`. As doubles
+///     // some thicknesses are 0 (at an opening of 1e-100) or 2 (next to `L`), which they are not.
+///     let thickness = state.thickness.double;
+///     assert!((0.0..=2.0).contains(&thickness), "{query}: {thickness}");
+///     Ok(())
+/// });
+/// assert!(verdict.is_ok());
+/// ```
+pub fn standing(digits: usize) -> impl Strategy<Value = (Query, Box<Digits>)> {
+    let whence = whence("stands", digits);
+    query().prop_filter_map(whence, move |query| Some((query.clone(), stands(&query, digits)?)))
+}
+
+/// Arches that stand and collapse in `mode` at their least thickness, with the state as in
+/// [`standing`]. They are ordinary ones: the half opening is a decimal, and so is the friction, or it is
+/// unlimited for [`Mode::Overturning`].
+///
+/// The purely sliding states are a curve of the map, on which no such arch lies: with
+/// [`Mode::Sliding`] everything is rejected.
+pub fn collapsing(mode: Mode, digits: usize) -> impl Strategy<Value = (Query, Box<Digits>)> {
+    weight()
+        .prop_filter_map("has a place on the map", move |weight| {
+            Some((weight, half_openings(mode, weight)?))
+        })
+        .prop_flat_map(|(weight, [low, high])| {
+            (Just(weight), decimal(low, high), 1usize..=17, 0.0..1.0f64)
+        })
+        .prop_filter_map(
+            whence("collapses otherwise", digits),
+            move |(weight, alpha, places, part)| {
+                let friction = match mode {
+                    Mode::Overturning => Friction::Infinite,
+                    _ => {
+                        let mu = above_sliding(alpha.parse().ok()?, part);
+                        // A quick look: not everything that is drawn is worth a proof.
+                        if quick_state(weight, alpha.parse().ok()?, mu).mode != Some(mode) {
+                            return None;
+                        }
+                        Friction::Coefficient(format!("{mu:.places$}").parse().ok()?)
+                    }
+                };
+                let query = Query { weight, half_opening: alpha.parse().ok()?, friction };
+                let state = stands(&query, digits).filter(|state| state.mode == mode)?;
+                Some((query, state))
+            },
+        )
+}
+
+/// Why an arch is left out: because of the digits, if none can be had to so many.
+fn whence(otherwise: &str, digits: usize) -> String {
+    Refused::arch_digits(digits)
+        .map_or_else(|refused| refused.to_string(), |()| otherwise.to_owned())
+}
+
+/// The proved state of an arch that stands.
+fn stands(query: &Query, digits: usize) -> Option<Box<Digits>> {
+    match query.arch().ok()?.certify(digits) {
+        Ok(Answer::Stands(state)) => Some(state),
+        _ => None,
+    }
+}
+
+/// A candidate: a friction above that of the purely sliding state by between a ten-thousandth and ten
+/// times of it, as the modes next to it have little room.
+fn above_sliding(alpha: f64, part: f64) -> f64 {
+    let [least, _, _] = sliding(&Float::with_val(53, alpha));
+    least.to_f64() * (1.0 + 10f64.powf(1.0 - 5.0 * part))
+}

@@ -1,0 +1,47 @@
+//! Arches for whoever tests a solver of their own: drawn from a seed, or by `proptest` strategies.
+//!
+//! [`samples`] draws from a seed. The others are strategies and have the feature `proptest`:
+//!
+//! | strategy | what it draws |
+//! |---|---|
+//! | `weight` | a self-weight model |
+//! | `query` | a question as exact text: ordinary arches, and the hard ones |
+//! | `arch` | the same, ready to be certified |
+//! | `standing` | arches that stand, with what is proved of them |
+//! | `collapsing` | the same for one collapse mode, however small its place on the map |
+//! | `half_opening`, `friction` | the numbers of a query alone |
+//!
+//! Hard are openings like `1e-60` or `0.9999pi`, frictions like `1e80`, `0` and `inf`, and the
+//! neighbourhood of each landmark, where modes meet. A failure shrinks towards an ordinary arch of
+//! Heyman's weight whose numbers have few decimals, and is printed as the command that answers it.
+
+#[cfg(feature = "proptest")]
+mod arches;
+#[cfg(feature = "proptest")]
+mod numbers;
+mod places;
+#[cfg(feature = "proptest")]
+mod queries;
+mod sample;
+
+#[cfg(feature = "proptest")]
+pub use arches::{arch, collapsing, standing};
+#[cfg(feature = "proptest")]
+pub use numbers::{friction, half_opening};
+#[cfg(feature = "proptest")]
+pub use queries::{Query, query};
+pub use sample::Draw;
+pub use sample::{Sample, samples};
+
+#[cfg(feature = "proptest")]
+use crate::arch::SelfWeight;
+#[cfg(feature = "proptest")]
+use proptest::prelude::Strategy;
+#[cfg(feature = "proptest")]
+use proptest::sample::select;
+
+/// Either self-weight model; shrinks to Heyman's.
+#[cfg(feature = "proptest")]
+pub fn weight() -> impl Strategy<Value = SelfWeight> + Clone {
+    select(&SelfWeight::ALL)
+}

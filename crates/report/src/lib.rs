@@ -1,0 +1,12 @@
+//! Answers in every format: tables, JSON, CSV, LaTeX, other languages, pictures. Nothing is computed here.
+#![cfg_attr(not(test), warn(clippy::unwrap_used))]
+
+pub mod report;
+
+use couplet_check::{arch, check, problem};
+use couplet_claims::claims;
+#[cfg(feature = "study")]
+use couplet_claims::study;
+use couplet_draw::{picture, sketch};
+use couplet_number::number;
+use couplet_prove::{atlas, certify, judge, strategies};

@@ -1,0 +1,33 @@
+//! Other people's results, judged: every row, or a summary of all.
+
+mod csv;
+mod json;
+mod row;
+mod summary;
+mod table;
+
+pub(crate) use json::summary as json;
+pub use row::JudgedRow;
+pub use summary::JudgeSummary;
+pub use table::{verdicts, write as table};
+
+use crate::problem::Quantity;
+use std::io;
+
+/// Writes a row, with the quantities that have columns and the texts of what is handed on.
+type RowWriter = fn(&JudgedRow, &[Quantity], &[String]) -> io::Result<Vec<u8>>;
+
+/// How rows are written as they come.
+#[derive(Clone, Copy, Debug)]
+pub struct JudgedLines {
+    /// The header, with the quantities that have columns, and with the names of what is handed on.
+    pub header: fn(&[Quantity], &[String]) -> io::Result<Vec<u8>>,
+    /// One row.
+    pub row: RowWriter,
+}
+
+/// CSV.
+pub(crate) const CSV: JudgedLines = JudgedLines { header: csv::header, row: csv::row };
+/// JSON lines, `couplet.judged/2`.
+pub(crate) const JSON_LINES: JudgedLines =
+    JudgedLines { header: |_, _| Ok(Vec::new()), row: |row, _, _| json::row(row) };

@@ -1,0 +1,140 @@
+//! Output only: what was found, written in a format.
+//!
+//! An [`Answer`] is a landmark or an arch with what became of it and its proved values: all that a format
+//! sees. [`Format`] is the one list of formats, one file each.
+//!
+//! ```
+//! use couplet_prove::prelude::{Arch, Certify};
+//! use couplet_report::report::{Answer, Answers, Content, Format, Report};
+//!
+//! let arch = Arch::parse("heyman", "pi/2", "0.38")?;
+//! let answer = Answer::state(1, &arch, &arch.certify(12));
+//! let report = Report::Answers(Answers::arch(12, answer));
+//! let format = Format::named(Content::Answers, "python").unwrap();
+//! let mut file = Vec::new();
+//! report.write(format, &mut file)?;
+//! let file = String::from_utf8(file)?;
+//! assert!(file.contains("STATE_1_THICKNESS_DECIMAL = Decimal(\"0.122191586363\")"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! See also [`certify`](crate::certify), which finds what is written here, and
+//! [`scene`](crate::scene), which writes many reports at once.
+
+mod answer;
+mod answers;
+mod audit;
+mod bounds;
+mod branch;
+mod c;
+mod claims;
+mod columns;
+mod complementarity;
+mod csv;
+mod document;
+mod drawn;
+mod fields;
+mod find;
+mod format;
+mod fortran;
+mod given;
+mod jointed;
+mod json;
+pub mod judged;
+mod julia;
+mod latex;
+mod listing;
+mod map;
+mod map_asked;
+mod matlab;
+mod names;
+#[cfg(feature = "parquet")]
+mod parquet;
+mod plain;
+mod programme;
+mod python;
+mod rows;
+mod rust;
+mod sampled;
+mod sketched;
+#[cfg(feature = "study")]
+pub mod study;
+mod subject;
+mod table;
+mod tilt;
+mod toml;
+mod value;
+mod voussoirs;
+pub mod words;
+
+pub use answer::{Answer, Fingerprint, Kept, Proof, Status};
+pub use answers::{Answers, Scope};
+pub use audit::Audit;
+pub use branch::{BranchArch, BranchArches};
+pub use claims::{Claims, Index};
+pub use complementarity::{ComplementarityArch, ComplementarityArches};
+pub use drawn::{Axes, Branches, Drawing, Mark, Marked, Plane, Shown, Unit, View};
+pub use format::{Content, Format};
+pub use given::GivenDoubles;
+pub use json::answers as write_json;
+pub use map::{Map, MapDifferences, MapPoint, MapPoints};
+pub use map_asked::MapAsked;
+pub use programme::{AtThickness, ProgrammeFound};
+pub use rows::Rows;
+pub use sketched::{Sketched, Style, arches_of_figure};
+pub use subject::Subject;
+pub use tilt::{TiltedArch, TiltedArches};
+pub use value::Value;
+pub use voussoirs::{GivenThickness, VoussoirArch, VoussoirArches};
+
+use std::io;
+
+/// Everything that can be written at once.
+#[derive(Debug)]
+pub enum Report {
+    /// Landmarks or arches.
+    Answers(Answers),
+    /// Printed numbers against certified values.
+    Audit(Audit),
+    /// Claims of the paper.
+    Claims(Claims),
+    /// The paper, place by place.
+    Index(Index),
+    /// Curves of the map.
+    Map(Map),
+    /// A point of a curve of the map, for each weight.
+    MapPoints(MapPoints),
+    /// What two weights make of the lines of the map.
+    MapDifferences(MapDifferences),
+    /// Arches of voussoirs.
+    Voussoirs(VoussoirArches),
+    /// Arches under a horizontal acceleration.
+    Tilted(TiltedArches),
+    /// Solutions of the complementarity problem.
+    Complementarity(ComplementarityArches),
+    /// Asymmetric solutions over friction.
+    Branches(BranchArches),
+    /// Arches to be drawn.
+    Sketched(Sketched),
+}
+
+impl Report {
+    /// Writes the report. A format that cannot write it is an error.
+    pub fn write(&self, format: &Format, out: &mut dyn io::Write) -> io::Result<()> {
+        let written = match self {
+            Self::Answers(answers) => format.answers.map(|write| write(answers, out)),
+            Self::Audit(audit) => format.audit.map(|write| write(audit, out)),
+            Self::Claims(claims) => format.claims.map(|write| write(claims, out)),
+            Self::Index(index) => format.index.map(|write| write(index, out)),
+            Self::Map(map) => format.map.map(|write| write(map, out)),
+            Self::MapPoints(points) => format.map_points.map(|write| write(points, out)),
+            Self::MapDifferences(all) => format.map_differences.map(|write| write(all, out)),
+            Self::Tilted(arches) => format.tilt.map(|write| write(arches, out)),
+            Self::Voussoirs(arches) => format.voussoirs.map(|write| write(arches, out)),
+            Self::Complementarity(arches) => format.complementarity.map(|write| write(arches, out)),
+            Self::Branches(arches) => format.branch.map(|write| write(arches, out)),
+            Self::Sketched(sketched) => format.drawing.map(|write| write(sketched, out)),
+        };
+        written.unwrap_or_else(|| Err(io::ErrorKind::Unsupported.into()))
+    }
+}

@@ -1,0 +1,67 @@
+//! Arches that were drawn, for other programs: `couplet.sample/1`.
+
+use super::fields::Fields;
+use super::given::GivenDoubles;
+use super::{csv, json};
+use crate::strategies::Sample;
+use std::io;
+
+/// How drawn arches are written.
+#[derive(Clone, Copy, Debug)]
+pub struct SampledLines {
+    /// The header.
+    pub header: fn() -> io::Result<Vec<u8>>,
+    /// One arch, with its number.
+    pub row: fn(u64, &Sample) -> io::Result<Vec<u8>>,
+}
+
+/// The names of the fields.
+const NAMES: [&str; 8] = [
+    "id",
+    "weight",
+    "half_opening",
+    "friction",
+    "half_opening_rad",
+    "half_opening_deg",
+    "friction_double",
+    "family",
+];
+
+/// A table.
+pub(super) const CSV: SampledLines = SampledLines {
+    header: || csv::line(NAMES.map(str::to_owned).to_vec()),
+    row: |id, sample| {
+        let texts: Vec<String> = fields(id, sample).texts().collect();
+        // For infinity JSON has no number.
+        let is_infinite = |name: &str| name == "friction_double" && !sample.arch.is_limited();
+        let cell =
+            |(name, text): (&str, String)| if is_infinite(name) { "inf".into() } else { text };
+        csv::line(NAMES.into_iter().zip(texts).map(cell).collect())
+    },
+};
+
+/// JSON lines.
+pub(super) const JSON_LINES: SampledLines = SampledLines {
+    header: || Ok(Vec::new()),
+    row: |id, sample| {
+        let mut all = Fields::default();
+        all.add("schema", "couplet.sample/1");
+        all.append(fields(id, sample));
+        json::line(&all)
+    },
+};
+
+fn fields(id: u64, sample: &Sample) -> Fields {
+    let doubles = GivenDoubles::new(&sample.arch, None);
+    let values: [serde_json::Value; 8] = [
+        id.into(),
+        sample.arch.weight().name().into(),
+        sample.arch.half_opening().to_string().into(),
+        sample.arch.friction().to_string().into(),
+        doubles.half_opening_rad.into(),
+        doubles.half_opening_deg.into(),
+        doubles.friction.into(),
+        sample.family.as_str().into(),
+    ];
+    NAMES.into_iter().zip(values).collect()
+}

@@ -1,0 +1,18 @@
+//! Many arches: tables of rows, scenes and sweeps; what the command, Python and C call.
+#![cfg_attr(not(test), warn(clippy::unwrap_used))]
+
+pub mod engine;
+pub mod failure;
+pub mod parse;
+pub mod pool;
+pub mod rows;
+pub mod scene;
+#[cfg(feature = "parquet")]
+pub mod sweep;
+
+use couplet_check::{arch, check, problem};
+use couplet_claims::claims;
+use couplet_draw::sketch;
+use couplet_number::number;
+use couplet_prove::{atlas, certify, judge, solve, strategies};
+use couplet_report::report;

@@ -1,0 +1,200 @@
+//! What reads the values of options: one language for every command, and for other doors to the program.
+
+use crate::arch::asymmetric::AsymmetricMode;
+use crate::arch::{NoWeight, SelfWeight};
+use crate::certify::state::find::{Given, Question};
+use crate::certify::{MAX_ARCH_DIGITS, MAX_DIGITS, Refused};
+use crate::claims::{Claim, claims};
+use crate::number::ExactNumber;
+use crate::problem::{Arch, Friction, Landmark, Line, Mode, NoLandmark, Quantity};
+use crate::report::words::{did_you_mean, list, shortened};
+use crate::report::{Content, Format};
+use std::str::FromStr;
+
+/// A name that is not known: what the names are, and the one that was perhaps meant.
+pub fn unknown(kind: &str, written: &str, names: &[&str]) -> String {
+    let hint = did_you_mean(written, names);
+    format!("{kind} is one of {}{hint}", list(names.iter().copied()))
+}
+
+/// A landmark by its symbol or its long name.
+pub fn landmark(text: &str) -> Result<Landmark, String> {
+    landmark_or(text, &[])
+}
+
+/// The same, where other names are read too.
+pub fn landmark_or(text: &str, others: &[&str]) -> Result<Landmark, String> {
+    text.parse().map_err(|none: NoLandmark| {
+        let long = Landmark::ALL.map(Landmark::long_name);
+        let names: Vec<&str> =
+            Landmark::ALL.into_iter().map(Landmark::symbol).chain(long).collect();
+        let names = [&names, others].concat();
+        let hint = did_you_mean(text, &names);
+        let others = match others {
+            [rest @ .., last] => format!(", or {} or {last}", rest.join(", ")),
+            [] => String::new(),
+        };
+        format!("{none}{others}{hint}")
+    })
+}
+
+/// A mode by its letters, with brackets and commas or without.
+pub fn mode(text: &str) -> Result<Mode, String> {
+    let names = || list(Mode::ALL.map(Mode::label));
+    Mode::named(text).ok_or_else(|| format!("a mode is one of {}", names()))
+}
+
+/// A self-weight model by its name.
+pub fn weight(text: &str) -> Result<SelfWeight, String> {
+    let names = SelfWeight::ALL.map(SelfWeight::name);
+    text.parse().map_err(|none: NoWeight| format!("{none}{}", did_you_mean(text, &names)))
+}
+
+/// One self-weight model, or both.
+#[derive(Clone, Copy, Debug)]
+pub enum Weights {
+    /// This one.
+    One(SelfWeight),
+    /// Heyman and Milankovitch.
+    Both,
+}
+
+impl Weights {
+    /// The models asked for.
+    pub fn all(self) -> Vec<SelfWeight> {
+        match self {
+            Self::One(weight) => vec![weight],
+            Self::Both => SelfWeight::ALL.to_vec(),
+        }
+    }
+}
+
+/// A self-weight model, or `both`.
+pub fn weights(text: &str) -> Result<Weights, String> {
+    if text.eq_ignore_ascii_case("both") {
+        return Ok(Weights::Both);
+    }
+    let [heyman, milankovitch] = SelfWeight::ALL.map(SelfWeight::name);
+    let names = [heyman, milankovitch, "both"];
+    SelfWeight::named(text).map(Weights::One).ok_or_else(|| unknown("a weight", text, &names))
+}
+
+/// A quantity by its name.
+pub fn quantity(text: &str) -> Result<Quantity, String> {
+    let mut names: Vec<&str> = Vec::new();
+    let measured = [&Quantity::MEASURED_STATE[..], &Quantity::MEASURED_ASSESSMENT];
+    let all = [&Quantity::LANDMARK[..], &Quantity::STATE, &Quantity::ASSESSMENT].concat();
+    let all = [all, measured.concat()].concat();
+    for name in all.into_iter().map(Quantity::name) {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    Quantity::named(text).ok_or_else(|| unknown("a quantity", text, &names))
+}
+
+/// A quantity by its name, of those that there are; others are not offered.
+pub fn quantity_of(text: &str, possible: &[Quantity]) -> Result<Quantity, String> {
+    let names: Vec<&str> = possible.iter().map(|of| of.name()).collect();
+    let quantity = Quantity::named(text).ok_or_else(|| unknown("a quantity", text, &names))?;
+    let refused = |refused: Refused| refused.to_string();
+    Refused::quantity(quantity, possible).map(|()| quantity).map_err(refused)
+}
+
+/// How the mechanism of an asymmetric solution closes, by its name.
+pub fn asymmetric_mode(text: &str) -> Result<AsymmetricMode, String> {
+    let names = AsymmetricMode::ALL.map(AsymmetricMode::name);
+    let mode = AsymmetricMode::ALL.into_iter().find(|mode| mode.name() == text);
+    mode.ok_or_else(|| format!("it is one of {}", names.join(", ")))
+}
+
+/// What reads the name of a format.
+pub fn format(
+    content: Content,
+) -> impl Fn(&str) -> Result<&'static Format, String> + Clone + Send + Sync + 'static {
+    move |name| {
+        let names: Vec<&str> = Format::all(content).map(|format| format.name).collect();
+        let format =
+            Format::named(content, name).ok_or_else(|| unknown("a format", name, &names))?;
+        format.missing().map_or(Ok(format), Err)
+    }
+}
+
+/// What an option of formats is for.
+pub fn format_help(content: Content) -> String {
+    format!("Output format: {}", Format::names(content))
+}
+
+/// The same where one is usual.
+pub fn usual_format_help(content: Content, usual: &str) -> String {
+    let names = format_help(content);
+    format!(
+        "{names}; if not given what the name of the file ends with tells it, else it is {usual}"
+    )
+}
+
+/// A number of significant digits.
+pub fn digits(text: &str) -> Result<usize, String> {
+    digits_to(text, MAX_DIGITS)
+}
+
+/// The same for a state.
+pub fn state_digits(text: &str) -> Result<usize, String> {
+    digits_to(text, MAX_ARCH_DIGITS)
+}
+
+/// What is no whole number is as little a number of digits as zero.
+fn digits_to(text: &str, most: usize) -> Result<usize, String> {
+    let digits = text.parse().unwrap_or(0);
+    Refused::digits_to(digits, most).map(|()| digits).map_err(|refused| refused.to_string())
+}
+
+/// A thickness-to-radius ratio between 0 and the physical limit 2.
+pub fn thickness(text: &str) -> Result<ExactNumber, String> {
+    crate::problem::thickness(text, None).map_err(|error| error.to_string())
+}
+
+/// The arch of a weight, a half opening and a friction.
+pub fn arch([weight, half_opening, friction]: [&str; 3]) -> Result<Arch, String> {
+    let weight = self::weight(weight)?;
+    Arch::parse(weight.name(), half_opening, friction).map_err(|error| error.to_string())
+}
+
+/// The question of which one answer is found: with the modes of a boundary that where one becomes the other, else the
+/// friction if the half opening is given, and the half opening if the friction is.
+pub fn question(
+    modes: Option<&str>,
+    (half_opening, friction): (Option<&str>, Option<&str>),
+    thickness: Option<&str>,
+) -> Result<Question, String> {
+    fn read<T: FromStr<Err: ToString>>(text: Option<&str>) -> Result<Option<T>, String> {
+        text.map(|text| text.parse().map_err(|error: T::Err| error.to_string())).transpose()
+    }
+    let (half_opening, friction) = (read::<ExactNumber>(half_opening)?, read(friction)?);
+    let thickness = thickness.map(self::thickness).transpose()?;
+    match (read::<Line>(modes)?, half_opening, friction) {
+        (Some(_), ..) if thickness.is_some() => {
+            Err("a thickness does not belong to a boundary".to_owned())
+        }
+        (Some(_), None, Some(Friction::Infinite)) => Err(Refused::UnlimitedFriction.to_string()),
+        (Some(line), None, Some(mu)) => Ok(Question::Boundary { line, given: Given::Friction(mu) }),
+        (Some(line), Some(alpha), None) => {
+            Ok(Question::Boundary { line, given: Given::HalfOpening(alpha) })
+        }
+        (None, None, Some(friction)) => Ok(Question::HalfOpening { friction, thickness }),
+        (None, Some(half_opening), None) => Ok(Question::Friction { half_opening, thickness }),
+        _ => Err("give friction or half_opening; the other one is found".to_owned()),
+    }
+}
+
+/// The claims named, all if none is: each by its id or by the beginning of it up to a hyphen.
+pub fn claims_named(names: &[String]) -> Result<Vec<Claim>, String> {
+    let all = claims();
+    if let Some(unknown) = names.iter().find(|name| !all.iter().any(|claim| claim.is_named(name))) {
+        let ids: Vec<&str> = all.iter().map(|claim| claim.id).collect();
+        let hint = did_you_mean(unknown, &ids);
+        return Err(format!("unknown claim '{}'{hint}", shortened(unknown)));
+    }
+    let chosen = |claim: &Claim| names.is_empty() || names.iter().any(|name| claim.is_named(name));
+    Ok(all.into_iter().filter(chosen).collect())
+}

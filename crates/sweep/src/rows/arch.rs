@@ -1,0 +1,112 @@
+//! The arch of a row.
+
+use super::columns::{Cells, Columns};
+use super::roles::Role;
+use super::spelling::Spelling;
+use crate::arch::SelfWeight;
+use crate::number::{ExactNumber, ParseExactError, is_angle};
+use crate::parse;
+use crate::problem::{Arch, Friction};
+use rug::Rational;
+
+/// How the arches of rows are read.
+pub struct Reader {
+    /// What the cells of a row are.
+    pub columns: Columns,
+    /// The weight of the rows that have none of their own.
+    pub weight: SelfWeight,
+    /// Whether the arches are those at the nearest doubles of what the file has.
+    pub doubles: bool,
+    pub spelling: Spelling,
+}
+
+impl Reader {
+    /// The text of a role, with whether it is in degrees.
+    pub fn said<'a>(&self, cells: &'a Cells, role: Role) -> Option<(&'a str, bool)> {
+        self.columns.all.iter().zip(cells).find_map(|(column, cell)| {
+            let text = cell.as_deref().filter(|_| column.role == role)?;
+            Some((text, column.degrees && !is_angle(text)))
+        })
+    }
+
+    /// The same where the cell is not empty.
+    pub fn given<'a>(&self, cells: &'a Cells, role: Role) -> Option<(&'a str, bool)> {
+        self.said(cells, role).filter(|(text, _)| !text.is_empty())
+    }
+
+    /// The weight, the half opening and the friction of the row as text, even if they cannot be read.
+    pub fn described(&self, cells: &Cells) -> [String; 3] {
+        let text = |role| {
+            let (text, degrees) = self.given(cells, role)?;
+            Some(format!("{text}{}", if degrees { "deg" } else { "" }))
+        };
+        let angle = || text(Role::FrictionAngle).map(|angle| format!("tan({angle})"));
+        [
+            text(Role::Weight).unwrap_or_else(|| self.weight.name().to_owned()),
+            text(Role::HalfOpening).unwrap_or_default(),
+            text(Role::Friction).or_else(angle).unwrap_or_default(),
+        ]
+    }
+
+    /// The arch.
+    pub fn arch(&self, cells: &Cells) -> Result<Arch, String> {
+        let weight = match self.given(cells, Role::Weight) {
+            Some((text, _)) => parse::weight(text)?,
+            None => self.weight,
+        };
+        let missing = |role: Role| match self.said(cells, role) {
+            Some(_) => format!("the {} is empty", role.name()),
+            None => format!("the {} is missing", role.name()),
+        };
+        let half_opening = self.given(cells, Role::HalfOpening);
+        let half_opening = half_opening.ok_or_else(|| missing(Role::HalfOpening))?;
+        let [mu, phi] = [Role::Friction, Role::FrictionAngle].map(|role| self.given(cells, role));
+        let friction = match (mu, phi) {
+            (Some((text, _)), None) => self.coefficient(text)?,
+            (None, Some(phi)) => Friction::Angle(self.angle(phi)?),
+            (None, None) if self.said(cells, Role::FrictionAngle).is_some() => {
+                return Err(missing(Role::FrictionAngle));
+            }
+            (None, None) => return Err(missing(Role::Friction)),
+            (Some(_), Some(_)) => return Err("both friction and friction_angle are given".into()),
+        };
+        Arch::new(weight, self.angle(half_opening)?, friction).map_err(|error| error.to_string())
+    }
+
+    fn coefficient(&self, text: &str) -> Result<Friction, String> {
+        match self.spelling.exact(text).parse().map_err(error)? {
+            Friction::Coefficient(mu) if self.doubles => nearest(&mu).map(Friction::Coefficient),
+            // An angle in the column of coefficients, as our own outputs have it.
+            Friction::Angle(phi) => self.used(phi).map(Friction::Angle),
+            friction => Ok(friction),
+        }
+    }
+
+    fn angle(&self, (text, degrees): (&str, bool)) -> Result<ExactNumber, String> {
+        let number = self.spelling.exact(text);
+        let text = if degrees { format!("{number}deg") } else { number.into_owned() };
+        self.used(text.parse().map_err(error)?)
+    }
+
+    /// An angle as a solver used it. In doubles, degrees are rounded as they are read and once more in
+    /// radians.
+    fn used(&self, angle: ExactNumber) -> Result<ExactNumber, String> {
+        if !self.doubles {
+            return Ok(angle);
+        }
+        match angle.to_string().strip_suffix("deg") {
+            Some(degrees) => nearest(&nearest(&degrees.parse().map_err(error)?)?.degrees()),
+            None => nearest(&angle),
+        }
+    }
+}
+
+fn error(error: ParseExactError) -> String {
+    error.to_string()
+}
+
+/// The nearest double, exactly.
+fn nearest(x: &ExactNumber) -> Result<ExactNumber, String> {
+    let exact = x.nearest_double().and_then(Rational::from_f64);
+    exact.as_ref().map(ExactNumber::from).ok_or_else(|| format!("'{x}' is beyond all doubles"))
+}

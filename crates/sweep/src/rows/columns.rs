@@ -1,0 +1,320 @@
+//! Which column of a file is what.
+
+use super::object::JsonObject;
+use super::roles::{Purpose, Role};
+use crate::problem::Quantity;
+use crate::report::words::shortened;
+
+/// The text of a row, column by column; `None` where the row has no such column.
+pub type Cells = Vec<Option<String>>;
+
+/// A column and its role.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Column {
+    /// Its name in the file; our own one in small letters.
+    pub theirs: String,
+    /// What it is.
+    pub role: Role,
+    /// Whether it is an angle in degrees.
+    pub degrees: bool,
+}
+
+/// The columns of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Columns {
+    /// Those that may be there.
+    pub all: Vec<Column>,
+    /// Whether they were named, and so have to be there.
+    named: bool,
+    purpose: Purpose,
+}
+
+impl Columns {
+    /// Our own names.
+    pub fn own(purpose: Purpose) -> Self {
+        let columns = purpose.roles().into_iter().flat_map(|role| {
+            let column = move |name: &str| Column { theirs: name.to_owned(), role, degrees: false };
+            role.names(purpose).into_iter().map(column)
+        });
+        Self { all: columns.collect(), named: false, purpose }
+    }
+
+    /// Columns of results as they are named on the command line, `theirs=ours` or `theirs=ours:deg`; our
+    /// own names if none are named.
+    pub fn named(named: &[String]) -> Result<Self, String> {
+        if named.is_empty() {
+            return Ok(Self::own(Purpose::Judge));
+        }
+        let mut all: Vec<Column> = Vec::new();
+        for text in named {
+            let column = column(text)?;
+            if let Some(other) = all.iter().find(|other| other.role == column.role) {
+                let (a, b) = (&other.theirs, &column.theirs);
+                return Err(format!("'{a}' and '{b}' are both named {}", column.role.name()));
+            }
+            if all.iter().any(|other| other.theirs == column.theirs) {
+                return Err(format!("the column '{}' is named twice", column.theirs));
+            }
+            all.push(column);
+        }
+        Ok(Self { all, named: true, purpose: Purpose::Judge })
+    }
+
+    /// Whether a name of the file is that of a column. Our own names may have capitals and blanks.
+    fn is(&self, column: &Column, name: &str) -> bool {
+        column.theirs == name || (!self.named && column.theirs == plain(name))
+    }
+
+    /// What our own states call the thickness is the least one, which asks nothing.
+    fn leave_least_thickness(&mut self, has: impl Fn(&str) -> bool) {
+        if self.purpose == Purpose::Ask && has("can_stand") && !has("least_thickness") {
+            self.all.retain(|column| column.role != Role::GivenThickness);
+        }
+    }
+
+    /// Whether a name of the file is that of any column.
+    pub(crate) fn have(&self, name: &str) -> bool {
+        self.all.iter().any(|column| self.is(column, name))
+    }
+
+    /// Keeps the columns that a table has, with their places.
+    pub fn places(&mut self, header: &[String]) -> Result<Vec<usize>, String> {
+        self.leave_least_thickness(|name| header.iter().any(|other| plain(other) == name));
+        let place = |column: &Column| header.iter().position(|name| self.is(column, name));
+        let places: Vec<Option<usize>> = self.all.iter().map(place).collect();
+        let shown = |message| format!("{message}; its columns are {}", shown(header));
+        let seen: Vec<bool> = places.iter().map(Option::is_some).collect();
+        self.check(&seen, "the file has").map_err(shown)?;
+        for column in &self.all {
+            if header.iter().filter(|name| self.is(column, name)).count() > 1 {
+                return Err(format!("the file has two columns '{}'", column.theirs));
+            }
+        }
+        header.iter().try_for_each(|name| {
+            self.is_spelt(name, |role| {
+                self.all.iter().zip(&seen).any(|(column, seen)| *seen && column.role == role)
+            })
+        })?;
+        let mut seen = seen.iter();
+        self.all.retain(|_| seen.next() == Some(&true));
+        Ok(places.into_iter().flatten().collect())
+    }
+
+    /// The cells of an object.
+    pub fn cells(&self, object: &JsonObject) -> Result<Cells, String> {
+        let mut own = self.clone();
+        own.leave_least_thickness(|name| object.names().any(|other| plain(other) == name));
+        let mut cells: Cells = vec![None; self.all.len()];
+        for name in object.names() {
+            if !own.have(name) && self.have(name) {
+                continue;
+            }
+            let Some(place) = self.all.iter().position(|column| self.is(column, name)) else {
+                self.is_spelt(name, |role| {
+                    let has =
+                        |key: &str| self.all.iter().any(|c| c.role == role && self.is(c, key));
+                    object.names().any(has)
+                })?;
+                continue;
+            };
+            let role = self.all[place].role;
+            let before =
+                self.all.iter().zip(&cells).find(|(c, cell)| c.role == role && cell.is_some());
+            if let Some((other, _)) = before {
+                let (a, b) = (&other.theirs, shortened(name));
+                return Err(format!("'{a}' and '{b}' are the same"));
+            }
+            cells[place] = object.text(name);
+        }
+        Ok(cells)
+    }
+
+    /// Refuses a name that is nearly one of ours and asks for nothing: what it asks must not be dropped.
+    fn is_spelt(&self, name: &str, has: impl Fn(Role) -> bool) -> Result<(), String> {
+        if self.purpose == Purpose::Judge || self.have(name) {
+            return Ok(());
+        }
+        let nearly = |column: &&Column| {
+            let similar = strsim::normalized_damerau_levenshtein(&column.theirs, &plain(name));
+            column.theirs.len() > 4 && similar > 0.8 && !has(column.role)
+        };
+        match self.all.iter().find(nearly) {
+            Some(column) => {
+                let (name, ours) = (shortened(name), &column.theirs);
+                Err(format!("'{name}' is not one of our columns; did you mean '{ours}'?"))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Refuses what cannot be asked or judged, by the columns that are there.
+    pub fn check(&self, seen: &[bool], have: &str) -> Result<(), String> {
+        let missing = self.all.iter().zip(seen).find(|(_, seen)| self.named && !**seen);
+        if let Some((column, _)) = missing {
+            return Err(format!("{have} no column '{}'", column.theirs));
+        }
+        let there = || self.all.iter().zip(seen).filter(|(_, seen)| **seen).map(|(c, _)| c);
+        let has = |role: Role| there().any(|column| column.role == role);
+        for (index, column) in there().enumerate() {
+            if let Some(other) = there().skip(index + 1).find(|c| c.role == column.role) {
+                let (a, b) = (&column.theirs, &other.theirs);
+                let how = if self.purpose == Purpose::Judge { ": use --columns" } else { "" };
+                return Err(format!("{have} '{a}' and '{b}', which are the same{how}"));
+            }
+        }
+        let wanted = |what: &str, role: Role| {
+            let name = role.name();
+            Err(match self.purpose {
+                Purpose::Ask => format!("{have} no column '{name}'"),
+                Purpose::Judge => {
+                    format!("{have} no column for {what}: name one, --columns theirs={name}")
+                }
+            })
+        };
+        if !has(Role::HalfOpening) {
+            return wanted("the half opening", Role::HalfOpening);
+        }
+        match (has(Role::Friction), has(Role::FrictionAngle)) {
+            (false, false) => return wanted("the friction", Role::Friction),
+            (true, true) if self.named => {
+                return Err(format!("{have} both friction and friction_angle: choose one"));
+            }
+            _ => {}
+        }
+        if self.purpose == Purpose::Judge && !there().any(|column| column.role.is_claim()) {
+            return wanted("anything to judge", Role::Number(Quantity::Thickness));
+        }
+        Ok(())
+    }
+}
+
+/// A name without capitals, and with `_` for what joins its words.
+fn plain(name: &str) -> String {
+    name.to_lowercase().replace([' ', '-'], "_")
+}
+
+/// The columns of a file in a message: not all of many, nor all of a long name.
+fn shown(header: &[String]) -> String {
+    const COLUMNS: usize = 20;
+    let mut names: Vec<String> =
+        header.iter().take(COLUMNS).map(|name| format!("'{}'", shortened(name))).collect();
+    if header.len() > COLUMNS {
+        names.push(format!("and {} more", header.len() - COLUMNS));
+    }
+    names.join(", ")
+}
+
+/// `theirs=ours`, `theirs=ours:deg`, or a name that is theirs and ours.
+fn column(text: &str) -> Result<Column, String> {
+    let (theirs, ours) = text.rsplit_once('=').unwrap_or((text, text));
+    let (ours, unit) = match ours.rsplit_once(':') {
+        Some((ours, unit)) => (ours, Some(unit)),
+        None => (ours, None),
+    };
+    let theirs = if text.contains('=') { theirs } else { ours };
+    let roles = Purpose::Judge.roles();
+    let name = plain(ours.trim());
+    let Some(role) = roles.iter().copied().find(|role| role.is_called(Purpose::Judge, &name))
+    else {
+        let names: Vec<_> = roles.iter().map(|role| role.name()).collect();
+        return Err(format!("'{ours}' is not one of our columns: {}", names.join(", ")));
+    };
+    if theirs.trim().is_empty() {
+        return Err(format!("'{text}' does not name a column: theirs={}", role.name()));
+    }
+    let degrees = match unit {
+        None => false,
+        Some("rad") if role.is_angle() => false,
+        Some("deg") if role.is_angle() => true,
+        Some(unit) if role.is_angle() => {
+            return Err(format!("'{unit}' is not a unit of angles: rad or deg"));
+        }
+        Some(_) => return Err(format!("{} has no unit; only angles have", role.name())),
+    };
+    Ok(Column { theirs: theirs.trim().to_owned(), role, degrees })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn named(text: &str) -> Result<Columns, String> {
+        Columns::named(&text.split(',').map(str::to_owned).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn columns_are_named() {
+        let columns = named("a=half_opening:deg,mu,t/r = eta,x=y=thrust,mode").unwrap();
+        let shown: Vec<_> =
+            columns.all.iter().map(|c| (c.theirs.as_str(), c.role.name(), c.degrees)).collect();
+        assert_eq!(
+            shown,
+            [
+                ("a", "half_opening", true),
+                ("mu", "friction", false),
+                ("t/r", "thickness", false),
+                ("x=y", "thrust", false),
+                ("mode", "mode", false),
+            ]
+        );
+    }
+
+    #[test]
+    fn wrong_names_are_refused() {
+        for (text, why) in [
+            ("a=opening", "is not one of our columns"),
+            ("a", "is not one of our columns"),
+            ("=thrust", "does not name a column"),
+            ("", "is not one of our columns"),
+            ("a=thrust,b=thrust", "both named thrust"),
+            ("a=thickness,b=eta", "both named thickness"),
+            ("a=thrust,a=mode", "named twice"),
+            ("a=thrust:deg", "has no unit"),
+            ("a=half_opening:grad", "rad or deg"),
+        ] {
+            let error = named(text).unwrap_err();
+            assert!(error.contains(why), "{text}: {error}");
+        }
+    }
+
+    fn places(header: &str) -> Result<Vec<usize>, String> {
+        let header: Vec<String> = header.split(',').map(str::to_owned).collect();
+        Columns::own(Purpose::Ask).places(&header)
+    }
+
+    #[test]
+    fn our_own_names_may_have_capitals() {
+        assert_eq!(places("Weight,Half Opening,MU,id").unwrap(), [0, 1, 2]);
+        assert_eq!(places("Eta,alpha,Phi").unwrap(), [1, 2, 0]);
+    }
+
+    #[test]
+    fn what_has_two_meanings_is_refused() {
+        for (header, why) in [
+            ("alpha,half_opening,mu", "'half_opening' and 'alpha', which are the same"),
+            ("alpha,mu,mu", "two columns 'mu'"),
+            ("alpha,Alpha,mu", "two columns 'alpha'"),
+            ("alpha,mu,eta,thickness", "'thickness' and 'eta', which are the same"),
+            (
+                "alpha,mu,thicknes",
+                "'thicknes' is not one of our columns; did you mean 'thickness'?",
+            ),
+            ("alpha,b", "the file has no column 'friction'; its columns are 'alpha', 'b'"),
+        ] {
+            let error = places(header).unwrap_err();
+            assert!(error.contains(why), "{header}: {error}");
+        }
+        assert!(places("alpha,mu,thickness,thicknesses").is_ok(), "the one that is meant is there");
+    }
+
+    #[test]
+    fn an_object_has_its_own_columns() {
+        let columns = Columns::own(Purpose::Ask);
+        let cells = |text: &str| columns.cells(&JsonObject::parse(text.as_bytes()).unwrap());
+        let found = cells(r#"{"Alpha":1.50,"mu":"inf","id":7}"#).unwrap();
+        assert_eq!(found.into_iter().flatten().collect::<Vec<_>>(), ["1.50", "inf"]);
+        assert!(cells(r#"{"alpha":1,"half_opening":1,"mu":1}"#).is_err());
+        assert!(cells(r#"{"alpha":1,"mu":1,"thickness ":1,"thicknes":1}"#).is_err());
+        assert!(cells(r#"{"alpha":1,"frictio":1}"#).unwrap_err().contains("'friction'"));
+    }
+}

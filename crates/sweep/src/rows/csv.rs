@@ -1,0 +1,345 @@
+//! A table with a header: one row at a time, each with the number of its line.
+
+use super::dialect::{Dialect, State};
+use super::lines::{Lines, Reading};
+use super::{Input, Line, MAX_RECORD};
+use crate::failure::Failure;
+use std::io;
+
+/// A table: its header, and its rows one after the other.
+pub struct Table {
+    /// The names of the columns.
+    pub header: Vec<String>,
+    lines: Lines,
+    dialect: Dialect,
+    /// Whether lines that begin with `#` are remarks, as before the header.
+    has_remarks: bool,
+    is_broken: bool,
+}
+
+/// A row as it is written.
+struct Record {
+    bytes: Vec<u8>,
+    /// The lines of its beginning and behind its end.
+    lines: [u64; 2],
+    /// The length of its first line.
+    first: usize,
+}
+
+/// Why a row cannot be read, and whether no other can.
+struct Fault {
+    message: String,
+    ends: bool,
+}
+
+/// Where a field of a header may begin before it is known what separates them.
+const SEPARATORS: &[u8] = b",;\t";
+
+impl Table {
+    /// Reads the header. It is the first line, or the last of the remarks (`# alpha mu eta`) if a row of
+    /// numbers with as many fields follows, as NumPy writes.
+    pub fn open(input: Input) -> Result<Self, Failure> {
+        let mut lines = Lines::new(input, 1);
+        let mut remark: Option<Record> = None;
+        let failed = |error: String| Failure::Input(format!("the header: {error}"));
+        let first = loop {
+            match next(&mut lines, SEPARATORS) {
+                None => break None,
+                Some((_, Err(fault))) => return Err(failed(fault.message)),
+                Some((_, Ok(record))) if is_remark(&record.bytes) => remark = Some(record),
+                Some((_, Ok(record))) if is_blank(&record.bytes) => {}
+                Some((_, Ok(record))) => break Some(record),
+            }
+        };
+        let has_remarks = remark.is_some();
+        let names = remark.map(|record| {
+            let start = record.bytes.iter().position(|&c| c == b'#').map_or(0, |place| place + 1);
+            record.bytes[start..].trim_ascii_start().to_owned()
+        });
+        let bytes = match (names, first) {
+            (Some(names), Some(row)) if is_header_of(&names, &row.bytes) => {
+                lines.give_back(&row.bytes, row.lines[0]);
+                names
+            }
+            (_, Some(row)) => row.bytes,
+            (Some(names), None) => names,
+            (None, None) => return Err(Failure::Input("the file is empty".to_owned())),
+        };
+        let dialect = Dialect::of(&bytes);
+        let header = dialect.fields(&bytes).map_err(failed)?;
+        Ok(Self { header, lines, dialect, has_remarks, is_broken: false })
+    }
+
+    /// The same header over rows of another input, of which the first line has this number.
+    #[cfg(feature = "parquet")]
+    pub(crate) fn with_rows(self, input: Input, line: u64) -> Self {
+        Self { lines: Lines::new(input, line), is_broken: false, ..self }
+    }
+
+    /// Begins a piece with the next row: the number of its first line, and where that begins (bytes).
+    #[cfg(feature = "parquet")]
+    pub(crate) fn begin(&mut self) -> (u64, u64) {
+        self.lines.looked = self.lines.offset;
+        (self.lines.number, self.lines.offset)
+    }
+
+    /// Where that ends which was looked at since the beginning or that of a piece (bytes). It alone decides what the rows of
+    /// the piece are, and may be more than they are: a quote that is not closed is looked for far beyond.
+    #[cfg(feature = "parquet")]
+    pub(crate) fn looked(&self) -> u64 {
+        self.lines.looked
+    }
+
+    /// Whether numbers may have a decimal comma: where a semicolon separates.
+    pub fn has_decimal_commas(&self) -> bool {
+        self.dialect == Dialect::Separated(b';')
+    }
+
+    /// The next row as it is written, or why it cannot be read, with its line.
+    fn record(&mut self) -> Option<Line<Record>> {
+        while !self.is_broken {
+            let (line, record) = next(&mut self.lines, self.dialect.separators())?;
+            match record {
+                Ok(record) if is_blank(&record.bytes) => {}
+                Ok(record) if self.has_remarks && is_remark(&record.bytes) => {}
+                Ok(record) => return Some((line, Ok(record))),
+                Err(fault) => {
+                    self.is_broken = fault.ends;
+                    return Some((line, Err(fault.message)));
+                }
+            }
+        }
+        None
+    }
+
+    /// Goes past the next row and answers its line. The fields of a row of one line are not looked for: they do not
+    /// change where the next one begins.
+    #[cfg(feature = "parquet")]
+    pub(crate) fn pass(&mut self) -> Option<u64> {
+        let (line, record) = self.record()?;
+        if let Some(record) = record.ok().filter(|record| record.lines[1] > line + 1) {
+            // Whether they are a row decides what is read again.
+            let _ = self.fields(&record);
+        }
+        Some(line)
+    }
+
+    /// The fields of a row, as many as the header has. What is read over several lines and makes no row is
+    /// given back but for its first line: a quote too many has swallowed the others.
+    fn fields(&mut self, record: &Record) -> Result<Vec<String>, String> {
+        let (width, [first, end]) = (self.header.len(), record.lines);
+        let fields = self.dialect.fields(&record.bytes);
+        match &fields {
+            Ok(fields) if fields.len() == width => {}
+            _ if end > first + 1 => self.lines.give_back(&record.bytes[record.first..], first + 1),
+            _ => {}
+        }
+        let found = fields?;
+        match found.len() {
+            length if length == width => Ok(found),
+            length if end > first + 1 => Err(format!(
+                "{length} fields where the header has {width}, up to a quote that closes in line {}",
+                end - 1
+            )),
+            length => Err(format!(
+                "{length} fields where the header has {width}; a field with commas has to be quoted"
+            )),
+        }
+    }
+}
+
+impl Iterator for Table {
+    type Item = Line<Vec<String>>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let (line, record) = self.record()?;
+        Some((line, record.and_then(|record| self.fields(&record))))
+    }
+}
+
+fn is_blank(bytes: &[u8]) -> bool {
+    bytes.iter().all(u8::is_ascii_whitespace)
+}
+
+fn is_remark(bytes: &[u8]) -> bool {
+    bytes.trim_ascii_start().starts_with(b"#")
+}
+
+/// Whether a remark names the fields of a row of numbers.
+fn is_header_of(remark: &[u8], row: &[u8]) -> bool {
+    let dialect = Dialect::of(remark);
+    let (Ok(names), Ok(row)) = (dialect.fields(remark), dialect.fields(row)) else { return false };
+    let is_number =
+        |field: &String| field.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
+    names.len() == row.len() && row.iter().any(is_number)
+}
+
+/// The next row as it is written, with its line.
+fn next(lines: &mut Lines, separators: &[u8]) -> Option<(u64, Result<Record, Fault>)> {
+    let first = lines.number;
+    let fault = |message: String| Some((first, Err(Fault { message, ends: false })));
+    let broken =
+        |error: io::Error| Some((first, Err(Fault { message: error.to_string(), ends: true })));
+    let mut record = Record { bytes: Vec::new(), lines: [first, first], first: 0 };
+    let (mut state, mut passed, mut is_spoiled) = (State::Start, 0, false);
+    // Where the open quote stands: its line, and the end of that line.
+    let (mut opened, mut resume) = (first, 0);
+    loop {
+        let line = lines.number;
+        match lines.next_into(&mut record.bytes) {
+            Err(error) => return broken(error),
+            Ok(Reading::Line) => {}
+            Ok(Reading::End) if record.bytes.is_empty() => return None,
+            Ok(Reading::TooLong) if record.lines[1] == first => {
+                return match lines.skip() {
+                    Ok(()) => fault(format!("a line of more than {MAX_RECORD} bytes")),
+                    Err(error) => broken(error),
+                };
+            }
+            Ok(reading) => {
+                // What has been read of the line that is too long is held in the record.
+                let within = match reading {
+                    Reading::TooLong => format!(" within {MAX_RECORD} bytes"),
+                    _ => String::new(),
+                };
+                lines.give_back(&record.bytes[resume..], opened + 1);
+                return fault(format!(
+                    "the quote that opens in line {opened} is not closed{within}"
+                ));
+            }
+        }
+        // Without a quote a line neither opens a field that goes on nor is spoiled, and most lines have none.
+        let is_plain = state == State::Start && !record.bytes[passed..].contains(&b'"');
+        for &c in record.bytes[passed..].iter().filter(|_| !is_plain) {
+            match (state, state.pass(c, separators)) {
+                (State::Start, State::Quoted) => opened = line,
+                (State::Closing, State::Field) => {
+                    is_spoiled |= !c.is_ascii_whitespace();
+                }
+                _ => {}
+            }
+        }
+        passed = record.bytes.len();
+        record.lines[1] = lines.number;
+        if record.first == 0 {
+            record.first = passed;
+        }
+        if opened == line {
+            resume = passed;
+        }
+        if is_spoiled && line > first {
+            // A quote too many has swallowed the lines behind the first.
+            lines.give_back(&record.bytes[record.first..], first + 1);
+        }
+        if is_spoiled {
+            return fault(format!("a quote that opens in line {opened} closes within a field"));
+        }
+        if state != State::Quoted {
+            return Some((first, Ok(record)));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::{BufReader, Read};
+
+    fn table(input: impl Read + Send + 'static) -> Table {
+        Table::open(Box::new(BufReader::new(input))).unwrap()
+    }
+
+    fn rows(text: &str) -> Vec<(u64, String)> {
+        let shown = |row: Result<Vec<String>, String>| {
+            row.map_or_else(|error| format!("! {error}"), |fields| fields.join("|"))
+        };
+        let table = table(io::Cursor::new(text.to_owned()));
+        table.map(|(line, row)| (line, shown(row))).collect()
+    }
+
+    fn row(line: u64, text: &str) -> (u64, String) {
+        (line, text.to_owned())
+    }
+
+    #[cfg(feature = "parquet")]
+    proptest::proptest! {
+        /// Who goes past rows finds them at the lines of who reads them.
+        #[test]
+        fn rows_that_are_passed_are_those_that_are_read(text in "[a\"\n,]{0,24}") {
+            let open = || table(io::Cursor::new("a,b\n".to_owned() + &text));
+            let mut passed = open();
+            let passed: Vec<u64> = std::iter::from_fn(|| passed.pass()).collect();
+            proptest::prop_assert_eq!(passed, open().map(|(line, _)| line).collect::<Vec<_>>());
+        }
+    }
+
+    #[test]
+    fn a_row_may_have_several_lines() {
+        let found = rows("a,b\n\n1,\"x\ny\"\n  \n2,z\n");
+        assert_eq!(found, [row(3, "1|x\ny"), row(6, "2|z")]);
+    }
+
+    #[test]
+    fn a_quote_that_is_not_closed_costs_one_row() {
+        let found = rows("a,b\n1,2\n3,\"4\n5,6\n7,8\n");
+        let error = "! the quote that opens in line 3 is not closed";
+        assert_eq!(found, [row(2, "1|2"), row(3, error), row(4, "5|6"), row(5, "7|8")]);
+        let long = format!("a,b\n1,\"x\ny\"\n3,\"4\n{}", "5,6\n".repeat(MAX_RECORD / 2));
+        let found = rows(&long);
+        assert_eq!(found.len(), MAX_RECORD / 2 + 2);
+        let error = "! the quote that opens in line 4 is not closed within 524288 bytes";
+        assert_eq!(found[..3], [row(2, "1|x\ny"), row(4, error), row(5, "5|6")]);
+    }
+
+    #[test]
+    fn a_quote_that_closes_too_late_costs_one_row() {
+        let found = rows("a,b\n1,\"2\n3,4\n5,\"6\"\n7,8\n");
+        let error = "! a quote that opens in line 2 closes within a field";
+        assert_eq!(found, [row(2, error), row(3, "3|4"), row(4, "5|6"), row(5, "7|8")]);
+        let found = rows("a,b\n1,\"2\n3,4\n\",6,8\n7,8\n");
+        let error = "! 4 fields where the header has 2, up to a quote that closes in line 4";
+        assert_eq!(found[..2], [row(2, error), row(3, "3|4")]);
+        assert_eq!(found.last(), Some(&row(5, "7|8")));
+    }
+
+    #[test]
+    fn a_line_without_end_costs_one_row() {
+        let long = format!("a,b\n1,2\n{}\n3,4\n", "x".repeat(3 * MAX_RECORD));
+        let error = "! a line of more than 524288 bytes";
+        assert_eq!(rows(&long), [row(2, "1|2"), row(3, error), row(4, "3|4")]);
+        let endless = io::Cursor::new("a,b\n1,2\n").chain(io::repeat(b'x').take(1 << 24));
+        assert_eq!(table(endless).count(), 2);
+        let header = Box::new(BufReader::new(io::repeat(b'a').take(1 << 24)));
+        assert!(Table::open(header).is_err(), "nor is a header without end");
+    }
+
+    #[test]
+    fn a_file_without_a_header_is_empty() {
+        for file in ["", "\n\r\n", " \n"] {
+            let Err(Failure::Input(message)) = Table::open(Box::new(io::Cursor::new(file))) else {
+                panic!("{file:?}")
+            };
+            assert_eq!(message, "the file is empty");
+        }
+    }
+
+    #[test]
+    fn what_is_no_text_is_told_by_its_field() {
+        let header = Box::new(io::Cursor::new(&b"a,alpha [\xB0]\n"[..]));
+        let Err(Failure::Input(message)) = Table::open(header) else { panic!() };
+        assert_eq!(message, "the header: field 2 is not valid UTF-8");
+        let mut rows = table(io::Cursor::new(&b"a,b\n1,2\n\xFF,1\n"[..]));
+        assert!(rows.next().unwrap().1.is_ok());
+        assert_eq!(rows.next(), Some((3, Err("field 1 is not valid UTF-8".to_owned()))));
+    }
+
+    #[test]
+    fn remarks_name_columns_where_numbers_follow() {
+        let header = |text: &str| table(io::Cursor::new(text.to_owned())).header;
+        assert_eq!(header("# made by hand\n# alpha mu\n1.0 2.0\n"), ["alpha", "mu"]);
+        assert_eq!(rows("# made by hand\n# alpha mu\n1.0  2.0\n# end\n"), [row(3, "1.0|2.0")]);
+        assert_eq!(header("# one, two\nalpha,mu\n1,2\n"), ["alpha", "mu"]);
+        assert_eq!(header("#alpha;mu\n1,5;2\n"), ["alpha", "mu"]);
+        assert_eq!(rows("alpha,mu\n#1,2\n"), [row(2, "#1|2")], "no remark where none came before");
+    }
+}

@@ -1,0 +1,89 @@
+//! What is handed on from the rows of the input to those of the output.
+
+use super::columns::{Cells, Columns};
+use super::object::JsonObject;
+use crate::report::Kept;
+use crate::report::words::shortened;
+
+/// A row as it was read.
+pub struct Row {
+    /// What is read of it.
+    pub cells: Cells,
+    /// What is handed on.
+    pub kept: Vec<(String, Kept)>,
+}
+
+/// Which columns or keys are handed on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Keep {
+    /// Those that are not read.
+    All,
+    /// Those named.
+    Named(Vec<String>),
+}
+
+impl Keep {
+    /// As it is asked for: names, or `all`.
+    pub fn new(names: &[String]) -> Self {
+        match names {
+            [all] if all == "all" => Self::All,
+            names => Self::Named(names.to_vec()),
+        }
+    }
+
+    /// The names of the columns of a table that are handed on, with their places.
+    pub fn places(
+        &self,
+        header: &[String],
+        columns: &Columns,
+    ) -> Result<Vec<(String, usize)>, String> {
+        let names: Vec<&String> = match self {
+            Self::All => header.iter().filter(|name| !columns.have(name)).collect(),
+            Self::Named(names) => names.iter().collect(),
+        };
+        let place = |name: &String| {
+            let mut places = (0..header.len()).filter(|&place| header[place] == *name);
+            match (places.next(), places.next()) {
+                (Some(place), None) => Ok((name.clone(), place)),
+                (None, _) => Err(format!("the file has no column '{}' to keep", shortened(name))),
+                (Some(_), Some(_)) => {
+                    Err(format!("the file has two columns '{}' to keep", shortened(name)))
+                }
+            }
+        };
+        names.into_iter().map(place).collect()
+    }
+
+    /// The names of what is handed on from JSON, where that is known before the rows are: `lines` says whether
+    /// rows need no common columns.
+    pub fn names(&self, lines: bool) -> Result<Vec<String>, String> {
+        match self {
+            Self::Named(names) => Ok(names.clone()),
+            Self::All if lines => Ok(Vec::new()),
+            Self::All => {
+                Err("JSON rows have no common columns: name those to keep, --keep id,name"
+                    .to_owned())
+            }
+        }
+    }
+
+    /// A row of a table, by the places of its cells and of what is handed on.
+    pub fn row(row: &[String], places: &[usize], kept: &[(String, usize)]) -> Row {
+        let kept = kept.iter().filter_map(|(name, place)| Some((name, row.get(*place)?)));
+        Row {
+            cells: places.iter().map(|&place| row.get(place).cloned()).collect(),
+            kept: kept.map(|(name, text)| (name.clone(), Kept::Text(text.clone()))).collect(),
+        }
+    }
+
+    /// The entries of an object that are handed on.
+    pub fn entries(&self, object: &JsonObject, columns: &Columns) -> Vec<(String, Kept)> {
+        let is_kept = |name: &str| match self {
+            Self::All => !columns.have(name),
+            Self::Named(names) => names.iter().any(|kept| kept == name),
+        };
+        let names = object.names().filter(|name| is_kept(name));
+        let entry = |name: &str| Some((name.to_owned(), Kept::Json(object.raw(name)?.to_owned())));
+        names.filter_map(entry).collect()
+    }
+}

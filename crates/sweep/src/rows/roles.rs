@@ -1,0 +1,114 @@
+//! What the columns of files are about, and what they are called.
+
+use crate::problem::Quantity;
+
+/// What a column can be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    Weight,
+    HalfOpening,
+    Friction,
+    FrictionAngle,
+    /// The thickness that an arch has.
+    GivenThickness,
+    /// Whether it stands at some thickness.
+    CanStand,
+    /// Whether it stands at the thickness that it has, or at some thickness if it has none.
+    Stands,
+    Mode,
+    Number(Quantity),
+}
+
+/// What a file is read for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// Arches to be answered.
+    Ask,
+    /// Results to be judged.
+    Judge,
+}
+
+const ARCH: [Role; 4] = [Role::Weight, Role::HalfOpening, Role::Friction, Role::FrictionAngle];
+
+impl Purpose {
+    /// The roles that are read.
+    pub(super) fn roles(self) -> Vec<Role> {
+        let mut roles = ARCH.to_vec();
+        roles.push(Role::GivenThickness);
+        if self == Self::Judge {
+            roles.extend([Role::CanStand, Role::Stands, Role::Mode]);
+            roles.extend(Quantity::STATE.map(Role::Number));
+            roles.extend(Quantity::ASSESSMENT.map(Role::Number));
+        }
+        roles
+    }
+}
+
+impl Role {
+    /// Our name for it.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Weight => "weight",
+            Self::HalfOpening => "half_opening",
+            Self::Friction => "friction",
+            Self::FrictionAngle => "friction_angle",
+            Self::GivenThickness => "given_thickness",
+            Self::CanStand => "can_stand",
+            Self::Stands => "stands",
+            Self::Mode => "mode",
+            Self::Number(quantity) => quantity.name(),
+        }
+    }
+
+    /// The quantity whose name, and letter in the paper, it may have.
+    fn quantity(self, purpose: Purpose) -> Option<Quantity> {
+        match (self, purpose) {
+            (Self::HalfOpening, _) => Some(Quantity::HalfOpening),
+            (Self::Friction, _) => Some(Quantity::Friction),
+            (Self::FrictionAngle, _) => Some(Quantity::FrictionAngle),
+            (Self::GivenThickness, Purpose::Ask) | (Self::Number(Quantity::Thickness), _) => {
+                Some(Quantity::Thickness)
+            }
+            _ => None,
+        }
+    }
+
+    /// All names of it, the one to show first.
+    pub(super) fn names(self, purpose: Purpose) -> Vec<&'static str> {
+        let quantity = self.quantity(purpose);
+        let mut names: Vec<_> = quantity.map(Quantity::name).into_iter().collect();
+        names.extend(quantity.and_then(Quantity::letter));
+        if !names.contains(&self.name()) {
+            names.push(self.name());
+        }
+        names
+    }
+
+    /// Whether it is called so.
+    pub(super) fn is_called(self, purpose: Purpose, name: &str) -> bool {
+        self.names(purpose).contains(&name)
+    }
+
+    /// Whether it may be in degrees.
+    pub(super) fn is_angle(self) -> bool {
+        match self {
+            Self::HalfOpening | Self::FrictionAngle => true,
+            Self::Number(quantity) => quantity.is_angle(),
+            _ => false,
+        }
+    }
+
+    /// Whether it is about an arch of a given thickness.
+    pub fn is_of_thickness(self) -> bool {
+        match self {
+            Self::GivenThickness => true,
+            Self::Number(quantity) => Quantity::ASSESSMENT.contains(&quantity),
+            _ => false,
+        }
+    }
+
+    /// Whether it is something that can be judged.
+    pub(crate) fn is_claim(self) -> bool {
+        matches!(self, Self::CanStand | Self::Stands | Self::Mode | Self::Number(_))
+    }
+}

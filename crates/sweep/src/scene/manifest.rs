@@ -1,0 +1,171 @@
+//! The record of a run, `couplet.run/1`: what was asked of each output, and what was written.
+//!
+//! An output is complete if request, program version and file content are unchanged. Hashes decide: times
+//! and names prove nothing. They protect against accidents, not against somebody who edits the record too.
+//!
+//! A run replaces only files that the record names; so each is named before it is written.
+
+use super::schema::Item;
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
+use std::fs::{self, File};
+use std::io::{self, BufReader, Read, Write};
+use std::path::Path;
+
+/// The name of the record in the folder of outputs.
+pub const NAME: &str = "couplet-run.json";
+const SCHEMA: &str = "couplet.run/1";
+
+/// The outputs that were completed, by their paths in the folder.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Manifest {
+    schema: String,
+    outputs: BTreeMap<String, Entry>,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+struct Entry {
+    /// SHA-256 of the version of the program and the description of the item; none if it is not complete.
+    asked: Option<String>,
+    /// SHA-256 of the file; empty if it is not known.
+    content: String,
+}
+
+/// A record of the most items that a scene can have is far smaller.
+const MAX_BYTES: u64 = 16 << 20;
+
+impl Default for Manifest {
+    fn default() -> Self {
+        Self { schema: SCHEMA.to_owned(), outputs: BTreeMap::new() }
+    }
+}
+
+impl Manifest {
+    /// The record in a folder; an empty one if there is none. An error of the kind `InvalidData` where a file of
+    /// that name is no record of this version, or larger than one can be.
+    pub fn of(folder: &Path) -> io::Result<Self> {
+        let path = folder.join(NAME);
+        // What a link leads to is not this folder's, and a pipe would be waited for.
+        match fs::symlink_metadata(&path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Self::default()),
+            Err(error) => return Err(error),
+            Ok(there) if !there.is_file() => {
+                return Err(io::Error::other("it is a link, a folder, a pipe or a device"));
+            }
+            Ok(there) if there.len() > MAX_BYTES => return Err(io::ErrorKind::InvalidData.into()),
+            Ok(_) => {}
+        }
+        let file = BufReader::new(File::open(path)?.take(MAX_BYTES));
+        let record: Option<Self> = serde_json::from_reader(file).ok();
+        record
+            .filter(|manifest| manifest.schema == SCHEMA)
+            .ok_or_else(|| io::ErrorKind::InvalidData.into())
+    }
+
+    /// Whether an output is one that a run wrote, or was about to write.
+    pub fn names(&self, output: &Path) -> bool {
+        self.outputs.contains_key(&key(output))
+    }
+
+    /// Whether the output of an item is there and is what would be written again.
+    pub fn is_complete(&self, folder: &Path, item: &Item) -> bool {
+        let Some(output) = &item.output else { return false };
+        let entry = self.outputs.get(&key(output));
+        entry.is_some_and(|entry| {
+            entry.asked.as_ref() == Some(&asked(item))
+                && hash_of(&folder.join(output)).is_ok_and(|content| content == entry.content)
+        })
+    }
+
+    /// Notes that an output is about to be written, or was written and is not complete.
+    pub fn begin(&mut self, output: &Path) {
+        self.outputs.insert(key(output), Entry { asked: None, content: String::new() });
+    }
+
+    /// Notes that an output was written, with all that was asked.
+    pub fn note(&mut self, item: &Item, content: String) {
+        if let Some(output) = &item.output {
+            self.outputs.insert(key(output), Entry { asked: Some(asked(item)), content });
+        }
+    }
+
+    /// Writes the record.
+    pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+        serde_json::to_writer_pretty(&mut *out, self)?;
+        writeln!(out)
+    }
+}
+
+fn key(output: &Path) -> String {
+    output.to_string_lossy().into_owned()
+}
+
+fn asked(item: &Item) -> String {
+    let text = format!("couplet {}\n{}", env!("CARGO_PKG_VERSION"), item.description());
+    hexadecimal(Sha256::digest(text))
+}
+
+fn hexadecimal(bytes: impl AsRef<[u8]>) -> String {
+    bytes.as_ref().iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+fn hash_of(path: &Path) -> io::Result<String> {
+    if !path.is_file() {
+        return Err(io::ErrorKind::InvalidInput.into());
+    }
+    let mut file = BufReader::new(File::open(path)?);
+    let mut hashing = Hashing::new(io::sink());
+    let mut buffer = [0; 1 << 16];
+    loop {
+        match file.read(&mut buffer)? {
+            0 => return Ok(hashing.hash()),
+            length => hashing.write_all(&buffer[..length])?,
+        }
+    }
+}
+
+/// Writes through, and knows the hash of what was written.
+pub struct Hashing<W> {
+    inner: W,
+    hash: Sha256,
+}
+
+impl<W: Write> Hashing<W> {
+    /// Nothing is written yet.
+    pub fn new(inner: W) -> Self {
+        Self { inner, hash: Sha256::new() }
+    }
+
+    /// SHA-256 of all that was written.
+    pub fn hash(self) -> String {
+        hexadecimal(self.hash.finalize())
+    }
+}
+
+impl<W: Write> Write for Hashing<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = self.inner.write(bytes)?;
+        self.hash.update(&bytes[..written]);
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.inner.flush()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_hash_is_that_of_what_was_written() {
+        let mut hashing = Hashing::new(Vec::new());
+        hashing.write_all(b"ab").unwrap();
+        hashing.write_all(b"c").unwrap();
+        assert_eq!(hashing.inner, b"abc");
+        let abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+        assert_eq!(hashing.hash(), abc);
+    }
+}

@@ -1,0 +1,75 @@
+//! A scene: what a study needs, in a file, and exactly that computed and written.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `schema` | what a scene may hold, `couplet.scene/1` |
+//! | `read` | TOML to a valid scene, or all its faults; with `overall`, `read_arches`, `read_drawing`, `read_map`, `read_numbers`, `read_output`, `value`, `fault` |
+//! | `plan` | what has to be computed, each piece once |
+//! | `run` | computes the `pieces`, item by item; `cost` counts |
+//! | `item_report` | what an item asked for, as a report |
+//! | `explain` | the plan as a tree, with what `expected` says of the arches |
+//! | `manifest` | which outputs are complete, told by their content |
+//! | `sweep`, `read_sweep` | the plan of a sweep, `couplet.sweep/1` |
+//!
+//! ```
+//! use couplet_sweep::scene::{Plan, Run, read};
+//!
+//! let text = r#"
+//!     schema = "couplet.scene/1"
+//!     [constants]
+//!     landmarks = "T"
+//!     quantities = "thickness"
+//!     weight = "milankovitch"
+//!     digits = 12
+//! "#;
+//! let scene = read(text).unwrap();
+//! let plan = Plan::new(&scene, vec![false]);
+//! let mut run = Run::new(&plan);
+//! let mut table = Vec::new();
+//! run.item(0, &|| ()).write(&mut table)?;
+//! assert!(String::from_utf8_lossy(&table).contains("0.618318241074"));
+//! # Ok::<(), std::io::Error>(())
+//! ```
+
+mod cost;
+mod expected;
+mod explain;
+mod fault;
+mod item_report;
+mod left_out;
+mod manifest;
+mod nodes;
+mod overall;
+mod pieces;
+mod plan;
+mod read;
+mod read_arches;
+mod read_drawing;
+mod read_map;
+mod read_numbers;
+mod read_output;
+mod read_sweep;
+mod run;
+mod same;
+mod schema;
+mod sweep;
+mod value;
+
+pub use cost::Cost;
+pub use explain::explain;
+pub use fault::{Fault, Position};
+pub use item_report::ItemReport;
+pub use manifest::{Hashing, Manifest, NAME as MANIFEST};
+pub use nodes::{ArchNode, ClaimNode, CurveNode, DrawingNode, LandmarkNode, ThicknessNode};
+pub use plan::{Needs, Plan};
+pub use read::{read, read_bytes};
+pub use read_sweep::read_sweep;
+pub use run::{Costs, Run};
+pub use same::contour_key;
+pub use schema::{
+    Drawn, EXAMPLE, Item, Kind, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, MapLine, SCHEMA, Scene,
+    SceneArch, SceneDrawing, SceneMap, What,
+};
+#[cfg(feature = "parquet")]
+pub(crate) use sweep::{MAX_CHUNK, MAX_SAMPLE};
+pub use sweep::{SWEEP_DIGITS, SWEEP_EXAMPLE, SWEEP_SCHEMA, SweepArches, SweepPlan};

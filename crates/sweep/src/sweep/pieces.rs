@@ -1,0 +1,55 @@
+//! Pieces of files, and their hashes.
+
+use crate::rows::{Columns, Purpose, Role};
+use sha2::{Digest, Sha256};
+use std::fs::File;
+use std::io::{self, Read, Seek, SeekFrom};
+
+/// SHA-256 of some bytes.
+pub(super) fn hash_of(bytes: &[u8]) -> String {
+    hexadecimal(Sha256::new_with_prefix(bytes))
+}
+
+fn hexadecimal(hash: Sha256) -> String {
+    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// The columns of a file that asks for states.
+pub(super) fn columns(header: &[String]) -> Result<(Columns, Vec<usize>), String> {
+    let mut columns = Columns::own(Purpose::Ask);
+    let places = columns.places(header)?;
+    if columns.all.iter().any(|column| column.role == Role::GivenThickness) {
+        return Err("it has a column for the thickness; a sweep asks for the least one, and `couplet states` \
+                    answers both"
+            .into());
+    }
+    Ok((columns, places))
+}
+
+/// Some bytes of a file.
+pub(super) fn bytes_of(file: &mut File, offset: u64, length: u64) -> io::Result<Vec<u8>> {
+    file.seek(SeekFrom::Start(offset))?;
+    let mut bytes = Vec::new();
+    file.take(length).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// The hash of pieces of a file, each an offset and a length.
+pub(super) fn hash_of_pieces(file: &mut File, pieces: &[(u64, u64)]) -> io::Result<String> {
+    let mut hash = Sha256::new();
+    let mut buffer = vec![0; 1 << 16];
+    for &(offset, length) in pieces {
+        file.seek(SeekFrom::Start(offset))?;
+        let mut piece = file.take(length);
+        loop {
+            match piece.read(&mut buffer)? {
+                0 => break,
+                read => hash.update(&buffer[..read]),
+            }
+        }
+    }
+    Ok(hexadecimal(hash))
+}
+
+/// What is said where a file is no longer what the sweep was made of.
+pub(super) const CHANGED: &str = "it has changed since the sweep began; run again for a new one";

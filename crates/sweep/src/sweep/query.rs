@@ -1,0 +1,140 @@
+//! The rows of a part as they are asked.
+
+use crate::arch::SelfWeight;
+use crate::number::ExactNumber;
+use crate::problem::{Arch, Friction};
+use crate::report::GivenDoubles;
+use crate::rows::{Cells, Reader};
+use ::parquet::data_type::ByteArray;
+use std::ops::Range;
+
+/// The rows of a part as they are asked; they follow each other in the sweep.
+pub(super) struct Queries {
+    /// The place of the first one in the sweep, from 0.
+    pub first: u64,
+    pub arches: Arches,
+}
+
+/// The arches of a part.
+pub(super) enum Arches {
+    /// Of a grid: every half opening with every friction.
+    Grid(Grid),
+    /// One by one.
+    Listed(Box<Listed>),
+}
+
+/// Half openings with their weights, and the frictions that each of them has.
+pub(super) struct Grid {
+    pub columns: Vec<(SelfWeight, Given<ExactNumber>)>,
+    pub frictions: Vec<Given<Friction>>,
+}
+
+/// A number of an axis: its text, the nearest double, and itself.
+pub(super) struct Given<T> {
+    pub text: ByteArray,
+    pub double: Option<f64>,
+    pub number: T,
+}
+
+/// Arches of which each has numbers of its own.
+#[derive(Default)]
+pub(super) struct Listed {
+    /// In a data set the file, and the lines or the rows of it.
+    pub origin: Option<(ByteArray, Vec<u64>)>,
+    /// The texts of weights, half openings and frictions.
+    pub texts: [Texts; 3],
+    /// The half openings (rad) and the frictions nearest to what is given.
+    pub doubles: [Vec<Option<f64>>; 2],
+    /// The arches, or why they cannot be read.
+    pub arches: Vec<Result<Arch, String>>,
+}
+
+/// Texts one behind the other.
+#[derive(Default)]
+pub(super) struct Texts {
+    all: Vec<u8>,
+    ends: Vec<usize>,
+}
+
+impl Queries {
+    /// How many rows there are.
+    pub(super) fn len(&self) -> usize {
+        match &self.arches {
+            Arches::Grid(Grid { columns, frictions }) => columns.len() * frictions.len(),
+            Arches::Listed(listed) => listed.arches.len(),
+        }
+    }
+
+    /// The arch of a row, or why it cannot be read.
+    pub(super) fn arch(&self, row: usize) -> Result<Arch, String> {
+        match &self.arches {
+            Arches::Grid(Grid { columns, frictions }) => {
+                let (weight, half_opening) = &columns[row / frictions.len()];
+                let friction = frictions[row % frictions.len()].number.clone();
+                let arch = Arch::new(*weight, half_opening.number.clone(), friction);
+                arch.map_err(|error| error.to_string())
+            }
+            Arches::Listed(listed) => listed.arches[row].clone(),
+        }
+    }
+}
+
+impl Listed {
+    /// Adds an arch.
+    pub(super) fn push(&mut self, arch: Arch) {
+        let friction = match arch.friction() {
+            Friction::Coefficient(mu) => mu.nearest_double(),
+            Friction::Infinite => Some(f64::INFINITY),
+            Friction::Angle(_) => GivenDoubles::new(&arch, None).friction,
+        };
+        let texts: [&dyn std::fmt::Display; 3] =
+            [&arch.weight().name(), arch.half_opening(), arch.friction()];
+        texts.iter().zip(&mut self.texts).for_each(|(text, all)| all.push(text));
+        self.doubles[0].push(arch.half_opening().nearest_double());
+        self.doubles[1].push(friction);
+        self.arches.push(Ok(arch));
+    }
+
+    /// Adds a row of a data set.
+    pub(super) fn push_row(&mut self, reader: &Reader, cells: &Cells) {
+        match reader.arch(cells) {
+            Ok(arch) => self.push(arch),
+            Err(error) => self.refuse(&reader.described(cells), error),
+        }
+    }
+
+    /// Adds a row that cannot be read, with its texts as they are.
+    pub(super) fn refuse(&mut self, texts: &[String; 3], error: String) {
+        texts.iter().zip(&mut self.texts).for_each(|(text, all)| all.push(text));
+        self.doubles.iter_mut().for_each(|all| all.push(None));
+        self.arches.push(Err(error));
+    }
+}
+
+impl Texts {
+    fn push(&mut self, text: &dyn std::fmt::Display) {
+        use std::io::Write;
+        // A vector takes everything.
+        let _ = write!(self.all, "{text}");
+        self.ends.push(self.all.len());
+    }
+
+    fn place(&self, row: usize) -> Range<usize> {
+        let start = row.checked_sub(1).map_or(0, |before| self.ends[before]);
+        start..self.ends[row]
+    }
+
+    /// The text of a row.
+    pub(super) fn of(&self, row: usize) -> &[u8] {
+        &self.all[self.place(row)]
+    }
+
+    /// The texts as the cells of a column, which share one piece of memory; an empty one is none.
+    pub(super) fn cells(&self) -> impl Fn(usize) -> Option<ByteArray> {
+        let all = ByteArray::from(self.all.as_slice());
+        move |row| {
+            let place = self.place(row);
+            (!place.is_empty()).then(|| all.slice(place.start, place.len()))
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! A sweep: what it is, the folder of its parts, and the work that one part is. Nothing else has to be known to whoever
+//! shares the parts among processes or machines.
+
+use super::answers::Wanted;
+use super::queries::queries;
+use super::record::{Arches, Record};
+use super::store::{Store, There};
+use super::table::{Notes, Table};
+use crate::failure::reason;
+use crate::scene::{SWEEP_DIGITS, SweepPlan};
+use rayon::prelude::*;
+use std::io;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+/// Why a sweep does not go on.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SweepError {
+    /// What is asked makes no sense, or a file of the data set is not what it was.
+    #[error("{0}")]
+    Input(String),
+    /// A file or a folder cannot be read or written.
+    #[error("{0}")]
+    Io(String),
+}
+
+/// A sweep and the folder of its parts.
+pub struct Sweep {
+    pub(super) record: Record,
+    pub(super) store: Store,
+    /// Where the paths of a data set begin.
+    pub(super) base: PathBuf,
+    pub(super) wanted: Wanted,
+    parts: Vec<Range<u64>>,
+}
+
+/// What a part is: complete, with the counts of its verdicts, or missing.
+pub type Part = (usize, Option<[u64; 4]>);
+
+impl Sweep {
+    /// The sweep of a plan, with results in a folder of `output`; `base` is where the paths of a data set begin. The
+    /// files of a data set are read once.
+    pub fn new(plan: &SweepPlan, base: &Path, output: &Path) -> Result<Self, SweepError> {
+        let record = Record::new(plan, base);
+        record.check().map_err(SweepError::Input)?;
+        Ok(Self::of(Store::new(output, &record), record, base))
+    }
+
+    /// A sweep that was begun, by the folder of its parts.
+    pub fn open(folder: &Path, base: &Path) -> Result<Self, SweepError> {
+        let opened = Store::open(folder);
+        let (store, record) =
+            opened.map_err(|fault| SweepError::Input(format!("{}: {fault}", folder.display())))?;
+        Ok(Self::of(store, record, base))
+    }
+
+    fn of(store: Store, record: Record, base: &Path) -> Self {
+        let (quantities, digits) = (record.quantities(), record.digits);
+        let wanted = Wanted { quantities, digits, has_texts: digits > SWEEP_DIGITS };
+        let parts = record.parts();
+        Self { record, store, base: base.to_owned(), wanted, parts }
+    }
+
+    /// The folder of its parts.
+    pub fn folder(&self) -> &Path {
+        &self.store.folder
+    }
+
+    /// How many parts it has.
+    pub fn parts(&self) -> usize {
+        self.parts.len()
+    }
+
+    /// The rows of a part.
+    pub fn rows(&self, part: usize) -> Range<u64> {
+        self.parts[part].clone()
+    }
+
+    /// The parts of a share `k` of `n`, from 1: every `n`-th.
+    pub fn share(&self, k: usize, n: usize) -> Vec<usize> {
+        (k - 1..self.parts.len()).step_by(n).collect()
+    }
+
+    /// Other sweeps beside it.
+    pub fn others(&self) -> Vec<String> {
+        self.store.others()
+    }
+
+    /// The files of a data set that cannot be read, and why.
+    pub fn bad_files(&self) -> Vec<String> {
+        let Arches::Data { files } = &self.record.arches else { return Vec::new() };
+        let bad = files
+            .iter()
+            .filter_map(|file| Some(format!("{}: {}", file.file, file.fault.as_ref()?)));
+        bad.collect()
+    }
+
+    /// Makes the folder, with the record of the sweep.
+    pub fn prepare(&self) -> Result<(), SweepError> {
+        self.store.prepare(&self.record).map_err(|error| self.unwritten(&error))
+    }
+
+    fn unwritten(&self, error: &io::Error) -> SweepError {
+        SweepError::Io(format!("cannot write {}: {}", self.folder().display(), reason(error)))
+    }
+
+    /// What there is of some parts, told by their content. What is not whole is removed; what is no part of the sweep is
+    /// an error.
+    pub fn survey(&self, parts: &[usize]) -> Result<Vec<Part>, SweepError> {
+        let files = self.store.files(self.parts()).map_err(SweepError::Io)?;
+        let foreign = |name: &str, what: &str| {
+            let path = self.folder().join(name);
+            SweepError::Input(format!("{} is {what}; take it away", path.display()))
+        };
+        if let Some(name) = files.strays.first() {
+            return Err(foreign(name, "no part of the sweep"));
+        }
+        let state = |&part: &usize| {
+            let Some(names) = files.parts.get(&part) else { return Ok((part, None)) };
+            let there = self.store.there(names, &self.parts[part], true);
+            match there.map_err(SweepError::Io)? {
+                There::Missing => Ok((part, None)),
+                There::Whole(_, counts) => Ok((part, Some(counts))),
+                There::Foreign(name) => {
+                    Err(foreign(&name, "a part of another sweep or another build"))
+                }
+            }
+        };
+        parts.par_iter().map(state).collect()
+    }
+
+    /// Computes a part, writes it, and counts its verdicts. It appears whole or not at all, and whoever computes it
+    /// writes the same bytes.
+    pub fn compute(&self, part: usize) -> Result<[u64; 4], SweepError> {
+        let rows = self.parts[part].clone();
+        let queries = queries(&self.record, &rows, &self.base).map_err(SweepError::Input)?;
+        let found = self.wanted.all(&queries);
+        let counts = found.counts();
+        let notes = Notes { plan: self.store.plan().to_owned(), rows, counts };
+        let table = Table::new(&self.wanted, &queries, &found);
+        let bytes = table.bytes(&notes).map_err(|error| SweepError::Io(error.to_string()))?;
+        let put = self.store.put(&Store::name(part, &bytes), &bytes);
+        put.map_err(|error| self.unwritten(&error))?;
+        Ok(counts)
+    }
+}

@@ -1,0 +1,230 @@
+//! Pieces of a table of text.
+
+use super::pieces::{CHANGED, bytes_of, columns, hash_of, hash_of_pieces};
+use super::query::Listed;
+use crate::arch::SelfWeight;
+use crate::failure::reason;
+use crate::rows::{Cells, Reader, Spelling, Table};
+use serde::{Deserialize, Serialize};
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Cursor, Seek, SeekFrom};
+use std::path::Path;
+use std::{iter, mem};
+
+/// What tells the columns: the header with all that was looked at to know it, which is the first row too where a remark is
+/// the header.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Head {
+    offset: u64,
+    bytes: u64,
+    sha256: String,
+}
+
+/// A piece: all that was looked at to know its rows. It may reach into the next one, where a quote is not closed.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct TextSlice {
+    pub rows: u64,
+    /// The number of its first line, from 1.
+    line: u64,
+    offset: u64,
+    bytes: u64,
+    sha256: String,
+}
+
+/// What some programs write before the text.
+const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
+
+/// Where the text of a file begins.
+fn start(file: &mut File) -> io::Result<u64> {
+    let mark = bytes_of(file, 0, BYTE_ORDER_MARK.len() as u64)?;
+    Ok(if mark == BYTE_ORDER_MARK { mark.len() as u64 } else { 0 })
+}
+
+/// The pieces of a file, with at most so many rows each; or what is wrong with the file.
+pub(super) fn slices(path: &Path, rows: u64) -> Result<(Head, Vec<TextSlice>), String> {
+    let read = |error: io::Error| reason(&error);
+    let mut file = File::open(path).map_err(read)?;
+    let start = start(&mut file).map_err(read)?;
+    file.seek(SeekFrom::Start(start)).map_err(read)?;
+    let mut input = BufReader::new(file.try_clone().map_err(read)?);
+    let first = input.fill_buf().map_err(read)?.trim_ascii_start().first();
+    if matches!(first, Some(b'{' | b'[')) {
+        return Err("it is JSON; a sweep reads tables of text and Parquet".into());
+    }
+    let mut table = Table::open(Box::new(input)).map_err(|error| error.to_string())?;
+    columns(&table.header)?;
+    let head = table.looked();
+    let mut pieces = Vec::new();
+    loop {
+        let (line, offset) = table.begin();
+        match iter::from_fn(|| table.pass()).take(rows as usize).count() as u64 {
+            0 => break,
+            rows => pieces.push((rows, line, start + offset, table.looked() - offset)),
+        }
+    }
+    let mut hash = |offset, bytes| hash_of_pieces(&mut file, &[(offset, bytes)]).map_err(read);
+    let head = Head { offset: start, bytes: head, sha256: hash(start, head)? };
+    let slices = pieces.into_iter().map(|(rows, line, offset, bytes)| {
+        Ok(TextSlice { rows, line, offset, bytes, sha256: hash(offset, bytes)? })
+    });
+    Ok((head, slices.collect::<Result<_, String>>()?))
+}
+
+/// The rows of a piece, and their lines.
+pub(super) fn read(
+    path: &Path,
+    head: &Head,
+    slice: &TextSlice,
+    weight: SelfWeight,
+) -> Result<(Vec<u64>, Listed), String> {
+    let mut file = File::open(path).map_err(|error| reason(&error))?;
+    let mut input = |offset, length, sha256: &str| {
+        let bytes = bytes_of(&mut file, offset, length).map_err(|error| reason(&error))?;
+        let is_same = hash_of(&bytes) == sha256;
+        is_same.then(|| Box::new(Cursor::new(bytes))).ok_or_else(|| CHANGED.to_owned())
+    };
+    let table = Table::open(input(head.offset, head.bytes, &head.sha256)?);
+    let table = table.map_err(|error| error.to_string())?;
+    let table = table.with_rows(input(slice.offset, slice.bytes, &slice.sha256)?, slice.line);
+    let (lines, listed) = rows(table, slice.rows as usize, weight)?;
+    match lines.len() as u64 == slice.rows {
+        true => Ok((lines, listed)),
+        false => Err(format!(
+            "{} rows from line {} on, where {} were counted; this couplet is not the one that counted them",
+            lines.len(),
+            slice.line,
+            slice.rows
+        )),
+    }
+}
+
+/// The next rows of a table, at most so many, and their lines.
+fn rows(table: Table, most: usize, weight: SelfWeight) -> Result<(Vec<u64>, Listed), String> {
+    let (columns, places) = columns(&table.header)?;
+    let spelling = Spelling { decimal_comma: table.has_decimal_commas() };
+    let reader = Reader { columns, weight, doubles: false, spelling };
+    let (mut lines, mut listed) = (Vec::new(), Listed::default());
+    for (line, row) in table.take(most) {
+        lines.push(line);
+        match row {
+            Ok(mut fields) => {
+                let cells: Cells =
+                    places.iter().map(|&place| fields.get_mut(place).map(mem::take)).collect();
+                listed.push_row(&reader, &cells);
+            }
+            Err(error) => listed.refuse(&Default::default(), error),
+        }
+    }
+    Ok((lines, listed))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use std::io::Write;
+    use tempfile::NamedTempFile;
+
+    /// The lines of rows, what they say, and why they cannot be read.
+    type Told = Vec<(u64, Vec<Vec<u8>>, Option<String>)>;
+
+    fn told((lines, listed): (Vec<u64>, Listed)) -> Told {
+        let row = |(row, line)| {
+            let texts = listed.texts.iter().map(|texts| texts.of(row).to_vec()).collect();
+            (line, texts, listed.arches[row].clone().err())
+        };
+        lines.into_iter().enumerate().map(row).collect()
+    }
+
+    fn file(text: &str) -> NamedTempFile {
+        let mut file = NamedTempFile::new().unwrap();
+        file.write_all(text.as_bytes()).unwrap();
+        file
+    }
+
+    /// The rows of all pieces of a text.
+    fn in_pieces(text: &str, most: u64) -> Result<Told, String> {
+        let file = file(text);
+        let (head, slices) = slices(file.path(), most)?;
+        let read = |slice| read(file.path(), &head, slice, SelfWeight::Heyman).map(told);
+        Ok(slices.iter().map(read).collect::<Result<Vec<_>, _>>()?.concat())
+    }
+
+    /// The rows of a text as one reader has them.
+    fn at_once(text: &str) -> Result<Told, String> {
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text).to_owned();
+        let table = Table::open(Box::new(Cursor::new(text))).map_err(|error| error.to_string())?;
+        rows(table, usize::MAX, SelfWeight::Heyman).map(told)
+    }
+
+    fn is_the_same_in_pieces(text: &str) -> Told {
+        let whole = at_once(text).unwrap();
+        for most in [1, 2, 3, 5, 100] {
+            assert_eq!(in_pieces(text, most).as_ref(), Ok(&whole), "{most}: {text}");
+        }
+        whole
+    }
+
+    #[test]
+    fn pieces_have_the_rows_of_the_file() {
+        let rows = |text: &str| {
+            let found = is_the_same_in_pieces(text);
+            found.into_iter().map(|(line, _, error)| (line, error)).collect::<Vec<_>>()
+        };
+        let lines = |text: &str| rows(text).into_iter().map(|row| row.0).collect::<Vec<_>>();
+        let beyond = "weight,half_opening,friction\nmilankovitch,1.0,0.6\nmilankovitch,\"1.1\n\",\".7\n\
+                      heyman,1.25,0.8\nmilankovitch,1.2,0.8\nheyman,1.3,\".9\",extra\nheyman,1.4,0.9\n";
+        assert_eq!(lines(beyond), [2, 3, 4, 5, 6, 7, 8]);
+        let bad = "# x\nnote,half_opening,friction\n\"a,1,0.6\n\"b\",1.1,0.6\n\" c\",1.2,0.7\n\
+                   \" d\",1.3,0.8\n";
+        assert_eq!(lines(bad), [3, 4, 5, 6]);
+        assert_eq!(rows("# by hand\nhalf_opening,friction\n1,0.6"), [(3, None)]);
+        assert_eq!(rows("# half_opening,friction\n1,0.6"), [(2, None)]);
+        let open = rows("# x\nhalf_opening,friction\n\"1,0.6\n1.1,0.9\n1.2,0.7\n");
+        let error = "the quote that opens in line 3 is not closed";
+        assert_eq!(open, [(3, Some(error.to_owned())), (4, None), (5, None)]);
+    }
+
+    #[test]
+    fn a_quote_is_looked_for_as_far_as_in_the_file() {
+        let many = "1,0.6\n".repeat(100_000);
+        let text =
+            format!("half_opening,friction\n1,\"2\n{many}1,\"{}\n1,2\n", "x".repeat(1 << 19));
+        let found = in_pieces(&text, 40_000).unwrap();
+        assert_eq!(found.len(), 100_003);
+        assert_eq!(Ok(found), at_once(&text));
+    }
+
+    #[test]
+    fn rows_that_are_not_those_that_were_counted_are_told() {
+        let file = file("half_opening,friction\n1,0.6\n");
+        let (head, mut slices) = slices(file.path(), 1).unwrap();
+        slices[0].rows = 2;
+        let read = read(file.path(), &head, &slices[0], SelfWeight::Heyman);
+        assert!(read.is_err_and(|error| error.starts_with("1 rows from line 2 on, where 2")));
+    }
+
+    const HEADS: [&str; 6] = [
+        "half_opening,friction\n",
+        "# x\nhalf_opening,friction\n",
+        "\n# half_opening,friction\n",
+        "# x\nnote,half_opening,friction\n",
+        "\u{feff}half_opening;friction\n",
+        "# x\n# \"half_opening\";friction\n1;2\n",
+    ];
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(400))]
+        /// Whatever a table is cut into, its rows are the same, at the same lines, for the same reasons.
+        #[test]
+        fn pieces_of_any_text_have_its_rows(head in 0..HEADS.len(), text in "[a1\",.\n#;]{0,40}") {
+            let text = HEADS[head].to_owned() + &text;
+            let whole = at_once(&text);
+            for most in 1..=3 {
+                prop_assert_eq!(&in_pieces(&text, most), &whole);
+            }
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! Rows answered on all cores a chunk at a time, so that memory does not grow with the file.
+
+use super::progress::styled;
+use crate::report::words::count;
+use crate::sweep::rows::{Input, Line, Source};
+use indicatif::ProgressBar;
+use rayon::prelude::*;
+use std::io::{self, BufReader};
+use std::sync::mpsc;
+use std::thread;
+
+/// Rows that are read, answered, and handed on before the next are read.
+pub const CHUNK: usize = 512;
+
+/// How many rows are answered together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Together {
+    /// What has been read, however few: who waits for an answer before he asks again gets it.
+    WhatIsThere,
+    /// A whole chunk.
+    Chunk,
+}
+
+/// Answers the rows on all cores and hands each chunk on in the order of the rows. Answers how many rows
+/// there were.
+pub fn in_order<T: Send + 'static, A: Send, E: From<io::Error>>(
+    lines: impl Iterator<Item = Line<T>> + Send + 'static,
+    (progress, together): (&Progress, Together),
+    answer: impl Fn(Line<T>) -> A + Sync,
+    mut take: impl FnMut(Vec<A>) -> Result<(), E>,
+) -> Result<u64, E> {
+    let (sender, receiver) = mpsc::sync_channel(CHUNK / 2);
+    // After a failure nobody waits for this thread: it may itself wait for a row that never comes.
+    let reader = thread::Builder::new().spawn(move || {
+        for line in lines {
+            // The receiver goes away when the rows cannot be written.
+            if sender.send(line).is_err() {
+                break;
+            }
+        }
+    })?;
+    let mut rows = 0;
+    while let Ok(first) = receiver.recv() {
+        let mut chunk = vec![first];
+        while chunk.len() < CHUNK {
+            let next = match together {
+                Together::WhatIsThere => receiver.try_recv().ok(),
+                Together::Chunk => receiver.recv().ok(),
+            };
+            let Some(line) = next else { break };
+            chunk.push(line);
+        }
+        let count = chunk.len() as u64;
+        let answers = chunk.into_par_iter().map(&answer).collect();
+        // Where rows go to the terminal too, they do not stand behind the bar.
+        progress.bar.suspend(|| take(answers))?;
+        rows += count;
+        progress.show(rows);
+    }
+    progress.bar.finish_and_clear();
+    // There are no more rows because there are none, not because the thread is gone.
+    reader.join().map_err(|_| io::Error::other("the rows could not be read to their end"))?;
+    Ok(rows)
+}
+
+/// A bar with rate and time left, by the bytes read; hidden if standard error is not a terminal.
+pub struct Progress {
+    bar: ProgressBar,
+}
+
+impl Progress {
+    /// A bar for the rows of a source; none for rows that are typed, between which it would stand.
+    pub(crate) fn new(source: &Source) -> Self {
+        if source.is_typed {
+            return Self { bar: ProgressBar::hidden() };
+        }
+        let style = match source.length {
+            Some(_) => {
+                "{spinner} {bar:40} {percent:>3}%  {msg}, {elapsed} elapsed, about {eta} left"
+            }
+            None => "{spinner} {msg}, {elapsed} elapsed",
+        };
+        let bar = styled(source.length, style);
+        bar.set_message("waits for rows");
+        Self { bar }
+    }
+
+    /// Counts the bytes that are read.
+    pub(crate) fn counted(&self, input: Input) -> Input {
+        Box::new(BufReader::new(self.bar.wrap_read(input)))
+    }
+
+    fn show(&self, rows: u64) {
+        let rate = rows as f64 / self.bar.elapsed().as_secs_f64().max(1e-3);
+        self.bar.set_message(format!("{}, {rate:.0} rows/s", count(rows, "row", "rows")));
+    }
+}

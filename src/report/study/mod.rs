@@ -1,7 +1,0 @@
-//! What `couplet study` measured: tables for a person, files with the raw numbers and figures.
-
-mod files;
-mod tables;
-
-pub(crate) use files::StudyFiles;
-pub(crate) use tables::{accuracy_table, stability_table};
