@@ -3,11 +3,12 @@
 //! In an admissible state the lines of thrust and of friction are at their limits at the joints of a mechanism only
 //! (`modes.rs`). So "strictly inside" holds everywhere else, and there it cannot.
 
+use super::along::landmark;
 use super::contacts::{CONTACTS, margin_at, row_at};
-use super::landmarks::{certain_if, enclosed};
-use super::letters::{ring, variables};
+use super::landmarks::certain_if;
+use super::letters::{ring, variables, with};
 use super::modes::SEVEN_MODES;
-use super::{Claim, Derivation, Finding, Support};
+use super::{Claim, Derivation, Finding, Support, claim, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{
     Configuration, SelfWeight, Unknown, contact, overturning, sliding, statics, thrust,
@@ -18,46 +19,33 @@ use crate::problem::{Condition, Examined, Fixed, Landmark, Mode};
 use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint};
 
 pub(super) const CLAIMS: &[Claim] = &[
-    Claim {
-        id: "landmark-inside",
-        place: "Sec. 4, Fig. 7-11",
-        statement: "at T, S, J and B the lines of thrust and of friction are strictly inside the whole arch, \
-                    and no thinner arch stands",
-        decide: landmarks_stand,
-    },
-    Claim {
-        id: "landmark-inside-unlimited",
-        place: "Sec. 4, Fig. 12",
-        statement: "at l and L the lines of thrust and of friction are strictly inside the whole arch, and \
-                    no thinner arch stands",
-        decide: landmarks_without_thrust_stand,
-    },
-    Claim {
-        id: "landmark-T-modes",
-        place: "Sec. 4, Fig. 7-8",
-        statement: "at T four modes are possible at once, and the mechanism of each is a linear combination of the \
-                    other three",
-        decide: four_mechanisms_at_t,
-    },
-    Claim {
-        id: "landmark-S-joint",
-        place: "Sec. 4, Fig. 9",
-        statement: "at S one inner joint both rotates and slides: [r,r+s]",
-        decide: one_joint_rotates_and_slides,
-    },
+    claim("landmark-inside", "Sec. 4, Fig. 7-11", landmarks_stand).states(
+        "at T, S, J and B the lines of thrust and of friction are strictly inside the whole arch, \
+         and no thinner arch stands",
+    ),
+    claim("landmark-inside-unlimited", "Sec. 4, Fig. 12", landmarks_without_thrust_stand).states(
+        "at l and L the lines of thrust and of friction are strictly inside the whole arch, and no \
+         thinner arch stands",
+    ),
+    claim("landmark-T-modes", "Sec. 4, Fig. 7-8", four_mechanisms_at_t).states(
+        "at T four modes are possible at once, and the mechanism of each is a linear combination \
+         of the other three",
+    ),
+    claim("landmark-S-joint", "Sec. 4, Fig. 9", one_joint_rotates_and_slides)
+        .states("at S one inner joint both rotates and slides: [r,r+s]"),
 ];
 
 /// Every condition of every mode that meets at a landmark, but for those that are zero by its equations.
-fn conditions_hold(d: &mut Derivation, landmark: Landmark) -> Result<(), Undecided> {
+fn conditions_hold(d: &mut Derivation, point: Landmark) -> Result<(), Undecided> {
     for weight in SelfWeight::ALL {
-        let at = enclosed(landmark, weight)?.1;
+        let at = landmark(point, weight)?;
         let turned = turned(&at);
         // The range of what is solved for comes first, and belongs to all modes.
-        for (place, (mode, conditions)) in landmark.conditions(weight).into_iter().enumerate() {
+        for (place, (mode, conditions)) in point.conditions(weight).into_iter().enumerate() {
             let of = if place == 0 { "the range of the unknowns" } else { mode.label() };
             let words = format!(
                 "{}, {of}: {} conditions, {}",
-                landmark.symbol(),
+                point.symbol(),
                 conditions.len(),
                 weight.name()
             );
@@ -84,43 +72,34 @@ fn turned(at: &Configuration<Ball>) -> Configuration<Ball> {
     }
 }
 
-/// A margin with another crown moment.
-fn with_moment(margin: &Fraction, moment: &Fraction) -> Fraction {
-    margin.evaluate(moment, |symbol| match symbol {
-        Symbol::CrownMoment => moment.clone(),
-        other => other.number(),
-    })
-}
-
 fn landmarks_stand(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&CONTACTS)?;
+    lemmas(d, [&CONTACTS])?;
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
-    let (h, mu, free) = (Symbol::Thrust.number(), Symbol::Friction.number(), Relations::none());
+    let (h, mu) = (Symbol::Thrust.number(), Symbol::Friction.number());
     let two = h.int(2);
     let at_crown = ring.extrados() * &h / &two;
     let upper = margin_at(Contact::Extrados, &alpha);
     let lower = margin_at(Contact::Intrados, &joint);
     let whole = thrust::whole(&alpha, &ring).residual(&h);
     let words = "(4): U at the shoulder, if U = 0 at the crown";
-    d.identity(words, &with_moment(&upper, &at_crown), &-(whole / &two), &free)?;
+    d.identity(words, with(&upper, &[Symbol::CrownMoment], &at_crown), -(whole / &two))?;
     let above = thrust::lower(&joint, &ring).residual(&h);
     let words = "(2): L at the joint, if U = 0 at the crown";
-    d.identity(words, &with_moment(&lower, &at_crown), &(above / &two), &free)?;
+    d.identity(words, with(&lower, &[Symbol::CrownMoment], &at_crown), above / &two)?;
     let below = thrust::upper(&alpha, &joint, &ring).residual(&h);
     let words = "(3): L at the joint, if U = 0 at the shoulder";
-    d.identity(words, &(lower.clone() + upper), &-(below / &two), &free)?;
+    d.identity(words, lower.clone() + upper, -(below / &two))?;
     let touching = thrust::tangency(&joint.times_cotangent(), &ring).residual(&h);
     let slope = lower.derivative(&along_the_joint());
     let expected = touching * &joint.sin / &two;
-    d.identity("(5): dL/d beta", &slope, &expected, &Relations::trigonometric())?;
+    d.on_circle("(5): dL/d beta", &slope, &expected)?;
     let shoulder = sliding::shoulder(&alpha, &h).residual(&mu);
-    let words = "(17): mu N + T at the shoulder";
-    d.identity(words, &margin_at(Contact::Outwards, &alpha), &shoulder, &free)?;
+    d.identity("(17): mu N + T at the shoulder", margin_at(Contact::Outwards, &alpha), &shoulder)?;
     let square = Symbol::Thrust.polynomial() - &Symbol::Thrust.polynomial().power(2);
     let steepest = Relations::none().with(Symbol::Joint, 2, square);
     let inner = sliding::inner(&joint, &h).residual(&mu) * &joint.rad / (h.int(1) - &h);
     let words = "(18): mu N - T at beta_s";
-    d.identity(words, &margin_at(Contact::Inwards, &joint), &inner, &steepest)?;
+    d.identity_under(words, margin_at(Contact::Inwards, &joint), &inner, &steepest)?;
     d.conclude(
         "So the equations of a landmark say which margins are exactly zero: those of the joints that turn or \
          slide in one of its modes.",
@@ -138,25 +117,20 @@ fn landmarks_stand(d: &mut Derivation) -> Result<Finding, Undecided> {
 
 fn landmarks_without_thrust_stand(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
-    let (h, free) = (Symbol::Thrust.number(), Relations::none());
+    let h = Symbol::Thrust.number();
     let (none, two) = (h.int(0), h.int(2));
-    let unloaded = |value: &Fraction| {
-        value.evaluate(&none, |symbol| match symbol {
-            Symbol::Thrust | Symbol::CrownMoment => none.clone(),
-            other => other.number(),
-        })
-    };
+    let unloaded = |value: &Fraction| with(value, &[Symbol::Thrust, Symbol::CrownMoment], &none);
     let normal = statics::normal_force(&joint, &none);
     let words = "N where h = 0: positive below the crown, where nothing acts";
-    d.identity(words, &normal, &(joint.rad.clone() * &joint.sin), &free)?;
+    d.identity(words, &normal, joint.rad.clone() * &joint.sin)?;
     let upper = unloaded(&margin_at(Contact::Extrados, &alpha));
     let whole = thrust::whole(&alpha, &ring).residual(&none);
-    d.identity("(4): U at the shoulder", &upper, &-(whole / &two), &free)?;
+    d.identity("(4): U at the shoulder", &upper, -(whole / &two))?;
     let slope = unloaded(&margin_at(Contact::Intrados, &joint)).derivative(&along_the_joint());
     let fall = (h.int(1) - joint.times_cotangent()) * ring.intrados() / &two;
     let expected = (fall - overturning::end_of_rotation(&ring)) * &joint.sin;
     let words = "dL/d beta, with beta cot(beta) < 1 and, from eta_l on, the condition behind (16) not positive";
-    d.identity(words, &slope, &expected, &Relations::trigonometric())?;
+    d.on_circle(words, &slope, &expected)?;
     d.conclude(
         "So L, zero at the crown, grows. U grows and then falls from 0 to 0, and is positive between. Thinner arches \
          have a positive bracket: at L it is zero for Milankovitch's weight, and falls as the thickness grows.",
@@ -165,7 +139,7 @@ fn landmarks_without_thrust_stand(d: &mut Derivation) -> Result<Finding, Undecid
         conditions_hold(d, landmark)?;
     }
     let ratio = statics::shear_force(&joint, &none) / normal;
-    d.identity("T/N", &ratio, &(joint.cos / joint.sin), &free)?;
+    d.identity("T/N", &ratio, joint.cos / joint.sin)?;
     d.conclude(
         "It is bounded on any part of the arch off the crown, and unbounded next to it: the line of friction is inside if \
          friction is infinite, and for no finite friction.",
@@ -178,10 +152,10 @@ fn landmarks_without_thrust_stand(d: &mut Derivation) -> Result<Finding, Undecid
 
 /// The rates of the crown's, the haunch's and the shoulder's hinge, of the inner joint and of the sliding shoulder,
 /// those of sliding joints times the sine of the joint.
-type Motion = [Fraction; 5];
+type MotionRates = [Fraction; 5];
 
 /// `[r,r,r]`, `[s,r,r]`, `[r,r,s]`, `[s,s]`.
-fn motions() -> [Motion; 4] {
+fn motions() -> [MotionRates; 4] {
     let at: Configuration<Fraction> = variables();
     let none = at.thrust.int(0);
     let (turns, shoulder, inner) = (
@@ -199,8 +173,7 @@ fn motions() -> [Motion; 4] {
 }
 
 fn four_mechanisms_at_t(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&SEVEN_MODES)?;
-    let free = Relations::none();
+    lemmas(d, [&SEVEN_MODES])?;
     let [turns, shoulder, inner, slides] = motions();
     let (a, ratio) = (shoulder[4].clone(), turns[2].clone());
     d.define("a, the rate of the shoulder in [s,r,r]", &a);
@@ -208,12 +181,11 @@ fn four_mechanisms_at_t(d: &mut Derivation) -> Result<Finding, Undecided> {
     for (place, rate) in ["crown", "haunch", "shoulder"].into_iter().zip(0..) {
         let sum = shoulder[rate].clone() + ratio.clone() * &inner[rate] - a.clone() * &slides[rate];
         let words = format!("[s,r,r] + c [r,r,s] - a [s,s] is [r,r,r], hinge at the {place}");
-        d.identity(words, &sum, &turns[rate], &free)?;
+        d.identity(words, &sum, &turns[rate])?;
     }
     for (place, rate) in [("the inner joint", 3), ("the shoulder", 4)] {
         let sum = shoulder[rate].clone() + ratio.clone() * &inner[rate] - a.clone() * &slides[rate];
-        let words = format!("the same, {place} sliding");
-        d.identity(words, &sum, &turns[rate], &free)?;
+        d.identity(format!("the same, {place} sliding"), &sum, &turns[rate])?;
     }
     let [x, y, z] =
         [&shoulder, &inner, &slides].map(|motion| [0, 2, 3].map(|rate| motion[rate].clone()));
@@ -221,17 +193,14 @@ fn four_mechanisms_at_t(d: &mut Derivation) -> Result<Finding, Undecided> {
     let determinant =
         x[0].clone() * minor(1, 2) - x[1].clone() * minor(0, 2) + x[2].clone() * minor(0, 1);
     let words = "the determinant of [s,r,r], [r,r,s], [s,s] in u, v, s: not zero";
-    d.identity(words, &determinant, &x[0].int(1), &free)?;
+    d.identity(words, &determinant, x[0].int(1))?;
     let [by_thrust, by_moment] = row_at(Contact::Extrados, &Angle::zero(&a));
     let [slip, none] = row_at(Contact::Inwards, &Symbol::joint());
-    d.identity(
-        "of the two balances, that of h and p on the crown's hinge and the inner joint: not zero",
-        &(by_thrust * none - by_moment * slip),
-        &Symbol::Sine.number(),
-        &free,
-    )?;
+    let words =
+        "of the two balances, that of h and p on the crown's hinge and the inner joint: not zero";
+    d.identity(words, by_thrust * none - by_moment * slip, Symbol::Sine.number())?;
     for weight in SelfWeight::ALL {
-        let at = enclosed(Landmark::Triple, weight)?.1;
+        let at = landmark(Landmark::Triple, weight)?;
         let turned = Configuration { thickness: at.thickness.int(-2), ..at.clone() };
         let a = |at: &Configuration<Ball>| contact::rates_of_shoulder_sliding(at).sliding;
         let c = |at: &Configuration<Ball>| contact::rates_of_rotation(at).shoulder;
@@ -247,9 +216,9 @@ fn four_mechanisms_at_t(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 fn one_joint_rotates_and_slides(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&SEVEN_MODES)?;
+    lemmas(d, [&SEVEN_MODES])?;
     for weight in SelfWeight::ALL {
-        let (name, at) = (weight.name(), enclosed(Landmark::Shift, weight)?.1);
+        let (name, at) = (weight.name(), landmark(Landmark::Shift, weight)?);
         let words = format!("beta_r = beta_s, {name}");
         let points = [Landmark::Shift, Landmark::Triple];
         d.certain(Support::Algebra, words, points, |point| {
@@ -259,7 +228,7 @@ fn one_joint_rotates_and_slides(d: &mut Derivation) -> Result<Finding, Undecided
         // At T the crown has a hinge.
         let words = format!("U > 0 at the crown, {name}");
         d.certain(Support::Balls, words, points, |point| {
-            let at = enclosed(point, weight)?.1;
+            let at = landmark(point, weight)?;
             let state = Examined::new(weight, Mode::RotationalSliding, &at);
             Ok(state.margin(Condition::ExtradosAtCrown).is_positive())
         })?;

@@ -20,7 +20,7 @@ const DEPTH: usize = 16;
 
 /// A state, or all states of a range.
 #[derive(Clone, Debug)]
-pub(super) struct Along {
+pub(super) struct CurveStates {
     pub(super) weight: SelfWeight,
     pub(super) alpha: Angle<Ball>,
     pub(super) thrust: Ball,
@@ -37,7 +37,7 @@ fn state(weight: SelfWeight, alpha: &Rational) -> Result<State, Undecided> {
     match arch(weight, alpha)?.state_alone(BITS) {
         Ok(Outcome::Stands(state)) => Ok(*state),
         Ok(Outcome::Falls(_)) => Err(Undecided::new(format!("no arch of {alpha} stands"))),
-        Err(doubt) => Err(Undecided::new(doubt.reason.clone().into_owned())),
+        Err(doubt) => Err(Undecided::new(doubt.reason)),
     }
 }
 
@@ -49,7 +49,7 @@ pub(super) fn landmark(
     Ok(CertifiedLandmark::new(landmark, weight)?.enclosure(BITS)?.configuration().clone())
 }
 
-impl Along {
+impl CurveStates {
     /// The purely rotational state.
     pub(super) fn rotational(weight: SelfWeight, alpha: &Rational) -> Result<Self, Undecided> {
         let state = state(weight, alpha)?;
@@ -69,7 +69,7 @@ impl Along {
         let weight = SelfWeight::Heyman;
         let friction = arch(weight, alpha)?
             .sliding_friction(BITS)
-            .map_err(|doubt| Undecided::new(doubt.reason.clone().into_owned()))?;
+            .map_err(|doubt| Undecided::new(doubt.reason))?;
         let alpha = Angle::new(Ball::enclosing(alpha, BITS));
         let thrust = sliding::shoulder_thrust(&alpha, &friction).value();
         Ok(Self { weight, alpha, thrust, rotation: None })
@@ -158,8 +158,8 @@ impl Along {
 /// has to speak for all states between.
 pub(super) fn on_all(
     (low, high): (&Rational, &Rational),
-    state: &dyn Fn(&Rational) -> Result<Along, Undecided>,
-    holds: &dyn Fn(&Along, &Along) -> Ternary,
+    state: &dyn Fn(&Rational) -> Result<CurveStates, Undecided>,
+    holds: &dyn Fn(&CurveStates, &CurveStates) -> Ternary,
 ) -> Result<Ternary, Undecided> {
     let mut open = vec![((low.clone(), state(low)?), (high.clone(), state(high)?), 0)];
     while let Some((left, right, depth)) = open.pop() {
@@ -175,6 +175,15 @@ pub(super) fn on_all(
         }
     }
     Ok(Ternary::True)
+}
+
+/// Whether `holds` is proved on a range, where it is asked with all states between those at the ends of a part of it.
+pub(super) fn on_parts(
+    range: (&Rational, &Rational),
+    state: &dyn Fn(&Rational) -> Result<CurveStates, Undecided>,
+    holds: &dyn Fn(&CurveStates) -> Ternary,
+) -> Result<Ternary, Undecided> {
+    on_all(range, state, &|a, b| a.up_to(b).map_or(Ternary::Undecided, |all| holds(&all)))
 }
 
 /// Multiples of `1/scale` around a value, a little apart from it.

@@ -3,7 +3,7 @@
 use super::curve::STATES_IN_ORDER;
 use super::frictions::{FRICTION_FOR_ROTATION_GROWS, SLIDING_STATES_IN_ORDER};
 use super::tiling::{COLUMNS, falls_with_the_thickness, thrust_at_triple_is_below_half};
-use super::{Claim, Derivation, Finding, Support};
+use super::{Claim, Derivation, Finding, Support, claim, lemmas};
 use crate::arch::SelfWeight;
 use crate::atlas::{Areas, Curve, Trace, Variable};
 use crate::certify::Undecided;
@@ -13,13 +13,11 @@ use rug::Rational;
 use rug::float::Round;
 use std::sync::OnceLock;
 
-pub(super) const CLAIMS: &[Claim] = &[Claim {
-    id: "map-areas",
-    place: "Sec. 3, Fig. 6",
-    statement: "in the plane of friction angles up to a right one and thicknesses up to 2, cells in each of which one \
-                mode is proved fill more than 99 % of the area; the others are cut by lines between modes",
-    decide: areas,
-}];
+pub(super) const CLAIMS: &[Claim] = &[claim("map-areas", "Sec. 3, Fig. 6", areas).states(
+    "in the plane of friction angles up to a right one and thicknesses up to 2, cells in each \
+         of which one mode is proved fill more than 99 % of the area; the others are cut by lines \
+         between modes",
+)];
 
 /// The finest cells of a map, along each axis.
 const PARTS: u32 = 512;
@@ -57,10 +55,8 @@ fn percent(share: i32) -> String {
 }
 
 fn areas(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&COLUMNS)?;
-    d.lemma(&STATES_IN_ORDER)?;
-    d.lemma(&FRICTION_FOR_ROTATION_GROWS)?;
-    d.lemma(&SLIDING_STATES_IN_ORDER)?;
+    lemmas(d, [&COLUMNS, &STATES_IN_ORDER, &FRICTION_FOR_ROTATION_GROWS])?;
+    lemmas(d, [&SLIDING_STATES_IN_ORDER])?;
     falls_with_the_thickness(d)?;
     for weight in SelfWeight::ALL {
         thrust_at_triple_is_below_half(d, weight)?;

@@ -7,7 +7,7 @@
 
 use super::letters::ring;
 use super::uniqueness::ONE_THICKNESS;
-use super::{Claim, Derivation, Finding};
+use super::{Claim, Derivation, Finding, claim, lemmas};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
 use crate::arch::joint::Grip;
@@ -20,22 +20,16 @@ use crate::symbolic::{Fraction, Letters, Relations, Symbol};
 
 pub(super) const CLAIMS: &[Claim] = &[ASYMMETRIC_MOTION, UNIQUE];
 
-pub(super) const ASYMMETRIC_MOTION: Claim = Claim {
-    id: "asymmetric-motion",
-    place: "Eq. (19)",
-    statement: "three kinds of asymmetric mechanisms fit, by a sliding shoulder, hinges at the crown and at the far haunch, and \
-                an inner joint that slides, the shoulder that opens too, or neither; where their joints are at their limits \
-                the weight works by as much as friction takes",
-    decide: motion,
-};
+pub(super) const ASYMMETRIC_MOTION: Claim = claim("asymmetric-motion", "Eq. (19)", motion).states(
+    "three kinds of asymmetric mechanisms fit, by a sliding shoulder, hinges at the crown and at \
+     the far haunch, and an inner joint that slides, the shoulder that opens too, or neither; \
+     where their joints are at their limits the weight works by as much as friction takes",
+);
 
-const UNIQUE: Claim = Claim {
-    id: "unique-asymmetric",
-    place: "Sec. 5",
-    statement: "the least thickness is unique for asymmetric motions too: at no other thickness has (19) a solution on the whole \
-                arch, except at the friction of pure sliding",
-    decide: unique,
-};
+const UNIQUE: Claim = claim("unique-asymmetric", "Sec. 5", unique).states(
+    "the least thickness is unique for asymmetric motions too: at no other thickness has (19) a \
+     solution on the whole arch, except at the friction of pure sliding",
+);
 
 /// The variables as letters; `b0` has none of its own.
 fn variables() -> Asymmetric<Fraction> {
@@ -84,8 +78,7 @@ fn motion(d: &mut Derivation) -> Result<Finding, Undecided> {
             .iter()
             .zip(motion.gap(&eta))
         {
-            let words = format!("{}: {words} beyond the left haunch", mode.name());
-            d.identity(words, &gap, &none, &free)?;
+            d.identity(format!("{}: {words} beyond the left haunch", mode.name()), &gap, &none)?;
         }
         let [left, hinges] = balance(&motion, &at);
         let words = format!("{}: what the weight works, less what friction takes", mode.name());
@@ -97,13 +90,12 @@ fn motion(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (alpha, slides) = (&at.half_opening, &at.sliding_joint);
     let sum = alpha.sin.clone() * &slides.cos + alpha.cos.clone() * &slides.sin;
     let inner = first.0[2].rate.clone() * sum * none.int(2);
-    let words = "the slip of the inner joint, times 2 sin(alpha + b2)";
-    d.identity(words, &inner, &misfit, &free)?;
+    d.identity("the slip of the inner joint, times 2 sin(alpha + b2)", &inner, &misfit)?;
     let alone = at.motion(ShoulderSliding);
     let gap = alone.gap(&eta);
     let words = "without it: the vertical velocity beyond the left haunch";
     let expected = -(misfit / (alpha.sin.clone() * none.int(2)));
-    d.identity(words, &gap[2], &expected, &free)?;
+    d.identity(words, &gap[2], &expected)?;
     d.conclude(
         "The left springing stays, and so the part of the arch beyond the left haunch has to. The third kind is the first with an \
          inner slip of zero. In a solution of (19) the margin at each hinge is zero, and |T| = mu N where a joint slides.",
@@ -135,15 +127,14 @@ fn thicknesses(
     let least = match arch.state(BITS) {
         Ok(Outcome::Stands(state)) => state.thickness,
         Ok(Outcome::Falls(fall)) => return Err(Undecided::new(fall.reason())),
-        Err(doubt) => return Err(Undecided::new(doubt.reason.clone().into_owned())),
+        Err(doubt) => return Err(Undecided::new(doubt.reason)),
     };
     let CertifiedAsymmetric { at, .. } = CertifiedAsymmetric::of(&arch, mode, BITS)?;
     Ok([least, at.thickness])
 }
 
 fn unique(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&ONE_THICKNESS)?;
-    d.lemma(&ASYMMETRIC_MOTION)?;
+    lemmas(d, [&ONE_THICKNESS, &ASYMMETRIC_MOTION])?;
     let mut examples = Vec::new();
     for witness in WITNESSES {
         let (weight, alpha, mu, mode) = witness;

@@ -5,7 +5,7 @@
 
 use super::along::landmark;
 use super::asymmetric::ASYMMETRIC_MOTION;
-use super::{Claim, Derivation, Finding, Support};
+use super::{Claim, Derivation, Finding, Support, claim, lemmas};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
 use crate::arch::joint::Grip;
@@ -14,18 +14,17 @@ use crate::certify::root::{Form, root_near};
 use crate::certify::{Undecided, between};
 use crate::number::{Angle, Ball, Enclosure, Field, Real, Stumpff, Ternary};
 use crate::problem::Landmark;
-use crate::symbolic::{Letters, Relations, Symbol};
+use crate::symbolic::{Letters, Symbol};
 use rug::{Float, Rational};
 use std::sync::OnceLock;
 
-pub(super) const CLAIMS: &[Claim] = &[Claim {
-    id: "asymmetric-begins",
-    place: "Eq. (19)",
-    statement: "the equations of the line where [s,r,r] meets [s,s] have a symmetric solution with an asymmetric mechanism of the first kind \
-                at each alpha from near 126.21° (Milankovitch) or 125.63° (Heyman) on up to T, and one without at each from 90° on before; \
-                those of the line where [r,r,r] meets [s,r,r] one of the second kind from 128.73° on up to T, and one without before",
-    decide: begins,
-}];
+pub(super) const CLAIMS: &[Claim] = &[claim("asymmetric-begins", "Eq. (19)", begins).states(
+    "the equations of the line where [s,r,r] meets [s,s] have a symmetric solution with an \
+         asymmetric mechanism of the first kind at each alpha from near 126.21° (Milankovitch) or \
+         125.63° (Heyman) on up to T, and one without at each from 90° on before; those of the \
+         line where [r,r,r] meets [s,r,r] one of the second kind from 128.73° on up to T, and one \
+         without before",
+)];
 
 /// The symmetric states of an edge of `[s,r,r]`, by their half opening.
 #[derive(Clone, Copy, Debug)]
@@ -55,7 +54,7 @@ const DEPTH: usize = 16;
 
 /// The equations of an edge, for all half openings of a ball: `h, p, eta, beta_r + h`, the friction, and `beta_s` with the first kind. At
 /// `sb` the joint `beta_r` alone turns back, and a box that is as narrow as it moves has no room for the rest.
-struct Equations {
+struct BeginEquations {
     edge: Edge,
     half_opening: Ball,
 }
@@ -80,7 +79,7 @@ impl Edge {
     }
 }
 
-impl Form<Ball> for Equations {
+impl Form<Ball> for BeginEquations {
     fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
         let Edge { weight, mode, .. } = self.edge;
         let at = self.edge.at(&number(&self.half_opening), x);
@@ -148,7 +147,7 @@ impl Edge {
     ) -> Result<Vec<Float>, Undecided> {
         let degrees = between(low, high).with_precision(BITS);
         let half_opening = degrees.pi() * degrees / Ball::integer(180, BITS);
-        let equations = Equations { edge: self, half_opening };
+        let equations = BeginEquations { edge: self, half_opening };
         let root = root_near(&equations, BITS, start.to_vec())?;
         let at = self.at(&equations.half_opening, &root);
         let at = at.ok_or_else(|| Undecided::new("the number of unknowns"))?;
@@ -177,7 +176,7 @@ fn decided() -> &'static [Result<(), Undecided>] {
 }
 
 fn begins(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&ASYMMETRIC_MOTION)?;
+    lemmas(d, [&ASYMMETRIC_MOTION])?;
     for (edge, decided) in EDGES.iter().zip(decided()) {
         let Edge { weight, mode, begins } = edge;
         let [fails, holds] = begins.map(|n| format!("{}.{:02}", n / 100, n % 100));
@@ -213,7 +212,7 @@ fn begins(d: &mut Derivation) -> Result<Finding, Undecided> {
     let up = two.clone() + &eta - &inner;
     let expected = -(up * &alpha.cos + (two - &eta) * &joint.sin * &alpha.sin);
     let words = "at a symmetric state, twice sin(alpha + beta_s) times the slip of the inner joint";
-    d.identity(words, &misfit, &expected, &Relations::none())?;
+    d.identity(words, &misfit, &expected)?;
     d.conclude(
         "The solutions are sought one from the next, from T on; that they are one curve, which is admissible, is not proved here. \
          The first bracket is positive, as the arm above the haunch is. So nothing of the kind exists where cos(alpha) >= 0, and \

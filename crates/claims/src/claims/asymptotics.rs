@@ -6,7 +6,8 @@
 //! (5) has at `u = 0`, `eta = 0` the slope -4 to `eta`, so that `eta` is an analytic function of `u`; and
 //! `alpha²` begins with `2 u`, so that it can be reverted.
 
-use super::{Claim, Derivation, Finding};
+use super::landmarks::both;
+use super::{Claim, Derivation, Finding, claim};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::certify::Undecided;
 use crate::number::{Dual, ExactField, Field};
@@ -15,27 +16,19 @@ use crate::symbolic::Series;
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
-    Claim {
-        id: "series-heyman",
-        place: "small openings",
-        statement: "for Heyman's weight beta_r^2, eta and h are analytic in alpha^2 at 0 and begin with \
-                    alpha^2/2, alpha^4/48 and 1 - alpha^2/6",
-        decide: |d| small_openings(d, SelfWeight::Heyman),
-    },
-    Claim {
-        id: "series-milankovitch",
-        place: "small openings",
-        statement: "for Milankovitch's weight beta_r^2, eta and h are analytic in alpha^2 at 0 and \
-                    begin with alpha^2/2, alpha^4/48 and 1 - alpha^2/6",
-        decide: |d| small_openings(d, SelfWeight::Milankovitch),
-    },
-    Claim {
-        id: "series-difference",
-        place: "Sec. 2.1",
-        statement: "the two weights differ little while the arch is thin: eta by alpha^12/1327104 and h \
-                    by -alpha^8/27648, to leading order",
-        decide: difference,
-    },
+    claim("series-heyman", "small openings", |d| small_openings(d, SelfWeight::Heyman)).states(
+        "for Heyman's weight beta_r^2, eta and h are analytic in alpha^2 at 0 and begin with \
+         alpha^2/2, alpha^4/48 and 1 - alpha^2/6",
+    ),
+    claim("series-milankovitch", "small openings", |d| small_openings(d, SelfWeight::Milankovitch))
+        .states(
+            "for Milankovitch's weight beta_r^2, eta and h are analytic in alpha^2 at 0 and begin \
+         with alpha^2/2, alpha^4/48 and 1 - alpha^2/6",
+        ),
+    claim("series-difference", "Sec. 2.1", difference).states(
+        "the two weights differ little while the arch is thin: eta by alpha^12/1327104 and h \
+         by -alpha^8/27648, to leading order",
+    ),
 ];
 
 /// Coefficients shown and checked.
@@ -80,11 +73,8 @@ fn small_openings(d: &mut Derivation, weight: SelfWeight) -> Result<Finding, Und
     let joint = expansion::joint(&u).map(Dual::constant);
     let tangency = thrust::tangency(&Dual::constant(expansion::times_cotangent(&u)), &ring);
     let slope = thrust::lower(&joint, &ring).difference(&tangency).derivative(0);
-    d.equal(
-        "the slope of (2) - (5), cleared, to eta at 0",
-        &slope.coefficient(0),
-        &Rational::from(-4),
-    )?;
+    let words = "the slope of (2) - (5), cleared, to eta at 0";
+    d.equal(words, &slope.coefficient(0), &Rational::from(-4))?;
     let ByJoint { opening_variable, .. } =
         expansion::by_joint(weight, &zero, 3).ok_or_else(unsettled)?;
     let by_opening = expansion::opening_variable(&Series::variable(&zero, 3)).coefficient(1);
@@ -103,9 +93,8 @@ fn small_openings(d: &mut Derivation, weight: SelfWeight) -> Result<Finding, Und
 
 fn difference(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.assume("y = alpha^2, small");
-    let [heyman, milankovitch] = SelfWeight::ALL.map(|weight| expansion::by_opening(weight, TERMS));
-    let (heyman, milankovitch) =
-        (heyman.ok_or_else(unsettled)?, milankovitch.ok_or_else(unsettled)?);
+    let series = |weight| expansion::by_opening(weight, TERMS).ok_or_else(unsettled);
+    let [heyman, milankovitch] = both(series)?;
     let thickness = milankovitch.thickness - heyman.thickness;
     let thrust = milankovitch.thrust - heyman.thrust;
     d.series("eta of Milankovitch's weight less that of Heyman's", &thickness, "y");

@@ -8,31 +8,24 @@
 //!
 //! where `a` and `c` do not depend on the weight.
 
-use super::along::{Along, around, below, landmark, on_all};
+use super::along::{CurveStates, around, below, landmark, on_parts};
 use super::map_of_weights::{LINES_RISE, WHERE_THE_SHOULDER_TURNS};
-use super::measured::Bounds;
-use super::{Claim, Derivation, Finding, Support};
+use super::measured::MeasuredBounds;
+use super::{Claim, Derivation, Finding, Support, claim, lemmas};
 use crate::arch::{Ring, SelfWeight, sliding, thrust};
 use crate::certify::{Undecided, between};
-use crate::number::{Angle, Ball, Enclosure, Field, Ternary};
+use crate::number::{Angle, Ball, Enclosure, Field};
 use crate::problem::Landmark;
-use crate::symbolic::{Letters, Relations, Symbol};
+use crate::symbolic::{Letters, Symbol};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
-    Claim {
-        id: "weights-J-B",
-        place: "Sec. 3, Fig. 5",
-        statement: "from J to B the divide deviates to the left for Milankovitch's weight, the more the \
-                    larger the thickness",
-        decide: divide_deviates,
-    },
-    Claim {
-        id: "weights-B-slope",
-        place: "Sec. 3, Fig. 5",
-        statement: "for Milankovitch's weight the divide arrives almost vertically at B",
-        decide: slope_at_the_border,
-    },
+    claim("weights-J-B", "Sec. 3, Fig. 5", divide_deviates).states(
+        "from J to B the divide deviates to the left for Milankovitch's weight, the more the \
+         larger the thickness",
+    ),
+    claim("weights-B-slope", "Sec. 3, Fig. 5", slope_at_the_border)
+        .states("for Milankovitch's weight the divide arrives almost vertically at B"),
 ];
 
 /// `a` and `c`.
@@ -43,46 +36,44 @@ fn parts<T: Field>(alpha: &Angle<T>, h: &T) -> [T; 2] {
 }
 
 /// Along pure sliding, the slopes of `a`, `c` and `mu` to the half opening.
-struct Slopes {
+struct SlidingSlopes {
     a: Ball,
     c: Ball,
     friction: Ball,
 }
 
-fn slopes(at: &Along) -> Slopes {
+fn slopes(at: &CurveStates) -> SlidingSlopes {
     let part = |n: usize| at.slope_along_sliding(|alpha, h| parts(alpha, h)[n].clone());
     let friction = at.slope_along_sliding(|alpha, h| sliding::shoulder(alpha, h).value());
-    Slopes { a: part(0), c: part(1), friction }
+    SlidingSlopes { a: part(0), c: part(1), friction }
 }
 
 fn equation(d: &mut Derivation) -> Result<(), Undecided> {
-    let (alpha, h, free) = (Symbol::half_opening(), Symbol::Thrust.number(), Relations::none());
+    let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
     let ring = Ring::with_flag(&delta, &eta);
     let third = thrust::upper(&alpha, &Angle::zero(&h), &ring).residual(&h);
     let [a, c] = parts(&alpha, &h);
     let sum = a + c * &eta - &ring.centroid_factor;
     let words = "(3) at beta = 0, cleared, is fac - a - c eta up to a factor";
-    d.identity(words, &third, &-(sum * alpha.versine() * h.int(2)), &free)
+    d.identity(words, &third, -(sum * alpha.versine() * h.int(2)))
 }
 
 fn divide_deviates(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&LINES_RISE)?;
-    d.lemma(&WHERE_THE_SHOULDER_TURNS)?;
+    lemmas(d, [&LINES_RISE, &WHERE_THE_SHOULDER_TURNS])?;
     equation(d)?;
     let (eta, c) = (Symbol::Thickness.number(), Symbol::F.number());
     let ring = Ring::new(SelfWeight::Milankovitch, &eta);
     let a = ring.centroid_factor.clone() - c.clone() * &eta;
     d.identity(
         "c² - (1 - a)/3 where a + c eta = fac, Milankovitch's weight",
-        &(c.square() - (c.int(1) - a) / c.int(3)),
-        &(c.clone() - eta.clone() / eta.int(6)).square(),
-        &Relations::none(),
+        c.square() - (c.int(1) - a) / c.int(3),
+        (c.clone() - eta.clone() / eta.int(6)).square(),
     )?;
     for weight in SelfWeight::ALL {
         let first = below(&landmark(Landmark::Junction, weight)?.half_opening.rad, 100)?;
         let last = around(&landmark(Landmark::Border, weight)?.half_opening.rad, 100)?.1;
-        let holds = |at: &Along, (n, m): (i32, i32)| {
+        let holds = |at: &CurveStates, (n, m): (i32, i32)| {
             let [a, c] = parts(&at.alpha, &at.thrust);
             let bound = c.ratio(n, m);
             let slopes = slopes(at);
@@ -107,9 +98,7 @@ fn divide_deviates(d: &mut Derivation) -> Result<Finding, Undecided> {
         let words = format!("d mu/d eta is {side} on the divide, alpha in [{first}, {last}]");
         let words = format!("{words}, {} weight", weight.name());
         d.certain(Support::Balls, words, bounds, |bound| {
-            on_all((&first, &last), &Along::sliding, &|a, b| {
-                a.up_to(b).map_or(Ternary::Undecided, |all| holds(&all, bound))
-            })
+            on_parts((&first, &last), &CurveStates::sliding, &|all| holds(all, bound))
         })?;
     }
     d.conclude(
@@ -126,13 +115,13 @@ fn slope_at_the_border(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
     let factor = Ring::with_flag(&delta, &eta).centroid_factor;
     let slope = factor.partial(Symbol::Thickness);
-    d.identity("d fac/d eta", &slope, &(delta * &eta / eta.int(6)), &Relations::none())?;
-    let mut bounds = Bounds::default();
+    d.identity("d fac/d eta", &slope, delta * &eta / eta.int(6))?;
+    let mut bounds = MeasuredBounds::default();
     for weight in [SelfWeight::Milankovitch, SelfWeight::Heyman] {
         let at = landmark(Landmark::Border, weight)?;
-        let along = Along::of_landmark(weight, &at);
+        let along = CurveStates::of_landmark(weight, &at);
         let [_, c] = parts(&along.alpha, &along.thrust);
-        let Slopes { a, c: c_slope, friction } = slopes(&along);
+        let SlidingSlopes { a, c: c_slope, friction } = slopes(&along);
         let (eta, delta) = (&at.thickness, at.thickness.int(weight.flag()));
         let by_opening = -(a + c_slope * eta) / (c - delta * eta / eta.int(6));
         let by_friction = by_opening / friction;

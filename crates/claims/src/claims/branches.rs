@@ -15,7 +15,7 @@
 use super::cubics::letters;
 use super::curve::{STATES_IN_ORDER, TWO_THICKNESSES_FOR_EACH_JOINT};
 use super::landmarks::certain_if;
-use super::{Claim, Derivation, Finding, Support};
+use super::{Claim, Derivation, Finding, Support, claim, lemmas};
 use crate::arch::cubic::Abbreviations;
 use crate::arch::{Ring, SelfWeight, closed_form, cubic, overturning};
 use crate::certify::{CertifiedLandmark, Undecided, between};
@@ -25,95 +25,28 @@ use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol, discrimi
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
-    Claim {
-        id: "eq-9",
-        place: "Eq. (9)",
-        statement: "A_M of (9), with either sign, is a root of the first cubic (7)",
-        decide: |d| {
-            let [u, q, k] = roots();
-            let at = letters();
-            let relations = relations(&closed_form::opening_cube(&at, &q));
-            d.define("u³, half the bracket", &closed_form::opening_cube(&at, &q));
-            d.assume("S, 3g - 2S and u are not zero");
-            solves(
-                d,
-                &relations,
-                |k| {
-                    cubic::in_opening_variable(
-                        &at,
-                        &k.int(1),
-                        &closed_form::opening_variable(&at, &u, k),
-                    )
-                },
-                &k,
-            )
-        },
-    },
-    Claim {
-        id: "eq-10",
-        place: "Eq. (10)",
-        statement: "eta_M of (10), with either sign, is a root of the second cubic (7)",
-        decide: |d| {
-            let [u, q, k] = roots();
-            let at = letters();
-            let relations = relations(&closed_form::thickness_cube(&at, &q));
-            d.define("u³, the bracket", &closed_form::thickness_cube(&at, &q));
-            d.assume("S and u are not zero");
-            solves(
-                d,
-                &relations,
-                |k| cubic::in_thickness(&at, &k.int(1), &closed_form::thickness(&at, &u, k)),
-                &k,
-            )
-        },
-    },
-    Claim {
-        id: "eq-11",
-        place: "Eq. (11)",
-        statement: "h_M of (11), with either sign, is a root of the third cubic (7)",
-        decide: |d| {
-            let [u, q, k] = roots();
-            let at = letters();
-            let relations = relations(&closed_form::thrust_cube(&at, &q));
-            d.define("u³, the bracket", &closed_form::thrust_cube(&at, &q));
-            d.assume("S and u are not zero");
-            solves(
-                d,
-                &relations,
-                |k| cubic::in_thrust(&at, &k.int(1), &closed_form::thrust(&at, &u, k)),
-                &k,
-            )
-        },
-    },
+    claim("eq-9", "Eq. (9)", opening_root)
+        .states("A_M of (9), with either sign, is a root of the first cubic (7)"),
+    claim("eq-10", "Eq. (10)", thickness_root)
+        .states("eta_M of (10), with either sign, is a root of the second cubic (7)"),
+    claim("eq-11", "Eq. (11)", thrust_root)
+        .states("h_M of (11), with either sign, is a root of the third cubic (7)"),
     RADICAND_IS_THE_DISCRIMINANT,
-    Claim {
-        id: "eq-9-11-signs",
-        place: "Eq. (9)-(11)",
-        statement: "with principal roots the upper signs give the states with alpha < alpha_sb, the \
-                    lower signs those with alpha > alpha_sb, the same sign in all three",
-        decide: signs_of_the_branches,
-    },
-    Claim {
-        id: "eq-12-range",
-        place: "Eq. (12)",
-        statement: "the term under the square root is negative in the range of interest until it \
-                    vanishes at beta_sb",
-        decide: radicand_in_the_range_of_interest,
-    },
+    claim("eq-9-11-signs", "Eq. (9)-(11)", signs_of_the_branches).states(
+        "with principal roots the upper signs give the states with alpha < alpha_sb, the lower \
+         signs those with alpha > alpha_sb, the same sign in all three",
+    ),
+    claim("eq-12-range", "Eq. (12)", radicand_in_the_range_of_interest).states(
+        "the term under the square root is negative in the range of interest until it vanishes at \
+         beta_sb",
+    ),
 ];
 
-const RADICAND_IS_THE_DISCRIMINANT: Claim = Claim {
-    id: "eq-12",
-    place: "Eq. (12)",
-    statement: "the radicand of (12) is the discriminant of each cubic (7), up to a negative number and a \
-                square",
-    decide: radicand_is_the_discriminant,
-};
-
-/// `u`, `q`, `k`.
-fn roots() -> [Fraction; 3] {
-    [Symbol::CubeRoot, Symbol::SquareRoot, Symbol::RootOfMinusThree].map(Symbol::number)
-}
+const RADICAND_IS_THE_DISCRIMINANT: Claim =
+    claim("eq-12", "Eq. (12)", radicand_is_the_discriminant).states(
+        "the radicand of (12) is the discriminant of each cubic (7), up to a negative number and a \
+         square",
+    );
 
 /// `u³` as given, `q²` the radicand (12), `k² = -3`.
 fn relations(cube: &Fraction) -> Relations {
@@ -125,54 +58,79 @@ fn relations(cube: &Fraction) -> Relations {
         .with(Symbol::RootOfMinusThree, 2, Polynomial::from(-3))
 }
 
-/// A closed form put into its cubic, with both signs.
+/// `u³` by the letters and `q`.
+type Cube = fn(&Abbreviations<Fraction>, &Fraction) -> Fraction;
+
+/// A closed form in `u` and `k` put into its cubic, with both signs.
 fn solves(
     d: &mut Derivation,
-    relations: &Relations,
-    cubic: impl Fn(&Fraction) -> Fraction,
-    k: &Fraction,
+    (words, cube, nonzero): (&str, Cube, &str),
+    cubic: impl Fn(&Abbreviations<Fraction>, &Fraction, &Fraction) -> Fraction,
 ) -> Result<Finding, Undecided> {
+    let [u, q, k] =
+        [Symbol::CubeRoot, Symbol::SquareRoot, Symbol::RootOfMinusThree].map(Symbol::number);
+    let at = letters();
+    let cube = cube(&at, &q);
+    d.define(words, &cube);
+    d.assume(nonzero);
     d.assume("u has the cube given, q² is the radicand (12), k² = -3");
-    for (sign, k) in [("upper", k.clone()), ("lower", -k.clone())] {
+    for (sign, k) in [("upper", k.clone()), ("lower", -k)] {
         let words = format!("the cubic at its closed form, {sign} signs");
-        d.identity(words, &cubic(&k), &k.int(0), relations)?;
+        d.identity_under(words, cubic(&at, &u, &k), k.int(0), &relations(&cube))?;
     }
     Ok(Finding::AsPrinted)
 }
 
+fn opening_root(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let cube: Cube = closed_form::opening_cube;
+    solves(d, ("u³, half the bracket", cube, "S, 3g - 2S and u are not zero"), |at, u, k| {
+        cubic::in_opening_variable(at, &k.int(1), &closed_form::opening_variable(at, u, k))
+    })
+}
+
+fn thickness_root(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let cube: Cube = closed_form::thickness_cube;
+    solves(d, ("u³, the bracket", cube, "S and u are not zero"), |at, u, k| {
+        cubic::in_thickness(at, &k.int(1), &closed_form::thickness(at, u, k))
+    })
+}
+
+fn thrust_root(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let cube: Cube = closed_form::thrust_cube;
+    solves(d, ("u³, the bracket", cube, "S and u are not zero"), |at, u, k| {
+        cubic::in_thrust(at, &k.int(1), &closed_form::thrust(at, u, k))
+    })
+}
+
 fn radicand_is_the_discriminant(d: &mut Derivation) -> Result<Finding, Undecided> {
-    let (at, free) = (letters(), Relations::none());
+    let at = letters();
     let (one, delta) = (at.sin.int(1), Symbol::Flag.number());
     let of = |cubic: Fraction, x| Fraction::from(discriminant(cubic.numerator(), x));
     let radicand = cubic::radicand(&at, &one);
     d.identity(
         "the discriminant of the cubic in eta, any delta_M",
-        &of(cubic::in_thickness(&at, &delta, &Symbol::Thickness.number()), Symbol::Thickness),
-        &(one.int(-432) * cubic::radicand(&at, &delta)),
-        &free,
+        of(cubic::in_thickness(&at, &delta, &Symbol::Thickness.number()), Symbol::Thickness),
+        one.int(-432) * cubic::radicand(&at, &delta),
     )?;
     let Abbreviations { sin, f, g } = &at;
     d.identity(
         "the discriminant of the cubic in A",
-        &of(
+        of(
             cubic::in_opening_variable(&at, &at.sin.int(1), &Symbol::OpeningVariable.number()),
             Symbol::OpeningVariable,
         ),
-        &(one.int(-27) * (g.square() * g * sin).square() * &radicand),
-        &free,
+        one.int(-27) * (g.square() * g * sin).square() * &radicand,
     )?;
     d.identity(
         "the discriminant of the cubic in h",
-        &of(cubic::in_thrust(&at, &at.sin.int(1), &Symbol::Thrust.number()), Symbol::Thrust),
-        &(one.int(-27) * ((g.clone() - f) * sin).square() * radicand),
-        &free,
+        of(cubic::in_thrust(&at, &at.sin.int(1), &Symbol::Thrust.number()), Symbol::Thrust),
+        one.int(-27) * ((g.clone() - f) * sin).square() * radicand,
     )?;
     let heyman = f.square() - g.int(2) * g * sin + sin.square();
     d.identity(
         "for delta_M = 0 it is the discriminant of a quadratic times a square",
-        &cubic::radicand(&at, &one.int(0)),
-        &(heyman * (f.clone() + g).square() * one.int(-3)),
-        &free,
+        cubic::radicand(&at, &one.int(0)),
+        heyman * (f.clone() + g).square() * one.int(-3),
     )?;
     d.conclude(
         "Where (12) is negative, and f + g is not zero, each cubic has only simple real roots.",
@@ -185,8 +143,7 @@ fn widest_joint_is_below_a_right_angle(d: &mut Derivation) -> Result<(), Undecid
     for weight in SelfWeight::ALL {
         let joint = widest_joint(weight)?;
         let right = joint.pi() / joint.int(2);
-        let words = format!("beta_sb < pi/2, {} weight", weight.name());
-        d.less(words, [&joint, &right])?;
+        d.less(format!("beta_sb < pi/2, {} weight", weight.name()), [&joint, &right])?;
     }
     Ok(())
 }
@@ -197,9 +154,7 @@ fn widest_joint(weight: SelfWeight) -> Result<Ball, Undecided> {
 }
 
 fn signs_of_the_branches(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&RADICAND_IS_THE_DISCRIMINANT)?;
-    d.lemma(&TWO_THICKNESSES_FOR_EACH_JOINT)?;
-    d.lemma(&STATES_IN_ORDER)?;
+    lemmas(d, [&RADICAND_IS_THE_DISCRIMINANT, &TWO_THICKNESSES_FOR_EACH_JOINT, &STATES_IN_ORDER])?;
     // The cubic in eta is linear in g: its points are (eta, f, S), free.
     let Abbreviations { sin, f, .. } = letters();
     let eta = Symbol::Thickness.number();
@@ -210,24 +165,15 @@ fn signs_of_the_branches(d: &mut Derivation) -> Result<Finding, Undecided> {
         - f.int(12) * &f;
     let g = -(rest / (eta.int(3) * ring.intrados().square()));
     let at = Abbreviations { sin: sin.clone(), f: f.clone(), g };
-    let (zero, free) = (eta.int(0), Relations::none());
-    d.identity(
-        "g from the cubic in eta",
-        &cubic::in_thickness(&at, &eta.int(1), &eta),
-        &zero,
-        &free,
-    )?;
+    let zero = eta.int(0);
+    d.identity("g from the cubic in eta", cubic::in_thickness(&at, &eta.int(1), &eta), &zero)?;
     // beta cot(beta) = (f - S)/S.
     let thrust = crate::arch::thrust::tangency(&((f - &sin) / &sin), &ring).value();
-    d.identity(
-        "(5) there is a root of the cubic in h",
-        &cubic::in_thrust(&at, &at.sin.int(1), &thrust),
-        &zero,
-        &free,
-    )?;
+    let words = "(5) there is a root of the cubic in h";
+    d.identity(words, cubic::in_thrust(&at, &at.sin.int(1), &thrust), &zero)?;
     let opening = thrust + overturning::opening_variable(&ring).value();
     let words = "(4) there is a root of the cubic in A";
-    d.identity(words, &cubic::in_opening_variable(&at, &at.sin.int(1), &opening), &zero, &free)?;
+    d.identity(words, cubic::in_opening_variable(&at, &at.sin.int(1), &opening), &zero)?;
     d.conclude(
         "For beta < beta_sb let eta_1 < eta_2 be the two thicknesses. Their states have alpha_1 < \
          alpha_sb < alpha_2, A_1 > A_2 > 0 and h_1 > h_2 > 0. In each cubic the product of the roots, \
@@ -238,33 +184,34 @@ fn signs_of_the_branches(d: &mut Derivation) -> Result<Finding, Undecided> {
     let at = letters();
     let (q, no_root) = (Symbol::SquareRoot.number(), at.sin.int(0));
     let relations = relations(&closed_form::thickness_cube(&at, &q));
-    let norm = |cube: fn(&Abbreviations<Fraction>, &Fraction) -> Fraction| {
-        let conjugate = cube(&at, &-q.clone());
-        cube(&at, &q) * conjugate
-    };
-    let norms: [(&str, Fraction, Fraction); 3] = [
-        ("(9)", norm(closed_form::opening_cube), closed_form::opening_product(&at)),
-        ("(10)", norm(closed_form::thickness_cube), closed_form::thickness_product(&at)),
-        ("(11)", norm(closed_form::thrust_cube), closed_form::thrust_product(&at)),
-    ];
-    for (name, norm, product) in norms {
-        let words = format!("the norm of u³ in {name} is P³");
-        d.identity(words, &norm, &(product.square() * &product), &relations)?;
-    }
-    let factors: [(&str, Fraction, Fraction); 3] = [
+    let forms: [(&str, Cube, Fraction, Fraction); 3] = [
         (
             "(9)",
-            closed_form::opening_cube(&at, &q),
+            closed_form::opening_cube,
+            closed_form::opening_product(&at),
             closed_form::opening_root_factor(&at) / at.sin.int(2),
         ),
-        ("(10)", closed_form::thickness_cube(&at, &q), at.sin.int(2) * &at.sin),
-        ("(11)", closed_form::thrust_cube(&at, &q), at.sin.int(3) * (at.g.clone() - &at.f)),
+        (
+            "(10)",
+            closed_form::thickness_cube,
+            closed_form::thickness_product(&at),
+            at.sin.int(2) * &at.sin,
+        ),
+        (
+            "(11)",
+            closed_form::thrust_cube,
+            closed_form::thrust_product(&at),
+            at.sin.int(3) * (at.g.clone() - &at.f),
+        ),
     ];
-    let cubes: [fn(&Abbreviations<Fraction>, &Fraction) -> Fraction; 3] =
-        [closed_form::opening_cube, closed_form::thickness_cube, closed_form::thrust_cube];
-    for ((name, cube, factor), real) in factors.into_iter().zip(cubes) {
+    for (name, cube, product, _) in &forms {
+        let norm = cube(&at, &q) * cube(&at, &-q.clone());
+        let words = format!("the norm of u³ in {name} is P³");
+        d.identity_under(words, norm, product.square() * product, &relations)?;
+    }
+    for (name, cube, _, factor) in forms {
         let words = format!("c, the factor of q in u³ of {name}");
-        d.identity(words, &((cube - real(&at, &no_root)) / &q), &factor, &Relations::none())?;
+        d.identity(words, (cube(&at, &q) - cube(&at, &no_root)) / &q, factor)?;
     }
     let joint = Symbol::joint();
     let wide = cubic::abbreviations(&joint);
@@ -272,9 +219,8 @@ fn signs_of_the_branches(d: &mut Derivation) -> Result<Finding, Undecided> {
     let positive =
         excess.int(3) * &excess + joint.sin.int(3) * &joint.sin * &joint.cos + &joint.sin;
     let words = "3g - 2S, a sum of positive parts for beta < pi/2";
-    d.identity(words, &closed_form::opening_root_factor(&wide), &positive, &Relations::none())?;
-    let words = "g - f, a product of positive factors";
-    d.identity(words, &(wide.g - &wide.f), &(excess * joint.versine()), &Relations::none())?;
+    d.identity(words, closed_form::opening_root_factor(&wide), &positive)?;
+    d.identity("g - f, a product of positive factors", wide.g - &wide.f, excess * joint.versine())?;
     widest_joint_is_below_a_right_angle(d)?;
     d.conclude(
         "For beta < beta_sb the cubic has three simple real roots, so that (12) is negative; each c is \
@@ -298,8 +244,7 @@ fn sign_changes(weight: SelfWeight) -> [(i32, i32); 2] {
 }
 
 fn radicand_in_the_range_of_interest(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&RADICAND_IS_THE_DISCRIMINANT)?;
-    d.lemma(&TWO_THICKNESSES_FOR_EACH_JOINT)?;
+    lemmas(d, [&RADICAND_IS_THE_DISCRIMINANT, &TWO_THICKNESSES_FOR_EACH_JOINT])?;
     d.conclude(
         "For 0 < beta < beta_sb the roots are real and simple, so the discriminant is positive and (12) \
          negative (for delta_M = 0 the quadratic has two, and f + g = (beta + S)(1 + C) > 0). At \

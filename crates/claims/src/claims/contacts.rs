@@ -2,32 +2,27 @@
 //! which joints of an arch can be there.
 
 use super::frictions::SLOPES_OF_FRICTION;
-use super::letters::ring;
-use super::{Claim, Derivation, Finding};
+use super::letters::{ring, term, with};
+use super::{Claim, Derivation, Finding, claim, lemmas};
 use crate::arch::mechanism::{Contact, Twist};
 use crate::arch::{statics, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Field};
-use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint};
+use crate::symbolic::{Fraction, Letters, Symbol, along_the_joint};
 
 pub(super) const CLAIMS: &[Claim] = &[DISTANCES_RISE_AND_FALL, CONTACTS];
 
-pub(super) const DISTANCES_RISE_AND_FALL: Claim = Claim {
-    id: "map-distances",
-    place: "Sec. 2.1",
-    statement: "along an admissible arch the normal force N and the distance U from the extrados first \
-                grow and then fall",
-    decide: distances_rise_and_fall,
-};
+pub(super) const DISTANCES_RISE_AND_FALL: Claim =
+    claim("map-distances", "Sec. 2.1", distances_rise_and_fall).states(
+        "along an admissible arch the normal force N and the distance U from the extrados first \
+         grow and then fall",
+    );
 
-pub(super) const CONTACTS: Claim = Claim {
-    id: "modes-contacts",
-    place: "Sec. 3, 4",
-    statement: "in an admissible state the line of thrust reaches the extrados at the crown and at the \
-                shoulder only, and the intrados at one joint only; friction is used up inwards at one \
-                joint only, above a shoulder at its limit, and outwards at the shoulder only",
-    decide: contacts,
-};
+pub(super) const CONTACTS: Claim = claim("modes-contacts", "Sec. 3, 4", contacts).states(
+    "in an admissible state the line of thrust reaches the extrados at the crown and at the \
+     shoulder only, and the intrados at one joint only; friction is used up inwards at one joint \
+     only, above a shoulder at its limit, and outwards at the shoulder only",
+);
 
 /// What must not be negative at a joint.
 pub(super) fn margin_at(contact: Contact, joint: &Angle<Fraction>) -> Fraction {
@@ -59,25 +54,26 @@ pub(super) fn slopes(condition: &Fraction) -> [Fraction; 2] {
     [Symbol::Thrust, Symbol::CrownMoment].map(|symbol| condition.partial(symbol))
 }
 
+/// `beta cot(beta)` falls.
+pub(super) fn cotangent_falls(d: &mut Derivation) -> Result<(), Undecided> {
+    let joint = Symbol::joint();
+    let bow = joint.rad.clone() - joint.sin.clone() * &joint.cos;
+    let slope = joint.times_cotangent().derivative(&along_the_joint());
+    d.on_circle("d(beta cot(beta))/d beta, negative", slope, -(bow / joint.sin.square()))
+}
+
 /// `N` and `U` along an arch first grow and then fall.
 fn distances_rise_and_fall(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (joint, h, ring) = (Symbol::joint(), Symbol::Thrust.number(), ring());
-    let (rules, circle) = (along_the_joint(), Relations::trigonometric());
+    let rules = along_the_joint();
     let normal = statics::normal_force(&joint, &h);
     let rise = h.int(1) - &h + joint.times_cotangent();
-    let words = "dN/d beta";
-    d.identity(words, &normal.derivative(&rules), &(joint.sin.clone() * &rise), &circle)?;
+    d.on_circle("dN/d beta", normal.derivative(&rules), joint.sin.clone() * &rise)?;
     let distance = ring.extrados() * &normal / h.int(2) - joint.versine() * &ring.centroid_factor;
     let slope = ring.extrados() * rise / h.int(2) - &ring.centroid_factor;
     let words = "dU/d beta, U = (1 + eta/2) N - p - fac (1 - cos(beta))";
-    d.identity(words, &distance.derivative(&rules), &(slope * &joint.sin), &circle)?;
-    let bow = joint.rad.clone() - joint.sin.clone() * &joint.cos;
-    d.identity(
-        "d(beta cot(beta))/d beta, negative",
-        &joint.times_cotangent().derivative(&rules),
-        &-(bow / joint.sin.square()),
-        &circle,
-    )?;
+    d.on_circle(words, distance.derivative(&rules), slope * &joint.sin)?;
+    cotangent_falls(d)?;
     d.conclude(
         "As beta cot(beta) falls, either slope changes its sign at most once, from + to -: N and U are \
          positive between two joints where they are.",
@@ -88,28 +84,23 @@ fn distances_rise_and_fall(d: &mut Derivation) -> Result<Finding, Undecided> {
 /// `U`, `L` at a joint, whose difference is known and whose directions change once.
 fn contacts(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.assume("0 < alpha < pi, 0 < eta <= 2; 0 < mu < inf, or h > 0 and mu = inf");
-    d.lemma(&DISTANCES_RISE_AND_FALL)?;
-    d.lemma(&SLOPES_OF_FRICTION)?;
+    lemmas(d, [&DISTANCES_RISE_AND_FALL, &SLOPES_OF_FRICTION])?;
     let (joint, alpha) = (Symbol::joint(), Symbol::half_opening());
     let (ring, h, mu) = (ring(), Symbol::Thrust.number(), Symbol::Friction.number());
-    let (free, circle, two) = (Relations::none(), Relations::trigonometric(), h.int(2));
+    let two = h.int(2);
     let [upper, lower, inwards, _] = Contact::ALL.map(|contact| margin_at(contact, &joint));
     let rise = h.int(1) - &h + joint.times_cotangent();
     let slope = (ring.centroid_factor.clone() - ring.intrados() * rise / &two) * &joint.sin;
     let words = "dL/d beta, L = p + fac (1 - cos(beta)) - (1 - eta/2) N; the bracket grows or, at eta = 2, is fac";
-    d.identity(words, &lower.derivative(&along_the_joint()), &slope, &circle)?;
+    d.on_circle(words, lower.derivative(&along_the_joint()), &slope)?;
     let normal = statics::normal_force(&joint, &h);
-    d.identity("U + L", &(upper.clone() + &lower), &(normal.clone() * &ring.thickness), &free)?;
-    let without = |value: &Fraction, gone: Symbol| {
-        let zero = value.int(0);
-        value.evaluate(&zero, |symbol| if symbol == gone { zero.clone() } else { symbol.number() })
-    };
+    d.identity("U + L", upper.clone() + &lower, normal.clone() * &ring.thickness)?;
     let near = (mu * &joint.sin - &joint.cos) * &joint.rad;
     let words = "mu N - T without thrust: negative next to the crown, so that h > 0 if mu < inf";
-    d.identity(words, &without(&inwards, Symbol::Thrust), &near, &free)?;
+    d.identity(words, with(&inwards, &[Symbol::Thrust], &h.int(0)), &near)?;
     let moment = Symbol::CrownMoment.number() + joint.versine() * &ring.centroid_factor;
     let words = "U where N = 0: negative, as p >= (1 - eta/2) h, so that N > 0";
-    d.identity(words, &(upper - ring.extrados() * normal / &two), &-moment, &free)?;
+    d.identity(words, upper - ring.extrados() * normal / &two, -moment)?;
     d.conclude(
         "With h > 0 and N > 0: U first grows and then falls, strictly, and L first falls and then grows. \
          Not negative at either end, U is positive between; L is zero at one joint at most. T/N \
@@ -122,24 +113,16 @@ fn contacts(d: &mut Derivation) -> Result<Finding, Undecided> {
     let opening = thrust::opening_variable(&alpha);
     let expected = ring.extrados() * (h.clone() * &opening.denominator - opening.numerator) / &two
         + alpha.versine() * &ring.centroid_factor;
-    d.identity("U at the crown less U at the shoulder", &distances, &expected, &free)?;
+    d.identity("U at the crown less U at the shoulder", &distances, &expected)?;
     let rest = (h.int(6) - Symbol::Flag.number() * &ring.thickness) * &ring.thickness / h.int(12);
-    d.identity(
-        "1 + eta/2 - fac: positive, so that h >= A - 1 if the shoulder is on the extrados",
-        &(ring.extrados() / &two - &ring.centroid_factor),
-        &rest,
-        &free,
-    )?;
-    let term = |n: i32, m: i32, power: usize| {
-        Fraction::from(Symbol::HalfOpening.polynomial().power(power)) * h.ratio(n, m)
-    };
+    let words = "1 + eta/2 - fac: positive, so that h >= A - 1 if the shoulder is on the extrados";
+    d.identity(words, ring.extrados() / &two - &ring.centroid_factor, &rest)?;
     let sine = term(1, 1, 1) - term(1, 6, 3);
     let versine = term(1, 2, 2) - term(1, 24, 4) + term(1, 720, 6);
     d.identity(
         "alpha sin - (2 - alpha²)(1 - cos) is at least this, positive for 0 < alpha <= 1/2",
-        &(term(1, 1, 1) * sine - (term(2, 1, 0) - term(1, 1, 2)) * versine),
-        &(term(5, 12, 4) - term(2, 45, 6) + term(1, 720, 8)),
-        &free,
+        term(1, 1, 1) * sine - (term(2, 1, 0) - term(1, 1, 2)) * versine,
+        term(5, 12, 4) - term(2, 45, 6) + term(1, 720, 8),
     )?;
     d.conclude(
         "So for h < 1 a shoulder on the extrados has 1 - h <= 2 - A < alpha² if alpha <= 1/2, and beta_s < alpha; \

@@ -1,50 +1,34 @@
 //! The cubics (7) and their abbreviations (8).
 
+use super::letters::with;
 use super::sign::{AngleSigns, NotNegative, Positive, RingSigns};
-use super::{Claim, Derivation, Finding};
+use super::{Claim, Derivation, Finding, claim};
 use crate::arch::cubic::{self, Abbreviations};
 use crate::arch::{Quotient, Ring, overturning, thrust};
 use crate::certify::Undecided;
 use crate::number::Field;
-use crate::symbolic::{Elimination, Fraction, Letters, Polynomial, Relations, Symbol};
+use crate::symbolic::{Elimination, Fraction, Letters, Polynomial, Symbol};
 use crate::symbolic::{along_the_joint, eliminate};
 
 pub(super) const CLAIMS: &[Claim] = &[
-    Claim {
-        id: "eq-8",
-        place: "Eq. (8)",
-        statement: "f = (beta S)' = S + beta C; g = f C + beta S^2 = beta + S C; \
-                    beta S^2 + C f - g = 0",
-        decide: abbreviations,
-    },
-    Claim {
-        id: "eq-7-eta",
-        place: "Eq. (7), second",
-        statement: "the thickness of the purely rotational state is a root of pol_eta; for symbolic \
-                    delta_M, with Heyman's quadratic at delta_M = 0",
-        decide: in_thickness,
-    },
-    Claim {
-        id: "eq-7-A",
-        place: "Eq. (7), first",
-        statement: "the A of the purely rotational state is a root of pol_A; for symbolic delta_M, \
-                    with Heyman's quadratic at delta_M = 0",
-        decide: in_opening_variable,
-    },
-    Claim {
-        id: "eq-7-h",
-        place: "Eq. (7), third",
-        statement: "the thrust of the purely rotational state is a root of pol_h; for symbolic \
-                    delta_M, with Heyman's quadratic at delta_M = 0",
-        decide: in_thrust,
-    },
-    Claim {
-        id: "eq-7-denominators",
-        place: "Sec. 2.1",
-        statement: "no denominator on the way to (7) vanishes for 0 < beta < pi, 0 < eta < 2, and \
-                    0 < A",
-        decide: denominators,
-    },
+    claim("eq-8", "Eq. (8)", abbreviations).states(
+        "f = (beta S)' = S + beta C; g = f C + beta S^2 = beta + S C; beta S^2 + C f - g = 0",
+    ),
+    claim("eq-7-eta", "Eq. (7), second", in_thickness).states(
+        "the thickness of the purely rotational state is a root of pol_eta; for symbolic delta_M, \
+         with Heyman's quadratic at delta_M = 0",
+    ),
+    claim("eq-7-A", "Eq. (7), first", in_opening_variable).states(
+        "the A of the purely rotational state is a root of pol_A; for symbolic delta_M, with \
+         Heyman's quadratic at delta_M = 0",
+    ),
+    claim("eq-7-h", "Eq. (7), third", in_thrust).states(
+        "the thrust of the purely rotational state is a root of pol_h; for symbolic delta_M, with \
+         Heyman's quadratic at delta_M = 0",
+    ),
+    claim("eq-7-denominators", "Sec. 2.1", denominators).states(
+        "no denominator on the way to (7) vanishes for 0 < beta < pi, 0 < eta < 2, and 0 < A",
+    ),
 ];
 
 /// `S`, `f`, `g` as free letters.
@@ -59,13 +43,12 @@ fn polynomial(fraction: &Fraction) -> Polynomial {
 fn abbreviations(d: &mut Derivation) -> Result<Finding, Undecided> {
     let joint = Symbol::joint();
     let Abbreviations { sin, f, g } = cubic::abbreviations(&joint);
-    let circle = Relations::trigonometric();
     let product = joint.rad.clone() * &sin;
     let slope = product.derivative(&along_the_joint());
-    d.identity("(beta S)' by beta' = 1, S' = C, C' = -S", &slope, &f, &circle)?;
+    d.on_circle("(beta S)' by beta' = 1, S' = C, C' = -S", &slope, &f)?;
     let first_form = f.clone() * &joint.cos + joint.rad.clone() * sin.square();
-    d.identity("f C + beta S^2 with C^2 = 1 - S^2", &first_form, &g, &circle)?;
-    d.identity("beta S^2 + C f - g", &cubic::link(&joint), &sin.int(0), &circle)?;
+    d.on_circle("f C + beta S^2 with C^2 = 1 - S^2", &first_form, &g)?;
+    d.on_circle("beta S^2 + C f - g", cubic::link(&joint), sin.int(0))?;
     Ok(Finding::AsPrinted)
 }
 
@@ -77,12 +60,8 @@ fn in_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
         (thrust::lower(&joint, &ring), thrust::tangency(&joint.times_cotangent(), &ring));
     let cubic = cubic::in_thickness(&cubic::abbreviations(&joint), &delta, &eta);
     let difference = lower.difference(&tangent) * eta.int(3) * &joint.sin;
-    d.identity(
-        "3 S times (2) - (5), times both denominators, is pol_eta with delta_M kept",
-        &difference,
-        &cubic,
-        &Relations::trigonometric(),
-    )?;
+    let words = "3 S times (2) - (5), times both denominators, is pol_eta with delta_M kept";
+    d.on_circle(words, &difference, &cubic)?;
     d.conclude("where S and the denominators are not zero, (2) and (5) give one thrust exactly where pol_eta = 0");
     let free = cubic::in_thickness(&letters(), &delta, &eta);
     d.define_by("pol_eta in f, g, S", &polynomial(&free), Symbol::Thickness);
@@ -92,9 +71,8 @@ fn in_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
         - (g.clone() - &sin) * eta.int(12) * &eta
         + (g - &f) * eta.int(12);
     let printed = sin * &eta * eta.square() + &quadratic;
-    let none = Relations::none();
-    d.identity("delta_M = 1: as printed", &one, &printed, &none)?;
-    d.identity("delta_M = 0: Heyman's quadratic", &zero, &quadratic, &none)?;
+    d.identity("delta_M = 1: as printed", &one, &printed)?;
+    d.identity("delta_M = 0: Heyman's quadratic", &zero, &quadratic)?;
     Ok(Finding::AsPrinted)
 }
 
@@ -127,10 +105,9 @@ fn reduced(d: &mut Derivation) -> Result<Reduced, Undecided> {
     let target = in_letters(&cubic::abbreviations(&joint));
     let lower = thrust::lower(&joint, &ring).residual(&h);
     let tangent = thrust::tangency(&joint.times_cotangent(), &ring).residual(&h) * &joint.sin;
-    let circle = Relations::trigonometric();
-    d.identity("Q = S times (5), cleared", &tangent, &target.tangent, &circle)?;
+    d.on_circle("Q = S times (5), cleared", &tangent, &target.tangent)?;
     let sum = lower * &joint.sin + tangent * &joint.cos;
-    d.identity("P = S times (2), cleared, plus C Q, by link (8)", &sum, &target.sum, &circle)?;
+    d.on_circle("P = S times (2), cleared, plus C Q, by link (8)", &sum, &target.sum)?;
     let free = in_letters(&letters());
     d.define_by("P in f, g, S", &polynomial(&free.sum), Symbol::Thickness);
     d.define_by("Q in f, g, S", &polynomial(&free.tangent), Symbol::Thickness);
@@ -148,28 +125,22 @@ fn in_opening_variable(d: &mut Derivation) -> Result<Finding, Undecided> {
     // (4): h = A - 2 fac/(2+eta).
     let overturned: Quotient<Fraction> = overturning::opening_variable(&ring);
     let thrust = a.clone() - overturned.value();
-    let put = |x: Symbol| if x == Symbol::Thrust { thrust.clone() } else { x.number() };
     let linear = ring.extrados() * &sin * &a - ring.intrados() * &g;
-    d.identity(
-        "(4) put into P: what contains delta_M cancels",
-        &free.sum.evaluate(&a, put),
-        &linear,
-        &Relations::none(),
-    )?;
+    let words = "(4) put into P: what contains delta_M cancels";
+    d.identity(words, with(&free.sum, &[Symbol::Thrust], &thrust), &linear)?;
     let thickness = (g.clone() - sin.clone() * &a) * a.int(2) / (g.clone() + sin.clone() * &a);
-    let put = |x: Symbol| if x == Symbol::Thickness { thickness.clone() } else { x.number() };
     d.identity(
         "it is solved by eta = 2 (g - S A)/(g + S A)",
-        &linear.evaluate(&a, put),
-        &a.int(0),
-        &Relations::none(),
+        with(&linear, &[Symbol::Thickness], &thickness),
+        a.int(0),
     )?;
-    let cubic = cubic::in_thickness(&letters(), &delta, &eta).evaluate(&a, put);
+    let cubic = cubic::in_thickness(&letters(), &delta, &eta);
+    let cubic = with(&cubic, &[Symbol::Thickness], &thickness);
     let found = cubic::in_opening_variable(&letters(), &delta, &a);
     d.define_by("pol_A with delta_M kept", &polynomial(&found), Symbol::OpeningVariable);
     let sum = g.clone() + sin.clone() * &a;
     let expected = a.int(16) * &sin * &found / (sum.square() * &sum);
-    d.identity("pol_eta there is 16 S pol_A/(g + S A)^3", &cubic, &expected, &Relations::none())?;
+    d.identity("pol_eta there is 16 S pol_A/(g + S A)^3", &cubic, &expected)?;
     let Abbreviations { sin, f, g } = letters();
     let printed = ((sin.square() * (g.int(3) * &g - g.int(2) * &sin) * &a
         + g.int(3) * &g * &sin * (g.clone() - &f))
@@ -178,7 +149,7 @@ fn in_opening_variable(d: &mut Derivation) -> Result<Finding, Undecided> {
         * &a
         + g.int(2) * &g * g.square();
     let [one, zero] = [1, 0].map(|n| cubic::in_opening_variable(&letters(), &a.int(n), &a));
-    d.identity("delta_M = 1: as printed", &one, &printed, &Relations::none())?;
+    d.identity("delta_M = 1: as printed", &one, &printed)?;
     let quadratic = (sin.int(2) * &g - &sin) * &sin * a.square()
         - (f.clone()) * sin.int(2) * &g * &a
         + g.square();
@@ -188,7 +159,6 @@ fn in_opening_variable(d: &mut Derivation) -> Result<Finding, Undecided> {
         "delta_M = 0: 3/2 (S A + g) times Heyman's quadratic; the factor is extraneous, S A + g > 0",
         &zero,
         &heyman,
-        &Relations::none(),
     )?;
     Ok(Finding::AsPrinted)
 }
@@ -206,9 +176,8 @@ fn in_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.define_by("pol_h with delta_M kept", &polynomial(&found), Symbol::Thrust);
     let Abbreviations { sin, f, g } = letters();
     let expected = h.ratio(2, 9) * &delta * sin.square() * &found;
-    let none = Relations::none();
-    d.identity("u P + v Q, free of eta, is 2/9 delta_M S^2 pol_h", &combination, &expected, &none)?;
-    d.identity("it is the resultant of P and Q", &Fraction::from(resultant), &expected, &none)?;
+    d.identity("u P + v Q, free of eta, is 2/9 delta_M S^2 pol_h", &combination, &expected)?;
+    d.identity("it is the resultant of P and Q", Fraction::from(resultant), &expected)?;
     let printed = ((h.int(6) * sin.square() * &h
         - sin.int(3) * &sin * (f.int(3) * &f - &g - sin.int(2) * &sin))
         * &h
@@ -216,7 +185,7 @@ fn in_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
         * &h
         + (g.clone() - &f).square() * g.int(2);
     let [one, zero] = [1, 0].map(|n| cubic::in_thrust(&letters(), &h.int(n), &h));
-    d.identity("delta_M = 1: as printed", &one, &printed, &none)?;
+    d.identity("delta_M = 1: as printed", &one, &printed)?;
     // At delta_M = 0 both P and Q are linear in eta, and the resultant above loses its meaning.
     let linear = |p: &Polynomial| p.substitute(Symbol::Flag, &Polynomial::zero());
     let heyman = eliminate(&linear(&p), &linear(&q), Symbol::Thickness).resultant;
@@ -227,31 +196,27 @@ fn in_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
         Symbol::Thrust,
     );
     let extraneous = sin.int(2) * &sin * &h + (g - &f);
-    d.identity(
-        "3/4 (2 S h + g - f) times it is pol_h at delta_M = 0",
-        &(extraneous * quadratic * h.ratio(3, 4)),
-        &zero,
-        &none,
-    )?;
+    let words = "3/4 (2 S h + g - f) times it is pol_h at delta_M = 0";
+    d.identity(words, extraneous * quadratic * h.ratio(3, 4), &zero)?;
     let angle = AngleSigns::of_joint(d)?;
     let [h] = NotNegative::given(d, "h >= 0", [&h]);
     let wide = cubic::abbreviations(&Symbol::joint());
     let factor = Symbol::Thrust.number() * &wide.sin * wide.sin.int(2) + (wide.g - &wide.f);
     let positive = h * &angle.sin * &Positive::int(2) + &(angle.excess * &angle.versine);
-    positive.is(d, "2 S h + g - f, which is extraneous", &factor, &none)?;
+    positive.is(d, "2 S h + g - f, which is extraneous", &factor)?;
     Ok(Finding::AsPrinted)
 }
 
 fn denominators(d: &mut Derivation) -> Result<Finding, Undecided> {
-    let (angle, signs, free) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?, Relations::none());
+    let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
     let opening = Symbol::OpeningVariable.number();
     let [positive_opening] = Positive::given(d, "A > 0", [&opening]);
     signs.lever_arm(d, &angle)?;
     let Abbreviations { sin, f, g } = cubic::abbreviations(&Symbol::joint());
     let difference = angle.excess.clone() * &angle.versine;
-    difference.is(d, "g - f", &(g.clone() - f), &free)?;
-    let sum = (angle.excess + &(angle.sin.clone() * &angle.coversine)).is(d, "g", &g, &free)?;
+    difference.is(d, "g - f", g.clone() - f)?;
+    let sum = (angle.excess + &(angle.sin.clone() * &angle.coversine)).is(d, "g", &g)?;
     let whole = sum + &(angle.sin * &positive_opening);
-    whole.is(d, "g + S A", &(g + sin * &opening), &free)?;
+    whole.is(d, "g + S A", g + sin * &opening)?;
     Ok(Finding::Implicit)
 }

@@ -1,12 +1,10 @@
 //! The steps of a proof, checked as they are written down.
 
-use super::{Claim, Finding};
 use crate::certify::{Undecided, cover};
 use crate::number::{Ball, Enclosure, ExactField, Field, Ternary};
 use crate::symbolic::{Fraction, Notation, Polynomial, Relations, Series, Symbol};
 use rug::Rational;
-use std::collections::BTreeMap;
-use std::sync::{Mutex, PoisonError};
+use std::borrow::Borrow;
 
 /// A formula in both notations.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -216,16 +214,14 @@ impl Derivation {
         self.push(Support::Argument, words, None);
     }
 
-    /// Uses another claim, which is decided too; its steps are not repeated. One that does not hold as it is
-    /// stated cannot be used.
-    pub fn lemma(&mut self, claim: &Claim) -> Result<(), Undecided> {
-        self.beneath.extend(used(claim)?);
-        self.push(Support::Claim, format!("{}: {}", claim.id, claim.statement), None);
-        Ok(())
+    /// Uses a claim that has been decided: its steps are not repeated, but what they rest on counts here too.
+    pub(super) fn use_claim(&mut self, words: String, supports: Vec<Support>) {
+        self.beneath.extend(supports);
+        self.push(Support::Claim, words, None);
     }
 
     /// What the steps rest on, and those of the claims used.
-    fn supports(&self) -> impl Iterator<Item = Support> {
+    pub(super) fn supports(&self) -> impl Iterator<Item = Support> {
         self.steps.iter().map(|step| step.support).chain(self.beneath.iter().copied())
     }
 
@@ -247,18 +243,39 @@ impl Derivation {
         self.spoiled == Some(index)
     }
 
-    /// Checks `left = right` wherever the relations hold and no denominator vanishes.
+    /// Checks `left = right` for all values of the letters at which no denominator vanishes.
     pub fn identity(
         &mut self,
         words: impl Into<String>,
-        left: &Fraction,
-        right: &Fraction,
-        relations: &Relations,
+        left: impl Borrow<Fraction>,
+        right: impl Borrow<Fraction>,
     ) -> Result<(), Undecided> {
-        self.identity_as(words, left, right, relations, right.into())
+        self.identity_under(words, left, right, &Relations::none())
     }
 
-    /// The same, with the right side shown as it was made.
+    /// Checks `left = right` where each sine and cosine are those of an angle.
+    pub fn on_circle(
+        &mut self,
+        words: impl Into<String>,
+        left: impl Borrow<Fraction>,
+        right: impl Borrow<Fraction>,
+    ) -> Result<(), Undecided> {
+        self.identity_under(words, left, right, &Relations::trigonometric())
+    }
+
+    /// Checks `left = right` wherever the relations hold and no denominator vanishes.
+    pub fn identity_under(
+        &mut self,
+        words: impl Into<String>,
+        left: impl Borrow<Fraction>,
+        right: impl Borrow<Fraction>,
+        relations: &Relations,
+    ) -> Result<(), Undecided> {
+        let right = right.borrow();
+        self.identity_as(words, left.borrow(), right, relations, right.into())
+    }
+
+    /// Checks such an identity, and shows the right side as it was made.
     pub fn identity_as(
         &mut self,
         words: impl Into<String>,
@@ -425,25 +442,6 @@ impl Derivation {
     }
 }
 
-/// What a claim that is used rests on, if it holds as it is stated; each is decided once in a process.
-fn used(claim: &Claim) -> Result<Vec<Support>, Undecided> {
-    type Used = Result<Vec<Support>, Undecided>;
-    static KNOWN: Mutex<BTreeMap<&str, Used>> = Mutex::new(BTreeMap::new());
-    let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(used) = known().get(claim.id) {
-        return used.clone();
-    }
-    // Not under the lock: a claim uses others.
-    let decision = claim.decide();
-    let used = match decision.outcome {
-        Ok(Finding::AsPrinted | Finding::Implicit) => Ok(decision.derivation.supports().collect()),
-        Ok(_) => Err(Undecided::new(format!("{} does not hold as it is stated", claim.id))),
-        Err(undecided) => Err(undecided.about(claim.id)),
-    };
-    known().insert(claim.id, used.clone());
-    used
-}
-
 /// The fraction with the first coefficient of its numerator changed; one for zero.
 fn false_twin(fraction: &Fraction) -> Fraction {
     let changed = fraction.numerator().with_changed_coefficient();
@@ -459,18 +457,13 @@ mod tests {
     fn a_false_identity_ends_the_derivation() {
         let joint = Symbol::joint();
         let (one, circle) = (joint.sin.int(1), joint.sin.square() + joint.cos.square());
-        let relations = Relations::trigonometric();
         let mut derivation = Derivation::new();
-        derivation.identity("the circle", &circle, &one, &relations).unwrap();
-        assert!(
-            derivation
-                .identity("twice", &(circle.clone() * &one.int(2)), &one, &relations)
-                .is_err()
-        );
-        assert!(Derivation::spoiled(0).identity("twin", &circle, &one, &relations).is_err());
+        derivation.on_circle("the circle", &circle, &one).unwrap();
+        assert!(derivation.on_circle("twice", circle.clone() * &one.int(2), &one).is_err());
+        assert!(Derivation::spoiled(0).on_circle("twin", &circle, &one).is_err());
         assert_eq!(derivation.steps().len(), 1);
         let undefined = one.clone() / (circle.clone() - &one);
-        assert!(derivation.identity("1/0", &undefined, &undefined, &relations).is_err());
+        assert!(derivation.on_circle("1/0", &undefined, &undefined).is_err());
     }
 
     #[test]

@@ -1,56 +1,50 @@
 //! How much the two weights differ at the same half opening, in numbers.
 
-use super::landmarks::{enclosed, state_of};
-use super::measured::Bounds;
+use super::along;
+use super::landmarks::{both, state_of};
+use super::measured::MeasuredBounds;
 use super::same_opening::DIFFERENCES_GROW;
-use super::{Claim, Derivation, Finding};
-use crate::arch::{SelfWeight, Unknown};
+use super::{Claim, Derivation, Finding, claim, lemmas};
+use crate::arch::Unknown;
 use crate::certify::Undecided;
 use crate::certify::state::State;
 use crate::number::{Ball, Field};
 use crate::problem::Landmark;
 
 pub(super) const CLAIMS: &[Claim] = &[
-    Claim {
-        id: "weights-minimal",
-        place: "Sec. 2.1, Fig. 2",
-        statement: "at the same half opening eta and h differ really little between the two weights, even \
-                    as the thickness grows",
-        decide: |d| {
-            let mut bounds = Bounds::default();
-            largest(d, &mut bounds, &["pi/2", "2", "2.4", "2.55"], &[ETA, H])?;
-            at(d, &mut bounds, ("2.59", None), &[ETA, H])?;
-            Ok(bounds.finding())
-        },
-    },
-    Claim {
-        id: "weights-marginal",
-        place: "Sec. 5",
-        statement: "for openings up to the semicircle the differences between the two weights are quite \
-                    marginal",
-        decide: |d| {
-            let mut bounds = Bounds::default();
-            largest(d, &mut bounds, &["pi/2"], &[ETA, H, BETA])?;
-            at(d, &mut bounds, ("pi/2", Some("0.31")), &[ETA_SMALLER])?;
-            Ok(bounds.finding())
-        },
-    },
-    Claim {
-        id: "weights-slightly",
-        place: "Sec. 2.1, 3",
-        statement: "alpha_l, eta_l, the joints at the landmarks and alpha at B differ slightly between the two \
-                    weights, mu at B much",
-        decide: at_landmarks,
-    },
+    claim("weights-minimal", "Sec. 2.1, Fig. 2", |d| {
+        let mut bounds = MeasuredBounds::default();
+        largest(d, &mut bounds, &["pi/2", "2", "2.4", "2.55"], &[ETA, H])?;
+        at(d, &mut bounds, ("2.59", None), &[ETA, H])?;
+        Ok(bounds.finding())
+    })
+    .states(
+        "at the same half opening eta and h differ really little between the two weights, even as \
+         the thickness grows",
+    ),
+    claim("weights-marginal", "Sec. 5", |d| {
+        let mut bounds = MeasuredBounds::default();
+        largest(d, &mut bounds, &["pi/2"], &[ETA, H, BETA])?;
+        at(d, &mut bounds, ("pi/2", Some("0.31")), &[ETA_SMALLER])?;
+        Ok(bounds.finding())
+    })
+    .states(
+        "for openings up to the semicircle the differences between the two weights are quite \
+         marginal",
+    ),
+    claim("weights-slightly", "Sec. 2.1, 3", at_landmarks).states(
+        "alpha_l, eta_l, the joints at the landmarks and alpha at B differ slightly between the \
+         two weights, mu at B much",
+    ),
 ];
 
 /// A variable of a state, and in which direction Milankovitch's weight moves it.
-type Variable = (&'static str, bool, fn(&State) -> &Ball);
+type MovedVariable = (&'static str, bool, fn(&State) -> &Ball);
 
-const ETA: Variable = ("eta larger", true, |state| &state.thickness);
-const H: Variable = ("h smaller", false, |state| &state.thrust);
-const ETA_SMALLER: Variable = ("eta smaller", false, |state| &state.thickness);
-const BETA: Variable = ("beta_r smaller", false, |state| &state.rotation_joint);
+const ETA: MovedVariable = ("eta larger", true, |state| &state.thickness);
+const H: MovedVariable = ("h smaller", false, |state| &state.thrust);
+const ETA_SMALLER: MovedVariable = ("eta smaller", false, |state| &state.thickness);
+const BETA: MovedVariable = ("beta_r smaller", false, |state| &state.rotation_joint);
 
 /// The relative difference between two values, in percent.
 fn percent([heyman, milankovitch]: [&Ball; 2], is_larger: bool) -> Ball {
@@ -62,13 +56,12 @@ fn percent([heyman, milankovitch]: [&Ball; 2], is_larger: bool) -> Ball {
 /// Notes the relative differences of an arch.
 fn note(
     d: &mut Derivation,
-    bounds: &mut Bounds,
+    bounds: &mut MeasuredBounds,
     place: &str,
     (alpha, friction): (&str, Option<&str>),
-    variables: &[Variable],
+    variables: &[MovedVariable],
 ) -> Result<(), Undecided> {
-    let [heyman, milankovitch] = SelfWeight::ALL.map(|weight| state_of(alpha, friction, weight));
-    let (heyman, milankovitch) = (heyman?, milankovitch?);
+    let [heyman, milankovitch] = both(|weight| state_of(alpha, friction, weight))?;
     for (name, is_larger, value) in variables {
         let percent = percent([value(&heyman), value(&milankovitch)], *is_larger);
         bounds.at_most(d, (&format!("{name}, {place}"), &percent, " %"), 3)?;
@@ -79,11 +72,11 @@ fn note(
 /// The largest relative differences of rotational states up to some half openings, which are those at these.
 fn largest(
     d: &mut Derivation,
-    bounds: &mut Bounds,
+    bounds: &mut MeasuredBounds,
     openings: &[&str],
-    variables: &[Variable],
+    variables: &[MovedVariable],
 ) -> Result<(), Undecided> {
-    d.lemma(&DIFFERENCES_GROW)?;
+    lemmas(d, [&DIFFERENCES_GROW])?;
     for alpha in openings {
         let place = format!("mu = inf, up to alpha = {alpha}");
         note(d, bounds, &place, (alpha, None), variables)?;
@@ -95,9 +88,9 @@ fn largest(
 /// Those of one arch.
 fn at(
     d: &mut Derivation,
-    bounds: &mut Bounds,
+    bounds: &mut MeasuredBounds,
     arch: (&str, Option<&str>),
-    variables: &[Variable],
+    variables: &[MovedVariable],
 ) -> Result<(), Undecided> {
     let place = format!("mu = {}, at alpha = {}", arch.1.unwrap_or("inf"), arch.0);
     note(d, bounds, &place, arch, variables)
@@ -116,10 +109,9 @@ const AT_LANDMARKS: &[(Landmark, Unknown, bool)] = &[
 ];
 
 fn at_landmarks(d: &mut Derivation) -> Result<Finding, Undecided> {
-    let mut bounds = Bounds::default();
+    let mut bounds = MeasuredBounds::default();
     for (landmark, unknown, is_larger) in AT_LANDMARKS {
-        let [heyman, milankovitch] = SelfWeight::ALL.map(|weight| enclosed(*landmark, weight));
-        let (heyman, milankovitch) = (heyman?.1, milankovitch?.1);
+        let [heyman, milankovitch] = both(|weight| along::landmark(*landmark, weight))?;
         let percent = percent([heyman.value(*unknown), milankovitch.value(*unknown)], *is_larger);
         let relation = if *is_larger { "larger" } else { "smaller" };
         let words = format!("{} {relation}, at {}", unknown.name(), landmark.symbol());

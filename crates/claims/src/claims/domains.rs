@@ -4,67 +4,54 @@
 //! state with a hinge at the shoulder has at least the thrust of rotation, and one that slides there has
 //! at most the half opening of rotation.
 
-use super::along::{Along, around, below, landmark, on_all};
+use super::along::{CurveStates, around, below, landmark, on_all, on_parts};
 use super::contacts::DISTANCES_RISE_AND_FALL;
 use super::curve::STATES_IN_ORDER;
 use super::frictions::{
     FRICTION_FOR_ROTATION_GROWS, ROTATION_MEETS_SLIDING, SLIDING_STATES_IN_ORDER,
     SLOPES_OF_FRICTION,
 };
-use super::letters::{ring, variables};
+use super::letters::{ring, variables, with};
 use super::modes::LEVER;
 use super::overturning::A_FIXES_ALPHA;
 use super::uniqueness::{MECHANISM_BOUNDS, ONE_HALF_OPENING, THICKER_HAS_ROOM};
-use super::{Claim, Derivation, Finding, Support};
+use super::{Claim, Derivation, Finding, Support, claim, lemmas};
 use crate::arch::{Ring, SelfWeight, contact, overturning, sliding, statics, thrust};
 use crate::certify::Undecided;
-use crate::number::{Angle, Ball, Enclosure, Field, Real, Ternary};
+use crate::number::{Angle, Ball, Enclosure, Field, Real};
 use crate::problem::Landmark;
-use crate::symbolic::{Fraction, Letters, Relations, Symbol};
+use crate::symbolic::{Fraction, Letters, Symbol};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
     NO_SHOULDER_SLIDING_BEYOND_T,
     INNER_SLIDING_BEYOND_T,
-    Claim {
-        id: "map-S",
-        place: "Sec. 3, Fig. 6",
-        statement: "modes with the sliding joint below the rotational one are seen only on the right of S, and \
-                    above it",
-        decide: shift_beyond_s,
-    },
-    Claim {
-        id: "map-J",
-        place: "Sec. 3",
-        statement: "overturning-sliding modes are seen only on the right of J, and above it",
-        decide: overturning_sliding_beyond_j,
-    },
+    claim("map-S", "Sec. 3, Fig. 6", shift_beyond_s).states(
+        "modes with the sliding joint below the rotational one are seen only on the right of S, \
+         and above it",
+    ),
+    claim("map-J", "Sec. 3", overturning_sliding_beyond_j)
+        .states("overturning-sliding modes are seen only on the right of J, and above it"),
     NO_PURE_SLIDING_BEYOND_B,
 ];
 
-pub(super) const NO_SHOULDER_SLIDING_BEYOND_T: Claim = Claim {
-    id: "map-T-shoulder",
-    place: "Sec. 3, 5",
-    statement: "a friction above mu_T precludes any mixed sliding-rotational mode; its thickness is at \
-                most eta_T and its half opening at most alpha_T",
-    decide: no_shoulder_sliding_beyond_t,
-};
+pub(super) const NO_SHOULDER_SLIDING_BEYOND_T: Claim =
+    claim("map-T-shoulder", "Sec. 3, 5", no_shoulder_sliding_beyond_t).states(
+        "a friction above mu_T precludes any mixed sliding-rotational mode; its thickness is at \
+         most eta_T and its half opening at most alpha_T",
+    );
 
-pub(super) const NO_PURE_SLIDING_BEYOND_B: Claim = Claim {
-    id: "map-B",
-    place: "Sec. 3, 5",
-    statement: "a friction above mu_B precludes any purely sliding mode of thickness up to 2; each one \
-                below has such a mode",
-    decide: pure_sliding_ends_at_b,
-};
+pub(super) const NO_PURE_SLIDING_BEYOND_B: Claim =
+    claim("map-B", "Sec. 3, 5", pure_sliding_ends_at_b).states(
+        "a friction above mu_B precludes any purely sliding mode of thickness up to 2; each one \
+         below has such a mode",
+    );
 
-pub(super) const INNER_SLIDING_BEYOND_T: Claim = Claim {
-    id: "map-T-inner",
-    place: "Sec. 3, 5",
-    statement: "modes with shoulder rotation and inner sliding are seen only on the right of T, and \
-                above it",
-    decide: inner_sliding_beyond_t,
-};
+pub(super) const INNER_SLIDING_BEYOND_T: Claim =
+    claim("map-T-inner", "Sec. 3, 5", inner_sliding_beyond_t).states(
+        "modes with shoulder rotation and inner sliding are seen only on the right of T, and above \
+         it",
+    );
 
 /// The shoulder's distance from the extrados with the crown's pressure point on the extrados.
 fn shoulder_margin(d: &mut Derivation) -> Result<(), Undecided> {
@@ -79,16 +66,14 @@ fn shoulder_margin(d: &mut Derivation) -> Result<(), Undecided> {
              a positive factor, {} weight",
             weight.name()
         );
-        d.identity(words, &margin, &expected, &Relations::none())?;
+        d.identity(words, &margin, &expected)?;
     }
     Ok(())
 }
 
 fn no_shoulder_sliding_beyond_t(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&STATES_IN_ORDER)?;
-    d.lemma(&SLOPES_OF_FRICTION)?;
-    d.lemma(&FRICTION_FOR_ROTATION_GROWS)?;
-    d.lemma(&ROTATION_MEETS_SLIDING)?;
+    lemmas(d, [&STATES_IN_ORDER, &SLOPES_OF_FRICTION, &FRICTION_FOR_ROTATION_GROWS])?;
+    lemmas(d, [&ROTATION_MEETS_SLIDING])?;
     shoulder_margin(d)?;
     d.conclude(
         "An admissible state [s,r,r] has (2) and (5), so it lies on the curve of rotation: its \
@@ -101,13 +86,8 @@ fn no_shoulder_sliding_beyond_t(d: &mut Derivation) -> Result<Finding, Undecided
 }
 
 fn inner_sliding_beyond_t(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&STATES_IN_ORDER)?;
-    d.lemma(&SLOPES_OF_FRICTION)?;
-    d.lemma(&FRICTION_FOR_ROTATION_GROWS)?;
-    d.lemma(&ROTATION_MEETS_SLIDING)?;
-    d.lemma(&LEVER)?;
-    d.lemma(&MECHANISM_BOUNDS)?;
-    d.lemma(&THICKER_HAS_ROOM)?;
+    lemmas(d, [&STATES_IN_ORDER, &SLOPES_OF_FRICTION, &FRICTION_FOR_ROTATION_GROWS])?;
+    lemmas(d, [&ROTATION_MEETS_SLIDING, &LEVER, &MECHANISM_BOUNDS, &THICKER_HAS_ROOM])?;
     shoulder_margin(d)?;
     let (ring, eta, delta) = (ring(), Symbol::Thickness.number(), Symbol::Flag.number());
     let rest = overturning::opening_variable(&ring).value();
@@ -115,7 +95,7 @@ fn inner_sliding_beyond_t(d: &mut Derivation) -> Result<Finding, Undecided> {
     let fall = (eta.int(12) * (eta.int(1) - &delta)
         + delta * ring.intrados() * (eta.int(6) + &eta))
         / (eta.int(6) * ring.extrados().square());
-    d.identity("2 fac/(2 + eta) falls with eta", &slope, &-fall, &Relations::none())?;
+    d.identity("2 fac/(2 + eta) falls with eta", &slope, -fall)?;
     d.conclude(
         "Let a state have the shoulder on the extrados and alpha < alpha_l, and let eta_0 and h_0 be those of the \
          rotational state of alpha. That has a mechanism, since its lever arm is positive, whatever the \
@@ -133,12 +113,12 @@ fn inner_sliding_beyond_t(d: &mut Derivation) -> Result<Finding, Undecided> {
 
 /// A line on which the rotational joint is known: at the crown, or where the inner joint slides.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Haunch {
+enum HaunchPlace {
     Crown,
     Sliding,
 }
 
-impl Haunch {
+impl HaunchPlace {
     fn joint<T: Real>(self, h: &T) -> Angle<T> {
         match self {
             Self::Crown => Angle::zero(h),
@@ -186,14 +166,14 @@ fn touching_thickness(d: &mut Derivation) -> Result<(), Undecided> {
         let residual = thrust::tangency(&cotangent, &Ring::new(weight, &thickness)).residual(&h);
         let words = format!("(5) holds at eta_5, {} weight", weight.name());
         let expected = (q.square() - &radicand) * h.ratio(3, 2) * h.int(weight.flag());
-        d.identity(words, &residual, &expected, &Relations::none())?;
+        d.identity(words, &residual, &expected)?;
     }
     d.conclude("The last is zero, as q is the square root of the radicand.");
     Ok(())
 }
 
 fn shift_beyond_s(d: &mut Derivation) -> Result<Finding, Undecided> {
-    only_beyond(d, Haunch::Sliding, Landmark::Shift)?;
+    only_beyond(d, HaunchPlace::Sliding, Landmark::Shift)?;
     d.conclude(
         "[r,s,r] has beta_r < beta_s, so that eta > eta_5(h), as by (5) beta_r falls as eta grows. So mu >= mu_S, h <= h_S and \
          eta >= eta_5(h_S) = eta_S, as beta_s cot(beta_s) - h falls with h below 1/2, and eta_5 with it.",
@@ -202,7 +182,7 @@ fn shift_beyond_s(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 fn overturning_sliding_beyond_j(d: &mut Derivation) -> Result<Finding, Undecided> {
-    only_beyond(d, Haunch::Crown, Landmark::Junction)?;
+    only_beyond(d, HaunchPlace::Crown, Landmark::Junction)?;
     d.conclude(
         "[r,s] has L = 0 at the crown with a slope that is not negative and grows with eta, so that eta >= eta_5(h). \
          So mu >= mu_J, h <= h_J and eta >= eta_5(h_J) = eta_J, as eta_5 falls with h.",
@@ -211,34 +191,30 @@ fn overturning_sliding_beyond_j(d: &mut Derivation) -> Result<Finding, Undecided
 }
 
 /// Left of a landmark the purely sliding arch stands at the thickness of (5).
-fn only_beyond(d: &mut Derivation, haunch: Haunch, end: Landmark) -> Result<(), Undecided> {
-    d.lemma(&SLOPES_OF_FRICTION)?;
-    d.lemma(&INNER_SLIDING_BEYOND_T)?;
-    d.lemma(&SLIDING_STATES_IN_ORDER)?;
-    d.lemma(&THICKER_HAS_ROOM)?;
-    d.lemma(&ONE_HALF_OPENING)?;
+fn only_beyond(d: &mut Derivation, haunch: HaunchPlace, end: Landmark) -> Result<(), Undecided> {
+    lemmas(d, [&SLOPES_OF_FRICTION, &INNER_SLIDING_BEYOND_T, &SLIDING_STATES_IN_ORDER])?;
+    lemmas(d, [&THICKER_HAS_ROOM, &ONE_HALF_OPENING])?;
     touching_thickness(d)?;
-    let sliding = |alpha: &Rational| Along::sliding(alpha);
+    let sliding = CurveStates::sliding;
     let symbol = end.symbol();
     for weight in SelfWeight::ALL {
         let name = weight.name();
         let start = below(&landmark(Landmark::Triple, weight)?.half_opening.rad, 100)?;
         let (before, beyond) = around(&landmark(end, weight)?.half_opening.rad, 1000)?;
-        let positive = |room: &dyn Fn(&Along) -> Ball, a: &Along, b: &Along| {
-            a.up_to(b).map_or(Ternary::Undecided, |all| room(&all).is_positive())
-        };
-        let shoulder = |at: &Along| haunch.room(weight, &at.alpha, &at.thrust);
+        let shoulder = |at: &CurveStates| haunch.room(weight, &at.alpha, &at.thrust);
         let further = beyond.clone() + Rational::from((1, 100));
         let words = format!("U at the shoulder, along sliding from {start} to {before}, {name}");
         d.certain(Support::Balls, words, [(&start, &before), (&beyond, &further)], |range| {
-            on_all(range, &sliding, &|a, b| positive(&shoulder, a, b))
+            on_parts(range, &CurveStates::sliding, &|all| shoulder(all).is_positive())
         })?;
         // At three, beyond the shoulder, there is no room.
         let words = format!("U at the crown, along sliding from {start} to {beyond}, {name}");
         d.certain(Support::Balls, words, [0, 3], |joint| {
-            let room =
-                |at: &Along| haunch.room(weight, &Angle::new(at.thrust.int(joint)), &at.thrust);
-            on_all((&start, &beyond), &sliding, &|a, b| positive(&room, a, b))
+            let room = |at: &CurveStates| {
+                haunch.room(weight, &Angle::new(at.thrust.int(joint)), &at.thrust)
+            };
+            let range = (&start, &beyond);
+            on_parts(range, &CurveStates::sliding, &|all| room(all).is_positive())
         })?;
         let all = sliding(&before)?.up_to(&sliding(&beyond)?)?;
         let slope = all.slope_along_sliding(|alpha, h| haunch.room(weight, alpha, h));
@@ -261,48 +237,40 @@ fn bound_at_b(weight: SelfWeight) -> Rational {
 }
 
 fn pure_sliding_ends_at_b(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&DISTANCES_RISE_AND_FALL)?;
-    d.lemma(&SLOPES_OF_FRICTION)?;
-    d.lemma(&SLIDING_STATES_IN_ORDER)?;
-    d.lemma(&A_FIXES_ALPHA)?;
+    lemmas(d, [&DISTANCES_RISE_AND_FALL, &SLOPES_OF_FRICTION, &SLIDING_STATES_IN_ORDER])?;
+    lemmas(d, [&A_FIXES_ALPHA])?;
     let (n, eta) = (Symbol::OpeningVariable.number(), Symbol::Thickness.number());
     let margin = |weight| {
         let ring = Ring::new(weight, &eta);
         ring.extrados() * &n / eta.int(2) - ring.centroid_factor
     };
-    let free = Relations::none();
     d.identity(
         "the largest U at the shoulder over 1 - cos, with n = N/(1 - cos), Heyman's weight: linear",
-        &margin(SelfWeight::Heyman),
-        &((eta.int(2) - &eta) / eta.int(2) * (n.clone() - n.int(1))
-            + eta.clone() / eta.int(2) * (n.int(2) * &n - n.int(1))),
-        &free,
+        margin(SelfWeight::Heyman),
+        (eta.int(2) - &eta) / eta.int(2) * (n.clone() - n.int(1))
+            + eta.clone() / eta.int(2) * (n.int(2) * &n - n.int(1)),
     )?;
     let top = (n.int(3) * &n - n.int(2)) * (n.clone() + n.int(2)) / n.int(4);
     d.identity(
         "the same for Milankovitch's weight: a top at eta = 3n",
-        &margin(SelfWeight::Milankovitch),
-        &(top - (eta.clone() - n.int(3) * &n).square() / n.int(12)),
-        &free,
+        margin(SelfWeight::Milankovitch),
+        top - (eta.clone() - n.int(3) * &n).square() / n.int(12),
     )?;
     d.conclude("It is negative for all eta in (0, 2] if n < 1/2 (Heyman), n < 2/3 (Milankovitch).");
     for weight in SelfWeight::ALL {
-        let thick = margin(weight).evaluate(&n, |symbol| match symbol {
-            Symbol::Thickness => n.int(2),
-            other => other.number(),
-        });
+        let thick = with(&margin(weight), &[Symbol::Thickness], &n.int(2));
         let excess = (n.clone() - Fraction::from(bound_at_b(weight))) * n.int(2);
         let words = format!("at eta = 2 it is positive above this bound, {}", weight.name());
-        d.identity(&words, &thick, &excess, &free)?;
+        d.identity(&words, &thick, &excess)?;
     }
     let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let normal = statics::normal_force(&alpha, &h) / alpha.versine();
     let opening = thrust::opening_variable(&alpha).value();
     let rest = h * &alpha.cos / alpha.versine();
-    d.identity("n, with cos < 0 below A", &normal, &(opening + rest), &free)?;
+    d.identity("n, with cos < 0 below A", &normal, opening + rest)?;
     for weight in SelfWeight::ALL {
         let name = weight.name();
-        let sliding = |alpha: &Rational| Along::sliding(alpha);
+        let sliding = CurveStates::sliding;
         let border = landmark(Landmark::Border, weight)?.half_opening.rad;
         let end = landmark(Landmark::OverturningEnd, weight)?.half_opening;
         let (before, beyond) = around(&border, 1000)?;
@@ -320,21 +288,19 @@ fn pure_sliding_ends_at_b(d: &mut Derivation) -> Result<Finding, Undecided> {
         };
         let first = Rational::from((3, 2));
         let opening = thrust::opening_variable(&Angle::new(Ball::enclosing(&first, 128))).value();
-        let words = format!("A is above the bound at {first}, {name}");
-        d.less(words, [&bound, &opening])?;
+        d.less(format!("A is above the bound at {first}, {name}"), [&bound, &opening])?;
         // What holds before B does not beyond.
         let ranges = [(&first, &before), (&beyond, &last)];
         let words = format!("n is above the bound from {first} to {before}, {name}");
         d.certain(Support::Balls, words, ranges, |range| {
-            on_all(range, &sliding, &|a, b| {
-                a.up_to(b).map_or(Ternary::Undecided, |all| {
-                    bound.is_less_than(&largest(&all.alpha, &all.thrust))
-                })
-            })
+            let above = |all: &CurveStates| bound.is_less_than(&largest(&all.alpha, &all.thrust));
+            on_parts(range, &CurveStates::sliding, &above)
         })?;
         let words = format!("n is below the bound from {beyond} to {last}, {name}");
         d.certain(Support::Balls, words, [ranges[1], ranges[0]], |range| {
-            on_all(range, &sliding, &|a, b| largest(&a.alpha, &b.thrust).is_less_than(&bound))
+            on_all(range, &CurveStates::sliding, &|a, b| {
+                largest(&a.alpha, &b.thrust).is_less_than(&bound)
+            })
         })?;
         let least = Ball::enclosing(&Rational::from((1, 50)), 128);
         let joint = Angle::new((least.clone() * (least.int(1) - &least)).sqrt());
@@ -344,11 +310,9 @@ fn pure_sliding_ends_at_b(d: &mut Derivation) -> Result<Finding, Undecided> {
         d.less(words, [&shoulder, &inner])?;
         // The larger the thrust, the smaller it is there, as cos(alpha) < 0.
         let normal = |thrust: &Ball| statics::normal_force(&end, thrust);
-        let words = format!("N > 0 there, {name}");
-        d.above_zero(words, [&normal(&least), &normal(&least.int(50))])?;
+        d.above_zero(format!("N > 0 there, {name}"), [&normal(&least), &normal(&least.int(50))])?;
         let value = largest(&Angle::new(Ball::enclosing(&last, 128)), &least);
-        let words = format!("n is below the bound from {last} to alpha_L, {name}");
-        d.less(words, [&value, &bound])?;
+        d.less(format!("n is below the bound from {last} to alpha_L, {name}"), [&value, &bound])?;
     }
     d.conclude(
         "At B n is the bound, by (3) at eta = 2; beyond it n is below, and from alpha_L on so is A, \

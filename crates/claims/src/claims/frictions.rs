@@ -4,15 +4,15 @@
 //! which an inner joint asks for, (18). Both grow with the half opening; `M` is the larger one before
 //! `T` and the smaller one beyond.
 
-use super::along::{Along, around, below, landmark, on_all};
+use super::along::{CurveStates, around, below, landmark, on_all};
 use super::curve::STATES_IN_ORDER;
-use super::letters::ring;
-use super::{Claim, Derivation, Finding, Support};
+use super::letters::{ring, term};
+use super::{Claim, Derivation, Finding, Support, claim, lemmas};
 use crate::arch::{Ring, SelfWeight, overturning, sliding, statics, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Enclosure, Field, Surd};
 use crate::problem::Landmark;
-use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint, along_the_opening};
+use crate::symbolic::{Letters, Relations, Symbol, along_the_joint, along_the_opening};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
@@ -20,96 +20,67 @@ pub(super) const CLAIMS: &[Claim] = &[
     FRICTION_OF_SMALL_THRUST,
     THRUST_OF_LARGE_FRICTION,
     SLIDING_STATES_IN_ORDER,
-    Claim {
-        id: "sliding-flat",
-        place: "Sec. 2.2",
-        statement: "the thrust of the purely sliding states goes flatly to 0 as alpha -> pi",
-        decide: sliding_thrust_goes_flatly_to_zero,
-    },
-    Claim {
-        id: "map-asymptotes",
-        place: "Sec. 3",
-        statement: "the lines beta_r = beta_s and beta_r = 0 tend to eta_l as mu -> inf",
-        decide: dividing_lines_tend_to_the_end_of_rotation,
-    },
+    claim("sliding-flat", "Sec. 2.2", sliding_thrust_goes_flatly_to_zero)
+        .states("the thrust of the purely sliding states goes flatly to 0 as alpha -> pi"),
+    claim("map-asymptotes", "Sec. 3", dividing_lines_tend_to_the_end_of_rotation)
+        .states("the lines beta_r = beta_s and beta_r = 0 tend to eta_l as mu -> inf"),
     FRICTION_FOR_ROTATION_GROWS,
     ROTATION_MEETS_SLIDING,
 ];
 
-pub(super) const SLOPES_OF_FRICTION: Claim = Claim {
-    id: "friction-slopes",
-    place: "Eq. (17), (18)",
-    statement: "where N > 0, mu_ss grows with the thrust and, from beta_s on, with the half opening, and \
-                is not positive before; mu_is falls as the thrust grows",
-    decide: friction_slopes,
-};
+pub(super) const SLOPES_OF_FRICTION: Claim =
+    claim("friction-slopes", "Eq. (17), (18)", friction_slopes).states(
+        "where N > 0, mu_ss grows with the thrust and, from beta_s on, with the half opening, and \
+         is not positive before; mu_is falls as the thrust grows",
+    );
 
-pub(super) const FRICTION_OF_SMALL_THRUST: Claim = Claim {
-    id: "friction-unbounded",
-    place: "Eq. (18)",
-    statement: "mu_is is unbounded as the thrust falls to 0",
-    decide: friction_of_small_thrust,
-};
+pub(super) const FRICTION_OF_SMALL_THRUST: Claim =
+    claim("friction-unbounded", "Eq. (18)", friction_of_small_thrust)
+        .states("mu_is is unbounded as the thrust falls to 0");
 
-const THRUST_OF_LARGE_FRICTION: Claim = Claim {
-    id: "friction-large",
-    place: "Eq. (18)",
-    statement: "where an inner joint slides, h <= 1/(4 mu²)",
-    decide: thrust_of_large_friction,
-};
+const THRUST_OF_LARGE_FRICTION: Claim =
+    claim("friction-large", "Eq. (18)", thrust_of_large_friction)
+        .states("where an inner joint slides, h <= 1/(4 mu²)");
 
-pub(super) const SLIDING_STATES_IN_ORDER: Claim = Claim {
-    id: "sliding-order",
-    place: "Sec. 2.2",
-    statement: "to each half opening belongs one purely sliding state; as it grows, the friction grows \
-                and the thrust falls",
-    decide: sliding_states_in_order,
-};
+pub(super) const SLIDING_STATES_IN_ORDER: Claim =
+    claim("sliding-order", "Sec. 2.2", sliding_states_in_order).states(
+        "to each half opening belongs one purely sliding state; as it grows, the friction grows \
+         and the thrust falls",
+    );
 
-pub(super) const FRICTION_FOR_ROTATION_GROWS: Claim = Claim {
-    id: "friction-rotation",
-    place: "Sec. 5",
-    statement: "along the purely rotational states the friction needed to prevent sliding grows with the \
-                half opening, M of the shoulder and m of an inner joint, and m is unbounded at the end",
-    decide: frictions_grow,
-};
+pub(super) const FRICTION_FOR_ROTATION_GROWS: Claim =
+    claim("friction-rotation", "Sec. 5", frictions_grow).states(
+        "along the purely rotational states the friction needed to prevent sliding grows with the \
+         half opening, M of the shoulder and m of an inner joint, and m is unbounded at the end",
+    );
 
-pub(super) const ROTATION_MEETS_SLIDING: Claim = Claim {
-    id: "map-T",
-    place: "Sec. 2.2, 3",
-    statement: "the lines h(alpha) of the purely rotational and of the purely sliding states intersect \
-                at T and nowhere else: before T the shoulder asks for more friction than an inner joint, \
-                M > m, beyond T for less, M < m",
-    decide: order_of_frictions,
-};
+pub(super) const ROTATION_MEETS_SLIDING: Claim = claim("map-T", "Sec. 2.2, 3", order_of_frictions)
+    .states(
+        "the lines h(alpha) of the purely rotational and of the purely sliding states intersect at \
+         T and nowhere else: before T the shoulder asks for more friction than an inner joint, M > \
+         m, beyond T for less, M < m",
+    );
 
 /// How (17) and (18) change with the half opening and the thrust.
 fn friction_slopes(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (alpha, joint, h) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thrust.number());
-    let circle = Relations::trigonometric();
     let shoulder = sliding::shoulder(&alpha, &h).value();
     let normal = statics::normal_force(&alpha, &h).square();
-    d.identity(
+    d.on_circle(
         "d mu_ss/d alpha",
-        &shoulder.derivative(&along_the_opening()),
-        &((alpha.rad.square() - (h.int(1) - &h) * &h) / &normal),
-        &circle,
+        shoulder.derivative(&along_the_opening()),
+        (alpha.rad.square() - (h.int(1) - &h) * &h) / &normal,
     )?;
-    let words = "d mu_ss/dh";
-    d.identity(words, &shoulder.partial(Symbol::Thrust), &(alpha.rad / normal), &circle)?;
+    d.on_circle("d mu_ss/dh", shoulder.partial(Symbol::Thrust), alpha.rad / normal)?;
     let normal = statics::normal_force(&joint, &h);
     let ratio = statics::shear_force(&joint, &h) / &normal;
-    d.identity(
-        "d(T/N)/dh at a fixed joint; as T/N is stationary at beta_s, this is d mu_is/dh there",
-        &ratio.partial(Symbol::Thrust),
-        &-(joint.rad.clone() / normal.square()),
-        &circle,
-    )?;
-    d.identity(
+    let words =
+        "d(T/N)/dh at a fixed joint; as T/N is stationary at beta_s, this is d mu_is/dh there";
+    d.on_circle(words, ratio.partial(Symbol::Thrust), -(joint.rad.clone() / normal.square()))?;
+    d.on_circle(
         "d(T/N)/d beta",
-        &ratio.derivative(&along_the_joint()),
-        &-(sliding::steepest(&joint.rad, &h) / normal.square()),
-        &circle,
+        ratio.derivative(&along_the_joint()),
+        -(sliding::steepest(&joint.rad, &h) / normal.square()),
     )?;
     d.conclude(
         "mu_ss grows with h, and with alpha from beta_s on; before, -T/N is not positive, since T/N is \
@@ -125,7 +96,7 @@ fn friction_of_small_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
     let shear = statics::shear_force(&joint, &none);
     let ratio = shear / statics::normal_force(&joint, &none);
     let cotangent = joint.cos / joint.sin;
-    d.identity("T/N at any joint where h = 0", &ratio, &cotangent, &Relations::none())?;
+    d.identity("T/N at any joint where h = 0", &ratio, &cotangent)?;
     d.conclude(
         "mu_is(h) is at least T/N at any joint, which tends to cot(beta) as h -> 0: as beta may be as \
          small as one likes, mu_is(h) -> inf.",
@@ -134,13 +105,12 @@ fn friction_of_small_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 fn sliding_states_in_order(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&SLOPES_OF_FRICTION)?;
-    d.lemma(&FRICTION_OF_SMALL_THRUST)?;
+    lemmas(d, [&SLOPES_OF_FRICTION, &FRICTION_OF_SMALL_THRUST])?;
     let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let numerator = -statics::shear_force(&alpha, &h);
     let slope = numerator.derivative(&along_the_opening());
     let rest = alpha.rad.clone() * &alpha.sin - (h.int(1) - &h) * &alpha.cos;
-    d.identity("d(-T)/d alpha", &slope, &rest, &Relations::none())?;
+    d.identity("d(-T)/d alpha", &slope, &rest)?;
     d.conclude(
         "At h = 1 this is alpha sin(alpha), so that -T > 0 there. At a given half opening mu_is falls \
          from inf to 0 as h grows from 0 to 1, while mu_ss grows from -cot(alpha) to a positive number \
@@ -156,23 +126,21 @@ fn thrust_of_large_friction(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (shear, normal) = (statics::shear_force(&joint, &h), statics::normal_force(&joint, &h));
     d.identity(
         "T/N, for 0 < beta_s <= 1/2, is below beta/(h + beta tan(beta))",
-        &(joint.rad.clone() * &joint.cos / &normal - shear / &normal),
-        &(h.clone() * &joint.sin / &normal),
-        &Relations::none(),
+        joint.rad.clone() * &joint.cos / &normal - shear / &normal,
+        h.clone() * &joint.sin / &normal,
     )?;
     let tangent = joint.sin.clone() / &joint.cos;
     d.identity(
         "the same bound",
-        &(joint.rad.clone() * &joint.cos / &normal),
-        &(joint.rad.clone() / (h.clone() + joint.rad.clone() * tangent)),
-        &Relations::none(),
+        joint.rad.clone() * &joint.cos / &normal,
+        joint.rad.clone() / (h.clone() + joint.rad.clone() * tangent),
     )?;
     let root = Symbol::SquareRoot.number();
     let rooted = Relations::none().with(Symbol::SquareRoot, 2, Symbol::Thrust.polynomial());
-    d.identity(
+    d.identity_under(
         "h + beta² - 2 √h beta, with q = √h",
-        &(h.clone() + joint.rad.square() - h.int(2) * &root * &joint.rad),
-        &(root - &joint.rad).square(),
+        h.clone() + joint.rad.square() - h.int(2) * &root * &joint.rad,
+        (root - &joint.rad).square(),
         &rooted,
     )?;
     d.conclude("As tan(beta) > beta, mu_is <= beta/(h + beta²) <= 1/(2 √h): h <= 1/(4 mu²).");
@@ -180,14 +148,13 @@ fn thrust_of_large_friction(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 fn sliding_thrust_goes_flatly_to_zero(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&THRUST_OF_LARGE_FRICTION)?;
+    lemmas(d, [&THRUST_OF_LARGE_FRICTION])?;
     let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let cotangent = alpha.cos.clone() / &alpha.sin;
-    d.identity(
+    d.on_circle(
         "mu_ss + cot(alpha)",
-        &(sliding::shoulder(&alpha, &h).value() + cotangent),
-        &(h.clone() / (statics::normal_force(&alpha, &h) * &alpha.sin)),
-        &Relations::trigonometric(),
+        sliding::shoulder(&alpha, &h).value() + cotangent,
+        h.clone() / (statics::normal_force(&alpha, &h) * &alpha.sin),
     )?;
     d.conclude(
         "With N > 0, mu >= -cot(alpha), so that h <= tan²(alpha)/4, which vanishes at pi with its \
@@ -197,20 +164,15 @@ fn sliding_thrust_goes_flatly_to_zero(d: &mut Derivation) -> Result<Finding, Und
 }
 
 fn dividing_lines_tend_to_the_end_of_rotation(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&THRUST_OF_LARGE_FRICTION)?;
+    lemmas(d, [&THRUST_OF_LARGE_FRICTION])?;
     let (ring, eta) = (ring(), Symbol::Thickness.number());
     let limit = thrust::tangency(&eta.int(1), &ring);
     let words = "(5), cleared, for h -> 0 and beta -> 0, where beta cot(beta) -> 1";
     let condition = overturning::end_of_rotation(&ring);
-    d.identity(
-        words,
-        &limit.residual(&eta.int(0)),
-        &(eta.int(-2) * &condition),
-        &Relations::none(),
-    )?;
+    d.identity(words, limit.residual(&eta.int(0)), eta.int(-2) * &condition)?;
     let slope = -(eta.int(1) + Symbol::Flag.number() * &eta / eta.int(6));
     let words = "its slope to eta, up to the factor, is not zero";
-    d.identity(words, &condition.partial(Symbol::Thickness), &slope, &Relations::none())?;
+    d.identity(words, condition.partial(Symbol::Thickness), &slope)?;
     for weight in SelfWeight::ALL {
         let end = overturning::thickness_at_end(weight, &Surd::new(0, 1, 3));
         let value = overturning::end_of_rotation(&Ring::new(weight, &end));
@@ -226,9 +188,7 @@ fn dividing_lines_tend_to_the_end_of_rotation(d: &mut Derivation) -> Result<Find
 
 /// `M` and `m` grow along rotation.
 fn frictions_grow(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&SLOPES_OF_FRICTION)?;
-    d.lemma(&STATES_IN_ORDER)?;
-    d.lemma(&FRICTION_OF_SMALL_THRUST)?;
+    lemmas(d, [&SLOPES_OF_FRICTION, &STATES_IN_ORDER, &FRICTION_OF_SMALL_THRUST])?;
     let alpha = Symbol::half_opening();
     let Angle { rad, sin, cos } = alpha.clone();
     let one = rad.int(1);
@@ -238,10 +198,7 @@ fn frictions_grow(d: &mut Derivation) -> Result<Finding, Undecided> {
     };
     let least = rad.ratio(3, 4) * &rad * alpha.versine() - (rad.clone() - &sin);
     let shown = sin - rad.clone() / rad.int(4) - rad.ratio(3, 4) * &rad * cos;
-    d.identity("3/4 alpha (1 - cos) - (alpha - sin)", &least, &shown, &Relations::none())?;
-    let term = |n: i32, m: i32, power: usize| {
-        Fraction::from(Symbol::HalfOpening.polynomial().power(power)) * one.ratio(n, m)
-    };
+    d.identity("3/4 alpha (1 - cos) - (alpha - sin)", &least, &shown)?;
     let sine = term(1, 1, 1) - term(1, 6, 3);
     let cosine = one.clone() - term(1, 2, 2) + term(1, 24, 4);
     let below = sine - term(1, 4, 1) - term(3, 4, 1) * cosine;
@@ -249,8 +206,7 @@ fn frictions_grow(d: &mut Derivation) -> Result<Finding, Undecided> {
         "it is at least this, by sin >= alpha - alpha³/6 and cos <= 1 - alpha²/2 + alpha⁴/24; \
          positive for 0 < alpha <= 5/2",
         &below,
-        &(term(5, 24, 3) - term(1, 32, 5)),
-        &Relations::none(),
+        term(5, 24, 3) - term(1, 32, 5),
     )?;
     let (low, high) = (Rational::from((5, 2)), Rational::from((315, 100)));
     d.positive("sin - alpha/4 - 3/4 alpha cos", (&low, &high), bound)?;
@@ -259,9 +215,8 @@ fn frictions_grow(d: &mut Derivation) -> Result<Finding, Undecided> {
         - (one.clone() - joint.rad.square() / one.int(2)) * &joint.sin;
     d.identity(
         "d(x cos(x) - (1 - x²/2) sin(x))/dx, positive below pi/2",
-        &excess.derivative(&along_the_joint()),
-        &(joint.rad.square() * &joint.cos / one.int(2)),
-        &Relations::none(),
+        excess.derivative(&along_the_joint()),
+        joint.rad.square() * &joint.cos / one.int(2),
     )?;
     d.conclude(
         "On the curve h >= A - 1, since 2 fac/(2 + eta) <= 1, and A = 2 x cot(x) >= 2 - x² with x = alpha/2, so that h (1-h) <= 1 - h <= alpha²/4. In N² dM = (alpha² - h (1-h)) d alpha + alpha dh \
@@ -274,36 +229,19 @@ fn frictions_grow(d: &mut Derivation) -> Result<Finding, Undecided> {
 
 /// `M > m` for `alpha <= 1/2`, from Taylor's theorem.
 fn small_openings(d: &mut Derivation) -> Result<(), Undecided> {
-    let one = Symbol::HalfOpening.number().int(1);
-    let term = |n: i32, m: i32, power: usize| {
-        Fraction::from(Symbol::HalfOpening.polynomial().power(power)) * one.ratio(n, m)
-    };
-    let free = Relations::none();
     // A >= 2 - alpha²/5, times 1 - cos.
     let versine = term(1, 2, 2) - term(1, 24, 4) + term(1, 720, 6);
     let sine = term(1, 1, 1) - term(1, 6, 3);
     let excess = term(1, 1, 1) * &sine - (term(2, 1, 0) - term(1, 5, 2)) * versine;
-    d.identity(
-        "alpha sin - (2 - alpha²/5)(1 - cos) is at least this, positive for 0 < alpha <= 1",
-        &excess,
-        &(term(1, 60, 4) - term(1, 90, 6) + term(1, 3600, 8)),
-        &free,
-    )?;
+    let words = "alpha sin - (2 - alpha²/5)(1 - cos) is at least this, positive for 0 < alpha <= 1";
+    d.identity(words, &excess, term(1, 60, 4) - term(1, 90, 6) + term(1, 3600, 8))?;
     let cosine = term(1, 1, 0) - term(1, 2, 2) + term(1, 24, 4);
     let shear = sine - term(1, 1, 1) * &cosine - term(1, 5, 2) * term(1, 1, 1);
-    d.identity(
-        "so y = 1 - h <= alpha²/5, and sin - alpha cos - y sin is at least this",
-        &shear,
-        &(term(2, 15, 3) - term(1, 24, 5)),
-        &free,
-    )?;
+    let words = "so y = 1 - h <= alpha²/5, and sin - alpha cos - y sin is at least this";
+    d.identity(words, &shear, term(2, 15, 3) - term(1, 24, 5))?;
     let normal = cosine + term(1, 1, 2);
-    d.identity(
-        "N <= cos + alpha sin is at most this",
-        &normal,
-        &(term(1, 1, 0) + term(1, 2, 2) + term(1, 24, 4)),
-        &free,
-    )?;
+    let words = "N <= cos + alpha sin is at most this";
+    d.identity(words, &normal, term(1, 1, 0) + term(1, 2, 2) + term(1, 24, 4))?;
     // In z = alpha²: (M/alpha³)² > (m/alpha³)², with m² <= y³/(1 - y).
     let margin = |z: &Ball| {
         let shear = z.ratio(2, 15) - z.ratio(1, 24) * z;
@@ -325,24 +263,22 @@ fn small_openings(d: &mut Derivation) -> Result<(), Undecided> {
 
 /// `M > m` before `T` and `M < m` beyond.
 fn order_of_frictions(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&SLOPES_OF_FRICTION)?;
-    d.lemma(&FRICTION_FOR_ROTATION_GROWS)?;
+    lemmas(d, [&SLOPES_OF_FRICTION, &FRICTION_FOR_ROTATION_GROWS])?;
     small_openings(d)?;
     for weight in SelfWeight::ALL {
         let name = weight.name();
         let (before, beyond) = around(&landmark(Landmark::Triple, weight)?.half_opening.rad, 1000)?;
         let end = landmark(Landmark::RotationEnd, weight)?.half_opening;
-        let rotational = |alpha: &Rational| Along::rotational(weight, alpha);
+        let rotational = |alpha: &Rational| CurveStates::rotational(weight, alpha);
         let half = Rational::from((1, 2));
         let last: Rational = below(&end.rad, 100)?;
         // What holds before T does not beyond.
         let ranges = [(&half, &before), (&beyond, &last)];
         let words = format!("M > m from 1/2 up to {before}, {name}");
-        d.certain(Support::Balls, words, ranges, |range| {
-            on_all(range, &rotational, &|a, b| {
-                b.inner_friction().is_less_than(&a.shoulder_friction())
-            })
-        })?;
+        let holds = |a: &CurveStates, b: &CurveStates| {
+            b.inner_friction().is_less_than(&a.shoulder_friction())
+        };
+        d.certain(Support::Balls, words, ranges, |range| on_all(range, &rotational, &holds))?;
         let all = rotational(&before)?.up_to(&rotational(&beyond)?)?;
         // There the joint falls with the half opening, as all else is monotone too.
         let widest = landmark(Landmark::WidestJoint, weight)?.half_opening.rad;
@@ -352,11 +288,11 @@ fn order_of_frictions(d: &mut Derivation) -> Result<Finding, Undecided> {
         let words = format!("M - m falls from {before} to {beyond}, which holds alpha_T, {name}");
         d.less(words, [&slope, &slope.int(0)])?;
         let words = format!("M < m from {beyond} to {last}, {name}");
-        d.certain(Support::Balls, words, [ranges[1], ranges[0]], |range| {
-            on_all(range, &rotational, &|a, b| {
-                b.shoulder_friction().is_less_than(&a.inner_friction())
-            })
-        })?;
+        let holds = |a: &CurveStates, b: &CurveStates| {
+            b.shoulder_friction().is_less_than(&a.inner_friction())
+        };
+        let ranges = [ranges[1], ranges[0]];
+        d.certain(Support::Balls, words, ranges, |range| on_all(range, &rotational, &holds))?;
         let limit = sliding::shoulder(&end, &end.rad.int(0)).value();
         let words = format!("M < m from {last} to alpha_l, where h = 0, {name}");
         d.less(words, [&limit, &rotational(&last)?.inner_friction()])?;

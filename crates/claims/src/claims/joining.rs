@@ -1,7 +1,7 @@
 //! How the rotational and the overturning branch join at `l`.
 
 use super::asymptotics::check_states;
-use super::{Claim, Derivation, Finding};
+use super::{Claim, Derivation, Finding, claim};
 use crate::arch::{Ring, SelfWeight, overturning};
 use crate::certify::Undecided;
 use crate::number::{ExactField, Field, Surd};
@@ -9,20 +9,20 @@ use crate::solve::expansion::{AboutEnd, about_end};
 use crate::symbolic::Series;
 
 pub(super) const CLAIMS: &[Claim] = &[
-    Claim {
-        id: "joining-heyman",
-        place: "Sec. 2.1, Fig. 4",
-        statement: "for Heyman's weight eta(A) and eta(alpha) of the rotational and of the overturning \
-                    states join with one slope at l (C1); they do not join C2",
-        decide: |d| joining(d, SelfWeight::Heyman, &Surd::rational((-9, 2), 3)),
-    },
-    Claim {
-        id: "joining-milankovitch",
-        place: "Sec. 2.1, Fig. 4",
-        statement: "for Milankovitch's weight eta(A) and eta(alpha) of the rotational and of the \
-                    overturning states join with one slope at l (C1); they do not join C2",
-        decide: |d| joining(d, SelfWeight::Milankovitch, &Surd::new(0, -4, 3)),
-    },
+    claim("joining-heyman", "Sec. 2.1, Fig. 4", |d| {
+        joining(d, SelfWeight::Heyman, &Surd::rational((-9, 2), 3))
+    })
+    .states(
+        "for Heyman's weight eta(A) and eta(alpha) of the rotational and of the overturning states \
+         join with one slope at l (C1); they do not join C2",
+    ),
+    claim("joining-milankovitch", "Sec. 2.1, Fig. 4", |d| {
+        joining(d, SelfWeight::Milankovitch, &Surd::new(0, -4, 3))
+    })
+    .states(
+        "for Milankovitch's weight eta(A) and eta(alpha) of the rotational and of the overturning \
+         states join with one slope at l (C1); they do not join C2",
+    ),
 ];
 
 /// Coefficients shown and checked.

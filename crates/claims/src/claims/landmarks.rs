@@ -1,51 +1,32 @@
 //! The landmark points: what holds beyond the equations that define them.
 
+use super::along::landmark;
 use super::letters::{ring, variables};
-use super::{Claim, Derivation, Finding, Support};
-use crate::arch::{
-    Configuration, Ring, SelfWeight, Unknown, contact, overturning, statics, thrust,
-};
+use super::{Claim, Derivation, Finding, Support, claim};
+use crate::arch::{Ring, SelfWeight, Unknown, contact, overturning, sliding, statics, thrust};
+use crate::certify::Undecided;
 use crate::certify::state::{Certify, Outcome, State};
-use crate::certify::{CertifiedLandmark, Undecided};
-use crate::number::{Angle, Ball, ExactNumber, Field, Ternary};
+use crate::number::{Angle, Ball, ExactNumber, Field, Real, Ternary};
 use crate::problem::{Arch, Friction};
 use crate::problem::{Fixed, Landmark, Mode};
-use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint};
+use crate::symbolic::{Fraction, Letters, Symbol, along_the_joint};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
-    Claim {
-        id: "landmark-T",
-        place: "Sec. 2.2, Fig. 8",
-        statement: "at T the mode [r,r,s] meets the other three: (3) holds there too",
-        decide: triple_point,
-    },
-    Claim {
-        id: "landmark-S",
-        place: "Sec. 3, Fig. 9",
-        statement: "at S, and where beta_r = beta_s, the modes [r,r,s] and [r,s,r] coincide",
-        decide: shift_point,
-    },
-    Claim {
-        id: "landmark-J",
-        place: "Sec. 3, Fig. 10",
-        statement: "at J the modes [r,s,r] and [r,s] meet: the line of thrust touches the intrados at \
-                    the crown and has, to first order, the direction of the intrados there",
-        decide: junction_point,
-    },
-    Claim {
-        id: "landmark-B",
-        place: "Fig. 11",
-        statement: "at B, where beta_r = 0, the tangency condition (5) does not hold",
-        decide: border_point,
-    },
-    Claim {
-        id: "landmark-l",
-        place: "Sec. 3, Tables 3-4",
-        statement: "states without thrust, l, L and all purely overturning ones, strictly require \
-                    infinite friction, against inner sliding; and (2) holds at l too",
-        decide: no_thrust_needs_unlimited_friction,
-    },
+    claim("landmark-T", "Sec. 2.2, Fig. 8", triple_point)
+        .states("at T the mode [r,r,s] meets the other three: (3) holds there too"),
+    claim("landmark-S", "Sec. 3, Fig. 9", shift_point)
+        .states("at S, and where beta_r = beta_s, the modes [r,r,s] and [r,s,r] coincide"),
+    claim("landmark-J", "Sec. 3, Fig. 10", junction_point).states(
+        "at J the modes [r,s,r] and [r,s] meet: the line of thrust touches the intrados at the \
+         crown and has, to first order, the direction of the intrados there",
+    ),
+    claim("landmark-B", "Fig. 11", border_point)
+        .states("at B, where beta_r = 0, the tangency condition (5) does not hold"),
+    claim("landmark-l", "Sec. 3, Tables 3-4", no_thrust_needs_unlimited_friction).states(
+        "states without thrust, l, L and all purely overturning ones, strictly require infinite \
+         friction, against inner sliding; and (2) holds at l too",
+    ),
 ];
 
 pub(super) fn certain_if(holds: bool) -> Ternary {
@@ -57,10 +38,9 @@ fn triple_point(d: &mut Derivation) -> Result<Finding, Undecided> {
     let upper = thrust::upper(&at.half_opening, &at.rotation_joint, &ring).residual(&at.thrust);
     let whole = thrust::whole(&at.half_opening, &ring).residual(&at.thrust);
     let lower = thrust::lower(&at.rotation_joint, &ring).residual(&at.thrust);
-    let words = "(3), cleared, is (4) less (2), cleared";
-    d.identity(words, &upper, &(whole - lower), &Relations::none())?;
+    d.identity("(3), cleared, is (4) less (2), cleared", &upper, whole - lower)?;
     for weight in SelfWeight::ALL {
-        let at = enclosed(Landmark::Triple, weight)?.1;
+        let at = landmark(Landmark::Triple, weight)?;
         let ring = Ring::new(weight, &at.thickness);
         let (shoulder, haunch) = (&at.half_opening, &at.rotation_joint);
         let arm = |[shoulder, haunch]: [&Angle<Ball>; 2]| {
@@ -109,7 +89,7 @@ fn junction_point(d: &mut Derivation) -> Result<Finding, Undecided> {
             weight.name()
         );
         let slope = contact::crown_slope(weight, &at) * at.thrust.int(2);
-        d.identity(words, &tangency, &slope, &Relations::none())?;
+        d.identity(words, &tangency, &slope)?;
         let words = "J has (3) at beta = 0 and (18), the equations of [r,s]";
         let points = [Landmark::Junction, Landmark::Shift];
         d.certain(Support::Algebra, words, points, |point| {
@@ -139,7 +119,7 @@ fn border_point(d: &mut Derivation) -> Result<Finding, Undecided> {
             "(5), cleared, at eta = 2, whatever the joint and the thrust, {} weight",
             weight.name()
         );
-        d.identity(words, &residual, &value.clone().into(), &Relations::none())?;
+        d.identity(words, &residual, Fraction::from(value.clone()))?;
         d.differ("its residual", &value, &Rational::new())?;
     }
     Ok(Finding::Implicit)
@@ -151,22 +131,19 @@ fn no_thrust_needs_unlimited_friction(d: &mut Derivation) -> Result<Finding, Und
     let (shear, normal) =
         (statics::shear_force(&joint, &none), statics::normal_force(&joint, &none));
     let ratio = joint.cos.clone() / &joint.sin;
-    d.identity("T/N at any joint where h = 0", &(shear / normal), &ratio, &Relations::none())?;
+    d.identity("T/N at any joint where h = 0", shear / normal, &ratio)?;
     d.conclude(
         "It is cot(beta), which is unbounded next to the crown: no finite friction is enough there.",
     );
     let crown = Angle::zero(&none);
     let lower = thrust::lower(&crown, &ring());
-    d.identity("(2) at beta = 0 and h = 0", &lower.residual(&none), &none, &Relations::none())?;
+    d.identity("(2) at beta = 0 and h = 0", lower.residual(&none), &none)?;
     let double = ring().thickness.int(2) * ring().thickness;
-    d.identity("its lever arm, not zero", &lower.denominator, &double, &Relations::none())?;
+    d.identity("its lever arm, not zero", &lower.denominator, &double)?;
     let moved = lower_moment_slope();
-    d.identity(
-        "and the numerator of (2) grows from the crown like beta² times the condition behind (16)",
-        &moved,
-        &(overturning::end_of_rotation(&ring()) * ring().thickness.int(2)),
-        &Relations::none(),
-    )?;
+    let words =
+        "and the numerator of (2) grows from the crown like beta² times the condition behind (16)";
+    d.identity(words, &moved, overturning::end_of_rotation(&ring()) * ring().thickness.int(2))?;
     d.conclude(
         "At l that is zero too, so the line of thrust stays at the intrados to higher order.",
     );
@@ -186,14 +163,12 @@ fn lower_moment_slope() -> Fraction {
     bend.evaluate(&bend, crown)
 }
 
-/// A landmark with its variables.
-pub(super) fn enclosed(
-    landmark: Landmark,
-    weight: SelfWeight,
-) -> Result<(CertifiedLandmark, Configuration<Ball>), Undecided> {
-    let point = CertifiedLandmark::new(landmark, weight)?;
-    let at = point.enclosure(128)?.configuration().clone();
-    Ok((point, at))
+/// A value for each of the two self-weights.
+pub(super) fn both<T>(
+    of: impl Fn(SelfWeight) -> Result<T, Undecided>,
+) -> Result<[T; 2], Undecided> {
+    let [heyman, milankovitch] = SelfWeight::ALL.map(of);
+    Ok([heyman?, milankovitch?])
 }
 
 /// The state of an arch at its least thickness; the half opening and the friction as text.
@@ -213,6 +188,14 @@ pub(super) fn state_of(
     match arch.state(128) {
         Ok(Outcome::Stands(state)) => Ok(*state),
         Ok(Outcome::Falls(_)) => Err(Undecided::new("the arch does not stand")),
-        Err(doubt) => Err(Undecided::new(doubt.reason.clone().into_owned())),
+        Err(doubt) => Err(Undecided::new(doubt.reason)),
     }
+}
+
+/// The thickness of a semicircle with unlimited friction, and the friction that its shoulder asks for.
+pub(super) fn semicircle(weight: SelfWeight) -> Result<[Ball; 2], Undecided> {
+    let State { thickness, thrust, .. } = state_of("pi/2", None, weight)?;
+    let half = thrust.pi() / thrust.int(2);
+    let right = Angle { rad: half, sin: thrust.int(1), cos: thrust.int(0) };
+    Ok([thickness, sliding::shoulder(&right, &thrust).value()])
 }

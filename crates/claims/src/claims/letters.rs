@@ -1,6 +1,7 @@
 //! The arch as letters, for the claims that speak of all of it.
 
 use crate::arch::{Configuration, Ring};
+use crate::number::Field;
 use crate::symbolic::{Fraction, Letters, Symbol};
 
 /// The ring with symbolic thickness and `delta_M`.
@@ -19,4 +20,16 @@ pub(super) fn variables() -> Configuration<Fraction> {
         friction: Symbol::Friction.number(),
         ..Configuration::zero(&Symbol::Thrust.number())
     }
+}
+
+/// A fraction with one value in place of some letters.
+pub(super) fn with(fraction: &Fraction, letters: &[Symbol], value: &Fraction) -> Fraction {
+    let put = |x: Symbol| if letters.contains(&x) { value.clone() } else { x.number() };
+    fraction.evaluate(value, put)
+}
+
+/// `n/m` times a power of the half opening.
+pub(super) fn term(n: i32, m: i32, power: usize) -> Fraction {
+    let alpha = Symbol::HalfOpening;
+    Fraction::from(alpha.polynomial().power(power)) * alpha.number().ratio(n, m)
 }

@@ -1,20 +1,17 @@
 //! The lines of the map as curves: each one arc from landmark to landmark.
 
 use super::regular::{CYCLOID, SHOULDER_IN_ANGLES};
-use super::{Claim, Derivation, Finding};
+use super::{Claim, Derivation, Finding, claim, lemmas};
 use crate::arch::SelfWeight;
 use crate::atlas::{Curve, Trace};
 use crate::certify::Undecided;
 use std::sync::OnceLock;
 
-pub(super) const CLAIMS: &[Claim] = &[Claim {
-    id: "map-lines",
-    place: "Sec. 3, Fig. 5, 6",
-    statement: "each line between two modes is one curve without a gap from landmark to landmark, analytic inside, and \
-                so are the purely rotational, overturning and sliding states; the corners of the domains are \
-                T, S, J, B, l and L",
-    decide: lines,
-}];
+pub(super) const CLAIMS: &[Claim] = &[claim("map-lines", "Sec. 3, Fig. 5, 6", lines).states(
+    "each line between two modes is one curve without a gap from landmark to landmark, \
+         analytic inside, and so are the purely rotational, overturning and sliding states; the \
+         corners of the domains are T, S, J, B, l and L",
+)];
 
 /// Half-width of the tubes.
 const TOLERANCE: f64 = 1e-3;
@@ -35,11 +32,9 @@ fn traced() -> &'static [(String, Result<bool, Undecided>)] {
 }
 
 fn lines(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&CYCLOID)?;
-    d.lemma(&SHOULDER_IN_ANGLES)?;
+    lemmas(d, [&CYCLOID, &SHOULDER_IN_ANGLES])?;
     for (words, is_whole) in traced() {
-        let words = format!("{words}: one solution for each parameter");
-        d.proved_elsewhere(words, is_whole.clone()?)?;
+        d.proved_elsewhere(format!("{words}: one solution for each parameter"), is_whole.clone()?)?;
     }
     d.argue(
         "On each piece Krawczyk's test holds for every value of the parameter: one solution in a tube, with a regular \

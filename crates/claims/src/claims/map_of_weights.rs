@@ -1,63 +1,50 @@
 //! The two self-weights compared on the map: at one half opening and friction, and along the dividing lines.
 
-use super::along::{Along, around, landmark, on_all};
+use super::along::{CurveStates, around, landmark, on_parts};
+use super::contacts::cotangent_falls;
 use super::curve::{STATES_IN_ORDER, STATES_OF_ONE_THICKNESS};
 use super::frictions::{FRICTION_FOR_ROTATION_GROWS, SLIDING_STATES_IN_ORDER, SLOPES_OF_FRICTION};
-use super::landmarks::state_of;
+use super::landmarks::{both, semicircle, state_of};
 use super::letters::ring;
 use super::modes::LEVER;
 use super::sign::{Positive, RingSigns};
 use super::uniqueness::THICKER_HAS_ROOM;
-use super::{Claim, Derivation, Finding, Support};
-use crate::arch::{Ring, SelfWeight, sliding, statics, thrust};
+use super::{Claim, Derivation, Finding, Support, claim, lemmas};
+use crate::arch::{Ring, SelfWeight, statics, thrust};
 use crate::certify::{Undecided, between};
-use crate::number::{Angle, Ball, Dual, Enclosure, Field, Real, Rounded, Ternary};
+use crate::number::{Angle, Ball, Dual, Enclosure, Field, Rounded};
 use crate::problem::Landmark;
-use crate::symbolic::{Letters, Relations, Symbol, along_the_joint};
+use crate::symbolic::{Letters, Symbol};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
     WHERE_THE_SHOULDER_TURNS,
     WHERE_THE_JOINT_IS_GIVEN,
-    Claim {
-        id: "weights-same-opening",
-        place: "Sec. 3",
-        statement: "in the eta-mu map the curves of one half opening lie lower for Milankovitch's weight: \
-                    Heyman's is on the safe side",
-        decide: same_opening_compared,
-    },
+    claim("weights-same-opening", "Sec. 3", same_opening_compared).states(
+        "in the eta-mu map the curves of one half opening lie lower for Milankovitch's weight: \
+         Heyman's is on the safe side",
+    ),
     LINES_RISE,
-    Claim {
-        id: "weights-dividing-lines",
-        place: "Sec. 3, Fig. 5",
-        statement: "in the eta-mu map the dividing lines of Milankovitch's weight lie always below and \
-                    left of Heyman's",
-        decide: dividing_lines_compared,
-    },
+    claim("weights-dividing-lines", "Sec. 3, Fig. 5", dividing_lines_compared).states(
+        "in the eta-mu map the dividing lines of Milankovitch's weight lie always below and left \
+         of Heyman's",
+    ),
 ];
 
-pub(super) const LINES_RISE: Claim = Claim {
-    id: "weights-lines-rise",
-    place: "Sec. 3, Fig. 5",
-    statement: "in the eta-mu map each dividing line rises, so that what lies left of it lies above",
-    decide: lines_rise,
-};
+pub(super) const LINES_RISE: Claim = claim("weights-lines-rise", "Sec. 3, Fig. 5", lines_rise)
+    .states("in the eta-mu map each dividing line rises, so that what lies left of it lies above");
 
-pub(super) const WHERE_THE_SHOULDER_TURNS: Claim = Claim {
-    id: "weights-shoulder-turns",
-    place: "Sec. 3",
-    statement: "where the shoulder turns about the extrados, (3), the same thrust and half opening mean a \
-                larger thickness for Milankovitch's weight",
-    decide: thickness_where_the_shoulder_turns,
-};
+pub(super) const WHERE_THE_SHOULDER_TURNS: Claim =
+    claim("weights-shoulder-turns", "Sec. 3", thickness_where_the_shoulder_turns).states(
+        "where the shoulder turns about the extrados, (3), the same thrust and half opening mean a \
+         larger thickness for Milankovitch's weight",
+    );
 
-const WHERE_THE_JOINT_IS_GIVEN: Claim = Claim {
-    id: "weights-joint-given",
-    place: "Sec. 3",
-    statement: "where the line of thrust touches the intrados, (5), the same thrust and joint mean a \
-                smaller thickness for Milankovitch's weight",
-    decide: thickness_where_the_joint_is_given,
-};
+const WHERE_THE_JOINT_IS_GIVEN: Claim =
+    claim("weights-joint-given", "Sec. 3", thickness_where_the_joint_is_given).states(
+        "where the line of thrust touches the intrados, (5), the same thrust and joint mean a \
+         smaller thickness for Milankovitch's weight",
+    );
 
 /// Where the shoulder turns, (3) gives the thickness of a given thrust and half opening.
 fn thickness_where_the_shoulder_turns(d: &mut Derivation) -> Result<Finding, Undecided> {
@@ -65,7 +52,6 @@ fn thickness_where_the_shoulder_turns(d: &mut Derivation) -> Result<Finding, Und
     let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
     let ring = Ring::with_flag(&delta, &eta);
     d.assume("0 < eta < 2, 0 <= delta_M <= 1, N(beta) > 0, beta < alpha");
-    let free = Relations::none();
     let margin = -(thrust::upper(&alpha, &joint, &ring).residual(&h) / h.int(2));
     let drop = joint.cos.clone() - &alpha.cos;
     let (extrados, intrados) = (ring.extrados() / h.int(2), ring.intrados() / h.int(2));
@@ -77,21 +63,15 @@ fn thickness_where_the_shoulder_turns(d: &mut Derivation) -> Result<Finding, Und
          and of a joint from the intrados",
         &margin,
         &sum,
-        &free,
     )?;
-    d.identity(
-        "dW/d delta_M, negative",
-        &margin.partial(Symbol::Flag),
-        &-(eta.square() * &drop / eta.int(12)),
-        &free,
-    )?;
+    let words = "dW/d delta_M, negative";
+    d.identity(words, margin.partial(Symbol::Flag), -(eta.square() * &drop / eta.int(12)))?;
     let rest = eta.int(12) * (eta.int(1) - &delta) + delta * ring.intrados() * (eta.int(6) + &eta);
     let normal = statics::normal_force(&joint, &h);
     d.identity(
         "(2 + eta) dW/d eta less W, positive",
-        &(margin.partial(Symbol::Thickness) * ring.extrados() - &margin),
-        &(h.int(2) * normal + drop * rest / h.int(12)),
-        &free,
+        margin.partial(Symbol::Thickness) * ring.extrados() - &margin,
+        h.int(2) * normal + drop * rest / h.int(12),
     )?;
     d.conclude(
         "So W/(2 + eta) grows with eta, and W falls as delta_M grows. Let a state of thickness eta_0 have \
@@ -109,48 +89,36 @@ fn thickness_where_the_joint_is_given(d: &mut Derivation) -> Result<Finding, Und
     let signs = RingSigns::of(d)?;
     let thrust = thrust::tangency(&Symbol::joint().times_cotangent(), &ring).value();
     let fall = |symbol| -thrust.partial(symbol);
-    let free = Relations::none();
     let square = signs.thickness.clone() * &signs.thickness;
-    (square / &(Positive::int(6) * &signs.intrados)).is(
-        d,
-        "the fall of h_e with delta_M",
-        &fall(Symbol::Flag),
-        &free,
-    )?;
+    let words = "the fall of h_e with delta_M";
+    (square / &(Positive::int(6) * &signs.intrados)).is(d, words, fall(Symbol::Flag))?;
     let gain = signs.flag * &signs.thickness * &signs.intrados / &Positive::int(3)
         + &(Positive::int(2) * &signs.factor);
-    (gain / &(signs.intrados.clone() * &signs.intrados)).is(
-        d,
-        "the fall of h_e with eta",
-        &fall(Symbol::Thickness),
-        &free,
-    )?;
+    let words = "the fall of h_e with eta";
+    (gain / &(signs.intrados.clone() * &signs.intrados)).is(d, words, fall(Symbol::Thickness))?;
     d.conclude("So with the thrust and the joint kept, the thickness falls as delta_M grows.");
     Ok(Finding::Implicit)
 }
 
 /// No arch of Milankovitch's weight is as thin as that of Heyman's, unless its shoulder slides.
 fn thicker_unless_the_shoulder_slides(d: &mut Derivation) -> Result<(), Undecided> {
-    d.lemma(&THICKER_HAS_ROOM)?;
-    d.lemma(&LEVER)?;
+    lemmas(d, [&THICKER_HAS_ROOM, &LEVER])?;
     let (alpha, joint, ring) = (Symbol::half_opening(), Symbol::joint(), ring());
-    let (eta, h, free) = (&ring.thickness, Symbol::Thrust.number(), Relations::none());
+    let (eta, h) = (&ring.thickness, Symbol::Thrust.number());
     let (lower, upper) = (thrust::lower(&joint, &ring), thrust::upper(&alpha, &joint, &ring));
     let crown = lower.residual(&h) / h.int(2);
     let shoulder = -(upper.residual(&h) / h.int(2));
     let (lever, arm) = (lower.denominator, upper.denominator);
     let words = "W falls as h grows, by the lever arm in (3)";
-    d.identity(words, &shoulder.partial(Symbol::Thrust), &-(arm.clone() / h.int(2)), &free)?;
+    d.identity(words, shoulder.partial(Symbol::Thrust), -(arm.clone() / h.int(2)))?;
     let drop = joint.cos.clone() - &alpha.cos;
     let slope = -(eta.square() * drop / eta.int(12));
-    let words = "and as delta_M grows";
-    d.identity(words, &shoulder.partial(Symbol::Flag), &slope, &free)?;
+    d.identity("and as delta_M grows", shoulder.partial(Symbol::Flag), &slope)?;
     let both = crown * arm + shoulder * lever;
     let words = "Z, V and W times the lever arms in (3) and (2), is free of h";
-    d.identity(words, &both.partial(Symbol::Thrust), &h.int(0), &free)?;
+    d.identity(words, both.partial(Symbol::Thrust), h.int(0))?;
     let slope = -(eta.square() * eta * &joint.cos * alpha.versine() / eta.int(6));
-    let words = "Z falls as delta_M grows";
-    d.identity(words, &both.partial(Symbol::Flag), &slope, &free)?;
+    d.identity("Z falls as delta_M grows", both.partial(Symbol::Flag), &slope)?;
     d.argue(
         "V is the sum of the distances of the crown from the extrados and of a joint from the intrados, W \
          that of the shoulder from the extrados and of the joint from the intrados: not negative where a \
@@ -169,8 +137,7 @@ fn thicker(
     (alpha, friction): (&str, Option<&str>),
     is_thicker: bool,
 ) -> Result<String, Undecided> {
-    let [heyman, milankovitch] = SelfWeight::ALL.map(|w| state_of(alpha, friction, w));
-    let (heyman, milankovitch) = (heyman?, milankovitch?);
+    let [heyman, milankovitch] = both(|weight| state_of(alpha, friction, weight))?;
     let (eta, other) = (&milankovitch.thickness, &heyman.thickness);
     let modes =
         format!("{} with Heyman's weight, {}", heyman.mode.label(), milankovitch.mode.label());
@@ -183,8 +150,7 @@ fn thicker(
 }
 
 fn same_opening_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&STATES_IN_ORDER)?;
-    d.lemma(&STATES_OF_ONE_THICKNESS)?;
+    lemmas(d, [&STATES_IN_ORDER, &STATES_OF_ONE_THICKNESS])?;
     thicker_unless_the_shoulder_slides(d)?;
     d.argue(
         "[s,r,r] with both: friction gives the thrust by (17), and on the curve of (2) and (5) the thrust \
@@ -208,30 +174,18 @@ fn same_opening_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
 
 /// Each line, in turn.
 fn lines_rise(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&FRICTION_FOR_ROTATION_GROWS)?;
-    d.lemma(&STATES_IN_ORDER)?;
-    d.lemma(&SLOPES_OF_FRICTION)?;
+    lemmas(d, [&FRICTION_FOR_ROTATION_GROWS, &STATES_IN_ORDER, &SLOPES_OF_FRICTION])?;
     d.conclude(
         "About pure rotation: M and m grow with alpha, as eta does. On [s,r,r]|[s,s], by (2) and (5), eta \
          grows as h falls, and so does mu.",
     );
-    let (joint, ring) = (Symbol::joint(), ring());
-    let bow = joint.rad.clone() - joint.sin.clone() * &joint.cos;
-    d.identity(
-        "d(beta cot(beta))/d beta, negative",
-        &joint.times_cotangent().derivative(&along_the_joint()),
-        &-(bow / joint.sin.square()),
-        &Relations::trigonometric(),
-    )?;
+    cotangent_falls(d)?;
+    let ring = ring();
     let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
     let rest = ring.centroid_factor.int(2) * &ring.centroid_factor / ring.intrados();
     let gain = delta * eta * ring.intrados() / eta.int(3) + eta.int(2) * &ring.centroid_factor;
-    d.identity(
-        "d(2 fac/(2 - eta))/d eta, positive",
-        &rest.partial(Symbol::Thickness),
-        &(gain / ring.intrados().square()),
-        &Relations::none(),
-    )?;
+    let words = "d(2 fac/(2 - eta))/d eta, positive";
+    d.identity(words, rest.partial(Symbol::Thickness), gain / ring.intrados().square())?;
     for weight in SelfWeight::ALL {
         let thrust = landmark(Landmark::Triple, weight)?.thrust;
         let words = format!("h < 1/2 at T and beyond, {} weight", weight.name());
@@ -242,8 +196,7 @@ fn lines_rise(d: &mut Derivation) -> Result<Finding, Undecided> {
          sqrt(h (1-h)), which grows with h < 1/2, or at the crown, where beta cot(beta) = 1: eta grows as h \
          falls and mu grows.",
     );
-    d.lemma(&SLIDING_STATES_IN_ORDER)?;
-    d.lemma(&WHERE_THE_SHOULDER_TURNS)?;
+    lemmas(d, [&SLIDING_STATES_IN_ORDER, &WHERE_THE_SHOULDER_TURNS])?;
     let [first, last] =
         [(Landmark::Triple, SelfWeight::Milankovitch), (Landmark::Border, SelfWeight::Heyman)].map(
             |(point, weight)| {
@@ -257,19 +210,17 @@ fn lines_rise(d: &mut Derivation) -> Result<Finding, Undecided> {
     let any_ring = Ring { thickness: range((0, 2), 1), centroid_factor: range((3, 4), 3) };
     let any_joint = Angle::new(range((0, 8), 5));
     let falls = |range| {
-        on_all(range, &Along::sliding, &|a, b| {
-            a.up_to(b).map_or(Ternary::Undecided, |all| {
-                let slope = all.slope_along_sliding(|alpha, h| {
-                    let constant = |x: &Ball| Dual::constant(x.clone());
-                    let ring = Ring {
-                        thickness: constant(&any_ring.thickness),
-                        centroid_factor: constant(&any_ring.centroid_factor),
-                    };
-                    let joint = any_joint.clone().map(Dual::constant);
-                    thrust::upper(alpha, &joint, &ring).residual(h)
-                });
-                slope.is_positive()
-            })
+        on_parts(range, &CurveStates::sliding, &|all| {
+            let slope = all.slope_along_sliding(|alpha, h| {
+                let constant = |x: &Ball| Dual::constant(x.clone());
+                let ring = Ring {
+                    thickness: constant(&any_ring.thickness),
+                    centroid_factor: constant(&any_ring.centroid_factor),
+                };
+                let joint = any_joint.clone().map(Dual::constant);
+                thrust::upper(alpha, &joint, &ring).residual(h)
+            });
+            slope.is_positive()
         })
     };
     // Where the arch is narrow it rises.
@@ -285,16 +236,13 @@ fn lines_rise(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 fn dividing_lines_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&LINES_RISE)?;
-    d.lemma(&STATES_OF_ONE_THICKNESS)?;
-    d.lemma(&SLOPES_OF_FRICTION)?;
+    lemmas(d, [&LINES_RISE, &STATES_OF_ONE_THICKNESS, &SLOPES_OF_FRICTION])?;
     d.conclude(
         "About pure rotation, at one thickness, alpha and h are smaller for Milankovitch's weight, so that M \
          is smaller, as mu_ss grows with both, and m = mu_is(h) is larger: [r,r,r]|[s,r,r] lies left, \
          [r,r,r]|[r,r,s] right.",
     );
-    d.lemma(&WHERE_THE_SHOULDER_TURNS)?;
-    d.lemma(&WHERE_THE_JOINT_IS_GIVEN)?;
+    lemmas(d, [&WHERE_THE_SHOULDER_TURNS, &WHERE_THE_JOINT_IS_GIVEN])?;
     d.conclude(
         "On the other lines friction gives the thrust by (18) and, on those about pure sliding, the half \
          opening too, the same for both weights. On [s,r,r]|[s,s] the thickness follows from (2) and (5), \
@@ -302,26 +250,18 @@ fn dividing_lines_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
          Milankovitch's weight. On the lines from T to B about pure sliding it follows from (3): it is \
          larger.",
     );
-    let states = SelfWeight::ALL.map(|weight| {
-        let state = state_of("pi/2", None, weight)?;
-        let half = state.thrust.pi() / state.thrust.int(2);
-        let right = Angle { rad: half, sin: state.thrust.int(1), cos: state.thrust.int(0) };
-        Ok((state.thickness, sliding::shoulder(&right, &state.thrust).value()))
-    });
-    let [heyman, milankovitch]: [Result<(Ball, Ball), Undecided>; 2] = states;
-    let (heyman, milankovitch) = (heyman?, milankovitch?);
+    let [heyman, milankovitch] = both(semicircle)?;
     let words = "the semicircle's point on the first line is higher for Milankovitch's weight";
-    d.less(words, [&heyman.0, &milankovitch.0])?;
-    let words = "and further left";
-    d.less(words, [&milankovitch.1, &heyman.1])?;
+    d.less(words, [&heyman[0], &milankovitch[0]])?;
+    d.less("and further left", [&milankovitch[1], &heyman[1]])?;
     Ok(Finding::Misprint {
         counterexample: format!(
             "[r,r,r]|[s,r,r] at alpha = pi/2: mu = {}, eta = {} for Milankovitch's weight is left of and \
              above mu = {}, eta = {} for Heyman's, on a line that rises",
-            shown(&milankovitch.1)?,
-            shown(&milankovitch.0)?,
-            shown(&heyman.1)?,
-            shown(&heyman.0)?
+            shown(&milankovitch[1])?,
+            shown(&milankovitch[0])?,
+            shown(&heyman[1])?,
+            shown(&heyman[0])?
         ),
         corrected: "as each line rises, left of it is above it, and right below: Milankovitch's lines lie left \
                     of Heyman's and above where they are [r,r,r]|[s,r,r] or, from T to B, bound pure sliding; \

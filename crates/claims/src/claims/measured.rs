@@ -6,12 +6,12 @@ use crate::number::{Ball, Decimal, Enclosure, Field, Real, Rounded};
 
 /// Bounds of values: decimals next to each, between which it is proved to lie.
 #[derive(Default)]
-pub(super) struct Bounds {
+pub(super) struct MeasuredBounds {
     hold: Vec<String>,
     fail: Vec<String>,
 }
 
-impl Bounds {
+impl MeasuredBounds {
     /// Checks between which neighbours of few significant digits a positive value lies; the upper one is
     /// noted as a bound that holds.
     pub(super) fn at_most(

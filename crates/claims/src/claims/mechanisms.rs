@@ -4,7 +4,7 @@
 use super::contacts::{CONTACTS, label};
 use super::letters::{ring, variables};
 use super::modes::{LEVER, SEVEN_MODES};
-use super::{Claim, Derivation, Finding};
+use super::{Claim, Derivation, Finding, claim, lemmas};
 use crate::arch::mechanism::{Contact, Joint, Mechanism};
 use crate::arch::{Configuration, contact, sliding, thrust};
 use crate::certify::Undecided;
@@ -14,36 +14,24 @@ use crate::symbolic::{Fraction, Letters, Relations, Symbol};
 
 pub(super) const CLAIMS: &[Claim] = &[COMPATIBLE, RATES, AT_LIMIT, POWER];
 
-const COMPATIBLE: Claim = Claim {
-    id: "mechanism-fits",
-    place: "Sec. 4, Fig. 7-12",
-    statement: "in each of the seven modes rigid blocks move together: behind the crown nothing turns and nothing \
-                moves sideways, whether a joint that slides opens or not",
-    decide: compatible,
-};
+const COMPATIBLE: Claim = claim("mechanism-fits", "Sec. 4, Fig. 7-12", compatible).states(
+    "in each of the seven modes rigid blocks move together: behind the crown nothing turns and \
+     nothing moves sideways, whether a joint that slides opens or not",
+);
 
-const RATES: Claim = Claim {
-    id: "mechanism-rates",
-    place: "Sec. 4, Fig. 7-12",
-    statement: "each hinge opens on its side and each joint slides its way, where the lever arms that the mode has are \
-                positive; with a dilatancy up to the friction the slips are others, still positive, and the hinges turn as without",
-    decide: rates,
-};
+const RATES: Claim = claim("mechanism-rates", "Sec. 4, Fig. 7-12", rates).states(
+    "each hinge opens on its side and each joint slides its way, where the lever arms that the \
+     mode has are positive; with a dilatancy up to the friction the slips are others, still \
+     positive, and the hinges turn as without",
+);
 
-const AT_LIMIT: Claim = Claim {
-    id: "mechanism-limits",
-    place: "Sec. 4, Fig. 7-12",
-    statement: "the equations of a mode put the joints of its mechanism at their limits",
-    decide: at_limit,
-};
+const AT_LIMIT: Claim = claim("mechanism-limits", "Sec. 4, Fig. 7-12", at_limit)
+    .states("the equations of a mode put the joints of its mechanism at their limits");
 
-const POWER: Claim = Claim {
-    id: "mechanism-power",
-    place: "Sec. 4, Fig. 7-12",
-    statement: "at collapse the weight works by as much as friction takes, and by nothing if joints that slide open as the \
-                associated flow rule has it",
-    decide: power,
-};
+const POWER: Claim = claim("mechanism-power", "Sec. 4, Fig. 7-12", power).states(
+    "at collapse the weight works by as much as friction takes, and by nothing if joints that \
+     slide open as the associated flow rule has it",
+);
 
 /// The variables of a mode.
 fn at(mode: Mode) -> Configuration<Fraction> {
@@ -65,15 +53,13 @@ fn joints(mechanism: &Mechanism<Fraction>) -> impl Iterator<Item = &Joint<Fracti
 const OPENS: Symbol = Symbol::Friction;
 
 fn compatible(d: &mut Derivation) -> Result<Finding, Undecided> {
-    let circle = Relations::trigonometric();
     d.define("a joint that slides opens, for a slip of one, by; none for zero", &OPENS.number());
     for mode in Mode::ALL {
         let at = at(mode);
         let [turn, across] = mode.mechanism(&at, &OPENS.number()).gap(&at.thickness);
         let none = turn.int(0);
-        d.identity(format!("{mode}: the rotation behind the crown"), &turn, &none, &circle)?;
-        let words = format!("{mode}: the horizontal velocity behind it");
-        d.identity(words, &across, &none, &circle)?;
+        d.on_circle(format!("{mode}: the rotation behind the crown"), &turn, &none)?;
+        d.on_circle(format!("{mode}: the horizontal velocity behind it"), &across, &none)?;
     }
     d.conclude(
         "By symmetry the axis behind the crown moves up and down only, and the left half is the mirror image. For the open \
@@ -83,9 +69,8 @@ fn compatible(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 fn rates(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&SEVEN_MODES)?;
-    d.lemma(&LEVER)?;
-    let (free, mu) = (Relations::none(), OPENS.number());
+    lemmas(d, [&SEVEN_MODES, &LEVER])?;
+    let mu = OPENS.number();
     for mode in Mode::ALL {
         let at = at(mode);
         let (alpha, slides) = (&at.half_opening, &at.sliding_joint);
@@ -118,7 +103,7 @@ fn rates(d: &mut Derivation) -> Result<Finding, Undecided> {
             let rate = joint.rate.clone() * factor;
             let words =
                 format!("{mode}: a rate where {} = 0, times its denominator", label(joint.contact));
-            d.identity(words, &rate, &value, &free)?;
+            d.identity(words, &rate, &value)?;
         }
     }
     let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
@@ -126,7 +111,7 @@ fn rates(d: &mut Derivation) -> Result<Finding, Undecided> {
     let out = alpha.sin.clone() - mu.clone() * &alpha.cos;
     let expected = alpha.rad.clone() * (alpha.cos.clone() + mu * &alpha.sin) - h * out;
     let words = "mu N + T at the shoulder; were sin(alpha) <= mu cos(alpha), it would be positive";
-    d.identity(words, &outwards, &expected, &free)?;
+    d.identity(words, &outwards, &expected)?;
     d.conclude(
         "The arm above the haunch is positive, that below is a condition of each state whose mechanism has it, and \
          0 < beta_s <= 1/2, 0 < alpha < pi; where the shoulder slides sin(alpha) - mu cos(alpha) is positive, as h is. So \
@@ -172,7 +157,7 @@ fn at_limit(d: &mut Derivation) -> Result<Finding, Undecided> {
             };
             let words =
                 format!("{mode}: {} where it gives way, by {equation}", label(joint.contact));
-            d.identity(words, &margin, &expected, relations)?;
+            d.identity_under(words, &margin, &expected, relations)?;
         }
     }
     d.conclude(
@@ -184,9 +169,8 @@ fn at_limit(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 fn power(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&CONTACTS)?;
-    let (circle, mu, p) =
-        (Relations::trigonometric(), Symbol::Friction.number(), Symbol::CrownMoment.number());
+    lemmas(d, [&CONTACTS])?;
+    let (mu, p) = (Symbol::Friction.number(), Symbol::CrownMoment.number());
     for (dilatancy, rule) in [(mu.int(0), "without dilatancy"), (mu.clone(), "with it")] {
         for mode in Mode::ALL {
             let (at, ring) = (at(mode), ring());
@@ -202,7 +186,7 @@ fn power(d: &mut Derivation) -> Result<Finding, Undecided> {
             };
             let left = mechanism.complementarity(&ring, [&at.thrust, &p, &mu]);
             let words = format!("{mode}, {rule}: what the weight works, less what friction takes");
-            d.identity(words, &(mechanism.power(&ring) - taken), &-left, &circle)?;
+            d.on_circle(words, mechanism.power(&ring) - taken, -left)?;
         }
     }
     d.conclude(

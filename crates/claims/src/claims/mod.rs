@@ -47,6 +47,7 @@ mod asymmetric_begins;
 mod asymptotics;
 mod border;
 mod branches;
+mod claim;
 mod contacts;
 pub mod coq;
 mod cubics;
@@ -80,84 +81,12 @@ mod uniqueness;
 mod units;
 mod weights;
 
+pub use claim::{Claim, Decision, Finding};
 pub use derivation::{Argument, Derivation, Formula, Step, Support};
 pub use index::index;
 pub use sentence::{Decided, Sentence};
 
-use crate::certify::Undecided;
-use std::time::{Duration, Instant};
-
-/// A statement of the paper, or one that it leaves implicit.
-#[derive(Clone, Copy, Debug)]
-pub struct Claim {
-    /// A stable name.
-    pub id: &'static str,
-    /// The equation, table or section.
-    pub place: &'static str,
-    /// What is claimed, as it is printed where it is.
-    pub statement: &'static str,
-    decide: fn(&mut Derivation) -> Result<Finding, Undecided>,
-}
-
-/// What a completed derivation says of the statement.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Finding {
-    /// It holds as it is printed.
-    AsPrinted,
-    /// It holds; the paper does not state it.
-    Implicit,
-    /// It holds as it is printed, but in some places only with equality.
-    Equality {
-        /// Where both sides are the same: `thickness at B is 2 for both weights`.
-        at: String,
-    },
-    /// It speaks of an amount without a number, or with a rounded one: "about", "limited", "suffices".
-    Measured {
-        /// The number with which it is proved.
-        holds_with: String,
-        /// A number with which it is refuted, the printed one above all.
-        fails_with: Option<String>,
-    },
-    /// It is false as printed.
-    Misprint {
-        /// Where it fails: a point with the two values, or the difference that is not zero.
-        counterexample: String,
-        /// What holds instead, and is proved by the derivation.
-        corrected: &'static str,
-    },
-}
-
-/// How a claim was decided.
-#[derive(Clone, Debug)]
-#[non_exhaustive]
-pub struct Decision {
-    /// The claim.
-    pub claim: Claim,
-    /// The finding, or why there is none.
-    pub outcome: Result<Finding, Undecided>,
-    /// The steps, as far as they went.
-    pub derivation: Derivation,
-    /// How long it took.
-    pub time: Duration,
-}
-
-impl Claim {
-    /// Whether a name means this claim: its id, or the beginning of it up to a hyphen.
-    pub fn is_named(&self, name: &str) -> bool {
-        self.id.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
-    }
-
-    /// Decides the claim.
-    pub fn decide(&self) -> Decision {
-        self.decide_with(Derivation::new())
-    }
-
-    fn decide_with(&self, mut derivation: Derivation) -> Decision {
-        let start = Instant::now();
-        let outcome = (self.decide)(&mut derivation);
-        Decision { claim: *self, outcome, derivation, time: start.elapsed() }
-    }
-}
+use claim::{claim, lemmas};
 
 /// All claims, in the order of the paper.
 pub fn claims() -> Vec<Claim> {

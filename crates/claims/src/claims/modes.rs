@@ -12,65 +12,55 @@
 //! **What gives way inside is carried by what gives way at the shoulder**: each mechanism is a sum of four, with one
 //! term on each side.
 
-use super::along::Along;
+use super::along::CurveStates;
 use super::contacts::{CONTACTS, label, margin_at, row_at, slopes};
 use super::landmarks::{certain_if, state_of};
-use super::letters::{ring, variables};
-use super::{Claim, Derivation, Finding, Support};
+use super::letters::{ring, variables, with};
+use super::{Claim, Derivation, Finding, Support, claim, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Configuration, SelfWeight, contact, statics};
 use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Field};
 use crate::problem::Mode;
-use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint};
+use crate::symbolic::{Fraction, Letters, Symbol, along_the_joint};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[LEVER, SEVEN_MODES, MODES_OCCUR];
 
-pub(super) const LEVER: Claim = Claim {
-    id: "modes-lever",
-    place: "Sec. 3",
-    statement: "a line of thrust on the shoulder's extrados and on the intrados above it has a positive \
-                lever arm between the two",
-    decide: lever,
-};
+pub(super) const LEVER: Claim = claim("modes-lever", "Sec. 3", lever).states(
+    "a line of thrust on the shoulder's extrados and on the intrados above it has a positive lever \
+     arm between the two",
+);
 
-pub(super) const SEVEN_MODES: Claim = Claim {
-    id: "modes-seven",
-    place: "Sec. 3",
-    statement: "the seven modes are all the symmetric ones there are: a mechanism without dilatancy that is \
-                its own mirror image is one of them, or several at once",
-    decide: seven_modes,
-};
+pub(super) const SEVEN_MODES: Claim = claim("modes-seven", "Sec. 3", seven_modes).states(
+    "the seven modes are all the symmetric ones there are: a mechanism without dilatancy that is \
+     its own mirror image is one of them, or several at once",
+);
 
-const MODES_OCCUR: Claim = Claim {
-    id: "modes-occur",
-    place: "Sec. 3",
-    statement: "each of the seven modes occurs, with either weight",
-    decide: modes_occur,
-};
+const MODES_OCCUR: Claim = claim("modes-occur", "Sec. 3", modes_occur)
+    .states("each of the seven modes occurs, with either weight");
 
 /// The lever arm between the haunch's intrados and the shoulder's extrados.
 fn lever(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.assume("0 < alpha < pi, 0 <= beta <= alpha, 0 < eta <= 2, h >= 0");
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
-    let (h, eta, free) = (Symbol::Thrust.number(), &ring.thickness, Relations::none());
+    let (h, eta) = (Symbol::Thrust.number(), &ring.thickness);
     let two = h.int(2);
     let arm = (ring.intrados() * &joint.cos - ring.extrados() * &alpha.cos) / &two;
     let sum = margin_at(Contact::Intrados, &joint) + margin_at(Contact::Extrados, &alpha);
     let bracket = sum.clone() + h.clone() * &arm;
     let free_of_h: Fraction = bracket.partial(Symbol::Thrust);
-    d.identity("L(beta) + U(alpha) + h b is free of h", &free_of_h, &h.int(0), &free)?;
+    d.identity("L(beta) + U(alpha) + h b is free of h", &free_of_h, h.int(0))?;
     let area = |at: &Angle<Fraction>| at.rad.clone() * &at.sin + &at.cos;
     let growth = area(&alpha) - area(&joint);
     let gain = (h.int(6) - Symbol::Flag.number() * eta) * eta / h.int(12);
     let expected = growth * ring.extrados() / &two
         + joint.rad.clone() * &joint.sin * eta
         + (joint.cos.clone() - &alpha.cos) * gain;
-    d.identity("it is", &bracket, &expected, &free)?;
+    d.identity("it is", &bracket, &expected)?;
     let words = "d(beta sin(beta) + cos(beta))/d beta, positive below pi/2";
     let slope = area(&joint).derivative(&along_the_joint());
-    d.identity(words, &slope, &(joint.rad.clone() * &joint.cos), &free)?;
+    d.identity(words, &slope, joint.rad.clone() * &joint.cos)?;
     d.conclude(
         "Suppose b <= 0. As cos(alpha) <= cos(beta), cos(alpha) is not negative, so that alpha <= pi/2, \
          and each of the three terms is not negative; one is positive, as alpha > 0. But L = U = 0 \
@@ -80,23 +70,21 @@ fn lever(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 fn seven_modes(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&CONTACTS)?;
-    d.lemma(&LEVER)?;
+    lemmas(d, [&CONTACTS, &LEVER])?;
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
-    let (h, free, crown) =
-        (Symbol::Thrust.number(), Relations::none(), Angle::zero(&ring.thickness));
+    let (h, crown) = (Symbol::Thrust.number(), Angle::zero(&ring.thickness));
     let two = h.int(2);
     for contact in [Contact::Extrados, Contact::Intrados] {
         let [by_thrust, by_moment] = slopes(&margin_at(contact, &joint));
         let [row, unit] = row_at(contact, &joint);
         let name = label(contact);
-        d.identity(format!("the work of h on a hinge, d{name}/dh"), &by_thrust, &row, &free)?;
-        d.identity(format!("the work of p on it, d{name}/dp"), &by_moment, &unit, &free)?;
+        d.identity(format!("the work of h on a hinge, d{name}/dh"), &by_thrust, &row)?;
+        d.identity(format!("the work of p on it, d{name}/dp"), &by_moment, &unit)?;
     }
     let shear = slopes(&statics::shear_force(&joint, &h));
     let [row, _] = row_at(Contact::Inwards, &joint);
     let words = "the work of h on a joint that slides along itself is that on T";
-    d.identity(words, &-shear[0].clone(), &row, &free)?;
+    d.identity(words, -shear[0].clone(), &row)?;
     // With the multiple of the haunch's row for p that takes the haunch out.
     let balance = |[by_thrust, by_moment]: [Fraction; 2]| {
         by_thrust + by_moment * ring.intrados() * &joint.cos / &two
@@ -111,10 +99,10 @@ fn seven_modes(d: &mut Derivation) -> Result<Finding, Undecided> {
         ("-t sin(alpha), of the shoulder", row_at(Contact::Outwards, &alpha), -alpha.sin.clone()),
     ];
     for (words, row, expected) in terms {
-        d.identity(format!("the balance of h has {words}"), &balance(row), &expected, &free)?;
+        d.identity(format!("the balance of h has {words}"), balance(row), &expected)?;
     }
     let opening = (joint.cos.int(1) + &joint.cos) * &ring.thickness / &two;
-    d.identity("a, positive as eta is", &a, &(joint.versine() + opening), &free)?;
+    d.identity("a, positive as eta is", &a, joint.versine() + opening)?;
     let at = variables();
     let rates = [
         (Mode::Rotational, contact::rates_of_rotation(&at), 0),
@@ -125,8 +113,7 @@ fn seven_modes(d: &mut Derivation) -> Result<Finding, Undecided> {
         let sum = a.clone() * &rates.crown - b.clone() * &rates.shoulder
             + rates.sliding * h.int(side)
             + (rates.haunch - rates.crown - rates.shoulder) * ring.intrados();
-        let words = format!("the rates by which {mode} is proved are in balance");
-        d.identity(words, &sum, &h.int(0), &free)?;
+        d.identity(format!("the rates by which {mode} is proved are in balance"), &sum, h.int(0))?;
     }
     let slope = margin_at(Contact::Intrados, &joint).derivative(&along_the_joint());
     let shear = statics::shear_force(&joint, &h);
@@ -135,8 +122,7 @@ fn seven_modes(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.identity(
         "dL/d beta again: positive where T < 0, so that L is not zero first at a shoulder that slides",
         &slope,
-        &(thick * &joint.sin - ring.intrados() * shear / &two),
-        &free,
+        thick * &joint.sin - ring.intrados() * shear / &two,
     )?;
     d.argue(
         "The work of p gives l = u + v, that of h a u + s sin(beta_s) = b v + t sin(alpha), where b > 0 if v > 0. \
@@ -146,17 +132,11 @@ fn seven_modes(d: &mut Derivation) -> Result<Finding, Undecided> {
          [r,r,s] for beta_r >= beta_s, [r,s,r] for 0 < beta_r <= beta_s and [r,s] for beta_r = 0. With u, beta_r is \
          not 0.",
     );
-    let without = |value: &Fraction| {
-        let zero = value.int(0);
-        value.evaluate(&zero, |symbol| match symbol {
-            Symbol::Thrust => zero.clone(),
-            other => other.number(),
-        })
-    };
     let p = Symbol::CrownMoment.number();
     for (contact, expected) in [(Contact::Extrados, -p.clone()), (Contact::Intrados, p)] {
         let words = format!("{} at the crown without thrust", label(contact));
-        d.identity(words, &without(&margin_at(contact, &crown)), &expected, &free)?;
+        let margin = with(&margin_at(contact, &crown), &[Symbol::Thrust], &h.int(0));
+        d.identity(words, &margin, &expected)?;
     }
     d.argue(
         "With unlimited friction s = t = 0, and u and v remain: [r,r,r] for h > 0, where the same joints are at their \
@@ -210,7 +190,7 @@ fn modes_occur(d: &mut Derivation) -> Result<Finding, Undecided> {
 pub(super) fn room_of_pure_sliding(
     weight: SelfWeight,
 ) -> Result<[(&'static str, Ball, Ball); 4], Undecided> {
-    let Along { alpha, thrust: h, .. } = Along::sliding(&Rational::from(1))?;
+    let CurveStates { alpha, thrust: h, .. } = CurveStates::sliding(&Rational::from(1))?;
     let at = Configuration {
         half_opening: alpha,
         rotation_joint: Angle::zero(&h),

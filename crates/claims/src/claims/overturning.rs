@@ -1,7 +1,7 @@
 //! Purely overturning states and the end of rotation: (13)–(16).
 
-use super::letters::ring;
-use super::{Claim, Derivation, Finding};
+use super::letters::{ring, with};
+use super::{Claim, Derivation, Finding, claim, lemmas};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Field, Surd};
@@ -9,67 +9,36 @@ use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_opening};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
-    Claim {
-        id: "eq-13",
-        place: "Eq. (13)",
-        statement: "h_2 = 0 in (4), or h_U = 0 at beta_r = 0 in (3), gives \
-                    A = 2/(2+eta) (1 + delta_M eta^2/12)",
-        decide: without_thrust,
-    },
-    Claim {
-        id: "eq-14",
-        place: "Eq. (14)",
-        statement: "for Heyman's weight A = 2/(2+eta), and eta = 2 (1/A - 1)",
-        decide: heyman,
-    },
-    Claim {
-        id: "eq-15",
-        place: "Eq. (15)",
-        statement: "for Milankovitch's weight A = (12 + eta^2)/(6 (2+eta)), and \
-                    eta = 3A - sqrt(3 (3A^2 + 4A - 4))",
-        decide: milankovitch,
-    },
-    Claim {
-        id: "eq-15-branch",
-        place: "Eq. (15)",
-        statement: "on 0 <= eta <= 2, A falls from 1 to 2/3, where the square root in (15) is zero and \
-                    eta(A) and eta(alpha) have a vertical tangent; the other sign of the root has eta >= 2",
-        decide: milankovitch_branch,
-    },
-    Claim {
-        id: "eq-16",
-        place: "Eq. (16)",
-        statement: "h_e = 0 at beta_r = 0 in (5) gives 1 - eta/(2-eta) (1 + delta_M eta^2/12) = 0, \
-                    with the root 2 (2√3 - 3) for delta_M = 1",
-        decide: end_of_rotation,
-    },
-    Claim {
-        id: "limit-l",
-        place: "Sec. 2.1, Tables 3-4",
-        statement: "eta_l = 1, A_l = 2/3 (Heyman); eta_l = 2 (2√3 - 3), A_l = √3 - 1 (Milankovitch)",
-        decide: limit_values,
-    },
-    Claim {
-        id: "limit-L",
-        place: "Sec. 2.1, Tables 3-4",
-        statement: "at eta = 2: A_L = 1/2 (Heyman), A_L = 2/3 (Milankovitch)",
-        decide: physical_limit,
-    },
+    claim("eq-13", "Eq. (13)", without_thrust).states(
+        "h_2 = 0 in (4), or h_U = 0 at beta_r = 0 in (3), gives A = 2/(2+eta) (1 + delta_M \
+         eta^2/12)",
+    ),
+    claim("eq-14", "Eq. (14)", heyman)
+        .states("for Heyman's weight A = 2/(2+eta), and eta = 2 (1/A - 1)"),
+    claim("eq-15", "Eq. (15)", milankovitch).states(
+        "for Milankovitch's weight A = (12 + eta^2)/(6 (2+eta)), and eta = 3A - sqrt(3 (3A^2 + 4A \
+         - 4))",
+    ),
+    claim("eq-15-branch", "Eq. (15)", milankovitch_branch).states(
+        "on 0 <= eta <= 2, A falls from 1 to 2/3, where the square root in (15) is zero and eta(A) \
+         and eta(alpha) have a vertical tangent; the other sign of the root has eta >= 2",
+    ),
+    claim("eq-16", "Eq. (16)", end_of_rotation).states(
+        "h_e = 0 at beta_r = 0 in (5) gives 1 - eta/(2-eta) (1 + delta_M eta^2/12) = 0, with the \
+         root 2 (2√3 - 3) for delta_M = 1",
+    ),
+    claim("limit-l", "Sec. 2.1, Tables 3-4", limit_values)
+        .states("eta_l = 1, A_l = 2/3 (Heyman); eta_l = 2 (2√3 - 3), A_l = √3 - 1 (Milankovitch)"),
+    claim("limit-L", "Sec. 2.1, Tables 3-4", physical_limit)
+        .states("at eta = 2: A_L = 1/2 (Heyman), A_L = 2/3 (Milankovitch)"),
     A_FIXES_ALPHA,
-    Claim {
-        id: "alpha-L-is-alpha-l",
-        place: "Sec. 2.1",
-        statement: "alpha_L of Milankovitch's weight is alpha_l of Heyman's",
-        decide: shared_opening,
-    },
+    claim("alpha-L-is-alpha-l", "Sec. 2.1", shared_opening)
+        .states("alpha_L of Milankovitch's weight is alpha_l of Heyman's"),
 ];
 
-pub(super) const A_FIXES_ALPHA: Claim = Claim {
-    id: "alpha-one-to-one",
-    place: "Sec. 2.1",
-    statement: "A(alpha) falls strictly from 2 to 0 on (0, pi), so that A fixes alpha",
-    decide: opening_variable_falls,
-};
+pub(super) const A_FIXES_ALPHA: Claim =
+    claim("alpha-one-to-one", "Sec. 2.1", opening_variable_falls)
+        .states("A(alpha) falls strictly from 2 to 0 on (0, pi), so that A fixes alpha");
 
 fn without_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.assume("h = 0; 2 + eta != 0; cos(alpha) != 1");
@@ -79,14 +48,14 @@ fn without_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
     let thirteen = overturning::opening_variable(&ring);
     d.define("A of (13)", &thirteen.value());
     let printed = ring.thickness.int(2) / ring.extrados() * &ring.centroid_factor;
-    d.identity("it is 2/(2+eta) fac_M", &thirteen.value(), &printed, &Relations::none())?;
+    d.identity("it is 2/(2+eta) fac_M", thirteen.value(), &printed)?;
     let difference = opening.difference(&thirteen);
     d.define("A(alpha) = A of (13), cleared", &difference);
     let fourth = -thrust::whole(&alpha, &ring).residual(&zero);
-    d.identity("(4) at h = 0, cleared, is the same", &fourth, &difference, &Relations::none())?;
+    d.identity("(4) at h = 0, cleared, is the same", &fourth, &difference)?;
     let crown = Angle::zero(&zero);
     let third = -thrust::upper(&alpha, &crown, &ring).residual(&zero);
-    d.identity("(3) at h = 0 and beta = 0 too", &third, &difference, &Relations::none())?;
+    d.identity("(3) at h = 0 and beta = 0 too", &third, &difference)?;
     Ok(Finding::AsPrinted)
 }
 
@@ -95,13 +64,13 @@ fn heyman(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (eta, a) = (Symbol::Thickness.number(), Symbol::OpeningVariable.number());
     let value = overturning::opening_variable(&Ring::new(SelfWeight::Heyman, &eta)).value();
     let printed = eta.int(2) / (eta.int(2) + &eta);
-    d.identity("A(eta)", &value, &printed, &Relations::none())?;
+    d.identity("A(eta)", &value, &printed)?;
     let inverse = (a.int(1) / &a - a.int(1)) * a.int(2);
     let back = overturning::opening_variable(&Ring::new(SelfWeight::Heyman, &inverse)).value();
-    d.identity("A(eta(A)) = A, with eta(A) = 2 (1/A - 1)", &back, &a, &Relations::none())?;
+    d.identity("A(eta(A)) = A, with eta(A) = 2 (1/A - 1)", &back, &a)?;
     let forth = value.evaluate(&eta, |_| eta.clone());
-    let put = |x: Symbol| if x == Symbol::OpeningVariable { forth.clone() } else { x.number() };
-    d.identity("eta(A(eta)) = eta", &inverse.evaluate(&eta, put), &eta, &Relations::none())?;
+    let both = with(&inverse, &[Symbol::OpeningVariable], &forth);
+    d.identity("eta(A(eta)) = eta", both, &eta)?;
     Ok(Finding::AsPrinted)
 }
 
@@ -117,21 +86,15 @@ fn milankovitch(d: &mut Derivation) -> Result<Finding, Undecided> {
     let ring = Ring::new(SelfWeight::Milankovitch, &eta);
     let thirteen = overturning::opening_variable(&ring);
     let printed = (eta.int(12) + eta.square()) / ((eta.int(2) + &eta) * eta.int(6));
-    d.identity("A(eta)", &thirteen.value(), &printed, &Relations::none())?;
+    d.identity("A(eta)", thirteen.value(), &printed)?;
     let quadratic = (eta.square() - a.int(6) * &a * &eta + a.int(12) - a.int(12) * &a) / eta.int(6);
-    d.identity(
-        "A = A(eta), cleared: eta^2 - 6 A eta + 12 - 12 A = 0, over 6",
-        &-thirteen.residual(&a),
-        &quadratic,
-        &Relations::none(),
-    )?;
+    let words = "A = A(eta), cleared: eta^2 - 6 A eta + 12 - 12 A = 0, over 6";
+    d.identity(words, -thirteen.residual(&a), &quadratic)?;
     let rooted = Relations::none().with(Symbol::SquareRoot, 2, radicand(&a).numerator().clone());
-    let root = |sign: i32| {
-        let eta = a.int(3) * &a - q.int(sign) * &q;
-        quadratic.evaluate(&a, |x| if x == Symbol::Thickness { eta.clone() } else { x.number() })
-    };
-    d.identity("eta = 3A - q is a root", &root(1), &a.int(0), &rooted)?;
-    d.identity("and so is eta = 3A + q", &root(-1), &a.int(0), &rooted)?;
+    let root =
+        |sign: i32| with(&quadratic, &[Symbol::Thickness], &(a.int(3) * &a - q.int(sign) * &q));
+    d.identity_under("eta = 3A - q is a root", root(1), a.int(0), &rooted)?;
+    d.identity_under("and so is eta = 3A + q", root(-1), a.int(0), &rooted)?;
     Ok(Finding::AsPrinted)
 }
 
@@ -142,7 +105,7 @@ fn milankovitch_branch(d: &mut Derivation) -> Result<Finding, Undecided> {
     let slope = value.partial(Symbol::Thickness);
     let expected = (eta.clone() - eta.int(2)) * (eta.clone() + eta.int(6))
         / (ring.extrados().square() * eta.int(6));
-    d.identity("dA/d eta, negative on 0 <= eta < 2", &slope, &expected, &Relations::none())?;
+    d.identity("dA/d eta, negative on 0 <= eta < 2", &slope, &expected)?;
     let at = |n: i32| {
         let ring = Ring::new(SelfWeight::Milankovitch, &Rational::from(n));
         overturning::opening_variable(&ring).value()
@@ -150,21 +113,12 @@ fn milankovitch_branch(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.equal("A at eta = 0", &at(0), &Rational::from(1))?;
     d.equal("A at eta = 2", &at(2), &Rational::from((2, 3)))?;
     let factors = (a.int(3) * &a - a.int(2)) * (a.clone() + a.int(2)) * a.int(3);
-    d.identity(
-        "the radicand of (15) is 3 (3A - 2)(A + 2): zero at 2/3, positive above",
-        &radicand(&a),
-        &factors,
-        &Relations::none(),
-    )?;
+    let words = "the radicand of (15) is 3 (3A - 2)(A + 2): zero at 2/3, positive above";
+    d.identity(words, radicand(&a), &factors)?;
     let sum = a.int(3) * &a + a.int(3) * &a - a.int(4);
     let expected = (a.int(3) * &a - a.int(2)) * a.int(2);
-    d.identity(
-        "the two roots have the sum 6A, and 6A - 4 = 2 (3A - 2) >= 0",
-        &sum,
-        &expected,
-        &Relations::none(),
-    )?;
-    d.lemma(&A_FIXES_ALPHA)?;
+    d.identity("the two roots have the sum 6A, and 6A - 4 = 2 (3A - 2) >= 0", &sum, &expected)?;
+    lemmas(d, [&A_FIXES_ALPHA])?;
     let end = slope.evaluate(&Rational::new(), |_| Rational::from(2));
     d.equal("dA/d eta at eta = 2", &end, &Rational::new())?;
     d.conclude(
@@ -182,20 +136,11 @@ fn end_of_rotation(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.define("(5) at beta -> 0", &fifth);
     let with = |inner: Fraction| eta.int(1) - eta.clone() / ring.intrados() * &(eta.int(1) + inner);
     let corrected = with(delta.clone() * eta / eta.int(6));
-    d.identity(
-        "it is 1 - eta/(2-eta) (1 + delta_M eta/6)",
-        &corrected,
-        &fifth,
-        &Relations::none(),
-    )?;
+    d.identity("it is 1 - eta/(2-eta) (1 + delta_M eta/6)", &corrected, &fifth)?;
     let printed = with(delta * eta.square() / eta.int(12));
     let code = overturning::end_of_rotation(&ring) * eta.int(2) / ring.intrados();
-    d.identity(
-        "2 (2 - eta - fac_M)/(2 - eta), which the program uses, is the same",
-        &code,
-        &fifth,
-        &Relations::none(),
-    )?;
+    let words = "2 (2 - eta - fac_M)/(2 - eta), which the program uses, is the same";
+    d.identity(words, &code, &fifth)?;
     // At the root the paper gives, the corrected form is zero and the printed one is not.
     let root = Surd::new(-6, 4, 3);
     let at = |form: &Fraction| {
@@ -245,7 +190,6 @@ fn limit_values(d: &mut Derivation) -> Result<Finding, Undecided> {
         "12 times (16) is 12 - 12 eta - eta^2 for Milankovitch: falling for eta > 0, so the root is the only one",
         &residual,
         &quadratic,
-        &Relations::none(),
     )?;
     Ok(Finding::AsPrinted)
 }
@@ -267,14 +211,10 @@ fn opening_variable_falls(d: &mut Derivation) -> Result<Finding, Undecided> {
     let slope = opening.derivative(&rules);
     let rest = alpha.rad.clone() - &alpha.sin;
     let expected = -(rest.clone() / alpha.versine());
-    let circle = Relations::trigonometric();
-    d.identity("dA/d alpha = -(alpha - sin(alpha))/(1 - cos(alpha))", &slope, &expected, &circle)?;
-    d.identity(
-        "(alpha - sin(alpha))' = 1 - cos(alpha), positive: so alpha > sin(alpha), and A falls",
-        &rest.derivative(&rules),
-        &alpha.versine(),
-        &circle,
-    )?;
+    d.on_circle("dA/d alpha = -(alpha - sin(alpha))/(1 - cos(alpha))", &slope, &expected)?;
+    let words =
+        "(alpha - sin(alpha))' = 1 - cos(alpha), positive: so alpha > sin(alpha), and A falls";
+    d.on_circle(words, rest.derivative(&rules), alpha.versine())?;
     let parts = thrust::opening_variable(&alpha);
     for (words, part, at_zero) in [
         ("alpha sin(alpha) at 0 has the second derivative", &parts.numerator, 2),

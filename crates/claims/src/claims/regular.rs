@@ -1,7 +1,7 @@
 //! The forms in which the curves of the map are regular up to their ends, each against the printed equations.
 
 use super::letters::{ring, variables};
-use super::{Claim, Derivation, Finding};
+use super::{Claim, Derivation, Finding, claim, lemmas};
 use crate::arch::haunch::{Haunch, opening_variable_at_half};
 use crate::arch::{cycloid, sliding, statics, thrust};
 use crate::certify::Undecided;
@@ -11,44 +11,29 @@ use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_opening};
 pub(super) const CLAIMS: &[Claim] = &[
     CYCLOID,
     SHOULDER_IN_ANGLES,
-    Claim {
-        id: "eq-17-flat",
-        place: "Eq. (17), (18)",
-        statement: "the purely sliding states of flat arches: with q = (alpha - phi)/chi, (17) is chi³ times \
-                    q (q² (c_2 - c_3) - c_1(chi²)² c_1) - 4 c_3(4 chi²) c_0, Stumpff's functions at q² chi²",
-        decide: flat_shoulder,
-    },
-    Claim {
-        id: "eq-2-touching",
-        place: "Eq. (2)-(5)",
-        statement: "(2) and (5) hold where (5) does and h = (2 - eta)/(2 eta) (1 - cos(beta)) (beta/sin(beta) - 1), \
-                    which has no quotient that vanishes with the thickness",
-        decide: touching,
-    },
-    Claim {
-        id: "eq-2-square",
-        place: "Eq. (2)-(5)",
-        statement: "(2)-(5) see the joint through functions of its square, analytic at the crown, and A through \
-                    those of a quarter of that of the half opening",
-        decide: squares,
-    },
+    claim("eq-17-flat", "Eq. (17), (18)", flat_shoulder).states(
+        "the purely sliding states of flat arches: with q = (alpha - phi)/chi, (17) is chi³ times \
+         q (q² (c_2 - c_3) - c_1(chi²)² c_1) - 4 c_3(4 chi²) c_0, Stumpff's functions at q² chi²",
+    ),
+    claim("eq-2-touching", "Eq. (2)-(5)", touching).states(
+        "(2) and (5) hold where (5) does and h = (2 - eta)/(2 eta) (1 - cos(beta)) (beta/sin(beta) \
+         - 1), which has no quotient that vanishes with the thickness",
+    ),
+    claim("eq-2-square", "Eq. (2)-(5)", squares).states(
+        "(2)-(5) see the joint through functions of its square, analytic at the crown, and A \
+         through those of a quarter of that of the half opening",
+    ),
 ];
 
-pub(super) const CYCLOID: Claim = Claim {
-    id: "eq-18-cycloid",
-    place: "Eq. (18)",
-    statement: "(18) is a cycloid: h = cos²(chi), beta_s = sin(chi) cos(chi) and phi = chi - sin(chi) cos(chi), with \
-                chi in (0, pi/2) the inclination of the force on the joint that slides",
-    decide: cycloid,
-};
+pub(super) const CYCLOID: Claim = claim("eq-18-cycloid", "Eq. (18)", cycloid).states(
+    "(18) is a cycloid: h = cos²(chi), beta_s = sin(chi) cos(chi) and phi = chi - sin(chi) \
+     cos(chi), with chi in (0, pi/2) the inclination of the force on the joint that slides",
+);
 
-pub(super) const SHOULDER_IN_ANGLES: Claim = Claim {
-    id: "eq-17-angles",
-    place: "Eq. (17)",
-    statement: "(17) is h sin(alpha - phi) = alpha cos(alpha - phi), and N is cos(phi) times \
-                h cos(alpha - phi) + alpha sin(alpha - phi)",
-    decide: shoulder,
-};
+pub(super) const SHOULDER_IN_ANGLES: Claim = claim("eq-17-angles", "Eq. (17)", shoulder).states(
+    "(17) is h sin(alpha - phi) = alpha cos(alpha - phi), and N is cos(phi) times h cos(alpha - \
+     phi) + alpha sin(alpha - phi)",
+);
 
 /// `chi` in the letters of the half opening.
 fn inclination() -> Angle<Fraction> {
@@ -57,19 +42,19 @@ fn inclination() -> Angle<Fraction> {
 
 fn cycloid(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.assume("0 < chi < pi/2");
-    let (chi, circle) = (inclination(), Relations::trigonometric());
+    let chi = inclination();
     let (h, beta) = (cycloid::thrust(&chi), cycloid::joint(&chi));
     let steepest = sliding::steepest(&beta, &h);
-    d.identity("beta_s² - h (1 - h), with chi for alpha", &steepest, &h.int(0), &circle)?;
+    d.on_circle("beta_s² - h (1 - h), with chi for alpha", &steepest, h.int(0))?;
     let words = "beta_s/h, the tangent of the inclination of the force: tan(chi)";
-    d.identity(words, &(beta.clone() / &h), &(chi.sin.clone() / &chi.cos), &circle)?;
+    d.on_circle(words, beta.clone() / &h, chi.sin.clone() / &chi.cos)?;
     let joint = Angle { rad: beta, ..Symbol::joint() };
     let sine = chi.sin.clone() * &joint.cos - chi.cos.clone() * &joint.sin;
     let cosine = chi.cos.clone() * &joint.cos + chi.sin.clone() * &joint.sin;
     let value = sliding::inner(&joint, &h).value();
-    d.identity("mu_is: tan(chi - beta_s)", &value, &(sine / cosine), &circle)?;
+    d.on_circle("mu_is: tan(chi - beta_s)", &value, sine / cosine)?;
     let slope = cycloid::friction_angle(&chi).derivative(&along_the_opening());
-    d.identity("d phi/d chi = 2 sin²(chi)", &slope, &(h.int(2) * chi.sin.square()), &circle)?;
+    d.on_circle("d phi/d chi = 2 sin²(chi)", &slope, h.int(2) * chi.sin.square())?;
     d.conclude(
         "mu = tan(phi) with phi = chi - beta_s, which grows from 0 to pi/2 as chi does: to each friction belongs one \
          chi, and h falls from 1 to 0.",
@@ -79,19 +64,17 @@ fn cycloid(d: &mut Derivation) -> Result<Finding, Undecided> {
 
 fn shoulder(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.assume("0 <= phi < pi/2; beta stands for alpha - phi");
-    let (alpha, h, circle) =
-        (Symbol::half_opening(), Symbol::Thrust.number(), Relations::trigonometric());
+    let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let inclination = Symbol::joint();
     let sine = alpha.sin.clone() * &inclination.cos - alpha.cos.clone() * &inclination.sin;
     let cosine = alpha.cos.clone() * &inclination.cos + alpha.sin.clone() * &inclination.sin;
     let printed = sliding::shoulder(&alpha, &h).residual(&(sine.clone() / &cosine)) * &cosine;
     let angles = cycloid::shoulder(&alpha.rad, &inclination, &h);
-    d.identity("(17) at mu = tan(phi), times N cos(phi)", &printed, &-angles.clone(), &circle)?;
+    d.on_circle("(17) at mu = tan(phi), times N cos(phi)", &printed, -angles.clone())?;
     let along = h.clone() * &inclination.cos + alpha.rad.clone() * &inclination.sin;
     let normal = statics::normal_force(&alpha, &h);
     let rest = along * &cosine - angles * &sine;
-    let words = "N, less the part that vanishes where the shoulder slides";
-    d.identity(words, &normal, &rest, &circle)?;
+    d.on_circle("N, less the part that vanishes where the shoulder slides", &normal, &rest)?;
     d.conclude("So where this holds, N > 0 if h cos(alpha - phi) + alpha sin(alpha - phi) > 0.");
     Ok(Finding::Implicit)
 }
@@ -103,8 +86,7 @@ fn functions(u: &Fraction) -> [Fraction; 4] {
 }
 
 fn flat_shoulder(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&CYCLOID)?;
-    d.lemma(&SHOULDER_IN_ANGLES)?;
+    lemmas(d, [&CYCLOID, &SHOULDER_IN_ANGLES])?;
     d.assume("0 < chi; c_2, c_3 at q² chi² are the letters f, g, and u stands for q");
     let (chi, q) = (inclination(), Symbol::CubeRoot.number());
     let angle = chi.rad.clone() * &q;
@@ -120,17 +102,12 @@ fn flat_shoulder(d: &mut Derivation) -> Result<Finding, Undecided> {
     // 2 chi - sin(2 chi) over the cube of 2 chi.
     let twice = [one.clone(), one.clone(), one.clone(), phi / (one.int(4) * &cube)];
     let flat = cycloid::flat_shoulder_from(&q, &at_shoulder, &deficit, &twice);
-    d.identity(
-        "(17) with alpha = q chi + phi",
-        &printed,
-        &(flat * cube),
-        &Relations::trigonometric(),
-    )?;
+    d.on_circle("(17) with alpha = q chi + phi", &printed, flat * cube)?;
     let at_zero = one.ratio(1, 3) * q.square() * &q - &q - one.ratio(2, 3);
     let root = (q.clone() - one.int(2)) * (q.clone() + &one).square() / one.int(3);
     let words =
         "at chi = 0, where c_2 - c_3 = 1/3, c_3 = 1/6: one positive root, q = 2, and it is simple";
-    d.identity(words, &at_zero, &root, &Relations::none())?;
+    d.identity(words, &at_zero, &root)?;
     Ok(Finding::Implicit)
 }
 
@@ -142,24 +119,20 @@ fn touching(d: &mut Derivation) -> Result<Finding, Undecided> {
     let tangency = thrust::tangency(&haunch.times_cotangent, &ring);
     let touching = thrust::touching(&haunch.versine, &haunch.excess, &ring);
     let lower = thrust::lower(joint, &ring).residual(h);
-    d.identity(
-        "(2) less 1 - cos(beta) times (5)",
-        &(lower - tangency.residual(h) * &haunch.versine),
-        &touching.residual(h),
-        &Relations::trigonometric(),
-    )?;
+    let words = "(2) less 1 - cos(beta) times (5)";
+    d.on_circle(words, lower - tangency.residual(h) * &haunch.versine, touching.residual(h))?;
     let difference = tangency.difference(&touching);
     let common = tangency.residual(h) * &touching.denominator;
     let words = "the thrust of (5) put into it, times both denominators";
     let expected = touching.residual(h) * &tangency.denominator - common;
-    d.identity(words, &difference, &expected, &Relations::none())?;
+    d.identity(words, &difference, &expected)?;
     let rooted = Relations::none().with(Symbol::SquareRoot, 2, Symbol::Thrust.polynomial());
     let q = Symbol::SquareRoot.number();
     let bow = ring.intrados() * &haunch.versine * &haunch.excess;
-    d.identity(
+    d.identity_under(
         "the same with q = √h: a difference of squares",
-        &touching.residual(h),
-        &(q.square() * ring.thickness.int(2) * &ring.thickness - bow),
+        touching.residual(h),
+        q.square() * ring.thickness.int(2) * &ring.thickness - bow,
         &rooted,
     )?;
     d.conclude(
@@ -175,7 +148,6 @@ fn squares(d: &mut Derivation) -> Result<Finding, Undecided> {
     let c = functions(&beta.square());
     let angle = Angle { rad: beta.clone(), sin: beta.clone() * &c[1], cos: c[0].clone() };
     let (printed, even) = (Haunch::from(&angle), Haunch::from_functions(&beta.square(), &c));
-    let free = Relations::none();
     for (words, one, other) in [
         ("cos(beta)", &printed.cosine, &even.cosine),
         ("beta sin(beta)", &printed.times_sine, &even.times_sine),
@@ -183,14 +155,14 @@ fn squares(d: &mut Derivation) -> Result<Finding, Undecided> {
         ("1 - cos(beta)", &printed.versine, &even.versine),
         ("beta/sin(beta) - 1", &printed.excess, &even.excess),
     ] {
-        d.identity(words, one, other, &free)?;
+        d.identity(words, one, other)?;
     }
     let ring = ring();
     let alpha = Symbol::half_opening();
     let upper = thrust::upper(&alpha, &angle, &ring);
     let about =
         thrust::upper_about(&alpha, ring.intrados() * &even.times_sine, &even.cosine, &ring);
-    d.identity("(3)", &upper.value(), &about.value(), &free)?;
+    d.identity("(3)", upper.value(), about.value())?;
     // With alpha = 2 beta: the sine and cosine of the whole by those of its half.
     let whole = Angle {
         rad: beta.int(2) * &beta,
@@ -199,11 +171,10 @@ fn squares(d: &mut Derivation) -> Result<Finding, Undecided> {
     };
     d.identity(
         "A(2 beta): 2 c_0/c_1, as sin(2 beta) = 2 sin cos and cos(2 beta) = 1 - 2 sin²",
-        &thrust::opening_variable(&whole).value(),
-        &opening_variable_at_half(&c).value(),
-        &free,
+        thrust::opening_variable(&whole).value(),
+        opening_variable_at_half(&c).value(),
     )?;
     let through = thrust::whole_through(&opening_variable_at_half(&c), &ring);
-    d.identity("(4)", &thrust::whole(&whole, &ring).value(), &through.value(), &free)?;
+    d.identity("(4)", thrust::whole(&whole, &ring).value(), through.value())?;
     Ok(Finding::Implicit)
 }

@@ -1,49 +1,32 @@
 //! Values that the text gives to few digits, and frictions that are said to suffice.
 
-use super::along::Along;
+use super::along::{CurveStates, landmark};
 use super::domains::{NO_PURE_SLIDING_BEYOND_B, NO_SHOULDER_SLIDING_BEYOND_T};
-use super::landmarks::{certain_if, enclosed, state_of};
-use super::measured::{Bounds, in_degrees};
-use super::{Claim, Derivation, Finding, Support};
-use crate::arch::{SelfWeight, Unknown, sliding};
+use super::landmarks::{both, certain_if, semicircle, state_of};
+use super::measured::{MeasuredBounds, in_degrees};
+use super::{Claim, Derivation, Finding, Support, claim, lemmas};
+use crate::arch::{SelfWeight, Unknown};
 use crate::certify::{CertifiedLandmark, Undecided};
-use crate::number::{Angle, Ball, Decimal, Field, Real, Rounded, arctangent};
+use crate::number::{Ball, Decimal, Field, Rounded, arctangent};
 use crate::problem::{Landmark, Mode, Quantity};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
-    Claim {
-        id: "rounded-values",
-        place: "Sec. 2.1-5, Fig. 7-12",
-        statement: "the values given to few digits, such as beta_r = 59.7° at T or, coarser, 20° for 22°, are \
-                    roundings of the true ones",
-        decide: rounded_values,
-    },
-    Claim {
-        id: "landmark-S-near-J",
-        place: "Sec. 4",
-        statement: "S and J are rather near in the eta-mu map",
-        decide: nearness,
-    },
-    Claim {
-        id: "semicircle",
-        place: "Sec. 5",
-        statement: "for the semicircle a friction of about 0.395, 22°, suffices to prevent sliding of \
-                    the shoulder and warrants purely rotational collapse",
-        decide: semicircle,
-    },
-    Claim {
-        id: "suffices-T",
-        place: "Sec. 5",
-        statement: "a friction of about 1.277, 52°, suffices to prevent any mixed sliding-rotational mode",
-        decide: no_shoulder_sliding,
-    },
-    Claim {
-        id: "suffices-B",
-        place: "Sec. 5",
-        statement: "a friction of about 1.854, 62°, suffices to prevent any purely sliding mode",
-        decide: no_pure_sliding,
-    },
+    claim("rounded-values", "Sec. 2.1-5, Fig. 7-12", rounded_values).states(
+        "the values given to few digits, such as beta_r = 59.7° at T or, coarser, 20° for 22°, are \
+         roundings of the true ones",
+    ),
+    claim("landmark-S-near-J", "Sec. 4", nearness)
+        .states("S and J are rather near in the eta-mu map"),
+    claim("semicircle", "Sec. 5", semicircle_suffices).states(
+        "for the semicircle a friction of about 0.395, 22°, suffices to prevent sliding of the \
+         shoulder and warrants purely rotational collapse",
+    ),
+    claim("suffices-T", "Sec. 5", no_shoulder_sliding).states(
+        "a friction of about 1.277, 52°, suffices to prevent any mixed sliding-rotational mode",
+    ),
+    claim("suffices-B", "Sec. 5", no_pure_sliding)
+        .states("a friction of about 1.854, 62°, suffices to prevent any purely sliding mode"),
 ];
 
 /// The values to few digits: landmark, weight, quantity, text, places where it stands.
@@ -82,11 +65,8 @@ fn rounds_to(d: &mut Derivation, words: &str, value: &Ball, text: &str) -> Resul
     let printed: Decimal = text.parse().map_err(|e| Undecided::new(format!("{e}")))?;
     let rounded = Rounded::from_ball(value, printed.significant_digits())
         .ok_or_else(|| Undecided::new(format!("the rounding of {words}")))?;
-    d.equal(
-        format!("{words} to the digits of {text}"),
-        &rounded.value.to_rational(),
-        &printed.to_rational(),
-    )
+    let words = format!("{words} to the digits of {text}");
+    d.equal(words, &rounded.value.to_rational(), &printed.to_rational())
 }
 
 fn rounded_values(d: &mut Derivation) -> Result<Finding, Undecided> {
@@ -101,8 +81,7 @@ fn rounded_values(d: &mut Derivation) -> Result<Finding, Undecided> {
             rounds_to(d, &words, &value, text)?;
         }
     }
-    let [heyman, milankovitch] = SelfWeight::ALL.map(semicircle_friction);
-    let (heyman, milankovitch) = (heyman?, milankovitch?);
+    let [[_, heyman], [_, milankovitch]] = both(semicircle)?;
     let words = "the friction that the shoulder of a semicircle asks for, milankovitch weight,";
     rounds_to(d, words, &milankovitch, "0.395")?;
     for (friction, weight) in
@@ -122,10 +101,10 @@ fn rounded_values(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 fn nearness(d: &mut Derivation) -> Result<Finding, Undecided> {
-    let mut bounds = Bounds::default();
+    let mut bounds = MeasuredBounds::default();
     for weight in SelfWeight::ALL {
-        let shift = enclosed(Landmark::Shift, weight)?.1;
-        let junction = enclosed(Landmark::Junction, weight)?.1;
+        let shift = landmark(Landmark::Shift, weight)?;
+        let junction = landmark(Landmark::Junction, weight)?;
         for unknown in [Unknown::Thickness, Unknown::Friction] {
             let distance = junction.value(unknown).clone() - shift.value(unknown);
             let words = format!("{} from S to J, {} weight", unknown.name(), weight.name());
@@ -135,18 +114,10 @@ fn nearness(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(bounds.finding())
 }
 
-/// What the shoulder of a semicircle asks for.
-fn semicircle_friction(weight: SelfWeight) -> Result<Ball, Undecided> {
-    let thrust = state_of("pi/2", None, weight)?.thrust;
-    let half = thrust.pi() / thrust.int(2);
-    let right = Angle { rad: half, sin: thrust.int(1), cos: thrust.int(0) };
-    Ok(sliding::shoulder(&right, &thrust).value())
-}
-
 /// Notes a friction, and its angle, that is the least to suffice.
 fn least_friction(
     d: &mut Derivation,
-    bounds: &mut Bounds,
+    bounds: &mut MeasuredBounds,
     words: &str,
     friction: &Ball,
     digits: usize,
@@ -173,12 +144,12 @@ fn collapses(
     })
 }
 
-fn semicircle(d: &mut Derivation) -> Result<Finding, Undecided> {
-    let mut bounds = Bounds::default();
+fn semicircle_suffices(d: &mut Derivation) -> Result<Finding, Undecided> {
+    let mut bounds = MeasuredBounds::default();
     let sufficient = [(SelfWeight::Milankovitch, "0.3953"), (SelfWeight::Heyman, "0.3959")];
     for (weight, enough) in sufficient {
         let words = format!("the friction that the shoulder asks for, {} weight", weight.name());
-        least_friction(d, &mut bounds, &words, &semicircle_friction(weight)?, 4)?;
+        least_friction(d, &mut bounds, &words, &semicircle(weight)?[1], 4)?;
         collapses(d, ("pi/2", [enough, "0.395"]), weight, Mode::Rotational)?;
         collapses(d, ("pi/2", ["0.395", enough]), weight, Mode::SlidingRotational)?;
     }
@@ -187,30 +158,28 @@ fn semicircle(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 fn no_shoulder_sliding(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&NO_SHOULDER_SLIDING_BEYOND_T)?;
-    let mut bounds = Bounds::default();
+    lemmas(d, [&NO_SHOULDER_SLIDING_BEYOND_T])?;
+    let mut bounds = MeasuredBounds::default();
     let (weight, words) = (SelfWeight::Milankovitch, "mu_T, milankovitch weight");
-    least_friction(d, &mut bounds, words, &enclosed(Landmark::Triple, weight)?.1.friction, 5)?;
+    least_friction(d, &mut bounds, words, &landmark(Landmark::Triple, weight)?.friction, 5)?;
     collapses(d, ("2.430058", ["1.277", "1.3"]), weight, Mode::SlidingRotational)?;
     bounds.fails("a friction of 1.277 itself: alpha = 2.430058 is [s,r,r]");
     Ok(bounds.finding())
 }
 
 fn no_pure_sliding(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&NO_PURE_SLIDING_BEYOND_B)?;
-    let mut bounds = Bounds::default();
+    lemmas(d, [&NO_PURE_SLIDING_BEYOND_B])?;
+    let mut bounds = MeasuredBounds::default();
     let (weight, words) = (SelfWeight::Milankovitch, "mu_B, milankovitch weight");
-    let friction = enclosed(Landmark::Border, weight)?.1.friction;
+    let friction = landmark(Landmark::Border, weight)?.friction;
     least_friction(d, &mut bounds, words, &friction, 5)?;
     // An arch thinner than B that slides purely with hardly less friction.
     let (text, alpha) = ("2.62307", Rational::from((262_307, 100_000)));
-    let slides = Along::sliding(&alpha)?.inner_friction();
+    let slides = CurveStates::sliding(&alpha)?.inner_friction();
     let least = Ball::enclosing(&Rational::from((18_537, 10_000)), slides.prec());
-    let words = format!("alpha = {text} slides purely with more than 1.8537");
-    d.less(words, [&least, &slides])?;
+    d.less(format!("alpha = {text} slides purely with more than 1.8537"), [&least, &slides])?;
     let state = state_of(text, Some("1.8538"), weight)?;
-    let words = "with 1.8538 it stands, with eta < 2";
-    d.less(words, [&state.thickness, &friction.int(2)])?;
+    d.less("with 1.8538 it stands, with eta < 2", [&state.thickness, &friction.int(2)])?;
     let printed = Ball::enclosing(&Rational::from((1854, 1000)), friction.prec());
     d.less("mu_B is below 1.854", [&friction, &printed])?;
     bounds.holds("a friction of 1.854 itself");

@@ -9,35 +9,31 @@ use super::curve::{ONE_JOINT_FOR_EACH_THICKNESS, STATES_IN_ORDER, STATES_OF_ONE_
 use super::landmarks::{certain_if, state_of};
 use super::letters::ring;
 use super::states::at_all_states;
-use super::{Claim, Derivation, Finding, Support};
+use super::{Claim, Derivation, Finding, Support, claim, lemmas};
 use crate::arch::{Ring, SelfWeight, cubic, overturning, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Dual, Field};
-use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint};
+use crate::symbolic::{Fraction, Letters, Polynomial, Symbol, along_the_joint};
 use rug::Rational;
 use std::sync::OnceLock;
 
 pub(super) const CLAIMS: &[Claim] = &[STATES_OF_ONE_OPENING, DIFFERENCES_GROW];
 
-pub(super) const STATES_OF_ONE_OPENING: Claim = Claim {
-    id: "weights-rotation",
-    place: "Sec. 2.1, Fig. 2",
-    statement: "at every half opening below alpha_l of Milankovitch's weight its purely rotational state has \
-                a larger thickness, a smaller thrust and a smaller joint than that of Heyman's, whose beta_r \
-                overshoots everywhere, not only about the peak",
-    decide: states_of_one_opening,
-};
+pub(super) const STATES_OF_ONE_OPENING: Claim =
+    claim("weights-rotation", "Sec. 2.1, Fig. 2", states_of_one_opening).states(
+        "at every half opening below alpha_l of Milankovitch's weight its purely rotational state \
+         has a larger thickness, a smaller thrust and a smaller joint than that of Heyman's, whose \
+         beta_r overshoots everywhere, not only about the peak",
+    );
 
-pub(super) const DIFFERENCES_GROW: Claim = Claim {
-    id: "weights-differences",
-    place: "Sec. 2.1, Fig. 2",
-    statement: "from alpha = 2/5 up to 2.58 the relative differences of eta, h and beta_r between the two \
-                weights grow with the half opening; up to 2/5 they are below 0.01 %",
-    decide: differences_grow,
-};
+pub(super) const DIFFERENCES_GROW: Claim =
+    claim("weights-differences", "Sec. 2.1, Fig. 2", differences_grow).states(
+        "from alpha = 2/5 up to 2.58 the relative differences of eta, h and beta_r between the two \
+         weights grow with the half opening; up to 2/5 they are below 0.01 %",
+    );
 
 /// How a rotational state moves with `delta_M` while its half opening is kept: logarithmic slopes.
-struct Slopes<T> {
+struct WeightSlopes<T> {
     /// Of `eta`; positive.
     thickness: T,
     /// Of `h`; negative.
@@ -68,7 +64,7 @@ fn gain<T: Field>(delta: &T, ring: &Ring<T>) -> T {
     delta.clone() * eta * ring.intrados() / eta.int(3) + eta.int(2) * &ring.centroid_factor
 }
 
-fn slopes<T: Field>(joint: &Angle<T>, delta: &T, eta: &T, h: &T) -> Slopes<T> {
+fn slopes<T: Field>(joint: &Angle<T>, delta: &T, eta: &T, h: &T) -> WeightSlopes<T> {
     let ring = Ring::with_flag(delta, eta);
     let lever = thrust::lower(joint, &ring).denominator;
     let (intrados, extrados) = (ring.intrados(), ring.extrados());
@@ -85,7 +81,7 @@ fn slopes<T: Field>(joint: &Angle<T>, delta: &T, eta: &T, h: &T) -> Slopes<T> {
         eta.square() * eta * &joint.sin * tilt / (eta.int(3) * &lever * &extrados * &steepness);
     let joint =
         -(push.clone() / (eta.int(3) * intrados * lever * bow(joint, &ring, h) * &joint.rad));
-    Slopes { thickness, thrust, joint, push }
+    WeightSlopes { thickness, thrust, joint, push }
 }
 
 /// `(beta - S C)/S` on the curve, by the thrust where (2) and (5) hold both.
@@ -104,11 +100,9 @@ fn widening<T: Field>(joint: &Angle<T>, delta: &T, eta: &T, h: &T) -> T {
 }
 
 fn states_of_one_opening(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&ONE_JOINT_FOR_EACH_THICKNESS)?;
-    d.lemma(&STATES_IN_ORDER)?;
-    d.lemma(&STATES_OF_ONE_THICKNESS)?;
+    lemmas(d, [&ONE_JOINT_FOR_EACH_THICKNESS, &STATES_IN_ORDER, &STATES_OF_ONE_THICKNESS])?;
     d.assume("0 <= delta_M <= 1");
-    let (joint, ring, circle) = (Symbol::joint(), ring(), Relations::trigonometric());
+    let (joint, ring) = (Symbol::joint(), ring());
     let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
     let slopes = slopes(&joint, &delta, eta, &thrust::lower(&joint, &ring).value());
     let end = overturning::end_of_rotation(&ring);
@@ -116,22 +110,20 @@ fn states_of_one_opening(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.identity(
         "A of (13) is 2 (2 - eta)/(2 + eta) at eta_l, less the condition behind (16), up to a factor",
         &last,
-        &((ring.intrados() - &end) * eta.int(2) / ring.extrados()),
-        &Relations::none(),
+        (ring.intrados() - &end) * eta.int(2) / ring.extrados(),
     )?;
     let words = "which falls with delta_M, and with eta as it did: so do eta_l and alpha_l";
     let slope = end.partial(Symbol::Flag);
-    d.identity(words, &slope, &-(eta.square() / eta.int(12)), &Relations::none())?;
+    d.identity(words, &slope, -(eta.square() / eta.int(12)))?;
     // A = h_L + 2 fac/(2 + eta) is kept.
     let lower = thrust::lower(&joint, &ring);
     let opening = lower.value() + &last;
     let moved = -(opening.partial(Symbol::Flag) / opening.partial(Symbol::Thickness));
     let thickness = eta.clone() * &slopes.thickness;
-    let words = "d eta/d delta_M where A is kept: positive, as cos(beta) is";
-    d.identity(words, &moved, &thickness, &circle)?;
+    d.on_circle("d eta/d delta_M where A is kept: positive, as cos(beta) is", &moved, &thickness)?;
     let moved = last.partial(Symbol::Flag) + last.partial(Symbol::Thickness) * &thickness;
     let words = "dh/d delta_M there: negative, a sum of terms of one sign";
-    d.identity(words, &-moved, &(lower.value() * &slopes.thrust), &circle)?;
+    d.on_circle(words, -moved, lower.value() * &slopes.thrust)?;
     // p = 0 is kept too. On the curve the slope of p is that of what p is a multiple of.
     let p = cubic::in_thickness(&cubic::abbreviations(&joint), &delta, eta);
     let multiple = lower.denominator * ring.intrados();
@@ -139,21 +131,20 @@ fn states_of_one_opening(d: &mut Derivation) -> Result<Finding, Undecided> {
     let slope = p.partial(Symbol::Thickness) - p.clone() * over;
     let moved = slope.clone() * thickness + p.partial(Symbol::Flag);
     let words = "dp/d delta_M there, at a fixed joint, where p = 0: positive too";
-    d.identity(words, &moved, &slopes.push, &circle)?;
+    d.on_circle(words, &moved, &slopes.push)?;
     let rise = (p.clone() / &joint.sin).derivative(&along_the_joint());
     let bow = joint.rad.clone() - joint.sin.clone() * &joint.cos;
     let rise_on_curve = eta.int(3) * &multiple * bow / &joint.sin;
-    let words = "dp/d beta where p = 0";
-    d.identity(words, &(rise * &joint.sin), &rise_on_curve, &circle)?;
+    d.on_circle("dp/d beta where p = 0", rise * &joint.sin, &rise_on_curve)?;
     // What the balls are given.
     let excess = (joint.rad.clone() - &joint.sin) / &joint.sin;
     let h = thrust::touching(&joint.versine(), &excess, &ring).value();
     let words = "d log beta_r/d delta_M";
     let moved = -(slopes.push / (rise_on_curve.clone() * &joint.rad));
-    d.identity(words, &moved, &self::slopes(&joint, &delta, eta, &h).joint, &circle)?;
+    d.on_circle(words, &moved, &self::slopes(&joint, &delta, eta, &h).joint)?;
     let words = "d beta_r/d eta at one delta_M";
     let moved = -(slope / rise_on_curve);
-    d.identity(words, &moved, &widening(&joint, &delta, eta, &h), &circle)?;
+    d.on_circle(words, &moved, widening(&joint, &delta, eta, &h))?;
     d.conclude(
         "As S < beta, fac < 2 and cos(beta) > 0, each term has the sign named; p grows with beta, so that \
          the joint falls as delta_M grows from 0 to 1. A half opening below alpha_l at delta_M = 1 is below \
@@ -173,7 +164,7 @@ fn excess(joint: &Ball) -> (Ball, Ball) {
 }
 
 /// The slopes with their change along the states of one weight, as the thickness grows.
-fn slopes_along(joint: &Ball, delta: &Ball, eta: &Ball) -> Slopes<Dual<Ball>> {
+fn slopes_along(joint: &Ball, delta: &Ball, eta: &Ball) -> WeightSlopes<Dual<Ball>> {
     let angle = Angle::new(joint.clone());
     let (excess, slope_of_excess) = excess(joint);
     let ring = Ring::with_flag(delta, eta);
@@ -194,7 +185,7 @@ fn slopes_along(joint: &Ball, delta: &Ball, eta: &Ball) -> Slopes<Dual<Ball>> {
 fn growth(sign: i32) -> Result<usize, Undecided> {
     let range = (Rational::from((1, 2000)), Rational::from((9, 10)));
     at_all_states(&range, &|joint, delta, eta| {
-        let Slopes { thickness, thrust, joint, .. } = slopes_along(joint, delta, eta);
+        let WeightSlopes { thickness, thrust, joint, .. } = slopes_along(joint, delta, eta);
         [thickness, -thrust, -joint].map(|slope| slope.derivative(0) * eta.int(sign)).to_vec()
     })
 }
@@ -206,7 +197,7 @@ fn grown() -> Result<usize, Undecided> {
 }
 
 fn differences_grow(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&STATES_OF_ONE_OPENING)?;
+    lemmas(d, [&STATES_OF_ONE_OPENING])?;
     let pieces = grown()?;
     let words = "d log/d delta_M of eta, h and beta_r grow in size with eta along the states of any \
                  delta_M, eta in [1/2000, 9/10]";
@@ -222,23 +213,15 @@ fn differences_grow(d: &mut Derivation) -> Result<Finding, Undecided> {
     let words = "eta < 9/10 up to alpha = 2.58, with Milankovitch's weight and so with any";
     d.less(words, [&last, &number(9, 10)])?;
     // Where the arch is thin, bounds are enough.
-    let (joint, ring, free) = (Symbol::joint(), ring(), Relations::none());
+    let (joint, ring) = (Symbol::joint(), ring());
     let eta = &ring.thickness;
     let lever = thrust::lower(&joint, &ring).denominator;
-    d.identity(
-        "the lever arm of (2) is at least 2 eta cos(beta)",
-        &(lever - eta.int(2) * eta * &joint.cos),
-        &(ring.extrados() * joint.versine()),
-        &free,
-    )?;
+    let words = "the lever arm of (2) is at least 2 eta cos(beta)";
+    d.identity(words, lever - eta.int(2) * eta * &joint.cos, ring.extrados() * joint.versine())?;
     let touching = thrust::touching(&joint.versine(), &Fraction::from(Polynomial::from(1)), &ring);
     let slope = touching.value().partial(Symbol::Thickness) / touching.value();
-    d.identity(
-        "d log h/d log eta at a fixed joint, where (2) and (5) hold",
-        &(slope * eta),
-        &-(eta.int(2) / ring.intrados()),
-        &free,
-    )?;
+    let words = "d log h/d log eta at a fixed joint, where (2) and (5) hold";
+    d.identity(words, slope * eta, -(eta.int(2) / ring.intrados()))?;
     let thin = state_of("0.4", None, SelfWeight::Milankovitch)?;
     let (eta, h) = (&thin.thickness, &thin.thrust);
     let ring = Ring::with_flag(&eta.int(1), eta);
@@ -247,8 +230,7 @@ fn differences_grow(d: &mut Derivation) -> Result<Finding, Undecided> {
     let words = "2/(2 - eta) eta (2 + eta)/((2 - eta)(6 + eta)) at alpha = 2/5, eta the larger one";
     d.less(format!("{words}, is below 0.0001"), [&bound, &number(1, 10_001)])?;
     let bound = eta.square() / (eta.int(6) * ring.extrados() * h);
-    let words = "eta²/(6 (2 + eta) h) there is below 0.0001";
-    d.less(words, [&bound, &number(1, 10_001)])?;
+    d.less("eta²/(6 (2 + eta) h) there is below 0.0001", [&bound, &number(1, 10_001)])?;
     d.conclude(
         "As lever >= 2 eta cos(beta), d log(eta)/d delta_M is at most eta (2 + eta)/fall, and fall is at \
          least (2 - eta)(6 + eta); -dh/d delta_M is at most eta²/(6 (2 + eta)). The joint follows by h = \

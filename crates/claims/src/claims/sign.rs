@@ -12,26 +12,27 @@ use crate::number::{Angle, Field};
 use crate::symbolic::{
     Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint, along_the_opening,
 };
+use std::borrow::Borrow;
 use std::ops::{Add, Div, Mul};
 
 /// A number that is positive.
 #[derive(Clone, Debug)]
-pub(super) struct Positive(Made);
+pub(super) struct Positive(Expression);
 
 /// A number that is not negative.
 #[derive(Clone, Debug)]
-pub(super) struct NotNegative(Made);
+pub(super) struct NotNegative(Expression);
 
 /// A number, and how it was made of others.
 #[derive(Clone, Debug)]
-struct Made {
+struct Expression {
     value: Fraction,
     formula: Formula,
     /// Whether it needs brackets in a product.
     is_sum: bool,
 }
 
-impl Made {
+impl Expression {
     /// Of nothing else.
     fn whole(value: &Fraction) -> Self {
         let is_sum = value.as_polynomial().is_none_or(|polynomial| polynomial.len() > 1);
@@ -52,7 +53,7 @@ fn joined(left: Formula, between: &str, right: &Formula) -> Formula {
     Formula { text: join(&left.text, &right.text), latex: join(&left.latex, &right.latex) }
 }
 
-impl Add<&Self> for Made {
+impl Add<&Self> for Expression {
     type Output = Self;
 
     fn add(self, other: &Self) -> Self {
@@ -61,7 +62,7 @@ impl Add<&Self> for Made {
     }
 }
 
-impl Mul<&Self> for Made {
+impl Mul<&Self> for Expression {
     type Output = Self;
 
     fn mul(self, other: &Self) -> Self {
@@ -70,7 +71,7 @@ impl Mul<&Self> for Made {
     }
 }
 
-impl Div<&Self> for Made {
+impl Div<&Self> for Expression {
     type Output = Self;
 
     fn div(self, other: &Self) -> Self {
@@ -96,16 +97,35 @@ impl Positive {
         values: [&Fraction; N],
     ) -> [Self; N] {
         d.assume(hypothesis);
-        values.map(|value| Self(Made::whole(value)))
+        values.map(|value| Self(Expression::whole(value)))
     }
 
     /// A positive integer; for zero, one.
     pub(super) fn int(n: u8) -> Self {
-        Self(Made::whole(&Symbol::Joint.number().int(i32::from(n.max(1)))))
+        Self(Expression::whole(&Symbol::Joint.number().int(i32::from(n.max(1)))))
     }
 
-    /// Checks that a value is what is positive already.
+    /// Checks that a value is what is positive already, whatever the letters.
     pub(super) fn is(
+        &self,
+        d: &mut Derivation,
+        words: &str,
+        value: impl Borrow<Fraction>,
+    ) -> Result<Self, Undecided> {
+        self.is_under(d, words, value.borrow(), &Relations::none())
+    }
+
+    /// Checks that a value is what is positive already, where each sine and cosine are those of an angle.
+    pub(super) fn is_on_circle(
+        &self,
+        d: &mut Derivation,
+        words: &str,
+        value: impl Borrow<Fraction>,
+    ) -> Result<Self, Undecided> {
+        self.is_under(d, words, value.borrow(), &Relations::trigonometric())
+    }
+
+    fn is_under(
         &self,
         d: &mut Derivation,
         words: &str,
@@ -113,7 +133,7 @@ impl Positive {
         relations: &Relations,
     ) -> Result<Self, Undecided> {
         self.check(d, format!("{words}: positive"), value, relations)?;
-        Ok(Self(Made::whole(value)))
+        Ok(Self(Expression::whole(value)))
     }
 
     fn check(
@@ -138,10 +158,10 @@ impl Positive {
         let at_zero =
             |symbol: Symbol| (range.at_zero)(symbol).map_or(symbol.number(), |n| zero.int(n));
         let start = value.evaluate(&zero, at_zero);
-        d.identity(format!("{words} begins with 0"), &start, &zero, &Relations::none())?;
+        d.identity(format!("{words} begins with 0"), &start, &zero)?;
         let slope = value.derivative(range.rules);
         self.check(d, format!("and grows: {words} is positive"), &slope, range.relations)?;
-        Ok(Self(Made::whole(value)))
+        Ok(Self(Expression::whole(value)))
     }
 
     /// Checks that two values have this product and a positive sum.
@@ -156,7 +176,7 @@ impl Positive {
         let [a, b] = values;
         self.check(d, format!("the product of {words}: positive"), &(a.clone() * b), relations)?;
         sum.check(d, "their sum: positive, so both are".to_owned(), &(a.clone() + b), relations)?;
-        Ok(values.map(|value| Self(Made::whole(value))))
+        Ok(values.map(|value| Self(Expression::whole(value))))
     }
 }
 
@@ -168,7 +188,7 @@ impl NotNegative {
         values: [&Fraction; N],
     ) -> [Self; N] {
         d.assume(hypothesis);
-        values.map(|value| Self(Made::whole(value)))
+        values.map(|value| Self(Expression::whole(value)))
     }
 }
 
@@ -280,25 +300,21 @@ pub(super) struct RingSigns {
 
 impl RingSigns {
     pub(super) fn of(d: &mut Derivation) -> Result<Self, Undecided> {
-        let (ring, free) = (ring(), Relations::none());
+        let ring = ring();
         let flag = Symbol::Flag.number();
         let [thickness, intrados] =
             Positive::given(d, "0 < eta < 2", [&ring.thickness, &ring.intrados()]);
         let [flag, unflagged] =
             NotNegative::given(d, "0 <= delta_M <= 1", [&flag, &(flag.int(1) - &flag)]);
-        let extrados = (Positive::int(2) + &thickness).is(d, "2 + eta", &ring.extrados(), &free)?;
+        let extrados = (Positive::int(2) + &thickness).is(d, "2 + eta", ring.extrados())?;
         let square = thickness.clone() * &thickness / &Positive::int(12);
-        let factor = (Positive::int(1) + &(flag.clone() * &square)).is(
-            d,
-            "fac",
-            &ring.centroid_factor,
-            &free,
-        )?;
+        let factor =
+            (Positive::int(1) + &(flag.clone() * &square)).is(d, "fac", &ring.centroid_factor)?;
         let part = (Positive::int(8) + &(intrados.clone() * &extrados)) / &Positive::int(12);
         let rest = ring.thickness.int(2) - &ring.centroid_factor;
         // 1 - eta²/12, and what delta_M < 1 adds.
-        let unfactored = (Positive::int(1) * &part + &(unflagged.clone() * &square))
-            .is(d, "2 - fac", &rest, &free)?;
+        let unfactored =
+            (Positive::int(1) * &part + &(unflagged.clone() * &square)).is(d, "2 - fac", &rest)?;
         Ok(Self { thickness, intrados, extrados, flag, unflagged, factor, unfactored })
     }
 
@@ -310,7 +326,7 @@ impl RingSigns {
     ) -> Result<Positive, Undecided> {
         let arm = Positive::int(2) * &angle.versine + &(self.thickness.clone() * &angle.coversine);
         let lower = thrust::lower(&Symbol::joint(), &ring());
-        arm.is(d, "the lever arm in (2)", &lower.denominator, &Relations::none())
+        arm.is(d, "the lever arm in (2)", &lower.denominator)
     }
 }
 
@@ -321,12 +337,12 @@ mod tests {
     #[test]
     fn what_is_not_made_of_positive_parts_is_refused() {
         let (mut d, joint) = (Derivation::new(), Symbol::joint());
-        let (free, circle) = (Relations::none(), Relations::trigonometric());
+        let circle = Relations::trigonometric();
         let (rules, at_zero) = (along_the_joint(), |symbol| (symbol == Symbol::Cosine).into());
         let range = FromZero { rules: &rules, at_zero: &|s| Some(at_zero(s)), relations: &circle };
         let angle = AngleSigns::of_joint(&mut d).unwrap();
         let below = joint.sin.clone() - &joint.rad;
-        assert!(angle.excess.is(&mut d, "sin(beta) - beta", &below, &free).is_err());
+        assert!(angle.excess.is(&mut d, "sin(beta) - beta", &below).is_err());
         assert!(angle.versine.is_slope_of(&mut d, "sin(beta) - beta", &below, &range).is_err());
         let raised = joint.rad.clone() - &joint.sin - joint.rad.int(1);
         let words = "beta - sin(beta) - 1, which begins with -1";
@@ -347,7 +363,7 @@ mod tests {
         let made = (signs.thickness.clone() + &Positive::int(3)) * &signs.thickness;
         let value = ring().thickness;
         let value = (value.clone() + value.int(3)) * &value;
-        made.is(&mut d, "eta (eta + 3)", &value, &Relations::none()).unwrap();
+        made.is(&mut d, "eta (eta + 3)", &value).unwrap();
         let formula = d.steps().last().unwrap().formula.clone().unwrap();
         assert_eq!(formula.text, "(eta + 3) eta");
     }

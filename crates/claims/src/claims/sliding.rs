@@ -1,51 +1,30 @@
 //! Sliding joints: (17) and (18).
 
-use super::{Claim, Derivation, Finding};
+use super::{Claim, Derivation, Finding, claim};
 use crate::arch::{sliding, statics};
 use crate::certify::Undecided;
 use crate::number::Field;
 use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint, along_the_opening};
 
 pub(super) const CLAIMS: &[Claim] = &[
-    Claim {
-        id: "eq-17",
-        place: "Eq. (17)",
-        statement: "mu_ss = (h sin(alpha) - alpha cos(alpha))/(h cos(alpha) + alpha sin(alpha)) is the \
-                    friction at which the shoulder slides, and h_mu its inverse",
-        decide: shoulder,
-    },
-    Claim {
-        id: "eq-18-stationary",
-        place: "Eq. (18)",
-        statement: "T/N is stationary along the arch at beta_s = sqrt(h (1-h)), rises before and falls \
-                    after: it has one maximum",
-        decide: stationary,
-    },
-    Claim {
-        id: "eq-18",
-        place: "Eq. (18)",
-        statement: "the friction at which an inner joint slides is \
-                    ((1-h) cos(beta) - beta sin(beta))/((1-h) sin(beta) + beta cos(beta)) at beta_s",
-        decide: inner,
-    },
-    Claim {
-        id: "eq-18-falls",
-        place: "Eq. (18)",
-        statement: "mu_is falls strictly as h grows on (0, 1)",
-        decide: inner_falls,
-    },
-    Claim {
-        id: "sliding-thickness",
-        place: "Sec. 2.2",
-        statement: "(17) and (18) see neither the thickness nor the self-weight model",
-        decide: no_thickness,
-    },
-    Claim {
-        id: "sliding-opening",
-        place: "Sec. 2.2",
-        statement: "the half opening enters sliding by (17) alone: (18) does not see it",
-        decide: no_half_opening,
-    },
+    claim("eq-17", "Eq. (17)", shoulder).states(
+        "mu_ss = (h sin(alpha) - alpha cos(alpha))/(h cos(alpha) + alpha sin(alpha)) is the \
+         friction at which the shoulder slides, and h_mu its inverse",
+    ),
+    claim("eq-18-stationary", "Eq. (18)", stationary).states(
+        "T/N is stationary along the arch at beta_s = sqrt(h (1-h)), rises before and falls after: \
+         it has one maximum",
+    ),
+    claim("eq-18", "Eq. (18)", inner).states(
+        "the friction at which an inner joint slides is ((1-h) cos(beta) - beta sin(beta))/((1-h) \
+         sin(beta) + beta cos(beta)) at beta_s",
+    ),
+    claim("eq-18-falls", "Eq. (18)", inner_falls)
+        .states("mu_is falls strictly as h grows on (0, 1)"),
+    claim("sliding-thickness", "Sec. 2.2", no_thickness)
+        .states("(17) and (18) see neither the thickness nor the self-weight model"),
+    claim("sliding-opening", "Sec. 2.2", no_half_opening)
+        .states("the half opening enters sliding by (17) alone: (18) does not see it"),
 ];
 
 /// `T` and `N` at `beta`.
@@ -62,15 +41,14 @@ fn shoulder(d: &mut Derivation) -> Result<Finding, Undecided> {
     let printed = (thrust.clone() * &alpha.sin - alpha.rad.clone() * &alpha.cos)
         / (thrust.clone() * &alpha.cos + alpha.rad.clone() * &alpha.sin);
     let value = sliding::shoulder(&alpha, &thrust).value();
-    let none = Relations::none();
-    d.identity("(17) as printed", &value, &printed, &none)?;
-    d.identity("it is -T/N at alpha", &-ratio, &value, &none)?;
+    d.identity("(17) as printed", &value, &printed)?;
+    d.identity("it is -T/N at alpha", -ratio, &value)?;
     let inverse = sliding::shoulder_thrust(&alpha, &friction).value();
     let printed = alpha.rad.clone() * &(alpha.cos.clone() + friction.clone() * &alpha.sin)
         / (alpha.sin.clone() - friction.clone() * &alpha.cos);
-    d.identity("h_mu as printed", &inverse, &printed, &none)?;
+    d.identity("h_mu as printed", &inverse, &printed)?;
     let back = sliding::shoulder(&alpha, &inverse).value();
-    d.identity("mu_ss(h_mu) = mu", &back, &friction, &Relations::trigonometric())?;
+    d.on_circle("mu_ss(h_mu) = mu", &back, &friction)?;
     Ok(Finding::AsPrinted)
 }
 
@@ -82,7 +60,7 @@ fn stationary(d: &mut Derivation) -> Result<Finding, Undecided> {
     let joint = Symbol::Joint.number();
     let expected = -sliding::steepest(&joint, &Symbol::Thrust.number()) / normal.square();
     let words = "it is (h (1-h) - beta^2)/N^2: positive before beta_s, negative after";
-    d.identity(words, &slope, &expected, &Relations::trigonometric())?;
+    d.on_circle(words, &slope, &expected)?;
     Ok(Finding::AsPrinted)
 }
 
@@ -95,9 +73,9 @@ fn inner(d: &mut Derivation) -> Result<Finding, Undecided> {
     let printed = (rest.clone() * &joint.cos - joint.rad.clone() * &joint.sin)
         / (rest * &joint.sin + joint.rad.clone() * &joint.cos);
     let value = sliding::inner(&joint, &thrust).value();
-    d.identity("(18) as printed", &value, &printed, &Relations::none())?;
+    d.identity("(18) as printed", &value, &printed)?;
     let (shear, normal) = forces();
-    d.identity("it is T/N at beta_s", &(shear / &normal), &value, &relations)?;
+    d.identity_under("it is T/N at beta_s", shear / &normal, &value, &relations)?;
     Ok(Finding::AsPrinted)
 }
 
@@ -106,17 +84,12 @@ fn inner_falls(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (shear, normal) = forces();
     let slope = (shear / &normal).partial(Symbol::Thrust);
     let expected = -(Symbol::Joint.number() / normal.square());
-    d.identity(
-        "at a fixed joint, d(T/N)/dh = -beta/N^2, negative",
-        &slope,
-        &expected,
-        &Relations::trigonometric(),
-    )?;
+    d.on_circle("at a fixed joint, d(T/N)/dh = -beta/N^2, negative", &slope, &expected)?;
     let moved = (forces().0 / forces().1).derivative(&along_the_joint());
     let steepest = &Symbol::Thrust.polynomial() - &Symbol::Thrust.polynomial().power(2);
     let relations = Relations::trigonometric().with(Symbol::Joint, 2, steepest);
     let words = "d(T/N)/d beta = 0 at beta_s, so that d mu_is/dh is -beta_s/N(beta_s)^2";
-    d.identity(words, &moved, &moved.int(0), &relations)?;
+    d.identity_under(words, &moved, moved.int(0), &relations)?;
     Ok(Finding::Implicit)
 }
 
@@ -130,7 +103,7 @@ fn no_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
         for symbol in [Symbol::Thickness, Symbol::Flag] {
             let slope = form.partial(symbol);
             let words = format!("the derivative of {name} to {}", symbol.names().0);
-            d.identity(words, &slope, &slope.int(0), &Relations::none())?;
+            d.identity(words, &slope, slope.int(0))?;
         }
     }
     Ok(Finding::AsPrinted)
@@ -140,14 +113,12 @@ fn no_half_opening(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (alpha, joint, thrust) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thrust.number());
     let rules = along_the_opening();
     let inner = sliding::inner(&joint, &thrust).value().derivative(&rules);
-    let words = "the derivative of (18) to alpha";
-    d.identity(words, &inner, &inner.int(0), &Relations::none())?;
+    d.identity("the derivative of (18) to alpha", &inner, inner.int(0))?;
     let steepest = sliding::steepest(&alpha.rad, &thrust);
-    d.identity(
+    d.on_circle(
         "the derivative of (17) to alpha, not zero but at beta_s",
-        &sliding::shoulder(&alpha, &thrust).value().derivative(&rules),
-        &(steepest / statics::normal_force(&alpha, &thrust).square()),
-        &Relations::trigonometric(),
+        sliding::shoulder(&alpha, &thrust).value().derivative(&rules),
+        steepest / statics::normal_force(&alpha, &thrust).square(),
     )?;
     Ok(Finding::AsPrinted)
 }

@@ -14,10 +14,10 @@ const DEPTH: usize = 40;
 const BITS: u32 = 96;
 
 /// From one number to another.
-pub(super) type Range = (Rational, Rational);
+pub(super) type RationalRange = (Rational, Rational);
 
 /// The joints among which those of all states are sought; that there are no others is checked.
-fn joints() -> Range {
+fn joints() -> RationalRange {
     (Rational::from((1, 4)), Rational::from((6, 5)))
 }
 
@@ -29,7 +29,7 @@ fn cubic(joint: &Ball, delta: i32, eta: &Ball) -> Ball {
 
 /// The `delta_M` between 0 and 1 with states in a range of joints, at some of the thicknesses; none if there
 /// are none. It falls as the joint grows, since `p/S` grows with both.
-fn flags((least, widest): &Range, eta: &Ball) -> Option<Ball> {
+fn flags((least, widest): &RationalRange, eta: &Ball) -> Option<Ball> {
     let root = |joint: &Rational| {
         let joint = Ball::enclosing(joint, eta.prec());
         let rise = joint.sin_cos().0 * eta.square() * eta;
@@ -44,7 +44,7 @@ fn flags((least, widest): &Range, eta: &Ball) -> Option<Ball> {
 /// How many pieces it takes to prove that all of `values`, of the joint, `delta_M` and the thickness, are
 /// positive at all states of a range of thicknesses. They are given balls that contain the states.
 pub(super) fn at_all_states(
-    range: &Range,
+    range: &RationalRange,
     values: &dyn Fn(&Ball, &Ball, &Ball) -> Vec<Ball>,
 ) -> Result<usize, Undecided> {
     let ((low, high), (first, last)) = (range, joints());
@@ -71,11 +71,11 @@ pub(super) fn at_all_states(
 }
 
 /// The width over the upper end.
-fn width((low, high): &Range) -> Rational {
+fn width((low, high): &RationalRange) -> Rational {
     Rational::from(high - low) / high
 }
 
-fn halves((low, high): Range) -> [Range; 2] {
+fn halves((low, high): RationalRange) -> [RationalRange; 2] {
     let middle: Rational = Rational::from(&low + &high) / 2;
     [(low, middle.clone()), (middle, high)]
 }

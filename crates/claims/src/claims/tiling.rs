@@ -16,73 +16,51 @@ use super::frictions::{
 use super::letters::{ring, variables};
 use super::modes::SEVEN_MODES;
 use super::uniqueness::{MECHANISM_BOUNDS, ONE_HALF_OPENING, ONE_THICKNESS, THICKER_HAS_ROOM};
-use super::{Claim, Derivation, Finding};
+use super::{Claim, Derivation, Finding, claim, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Ring, SelfWeight, contact, overturning, sliding, statics, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Field, Surd};
 use crate::problem::Landmark;
-use crate::symbolic::{Letters, Relations, Symbol, along_the_joint};
+use crate::symbolic::{Letters, Symbol, along_the_joint};
 
-pub(super) const COLUMNS: Claim = Claim {
-    id: "map-columns",
-    place: "Sec. 3, Fig. 5, 6",
-    statement: "the modes fill the map: at a given friction they follow each other, as the thickness \
-                grows, in the order [r,r,r], [s,r,r], [r,r,s], [r,s,r], [r,s], [s,s], each on an \
-                interval or not at all; the second is left of T, the next three are right of it",
-    decide: columns,
-};
+pub(super) const COLUMNS: Claim = claim("map-columns", "Sec. 3, Fig. 5, 6", columns).states(
+    "the modes fill the map: at a given friction they follow each other, as the thickness grows, \
+     in the order [r,r,r], [s,r,r], [r,r,s], [r,s,r], [r,s], [s,s], each on an interval or not at \
+     all; the second is left of T, the next three are right of it",
+);
 
 pub(super) const CLAIMS: &[Claim] = &[
     COLUMNS,
-    Claim {
-        id: "map-rows",
-        place: "Sec. 3, Fig. 5, 6",
-        statement: "at a given half opening the modes follow each other as the friction grows: before T [s,s], \
-                    [s,r,r], [r,r,r], beyond T [s,s], [r,s], [r,s,r], [r,r,s], [r,r,r], each on an interval or not \
-                    at all, so that the line of a half opening meets each domain at most once",
-        decide: rows,
-    },
-    Claim {
-        id: "map-T-frictions",
-        place: "Sec. 3",
-        statement: "beyond T an inner joint asks for a higher friction than the shoulder, in the purely \
-                    rotational states and, without limit, in the purely overturning ones; in the mixed ones \
-                    it takes all there is",
-        decide: frictions_beyond_t,
-    },
-    Claim {
-        id: "map-beyond-l",
-        place: "Sec. 5",
-        statement: "beyond alpha_l finite friction makes overturning states overturning-sliding: at its least \
-                    thickness [r,s] moves the arch, and no other symmetric mode but, at its least \
-                    friction, [s,s] as well",
-        decide: overturning_sliding_beyond_l,
-    },
+    claim("map-rows", "Sec. 3, Fig. 5, 6", rows).states(
+        "at a given half opening the modes follow each other as the friction grows: before T \
+         [s,s], [s,r,r], [r,r,r], beyond T [s,s], [r,s], [r,s,r], [r,r,s], [r,r,r], each on an \
+         interval or not at all, so that the line of a half opening meets each domain at most once",
+    ),
+    claim("map-T-frictions", "Sec. 3", frictions_beyond_t).states(
+        "beyond T an inner joint asks for a higher friction than the shoulder, in the purely \
+         rotational states and, without limit, in the purely overturning ones; in the mixed ones \
+         it takes all there is",
+    ),
+    claim("map-beyond-l", "Sec. 5", overturning_sliding_beyond_l).states(
+        "beyond alpha_l finite friction makes overturning states overturning-sliding: at its least \
+         thickness [r,s] moves the arch, and no other symmetric mode but, at its least friction, \
+         [s,s] as well",
+    ),
 ];
 
 fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.assume("0 < eta <= 2, 0 < mu < inf");
-    d.lemma(&ONE_HALF_OPENING)?;
-    d.lemma(&SEVEN_MODES)?;
-    d.lemma(&CONTACTS)?;
-    d.lemma(&THICKER_HAS_ROOM)?;
-    d.lemma(&SLOPES_OF_FRICTION)?;
-    d.lemma(&FRICTION_OF_SMALL_THRUST)?;
-    d.lemma(&STATES_IN_ORDER)?;
-    d.lemma(&FRICTION_FOR_ROTATION_GROWS)?;
-    d.lemma(&INNER_SLIDING_BEYOND_T)?;
-    let (at, ring, free) = (variables(), ring(), Relations::none());
+    lemmas(d, [&ONE_HALF_OPENING, &SEVEN_MODES, &CONTACTS, &THICKER_HAS_ROOM])?;
+    lemmas(d, [&SLOPES_OF_FRICTION, &FRICTION_OF_SMALL_THRUST, &STATES_IN_ORDER])?;
+    lemmas(d, [&FRICTION_FOR_ROTATION_GROWS, &INNER_SLIDING_BEYOND_T])?;
+    let (at, ring) = (variables(), ring());
     let two = at.thrust.int(2);
     let lower = thrust::lower(&at.rotation_joint, &ring);
     let sum = margin_at(Contact::Extrados, &Angle::zero(&two))
         + margin_at(Contact::Intrados, &at.rotation_joint);
-    d.identity(
-        "U at the crown and L at a joint add up to h - h_L up to a positive factor",
-        &sum,
-        &(lower.residual(&at.thrust) / &two),
-        &free,
-    )?;
+    let words = "U at the crown and L at a joint add up to h - h_L up to a positive factor";
+    d.identity(words, &sum, lower.residual(&at.thrust) / &two)?;
     let h = lower.value();
     let whole = h.clone() + overturning::opening_variable(&ring).value();
     let further = two.clone() * &ring.thickness * &h
@@ -91,16 +69,16 @@ fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
             / (ring.intrados() * ring.extrados());
     let words = "A(beta) less A(alpha_0) along rotation: positive, so that beta < alpha_0";
     let wider = thrust::opening_variable(&at.rotation_joint).value() - whole;
-    d.identity(words, &wider, &further, &free)?;
+    d.identity(words, &wider, &further)?;
     let touching = thrust::tangency(&at.rotation_joint.times_cotangent(), &ring).value();
     let excess =
         ring.thickness.clone() + Symbol::Flag.number() * ring.thickness.square() / two.int(6);
     let words = "beta cot(beta) less the thrust of (5): positive";
     let lack = at.rotation_joint.times_cotangent() - touching;
-    d.identity(words, &lack, &(excess / ring.intrados()), &free)?;
+    d.identity(words, &lack, excess / ring.intrados())?;
     let outwards = (at.thrust.clone() - at.half_opening.times_cotangent()) * &at.half_opening.sin;
     let words = "-T at the shoulder: positive where it slides, so that h > alpha cot(alpha)";
-    d.identity(words, &-statics::shear_force(&at.half_opening, &at.thrust), &outwards, &free)?;
+    d.identity(words, -statics::shear_force(&at.half_opening, &at.thrust), &outwards)?;
     d.argue(
         "Let h_R(eta) be the thrust of the rotational state of the thickness, alpha_0 its half opening; h_R falls as eta \
          grows, and is 0 from eta_l on. At alpha*, h >= h_R: if its haunch is a joint of the arch, as h >= h_L; else, \
@@ -132,8 +110,7 @@ pub(super) fn thrust_at_triple_is_below_half(
     weight: SelfWeight,
 ) -> Result<(), Undecided> {
     let thrust = landmark(Landmark::Triple, weight)?.thrust;
-    let words = format!("h_T < 1/2, {}", weight.name());
-    d.less(words, [&thrust, &thrust.ratio(1, 2)])
+    d.less(format!("h_T < 1/2, {}", weight.name()), [&thrust, &thrust.ratio(1, 2)])
 }
 
 /// By (5) the rotational joint falls as the thickness grows.
@@ -144,20 +121,15 @@ pub(super) fn falls_with_the_thickness(d: &mut Derivation) -> Result<(), Undecid
     let expected = (two.clone() * &ring.centroid_factor
         + Symbol::Flag.number() * &ring.thickness * ring.intrados() / two.int(3))
         / ring.intrados().square();
-    let words = "2 fac/(2 - eta), by which beta_r falls in (5), grows";
-    d.identity(words, &slope, &expected, &Relations::none())
+    d.identity("2 fac/(2 - eta), by which beta_r falls in (5), grows", &slope, &expected)
 }
 
 fn rows(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.assume("0 < mu < inf, and the arch stands at a thickness up to 2");
-    d.lemma(&SEVEN_MODES)?;
-    d.lemma(&ONE_THICKNESS)?;
-    d.lemma(&SLOPES_OF_FRICTION)?;
-    d.lemma(&SLIDING_STATES_IN_ORDER)?;
-    d.lemma(&FRICTION_FOR_ROTATION_GROWS)?;
-    d.lemma(&INNER_SLIDING_BEYOND_T)?;
-    d.lemma(&NO_SHOULDER_SLIDING_BEYOND_T)?;
-    let (at, free) = (variables(), Relations::none());
+    lemmas(d, [&SEVEN_MODES, &ONE_THICKNESS, &SLOPES_OF_FRICTION, &SLIDING_STATES_IN_ORDER])?;
+    lemmas(d, [&FRICTION_FOR_ROTATION_GROWS, &INNER_SLIDING_BEYOND_T])?;
+    lemmas(d, [&NO_SHOULDER_SLIDING_BEYOND_T])?;
+    let at = variables();
     falls_with_the_thickness(d)?;
     for weight in SelfWeight::ALL {
         let (h, ring) = (&at.thrust, Ring::new(weight, &at.thickness));
@@ -167,13 +139,12 @@ fn rows(d: &mut Derivation) -> Result<Finding, Undecided> {
             "the slope at the crown, up to a factor: h - 1 + 2 fac/(2 - eta), of (5), less 1, {}",
             weight.name()
         );
-        d.identity(words, &slope, &(side - h.int(1)), &free)?;
+        d.identity(words, &slope, side - h.int(1))?;
         thrust_at_triple_is_below_half(d, weight)?;
     }
     let square = (at.thrust.int(1) - &at.thrust) * &at.thrust;
     let slope = at.thrust.int(1) - at.thrust.int(2) * &at.thrust;
-    let words = "d beta_s²/dh, positive below 1/2";
-    d.identity(words, &square.partial(Symbol::Thrust), &slope, &free)?;
+    d.identity("d beta_s²/dh, positive below 1/2", square.partial(Symbol::Thrust), &slope)?;
     d.argue(
         "A state of pure rotation does not see the friction, from which on it is admissible: [r,r,r] holds from some \
          friction on, or never. [s,s] holds at one friction, the least. What is admissible stays so with more friction, so \
@@ -193,16 +164,11 @@ fn rows(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 fn frictions_beyond_t(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&ROTATION_MEETS_SLIDING)?;
-    d.lemma(&FRICTION_OF_SMALL_THRUST)?;
+    lemmas(d, [&ROTATION_MEETS_SLIDING, &FRICTION_OF_SMALL_THRUST])?;
     let alpha = Symbol::half_opening();
     let none = alpha.rad.int(0);
-    d.identity(
-        "the friction that the shoulder asks for without thrust: bounded, as alpha < pi",
-        &sliding::shoulder(&alpha, &none).value(),
-        &-(alpha.cos / alpha.sin),
-        &Relations::none(),
-    )?;
+    let words = "the friction that the shoulder asks for without thrust: bounded, as alpha < pi";
+    d.identity(words, sliding::shoulder(&alpha, &none).value(), -(alpha.cos / alpha.sin))?;
     d.conclude(
         "In [r,r,r] beyond T, M < m; in [r], m is unbounded. In [r,r,s], [r,s,r] and [r,s] mu = mu_is, and the \
          shoulder, which does not slide, asks for no more.",
@@ -212,29 +178,23 @@ fn frictions_beyond_t(d: &mut Derivation) -> Result<Finding, Undecided> {
 
 fn overturning_sliding_beyond_l(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.assume("alpha_l <= alpha < pi, 0 < mu < inf, and the arch stands at a thickness up to 2");
-    d.lemma(&CONTACTS)?;
-    d.lemma(&SEVEN_MODES)?;
-    d.lemma(&STATES_IN_ORDER)?;
-    d.lemma(&MECHANISM_BOUNDS)?;
-    d.lemma(&THICKER_HAS_ROOM)?;
-    d.lemma(&ONE_THICKNESS)?;
+    lemmas(d, [&CONTACTS, &SEVEN_MODES, &STATES_IN_ORDER, &MECHANISM_BOUNDS, &THICKER_HAS_ROOM])?;
+    lemmas(d, [&ONE_THICKNESS])?;
     let (joint, h, ring) = (Symbol::joint(), Symbol::Thrust.number(), ring());
     let condition = overturning::end_of_rotation(&ring);
     let slope = -(h.int(1) + Symbol::Flag.number() * &ring.thickness / h.int(6));
     let words = "the condition behind (16) falls as eta grows";
-    d.identity(words, &condition.partial(Symbol::Thickness), &slope, &Relations::none())?;
+    d.identity(words, condition.partial(Symbol::Thickness), &slope)?;
     for weight in SelfWeight::ALL {
         let end = overturning::thickness_at_end(weight, &Surd::new(0, 1, 3));
         let value = overturning::end_of_rotation(&Ring::new(weight, &end));
-        let words = format!("it vanishes at eta_l, {} weight", weight.name());
-        d.equal(&words, &value, &end.int(0))?;
+        d.equal(format!("it vanishes at eta_l, {} weight", weight.name()), &value, &end.int(0))?;
     }
     let fall = (h.int(1) - joint.times_cotangent() + &h) * ring.intrados() / h.int(2);
-    d.identity(
+    d.on_circle(
         "dL/d beta: positive where that condition is not, as beta cot(beta) < 1 and h > 0",
-        &margin_at(Contact::Intrados, &joint).derivative(&along_the_joint()),
-        &((fall - condition) * &joint.sin),
-        &Relations::trigonometric(),
+        margin_at(Contact::Intrados, &joint).derivative(&along_the_joint()),
+        (fall - condition) * &joint.sin,
     )?;
     d.conclude(
         "The parts of the arch stand, so that eta is at least the thickness of the rotational state of each half opening \

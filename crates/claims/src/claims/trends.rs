@@ -1,32 +1,27 @@
 //! The purely overturning states of the two weights beside each other: Fig. 3.
 
 use super::along::landmark;
-use super::letters::ring;
-use super::measured::{Bounds, in_degrees};
+use super::landmarks::both;
+use super::letters::{ring, with};
+use super::measured::{MeasuredBounds, in_degrees};
 use super::overturning::A_FIXES_ALPHA;
-use super::{Claim, Derivation, Finding};
+use super::{Claim, Derivation, Finding, claim, lemmas};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Field};
 use crate::problem::Landmark::OverturningEnd;
-use crate::symbolic::{Letters, Relations, Symbol};
+use crate::symbolic::{Letters, Symbol};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
-    Claim {
-        id: "weights-overturning",
-        place: "Sec. 2.1, Fig. 3",
-        statement: "for purely overturning modes the trends of eta differ to a quite limited extent between \
-                    the two weights",
-        decide: trends_compared,
-    },
-    Claim {
-        id: "weights-range",
-        place: "Sec. 2.1",
-        statement: "the half openings of rotational states, purely overturning ones among them, end at about \
-                    150° for Milankovitch's weight and about 160° for Heyman's",
-        decide: ranges_compared,
-    },
+    claim("weights-overturning", "Sec. 2.1, Fig. 3", trends_compared).states(
+        "for purely overturning modes the trends of eta differ to a quite limited extent between \
+         the two weights",
+    ),
+    claim("weights-range", "Sec. 2.1", ranges_compared).states(
+        "the half openings of rotational states, purely overturning ones among them, end at about \
+         150° for Milankovitch's weight and about 160° for Heyman's",
+    ),
 ];
 
 /// `(1 - cos(alpha))/(alpha - sin(alpha))`, by which `A` makes `alpha` fall.
@@ -36,21 +31,17 @@ fn leverage(alpha: &Ball) -> Ball {
 }
 
 fn trends_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&A_FIXES_ALPHA)?;
-    let (ring, free) = (ring(), Relations::none());
+    lemmas(d, [&A_FIXES_ALPHA])?;
+    let ring = ring();
     let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
     let opening = overturning::opening_variable(&ring).value();
-    let at = |n: i32| {
-        let put = |x: Symbol| if x == Symbol::Flag { delta.int(n) } else { x.number() };
-        opening.evaluate(&delta, put)
-    };
+    let at = |n: i32| with(&opening, &[Symbol::Flag], &delta.int(n));
     let gap = at(1) - at(0);
     let words = "A at the same eta, Milankovitch's weight less Heyman's";
-    d.identity(words, &gap, &(eta.square() / (eta.int(6) * ring.extrados())), &free)?;
+    d.identity(words, &gap, eta.square() / (eta.int(6) * ring.extrados()))?;
     let fall = eta.int(12) - (eta.int(4) + eta) * eta * &delta;
     let slope = -(fall / (eta.int(6) * ring.extrados().square()));
-    let words = "dA/d eta";
-    d.identity(words, &opening.partial(Symbol::Thickness), &slope, &free)?;
+    d.identity("dA/d eta", opening.partial(Symbol::Thickness), &slope)?;
     let two = Rational::from(2);
     let a = |weight| overturning::opening_variable(&Ring::new(weight, &two)).value();
     let [heyman_end, milankovitch_end] = SelfWeight::ALL.map(a);
@@ -67,8 +58,7 @@ fn trends_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
             true => ("above 5/2", [&a, &at_bound]),
             false => ("below 14/5", [&at_bound, &a]),
         };
-        let words = format!("alpha is {side} at eta = {eta}, {} weight", weight.name());
-        d.less(words, order)?;
+        d.less(format!("alpha is {side} at eta = {eta}, {} weight", weight.name()), order)?;
     }
     let margin = |n, m| leverage(&high) * low.int(n) - leverage(&low) * low.int(m);
     let words = "12 k(14/5) > 7 k(5/2), where k = (1 - cos)/(alpha - sin), d alpha = -k dA";
@@ -83,10 +73,10 @@ fn trends_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
         "12 - 4 eta - eta² <= 7 for eta >= 1: as eta grows from 1 to 2, alpha grows faster for Heyman's \
          weight, so that the difference is largest at eta = 2.",
     );
-    let [heyman, milankovitch] = SelfWeight::ALL.map(|weight| landmark(OverturningEnd, weight));
-    let difference = heyman?.half_opening.rad - milankovitch?.half_opening.rad;
+    let [heyman, milankovitch] = both(|weight| landmark(OverturningEnd, weight))?;
+    let difference = heyman.half_opening.rad - milankovitch.half_opening.rad;
     let degrees = in_degrees(&difference);
-    let mut bounds = Bounds::default();
+    let mut bounds = MeasuredBounds::default();
     let words = "alpha, at the same eta between 1 and 2";
     bounds.at_most(d, (words, &difference, ""), 3)?;
     bounds.at_most(d, ("in degrees", &degrees, "°"), 3)?;
@@ -100,7 +90,7 @@ fn trends_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 fn ranges_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
-    let mut bounds = Bounds::default();
+    let mut bounds = MeasuredBounds::default();
     let mut ends = Vec::new();
     for weight in [SelfWeight::Milankovitch, SelfWeight::Heyman] {
         let end = in_degrees(&landmark(OverturningEnd, weight)?.half_opening.rad);
@@ -109,10 +99,8 @@ fn ranges_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
         ends.push(end);
     }
     let [narrow, wide] = [&ends[0], &ends[1]];
-    let words = "150° is below alpha_L of Milankovitch's weight";
-    d.less(words, [&narrow.int(150), narrow])?;
-    let words = "160° is above alpha_L of Heyman's weight";
-    d.less(words, [wide, &wide.int(160)])?;
+    d.less("150° is below alpha_L of Milankovitch's weight", [&narrow.int(150), narrow])?;
+    d.less("160° is above alpha_L of Heyman's weight", [wide, &wide.int(160)])?;
     bounds.fails("150° is too small, 160° too large");
     Ok(bounds.finding())
 }

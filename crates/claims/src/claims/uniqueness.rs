@@ -8,15 +8,15 @@
 
 use super::contacts::{CONTACTS, DISTANCES_RISE_AND_FALL, label, margin_at, row_at, slopes};
 use super::frictions::{SLIDING_STATES_IN_ORDER, SLOPES_OF_FRICTION};
-use super::letters::ring;
+use super::letters::{ring, with};
 use super::modes::{SEVEN_MODES, room_of_pure_sliding};
 use super::overturning::A_FIXES_ALPHA;
-use super::{Claim, Derivation, Finding};
+use super::{Claim, Derivation, Finding, claim, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{SelfWeight, statics, thrust};
 use crate::certify::Undecided;
 use crate::number::{Angle, Field};
-use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint};
+use crate::symbolic::{Fraction, Letters, Symbol, along_the_joint};
 
 pub(super) const CLAIMS: &[Claim] = &[
     SYMMETRIC_MEAN,
@@ -27,80 +27,61 @@ pub(super) const CLAIMS: &[Claim] = &[
     ONE_THICKNESS,
 ];
 
-pub(super) const ONE_THICKNESS: Claim = Claim {
-    id: "unique-thickness",
-    place: "Sec. 5",
-    statement: "above its least thickness an arch has no mechanism without dilatancy that is symmetric: among \
-                symmetric motions the static and the kinematic thickness are one. The only exception is \
-                the friction of pure sliding, where [s,s] moves at each thickness that stands. Nothing is \
-                said of asymmetric mechanisms, which may move thicker arches",
-    decide: one_thickness,
-};
+pub(super) const ONE_THICKNESS: Claim = claim("unique-thickness", "Sec. 5", one_thickness).states(
+    "above its least thickness an arch has no mechanism without dilatancy that is symmetric: among \
+     symmetric motions the static and the kinematic thickness are one. The only exception is the \
+     friction of pure sliding, where [s,s] moves at each thickness that stands. Nothing is said of \
+     asymmetric mechanisms, which may move thicker arches",
+);
 
-const SYMMETRIC_MEAN: Claim = Claim {
-    id: "unique-mean",
-    place: "Sec. 2, 4",
-    statement: "if the whole arch has an admissible state, asymmetric or not, it has a symmetric one: the \
-                mean of the state and its mirror image",
-    decide: symmetric_mean,
-};
+const SYMMETRIC_MEAN: Claim = claim("unique-mean", "Sec. 2, 4", symmetric_mean).states(
+    "if the whole arch has an admissible state, asymmetric or not, it has a symmetric one: the \
+     mean of the state and its mirror image",
+);
 
-pub(super) const MECHANISM_BOUNDS: Claim = Claim {
-    id: "unique-work",
-    place: "Sec. 4, 5",
-    statement: "no thrust and crown moment leave a positive margin at all joints that move in a symmetric \
-                mechanism without dilatancy: all these margins are zero, or one is negative",
-    decide: mechanism_bounds,
-};
+pub(super) const MECHANISM_BOUNDS: Claim = claim("unique-work", "Sec. 4, 5", mechanism_bounds)
+    .states(
+        "no thrust and crown moment leave a positive margin at all joints that move in a symmetric \
+         mechanism without dilatancy: all these margins are zero, or one is negative",
+    );
 
-pub(super) const THICKER_HAS_ROOM: Claim = Claim {
-    id: "unique-thicker",
-    place: "Sec. 4, 5",
-    statement: "a positive thrust that is admissible at one thickness is so at each larger one up to 2, with a line of \
-                thrust off both faces at every joint",
-    decide: thicker_has_room,
-};
+pub(super) const THICKER_HAS_ROOM: Claim = claim("unique-thicker", "Sec. 4, 5", thicker_has_room)
+    .states(
+        "a positive thrust that is admissible at one thickness is so at each larger one up to 2, \
+         with a line of thrust off both faces at every joint",
+    );
 
-pub(super) const LIMIT_STANDS: Claim = Claim {
-    id: "unique-attained",
-    place: "Sec. 2, 5",
-    statement: "at a friction 0 < mu < inf the limit of arches that stand stands: the least thickness of \
-                an arch and the widest half opening of a thickness are attained",
-    decide: limit_stands,
-};
+pub(super) const LIMIT_STANDS: Claim = claim("unique-attained", "Sec. 2, 5", limit_stands).states(
+    "at a friction 0 < mu < inf the limit of arches that stand stands: the least thickness of an \
+     arch and the widest half opening of a thickness are attained",
+);
 
-pub(super) const ONE_HALF_OPENING: Claim = Claim {
-    id: "map-function",
-    place: "Sec. 3, Fig. 5, 6",
-    statement: "to each thickness 0 < eta <= 2 and each friction 0 < mu < inf belongs one half opening: \
-                narrower arches stand, wider ones fall, and there alone a symmetric mechanism exists",
-    decide: one_half_opening,
-};
+pub(super) const ONE_HALF_OPENING: Claim =
+    claim("map-function", "Sec. 3, Fig. 5, 6", one_half_opening).states(
+        "to each thickness 0 < eta <= 2 and each friction 0 < mu < inf belongs one half opening: \
+         narrower arches stand, wider ones fall, and there alone a symmetric mechanism exists",
+    );
 
 /// The state with the thrust and the crown moment zero.
 fn without_forces(value: &Fraction) -> Fraction {
-    let zero = value.int(0);
-    value.evaluate(&zero, |symbol| match symbol {
-        Symbol::Thrust | Symbol::CrownMoment => zero.clone(),
-        other => other.number(),
-    })
+    with(value, &[Symbol::Thrust, Symbol::CrownMoment], &value.int(0))
 }
 
 fn symmetric_mean(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (joint, h, v) = (Symbol::joint(), Symbol::Thrust.number(), Symbol::CrownShear.number());
-    let (free, two) = (Relations::none(), h.int(2));
+    let two = h.int(2);
     d.assume("a vertical force v in the crown carries v of the weight above each joint");
     let right = Angle { rad: joint.rad.clone() - &v, ..joint.clone() };
     let left = Angle { rad: -(joint.rad.clone() + &v), sin: -joint.sin.clone(), ..joint.clone() };
     let normal = |at| statics::normal_force(at, &h);
     let shear = |at| statics::shear_force(at, &h);
     let words = "half of N at beta and at -beta is N at beta with v = 0";
-    d.identity(words, &((normal(&right) + normal(&left)) / &two), &normal(&joint), &free)?;
+    d.identity(words, (normal(&right) + normal(&left)) / &two, normal(&joint))?;
     let words = "half of T at beta less T at -beta is T at beta with v = 0";
-    d.identity(words, &((shear(&right) - shear(&left)) / &two), &shear(&joint), &free)?;
+    d.identity(words, (shear(&right) - shear(&left)) / &two, shear(&joint))?;
     let moment =
         |at: &Angle<Fraction>| Symbol::CrownMoment.number() + at.versine() * ring().centroid_factor;
-    d.identity("M is the same at both", &moment(&left), &moment(&joint), &free)?;
+    d.identity("M is the same at both", moment(&left), moment(&joint))?;
     d.conclude(
         "What both sides of the arch satisfy, (1 - eta/2) N <= M <= (1 + eta/2) N and -mu N <= T, -T <= mu N, \
          their means satisfy, as each condition is linear: the state (h, p, 0).",
@@ -109,32 +90,26 @@ fn symmetric_mean(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 fn mechanism_bounds(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&SEVEN_MODES)?;
+    lemmas(d, [&SEVEN_MODES])?;
     let (joint, h) = (Symbol::joint(), Symbol::Thrust.number());
-    let (free, circle) = (Relations::none(), Relations::trigonometric());
     let p = Symbol::CrownMoment.number();
     for contact in Contact::ALL {
         let margin = margin_at(contact, &joint);
         let [by_thrust, by_moment] = slopes(&margin);
         let sum = without_forces(&margin) + by_thrust * &h + by_moment * &p;
-        let words = format!("{} is linear in h and p", label(contact));
-        d.identity(words, &margin, &sum, &free)?;
+        d.identity(format!("{} is linear in h and p", label(contact)), &margin, &sum)?;
     }
     let (shear, normal) = (statics::shear_force(&joint, &h), statics::normal_force(&joint, &h));
     for (contact, friction) in [(Contact::Inwards, shear.clone()), (Contact::Outwards, -shear)] {
         let [by_thrust, _] = slopes(&margin_at(contact, &joint));
-        let friction = friction / &normal;
-        let at_limit = by_thrust.evaluate(&h, |symbol| match symbol {
-            Symbol::Friction => friction.clone(),
-            other => other.number(),
-        });
+        let at_limit = with(&by_thrust, &[Symbol::Friction], &(friction / &normal));
         let [row, _] = row_at(contact, &joint);
         let scaled = row * &joint.rad / (joint.sin.clone() * &normal);
         let words = format!(
             "d({})/dh at its limit is the work of h on the sliding joint times beta/(N sin(beta))",
             label(contact)
         );
-        d.identity(words, &at_limit, &scaled, &circle)?;
+        d.on_circle(words, &at_limit, &scaled)?;
     }
     d.conclude(
         "Divide the rates of sliding joints by this positive number, and leave those of the hinges: then the \
@@ -146,42 +121,37 @@ fn mechanism_bounds(d: &mut Derivation) -> Result<Finding, Undecided> {
 
 fn thicker_has_room(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.assume("0 <= beta <= alpha, 0 < eta < 2, 0 <= delta_M <= 1, h > 0");
-    d.lemma(&DISTANCES_RISE_AND_FALL)?;
+    lemmas(d, [&DISTANCES_RISE_AND_FALL])?;
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let (h, eta, delta) = (Symbol::Thrust.number(), ring.thickness.clone(), Symbol::Flag.number());
-    let (free, two) = (Relations::none(), h.int(2));
+    let two = h.int(2);
     let intrados = margin_at(Contact::Intrados, &joint);
     let crown = margin_at(Contact::Extrados, &Angle::zero(&h)) + &intrados;
     let normal = statics::normal_force(&joint, &h);
     let slope = (h.clone() + normal) / &two + delta.clone() * &eta * joint.versine() / h.int(6);
     let words =
         "what is left to p between the crown's extrados and a joint's intrados grows with eta";
-    d.identity(words, &crown.partial(Symbol::Thickness), &slope, &free)?;
+    d.identity(words, crown.partial(Symbol::Thickness), &slope)?;
     let shoulder = margin_at(Contact::Extrados, &alpha) + intrados;
     let bend = shoulder.partial(Symbol::Thickness).partial(Symbol::Thickness);
     let expected = -(delta.clone() * (joint.cos.clone() - &alpha.cos) / h.int(6));
     let words =
         "what is left to it between the shoulder's extrados and a joint's intrados is concave";
-    d.identity(words, &bend, &expected, &free)?;
-    let thick = |value: &Fraction| {
-        value.evaluate(&h, |symbol| match symbol {
-            Symbol::Thickness => two.clone(),
-            other => other.number(),
-        })
-    };
+    d.identity(words, &bend, &expected)?;
     let third = h.int(1) + delta.clone() / h.int(3);
     let normal = statics::normal_force(&alpha, &h);
     let margin = normal.clone() * &two - third.clone() * alpha.versine();
     let words = "at eta = 2 it is at least 2 N(alpha) - (1 + delta/3) (1 - cos(alpha))";
-    d.identity(words, &thick(&shoulder), &(margin.clone() + third * joint.versine()), &free)?;
+    d.identity(
+        words,
+        with(&shoulder, &[Symbol::Thickness], &two),
+        margin.clone() + third * joint.versine(),
+    )?;
     let held = ring.extrados() * normal - two.clone() * &ring.centroid_factor * alpha.versine();
     let gain = (two.clone() - &eta) * (h.int(3) - delta.clone() - delta * &eta) / h.int(6);
-    d.identity(
-        "and that, times 1 + eta/2, is 2 (p + U) of the shoulder at eta and a positive number",
-        &(margin * ring.extrados() / &two),
-        &(held + gain * alpha.versine()),
-        &free,
-    )?;
+    let words =
+        "and that, times 1 + eta/2, is 2 (p + U) of the shoulder at eta and a positive number";
+    d.identity(words, margin * ring.extrados() / &two, held + gain * alpha.versine())?;
     d.conclude(
         "p is not negative, so that the room is positive at 2; concave and not negative at eta, it is positive between. \
          So each lower bound of p, from the intrados of a joint, is below both upper bounds, from the extrados of \
@@ -193,12 +163,8 @@ fn thicker_has_room(d: &mut Derivation) -> Result<Finding, Undecided> {
 
 fn one_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.assume("0 < mu < inf, 0 < eta <= 2");
-    d.lemma(&CONTACTS)?;
-    d.lemma(&MECHANISM_BOUNDS)?;
-    d.lemma(&THICKER_HAS_ROOM)?;
-    d.lemma(&LIMIT_STANDS)?;
-    d.lemma(&SLOPES_OF_FRICTION)?;
-    d.lemma(&SLIDING_STATES_IN_ORDER)?;
+    lemmas(d, [&CONTACTS, &MECHANISM_BOUNDS, &THICKER_HAS_ROOM, &LIMIT_STANDS])?;
+    lemmas(d, [&SLOPES_OF_FRICTION, &SLIDING_STATES_IN_ORDER])?;
     d.argue(
         "Let an arch stand that is thicker than one that stands too. It has an admissible state with room at both \
          faces everywhere: so no hinge has a rate. What remains is [s,s], and then the friction is that of the purely \
@@ -231,22 +197,15 @@ fn one_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
 /// Thrusts without bound leave room everywhere in their limit.
 fn limit_stands(d: &mut Derivation) -> Result<Finding, Undecided> {
     d.assume("0 < mu < inf; the limit has 0 < alpha <= pi, 0 <= eta <= 2");
-    d.lemma(&A_FIXES_ALPHA)?;
-    d.lemma(&DISTANCES_RISE_AND_FALL)?;
+    lemmas(d, [&A_FIXES_ALPHA, &DISTANCES_RISE_AND_FALL])?;
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let (h, mu, eta) = (Symbol::Thrust.number(), Symbol::Friction.number(), &ring.thickness);
-    let (free, crown, two) = (Relations::none(), Angle::zero(&h), h.int(2));
-    let without_thickness = |value: Fraction| {
-        value.evaluate(&h, |symbol| match symbol {
-            Symbol::Thickness => h.int(0),
-            other => other.number(),
-        })
-    };
+    let (crown, two) = (Angle::zero(&h), h.int(2));
     let opening = thrust::opening_variable(&joint).value();
     let distance = margin_at(Contact::Extrados, &joint) - margin_at(Contact::Extrados, &crown);
     let expected = (opening.clone() - h.int(1) - &h) * joint.versine();
     let words = "U less U at the crown, at eta = 0: not zero at all joints, as A falls";
-    d.identity(words, &without_thickness(distance), &expected, &free)?;
+    d.identity(words, with(&distance, &[Symbol::Thickness], &h.int(0)), &expected)?;
     d.argue(
         "If the thrusts of the arches are bounded, so are the moments p, which are between (1 - eta/2) h and \
          (1 + eta/2) h. The conditions are closed: a limit of states is a state of the limit. It has eta > 0, as U + L = \
@@ -254,14 +213,14 @@ fn limit_stands(d: &mut Derivation) -> Result<Finding, Undecided> {
     );
     let outwards = (mu.clone() * &joint.cos - &joint.sin) * &h
         + (mu.clone() * &joint.sin + &joint.cos) * &joint.rad;
-    d.identity("mu N + T", &margin_at(Contact::Outwards, &joint), &outwards, &free)?;
+    d.identity("mu N + T", margin_at(Contact::Outwards, &joint), &outwards)?;
     let ends = margin_at(Contact::Intrados, &crown) + margin_at(Contact::Extrados, &alpha);
     let area = alpha.rad.clone() * &alpha.sin + &alpha.cos - h.int(1);
     let gain = (h.int(6) - Symbol::Flag.number() * eta) * eta / h.int(12);
     let expected = (ring.extrados() * &alpha.cos - ring.intrados()) * &h / &two
         + ring.extrados() * area / &two
         + alpha.versine() * gain;
-    d.identity("L at the crown and U at the shoulder add up to", &ends, &expected, &free)?;
+    d.identity("L at the crown and U at the shoulder add up to", &ends, &expected)?;
     d.argue(
         "Neither is negative where an arch stands. So thrusts without bound need mu cos(alpha) >= sin(alpha) and \
          (2 + eta) cos(alpha) >= 2 - eta in the limit, so that alpha < pi/2 and eta > 0. Let c > 0 be small there, h large, and \
@@ -270,16 +229,16 @@ fn limit_stands(d: &mut Derivation) -> Result<Finding, Undecided> {
     let area = joint.rad.clone() * &joint.sin + &joint.cos;
     let words = "d(x sin(x) + cos(x))/dx: positive, so that U > 0 at the shoulder";
     let slope = joint.rad.clone() * &joint.cos;
-    d.identity(words, &area.derivative(&along_the_joint()), &slope, &free)?;
+    d.identity(words, area.derivative(&along_the_joint()), &slope)?;
     let rise = margin_at(Contact::Intrados, &joint) - margin_at(Contact::Intrados, &crown);
     let expected =
         ((h.clone() - opening) * ring.intrados() / &two + &ring.centroid_factor) * joint.versine();
-    d.identity("L less L at the crown: not negative, as A <= 2", &rise, &expected, &free)?;
+    d.identity("L less L at the crown: not negative, as A <= 2", &rise, &expected)?;
     let expected = mu * statics::normal_force(&joint, &h)
         + (h.clone() - h.int(1)) * &joint.sin
         + (joint.sin.clone() - slope);
     let words = "mu N - T: positive, as x cos(x) <= sin(x)";
-    d.identity(words, &margin_at(Contact::Inwards, &joint), &expected, &free)?;
+    d.identity(words, margin_at(Contact::Inwards, &joint), &expected)?;
     d.argue(
         "So L, U, mu N + T and mu N - T are positive at all joints: the limit stands, with this state.",
     );
@@ -287,11 +246,8 @@ fn limit_stands(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 fn one_half_opening(d: &mut Derivation) -> Result<Finding, Undecided> {
-    d.lemma(&LIMIT_STANDS)?;
-    d.lemma(&CONTACTS)?;
-    d.lemma(&SEVEN_MODES)?;
-    d.lemma(&MECHANISM_BOUNDS)?;
-    let (h, free) = (Symbol::Thrust.number(), Relations::none());
+    lemmas(d, [&LIMIT_STANDS, &CONTACTS, &SEVEN_MODES, &MECHANISM_BOUNDS])?;
+    let h = Symbol::Thrust.number();
     let (crown, one) = (Angle::zero(&h), h.int(1));
     let eta = ring().thickness;
     let cases = [
@@ -301,15 +257,13 @@ fn one_half_opening(d: &mut Derivation) -> Result<Finding, Undecided> {
         (Contact::Outwards, Symbol::Friction.number()),
     ];
     for (contact, expected) in cases {
-        let margin = margin_at(contact, &crown).evaluate(&h, |symbol| match symbol {
-            Symbol::Thrust | Symbol::CrownMoment => one.clone(),
-            other => other.number(),
-        });
+        let forces = [Symbol::Thrust, Symbol::CrownMoment];
+        let margin = with(&margin_at(contact, &crown), &forces, &one);
         let words = format!("{} at the crown for h = p = 1: positive", label(contact));
-        d.identity(words, &margin, &expected, &free)?;
+        d.identity(words, &margin, &expected)?;
     }
     let flat = Angle { rad: Symbol::HalfOpening.number(), sin: h.int(0), cos: h.int(-1) };
-    d.identity("N at pi", &statics::normal_force(&flat, &h), &-h, &free)?;
+    d.identity("N at pi", statics::normal_force(&flat, &h), -h)?;
     d.argue(
         "So narrow arches stand, by continuity; none of half opening pi does, as N > 0 in an admissible state; and \
          a part of an arch that stands, cut off at a joint, stands. The limit of arches that stand \

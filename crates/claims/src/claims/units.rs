@@ -1,26 +1,18 @@
 //! What `r`, `w` and `h` are: (1), and the caption of Fig. 1.
 
-use super::letters::ring;
-use super::{Claim, Derivation, Finding};
+use super::letters::{ring, with};
+use super::{Claim, Derivation, Finding, claim};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::certify::Undecided;
 use crate::number::Field;
-use crate::symbolic::{Fraction, Letters, Relations, Symbol};
+use crate::symbolic::{Fraction, Letters, Symbol};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
-    Claim {
-        id: "eq-1",
-        place: "Eq. (1)",
-        statement: "the intrinsic thrust eta h is H/(gamma d r^2)",
-        decide: intrinsic_thrust,
-    },
-    Claim {
-        id: "eq-1-radius",
-        place: "Fig. 1, caption",
-        statement: "r is the inner radius of the arch",
-        decide: inner_radius,
-    },
+    claim("eq-1", "Eq. (1)", intrinsic_thrust)
+        .states("the intrinsic thrust eta h is H/(gamma d r^2)"),
+    claim("eq-1-radius", "Fig. 1, caption", inner_radius)
+        .states("r is the inner radius of the arch"),
 ];
 
 fn intrinsic_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
@@ -34,16 +26,16 @@ fn intrinsic_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
     let force = h.clone() * weight * &radius;
     d.define("H, from h = H/(w r)", &force);
     let intrinsic = force / (gamma * depth * radius.square());
-    d.identity("H/(gamma d r^2) is eta h", &intrinsic, &(eta * h), &Relations::none())?;
+    d.identity("H/(gamma d r^2) is eta h", &intrinsic, eta * h)?;
     Ok(Finding::AsPrinted)
 }
 
 /// A formula of `eta` and the ring's centroid factor.
-type Printed<T> = fn(&Ring<T>) -> T;
+type PrintedFormula<T> = fn(&Ring<T>) -> T;
 
 /// What the formula says of a ring whose centreline has the radius `r (1 + eta/2)`, so that `r` is its inner
 /// radius: `eta` and the value, both in units of the centreline, become those in units of `r`.
-fn measured_inside<T: Field>(delta: &T, eta: &T, printed: Printed<T>) -> T {
+fn measured_inside<T: Field>(delta: &T, eta: &T, printed: PrintedFormula<T>) -> T {
     let centreline = eta.int(1) + eta.ratio(1, 2) * eta;
     printed(&Ring::with_flag(delta, &(eta.clone() / &centreline))) * centreline
 }
@@ -60,7 +52,7 @@ fn centroid<T: Field>(ring: &Ring<T>) -> T {
 
 fn inner_radius(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (ring, alpha) = (ring(), Symbol::half_opening());
-    let (eta, delta, free) = (&ring.thickness, Symbol::Flag.number(), Relations::none());
+    let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
     d.assume("eta > 0; lengths in units of r, forces in units of w r");
     d.conclude(
         "(2)-(6) are proved of a ring between the radii 1 - eta/2 and 1 + eta/2. Were r the inner radius, \
@@ -70,21 +62,21 @@ fn inner_radius(d: &mut Derivation) -> Result<Finding, Undecided> {
     let opening = thrust::opening_variable(&alpha).value();
     let words = "h_2 of (4), less A, is h_2 at A = 1 less 1";
     let second = thrust::whole(&alpha, &ring).value() - opening;
-    d.identity(words, &second, &(whole(&ring) - eta.int(1)), &free)?;
+    d.identity(words, &second, whole(&ring) - eta.int(1))?;
     let radius = Symbol::Radius.number();
     let (inner, outer) = (radius.int(1), radius.int(1) + eta);
     let primitive = |power: usize, at: &Fraction| {
         let one = Fraction::from(Symbol::Radius.polynomial().power(power));
-        one.evaluate(at, |x| if x == Symbol::Radius { at.clone() } else { x.number() })
+        with(&one, &[Symbol::Radius], at)
     };
     let between = |power| primitive(power, &outer) - primitive(power, &inner);
     let wedge = between(3) * eta.int(2) / (between(2) * eta.int(3));
     let words = "the centroid of a wedge between the radii 1 and 1 + eta, moment over area";
     let inside = measured_inside(&delta.int(1), eta, centroid);
-    d.identity(words, &wedge, &inside, &free)?;
+    d.identity(words, &wedge, &inside)?;
     let one = Rational::from(1);
     let mut found = Vec::new();
-    let formulas: [(&str, Printed<Rational>, SelfWeight); 3] = [
+    let formulas: [(&str, PrintedFormula<Rational>, SelfWeight); 3] = [
         ("the radius of the centroids, (6), at eta = 1", centroid, SelfWeight::Milankovitch),
         ("h_2 of (4) at A = 1, eta = 1, Heyman's weight", whole, SelfWeight::Heyman),
         ("h_2 of (4) at A = 1, eta = 1, Milankovitch's weight", whole, SelfWeight::Milankovitch),

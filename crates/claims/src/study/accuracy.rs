@@ -4,7 +4,7 @@ use super::Task;
 use super::cases::{Case, arch};
 use super::closed::{printed, trigonometric};
 use super::double_double;
-use super::enclosure::{Errors, enclose, error, relative_radius};
+use super::enclosure::{ErrorSizes, enclose, error, relative_radius};
 use super::newton::{doubling, newton};
 use super::row::{Row, Timed, timed};
 use super::static_programme::least_thickness;
@@ -81,7 +81,7 @@ pub fn measure(case: &Case, effort: &Effort) -> Vec<Row> {
     let Some(truth) = enclose::<Ball>(&case.problem, &case.start, most + REFERENCE) else {
         return vec![Row { verdict: "no reference".into(), ..named(case, "reference", None) }];
     };
-    let study = Study { case, effort, truth: &truth };
+    let study = CaseStudy { case, effort, truth: &truth };
     let mut computed =
         |method: &str, bits: u32, steps: Option<usize>, timed: Timed<Option<Vec<Float>>>| {
             let evaluations = steps.map(|steps| steps * truth.len());
@@ -164,19 +164,19 @@ fn named(case: &Case, method: &str, bits: Option<u32>) -> Row {
 }
 
 /// A case with what is measured against.
-struct Study<'a> {
+struct CaseStudy<'a> {
     case: &'a Case,
     effort: &'a Effort,
     /// The unknowns, enclosed at a higher precision.
     truth: &'a [Ball],
 }
 
-impl Study<'_> {
+impl CaseStudy<'_> {
     fn row(&self, method: &str, bits: Option<u32>) -> Row {
         named(self.case, method, bits)
     }
 
-    fn errors(&self, values: &[Float]) -> Vec<Errors> {
+    fn errors(&self, values: &[Float]) -> Vec<ErrorSizes> {
         values.iter().zip(self.truth).map(|(x, t)| error(x, t)).collect()
     }
 

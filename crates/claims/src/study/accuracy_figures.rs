@@ -37,7 +37,7 @@ fn family(row: &Row) -> &str {
 }
 
 /// A method at one precision, over all cases of a kind of quantity.
-struct Point {
+struct ProfilePoint {
     /// The quartiles of its times.
     times: [f64; 3],
     /// The median of its correct digits; not a number where no case has any.
@@ -46,7 +46,7 @@ struct Point {
     fails: bool,
 }
 
-impl Point {
+impl ProfilePoint {
     fn of(rows: &[&Row]) -> Option<Self> {
         let times = quartiles(rows.iter().map(|row| row.cpu_seconds).collect())?;
         let digits = rows.iter().filter_map(|row| Some(-row.error_relative_log10?));
@@ -62,17 +62,17 @@ fn lines_of(method: &str, rows: &[Row]) -> [Line; 3] {
     let keys = distinct(rows, |row| (row.precision_bits, &row.method));
     let points = keys.into_iter().filter_map(|key| {
         let group = rows.iter().filter(|row| (row.precision_bits, &row.method) == key);
-        Point::of(&group.collect::<Vec<_>>())
+        ProfilePoint::of(&group.collect::<Vec<_>>())
     });
-    let points: Vec<Point> = points.collect();
+    let points: Vec<ProfilePoint> = points.collect();
     let line = |kind, points: Vec<(f64, f64)>| Line { label: method.to_owned(), points, kind };
-    let median = |point: &Point| (point.times[1], point.digits);
-    let bar = |point: &Point| {
+    let median = |point: &ProfilePoint| (point.times[1], point.digits);
+    let bar = |point: &ProfilePoint| {
         let [low, _, high] = point.times;
         [(low, point.digits), (high, point.digits), (f64::NAN, f64::NAN)]
     };
     let failures = points.iter().filter(|point| point.fails);
-    let failure = |point: &Point| match point.digits.is_nan() {
+    let failure = |point: &ProfilePoint| match point.digits.is_nan() {
         true => (point.times[1], 1.0),
         false => median(point),
     };

@@ -1,7 +1,7 @@
 //! What is measured: problems of every kind, with the numbers from which every method starts.
 
 use super::Task;
-use super::closed::{Branch, Form, trigonometric};
+use super::closed::{ClosedForm, RootBranch, trigonometric};
 use crate::arch::{SelfWeight, cubic};
 use crate::certify::state::{Certify, Outcome};
 use crate::number::{Angle, ExactNumber};
@@ -21,7 +21,7 @@ pub struct Case {
     /// Start values, good to three digits or so.
     pub start: Vec<f64>,
     /// The closed form, where there is one: which, on which branch, at which joint.
-    pub(super) closed: Option<(Form, Branch, Rational)>,
+    pub(super) closed: Option<(ClosedForm, RootBranch, Rational)>,
 }
 
 /// The kinds of quantity, in order.
@@ -36,19 +36,15 @@ pub fn cases() -> Vec<Case> {
     let joints = [(1, 10), (1, 2), (1, 1), (1119, 1000)].map(Rational::from);
     for joint in &joints {
         let at = Angle::new(joint.to_f64());
-        for (branch, side) in [(Branch::Upper, "thin"), (Branch::Lower, "thick")] {
+        for (branch, side) in [(RootBranch::Upper, "thin"), (RootBranch::Lower, "thick")] {
             let kinds = [
-                ("eta-cubic", Form::Thickness),
-                ("A-cubic", Form::OpeningVariable),
-                ("h-cubic", Form::Thrust),
+                ("eta-cubic", ClosedForm::Thickness),
+                ("A-cubic", ClosedForm::OpeningVariable),
+                ("h-cubic", ClosedForm::Thrust),
             ];
             for (quantity, form) in kinds {
                 let joint = joint.clone();
-                let problem = match form {
-                    Form::Thickness => Task::Thickness { weight, joint: joint.clone() },
-                    Form::OpeningVariable => Task::OpeningVariable { weight, joint: joint.clone() },
-                    Form::Thrust => Task::Thrust { weight, joint: joint.clone() },
-                };
+                let problem = Task::Cubic { form, weight, joint: joint.clone() };
                 cases.push(Case {
                     quantity,
                     name: format!("beta = {joint}, {side}"),

@@ -2,13 +2,13 @@
 
 use crate::arch::closed_form;
 use crate::arch::cubic::{self, Abbreviations};
-use crate::number::{Angle, Real};
+use crate::number::{Angle, Field, Real};
 use num_complex::Complex;
 use rug::Float;
 
 /// Which of the closed forms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
+pub enum ClosedForm {
     /// (9), `A`.
     OpeningVariable,
     /// (10), `eta`.
@@ -17,9 +17,20 @@ pub enum Form {
     Thrust,
 }
 
+impl ClosedForm {
+    /// The cubic (7) of which it is a root.
+    pub fn cubic<T: Field>(self, at: &Abbreviations<T>, flag: &T, x: &T) -> T {
+        match self {
+            Self::OpeningVariable => cubic::in_opening_variable(at, flag, x),
+            Self::Thickness => cubic::in_thickness(at, flag, x),
+            Self::Thrust => cubic::in_thrust(at, flag, x),
+        }
+    }
+}
+
 /// The two real branches: upper signs for `alpha < alpha_sb`, lower beyond.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Branch {
+pub enum RootBranch {
     /// `alpha < alpha_sb`.
     Upper,
     /// `alpha > alpha_sb`.
@@ -27,21 +38,23 @@ pub enum Branch {
 }
 
 /// As printed, with complex square and cube roots in doubles; the real part.
-pub fn printed(form: Form, branch: Branch, joint: f64) -> f64 {
+pub fn printed(form: ClosedForm, branch: RootBranch, joint: f64) -> f64 {
     let real = cubic::abbreviations(&Angle::new(joint));
     let complex = |x: f64| Complex::new(x, 0.0);
     let at = Abbreviations { sin: complex(real.sin), f: complex(real.f), g: complex(real.g) };
     let q = complex(cubic::radicand(&real, &1.0)).sqrt();
-    let sign = if branch == Branch::Upper { 1.0 } else { -1.0 };
+    let sign = if branch == RootBranch::Upper { 1.0 } else { -1.0 };
     let k = Complex::new(0.0, sign * 3f64.sqrt());
     match form {
-        Form::OpeningVariable => {
+        ClosedForm::OpeningVariable => {
             closed_form::opening_variable(&at, &closed_form::opening_cube(&at, &q).cbrt(), &k).re
         }
-        Form::Thickness => {
+        ClosedForm::Thickness => {
             closed_form::thickness(&at, &closed_form::thickness_cube(&at, &q).cbrt(), &k).re
         }
-        Form::Thrust => closed_form::thrust(&at, &closed_form::thrust_cube(&at, &q).cbrt(), &k).re,
+        ClosedForm::Thrust => {
+            closed_form::thrust(&at, &closed_form::thrust_cube(&at, &q).cbrt(), &k).re
+        }
     }
 }
 
@@ -65,7 +78,11 @@ impl Trigonometric for Float {
 
 /// The real form: with `q = i |q|` the cube root has the modulus `√P`, and the two terms are conjugate,
 /// `2 √P cos(t/3 ∓ pi/3)` with `t` the angle of the cube. `joint` is `beta` in `(0, beta_sb]`.
-pub fn trigonometric<T: Trigonometric>(form: Form, branch: Branch, joint: &Angle<T>) -> T {
+pub fn trigonometric<T: Trigonometric>(
+    form: ClosedForm,
+    branch: RootBranch,
+    joint: &Angle<T>,
+) -> T {
     let at = cubic::abbreviations(joint);
     let (zero, one) = (joint.rad.int(0), joint.rad.int(1));
     let size = (-cubic::radicand(&at, &one)).sqrt();
@@ -76,25 +93,25 @@ pub fn trigonometric<T: Trigonometric>(form: Form, branch: Branch, joint: &Angle
         (real, slope * &size)
     };
     let ((real, imaginary), product) = match form {
-        Form::OpeningVariable => {
+        ClosedForm::OpeningVariable => {
             (parts(closed_form::opening_cube), closed_form::opening_product(&at))
         }
-        Form::Thickness => {
+        ClosedForm::Thickness => {
             (parts(closed_form::thickness_cube), closed_form::thickness_product(&at))
         }
-        Form::Thrust => (parts(closed_form::thrust_cube), closed_form::thrust_product(&at)),
+        ClosedForm::Thrust => (parts(closed_form::thrust_cube), closed_form::thrust_product(&at)),
     };
     let third = imaginary.angle(&real) / joint.rad.int(3);
     let turn = joint.rad.pi() / joint.rad.int(3);
     // (10) is printed with the signs the other way round.
-    let difference = (branch == Branch::Upper) != (form == Form::Thickness);
+    let difference = (branch == RootBranch::Upper) != (form == ClosedForm::Thickness);
     let angle = if difference { third - turn } else { third + turn };
     let (_, cosine) = angle.sin_cos();
     let terms = product.sqrt() * cosine * one.int(2);
     match form {
-        Form::OpeningVariable => closed_form::opening_variable_from(&at, terms),
-        Form::Thickness => closed_form::thickness_from(&at, terms),
-        Form::Thrust => closed_form::thrust_from(&at, terms),
+        ClosedForm::OpeningVariable => closed_form::opening_variable_from(&at, terms),
+        ClosedForm::Thickness => closed_form::thickness_from(&at, terms),
+        ClosedForm::Thrust => closed_form::thrust_from(&at, terms),
     }
 }
 
@@ -108,8 +125,8 @@ mod tests {
     #[test]
     fn the_closed_forms_give_one_state_on_each_branch() {
         for joint in [0.3, 0.7, 1.0, 1.1] {
-            for branch in [Branch::Upper, Branch::Lower] {
-                let all = [Form::Thickness, Form::Thrust, Form::OpeningVariable];
+            for branch in [RootBranch::Upper, RootBranch::Lower] {
+                let all = [ClosedForm::Thickness, ClosedForm::Thrust, ClosedForm::OpeningVariable];
                 let [eta, h, a] = all.map(|form| printed(form, branch, joint));
                 let angle = Angle::new(joint);
                 let ring = Ring::new(SelfWeight::Milankovitch, &eta);
@@ -127,8 +144,8 @@ mod tests {
 
     #[test]
     fn the_upper_branch_is_the_thinner() {
-        let [upper, lower] =
-            [Branch::Upper, Branch::Lower].map(|branch| printed(Form::Thickness, branch, 0.9));
+        let [upper, lower] = [RootBranch::Upper, RootBranch::Lower]
+            .map(|branch| printed(ClosedForm::Thickness, branch, 0.9));
         assert!(0.0 < upper && upper < lower && lower < 2.0);
     }
 }

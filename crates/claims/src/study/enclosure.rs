@@ -29,7 +29,7 @@ pub fn enclose_at<E: Engine>(task: &Task, centre: &[Float], bits: u32) -> Option
 }
 
 /// An upper bound of the distance of a value from the truth, which `truth` encloses.
-pub fn error(value: &Float, truth: &Ball) -> Errors {
+pub fn error(value: &Float, truth: &Ball) -> ErrorSizes {
     let bits = truth.prec().max(value.prec()) + 64;
     let difference = Ball::exact(value.clone(), bits) - truth;
     let up = |x: &Ball| Magnitude::upper(x.mid()).plus(x.rad());
@@ -41,7 +41,7 @@ pub fn error(value: &Float, truth: &Ball) -> Errors {
     let log2 = |x: Magnitude| x.to_float().to_f64_exp();
     let (a, r) = (log2(absolute), log2(relative));
     let ulp = absolute.shifted(i64::from(value.prec()) - i64::from(value.get_exp().unwrap_or(0)));
-    Errors {
+    ErrorSizes {
         absolute: decimal_exponent(a),
         relative: decimal_exponent(r),
         units: ulp.to_float().to_f64(),
@@ -57,7 +57,7 @@ fn decimal_exponent((mantissa, exponent): (f64, i32)) -> f64 {
 /// minus infinity is exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Errors {
+pub struct ErrorSizes {
     /// `log10 |value - truth|`.
     pub absolute: f64,
     /// `log10 |value - truth|/|truth|`.

@@ -1,6 +1,6 @@
 //! What is measured of one method on one case.
 
-use super::enclosure::Errors;
+use super::enclosure::ErrorSizes;
 use crate::certify::processor_time;
 use serde::Serialize;
 use std::cmp::Ordering;
@@ -130,8 +130,9 @@ impl Row {
     }
 
     /// The row with the worst of several errors, for values of `bits` bits.
-    pub fn with_errors(mut self, errors: &[Errors], bits: u32) -> Self {
-        let worst = |f: fn(&Errors) -> f64| errors.iter().map(f).fold(f64::NEG_INFINITY, f64::max);
+    pub fn with_errors(mut self, errors: &[ErrorSizes], bits: u32) -> Self {
+        let worst =
+            |f: fn(&ErrorSizes) -> f64| errors.iter().map(f).fold(f64::NEG_INFINITY, f64::max);
         let relative = worst(|e| e.relative);
         self.error_absolute_log10 = Some(worst(|e| e.absolute));
         self.error_relative_log10 = Some(relative);

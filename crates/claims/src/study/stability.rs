@@ -3,13 +3,13 @@
 //! The [condition number](super::condition) of a problem says how many digits of the result the input
 //! decides. What a method loses beyond it, the method has lost.
 
-use super::closed::{Branch, Form, printed, trigonometric};
+use super::closed::{ClosedForm, RootBranch, printed, trigonometric};
 use super::double_double;
 use super::enclosure::{error, relative_radius};
-use super::limits::Limit;
+use super::limits::StudyLimit;
 use super::newton::{doubling, newton};
 use super::row::timed;
-use super::target::{Target, WEIGHT, factored};
+use super::target::{LimitTarget, WEIGHT, factored};
 use crate::arch::overturning;
 use crate::number::{Angle, Ball};
 use crate::problem::Mode;
@@ -55,7 +55,7 @@ fn tenth_to(k: u32) -> Rational {
 }
 
 /// All methods on one rung.
-pub fn climb(limit: &Limit, k: u32, budget: Duration) -> Vec<Rung> {
+pub fn climb(limit: &StudyLimit, k: u32, budget: Duration) -> Vec<Rung> {
     let rung = |method, working_bits| Rung {
         limit: limit.name,
         output: limit.output,
@@ -89,14 +89,16 @@ pub fn climb(limit: &Limit, k: u32, budget: Duration) -> Vec<Rung> {
         rungs.push(found);
     };
     let double = |x: f64| Some(Float::with_val(53, x));
-    if let Target::Closed { joint } = &target {
+    if let LimitTarget::Closed { joint } = &target {
         let joint = joint.to_f64();
-        add("closed form, double", 53, &|| double(printed(Form::Thickness, Branch::Upper, joint)));
+        add("closed form, double", 53, &|| {
+            double(printed(ClosedForm::Thickness, RootBranch::Upper, joint))
+        });
         add("trigonometric form, double", 53, &|| {
-            double(trigonometric(Form::Thickness, Branch::Upper, &Angle::new(joint)))
+            double(trigonometric(ClosedForm::Thickness, RootBranch::Upper, &Angle::new(joint)))
         });
     }
-    if let Target::Overturning { distance } = &target {
+    if let LimitTarget::Overturning { distance } = &target {
         let x = distance.to_f64();
         let a = 2.0 / 3.0 + x;
         add("(15) as printed, double", 53, &|| double(overturning::thickness(WEIGHT, &a)));
@@ -125,7 +127,7 @@ pub fn climb(limit: &Limit, k: u32, budget: Duration) -> Vec<Rung> {
         if limit.is_small {
             add("scaled equations, 53 bits", 53, &|| target.scaled(53));
         }
-        if matches!(target, Target::State { mode: Mode::Rotational, .. }) {
+        if matches!(target, LimitTarget::State { mode: Mode::Rotational, .. }) {
             add("start value, double", 53, &|| Some(target.start(53)?.swap_remove(index)));
         }
     }
@@ -135,7 +137,7 @@ pub fn climb(limit: &Limit, k: u32, budget: Duration) -> Vec<Rung> {
 
 /// The certified result: the working precision is doubled until sixteen digits are proved.
 fn certified(
-    target: &Target,
+    target: &LimitTarget,
     truth: &Ball,
     rung: Rung,
     condition_log10: f64,

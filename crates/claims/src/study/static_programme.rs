@@ -7,9 +7,14 @@
 use crate::arch::SelfWeight;
 
 /// `a + b h` as a line.
-type Line = (f64, f64);
+type MomentBound = (f64, f64);
 
-fn lines(weight: SelfWeight, alpha: f64, eta: f64, joints: usize) -> (Vec<Line>, Vec<Line>) {
+fn lines(
+    weight: SelfWeight,
+    alpha: f64,
+    eta: f64,
+    joints: usize,
+) -> (Vec<MomentBound>, Vec<MomentBound>) {
     let fac = 1.0 + f64::from(weight.flag()) * eta * eta / 12.0;
     let joint = |i: usize| alpha * i as f64 / joints as f64;
     let (mut upper, mut lower) = (Vec::new(), Vec::new());
@@ -44,16 +49,20 @@ fn thrusts(alpha: f64, mu: f64, joints: usize) -> Option<(f64, f64)> {
     (low <= high).then_some((low, high))
 }
 
-/// The largest margin between the lowest upper and the highest lower bound of the crown moment:
-/// a concave function of the thrust, maximised by golden section.
-fn margin(weight: SelfWeight, alpha: f64, eta: f64, (low, high): (f64, f64), joints: usize) -> f64 {
+/// The margin between the lowest upper and the highest lower bound of the crown moment, by the thrust: a concave
+/// function.
+fn margins(weight: SelfWeight, alpha: f64, eta: f64, joints: usize) -> impl Fn(f64) -> f64 {
     let (upper, lower) = lines(weight, alpha, eta, joints);
-    let value = |h: f64| {
-        let at = |(a, b): &Line| a + b * h;
+    move |h| {
+        let at = |(a, b): &MomentBound| a + b * h;
         let top = upper.iter().map(at).fold(f64::INFINITY, f64::min);
-        let bottom = lower.iter().map(at).fold(f64::NEG_INFINITY, f64::max);
-        top - bottom
-    };
+        top - lower.iter().map(at).fold(f64::NEG_INFINITY, f64::max)
+    }
+}
+
+/// The largest margin, by golden section.
+fn margin(weight: SelfWeight, alpha: f64, eta: f64, (low, high): (f64, f64), joints: usize) -> f64 {
+    let value = margins(weight, alpha, eta, joints);
     let ratio = 0.618_033_988_749_894_9;
     let (mut a, mut b) = (low, high);
     let (mut x, mut y) = (b - ratio * (b - a), a + ratio * (b - a));
@@ -83,12 +92,7 @@ pub fn thrust_range(
     joints: usize,
 ) -> Option<(f64, f64)> {
     let (low, high) = thrusts(alpha, mu, joints)?;
-    let (upper, lower) = lines(weight, alpha, eta, joints);
-    let at = |(a, b): &Line, h: f64| a + b * h;
-    let value = |h: f64| {
-        let top = upper.iter().map(|line| at(line, h)).fold(f64::INFINITY, f64::min);
-        top - lower.iter().map(|line| at(line, h)).fold(f64::NEG_INFINITY, f64::max)
-    };
+    let value = margins(weight, alpha, eta, joints);
     let (mut a, mut b) = (low, high);
     for _ in 0..100 {
         let third = (b - a) / 3.0;

@@ -1,7 +1,7 @@
 //! A problem next to a limit: its certified value, its condition, and where a search starts.
 
 use super::Task;
-use super::closed::{Branch, Form, trigonometric};
+use super::closed::{ClosedForm, RootBranch, trigonometric};
 use super::condition::condition;
 use super::enclosure::enclose_at;
 use super::newton::newton;
@@ -19,7 +19,7 @@ pub(super) const WEIGHT: SelfWeight = SelfWeight::Milankovitch;
 
 /// A problem on a rung, and which of its unknowns is looked at.
 #[derive(Clone, Debug)]
-pub(super) enum Target {
+pub(super) enum LimitTarget {
     /// A state.
     State { mode: Mode, half_opening: Rational, friction: Option<Rational>, output: Unknown },
     /// The friction of pure sliding.
@@ -30,8 +30,8 @@ pub(super) enum Target {
     Overturning { distance: Rational },
 }
 
-pub(super) fn rotational(half_opening: Rational, output: Unknown) -> Option<Target> {
-    Some(Target::State { mode: Mode::Rotational, half_opening, friction: None, output })
+pub(super) fn rotational(half_opening: Rational, output: Unknown) -> Option<LimitTarget> {
+    Some(LimitTarget::State { mode: Mode::Rotational, half_opening, friction: None, output })
 }
 
 /// A variable of a landmark, to many places, less a distance.
@@ -50,7 +50,7 @@ pub(super) fn arch(half_opening: &Rational, friction: Option<&Rational>) -> Opti
     Arch::new(WEIGHT, ExactNumber::from(half_opening), friction).ok()
 }
 
-impl Target {
+impl LimitTarget {
     /// The output in a certified enclosure, computed with `bits` bits; `None` if it is not proved.
     pub(super) fn enclosure(&self, bits: u32) -> Option<Ball> {
         match self {
@@ -65,7 +65,7 @@ impl Target {
             Self::Sliding { half_opening } => arch(half_opening, None)?.sliding_friction(bits).ok(),
             Self::Closed { joint } => {
                 let at = Angle::new(rational_like(&Float::new(bits), joint));
-                let centre = trigonometric(Form::Thickness, Branch::Upper, &at);
+                let centre = trigonometric(ClosedForm::Thickness, RootBranch::Upper, &at);
                 Some(enclose_at::<Ball>(&self.problem()?, &[centre], bits)?.swap_remove(0))
             }
             Self::Overturning { distance } => {
@@ -77,20 +77,19 @@ impl Target {
 
     /// The equations as a problem for the methods of others.
     pub(super) fn problem(&self) -> Option<Task> {
+        let state = |mode, half_opening: &Rational, friction| {
+            let (weight, half_opening) = (WEIGHT, half_opening.clone());
+            Task::State { weight, mode, half_opening, friction }
+        };
         Some(match self {
-            Self::State { mode, half_opening, friction, .. } => Task::State {
-                weight: WEIGHT,
-                mode: *mode,
-                half_opening: half_opening.clone(),
-                friction: friction.clone().unwrap_or_default(),
-            },
-            Self::Sliding { half_opening } => Task::State {
-                weight: WEIGHT,
-                mode: Mode::Sliding,
-                half_opening: half_opening.clone(),
-                friction: Rational::new(),
-            },
-            Self::Closed { joint } => Task::Thickness { weight: WEIGHT, joint: joint.clone() },
+            Self::State { mode, half_opening, friction, .. } => {
+                state(*mode, half_opening, friction.clone().unwrap_or_default())
+            }
+            Self::Sliding { half_opening } => state(Mode::Sliding, half_opening, Rational::new()),
+            Self::Closed { joint } => {
+                let (form, weight) = (ClosedForm::Thickness, WEIGHT);
+                Task::Cubic { form, weight, joint: joint.clone() }
+            }
             Self::Overturning { .. } => return None,
         })
     }
@@ -125,7 +124,7 @@ impl Target {
             Self::Sliding { half_opening } => start::sliding(&number(half_opening)).to_vec(),
             Self::Closed { joint } => {
                 let at = Angle::new(rational_like(&Float::new(bits), joint));
-                vec![trigonometric(Form::Thickness, Branch::Upper, &at)]
+                vec![trigonometric(ClosedForm::Thickness, RootBranch::Upper, &at)]
             }
             Self::Overturning { .. } => return None,
         })

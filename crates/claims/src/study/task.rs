@@ -1,5 +1,6 @@
 //! What is computed: square systems of equations with exact parameters, over any number.
 
+use super::closed::ClosedForm;
 use crate::arch::{Configuration, SelfWeight, Unknown, cubic, thrust};
 use crate::certify::root::Equations;
 use crate::number::{Angle, Dual, Engine, Field, Real, rational_like};
@@ -9,22 +10,10 @@ use rug::Rational;
 /// A system of equations. Its parameters are exact, so that every method is given the same problem.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Task {
-    /// A root of the second cubic (7) at a joint: `eta`.
-    Thickness {
-        /// The self-weight model.
-        weight: SelfWeight,
-        /// `beta`, rad.
-        joint: Rational,
-    },
-    /// A root of the first cubic (7) at a joint: `A`.
-    OpeningVariable {
-        /// The self-weight model.
-        weight: SelfWeight,
-        /// `beta`, rad.
-        joint: Rational,
-    },
-    /// A root of the third cubic (7) at a joint: `h`.
-    Thrust {
+    /// A root of one of the cubics (7) at a joint: `A`, `eta` or `h`.
+    Cubic {
+        /// Which.
+        form: ClosedForm,
         /// The self-weight model.
         weight: SelfWeight,
         /// `beta`, rad.
@@ -63,26 +52,10 @@ pub enum Task {
 }
 
 impl Task {
-    /// The names of what is solved for.
-    pub fn unknowns(&self) -> Vec<&'static str> {
-        match self {
-            Self::Thickness { .. } => vec!["thickness"],
-            Self::OpeningVariable { .. } => vec!["A"],
-            Self::Thrust { .. } => vec!["thrust"],
-            Self::Radicand { .. } => vec!["radicand"],
-            Self::HalfOpening { .. } => vec!["half_opening"],
-            Self::Landmark { weight, landmark } => names(landmark.system(*weight).unknowns),
-            Self::State { mode, weight, .. } => names(mode.system(*weight).unknowns),
-        }
-    }
-
     /// The exact parameters, in numbers like `like`.
     pub fn parameters<T: Field>(&self, like: &T) -> Vec<T> {
         let given = match self {
-            Self::Thickness { joint, .. }
-            | Self::OpeningVariable { joint, .. }
-            | Self::Thrust { joint, .. }
-            | Self::Radicand { joint, .. } => vec![joint],
+            Self::Cubic { joint, .. } | Self::Radicand { joint, .. } => vec![joint],
             Self::HalfOpening { a } => vec![a],
             Self::Landmark { .. } => Vec::new(),
             Self::State { half_opening, friction, .. } => vec![half_opening, friction],
@@ -108,14 +81,8 @@ impl Task {
         let letters = || cubic::abbreviations(&Angle::new(parameters[0].clone()));
         let flag = |weight: SelfWeight| variable.int(weight.flag());
         match self {
-            Self::Thickness { weight, .. } => {
-                vec![cubic::in_thickness(&letters(), &flag(*weight), &variable)]
-            }
-            Self::OpeningVariable { weight, .. } => {
-                vec![cubic::in_opening_variable(&letters(), &flag(*weight), &variable)]
-            }
-            Self::Thrust { weight, .. } => {
-                vec![cubic::in_thrust(&letters(), &flag(*weight), &variable)]
+            Self::Cubic { form, weight, .. } => {
+                vec![form.cubic(&letters(), &flag(*weight), &variable)]
             }
             Self::Radicand { weight, .. } => {
                 vec![variable.clone() - cubic::radicand(&letters(), &flag(*weight))]
@@ -138,10 +105,6 @@ impl Task {
             }
         }
     }
-}
-
-fn names(unknowns: &[Unknown]) -> Vec<&'static str> {
-    unknowns.iter().map(|unknown| unknown.name()).collect()
 }
 
 impl<E: Engine> Equations<E> for Task {

@@ -6,9 +6,9 @@
 //! times its half-widths.
 
 use super::cubic::{BITS, exact};
-use super::form::Form;
+use super::form::CurveForm;
 use super::place::root_of_square;
-use super::spot::Spot;
+use super::spot::VariableValues;
 use super::trace::Piece;
 use super::tube::Tube;
 use super::variable::Variable;
@@ -38,7 +38,7 @@ pub enum Coordinate {
 
 /// A quantity between two parameters: a cubic by its values and slopes to the parameter at both ends.
 #[derive(Clone, Copy, Debug)]
-pub struct Arc {
+pub struct CubicArc {
     /// At the ends.
     pub values: [f64; 2],
     /// To the parameter.
@@ -71,7 +71,7 @@ impl Coordinate {
     }
 
     /// Its value, or, of a logarithm, what it is of.
-    fn of<T: Real + Stumpff>(self, at: &Spot<T>) -> T {
+    fn of<T: Real + Stumpff>(self, at: &VariableValues<T>) -> T {
         match self {
             Self::HalfOpening => at.half_opening.clone(),
             Self::OpeningVariable => {
@@ -106,7 +106,7 @@ fn bound(x: &Ball) -> f64 {
 }
 
 /// A quantity on a part of a piece; `None` in a gap, or where nothing bounds it.
-pub fn arc(piece: &Piece, coordinate: Coordinate, [from, to]: [f64; 2]) -> Option<Arc> {
+pub fn arc(piece: &Piece, coordinate: Coordinate, [from, to]: [f64; 2]) -> Option<CubicArc> {
     let (form, tube) = (piece.form(), piece.tube()?);
     let whole = exact(from).hull(&exact(to));
     let half = (to - from) / 2.0;
@@ -124,7 +124,7 @@ pub fn arc(piece: &Piece, coordinate: Coordinate, [from, to]: [f64; 2]) -> Optio
         let [values, slopes] = [0, 1].map(|k| ends.each_ref().map(|end| end[k].mid().to_f64()));
         let by_length = bound(&jet(&whole, 4)?[4]) * half.powi(4) * (1.0 + ROUNDING) + ROUNDING;
         let off = by_length + by_tube(form, coordinate, &whole, tube)?;
-        off.is_finite().then_some(Arc { values, slopes, off, by_length })
+        off.is_finite().then_some(CubicArc { values, slopes, off, by_length })
     };
     let by_chord = || {
         let on = |s: &Ball| -> Option<Ball> {
@@ -152,7 +152,7 @@ pub fn arc(piece: &Piece, coordinate: Coordinate, [from, to]: [f64; 2]) -> Optio
         let width = |x: &Ball| 2.0 * x.rad().to_float().to_f64();
         let off = width(&on(&whole)?) + ROUNDING;
         let by_length = (off - width(&ends[0]).max(width(&ends[1]))).max(0.0);
-        Some(Arc { values, slopes: [slope; 2], off, by_length })
+        Some(CubicArc { values, slopes: [slope; 2], off, by_length })
     };
     // What has no slope at an end, as a square root, has a chord.
     match (by_cubic(), by_chord()) {
@@ -162,7 +162,7 @@ pub fn arc(piece: &Piece, coordinate: Coordinate, [from, to]: [f64; 2]) -> Optio
 }
 
 /// What the tube adds.
-fn by_tube(form: &Form, coordinate: Coordinate, s: &Ball, tube: &Tube) -> Option<f64> {
+fn by_tube(form: &CurveForm, coordinate: Coordinate, s: &Ball, tube: &Tube) -> Option<f64> {
     let number = |given: &Ball| Dual::constant(given.with_precision(BITS));
     let x = Dual::variables(&tube.enclosure(s));
     let of = coordinate.of(&form.spot(&number, &Dual::constant(s.clone()), &x));
@@ -237,7 +237,7 @@ mod tests {
         }
     }
 
-    fn hermite(arc: &Arc, length: f64, t: f64) -> f64 {
+    fn hermite(arc: &CubicArc, length: f64, t: f64) -> f64 {
         let [a, b] = arc.values;
         let [c, d] = arc.slopes.map(|slope| slope * length);
         let (u, v) = (1.0 - t, t);

@@ -1,7 +1,7 @@
 //! A piece of a curve that can be halved.
 
 use super::cubic::exact;
-use super::form::Form;
+use super::form::CurveForm;
 use super::search;
 use super::trace::Piece;
 use super::tube::{Node, Tube};
@@ -9,13 +9,13 @@ use super::variable::Variable;
 use crate::number::{Ball, Enclosure, Ternary};
 
 /// A piece, or a part of one, with a tube of its own.
-pub(super) struct Cell<'a> {
-    pub form: &'a Form,
+pub(super) struct TubeCell<'a> {
+    pub form: &'a CurveForm,
     pub nodes: [Node; 2],
     pub tube: Tube,
 }
 
-impl<'a> Cell<'a> {
+impl<'a> TubeCell<'a> {
     pub(super) fn new(piece: &Piece<'a>) -> Option<Self> {
         let nodes = piece.nodes().map(Node::clone);
         Some(Self { form: piece.form(), nodes, tube: piece.tube()?.clone() })

@@ -2,7 +2,7 @@
 //!
 //! To a thickness belongs the rotational state with its thrust `h_R` and half opening `alpha_0`, to a friction the thrust
 //! `h_s` at which an inner joint slides and the half opening `alpha_P` that just slides. Their order tells the mode
-//! ([`Row::mode`]; why is the claim `map-columns`):
+//! ([`ThicknessRow::mode`]; why is the claim `map-columns`):
 //!
 //! ```text
 //! h_R > h_s:  [r,r,r] if the shoulder does not slide at alpha_0, else [s,r,r]
@@ -22,7 +22,7 @@ use std::collections::HashMap;
 
 /// What belongs to a thickness.
 #[derive(Clone, Debug)]
-pub struct Row {
+pub struct ThicknessRow {
     ring: Ring<Ball>,
     /// The thrust and the half opening of the rotational state; none from the end of rotation on.
     rotation: Option<(Ball, Ball)>,
@@ -30,7 +30,7 @@ pub struct Row {
 
 /// What belongs to a friction.
 #[derive(Clone, Debug)]
-pub struct Column {
+pub struct FrictionColumn {
     inclination: Angle<Ball>,
     /// `h_s`, and the half opening that just slides.
     thrust: Ball,
@@ -64,7 +64,7 @@ fn falling(low: Ball, high: Ball, f: impl Fn(&Ball) -> Ball) -> Ball {
 const JOINTS: f64 = 1.5;
 const OPENINGS: f64 = 3.0;
 
-impl Row {
+impl ThicknessRow {
     /// A thickness from 0 to 2; at 0 the limit of thin arches.
     pub fn new(weight: SelfWeight, thickness: f64) -> Option<Self> {
         let eta = exact(thickness);
@@ -100,8 +100,8 @@ impl Row {
     }
 
     /// The mode at a friction; `None` if a sign is not decided.
-    pub fn mode(&self, column: &Column) -> Option<Mode> {
-        let Column { inclination, thrust: h, half_opening } = column;
+    pub fn mode(&self, column: &FrictionColumn) -> Option<Mode> {
+        let FrictionColumn { inclination, thrust: h, half_opening } = column;
         if let Some((rotational, alpha)) = &self.rotation {
             let difference = rotational.clone() - h;
             let is_hinged = difference.is_positive();
@@ -156,7 +156,7 @@ fn by(truth: Ternary, yes: Mode, no: Mode) -> Option<Mode> {
     }
 }
 
-impl Column {
+impl FrictionColumn {
     /// The friction at which the force on an inner joint that slides has an inclination, from 0 to a right angle.
     pub fn new(inclination: Ball) -> Self {
         let inclination = Angle::new(inclination);
@@ -188,46 +188,41 @@ pub struct Areas {
 }
 
 /// The modes whose domains have an area, in the order in which a thickness passes them at one friction.
-const UPWARDS: [Mode; 6] = [
-    Mode::Rotational,
-    Mode::SlidingRotational,
-    Mode::RotationalSliding,
-    Mode::RotationalSlidingRotational,
-    Mode::OverturningSliding,
-    Mode::Sliding,
-];
+fn upwards() -> impl Iterator<Item = Mode> {
+    Mode::ALL.into_iter().filter(|mode| mode.exists_with(true))
+}
 
 /// The cells of a map, as fine as asked.
-struct Grid {
+struct CellGrid {
     weight: SelfWeight,
     parts: u32,
-    rows: HashMap<u32, Option<Row>>,
-    columns: HashMap<u32, Column>,
+    rows: HashMap<u32, Option<ThicknessRow>>,
+    columns: HashMap<u32, FrictionColumn>,
     modes: HashMap<(u32, u32), Option<usize>>,
     /// Proved, and perhaps, in the unit of the map.
-    areas: [[Ball; 2]; 6],
+    areas: Vec<[Ball; 2]>,
     cells: usize,
     open: usize,
 }
 
-impl Grid {
+impl CellGrid {
     /// The inclination at a column.
     fn inclination(&self, across: u32) -> Ball {
         let like = exact(f64::from(across));
         like.pi() * &like / exact(2.0 * f64::from(self.parts))
     }
 
-    /// The place of the mode at a corner in [`UPWARDS`].
+    /// The place of the mode at a corner among those of [`upwards`].
     fn mode(&mut self, across: u32, up: u32) -> Option<usize> {
         if let Some(known) = self.modes.get(&(across, up)) {
             return *known;
         }
         let thickness = 2.0 * f64::from(up) / f64::from(self.parts);
         let inclination = self.inclination(across);
-        let row = self.rows.entry(up).or_insert_with(|| Row::new(self.weight, thickness));
-        let column = self.columns.entry(across).or_insert_with(|| Column::new(inclination));
+        let row = self.rows.entry(up).or_insert_with(|| ThicknessRow::new(self.weight, thickness));
+        let column = self.columns.entry(across).or_insert_with(|| FrictionColumn::new(inclination));
         let mode = row.as_ref().and_then(|row| row.mode(column));
-        let mode = mode.and_then(|mode| UPWARDS.iter().position(|of| *of == mode));
+        let mode = mode.and_then(|mode| upwards().position(|of| of == mode));
         self.modes.insert((across, up), mode);
         mode
     }
@@ -254,7 +249,7 @@ impl Grid {
         }
         let area = self.area(across, size);
         // Between the two corners, if they are decided.
-        let [high, low] = [corners[0].unwrap_or(5), corners[1].unwrap_or(0)];
+        let [high, low] = [corners[0].unwrap_or(self.areas.len()), corners[1].unwrap_or(0)];
         for (index, [proved, perhaps]) in self.areas.iter_mut().enumerate() {
             if (low..=high).contains(&index) {
                 *perhaps = perhaps.clone() + &area;
@@ -274,12 +269,12 @@ impl Areas {
     pub fn new(weight: SelfWeight, parts: u32) -> Self {
         let zero = exact(0.0);
         let none = || [zero.clone(), zero.clone()];
-        let areas = [none(), none(), none(), none(), none(), none()];
+        let areas = upwards().map(|_| none()).collect();
         let (rows, columns, modes) = (HashMap::new(), HashMap::new(), HashMap::new());
-        let mut grid = Grid { weight, parts, rows, columns, modes, areas, cells: 0, open: 0 };
+        let mut grid = CellGrid { weight, parts, rows, columns, modes, areas, cells: 0, open: 0 };
         grid.prove((0, 0), parts);
         let proved = grid.areas.iter().fold(zero, |sum, [proved, _]| sum + proved);
-        let domains = UPWARDS.into_iter().zip(grid.areas).collect();
+        let domains = upwards().zip(grid.areas).collect();
         Self { domains, proved, cells: grid.cells, open: grid.open }
     }
 }
@@ -305,7 +300,7 @@ mod tests {
     }
 
     fn mode(weight: SelfWeight, phi: f64, eta: f64) -> Option<Mode> {
-        Row::new(weight, eta)?.mode(&Column::new(exact(inclination(phi))))
+        ThicknessRow::new(weight, eta)?.mode(&FrictionColumn::new(exact(inclination(phi))))
     }
 
     /// Whether the modes of a line are above and below a thickness, a small step away.
@@ -346,29 +341,29 @@ mod tests {
     #[test]
     fn on_a_line_no_mode_is_guessed() {
         // At eta = 2 and beyond B, and where h_R = h_s = 0.
-        let end = Row::new(SelfWeight::Heyman, 1.0).unwrap();
+        let end = ThicknessRow::new(SelfWeight::Heyman, 1.0).unwrap();
         assert!(end.rotation.is_none());
-        let column = Column::new(exact(1.5));
+        let column = FrictionColumn::new(exact(1.5));
         assert_eq!(end.mode(&column), Some(Mode::OverturningSliding));
         // The origin.
-        let origin = Row::new(SelfWeight::Heyman, 0.0).unwrap();
-        assert_eq!(origin.mode(&Column::new(exact(0.0))), None);
+        let origin = ThicknessRow::new(SelfWeight::Heyman, 0.0).unwrap();
+        assert_eq!(origin.mode(&FrictionColumn::new(exact(0.0))), None);
     }
 
     #[test]
     fn edges_are_in_the_domains_beside_them() {
         let like = exact(1.0);
-        let right = Column::new(like.pi() / like.int(2));
+        let right = FrictionColumn::new(like.pi() / like.int(2));
         for weight in SelfWeight::ALL {
             for (eta, edge, mode) in [
-                (0.0, &Column::new(exact(1.0)), Mode::Rotational),
+                (0.0, &FrictionColumn::new(exact(1.0)), Mode::Rotational),
                 (0.5, &right, Mode::Rotational),
                 (1.5, &right, Mode::OverturningSliding),
-                (2.0, &Column::new(exact(1.5)), Mode::OverturningSliding),
-                (2.0, &Column::new(exact(1.0)), Mode::Sliding),
-                (0.5, &Column::new(exact(0.0)), Mode::Sliding),
+                (2.0, &FrictionColumn::new(exact(1.5)), Mode::OverturningSliding),
+                (2.0, &FrictionColumn::new(exact(1.0)), Mode::Sliding),
+                (0.5, &FrictionColumn::new(exact(0.0)), Mode::Sliding),
             ] {
-                assert_eq!(Row::new(weight, eta).unwrap().mode(edge), Some(mode), "{eta}");
+                assert_eq!(ThicknessRow::new(weight, eta).unwrap().mode(edge), Some(mode), "{eta}");
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Where a curve of the map has a half opening, a thickness or a friction: once, or nowhere, either proved.
 
-use super::cell::Cell;
-use super::form::Form;
+use super::cell::TubeCell;
+use super::form::CurveForm;
 use super::law::Law;
 use super::place::Place;
 use super::trace::Trace;
@@ -15,43 +15,37 @@ use rug::Float;
 /// The one point of a curve in which a variable has a value.
 #[derive(Clone, Debug)]
 pub(super) struct Crossing {
-    pub form: Form,
+    pub form: CurveForm,
     s: Ball,
     root: Vec<Ball>,
 }
 
-/// The equations of a form with a value of one of its variables: the parameter is the first unknown.
-struct AtValue<'a> {
-    form: &'a Form,
-    variable: Variable,
-    value: &'a Ball,
-}
-
-impl root::Form<Ball> for AtValue<'_> {
-    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
-        let (s, unknowns) = (&x[0], &x[1..]);
-        let mut residuals = self.form.residuals(&number, s, unknowns);
-        let known = self.form.value(self.variable, s, unknowns);
-        residuals.extend(known.map(|known| known.clone() - number(self.value)));
-        residuals
-    }
-
-    fn is_regular<T: Enclosure + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> bool {
-        self.form.divisors(&number, &x[0], &x[1..]).iter().all(Enclosure::excludes_zero)
-    }
-}
-
-/// The equations of a form and perhaps another one: the parameter is the first unknown.
+/// The equations of a form, and perhaps one more: the parameter is the first unknown.
 struct Closed<'a> {
-    form: &'a Form,
-    also: Option<Law>,
+    form: &'a CurveForm,
+    by: Closing<'a>,
+}
+
+/// What closes a form that has one unknown more than equations.
+enum Closing<'a> {
+    Value(Variable, &'a Ball),
+    Law(Law),
+    /// It is closed: it has as many equations as unknowns.
+    Nothing,
 }
 
 impl root::Form<Ball> for Closed<'_> {
     fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
         let (s, unknowns) = (&x[0], &x[1..]);
         let mut residuals = self.form.residuals(&number, s, unknowns);
-        residuals.extend(self.also.map(|law| self.form.residual(law, &number, s, unknowns)));
+        residuals.extend(match self.by {
+            Closing::Value(variable, value) => {
+                let known = self.form.value(variable, s, unknowns);
+                known.map(|known| known.clone() - number(value))
+            }
+            Closing::Law(law) => Some(self.form.residual(law, &number, s, unknowns)),
+            Closing::Nothing => None,
+        });
         residuals
     }
 
@@ -62,7 +56,7 @@ impl root::Form<Ball> for Closed<'_> {
 
 /// The equations of a form at a parameter.
 struct AtParameter<'a> {
-    form: &'a Form,
+    form: &'a CurveForm,
     s: &'a Ball,
 }
 
@@ -85,11 +79,11 @@ const DEPTH: u32 = 12;
 /// The parts of a cell, in order: nothing where the value is not, else with whether the variable rises. `None` if that
 /// stays open.
 fn cut<'a>(
-    cell: Cell<'a>,
+    cell: TubeCell<'a>,
     variable: Variable,
     value: &Ball,
     depth: u32,
-    parts: &mut Vec<Option<(Cell<'a>, bool)>>,
+    parts: &mut Vec<Option<(TubeCell<'a>, bool)>>,
 ) -> Option<()> {
     if !cell.may_have(variable, value) {
         parts.push(None);
@@ -104,18 +98,19 @@ fn cut<'a>(
 }
 
 /// Cells next to each other, on all of which the variable rises, or on all falls.
-struct Run<'a> {
+struct MonotoneRun<'a> {
     /// The place of the first one on the curve.
     first: usize,
     rises: bool,
-    cells: Vec<Cell<'a>>,
+    cells: Vec<TubeCell<'a>>,
 }
 
-impl Run<'_> {
+impl MonotoneRun<'_> {
     /// Whether the value is on it, of so many parts of the curve.
     fn has(&self, trace: &Trace, parts: usize, variable: Variable, value: &Ball) -> Ternary {
         let of_curve = |place: &Place| place.coordinate(variable).cloned();
-        let inner = |cell: Option<&Cell>, which: usize| Some(cell?.ends(variable)?[which].clone());
+        let inner =
+            |cell: Option<&TubeCell>, which: usize| Some(cell?.ends(variable)?[which].clone());
         let [start, end] = trace.ends();
         let from = match self.first {
             0 => of_curve(start),
@@ -134,24 +129,33 @@ impl Run<'_> {
 impl Crossing {
     /// A root of a form with one equation more than its own, proved to be the only one in a box.
     pub(super) fn proved(
-        form: &Form,
+        form: &CurveForm,
         also: Option<Law>,
         start: Vec<Float>,
     ) -> Result<Self, Undecided> {
-        let mut root = root_near(&Closed { form, also }, BITS, start)?;
+        let by = also.map_or(Closing::Nothing, Closing::Law);
+        let mut root = root_near(&Closed { form, by }, BITS, start)?;
         let s = root.remove(0);
         Ok(Self { form: form.clone(), s, root })
     }
 
     /// The point of a tube at a parameter, in more digits than the tube tells.
-    pub(super) fn in_tube(form: &Form, tube: &Tube, s: &Ball) -> Option<Self> {
-        let start = tube.enclosure(s).iter().map(|x| Float::with_val(BITS, x.mid())).collect();
-        let root = root_near(&AtParameter { form, s }, BITS, start).ok()?;
-        tube.holds(s, &root).then(|| Self { form: form.clone(), s: s.clone(), root })
+    pub(super) fn in_tube(
+        form: &CurveForm,
+        tube: &Tube,
+        s: &Ball,
+        bits: u32,
+    ) -> Result<Self, Undecided> {
+        let start = tube.enclosure(s).iter().map(|x| Float::with_val(bits, x.mid())).collect();
+        let root = root_near(&AtParameter { form, s }, bits, start)?;
+        match tube.holds(s, &root) {
+            true => Ok(Self { form: form.clone(), s: s.clone(), root }),
+            false => Err(Undecided::new("the point found is on another branch")),
+        }
     }
 
     /// A point that is known to be on a form.
-    pub(super) fn known(form: &Form, s: Ball, root: Vec<Ball>) -> Self {
+    pub(super) fn known(form: &CurveForm, s: Ball, root: Vec<Ball>) -> Self {
         Self { form: form.clone(), s, root }
     }
 
@@ -167,12 +171,12 @@ impl Crossing {
         let failed = |what: &str| Undecided::new(format!("{}: {what}", trace.curve));
         let mut parts = Vec::new();
         for piece in trace.pieces() {
-            Cell::new(&piece)
+            TubeCell::new(&piece)
                 .and_then(|cell| cut(cell, variable, value, DEPTH, &mut parts))
                 .ok_or_else(|| failed("it is not proved to be there once at most"))?;
         }
         let count = parts.len();
-        let mut runs: Vec<Run> = Vec::new();
+        let mut runs: Vec<MonotoneRun> = Vec::new();
         for (index, part) in parts.into_iter().enumerate() {
             let Some((cell, rises)) = part else { continue };
             match runs.last_mut() {
@@ -182,7 +186,7 @@ impl Crossing {
                     }
                     run.cells.push(cell);
                 }
-                _ => runs.push(Run { first: index, rises, cells: vec![cell] }),
+                _ => runs.push(MonotoneRun { first: index, rises, cells: vec![cell] }),
             }
         }
         let mut found = None;
@@ -202,10 +206,10 @@ impl Crossing {
     }
 
     /// The root in cells that follow each other, if it is proved to be on the curve.
-    fn on(cells: &[Cell], variable: Variable, value: &Ball) -> Option<Self> {
+    fn on(cells: &[TubeCell], variable: Variable, value: &Ball) -> Option<Self> {
         let aim = value.mid().to_f64();
-        let ends = |cell: &Cell| Some(cell.ends(variable)?.map(|end| end.mid().to_f64()));
-        let off = |cell: &&Cell| {
+        let ends = |cell: &TubeCell| Some(cell.ends(variable)?.map(|end| end.mid().to_f64()));
+        let off = |cell: &&TubeCell| {
             let [from, to] = ends(cell).unwrap_or([f64::NAN; 2]);
             (from.min(to) - aim).max(aim - from.max(to))
         };
@@ -217,14 +221,15 @@ impl Crossing {
         let start =
             [about.clone()].iter().chain(&cell.tube.enclosure(&about)).map(number).collect();
         let form = cell.form;
-        let mut root = root_near(&AtValue { form, variable, value }, BITS, start).ok()?;
+        let by = Closing::Value(variable, value);
+        let mut root = root_near(&Closed { form, by }, BITS, start).ok()?;
         let s = root.remove(0);
         // In each cell that the parameter may be in the root is that of the curve; there is one, and no gap.
-        let may_be_in = |cell: &&Cell| {
+        let may_be_in = |cell: &&TubeCell| {
             let [low, high] = cell.range();
             s.lower() <= high && s.upper() >= low && std::ptr::eq(cell.form, form)
         };
-        let around: Vec<&Cell> = cells.iter().filter(may_be_in).collect();
+        let around: Vec<&TubeCell> = cells.iter().filter(may_be_in).collect();
         let is_covered = s.lower() >= around.first()?.range()[0]
             && s.upper() <= around.last()?.range()[1]
             && around.iter().all(|cell| cell.tube.holds(&s, &root));

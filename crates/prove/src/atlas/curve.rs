@@ -17,7 +17,7 @@
 //! `chi` is the inclination of the force on the inner joint that slides.
 
 use super::end::End;
-use super::form::{Form, Joint, Thrust};
+use super::form::{CurveForm, FixedJoint, Thrust};
 use super::law::Law;
 use super::variable::Variable;
 use crate::arch::SelfWeight;
@@ -42,7 +42,7 @@ pub enum Curve {
 /// A part of a curve on which one form of its equations is used.
 #[derive(Clone, Debug)]
 pub(super) struct Leg {
-    pub form: Form,
+    pub form: CurveForm,
     /// Where it begins and ends, if not at the ends of the curve.
     pub from: Option<f64>,
     pub to: Option<f64>,
@@ -51,6 +51,19 @@ pub(super) struct Leg {
 /// Up to this inclination the forms for flat arches are used, with squares of angles that are well in the
 /// range of Stumpff's functions.
 const FLAT: f64 = 0.375;
+
+impl Leg {
+    /// One form from end to end.
+    fn whole(form: CurveForm) -> Vec<Self> {
+        vec![Self { form, from: None, to: None }]
+    }
+
+    /// A form for flat arches first, then another one.
+    fn two(flat: CurveForm, other: CurveForm) -> Vec<Self> {
+        let flat = Self { form: flat, from: None, to: Some(FLAT) };
+        vec![flat, Self { form: other, from: Some(FLAT), to: None }]
+    }
+}
 
 impl Curve {
     /// All curves.
@@ -115,101 +128,66 @@ impl Curve {
     /// Its equations, part by part.
     pub(super) fn legs(self, weight: SelfWeight) -> Vec<Leg> {
         use {Law as L, Variable as V};
-        let form = |unknowns, laws, thrust, joint| Form {
-            weight,
-            parameter: self.parameter(),
-            unknowns,
-            laws,
-            thrust,
-            joint,
-            given: None,
-        };
-        let whole = |unknowns, laws, thrust, joint| {
-            vec![Leg { form: form(unknowns, laws, thrust, joint), from: None, to: None }]
-        };
-        // A form for flat arches first.
-        let two = |flat: (&'static [V], &'static [L]), other: (&'static [V], &'static [L])| {
-            let form = |(unknowns, laws)| form(unknowns, laws, Thrust::Sliding, Joint::Crown);
-            vec![
-                Leg { form: form(flat), from: None, to: Some(FLAT) },
-                Leg { form: form(other), from: Some(FLAT), to: None },
-            ]
-        };
+        let form = |unknowns, laws| CurveForm::new(weight, self.parameter(), unknowns, laws);
+        let touching =
+            |unknowns, laws| CurveForm { thrust: Thrust::Tangent, ..form(unknowns, laws) };
         const OPENING_ANGLE: &[Variable] = &[V::HalfOpening, V::FrictionAngle];
         const ALL: &[Variable] = &[V::HalfOpening, V::FrictionAngle, V::JointSquare, V::Thickness];
         match self {
-            Self::Rotation => whole(
+            Self::Rotation => Leg::whole(touching(
                 &[V::JointSquare, V::Thickness],
                 &[L::Rotation, L::WholeTangency],
-                Thrust::Tangent,
-                Joint::Crown,
-            ),
-            Self::Overturning => whole(&[V::HalfOpening], &[L::Whole], Thrust::Zero, Joint::Crown),
-            Self::Sliding => two(
-                (
-                    &[V::Ratio, V::HalfOpening, V::FrictionAngle],
-                    &[L::FlatShoulder, L::Ratio, L::Cycloid],
-                ),
-                (OPENING_ANGLE, &[L::Shoulder, L::Cycloid]),
-            ),
-            Self::Line(Line::RotationShoulder) => whole(
+            )),
+            Self::Overturning => {
+                let form = form(&[V::HalfOpening], &[L::Whole]);
+                Leg::whole(CurveForm { thrust: Thrust::Zero, ..form })
+            }
+            Self::Sliding => {
+                const FLAT: &[Variable] = &[V::Ratio, V::HalfOpening, V::FrictionAngle];
+                let flat = form(FLAT, &[L::FlatShoulder, L::Ratio, L::Cycloid]);
+                Leg::two(flat, form(OPENING_ANGLE, &[L::Shoulder, L::Cycloid]))
+            }
+            Self::Line(Line::RotationShoulder) => Leg::whole(touching(
                 &[V::JointSquare, V::Thickness, V::FrictionAngle],
                 &[L::Rotation, L::WholeTangency, L::Shoulder],
-                Thrust::Tangent,
-                Joint::Crown,
-            ),
-            Self::Line(Line::ShoulderEnd) => two(
-                (
+            )),
+            Self::Line(Line::ShoulderEnd) => Leg::two(
+                form(
                     &[V::Ratio, V::HalfOpening, V::FrictionAngle, V::JointSquare, V::Thickness],
                     &[L::FlatShoulder, L::Ratio, L::Cycloid, L::Tangency, L::Touching],
                 ),
-                (ALL, &[L::Shoulder, L::Cycloid, L::Tangency, L::Touching]),
+                form(ALL, &[L::Shoulder, L::Cycloid, L::Tangency, L::Touching]),
             ),
-            Self::Line(Line::RotationInner) => whole(
-                ALL,
-                &[L::Whole, L::Cycloid, L::Tangency, L::TouchingRoot],
-                Thrust::Sliding,
-                Joint::Crown,
-            ),
-            Self::Line(Line::AboveHaunchEnd | Line::BelowHaunchEnd) => whole(
-                ALL,
-                &[L::Shoulder, L::Cycloid, L::Tangency, L::Upper],
-                Thrust::Sliding,
-                Joint::Crown,
-            ),
-            Self::Line(Line::CrownEnd) => whole(
+            Self::Line(Line::RotationInner) => {
+                Leg::whole(form(ALL, &[L::Whole, L::Cycloid, L::Tangency, L::TouchingRoot]))
+            }
+            Self::Line(Line::AboveHaunchEnd | Line::BelowHaunchEnd) => {
+                Leg::whole(form(ALL, &[L::Shoulder, L::Cycloid, L::Tangency, L::Upper]))
+            }
+            Self::Line(Line::CrownEnd) => Leg::whole(form(
                 &[V::HalfOpening, V::FrictionAngle, V::Inclination],
                 &[L::Shoulder, L::Cycloid, L::Upper],
-                Thrust::Sliding,
-                Joint::Crown,
-            ),
-            Self::Line(line @ (Line::Joints | Line::Crown)) => whole(
-                &[V::HalfOpening, V::FrictionAngle, V::Thickness],
-                &[L::Upper, L::Cycloid, L::Tangency],
-                Thrust::Sliding,
-                if line == Line::Joints { Joint::Sliding } else { Joint::Crown },
-            ),
-            Self::Limit => {
-                whole(OPENING_ANGLE, &[L::Upper, L::Cycloid], Thrust::Sliding, Joint::Crown)
+            )),
+            Self::Line(line @ (Line::Joints | Line::Crown)) => {
+                const UNKNOWNS: &[Variable] = &[V::HalfOpening, V::FrictionAngle, V::Thickness];
+                let joint =
+                    if line == Line::Joints { FixedJoint::Sliding } else { FixedJoint::Crown };
+                let form = form(UNKNOWNS, &[L::Upper, L::Cycloid, L::Tangency]);
+                Leg::whole(CurveForm { joint, ..form })
             }
+            Self::Limit => Leg::whole(form(OPENING_ANGLE, &[L::Upper, L::Cycloid])),
         }
     }
 
     /// Its equations with the inclination as the parameter, of a line: to it belongs one friction angle, whatever slides.
     pub(super) fn legs_over_inclination(self, weight: SelfWeight) -> Vec<Leg> {
         use {Law as L, Variable as V};
-        let form = |unknowns, laws, thrust| Form {
-            weight,
-            parameter: V::Inclination,
-            unknowns,
-            laws,
-            thrust,
-            joint: Joint::Crown,
-            given: None,
-        };
+        let form = |unknowns, laws| CurveForm::new(weight, V::Inclination, unknowns, laws);
+        let touching =
+            |unknowns, laws| CurveForm { thrust: Thrust::Tangent, ..form(unknowns, laws) };
         match self {
             Self::Line(Line::RotationShoulder) => {
-                let flat = form(
+                let flat = touching(
                     &[
                         V::OpeningRatio,
                         V::HalfOpening,
@@ -226,26 +204,17 @@ impl Curve {
                         L::JointRatio,
                         L::Rotation,
                     ],
-                    Thrust::Tangent,
                 );
-                let other = form(
+                let other = touching(
                     &[V::HalfOpening, V::FrictionAngle, V::JointSquare, V::Thickness],
                     &[L::Shoulder, L::Cycloid, L::WholeTangency, L::Rotation],
-                    Thrust::Tangent,
                 );
-                vec![
-                    Leg { form: flat, from: None, to: Some(FLAT) },
-                    Leg { form: other, from: Some(FLAT), to: None },
-                ]
+                Leg::two(flat, other)
             }
-            Self::Line(Line::CrownEnd) => {
-                let form = form(
-                    &[V::HalfOpening, V::FrictionAngle, V::Thickness],
-                    &[L::Shoulder, L::Cycloid, L::Upper],
-                    Thrust::Sliding,
-                );
-                vec![Leg { form, from: None, to: None }]
-            }
+            Self::Line(Line::CrownEnd) => Leg::whole(form(
+                &[V::HalfOpening, V::FrictionAngle, V::Thickness],
+                &[L::Shoulder, L::Cycloid, L::Upper],
+            )),
             _ => self.legs(weight),
         }
     }

@@ -7,7 +7,7 @@
 //! Lines that follow each other are one dividing curve. Its landmarks are at another friction for each weight: between
 //! these one weight is on one line, and the other already on the next.
 
-use super::arc::{Arc, Coordinate, arc};
+use super::arc::{Coordinate, CubicArc, arc};
 use super::cubic::exact;
 use super::place::Place;
 use super::trace::{LEAST_TOLERANCE, Piece, Trace};
@@ -54,9 +54,9 @@ pub struct Step {
     /// The inclinations between which it runs.
     pub range: [f64; 2],
     /// The friction angle, rad.
-    pub friction_angle: Arc,
+    pub friction_angle: CubicArc,
     /// The difference.
-    pub difference: Arc,
+    pub difference: CubicArc,
 }
 
 /// What is known at an inclination.
@@ -138,9 +138,9 @@ impl<'a> Track<'a> {
 }
 
 /// Milankovitch's less Heyman's.
-fn less([heyman, milankovitch]: [Arc; 2]) -> Arc {
+fn less([heyman, milankovitch]: [CubicArc; 2]) -> CubicArc {
     let minus = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];
-    Arc {
+    CubicArc {
         values: minus(milankovitch.values, heyman.values),
         slopes: minus(milankovitch.slopes, heyman.slopes),
         // Each side has room for the rounding of its doubles, and so has the sum for theirs.
@@ -260,7 +260,7 @@ impl Step {
     /// The handles of the cubic of the difference, over a third of the way each.
     pub fn handles(&self) -> [f64; 4] {
         let third = (self.range[1] - self.range[0]) / 3.0;
-        let Arc { values: [from, to], slopes: [first, last], .. } = self.difference;
+        let CubicArc { values: [from, to], slopes: [first, last], .. } = self.difference;
         [from, from + third * first, to - third * last, to]
     }
 }

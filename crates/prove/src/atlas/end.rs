@@ -56,25 +56,16 @@ impl EndValues {
     pub(super) fn of(end: End, weight: SelfWeight) -> Result<Self, Undecided> {
         let zero = Ball::integer(0, BITS);
         let quarter_turn = zero.pi() / zero.int(2);
+        let flat = |half_opening: &Ball, angle: &Ball| Self {
+            half_opening: half_opening.clone(),
+            friction_angle: angle.clone(),
+            inclination: angle.clone(),
+            joint_square: zero.clone(),
+            thickness: zero.clone(),
+        };
         let landmark = match end {
-            End::Origin => {
-                return Ok(Self {
-                    half_opening: zero.clone(),
-                    friction_angle: zero.clone(),
-                    inclination: zero.clone(),
-                    joint_square: zero.clone(),
-                    thickness: zero,
-                });
-            }
-            End::Circle => {
-                return Ok(Self {
-                    half_opening: zero.pi(),
-                    friction_angle: quarter_turn.clone(),
-                    inclination: quarter_turn,
-                    joint_square: zero.clone(),
-                    thickness: zero,
-                });
-            }
+            End::Origin => return Ok(flat(&zero, &zero)),
+            End::Circle => return Ok(flat(&zero.pi(), &quarter_turn)),
             End::Landmark(landmark) => landmark,
         };
         let refined = CertifiedLandmark::new(landmark, weight)?.enclosure(BITS)?;

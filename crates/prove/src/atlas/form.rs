@@ -6,7 +6,7 @@
 //! ([`cycloid`](crate::arch::cycloid), [`haunch`](crate::arch::haunch)).
 
 use super::law::Law;
-use super::spot::{Spot, Whole};
+use super::spot::{VariableValues, WholeState};
 use super::variable::Variable;
 use crate::arch::haunch::Haunch;
 use crate::arch::{Ring, SelfWeight, cycloid, thrust};
@@ -27,7 +27,7 @@ pub(super) enum Thrust {
 
 /// Where the rotational joint is, if it is no unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Joint {
+pub(super) enum FixedJoint {
     /// At the crown.
     Crown,
     /// Where an inner joint slides.
@@ -36,18 +36,29 @@ pub(super) enum Joint {
 
 /// A system with one unknown more than equations.
 #[derive(Clone, Debug)]
-pub(super) struct Form {
+pub(super) struct CurveForm {
     pub weight: SelfWeight,
     pub parameter: Variable,
     pub unknowns: &'static [Variable],
     pub laws: &'static [Law],
     pub thrust: Thrust,
-    pub joint: Joint,
+    pub joint: FixedJoint,
     /// The variable that is the same throughout, with its value.
     pub given: Option<(Variable, Ball)>,
 }
 
-impl Form {
+impl CurveForm {
+    /// A system in which an inner joint slides and the rotational joint, if it is no unknown, is the crown.
+    pub(super) fn new(
+        weight: SelfWeight,
+        parameter: Variable,
+        unknowns: &'static [Variable],
+        laws: &'static [Law],
+    ) -> Self {
+        let (thrust, joint) = (Thrust::Sliding, FixedJoint::Crown);
+        Self { weight, parameter, unknowns, laws, thrust, joint, given: None }
+    }
+
     /// Whether it is the parameter, an unknown or given.
     pub(super) fn knows(&self, variable: Variable) -> bool {
         self.parameter == variable || self.unknowns.contains(&variable) || self.gives(variable)
@@ -72,7 +83,7 @@ impl Form {
         number: &impl Fn(&Ball) -> T,
         s: &T,
         x: &[T],
-    ) -> Spot<T> {
+    ) -> VariableValues<T> {
         let given = |variable| {
             let given = self.given.as_ref().filter(|(given, _)| *given == variable);
             given.map(|(_, value)| number(value))
@@ -86,11 +97,11 @@ impl Form {
         };
         let joint_square = match (known(Variable::JointSquare), self.joint) {
             (Some(square), _) => square,
-            (None, Joint::Crown) => zero.clone(),
-            (None, Joint::Sliding) => cycloid::joint(&inclination).square(),
+            (None, FixedJoint::Crown) => zero.clone(),
+            (None, FixedJoint::Sliding) => cycloid::joint(&inclination).square(),
         };
         let is_whole = self.laws.contains(&Law::OnHaunch);
-        let is_at_crown = !self.knows(Variable::JointSquare) && self.joint == Joint::Crown;
+        let is_at_crown = !self.knows(Variable::JointSquare) && self.joint == FixedJoint::Crown;
         let haunch = if is_at_crown || is_whole {
             Haunch::crown(s)
         } else {
@@ -111,7 +122,7 @@ impl Form {
                 thrust::tangency(&haunch.times_cotangent, &ring).value()
             }
         };
-        Spot {
+        VariableValues {
             half_opening,
             friction_angle,
             inclination,
@@ -125,13 +136,13 @@ impl Form {
             vertical_force: value(Variable::VerticalForce),
             crown_moment: value(Variable::CrownMoment),
             crown_hinge: value(Variable::CrownHinge),
-            whole: Whole::default(),
+            whole: WholeState::default(),
         }
     }
 
     /// Whether the rotational joint is a joint of its own, not the crown or without meaning.
     pub(super) fn has_haunch(&self) -> bool {
-        self.knows(Variable::JointSquare) || self.joint == Joint::Sliding
+        self.knows(Variable::JointSquare) || self.joint == FixedJoint::Sliding
     }
 
     /// Whether the thickness is the physical limit, 2: a form that turns about the shoulder and knows no thickness.

@@ -1,6 +1,6 @@
 //! The equations of the forms, one by one.
 
-use super::spot::Spot;
+use super::spot::VariableValues;
 use crate::arch::asymmetric::AsymmetricMode;
 use crate::arch::haunch::{opening_variable_at_half, touching_root};
 use crate::arch::{Ring, SelfWeight, cycloid, thrust};
@@ -56,7 +56,11 @@ pub(super) enum Law {
 }
 
 impl Law {
-    pub(super) fn residual<T: Real + Stumpff>(self, weight: SelfWeight, at: &Spot<T>) -> T {
+    pub(super) fn residual<T: Real + Stumpff>(
+        self,
+        weight: SelfWeight,
+        at: &VariableValues<T>,
+    ) -> T {
         let ring = || Ring::new(weight, &at.thickness);
         let tangency = || thrust::tangency(&at.haunch.times_cotangent, &ring());
         let touching = || thrust::touching(&at.haunch.versine, &at.haunch.excess, &ring());
@@ -108,7 +112,11 @@ impl Law {
         }
     }
 
-    pub(super) fn divisor<T: Real + Stumpff>(self, weight: SelfWeight, at: &Spot<T>) -> Option<T> {
+    pub(super) fn divisor<T: Real + Stumpff>(
+        self,
+        weight: SelfWeight,
+        at: &VariableValues<T>,
+    ) -> Option<T> {
         match self {
             Self::Upper => Some(at.upper(weight).denominator),
             Self::Shoulder => {

@@ -65,12 +65,12 @@ pub struct Level {
 const FINE: f64 = 1e-4;
 
 /// The lines between modes that are met, each once, and the limit.
-struct Met {
+struct Crossings {
     lines: Vec<(Line, Crossing)>,
     limit: Option<Crossing>,
 }
 
-impl Met {
+impl Crossings {
     fn new(
         traces: &[Trace],
         weight: SelfWeight,
@@ -149,7 +149,7 @@ impl Level {
             return Err(outside());
         }
         let given = (contour.variable(), &value);
-        let mut met = Met::new(traces, weight, given).map_err(undecided)?;
+        let mut met = Crossings::new(traces, weight, given).map_err(undecided)?;
         if met.lines.is_empty() && met.limit.is_none() {
             return Err(outside());
         }
@@ -167,7 +167,7 @@ impl Level {
 
 /// From the edge of pure sliding, or from the limit, towards unlimited friction.
 fn falling(
-    met: &mut Met,
+    met: &mut Crossings,
     given: (Variable, &Ball),
     tolerance: f64,
 ) -> Result<Vec<Part>, Undecided> {
@@ -193,7 +193,11 @@ fn falling(
 }
 
 /// From the edge of pure rotation to that of pure sliding, and up to the limit.
-fn rising(met: &mut Met, given: (Variable, &Ball), tolerance: f64) -> Result<Vec<Part>, Undecided> {
+fn rising(
+    met: &mut Crossings,
+    given: (Variable, &Ball),
+    tolerance: f64,
+) -> Result<Vec<Part>, Undecided> {
     let mut parts = Vec::new();
     let nowhere = || Undecided::new("it does not begin once");
     let (mut mode, mut from) = met.next(Mode::Rotational).ok_or_else(nowhere)?;

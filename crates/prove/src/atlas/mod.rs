@@ -42,9 +42,9 @@ mod tube;
 mod variable;
 mod walk;
 
-pub use arc::{Arc, Coordinate, arc};
+pub use arc::{Coordinate, CubicArc, arc};
 pub use asymmetric::{Border, BorderLine, Branch, Meeting, NoBranch, Stretch};
-pub use cells::{Areas, Column, Row};
+pub use cells::{Areas, FrictionColumn, ThicknessRow};
 pub use contour::Contour;
 pub use curve::Curve;
 pub use difference::{Difference, DifferencePoint, Divide, LEAST_DIFFERENCE, Step};

@@ -2,7 +2,7 @@
 //! between the points in which it meets the lines to the next modes, or straight.
 
 use super::crossing::{BITS, Crossing};
-use super::form::{Form, Joint, Thrust};
+use super::form::{CurveForm, Thrust};
 use super::law::Law;
 use super::place::Place;
 use super::section::Section;
@@ -18,12 +18,12 @@ use crate::problem::Mode;
 pub struct Part {
     /// The mode.
     pub mode: Mode,
-    course: Course,
+    course: PartShape,
 }
 
 /// How a part runs between its ends.
 #[derive(Clone, Debug)]
-enum Course {
+enum PartShape {
     Straight([Place; 2]),
     Curved(Section),
 }
@@ -43,7 +43,7 @@ impl Part {
             None => Section::to_unlimited_friction(form, from, tolerance),
         };
         let section = section.map_err(|undecided| undecided.about(&mode.to_string()))?;
-        Ok(Self { mode, course: Course::Curved(section) })
+        Ok(Self { mode, course: PartShape::Curved(section) })
     }
 
     /// The line of pure sliding: from where it begins up to the physical limit.
@@ -51,7 +51,7 @@ impl Part {
         let from = foot.place();
         let thickness = Some(Ball::integer(2, BITS));
         let to = Place { thickness, rotation_joint: None, ..from.clone() };
-        Self { mode: Mode::Sliding, course: Course::Straight([from, to]) }
+        Self { mode: Mode::Sliding, course: PartShape::Straight([from, to]) }
     }
 
     /// The line of pure rotation: from where it begins to unlimited friction.
@@ -65,26 +65,26 @@ impl Part {
             is_unlimited: true,
             ..from.clone()
         };
-        Self { mode: Mode::Rotational, course: Course::Straight([from, to]) }
+        Self { mode: Mode::Rotational, course: PartShape::Straight([from, to]) }
     }
 
     /// The quantities at a friction angle, of a part that is traced by it or that is the same for all of them; `None`
     /// elsewhere.
     fn at_friction_angle(&self, phi: &Ball) -> Option<Place> {
         match &self.course {
-            Course::Straight([end, _]) => {
+            PartShape::Straight([end, _]) => {
                 let from = end.friction_angle.as_ref()?;
                 let is_here = self.mode == Mode::Rotational && !phi.is_less_than(from).is_proved();
                 is_here.then(|| end.clone())
             }
-            Course::Curved(section) if section.form.parameter == Variable::FrictionAngle => {
+            PartShape::Curved(section) if section.form.parameter == Variable::FrictionAngle => {
                 let piece = section.pieces().find(|piece| {
                     let [low, high] = piece.range();
                     phi.lower() >= low && phi.upper() <= high
                 })?;
-                Some(Crossing::in_tube(&section.form, piece.tube()?, phi)?.place())
+                Some(Crossing::in_tube(&section.form, piece.tube()?, phi, BITS).ok()?.place())
             }
-            Course::Curved(_) => None,
+            PartShape::Curved(_) => None,
         }
     }
 
@@ -96,8 +96,8 @@ impl Part {
     /// The quantities of its two ends.
     pub fn ends(&self) -> &[Place; 2] {
         match &self.course {
-            Course::Straight(ends) => ends,
-            Course::Curved(section) => section.ends(),
+            PartShape::Straight(ends) => ends,
+            PartShape::Curved(section) => section.ends(),
         }
     }
 
@@ -105,8 +105,8 @@ impl Part {
     pub fn points(&self) -> Vec<Point> {
         let end = |place: &Place| Point { parameter: f64::NAN, end: None, place: place.clone() };
         match &self.course {
-            Course::Straight(ends) => ends.iter().map(end).collect(),
-            Course::Curved(section) => section.points(),
+            PartShape::Straight(ends) => ends.iter().map(end).collect(),
+            PartShape::Curved(section) => section.points(),
         }
     }
 
@@ -123,40 +123,36 @@ impl Part {
     /// The line, unless it is straight.
     fn section(&self) -> Option<&Section> {
         match &self.course {
-            Course::Straight(_) => None,
-            Course::Curved(section) => Some(section),
+            PartShape::Straight(_) => None,
+            PartShape::Curved(section) => Some(section),
         }
     }
 }
 
-/// The equations of a mode with what is given.
-fn form(mode: Mode, weight: SelfWeight, (fixed, value): (Variable, &Ball)) -> Form {
+/// The equations with what is given of a mode in which a joint slides.
+fn form(mode: Mode, weight: SelfWeight, (fixed, value): (Variable, &Ball)) -> CurveForm {
     use {Law as L, Variable as V};
-    let turns = matches!(mode, Mode::RotationalSliding | Mode::RotationalSlidingRotational);
-    let (laws, thrust): (&[L], Thrust) = match mode {
-        Mode::SlidingRotational => (&[L::Tangency, L::Touching], Thrust::Shoulder),
-        _ if turns => (&[L::Cycloid, L::Tangency, L::Upper], Thrust::Sliding),
-        _ => (&[L::Cycloid, L::Upper], Thrust::Sliding),
+    let kind = (mode.slides_inside(), mode.has_haunch());
+    let (laws, thrust): (&[L], Thrust) = match kind {
+        (false, _) => (&[L::Tangency, L::Touching], Thrust::Shoulder),
+        (true, true) => (&[L::Cycloid, L::Tangency, L::Upper], Thrust::Sliding),
+        (true, false) => (&[L::Cycloid, L::Upper], Thrust::Sliding),
     };
-    let (parameter, unknowns): (V, &[V]) = match (mode, fixed) {
-        (Mode::SlidingRotational, V::HalfOpening) => {
-            (V::FrictionAngle, &[V::JointSquare, V::Thickness])
-        }
-        (Mode::SlidingRotational, V::Thickness) => {
-            (V::FrictionAngle, &[V::JointSquare, V::HalfOpening])
-        }
-        (Mode::SlidingRotational, _) => (V::HalfOpening, &[V::JointSquare, V::Thickness]),
-        (_, V::HalfOpening) if turns => {
+    let (parameter, unknowns): (V, &[V]) = match (kind, fixed) {
+        ((false, _), V::HalfOpening) => (V::FrictionAngle, &[V::JointSquare, V::Thickness]),
+        ((false, _), V::Thickness) => (V::FrictionAngle, &[V::JointSquare, V::HalfOpening]),
+        ((false, _), _) => (V::HalfOpening, &[V::JointSquare, V::Thickness]),
+        ((true, true), V::HalfOpening) => {
             (V::Inclination, &[V::FrictionAngle, V::JointSquare, V::Thickness])
         }
-        (_, V::HalfOpening) => (V::Inclination, &[V::FrictionAngle, V::Thickness]),
-        (_, V::Thickness) if turns => {
+        ((true, false), V::HalfOpening) => (V::Inclination, &[V::FrictionAngle, V::Thickness]),
+        ((true, true), V::Thickness) => {
             (V::Inclination, &[V::FrictionAngle, V::JointSquare, V::HalfOpening])
         }
-        (_, V::Thickness) => (V::Inclination, &[V::FrictionAngle, V::HalfOpening]),
-        _ if turns => (V::Thickness, &[V::Inclination, V::JointSquare, V::HalfOpening]),
-        _ => (V::Thickness, &[V::Inclination, V::HalfOpening]),
+        ((true, false), V::Thickness) => (V::Inclination, &[V::FrictionAngle, V::HalfOpening]),
+        ((true, true), _) => (V::Thickness, &[V::Inclination, V::JointSquare, V::HalfOpening]),
+        ((true, false), _) => (V::Thickness, &[V::Inclination, V::HalfOpening]),
     };
     let given = Some((fixed, value.clone()));
-    Form { weight, parameter, unknowns, laws, thrust, joint: Joint::Crown, given }
+    CurveForm { thrust, given, ..CurveForm::new(weight, parameter, unknowns, laws) }
 }

@@ -1,6 +1,6 @@
 //! The quantities of a point of a curve.
 
-use super::form::{Form, Thrust};
+use super::form::{CurveForm, Thrust};
 use super::law::Law;
 use super::variable::Variable;
 use crate::arch::cycloid;
@@ -34,7 +34,7 @@ pub struct Place {
 
 impl Place {
     /// The quantities where the parameter and the unknowns lie in these sets.
-    pub(super) fn new(form: &Form, s: &Ball, x: &[Ball]) -> Self {
+    pub(super) fn new(form: &CurveForm, s: &Ball, x: &[Ball]) -> Self {
         let at = form.spot(&Ball::clone, s, x);
         let is_overturning = form.thrust == Thrust::Zero;
         let slides_purely = !form.knows(Variable::Thickness) && !form.fixes_limit();

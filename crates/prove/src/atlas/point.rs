@@ -1,14 +1,13 @@
 //! A point of a curve at an exact parameter, to any number of digits.
 
-use super::form::{Form, Thrust};
+use super::crossing::Crossing;
+use super::form::{CurveForm, Thrust};
 use super::place::Place;
 use super::trace::Trace;
 use super::variable::Variable;
-use crate::certify::root::{self, root_near};
 use crate::certify::{Refused, Undecided};
-use crate::number::{Ball, Enclosure, ExactNumber, Real, Rounded, Stumpff, bits_of};
+use crate::number::{Ball, Enclosure, ExactNumber, Rounded, bits_of};
 use crate::problem::Quantity;
-use rug::Float;
 
 /// Why there is no point at a parameter.
 #[derive(Clone, Debug, thiserror::Error)]
@@ -32,22 +31,6 @@ pub enum NoPoint {
     /// The proof fails, or a rounding stays open.
     #[error(transparent)]
     Undecided(#[from] Undecided),
-}
-
-/// The equations of a form at a parameter.
-struct AtParameter<'a> {
-    form: &'a Form,
-    s: Ball,
-}
-
-impl root::Form<Ball> for AtParameter<'_> {
-    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
-        self.form.residuals(&number, &number(&self.s), x)
-    }
-
-    fn is_regular<T: Enclosure + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> bool {
-        self.form.divisors(&number, &number(&self.s), x).iter().all(Enclosure::excludes_zero)
-    }
 }
 
 /// Bits beyond the digits asked for, doubled as often as a rounding stays open.
@@ -75,14 +58,7 @@ pub fn point(
     let (form, tube) = trace.tube_at(&s).ok_or_else(gap)?;
     for attempt in 0..ATTEMPTS {
         let bits = bits_of(digits) + (GUARD << attempt);
-        let s = exactly(bits);
-        let start: Vec<Float> =
-            tube.enclosure(&s).iter().map(|x| Float::with_val(bits, x.mid())).collect();
-        let root = root_near(&AtParameter { form, s: s.clone() }, bits, start)?;
-        if !tube.holds(&s, &root) {
-            return Err(Undecided::new("the point found is on another branch").into());
-        }
-        let place = Place::new(form, &s, &root);
+        let place = Crossing::in_tube(form, tube, &exactly(bits), bits)?.place();
         let rounded = asked(form, &place)
             .into_iter()
             .map(|(quantity, ball)| Some((quantity, Rounded::from_ball(&ball, digits)?)));
@@ -94,7 +70,7 @@ pub fn point(
 }
 
 /// The quantities that are neither given nor fixed.
-fn asked(form: &Form, place: &Place) -> Vec<(Quantity, Ball)> {
+fn asked(form: &CurveForm, place: &Place) -> Vec<(Quantity, Ball)> {
     let is_found = |variable| form.unknowns.contains(&variable);
     let slides_inside = form.thrust == Thrust::Sliding;
     let all = [

@@ -1,25 +1,25 @@
 //! Where the curve probably runs, in doubles. Nothing here proves anything.
 
-use super::form::Form;
+use super::form::CurveForm;
 use crate::number::{Ball, Dual};
 use crate::solve::{inverse, newton_step};
 
 /// A point of a curve in doubles, with its slopes to the parameter.
 #[derive(Clone, Debug)]
-pub(super) struct Sketch {
+pub(super) struct CurvePoint {
     pub s: f64,
     pub x: Vec<f64>,
     pub slopes: Vec<f64>,
 }
 
 /// The residuals with their slopes to the unknowns and, last, to the parameter.
-fn residuals(form: &Form, s: f64, x: &[f64]) -> Vec<Dual<f64>> {
+fn residuals(form: &CurveForm, s: f64, x: &[f64]) -> Vec<Dual<f64>> {
     let number = |given: &Ball| Dual::constant(given.mid().to_f64());
     form.residuals(&number, &Dual::variable(s, x.len()), &Dual::variables(x))
 }
 
 /// An approximate inverse of the Jacobian at a point; `None` if it is singular.
-pub(super) fn preconditioner(form: &Form, s: f64, x: &[f64]) -> Option<Vec<Vec<f64>>> {
+pub(super) fn preconditioner(form: &CurveForm, s: f64, x: &[f64]) -> Option<Vec<Vec<f64>>> {
     let rows = residuals(form, s, x);
     inverse(rows.iter().map(|r| (0..x.len()).map(|k| r.derivative(k)).collect()).collect())
 }
@@ -28,7 +28,7 @@ pub(super) fn preconditioner(form: &Form, s: f64, x: &[f64]) -> Option<Vec<Vec<f
 const STEPS: usize = 30;
 
 /// Newton's method from a start; `None` if it leaves the numbers or does not settle.
-pub(super) fn point(form: &Form, s: f64, mut x: Vec<f64>) -> Option<Sketch> {
+pub(super) fn point(form: &CurveForm, s: f64, mut x: Vec<f64>) -> Option<CurvePoint> {
     let mut last = f64::INFINITY;
     for _ in 0..STEPS {
         let steps = newton_step(&residuals(form, s, &x))?;
@@ -46,7 +46,7 @@ pub(super) fn point(form: &Form, s: f64, mut x: Vec<f64>) -> Option<Sketch> {
                 |row: &Vec<f64>| -row.iter().zip(&by_parameter).map(|(y, f)| y * f).sum::<f64>();
             let slopes: Vec<f64> = inverse.iter().map(slope).collect();
             let is_finite = slopes.iter().all(|slope| slope.is_finite());
-            return is_finite.then_some(Sketch { s, x, slopes });
+            return is_finite.then_some(CurvePoint { s, x, slopes });
         }
         last = size;
     }

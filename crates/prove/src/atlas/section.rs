@@ -1,7 +1,7 @@
 //! A proved line from one point to another: nodes and tubes of one form.
 
 use super::crossing::Crossing;
-use super::form::Form;
+use super::form::CurveForm;
 use super::place::Place;
 use super::trace::{Piece, Point, pieces_of, points_of};
 use super::walk::{Walk, walk};
@@ -12,7 +12,7 @@ use rug::float::Round;
 /// A proved line from one point to another.
 #[derive(Clone, Debug)]
 pub struct Section {
-    pub(super) form: Form,
+    pub(super) form: CurveForm,
     pub(super) walk: Walk,
     pub(super) ends: [Place; 2],
 }
@@ -20,7 +20,7 @@ pub struct Section {
 impl Section {
     /// The line from one point to another; both are proved to be on it.
     pub(super) fn between(
-        form: Form,
+        form: CurveForm,
         [from, to]: [&Crossing; 2],
         tolerance: f64,
     ) -> Result<Self, Undecided> {
@@ -30,7 +30,7 @@ impl Section {
 
     /// The line from a point to unlimited friction, whose parameter is the friction angle; the point is proved to be on it.
     pub(super) fn to_unlimited_friction(
-        form: Form,
+        form: CurveForm,
         from: &Crossing,
         tolerance: f64,
     ) -> Result<Self, Undecided> {
@@ -76,7 +76,7 @@ impl Section {
     }
 }
 
-fn right_angle(from: &Crossing, form: &Form) -> Ball {
+fn right_angle(from: &Crossing, form: &CurveForm) -> Ball {
     let start = from.value(form.parameter);
     start.pi() / start.int(2)
 }
@@ -84,7 +84,7 @@ fn right_angle(from: &Crossing, form: &Form) -> Ball {
 /// Nodes and tubes of a form from one point to another, or to the right angle of unlimited friction: both points are
 /// proved to be on it.
 fn chained(
-    form: &Form,
+    form: &CurveForm,
     from: &Crossing,
     to: Option<&Crossing>,
     tolerance: f64,

@@ -12,7 +12,7 @@ use std::cell::OnceCell;
 
 /// A value for each variable; one that a form does not know is zero and is read by none of its laws.
 #[derive(Clone, Debug)]
-pub(super) struct Spot<T> {
+pub(super) struct VariableValues<T> {
     pub half_opening: T,
     pub friction_angle: T,
     pub inclination: Angle<T>,
@@ -26,24 +26,24 @@ pub(super) struct Spot<T> {
     pub vertical_force: T,
     pub crown_moment: T,
     pub crown_hinge: T,
-    pub whole: Whole<T>,
+    pub whole: WholeState<T>,
 }
 
 /// As an asymmetric state of the whole arch, worked out when one of its laws asks.
 #[derive(Clone, Debug)]
-pub(super) struct Whole<T> {
+pub(super) struct WholeState<T> {
     state: OnceCell<Asymmetric<T>>,
     crown: OnceCell<[T; 2]>,
     haunch: OnceCell<[T; 2]>,
 }
 
-impl<T> Default for Whole<T> {
+impl<T> Default for WholeState<T> {
     fn default() -> Self {
         Self { state: OnceCell::new(), crown: OnceCell::new(), haunch: OnceCell::new() }
     }
 }
 
-impl<T: Real + Stumpff> Spot<T> {
+impl<T: Real + Stumpff> VariableValues<T> {
     /// As a flat arch that turns at the haunch.
     pub(super) fn flat(&self) -> Flat<T> {
         Flat {
@@ -56,7 +56,7 @@ impl<T: Real + Stumpff> Spot<T> {
     }
 }
 
-impl<T: Real> Spot<T> {
+impl<T: Real> VariableValues<T> {
     /// The value of a variable.
     pub(super) fn get(&self, variable: Variable) -> &T {
         match variable {

@@ -3,7 +3,7 @@
 use super::cubic::exact;
 use super::curve::{Curve, Leg};
 use super::end::{End, EndValues};
-use super::form::Form;
+use super::form::CurveForm;
 use super::place::Place;
 use super::tube::{Node, Tube};
 use super::variable::Variable;
@@ -30,13 +30,13 @@ pub struct Trace {
     pub weight: SelfWeight,
     ends: [Place; 2],
     parameters: [Ball; 2],
-    legs: Vec<(Form, Walk)>,
+    legs: Vec<(CurveForm, Walk)>,
 }
 
 /// A piece of a curve.
 #[derive(Clone, Copy, Debug)]
 pub struct Piece<'a> {
-    form: &'a Form,
+    form: &'a CurveForm,
     from: &'a Node,
     to: &'a Node,
     tube: Option<&'a Tube>,
@@ -80,7 +80,7 @@ impl Trace {
         let [first, last] = curve.ends();
         let [start, end] = [EndValues::of(first, weight)?, EndValues::of(last, weight)?];
         let about = |what: &str| Undecided::new(format!("{curve}, {}: {what}", weight.name()));
-        let mut legs: Vec<(Form, Walk)> = Vec::new();
+        let mut legs: Vec<(CurveForm, Walk)> = Vec::new();
         for Leg { form, from, to } in parts {
             let at_start = start.value(form.parameter).lower().to_f64_round(Round::Down);
             let at_end = end.value(form.parameter).upper().to_f64_round(Round::Up);
@@ -99,7 +99,7 @@ impl Trace {
                 return Err(about("its parts do not join"));
             }
         }
-        let reaches = |values: &EndValues, leg: Option<&(Form, Walk)>, is_first: bool| {
+        let reaches = |values: &EndValues, leg: Option<&(CurveForm, Walk)>, is_first: bool| {
             let Some((form, walk)) = leg else { return false };
             let tube = if is_first { walk.tubes.first() } else { walk.tubes.last() };
             let root: Vec<Ball> = form.unknowns.iter().map(|u| values.value(*u)).collect();
@@ -113,7 +113,7 @@ impl Trace {
                 return Err(about(&format!("it is not proved to reach {name}")));
             }
         }
-        let at_end = |name: End, values: &EndValues, leg: Option<&(Form, Walk)>| {
+        let at_end = |name: End, values: &EndValues, leg: Option<&(CurveForm, Walk)>| {
             let (form, _) = leg?;
             let root: Vec<Ball> = form.unknowns.iter().map(|u| values.value(*u)).collect();
             let place = Place::new(form, &values.value(form.parameter), &root);
@@ -139,7 +139,7 @@ impl Trace {
     }
 
     /// The tube over a parameter, with its form.
-    pub(super) fn tube_at(&self, s: &Ball) -> Option<(&Form, &Tube)> {
+    pub(super) fn tube_at(&self, s: &Ball) -> Option<(&CurveForm, &Tube)> {
         let is_over = |piece: &Piece| {
             let [low, high] = piece.range().map(exact);
             low.lower() <= s.lower() && s.upper() <= high.upper()
@@ -188,13 +188,16 @@ impl Trace {
 }
 
 /// The pieces of a walk.
-pub(super) fn pieces_of<'a>(form: &'a Form, walk: &'a Walk) -> impl Iterator<Item = Piece<'a>> {
+pub(super) fn pieces_of<'a>(
+    form: &'a CurveForm,
+    walk: &'a Walk,
+) -> impl Iterator<Item = Piece<'a>> {
     let nodes = walk.nodes.windows(2).zip(&walk.tubes);
     nodes.map(move |(pair, tube)| Piece { form, from: &pair[0], to: &pair[1], tube: tube.as_ref() })
 }
 
 /// The nodes of a walk.
-pub(super) fn points_of(form: &Form, walk: &Walk) -> Vec<Point> {
+pub(super) fn points_of(form: &CurveForm, walk: &Walk) -> Vec<Point> {
     let point = |node: &Node| Point {
         parameter: node.sketch.s,
         end: None,
@@ -204,14 +207,14 @@ pub(super) fn points_of(form: &Form, walk: &Walk) -> Vec<Point> {
 }
 
 /// The value of a variable at the last node of a part.
-fn last_value(form: &Form, walk: &Walk, variable: Variable) -> f64 {
+fn last_value(form: &CurveForm, walk: &Walk, variable: Variable) -> f64 {
     let node = walk.nodes.last();
     let value = node.and_then(|node| form.value(variable, &node.sketch.s, &node.sketch.x).copied());
     value.unwrap_or(f64::NAN)
 }
 
 /// Whether the root at the last node of a part, which solves the equations of the next one too, lies in its first tube.
-fn joins((before, walk): &(Form, Walk), (after, next): &(Form, Walk)) -> bool {
+fn joins((before, walk): &(CurveForm, Walk), (after, next): &(CurveForm, Walk)) -> bool {
     let (Some(node), Some(Some(tube))) = (walk.nodes.last(), next.tubes.first()) else {
         return false;
     };
@@ -265,7 +268,7 @@ impl<'a> Piece<'a> {
     }
 
     /// The equations.
-    pub(super) fn form(&self) -> &'a Form {
+    pub(super) fn form(&self) -> &'a CurveForm {
         self.form
     }
 

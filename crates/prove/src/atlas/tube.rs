@@ -16,8 +16,8 @@
 //! both tubes: there each tube holds one root only, so that the branches are one.
 
 use super::cubic::{BITS, Cubic, exact};
-use super::form::Form;
-use super::search::{Sketch, preconditioner};
+use super::form::CurveForm;
+use super::search::{CurvePoint, preconditioner};
 use crate::check::krawczyk;
 use crate::number::{Ball, Dual, Enclosure, Field, Jet, Magnitude};
 use rug::Float;
@@ -25,7 +25,7 @@ use rug::Float;
 /// A node of a curve: an exact parameter, and the root there.
 #[derive(Clone, Debug)]
 pub(super) struct Node {
-    pub sketch: Sketch,
+    pub sketch: CurvePoint,
     /// The root, proved to be the only one in a box that holds this.
     pub root: Vec<Ball>,
 }
@@ -71,13 +71,13 @@ fn minus_product(matrix: &[Vec<Ball>], v: &[Ball]) -> Vec<Ball> {
 }
 
 /// The residuals over a set, with slopes to the unknowns and, last, to the parameter.
-fn slopes(form: &Form, s: &Ball, x: &[Ball]) -> Vec<Dual<Ball>> {
+fn slopes(form: &CurveForm, s: &Ball, x: &[Ball]) -> Vec<Dual<Ball>> {
     let number = |given: &Ball| Dual::constant(given.with_precision(BITS));
     form.residuals(&number, &Dual::variable(s.clone(), x.len()), &Dual::variables(x))
 }
 
 /// What Krawczyk's test has proved.
-struct Contracted {
+struct Contraction {
     /// `Z`.
     domain: Vec<Ball>,
     /// `K`.
@@ -91,11 +91,11 @@ const ROUNDS: usize = 12;
 
 /// `Z` such that `start + (I - C F_x) Z` lies in its interior.
 fn contracted(
-    form: &Form,
+    form: &CurveForm,
     s: &Ball,
     centre: &[Ball],
     (matrix, start): (&[Vec<Ball>], &[Ball]),
-) -> Option<Contracted> {
+) -> Option<Contraction> {
     let wider = |k: &Ball| about_zero(size(k).shifted(1).plus(Magnitude::power_of_two(LEAST)));
     let mut domain: Vec<Ball> = start.iter().map(wider).collect();
     for _ in 0..TRIALS {
@@ -107,7 +107,7 @@ fn contracted(
             return None;
         }
         if krawczyk::is_contracted(&image, &domain) {
-            return Some(Contracted { domain, image, slopes });
+            return Some(Contraction { domain, image, slopes });
         }
         domain = image.iter().map(wider).collect();
     }
@@ -116,13 +116,13 @@ fn contracted(
 
 impl Node {
     /// Proves that there is exactly one root next to a point in doubles, at its exact parameter.
-    pub(super) fn prove(form: &Form, sketch: Sketch) -> Option<Self> {
+    pub(super) fn prove(form: &CurveForm, sketch: CurvePoint) -> Option<Self> {
         let s = exact(sketch.s);
         let centre: Vec<Ball> = sketch.x.iter().map(|x| exact(*x)).collect();
         let matrix = in_balls(&preconditioner(form, sketch.s, &sketch.x)?);
         let number = |given: &Ball| given.with_precision(BITS);
         let start = minus_product(&matrix, &form.residuals(&number, &s, &centre));
-        let Contracted { image, .. } = contracted(form, &s, &centre, (&matrix, &start))?;
+        let Contraction { image, .. } = contracted(form, &s, &centre, (&matrix, &start))?;
         let root = centre.into_iter().zip(image).map(|(x, k)| x + k).collect();
         Some(Self { sketch, root })
     }
@@ -130,7 +130,7 @@ impl Node {
 
 impl Tube {
     /// Proves the piece between two nodes.
-    pub(super) fn prove(form: &Form, from: &Node, to: &Node) -> Option<Self> {
+    pub(super) fn prove(form: &CurveForm, from: &Node, to: &Node) -> Option<Self> {
         let (a, b) = (&from.sketch, &to.sketch);
         let (s0, s1) = (exact(a.s), exact(b.s));
         let r = (s1.clone() - &s0) / s0.int(2);
@@ -166,7 +166,7 @@ impl Tube {
         let matrix = in_balls(&preconditioner(form, middle.mid().to_f64(), &in_middle)?);
         let start = minus_product(&matrix, &defect);
         let centre: Vec<Ball> = cubics.iter().map(|cubic| cubic.about(&t).swap_remove(0)).collect();
-        let Contracted { domain, image, slopes } =
+        let Contraction { domain, image, slopes } =
             contracted(form, &s, &centre, (&matrix, &start))?;
         let x: Vec<Ball> = centre.iter().zip(&image).map(|(x, k)| x.clone() + k).collect();
         let number = |given: &Ball| given.with_precision(BITS);
@@ -242,7 +242,7 @@ mod tests {
     use crate::problem::Line;
 
     /// The curve `[r,r,s]/[s,s]` between two parameters near its beginning.
-    fn piece(length: f64) -> (Form, Sketch, Sketch) {
+    fn piece(length: f64) -> (CurveForm, CurvePoint, CurvePoint) {
         let curve = Curve::Line(Line::AboveHaunchEnd);
         let form = curve.legs(SelfWeight::Heyman).swap_remove(0).form;
         let at = |s: f64, start: &[f64]| point(&form, s, start.to_vec()).unwrap();
@@ -251,7 +251,7 @@ mod tests {
         (form, from, to)
     }
 
-    fn proved(form: &Form, from: &Sketch, to: &Sketch) -> Option<Tube> {
+    fn proved(form: &CurveForm, from: &CurvePoint, to: &CurvePoint) -> Option<Tube> {
         let [from, to] = [from, to].map(|sketch| Node::prove(form, sketch.clone()));
         Tube::prove(form, &from?, &to?)
     }

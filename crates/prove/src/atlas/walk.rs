@@ -1,7 +1,7 @@
 //! From one end of a form to the other, in pieces as long as the tolerance lets them be.
 
-use super::form::Form;
-use super::search::{self, Sketch};
+use super::form::CurveForm;
+use super::search::{self, CurvePoint};
 use super::tube::{Node, Tube};
 use super::variable::Variable;
 
@@ -21,7 +21,7 @@ const CARE: f64 = 0.9;
 const STRETCH: f64 = 3.0;
 
 /// The largest half-width of a tube in the coordinates in which maps are drawn.
-pub(super) fn width(form: &Form, tube: &Tube) -> f64 {
+pub(super) fn width(form: &CurveForm, tube: &Tube) -> f64 {
     let is_drawn = |variable: &Variable| Variable::PLANE.contains(variable);
     let widths = form.unknowns.iter().zip(&tube.widths).filter(|(unknown, _)| is_drawn(unknown));
     widths.map(|(_, width)| width.to_float().to_f64()).fold(0.0, f64::max)
@@ -30,7 +30,7 @@ pub(super) fn width(form: &Form, tube: &Tube) -> f64 {
 /// Walks a form from a start up to a parameter; no tube is wider than the tolerance. `None` if there is nothing
 /// to start from or no node to go on from.
 pub(super) fn walk(
-    form: &Form,
+    form: &CurveForm,
     from: f64,
     start: Vec<f64>,
     to: f64,
@@ -80,7 +80,7 @@ pub(super) fn walk(
 }
 
 /// Where the tangent leads.
-fn ahead(from: &Sketch, s: f64) -> Vec<f64> {
+fn ahead(from: &CurvePoint, s: f64) -> Vec<f64> {
     from.x.iter().zip(&from.slopes).map(|(x, slope)| x + slope * (s - from.s)).collect()
 }
 
@@ -90,7 +90,7 @@ mod tests {
     use super::*;
     use crate::arch::SelfWeight;
 
-    fn rotation() -> Form {
+    fn rotation() -> CurveForm {
         Curve::Rotation.legs(SelfWeight::Heyman).swap_remove(0).form
     }
 

@@ -1,6 +1,6 @@
 //! The printed values against the certified ones, and the two weights against each other.
 
-use super::printed::{Known, PrintedNumber, PrintedVerdict, correct_digits};
+use super::printed::{KnownValue, PrintedNumber, PrintedVerdict, correct_digits};
 use crate::arch::SelfWeight;
 use crate::certify::{CertifiedLandmark, Enclosed, Exact, Undecided};
 use crate::number::{Ball, Decimal, Enclosure, Rounded, Ternary};
@@ -153,16 +153,16 @@ impl Points<'_> {
         landmark: Landmark,
         weight: SelfWeight,
         quantity: Quantity,
-    ) -> Result<Known, Undecided> {
+    ) -> Result<KnownValue, Undecided> {
         let missing =
             || Undecided::new(format!("{} has no finite {}", landmark.symbol(), quantity.name()));
         let point = self.find(landmark, weight).ok_or_else(missing)?;
         match point.exact(quantity) {
             Some(Exact::Surd(surd)) => Ok(match surd.parts() {
-                (rational, factor, _) if factor.is_zero() => Known::Exact(rational.clone()),
-                _ => Known::Enclosed(surd.enclosure(BITS)),
+                (rational, factor, _) if factor.is_zero() => KnownValue::Exact(rational.clone()),
+                _ => KnownValue::Enclosed(surd.enclosure(BITS)),
             }),
-            _ => point.quantity(quantity).map(Known::Enclosed).ok_or_else(missing),
+            _ => point.quantity(quantity).map(KnownValue::Enclosed).ok_or_else(missing),
         }
     }
 }
@@ -175,8 +175,8 @@ fn audit_one(printed: &'static Printed, points: &Points<'_>) -> Result<Audited, 
     let verdict = error.verdict().ok_or_else(undecided)?;
     let size = absolute.shown().ok_or_else(undecided)?;
     let rounded = match &truth {
-        Known::Exact(truth) => Rounded::from_rational(truth, digits.len()),
-        Known::Enclosed(truth) => Rounded::from_ball(truth, digits.len()),
+        KnownValue::Exact(truth) => Rounded::from_rational(truth, digits.len()),
+        KnownValue::Enclosed(truth) => Rounded::from_ball(truth, digits.len()),
     };
     let rounded = rounded.ok_or_else(undecided)?;
     let correct_digits = match size.digits().is_empty() {
@@ -200,12 +200,12 @@ fn figures(text: &str) -> Option<PrintedNumber> {
     PrintedNumber::from_decimal(&text.parse().ok()?)
 }
 
-fn relation(a: &Known, b: &Known) -> Option<Relation> {
-    let ball = |x: &Known| match x {
-        Known::Exact(rational) => Ball::enclosing(rational, BITS),
-        Known::Enclosed(ball) => ball.clone(),
+fn relation(a: &KnownValue, b: &KnownValue) -> Option<Relation> {
+    let ball = |x: &KnownValue| match x {
+        KnownValue::Exact(rational) => Ball::enclosing(rational, BITS),
+        KnownValue::Enclosed(ball) => ball.clone(),
     };
-    if let (Known::Exact(a), Known::Exact(b)) = (a, b)
+    if let (KnownValue::Exact(a), KnownValue::Exact(b)) = (a, b)
         && a == b
     {
         return Some(Relation::Equal);
@@ -224,9 +224,9 @@ mod tests {
 
     #[test]
     fn a_relation_of_overlapping_enclosures_is_unknown() {
-        let third = || Known::Enclosed(Ball::integer(1, 64) / Ball::integer(3, 64));
+        let third = || KnownValue::Enclosed(Ball::integer(1, 64) / Ball::integer(3, 64));
         assert_eq!(relation(&third(), &third()), None);
-        let one = Known::Exact(Rational::from(1));
+        let one = KnownValue::Exact(Rational::from(1));
         assert_eq!(relation(&third(), &one), Some(Relation::Lower));
         assert_eq!(relation(&one, &third()), Some(Relation::Higher));
     }

@@ -29,12 +29,12 @@ pub struct Claimed {
     pub text: String,
     /// Whether it is an angle in degrees.
     pub degrees: bool,
-    pub(super) value: Value,
+    pub(super) value: ClaimedValue,
     size: u64,
 }
 
 #[derive(Clone, Debug)]
-pub(super) enum Value {
+pub(super) enum ClaimedValue {
     Number(PrintedNumber),
     Infinite,
     /// That there is none.
@@ -130,7 +130,7 @@ impl Claim {
         let has_least = said.numbers.iter().any(|(quantity, ..)| least(*quantity));
         match numbers.iter().find(|number| least(number.quantity)) {
             Some(number) => {
-                votes.push(("thickness", matches!(number.value, Value::Number(_))));
+                votes.push(("thickness", matches!(number.value, ClaimedValue::Number(_))));
             }
             None if has_least && said.stands.is_none() && said.can_stand.is_none() => {
                 votes.push(("thickness", false));
@@ -145,7 +145,7 @@ impl Claim {
         }
         let who = |stands| votes.iter().find(|(_, vote)| *vote == stands).map(|(name, _)| *name);
         let any_number = || {
-            let is_one = |number: &Claimed| matches!(number.value, Value::Number(_));
+            let is_one = |number: &Claimed| matches!(number.value, ClaimedValue::Number(_));
             numbers.iter().any(|number| is_one(number) && !number.is_of_half_opening())
         };
         let can_stand = match (who(true), who(false)) {
@@ -188,11 +188,11 @@ impl Claimed {
         let may_be_infinite =
             [Quantity::RotationalFriction, Quantity::LargestThrust, Quantity::FrictionSafety];
         let value = if may_be_infinite.contains(&quantity) && is_word(text, &infinite) {
-            Value::Infinite
+            ClaimedValue::Infinite
         } else if let Some(number) = PrintedNumber::from_hexadecimal(text) {
-            Value::Number(number)
+            ClaimedValue::Number(number)
         } else if is_word(text, &NOTHING) {
-            Value::Nothing
+            ClaimedValue::Nothing
         } else {
             let range = || ClaimError::Range(quantity.name(), short(text));
             let decimal: Decimal = match text.parse() {
@@ -209,7 +209,7 @@ impl Claimed {
             if !in_range {
                 return Err(range());
             }
-            Value::Number(PrintedNumber::from_decimal(&decimal).ok_or_else(range)?)
+            ClaimedValue::Number(PrintedNumber::from_decimal(&decimal).ok_or_else(range)?)
         };
         Ok(Self { quantity, text: text.to_owned(), degrees, value, size })
     }
@@ -227,7 +227,7 @@ impl Claimed {
     /// Significant digits as written; none for zero.
     pub(super) fn significant_digits(&self) -> usize {
         match &self.value {
-            Value::Number(number) if number.value != 0 => number.digits.len(),
+            ClaimedValue::Number(number) if number.value != 0 => number.digits.len(),
             _ => 0,
         }
     }

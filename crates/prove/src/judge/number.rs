@@ -1,7 +1,9 @@
 //! One claimed number against its enclosure.
 
-use super::claim::{Claimed, Value};
-use super::printed::{Error, Known, PrintedNumber, PrintedVerdict, correct_digits, spacing};
+use super::claim::{Claimed, ClaimedValue};
+use super::printed::{
+    KnownValue, PrintedError, PrintedNumber, PrintedVerdict, correct_digits, spacing,
+};
 use super::truth::Truth;
 use crate::number::{Ball, Decimal, ExactNumber, Field, Real, Rounded};
 use crate::problem::Quantity;
@@ -90,8 +92,12 @@ impl Judged {
             truth => truth,
         };
         let certified = match &truth {
-            Truth::Finite(Known::Exact(x)) => Certified::Finite(Rounded::from_rational(x, digits)?),
-            Truth::Finite(Known::Enclosed(x)) => Certified::Finite(Rounded::from_ball(x, digits)?),
+            Truth::Finite(KnownValue::Exact(x)) => {
+                Certified::Finite(Rounded::from_rational(x, digits)?)
+            }
+            Truth::Finite(KnownValue::Enclosed(x)) => {
+                Certified::Finite(Rounded::from_ball(x, digits)?)
+            }
             Truth::Infinite => Certified::Infinite,
             Truth::Missing => Certified::Missing,
         };
@@ -106,17 +112,19 @@ impl Judged {
             order: None,
         };
         match (&claimed.value, &truth) {
-            (Value::Infinite, Truth::Infinite) | (Value::Nothing, Truth::Missing) => {
+            (ClaimedValue::Infinite, Truth::Infinite) | (ClaimedValue::Nothing, Truth::Missing) => {
                 judged.correct_digits = CorrectDigits::Exact;
             }
-            (Value::Number(number), Truth::Finite(known)) => judged.compare(number, known)?,
+            (ClaimedValue::Number(number), Truth::Finite(known)) => {
+                judged.compare(number, known)?
+            }
             // One is a number and the other is not: no digit is correct.
             _ => {}
         }
         Some(judged)
     }
 
-    fn compare(&mut self, number: &PrintedNumber, truth: &Known) -> Option<()> {
+    fn compare(&mut self, number: &PrintedNumber, truth: &KnownValue) -> Option<()> {
         let one = Rational::from(1);
         let absolute = truth.error_of(&number.value, &one);
         let units = truth.error_of(&number.value, &number.unit);
@@ -127,18 +135,20 @@ impl Judged {
             (_, Ordering::Equal) => Some(size.clone()),
             // Exactly one, which no enclosure decides.
             _ if number.value == 0 => Some(Rounded::from_rational(&one, 1)?.value),
-            (Known::Exact(x), _) if *x == 0 => None,
-            (Known::Exact(x), _) => Some(truth.error_of(&number.value, x).shown()?),
-            (Known::Enclosed(x), _) => match &absolute {
-                Error::Enclosed(error) => Some(Error::Enclosed(error.clone() / x).shown()?),
-                Error::Exact(_) => None,
+            (KnownValue::Exact(x), _) if *x == 0 => None,
+            (KnownValue::Exact(x), _) => Some(truth.error_of(&number.value, x).shown()?),
+            (KnownValue::Enclosed(x), _) => match &absolute {
+                PrintedError::Enclosed(error) => {
+                    Some(PrintedError::Enclosed(error.clone() / x).shown()?)
+                }
+                PrintedError::Exact(_) => None,
             },
         };
         let nearest = match truth {
-            Known::Exact(x) => ExactNumber::from(x).nearest_double(),
-            Known::Enclosed(x) => Some(x.nearest_double()?),
+            KnownValue::Exact(x) => ExactNumber::from(x).nearest_double(),
+            KnownValue::Enclosed(x) => Some(x.nearest_double()?),
         };
-        let is_exactly_zero = matches!(truth, Known::Exact(x) if *x == 0);
+        let is_exactly_zero = matches!(truth, KnownValue::Exact(x) if *x == 0);
         let ulp = match nearest.and_then(spacing).filter(|_| !is_exactly_zero) {
             Some(spacing) => Some(truth.error_of(&number.value, &spacing).shown()?),
             None => None,
@@ -184,21 +194,21 @@ impl Judged {
     }
 }
 
-fn order(error: &Error) -> Option<Ordering> {
+fn order(error: &PrintedError) -> Option<Ordering> {
     match error {
-        Error::Exact(error) => Some(error.cmp0()),
-        Error::Enclosed(_) => {
+        PrintedError::Exact(error) => Some(error.cmp0()),
+        PrintedError::Enclosed(_) => {
             Some(if error.is_negative()? { Ordering::Less } else { Ordering::Greater })
         }
     }
 }
 
-fn in_degrees(known: Known) -> Known {
+fn in_degrees(known: KnownValue) -> KnownValue {
     match known {
         // Only zero is known exactly, and has no unit; any other angle becomes an enclosure.
-        Known::Exact(x) if x == 0 => Known::Exact(x),
-        Known::Exact(x) => in_degrees(Known::Enclosed(Ball::enclosing(&x, 128))),
-        Known::Enclosed(x) => Known::Enclosed(x.int(180) * &x / x.pi()),
+        KnownValue::Exact(x) if x == 0 => KnownValue::Exact(x),
+        KnownValue::Exact(x) => in_degrees(KnownValue::Enclosed(Ball::enclosing(&x, 128))),
+        KnownValue::Enclosed(x) => KnownValue::Enclosed(x.int(180) * &x / x.pi()),
     }
 }
 
@@ -218,7 +228,7 @@ mod tests {
     /// A third and a hair, so that no error is a round number: those no enclosure decides.
     fn third() -> Truth {
         let third = Rational::from((1, 3)) + (Rational::from(1) >> 150u32);
-        Truth::Finite(Known::Enclosed(Ball::enclosing(&third, 300)))
+        Truth::Finite(KnownValue::Enclosed(Ball::enclosing(&third, 300)))
     }
 
     #[test]
@@ -247,7 +257,7 @@ mod tests {
 
     #[test]
     fn leading_digits_need_not_agree() {
-        let truth = Truth::Finite(Known::Exact(Rational::from((10_001, 10_000))));
+        let truth = Truth::Finite(KnownValue::Exact(Rational::from((10_001, 10_000))));
         assert_eq!(judged("0.9999", &truth).correct_digits, CorrectDigits::Digits(4));
         assert_eq!(judged("1.0001", &truth).correct_digits, CorrectDigits::Exact);
     }
@@ -257,14 +267,14 @@ mod tests {
         // The double next to 1/3 is (1 - 2^-54)/3, a third of 2^-54 below: a third of 2^-54 / 2^-54.
         let errors = judged(&format!("{:.60}", 1.0 / 3.0), &third()).errors.unwrap();
         assert_eq!(errors.ulp.unwrap().to_string(), "0.333");
-        let tiny = Truth::Finite(Known::Exact(Rational::from(3) >> 1075u32));
+        let tiny = Truth::Finite(KnownValue::Exact(Rational::from(3) >> 1075u32));
         assert!(judged("0", &tiny).errors.unwrap().ulp.unwrap().to_string() == "1.5");
         // The doubles below two are half as far apart as those above; the nearest is two.
         let two = Rational::from(2) - (Rational::from(1) >> 60u32);
-        let below = Truth::Finite(Known::Exact(two));
+        let below = Truth::Finite(KnownValue::Exact(two));
         let ulp = judged("2", &below).errors.unwrap().ulp.unwrap();
         assert_eq!(ulp.to_string(), "0.00195", "2^-60 in units of 2^-51");
-        let huge = Truth::Finite(Known::Exact(Rational::from(1) << 1024u32));
+        let huge = Truth::Finite(KnownValue::Exact(Rational::from(1) << 1024u32));
         assert!(judged("1", &huge).errors.unwrap().ulp.is_none());
     }
 
@@ -278,7 +288,7 @@ mod tests {
 
     #[test]
     fn an_exact_zero() {
-        let zero = Truth::Finite(Known::Exact(Rational::new()));
+        let zero = Truth::Finite(KnownValue::Exact(Rational::new()));
         for text in ["0", "-0.0", "0e5"] {
             let found = judged(text, &zero);
             assert_eq!(found.correct_digits, CorrectDigits::Exact, "{text}");
@@ -323,7 +333,7 @@ mod tests {
             ..Default::default()
         };
         let claim = super::super::Claim::read(&said).unwrap();
-        let wide = Known::Enclosed(Ball::integer(1, 20) / Ball::integer(3, 20));
+        let wide = KnownValue::Enclosed(Ball::integer(1, 20) / Ball::integer(3, 20));
         assert!(Judged::new(&claim.numbers[0], Truth::Finite(wide)).is_none());
     }
 }

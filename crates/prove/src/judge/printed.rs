@@ -77,7 +77,11 @@ pub(super) fn spacing(x: f64) -> Option<Rational> {
 
 /// The most digits `k` for which an error is at most half a unit of the `k`-th significant digit of the
 /// truth; where that is zero, of the `k`-th decimal place. `size` is that of the error.
-pub(super) fn correct_digits(error: &Error, size: &Decimal, truth: &Rounded) -> Option<usize> {
+pub(super) fn correct_digits(
+    error: &PrintedError,
+    size: &Decimal,
+    truth: &Rounded,
+) -> Option<usize> {
     let zero = truth.value.digits().is_empty();
     let magnitude = if zero { 0 } else { truth.lower.magnitude() };
     // The size may have been rounded up to a power of ten or down from above a half of one.
@@ -99,20 +103,20 @@ fn power_of_ten(exponent: i64) -> Rational {
 
 /// A certified value: exact, or in an enclosure.
 #[derive(Clone, Debug)]
-pub(super) enum Known {
+pub(super) enum KnownValue {
     Exact(Rational),
     Enclosed(Ball),
 }
 
-impl Known {
+impl KnownValue {
     /// What is printed minus this, in a unit that is not zero.
-    pub(super) fn error_of(&self, printed: &Rational, unit: &Rational) -> Error {
+    pub(super) fn error_of(&self, printed: &Rational, unit: &Rational) -> PrintedError {
         match self {
-            Self::Exact(truth) => Error::Exact(Rational::from(printed - truth) / unit),
+            Self::Exact(truth) => PrintedError::Exact(Rational::from(printed - truth) / unit),
             Self::Enclosed(truth) => {
                 let bits = truth.prec();
                 let difference = Ball::enclosing(printed, bits) - truth;
-                Error::Enclosed(difference / Ball::enclosing(unit, bits))
+                PrintedError::Enclosed(difference / Ball::enclosing(unit, bits))
             }
         }
     }
@@ -120,12 +124,12 @@ impl Known {
 
 /// An error in some unit, of either sign.
 #[derive(Clone, Debug)]
-pub(super) enum Error {
+pub(super) enum PrintedError {
     Exact(Rational),
     Enclosed(Ball),
 }
 
-impl Error {
+impl PrintedError {
     /// How good the last place is, of an error in its units; `None` asks for a narrower enclosure.
     pub(super) fn verdict(&self) -> Option<PrintedVerdict> {
         Some(match self.is_within(&Rational::from((1, 2)))? {
@@ -191,14 +195,15 @@ mod tests {
 
     #[test]
     fn verdicts_at_the_borders() {
-        let verdict = |n: i32, d: i32| Error::Exact(Rational::from((n, d))).verdict().unwrap();
+        let verdict =
+            |n: i32, d: i32| PrintedError::Exact(Rational::from((n, d))).verdict().unwrap();
         assert_eq!(verdict(1, 2), PrintedVerdict::CorrectlyRounded);
         assert_eq!(verdict(-1, 2), PrintedVerdict::CorrectlyRounded);
         assert_eq!(verdict(501, 1000), PrintedVerdict::Faithful);
         assert_eq!(verdict(-501, 1000), PrintedVerdict::Faithful);
         assert_eq!(verdict(1, 1), PrintedVerdict::Wrong);
         let wide = Ball::enclosing(&Rational::from((1, 2)), 256) + Ball::whole(256);
-        assert_eq!(Error::Enclosed(wide).verdict(), None);
+        assert_eq!(PrintedError::Enclosed(wide).verdict(), None);
     }
 
     #[test]
@@ -216,11 +221,11 @@ mod tests {
 
     #[test]
     fn an_enclosure_decides_as_its_numbers_do() {
-        let third = Known::Enclosed(Ball::integer(1, 100) / Ball::integer(3, 100));
-        let exact = Known::Exact(Rational::from((1, 3)));
+        let third = KnownValue::Enclosed(Ball::integer(1, 100) / Ball::integer(3, 100));
+        let exact = KnownValue::Exact(Rational::from((1, 3)));
         for text in ["0.3333", "0.3334", "0.3335", "-0.3333", "0.33333333333333333333"] {
             let printed = PrintedNumber::from_decimal(&text.parse().unwrap()).unwrap();
-            let error = |known: &Known| known.error_of(&printed.value, &printed.unit);
+            let error = |known: &KnownValue| known.error_of(&printed.value, &printed.unit);
             assert_eq!(error(&third).verdict(), error(&exact).verdict(), "{text}");
             assert_eq!(error(&third).shown(), error(&exact).shown(), "{text}");
             assert_eq!(error(&third).is_negative(), error(&exact).is_negative(), "{text}");

@@ -1,6 +1,6 @@
 //! What is proved of a quantity that somebody claims.
 
-use super::printed::Known;
+use super::printed::KnownValue;
 use crate::certify::Undecided;
 use crate::certify::state::{Assessment, Outcome};
 use crate::number::Ball;
@@ -10,7 +10,7 @@ use rug::Rational;
 /// What is certain of a quantity of an arch.
 #[derive(Clone, Debug)]
 pub(super) enum Truth {
-    Finite(Known),
+    Finite(KnownValue),
     Infinite,
     /// The arch has no such number.
     Missing,
@@ -73,8 +73,8 @@ impl Truth {
     fn known(x: &Ball) -> Self {
         let zero = x.mid().is_zero() && x.rad().is_zero();
         Self::Finite(match zero {
-            true => Known::Exact(Rational::new()),
-            false => Known::Enclosed(x.clone()),
+            true => KnownValue::Exact(Rational::new()),
+            false => KnownValue::Enclosed(x.clone()),
         })
     }
 }

@@ -47,7 +47,7 @@ pub fn asymmetric(
     half_opening: f64,
     grip: &Grip<f64>,
 ) -> Vec<AsymmetricCandidate> {
-    let search = Search { weight, half_opening, grip };
+    let search = CurveSearch { weight, half_opening, grip };
     let mut found = Vec::new();
     let mut last: Option<(Vec<f64>, [f64; 3])> = None;
     for unknowns in search.curve() {
@@ -67,13 +67,13 @@ pub fn asymmetric(
     found
 }
 
-struct Search<'a> {
+struct CurveSearch<'a> {
     weight: SelfWeight,
     half_opening: f64,
     grip: &'a Grip<f64>,
 }
 
-impl Search<'_> {
+impl CurveSearch<'_> {
     /// The states of the curve, `h, p, v, eta, b0, b1`, as far as the thickness is physical and solutions are known.
     fn curve(&self) -> impl Iterator<Item = Vec<f64>> {
         let step = STEP * self.half_opening;

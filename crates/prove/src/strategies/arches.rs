@@ -1,13 +1,12 @@
 //! Arches, and arches with a certified state.
 
-use super::numbers::decimal;
-use super::places::half_openings;
+use super::numbers::{decimal, weight};
+use super::places::value;
 use super::queries::{Query, query};
-use super::weight;
+use crate::arch::{SelfWeight, Unknown};
 use crate::certify::Refused;
 use crate::certify::state::{Answer, Certify, Digits};
-use crate::problem::Mode;
-use crate::problem::{Arch, Friction};
+use crate::problem::{Arch, Friction, Landmark, Mode};
 use crate::solve::start::{quick_state, sliding};
 use proptest::prelude::*;
 use rug::Float;
@@ -94,4 +93,19 @@ fn stands(query: &Query, digits: usize) -> Option<Box<Digits>> {
 fn above_sliding(alpha: f64, part: f64) -> f64 {
     let [least, _, _] = sliding(&Float::with_val(53, alpha));
     least.to_f64() * (1.0 + 10f64.powf(1.0 - 5.0 * part))
+}
+
+/// The half openings between which a mode is met.
+fn half_openings(mode: Mode, weight: SelfWeight) -> Option<[f64; 2]> {
+    use Landmark::*;
+    let at = |landmark| Some(value(landmark, weight, Unknown::HalfOpening)?.mid().to_f64());
+    Some(match mode {
+        Mode::SlidingRotational => [0.0, at(Triple)?],
+        Mode::Rotational => [0.0, at(RotationEnd)?],
+        Mode::RotationalSliding => [at(Triple)?, at(Shift)?.max(at(RotationEnd)?)],
+        Mode::RotationalSlidingRotational => [at(Shift)?, at(Junction)?.max(at(RotationEnd)?)],
+        Mode::OverturningSliding => [at(RotationEnd)?.min(at(Junction)?), at(OverturningEnd)?],
+        Mode::Overturning => [at(RotationEnd)?, at(OverturningEnd)?],
+        Mode::Sliding => return None,
+    })
 }

@@ -27,21 +27,8 @@ mod sample;
 #[cfg(feature = "proptest")]
 pub use arches::{arch, collapsing, standing};
 #[cfg(feature = "proptest")]
-pub use numbers::{friction, half_opening};
+pub use numbers::{friction, half_opening, weight};
 #[cfg(feature = "proptest")]
 pub use queries::{Query, query};
 pub use sample::Draw;
 pub use sample::{Sample, samples};
-
-#[cfg(feature = "proptest")]
-use crate::arch::SelfWeight;
-#[cfg(feature = "proptest")]
-use proptest::prelude::Strategy;
-#[cfg(feature = "proptest")]
-use proptest::sample::select;
-
-/// Either self-weight model; shrinks to Heyman's.
-#[cfg(feature = "proptest")]
-pub fn weight() -> impl Strategy<Value = SelfWeight> + Clone {
-    select(&SelfWeight::ALL)
-}

@@ -1,14 +1,21 @@
-//! Half openings and frictions as exact numbers, from ordinary to absurd.
+//! Self-weights, and half openings and frictions as exact numbers, from ordinary to absurd.
 
+use crate::arch::SelfWeight;
 use crate::number::ExactNumber;
 use crate::problem::Friction;
 use proptest::prelude::*;
+use proptest::sample::select;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The smallest and the largest numbers are `1e±100`, about.
 const POWERS: std::ops::RangeInclusive<u32> = 4..=100;
 /// Places of the longest ordinary decimal.
 const PLACES: std::ops::RangeInclusive<usize> = 1..=17;
+
+/// Either self-weight model; shrinks to Heyman's.
+pub fn weight() -> impl Strategy<Value = SelfWeight> + Clone {
+    select(&SelfWeight::ALL)
+}
 
 /// An exact half opening in `(0, pi)`, in radians: decimals, parts of `pi` (`5pi/12`), tiny ones
 /// (`3e-60`), and next to half a turn (`0.9999pi`).

@@ -4,8 +4,6 @@ use crate::arch::{SelfWeight, Unknown};
 use crate::certify::CertifiedLandmark;
 use crate::number::{Ball, Rounded, bits_of};
 use crate::problem::Landmark;
-#[cfg(feature = "proptest")]
-use crate::problem::Mode;
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
@@ -13,11 +11,15 @@ use std::sync::LazyLock;
 pub(super) const DIGITS: usize = 40;
 
 /// A landmark's half opening and friction; `None` where it has none.
-type Place = [Option<Ball>; 2];
+type LandmarkPlace = [Option<Ball>; 2];
 
 /// The half opening or the friction of a landmark; all of them are computed when the first is asked for.
-fn value(landmark: Landmark, weight: SelfWeight, unknown: Unknown) -> Option<&'static Ball> {
-    static PLACES: LazyLock<HashMap<(Landmark, SelfWeight), Place>> = LazyLock::new(|| {
+pub(super) fn value(
+    landmark: Landmark,
+    weight: SelfWeight,
+    unknown: Unknown,
+) -> Option<&'static Ball> {
+    static PLACES: LazyLock<HashMap<(Landmark, SelfWeight), LandmarkPlace>> = LazyLock::new(|| {
         let all = Landmark::ALL.into_iter().flat_map(|l| SelfWeight::ALL.map(|w| (l, w)));
         all.map(|(landmark, weight)| ((landmark, weight), place(landmark, weight))).collect()
     });
@@ -25,7 +27,7 @@ fn value(landmark: Landmark, weight: SelfWeight, unknown: Unknown) -> Option<&'s
     if unknown == Unknown::Friction { friction.as_ref() } else { half_opening.as_ref() }
 }
 
-fn place(landmark: Landmark, weight: SelfWeight) -> Place {
+fn place(landmark: Landmark, weight: SelfWeight) -> LandmarkPlace {
     let refined = CertifiedLandmark::new(landmark, weight)
         .and_then(|point| point.enclosure(bits_of(DIGITS) + 64));
     let value = |unknown| refined.as_ref().ok()?.value(unknown);
@@ -42,20 +44,4 @@ pub(super) fn beside(
 ) -> Option<String> {
     let bounds = Rounded::from_ball(value(landmark, weight, unknown)?, digits)?;
     Some(if above { bounds.upper } else { bounds.lower }.to_string())
-}
-
-/// The half openings between which a mode is met.
-#[cfg(feature = "proptest")]
-pub(super) fn half_openings(mode: Mode, weight: SelfWeight) -> Option<[f64; 2]> {
-    use Landmark::*;
-    let at = |landmark| Some(value(landmark, weight, Unknown::HalfOpening)?.mid().to_f64());
-    Some(match mode {
-        Mode::SlidingRotational => [0.0, at(Triple)?],
-        Mode::Rotational => [0.0, at(RotationEnd)?],
-        Mode::RotationalSliding => [at(Triple)?, at(Shift)?.max(at(RotationEnd)?)],
-        Mode::RotationalSlidingRotational => [at(Shift)?, at(Junction)?.max(at(RotationEnd)?)],
-        Mode::OverturningSliding => [at(RotationEnd)?.min(at(Junction)?), at(OverturningEnd)?],
-        Mode::Overturning => [at(RotationEnd)?, at(OverturningEnd)?],
-        Mode::Sliding => return None,
-    })
 }

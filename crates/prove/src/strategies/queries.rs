@@ -1,8 +1,7 @@
 //! A question about an arch, as it is typed.
 
-use super::numbers::{friction, half_opening};
+use super::numbers::{friction, half_opening, weight};
 use super::places::{DIGITS, beside};
-use super::weight;
 use crate::arch::{SelfWeight, Unknown};
 use crate::number::{Ball, ExactNumber, Real};
 use crate::problem::Landmark;

@@ -1,12 +1,9 @@
 //! The file of an asymmetric solution of (19): its one root, and that it is admissible on the whole arch.
 
-use super::BITS;
-use super::given::given;
-use super::numeral::{down, exact, text, unit, up};
-use super::root::Root;
-use super::solution::Solution;
-use super::table::DECIMALS;
-use super::template::fill;
+use super::names::BITS;
+use super::numeral::{down, exact, text, up};
+use super::root::CoqRoot;
+use super::solution::CoqSolution;
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
 use crate::arch::mechanism::Contact;
 use crate::arch::whole::margin_along;
@@ -22,21 +19,9 @@ const PLACES: u32 = 3;
 const WIDTHS: [u32; 9] = [500, 400, 300, 200, 100, 50, 20, 10, 5];
 
 /// The name and the content of the file, for a root of the kind with an inner joint that slides.
-pub(super) fn file(root: &Root, arch: &Arch) -> Result<(String, String), Undecided> {
-    let given = given(&root.system, arch);
-    let names: Vec<&str> = given.iter().map(|(name, _)| *name).collect();
-    let mut solution = Solution::new(root, &names)?;
-    let definitions = given.iter().map(|(name, x)| format!("Definition {name} : R := {x}."));
-    let definitions = definitions.collect::<Vec<_>>().join("\n");
-    let thickness = root.system.index(Unknown::Thickness).map(|k| text(&solution.table.centre[k]));
-    let symbols: Vec<&str> = solution.symbols.iter().collect();
-    let witness = symbols.join(" & ");
-    solution.values.extend([
-        ("arch", definitions),
-        ("thickness", thickness.unwrap_or_default()),
-        ("witness", witness),
-        ("radius", text(&unit(DECIMALS))),
-    ]);
+pub(super) fn file(root: &CoqRoot, arch: &Arch) -> Result<(String, String), Undecided> {
+    let mut solution = CoqSolution::of_arch(root, arch)?;
+    solution.values.push(("thickness", solution.centre(&root.system, Unknown::Thickness)));
     let at = Asymmetric::from(&root.system.place(root.given.clone(), &root.values));
     for (low, high, contact, joint) in [
         ("crown_low", "crown_high", Contact::Extrados, at.crown_hinge.rad.clone()),
@@ -49,11 +34,10 @@ pub(super) fn file(root: &Root, arch: &Arch) -> Result<(String, String), Undecid
     let shoulder = at.half_opening.rad.clone();
     let [from, _] = neighbourhood(arch, &at, Contact::Outwards, &shoulder, true)?;
     solution.values.push(("shoulder_low", end(&from)));
-    let [heading, theorems] =
-        [include_str!("templates/asymmetric.v"), include_str!("templates/asymmetric_solution.v")]
-            .map(|template| fill(template, &solution.values));
     let name = format!("Asymmetric{:?}{:?}.v", AsymmetricMode::InnerSliding, arch.weight());
-    Ok((name, [heading, solution.text(), theorems].concat()))
+    let templates =
+        [include_str!("templates/asymmetric.v"), include_str!("templates/asymmetric_solution.v")];
+    Ok((name, solution.between(templates)))
 }
 
 /// An end of a neighbourhood, in parentheses as it may be negative.

@@ -1,7 +1,7 @@
 //! What is given of an arch, as Coq reads it.
 
+use super::names::symbol;
 use super::numeral::text;
-use super::symbol;
 use crate::arch::Unknown;
 use crate::number::{ExactNumber, Form};
 use crate::problem::{Arch, Friction, System};

@@ -1,9 +1,9 @@
 //! The half openings at which rotation and overturning end, from the closed forms of `A`.
 
 use super::landmark::title;
+use super::names::{BITS, bracket, find, module, weight_name};
 use super::numeral::fraction;
 use super::template::fill;
-use super::{BITS, bracket, find, module, weight_name};
 use crate::arch::{SelfWeight, Unknown};
 use crate::certify::{CertifiedLandmark, Exact, Undecided};
 use crate::number::Surd;

@@ -1,8 +1,9 @@
 //! The widest rotational joint as the zero of the radicand (12) alone.
 
+use super::names::{BITS, bracket, find, module, weight_name};
 use super::table::derivative;
 use super::template::fill;
-use super::{BITS, Term, bracket, find, module, weight_name};
+use super::term::Term;
 use crate::arch::{SelfWeight, Unknown, cubic};
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::problem::Landmark;

@@ -1,8 +1,8 @@
 //! The file of a landmark: its one solution, and what follows for the values that the paper prints.
 
 use super::printed;
-use super::root::Root;
-use super::solution::Solution;
+use super::root::CoqRoot;
+use super::solution::CoqSolution;
 use super::template::fill;
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::judge::Audited;
@@ -10,7 +10,7 @@ use crate::problem::{Equation, Landmark};
 
 /// The whole file.
 pub(super) fn file(point: &CertifiedLandmark, audited: &[Audited]) -> Result<String, Undecided> {
-    let mut solution = Solution::new(&Root::of_landmark(point)?, &[])?;
+    let mut solution = CoqSolution::new(&CoqRoot::of_landmark(point)?, &[])?;
     solution.values.push(("title", title(point.landmark())));
     let mut out = fill(include_str!("templates/landmark.v"), &solution.values);
     out.push_str(&solution.text());

@@ -1,8 +1,8 @@
 //! What follows for the values that the paper prints.
 
+use super::names::{Symbols, symbol};
 use super::numeral::{text, unit};
 use super::template::fill;
-use super::{Symbols, symbol};
 use crate::certify::CertifiedLandmark;
 use crate::judge::{Audited, PrintedVerdict};
 use crate::number::Decimal;
@@ -43,7 +43,7 @@ pub(super) fn corollaries(
             );
         }
         let values =
-            [("name", name(value, verdict)), ("args", symbols.arguments()), ("claim", relation)];
+            [("name", name(value, verdict)), ("args", symbols.joined(" ")), ("claim", relation)];
         out.push_str(&fill(include_str!("templates/printed.v"), &values));
     }
     out

@@ -1,6 +1,6 @@
 //! A root to be proved in Coq: that of a landmark, or of a certificate.
 
-use super::BITS;
+use super::names::BITS;
 use crate::arch::Configuration;
 use crate::certify::{CertifiedLandmark, Undecided, isolate_near};
 use crate::check::Certificate;
@@ -8,7 +8,7 @@ use crate::number::{Ball, Dyadic, Engine};
 use crate::problem::{Problem, System};
 
 /// A root of a system: where it is, and where there is no other.
-pub(super) struct Root {
+pub(super) struct CoqRoot {
     /// The equations.
     pub system: System,
     /// What is given.
@@ -19,7 +19,7 @@ pub(super) struct Root {
     pub domain: Vec<Ball>,
 }
 
-impl Root {
+impl CoqRoot {
     /// The root that is a landmark.
     pub(super) fn of_landmark(point: &CertifiedLandmark) -> Result<Self, Undecided> {
         let isolated = point.isolated();

@@ -1,6 +1,6 @@
 //! What has to be positive for a state, in the names of `Arch.v` and `States.v`.
 
-use super::argument;
+use super::names::argument;
 use crate::arch::Unknown;
 use crate::problem::{Condition, Mode, System};
 

@@ -1,34 +1,35 @@
 //! One solution of a system: the claim in printed equations, the table, and its check.
 
+use super::given::given;
+use super::names::{DECIMALS, Symbols, argument, weight_name};
 use super::numeral::{text, unit};
-use super::root::Root;
-use super::table::{Cleared, DECIMALS, Table};
+use super::root::CoqRoot;
+use super::table::{ClearedSystem, ContractionTable};
 use super::template::fill;
-use super::{Symbols, argument, weight_name};
 use crate::arch::Unknown;
 use crate::certify::Undecided;
-use crate::problem::{Equation, System};
+use crate::problem::{Arch, Equation, System};
 use rug::Rational;
 
 /// What fills a template.
-pub(super) type Values = Vec<(&'static str, String)>;
+pub(super) type Holes = Vec<(&'static str, String)>;
 
 /// The theorem that a system has one solution in a box.
-pub(super) struct Solution {
+pub(super) struct CoqSolution {
     /// What its text is made of.
-    pub values: Values,
+    pub values: Holes,
     /// The names of its unknowns.
     pub symbols: Symbols,
     /// The numbers.
-    pub table: Table,
+    pub table: ContractionTable,
 }
 
-impl Solution {
+impl CoqSolution {
     /// Chooses the numbers; `given` are the names of what is given.
-    pub(super) fn new(root: &Root, given: &[&str]) -> Result<Self, Undecided> {
+    pub(super) fn new(root: &CoqRoot, given: &[&str]) -> Result<Self, Undecided> {
         let system = &root.system;
-        let cleared = Cleared::new(system);
-        let table = Table::new(root, &cleared)?;
+        let cleared = ClearedSystem::new(system);
+        let table = ContractionTable::new(root, &cleared)?;
         let symbols = Symbols::of(system);
         let mut values = claim(system, &symbols, &table);
         values.extend(numbers(&cleared, &table));
@@ -38,6 +39,30 @@ impl Solution {
         Ok(Self { values, symbols, table })
     }
 
+    /// The theorem about an arch, with the definitions of what is given of it.
+    pub(super) fn of_arch(root: &CoqRoot, arch: &Arch) -> Result<Self, Undecided> {
+        let given = given(&root.system, arch);
+        let names: Vec<&str> = given.iter().map(|(name, _)| *name).collect();
+        let mut solution = Self::new(root, &names)?;
+        let definitions = given.iter().map(|(name, x)| format!("Definition {name} : R := {x}."));
+        let witness = solution.symbols.joined(" & ");
+        solution.values.push(("arch", definitions.collect::<Vec<_>>().join("\n")));
+        solution.values.push(("witness", witness));
+        Ok(solution)
+    }
+
+    /// The middle of an unknown, as Coq reads it; nothing if it is none.
+    pub(super) fn centre(&self, system: &System, unknown: Unknown) -> String {
+        let centre = system.index(unknown).map(|index| text(&self.table.centre[index]));
+        centre.unwrap_or_default()
+    }
+
+    /// The file: this between a heading and theorems that follow.
+    pub(super) fn between(&self, around: [&str; 2]) -> String {
+        let [heading, theorems] = around.map(|template| fill(template, &self.values));
+        [heading, self.text(), theorems].concat()
+    }
+
     /// The claim, the table and its check.
     pub(super) fn text(&self) -> String {
         fill(include_str!("templates/solution.v"), &self.values)
@@ -45,7 +70,7 @@ impl Solution {
 }
 
 /// What the theorem says.
-fn claim(system: &System, symbols: &Symbols, table: &Table) -> Values {
+fn claim(system: &System, symbols: &Symbols, table: &ContractionTable) -> Holes {
     let labels: Vec<&str> = system.equations.iter().map(|equation| equation.label()).collect();
     let equations = system.equations.iter().map(|&e| equation(e, system));
     let wide = symbols.iter().zip(&table.wide);
@@ -58,7 +83,7 @@ fn claim(system: &System, symbols: &Symbols, table: &Table) -> Values {
         ("weight", weight_name(system.weight).into()),
         ("delta", system.weight.flag().to_string()),
         ("labels", labels.join("; ")),
-        ("args", symbols.arguments()),
+        ("args", symbols.joined(" ")),
         ("equations", all(equations.collect())),
         ("wide", all(wide.collect())),
         ("narrow", all(narrow.collect())),
@@ -117,7 +142,7 @@ fn lemma(equation: Equation) -> Option<&'static str> {
 }
 
 /// The table.
-fn numbers(cleared: &Cleared, table: &Table) -> Values {
+fn numbers(cleared: &ClearedSystem, table: &ContractionTable) -> Holes {
     let terms: Vec<String> = cleared.residuals.iter().map(|term| term.to_string()).collect();
     let slopes = cleared.jacobian.iter().map(|row| {
         let row: Vec<String> = row.iter().map(|term| term.to_string()).collect();
@@ -147,7 +172,7 @@ fn matrix(rows: &[Vec<Rational>]) -> String {
 }
 
 /// What the check has to spell out for each unknown or equation.
-fn check(system: &System, symbols: &Symbols) -> Values {
+fn check(system: &System, symbols: &Symbols) -> Holes {
     let n = system.unknowns.len();
     let each = |f: &dyn Fn(usize) -> String| (0..n).map(f).collect::<Vec<_>>();
     let primed = |x: &'static str| format!("{x}'");

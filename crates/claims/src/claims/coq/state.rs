@@ -1,13 +1,12 @@
 //! The file of a state: its one solution, the signs that are left, and what they make of it.
 
-use super::given::{friction, given};
-use super::numeral::{text, unit};
-use super::root::Root;
+use super::asymmetric;
+use super::given::friction;
+use super::names::{BITS, DECIMALS, argument};
+use super::numeral::unit;
+use super::root::CoqRoot;
 use super::sign::sign;
-use super::solution::{Solution, Values};
-use super::table::DECIMALS;
-use super::template::fill;
-use super::{BITS, argument, asymmetric};
+use super::solution::{CoqSolution, Holes};
 use crate::arch::Unknown;
 use crate::arch::asymmetric::AsymmetricMode;
 use crate::certify::Undecided;
@@ -41,40 +40,37 @@ pub enum StateError {
 /// those with an inner joint that slides have one.
 pub fn state(certificate: &[u8]) -> Result<(String, String), StateError> {
     let problem = verify(certificate)?.problem;
+    let root = || -> Result<CoqRoot, StateError> {
+        Ok(CoqRoot::of_certificate(&problem, &Certificate::read(certificate)?)?)
+    };
     let (mode, arch) = match &problem {
         Problem::State { mode, arch } => (*mode, arch),
         Problem::Verdict { verdict: Verdict::Slides, arch } => (Mode::Sliding, arch),
         Problem::Asymmetric { mode: AsymmetricMode::InnerSliding, arch } => {
-            let root = Root::of_certificate(&problem, &Certificate::read(certificate)?)?;
-            return Ok(asymmetric::file(&root, arch)?);
+            return Ok(asymmetric::file(&root()?, arch)?);
         }
         _ => return Err(StateError::NotState),
     };
-    let root = Root::of_certificate(&problem, &Certificate::read(certificate)?)?;
-    let given = given(&root.system, arch);
-    let names: Vec<&str> = given.iter().map(|(name, _)| *name).collect();
-    let mut solution = Solution::new(&root, &names)?;
+    let root = root()?;
+    let mut solution = CoqSolution::of_arch(&root, arch)?;
     signs_hold(&problem, &root, &solution)?;
     solution.values.extend(claims(&problem, mode, arch, &solution));
-    let definitions = given.iter().map(|(name, x)| format!("Definition {name} : R := {x}."));
-    solution.values.push(("arch", definitions.collect::<Vec<_>>().join("\n")));
-    let [heading, theorems] = match mode {
+    let templates = match mode {
         Mode::Sliding => {
             [include_str!("templates/sliding.v"), include_str!("templates/least_friction.v")]
         }
         _ => [include_str!("templates/state.v"), include_str!("templates/least_thickness.v")],
-    }
-    .map(|template| fill(template, &solution.values));
+    };
     // Pure sliding does not know the weight.
     let weight = match mode {
         Mode::Sliding => String::new(),
         _ => format!("{:?}", arch.weight()),
     };
-    Ok((format!("State{mode:?}{weight}.v"), [heading, solution.text(), theorems].concat()))
+    Ok((format!("State{mode:?}{weight}.v"), solution.between(templates)))
 }
 
 /// Whether the digits that are printed tell every sign.
-fn signs_hold(problem: &Problem, root: &Root, solution: &Solution) -> Result<(), Undecided> {
+fn signs_hold(problem: &Problem, root: &CoqRoot, solution: &CoqSolution) -> Result<(), Undecided> {
     let radius = Magnitude::upper(&Float::with_val_round(64, unit(DECIMALS), Round::Up).0);
     let digits = |x: &Rational| Ball::enclosing(x, BITS).widened(radius);
     let narrow: Vec<Ball> = solution.table.centre.iter().map(digits).collect();
@@ -86,7 +82,7 @@ fn signs_hold(problem: &Problem, root: &Root, solution: &Solution) -> Result<(),
 }
 
 /// What is claimed of the state beside the digits of its solution.
-fn claims(problem: &Problem, mode: Mode, arch: &Arch, solution: &Solution) -> Values {
+fn claims(problem: &Problem, mode: Mode, arch: &Arch, solution: &CoqSolution) -> Holes {
     let system = problem.system();
     let conditions = problem.conditions().into_iter().flat_map(|(_, conditions)| conditions);
     let mut signs: Vec<String> = conditions.filter_map(|c| sign(c, mode, &system)).collect();
@@ -94,18 +90,15 @@ fn claims(problem: &Problem, mode: Mode, arch: &Arch, solution: &Solution) -> Va
         Mode::Sliding => Unknown::Friction,
         _ => Unknown::Thickness,
     };
-    let least = system.index(least).map(|index| text(&solution.table.centre[index]));
     let friction = friction(arch);
     if let (Mode::Sliding, Some(mu)) = (mode, &friction) {
         signs.extend(["0 < alpha".into(), "alpha < PI".into()]);
         signs.extend([format!("0 <= {mu}"), format!("{mu} < mu")]);
     }
-    let symbols: Vec<&str> = solution.symbols.iter().collect();
     let mut values = vec![
         ("mode", mode.label().into()),
         ("signs", signs.join(" /\\\n  ")),
-        ("least", least.unwrap_or_default()),
-        ("witness", symbols.join(" & ")),
+        ("least", solution.centre(&system, least)),
         ("friction", friction.unwrap_or_default()),
     ];
     values.extend(admissibility(mode, arch, &system));
@@ -113,7 +106,7 @@ fn claims(problem: &Problem, mode: Mode, arch: &Arch, solution: &Solution) -> Va
 }
 
 /// What is claimed on the whole half arch, and the theorem of `States.v` behind it.
-fn admissibility(mode: Mode, arch: &Arch, system: &System) -> Values {
+fn admissibility(mode: Mode, arch: &Arch, system: &System) -> Holes {
     let delta = system.weight.flag();
     let h = argument(system, Unknown::Thrust);
     let moment = match mode {

@@ -3,9 +3,10 @@
 //! Nothing here is trusted: Coq checks every number. Floats and balls only choose them, such that the
 //! check succeeds with some room.
 
+use super::names::{BITS, DECIMALS, Symbols, symbol};
 use super::numeral::{distance, down, exact, nearest, places, radius, unit, up};
-use super::root::Root;
-use super::{BITS, Symbols, Term, symbol};
+use super::root::CoqRoot;
+use super::term::Term;
 use crate::arch::{Configuration, Unknown};
 use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Dual, Magnitude};
@@ -13,15 +14,13 @@ use crate::problem::System;
 use crate::solve::inverse;
 use rug::{Float, Rational};
 
-/// Decimals to which a centre is known.
-pub(super) const DECIMALS: u32 = 30;
 /// Decimals to print with: the more the equations lose, the more.
-const LADDER: [Decimals; 5] = [
-    Decimals { centre: 36, matrix: 7 },
-    Decimals { centre: 40, matrix: 7 },
-    Decimals { centre: 56, matrix: 14 },
-    Decimals { centre: 72, matrix: 20 },
-    Decimals { centre: 99, matrix: 30 },
+const LADDER: [TableDecimals; 5] = [
+    TableDecimals { centre: 36, matrix: 7 },
+    TableDecimals { centre: 40, matrix: 7 },
+    TableDecimals { centre: 56, matrix: 14 },
+    TableDecimals { centre: 72, matrix: 20 },
+    TableDecimals { centre: 99, matrix: 30 },
 ];
 /// The factor by which distances have to shrink.
 const CONTRACTION: (u32, u32) = (9, 10);
@@ -34,7 +33,7 @@ const TRIALS: u32 = 100;
 
 /// How many decimals are printed.
 #[derive(Clone, Copy)]
-struct Decimals {
+struct TableDecimals {
     /// Of a centre: the first Newton step has to stay far inside the small box.
     centre: u32,
     /// Of the preconditioner and of the slopes at the centre.
@@ -42,14 +41,14 @@ struct Decimals {
 }
 
 /// A system as terms, cleared of denominators, with its derivatives.
-pub(super) struct Cleared {
+pub(super) struct ClearedSystem {
     /// One term for each equation.
     pub residuals: Vec<Term>,
     /// Their derivatives to the unknowns.
     pub jacobian: Vec<Vec<Term>>,
 }
 
-impl Cleared {
+impl ClearedSystem {
     /// The equations of the system, in its own order, in variables named by their symbols; so is what is given.
     pub(super) fn new(system: &System) -> Self {
         let symbols = Symbols::of(system);
@@ -85,7 +84,7 @@ pub(super) fn derivative(term: &Term, variable: &'static str) -> Term {
 }
 
 /// The numbers that prove one root.
-pub(super) struct Table {
+pub(super) struct ContractionTable {
     /// The centre `c`.
     pub centre: Vec<Rational>,
     /// The radii `r` of the wide box.
@@ -106,10 +105,10 @@ pub(super) struct Table {
     pub precision: u32,
 }
 
-impl Table {
+impl ContractionTable {
     /// Chooses the numbers: the largest wide box of the shape that the isolation has found, on which
     /// the system contracts well.
-    pub(super) fn new(root: &Root, cleared: &Cleared) -> Result<Self, Undecided> {
+    pub(super) fn new(root: &CoqRoot, cleared: &ClearedSystem) -> Result<Self, Undecided> {
         let failed = Err(Undecided::new("for Coq: nothing was tried"));
         LADDER.into_iter().fold(failed, |found, decimals| {
             found.or_else(|_| Self::with_decimals(root, cleared, decimals))
@@ -118,14 +117,14 @@ impl Table {
 
     /// The same with some decimals.
     fn with_decimals(
-        root: &Root,
-        cleared: &Cleared,
-        decimals: Decimals,
+        root: &CoqRoot,
+        cleared: &ClearedSystem,
+        decimals: TableDecimals,
     ) -> Result<Self, Undecided> {
         let failed = |what| Undecided::new(format!("for Coq: {what}"));
         let centre: Vec<Rational> =
             root.values.iter().map(|x| nearest(&exact(x.mid()), decimals.centre)).collect();
-        let at_centre = Values::new(root, &centre, &vec![Rational::new(); centre.len()]);
+        let at_centre = TermValues::new(root, &centre, &vec![Rational::new(); centre.len()]);
         let slopes = matrix(&cleared.jacobian, |term| at_centre.nearest(term, decimals.matrix));
         let floats = matrix(&slopes, |x| Float::with_val(BITS, x));
         let inverse = inverse(floats).ok_or_else(|| failed("a singular Jacobian"))?;
@@ -138,7 +137,7 @@ impl Table {
                 return None;
             }
             let spreads =
-                Values::new(root, &centre, &radii).spreads(cleared, &slopes, decimals.matrix);
+                TermValues::new(root, &centre, &radii).spreads(cleared, &slopes, decimals.matrix);
             let factor = up(&contraction(&inverse, &slopes, &spreads, &radii), 2);
             (factor <= Rational::from(CONTRACTION)).then_some((radii, spreads, factor))
         });
@@ -183,14 +182,14 @@ fn short_bounds(centre: &[Rational], radii: &[Rational]) -> Vec<(Rational, Ratio
 }
 
 /// Enclosures of terms on a box.
-struct Values {
+struct TermValues {
     symbols: Symbols,
     angles: Vec<Angle<Ball>>,
     given: Configuration<Ball>,
 }
 
-impl Values {
-    fn new(root: &Root, centre: &[Rational], radii: &[Rational]) -> Self {
+impl TermValues {
+    fn new(root: &CoqRoot, centre: &[Rational], radii: &[Rational]) -> Self {
         let angle = |((c, r), unknown): ((&Rational, &Rational), &Unknown)| {
             let radius = Magnitude::upper(&Float::with_val(64, r));
             let ball = Ball::enclosing(c, BITS).widened(radius);
@@ -224,7 +223,7 @@ impl Values {
     /// How far the Jacobian on the box can be from the slopes at its centre, rounded up.
     fn spreads(
         &self,
-        cleared: &Cleared,
+        cleared: &ClearedSystem,
         slopes: &[Vec<Rational>],
         decimals: u32,
     ) -> Vec<Vec<Rational>> {
@@ -293,10 +292,10 @@ mod tests {
     use crate::certify::CertifiedLandmark;
     use crate::problem::Landmark;
 
-    fn triple() -> (Root, Cleared) {
+    fn triple() -> (CoqRoot, ClearedSystem) {
         let point = CertifiedLandmark::new(Landmark::Triple, SelfWeight::Milankovitch).unwrap();
-        let root = Root::of_landmark(&point).unwrap();
-        let cleared = Cleared::new(&root.system);
+        let root = CoqRoot::of_landmark(&point).unwrap();
+        let cleared = ClearedSystem::new(&root.system);
         (root, cleared)
     }
 
@@ -304,7 +303,7 @@ mod tests {
     fn a_cleared_system_has_no_quotients_and_its_own_zeros() {
         let (root, cleared) = triple();
         let centre: Vec<Rational> = root.values.iter().map(|x| exact(x.mid())).collect();
-        let values = Values::new(&root, &centre, &vec![Rational::new(); centre.len()]);
+        let values = TermValues::new(&root, &centre, &vec![Rational::new(); centre.len()]);
         for term in &cleared.residuals {
             assert!(!term.to_string().contains(" / "), "{term}");
             assert!(distance(&values.of(term), &Rational::new()) < unit(60));
@@ -314,10 +313,10 @@ mod tests {
     #[test]
     fn the_jacobian_is_that_of_the_cleared_system() {
         let (root, cleared) = triple();
-        let at = |shift: usize, by: Rational| -> Values {
+        let at = |shift: usize, by: Rational| -> TermValues {
             let mut centre: Vec<Rational> = (2..8).map(|n| Rational::from((n, 7))).collect();
             centre[shift] += by;
-            Values::new(&root, &centre, &vec![Rational::new(); 6])
+            TermValues::new(&root, &centre, &vec![Rational::new(); 6])
         };
         let step = Rational::from((1, 1_000_000_000));
         for k in 0..6 {

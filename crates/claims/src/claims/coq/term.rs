@@ -20,10 +20,10 @@ use std::rc::Rc;
 /// assert_eq!(ring.centroid_factor.to_string(), "1 + 1/12 * eta ^ 2");
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Term(Rc<Node>);
+pub struct Term(Rc<TermNode>);
 
 #[derive(Debug, PartialEq)]
-enum Node {
+enum TermNode {
     Constant(Rational),
     Variable(&'static str),
     Sine(&'static str),
@@ -36,7 +36,7 @@ enum Node {
     Square(Term),
 }
 
-use Node::*;
+use TermNode::*;
 
 impl Term {
     /// A variable.
@@ -58,7 +58,7 @@ impl Term {
         Self::new(Constant(value.into()))
     }
 
-    fn new(node: Node) -> Self {
+    fn new(node: TermNode) -> Self {
         Self(Rc::new(node))
     }
 

@@ -1,8 +1,8 @@
 //! The two self-weights compared at the landmarks of the map.
 
 use super::landmark::title;
+use super::names::{Symbols, module, symbol};
 use super::template::fill;
-use super::{Symbols, module, symbol};
 use crate::arch::SelfWeight;
 use crate::certify::Undecided;
 use crate::judge::{Comparison, Relation, compare_weights};
@@ -21,7 +21,7 @@ pub(super) fn file() -> Result<String, Undecided> {
         let values = [
             ("title", title(landmark)),
             ("name", landmark.name().replace(' ', "_")),
-            ("args", symbols.arguments()),
+            ("args", symbols.joined(" ")),
             ("others", others.join(" ")),
             ("heyman", module(landmark, SelfWeight::Heyman)),
             ("milankovitch", module(landmark, SelfWeight::Milankovitch)),

@@ -16,9 +16,9 @@
 //!
 //! Each is said of all `v` between two nodes, so that nothing is left out.
 
-use super::super::cell::Cell;
+use super::super::cell::TubeCell;
 use super::super::cubic::exact;
-use super::super::form::Form;
+use super::super::form::CurveForm;
 use super::super::law::Law;
 use super::super::trace::pieces_of;
 use super::super::walk::Walk;
@@ -42,7 +42,7 @@ const BITS: u32 = 64;
 /// Proves it of the whole of a walk, from one end to the other.
 pub(super) fn is_admissible(
     kind: AsymmetricMode,
-    form: &Form,
+    form: &CurveForm,
     walk: &Walk,
     [low, high]: [&Meeting; 2],
 ) -> Result<(), Undecided> {
@@ -50,7 +50,7 @@ pub(super) fn is_admissible(
     pieces_of(form, walk).enumerate().try_for_each(|(index, piece)| {
         let [from, to] = piece.range();
         let gap = || Undecided::new(format!("not proved between v = {from} and {to}"));
-        let cell = Cell::new(&piece).ok_or_else(gap)?;
+        let cell = TubeCell::new(&piece).ok_or_else(gap)?;
         // The ends are in the first tube and in the last.
         let ends = [(index == 0).then_some(low), (index + 1 == count).then_some(high)];
         Slice { kind, cell, ends }.prove(DEPTH)
@@ -60,21 +60,21 @@ pub(super) fn is_admissible(
 /// All states between two vertical forces, in a tube.
 struct Slice<'a> {
     kind: AsymmetricMode,
-    cell: Cell<'a>,
+    cell: TubeCell<'a>,
     /// The ends of the walk that are in it, that of the smaller vertical force first.
     ends: [Option<&'a Meeting>; 2],
 }
 
 /// What is not negative.
 #[derive(Clone, Copy)]
-enum Kept {
+enum OpenSign {
     /// The left side of an equation that another kind closes by.
     Law(Law),
     /// The rate of the joint that closes the motion.
     Rate,
 }
 
-impl Kept {
+impl OpenSign {
     /// The equation that holds where it is zero.
     fn zero(self) -> Law {
         match self {
@@ -120,7 +120,7 @@ impl Slice<'_> {
 
     /// The same at once for some vertical forces.
     fn is_admissible_on(&self, s: &Ball) -> Result<(), Undecided> {
-        let Cell { form, tube, .. } = &self.cell;
+        let TubeCell { form, tube, .. } = &self.cell;
         let spot = form.spot(&few, s, &tube.enclosure(s));
         let at = spot.asymmetric();
         self.signs(s, at)?;
@@ -141,10 +141,10 @@ impl Slice<'_> {
         let eta = &at.thickness;
         require(is_positive(eta) && is_positive(&(eta.int(2) - eta)), "0 < eta < 2")?;
         let others = match self.kind {
-            AsymmetricMode::InnerSliding => [Kept::Law(Law::ShoulderOpens), Kept::Rate],
-            AsymmetricMode::ShoulderOpening => [Kept::Law(Law::InnerSlides), Kept::Rate],
+            AsymmetricMode::InnerSliding => [OpenSign::Law(Law::ShoulderOpens), OpenSign::Rate],
+            AsymmetricMode::ShoulderOpening => [OpenSign::Law(Law::InnerSlides), OpenSign::Rate],
             AsymmetricMode::ShoulderSliding => {
-                [Law::InnerSlides, Law::ShoulderOpens].map(Kept::Law)
+                [Law::InnerSlides, Law::ShoulderOpens].map(OpenSign::Law)
             }
         };
         for other in others {
@@ -167,7 +167,7 @@ impl Slice<'_> {
         require(falls, "in which order the joints are")
     }
 
-    fn is_not_negative(&self, kept: Kept, s: &Ball) -> bool {
+    fn is_not_negative(&self, kept: OpenSign, s: &Ball) -> bool {
         if is_positive(self.along(kept, s, 0).value()) {
             return true;
         }
@@ -180,16 +180,16 @@ impl Slice<'_> {
     }
 
     /// One of them along the curve, with its slope.
-    fn along(&self, kept: Kept, s: &Ball, order: usize) -> Jet<Ball> {
-        let Cell { form, tube, .. } = &self.cell;
+    fn along(&self, kept: OpenSign, s: &Ball, order: usize) -> Jet<Ball> {
+        let TubeCell { form, tube, .. } = &self.cell;
         let line = Jet::new(vec![s.clone(), s.int(1)], order);
         let pairs = tube.enclosure(s).into_iter().zip(&tube.slopes);
         let x: Vec<Jet<Ball>> =
             pairs.map(|(x, slope)| Jet::new(vec![x, slope.clone()], order)).collect();
         let number = |given: &Ball| Jet::constant(few(given), order);
         match kept {
-            Kept::Law(law) => form.residual(law, &number, &line, &x),
-            Kept::Rate => {
+            OpenSign::Law(law) => form.residual(law, &number, &line, &x),
+            OpenSign::Rate => {
                 let spot = form.spot(&number, &line, &x);
                 let place = if self.kind == AsymmetricMode::InnerSliding { 2 } else { 1 };
                 spot.asymmetric().motion(self.kind).0.swap_remove(place).rate

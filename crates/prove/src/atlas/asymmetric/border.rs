@@ -19,7 +19,7 @@
 use super::super::crossing::Crossing;
 use super::super::curve::Curve;
 use super::super::end::{End, EndValues};
-use super::super::form::Form;
+use super::super::form::CurveForm;
 use super::super::law::Law;
 use super::super::search;
 use super::super::section::Section;
@@ -69,7 +69,7 @@ impl BorderLine {
         }
     }
 
-    fn form(self, weight: SelfWeight) -> Form {
+    fn form(self, weight: SelfWeight) -> CurveForm {
         match self {
             Self::Begins => beginning(weight),
             Self::Between(kinds) => between(kinds, weight),
@@ -119,7 +119,7 @@ impl Border {
 }
 
 /// T on a line that ends there.
-fn triple(form: &Form, weight: SelfWeight) -> Result<Crossing, Undecided> {
+fn triple(form: &CurveForm, weight: SelfWeight) -> Result<Crossing, Undecided> {
     let values = EndValues::of(End::Landmark(Landmark::Triple), weight)?;
     let thrust = values.value(Variable::Inclination);
     let thrust = cycloid::thrust(&Angle::new(thrust));
@@ -152,7 +152,7 @@ fn start(weight: SelfWeight) -> Result<Crossing, Undecided> {
 }
 
 /// Where another equation holds on a line, from one of its points on.
-fn along(form: &Form, from: &Crossing, law: Law, far: f64) -> Result<Crossing, Undecided> {
+fn along(form: &CurveForm, from: &Crossing, law: Law, far: f64) -> Result<Crossing, Undecided> {
     let lost = || Undecided::new("the end of a line is not found");
     let double = |variable: &Variable| from.value(*variable).mid().to_f64();
     let number = |given: &Ball| given.mid().to_f64();

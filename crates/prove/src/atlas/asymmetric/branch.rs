@@ -13,7 +13,7 @@ use super::super::law::Law;
 use super::super::search;
 use super::super::trace::Trace;
 use super::super::variable::Variable;
-use super::course::{Reached, follow};
+use super::course::{CourseEnd, follow};
 use super::kind::{closed_by, over_vertical_force, symmetric};
 use super::meeting::Meeting;
 use super::stretch::Stretch;
@@ -151,7 +151,7 @@ fn next(
     let lost = || Undecided::new(format!("{}: the branch is not found any further", kind.name()));
     let number = |x: &f64| Float::with_val(BITS, *x);
     match follow(&form, alpha.mid().to_f64(), start, !falls, until).ok_or_else(lost)? {
-        Reached::Symmetric(x) => {
+        CourseEnd::Symmetric(x) => {
             let ends = search::point(&form, 0.0, x).ok_or_else(lost)?.x;
             let value = |variable: &Variable| {
                 let index = form.unknowns.iter().position(|unknown| unknown == variable);
@@ -163,7 +163,7 @@ fn next(
             let crossing = Crossing::proved(&form, None, starts.ok_or_else(lost)?)?;
             Ok(Meeting { crossing, other: None })
         }
-        Reached::Holds(law, v, x) => {
+        CourseEnd::Holds(law, v, x) => {
             let starts = [v].iter().chain(&x).map(number).collect();
             let crossing = Crossing::proved(&form, Some(law), starts)?;
             Ok(Meeting { crossing, other: closed_by(law) })

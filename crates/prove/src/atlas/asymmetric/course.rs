@@ -1,6 +1,6 @@
 //! Where the curve of one half opening probably runs, in doubles. Nothing here proves anything.
 
-use super::super::form::Form;
+use super::super::form::CurveForm;
 use super::super::law::Law;
 use super::super::search;
 use crate::number::Ball;
@@ -9,7 +9,7 @@ use crate::number::Ball;
 const STEPS: f64 = 512.0;
 
 /// Where a walk along the vertical force ends.
-pub(super) enum Reached {
+pub(super) enum CourseEnd {
     /// Without a vertical force.
     Symmetric(Vec<f64>),
     /// Where an equation holds besides: with the vertical force and the unknowns next to it.
@@ -19,12 +19,12 @@ pub(super) enum Reached {
 /// Walks from a vertical force on, up or down, until one of some equations holds; each of their left sides is positive at
 /// first. `None` where no course is found.
 pub(super) fn follow(
-    form: &Form,
+    form: &CurveForm,
     half_opening: f64,
     (from, mut x): (f64, Vec<f64>),
     rises: bool,
     until: [Law; 2],
-) -> Option<Reached> {
+) -> Option<CourseEnd> {
     let step = half_opening / STEPS * if rises { 1.0 } else { -1.0 };
     let number = |given: &Ball| given.mid().to_f64();
     let sides = |v: f64, x: &[f64]| until.map(|law| form.residual(law, &number, &v, x));
@@ -34,7 +34,7 @@ pub(super) fn follow(
         // The first step is short: what held at the start holds no longer.
         let next = v + if last.is_none() { step / 16.0 } else { step };
         if next <= 0.0 {
-            return Some(Reached::Symmetric(x));
+            return Some(CourseEnd::Symmetric(x));
         }
         let reached = search::point(form, next, x)?.x;
         let values = sides(next, &reached);
@@ -44,7 +44,7 @@ pub(super) fn follow(
             if let Some(k) = crossed.min_by(|a, b| part(*a).total_cmp(&part(*b))) {
                 let v = before + part(k) * (next - before);
                 let x = search::point(form, v, reached)?.x;
-                return Some(Reached::Holds(until[k], v, x));
+                return Some(CourseEnd::Holds(until[k], v, x));
             }
         } else if values.iter().any(|value| *value < 0.0) {
             return None;

@@ -1,6 +1,6 @@
 //! The equations of each kind of mechanism, for one half opening or for all.
 
-use super::super::form::{Form, Joint, Thrust};
+use super::super::form::CurveForm;
 use super::super::law::Law;
 use super::super::variable::Variable;
 use crate::arch::SelfWeight;
@@ -47,80 +47,60 @@ pub(super) fn over_vertical_force(
     kind: AsymmetricMode,
     weight: SelfWeight,
     half_opening: &Ball,
-) -> Form {
+) -> CurveForm {
     use Variable::{CrownHinge, CrownMoment, FrictionAngle, Inclination, JointSquare, Thickness};
-    Form {
-        weight,
-        parameter: Variable::VerticalForce,
-        unknowns: &[Inclination, FrictionAngle, CrownMoment, Thickness, CrownHinge, JointSquare],
-        laws: match kind {
-            AsymmetricMode::InnerSliding => laws!(InnerSlides),
-            AsymmetricMode::ShoulderOpening => laws!(ShoulderOpens),
-            AsymmetricMode::ShoulderSliding => laws!(HingesFit),
-        },
-        thrust: Thrust::Sliding,
-        joint: Joint::Crown,
-        given: Some((Variable::HalfOpening, half_opening.clone())),
-    }
+    let unknowns = &[Inclination, FrictionAngle, CrownMoment, Thickness, CrownHinge, JointSquare];
+    let laws = match kind {
+        AsymmetricMode::InnerSliding => laws!(InnerSlides),
+        AsymmetricMode::ShoulderOpening => laws!(ShoulderOpens),
+        AsymmetricMode::ShoulderSliding => laws!(HingesFit),
+    };
+    let given = Some((Variable::HalfOpening, half_opening.clone()));
+    CurveForm { given, ..CurveForm::new(weight, Variable::VerticalForce, unknowns, laws) }
 }
 
 /// The symmetric state of a half opening in which a kind ends: one equation more than unknowns.
-pub(super) fn symmetric(kind: AsymmetricMode, weight: SelfWeight, half_opening: &Ball) -> Form {
+pub(super) fn symmetric(
+    kind: AsymmetricMode,
+    weight: SelfWeight,
+    half_opening: &Ball,
+) -> CurveForm {
     use Variable::{CrownMoment, FrictionAngle, Inclination, JointSquare, Thickness};
-    Form {
-        weight,
-        parameter: FrictionAngle,
-        unknowns: &[Inclination, CrownMoment, Thickness, JointSquare],
-        laws: match kind {
-            AsymmetricMode::InnerSliding => symmetric!(InnerSlides),
-            AsymmetricMode::ShoulderOpening => symmetric!(ShoulderOpens),
-            AsymmetricMode::ShoulderSliding => symmetric!(HingesFit),
-        },
-        thrust: Thrust::Sliding,
-        joint: Joint::Crown,
-        given: Some((Variable::HalfOpening, half_opening.clone())),
-    }
+    let laws = match kind {
+        AsymmetricMode::InnerSliding => symmetric!(InnerSlides),
+        AsymmetricMode::ShoulderOpening => symmetric!(ShoulderOpens),
+        AsymmetricMode::ShoulderSliding => symmetric!(HingesFit),
+    };
+    let unknowns = &[Inclination, CrownMoment, Thickness, JointSquare];
+    let given = Some((Variable::HalfOpening, half_opening.clone()));
+    CurveForm { given, ..CurveForm::new(weight, FrictionAngle, unknowns, laws) }
 }
 
 /// The symmetric states in which the hinges and the shoulders fit, by the half opening.
-pub(super) fn beginning(weight: SelfWeight) -> Form {
+pub(super) fn beginning(weight: SelfWeight) -> CurveForm {
     use Variable::{CrownMoment, FrictionAngle, Inclination, JointSquare, Thickness};
-    Form {
-        weight,
-        parameter: Variable::HalfOpening,
-        unknowns: &[FrictionAngle, Inclination, CrownMoment, Thickness, JointSquare],
-        laws: symmetric!(HingesFit),
-        thrust: Thrust::Sliding,
-        joint: Joint::Crown,
-        given: None,
-    }
+    let unknowns = &[FrictionAngle, Inclination, CrownMoment, Thickness, JointSquare];
+    CurveForm::new(weight, Variable::HalfOpening, unknowns, symmetric!(HingesFit))
 }
 
 /// The states in which one kind becomes the other, by the half opening.
-pub(super) fn between(kinds: [AsymmetricMode; 2], weight: SelfWeight) -> Form {
+pub(super) fn between(kinds: [AsymmetricMode; 2], weight: SelfWeight) -> CurveForm {
     use AsymmetricMode::{InnerSliding, ShoulderOpening};
-    use Variable::{
-        CrownHinge, CrownMoment, FrictionAngle, Inclination, JointSquare, Thickness, VerticalForce,
+    use Variable::{CrownHinge, CrownMoment, FrictionAngle, Inclination};
+    use Variable::{JointSquare, Thickness, VerticalForce};
+    let unknowns = &[
+        FrictionAngle,
+        Inclination,
+        CrownMoment,
+        Thickness,
+        CrownHinge,
+        JointSquare,
+        VerticalForce,
+    ];
+    let laws = match (kinds.contains(&InnerSliding), kinds.contains(&ShoulderOpening)) {
+        (true, true) => laws!(InnerSlides, ShoulderOpens),
+        (true, false) => laws!(InnerSlides, HingesFit),
+        (false, _) => laws!(HingesFit, ShoulderOpens),
     };
-    Form {
-        weight,
-        parameter: Variable::HalfOpening,
-        unknowns: &[
-            FrictionAngle,
-            Inclination,
-            CrownMoment,
-            Thickness,
-            CrownHinge,
-            JointSquare,
-            VerticalForce,
-        ],
-        laws: match (kinds.contains(&InnerSliding), kinds.contains(&ShoulderOpening)) {
-            (true, true) => laws!(InnerSlides, ShoulderOpens),
-            (true, false) => laws!(InnerSlides, HingesFit),
-            (false, _) => laws!(HingesFit, ShoulderOpens),
-        },
-        thrust: Thrust::Sliding,
-        joint: Joint::Crown,
-        given: None,
-    }
+    CurveForm::new(weight, Variable::HalfOpening, unknowns, laws)
 }

@@ -6,8 +6,8 @@ use crate::arch::mechanism::Contact;
 use crate::arch::{Configuration, Ring, Unknown};
 use crate::certify::{VoussoirDigits, VoussoirLimit};
 use crate::number::{Angle, Ball, Drawable, Enclosure, Ternary};
+use crate::problem::Arch;
 use crate::problem::stones::{JointContact, Stones};
-use crate::problem::{Arch, Mode};
 
 /// Bits of a configuration, and digits of what is proved: more than a picture needs.
 pub(super) const BITS: u32 = 256;
@@ -35,7 +35,7 @@ pub(super) fn state(arch: &Arch, stones: &Stones, found: &VoussoirDigits) -> Con
     let at = Configuration { rotation_joint: haunch, ..at };
     match found.mode {
         mode if mode.slides_inside() => Configuration { sliding_joint: first, ..at },
-        Mode::Rotational | Mode::SlidingRotational => Configuration { crown_hinge: first, ..at },
+        mode if mode.has_haunch() => Configuration { crown_hinge: first, ..at },
         _ => at,
     }
 }

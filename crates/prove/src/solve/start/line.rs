@@ -29,16 +29,15 @@ pub fn on_line(
     }
 }
 
-/// Puts values together.
-fn point(like: &Float, values: &[(Unknown, Float)]) -> Configuration<Float> {
-    let zero = Configuration::zero(like);
-    values.iter().fold(zero, |at, (unknown, value)| at.with(*unknown, value.clone()))
+/// Puts values to what is given.
+fn point(given: Configuration<Float>, values: &[(Unknown, Float)]) -> Configuration<Float> {
+    values.iter().fold(given, |at, (unknown, value)| at.with(*unknown, value.clone()))
 }
 
 fn at_half_opening(weight: SelfWeight, line: Line, alpha: &Float) -> Configuration<Float> {
     use Unknown as U;
     let float = |x: f64| Float::with_val(alpha.prec(), x);
-    let opening = || (U::HalfOpening, alpha.clone());
+    let given = Configuration::zero(alpha).with(U::HalfOpening, alpha.clone());
     match line {
         Line::RotationShoulder | Line::RotationInner => {
             let [beta, eta, h] = rotational(weight, alpha);
@@ -48,14 +47,12 @@ fn at_half_opening(weight: SelfWeight, line: Line, alpha: &Float) -> Configurati
                 _ => friction::shoulder(&Angle::new(alpha.clone()), &h).value(),
             };
             let rotation = [(U::RotationJoint, beta), (U::Thickness, eta), (U::Thrust, h)];
-            let at = point(alpha, &rotation).with(U::SlidingJoint, joint);
-            at.with(U::HalfOpening, alpha.clone()).with(U::Friction, mu)
+            point(given, &rotation).with(U::SlidingJoint, joint).with(U::Friction, mu)
         }
         Line::ShoulderEnd | Line::AboveHaunchEnd | Line::BelowHaunchEnd | Line::CrownEnd => {
             let [mu, h, joint] = sliding(alpha);
-            let slides = [(U::Friction, mu), (U::Thrust, h.clone()), (U::SlidingJoint, joint)];
-            let at = point(alpha, &slides).with(U::HalfOpening, alpha.clone());
-            with_haunch(weight, line, at)
+            let slides = [(U::Friction, mu), (U::Thrust, h), (U::SlidingJoint, joint)];
+            with_haunch(weight, line, point(given, &slides))
         }
         Line::Joints | Line::Crown => {
             let wide = alpha.to_f64();
@@ -77,24 +74,21 @@ fn at_half_opening(weight: SelfWeight, line: Line, alpha: &Float) -> Configurati
             let steepest = friction::steepest_joint(&h);
             let mu = friction_inside([h, steepest]).value();
             let eta = rotational_sliding(weight, wide, h).thickness;
-            let values = [(U::Friction, mu), (U::Thrust, h), (U::SlidingJoint, steepest)];
-            let values = values.map(|(unknown, value)| (unknown, float(value)));
-            let at = point(alpha, &values).with(U::Thickness, float(eta));
-            point_with(at, [opening()])
+            let values = [
+                (U::Friction, mu),
+                (U::Thrust, h),
+                (U::SlidingJoint, steepest),
+                (U::Thickness, eta),
+            ];
+            point(given, &values.map(|(unknown, value)| (unknown, float(value))))
         }
     }
-}
-
-fn point_with<const N: usize>(
-    at: Configuration<Float>,
-    values: [(Unknown, Float); N],
-) -> Configuration<Float> {
-    values.into_iter().fold(at, |at, (unknown, value)| at.with(unknown, value))
 }
 
 fn at_friction(weight: SelfWeight, line: Line, mu: &Float) -> Configuration<Float> {
     use Unknown as U;
     let float = |x: f64| Float::with_val(mu.prec(), x);
+    let given = Configuration::zero(mu).with(U::Friction, mu.clone());
     let alpha = match line {
         Line::RotationShoulder => rotating(weight, mu),
         Line::RotationInner => {
@@ -104,8 +98,8 @@ fn at_friction(weight: SelfWeight, line: Line, mu: &Float) -> Configuration<Floa
         }
         Line::ShoulderEnd | Line::AboveHaunchEnd | Line::BelowHaunchEnd | Line::CrownEnd => {
             let [alpha, h, joint] = widest_sliding(mu);
-            let slides = [(U::Thrust, h), (U::SlidingJoint, joint), (U::Friction, mu.clone())];
-            return with_haunch(weight, line, point(mu, &slides).with(U::HalfOpening, alpha));
+            let slides = [(U::Thrust, h), (U::SlidingJoint, joint), (U::HalfOpening, alpha)];
+            return with_haunch(weight, line, point(given, &slides));
         }
         Line::Joints | Line::Crown => {
             let [h, joint] = inner_sliding(mu);
@@ -114,8 +108,7 @@ fn at_friction(weight: SelfWeight, line: Line, mu: &Float) -> Configuration<Floa
             let eta = touched_ring(weight, times_cotangent, h.to_f64()).thickness;
             let alpha = float(widest_touching(weight, eta, h.to_f64(), beta));
             let values = [(U::HalfOpening, alpha), (U::Thickness, float(eta)), (U::Thrust, h)];
-            let at = point(mu, &values).with(U::SlidingJoint, joint);
-            return at.with(U::Friction, mu.clone());
+            return point(given, &values).with(U::SlidingJoint, joint);
         }
     };
     at_half_opening(weight, line, &alpha).with(U::Friction, mu.clone())

@@ -1,0 +1,121 @@
+//! A claim, what decides it and what comes out, and how the proof of one uses others.
+
+use super::derivation::{Derivation, Support};
+use crate::certify::Undecided;
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+/// A statement of the paper, or one that it leaves implicit.
+#[derive(Clone, Copy, Debug)]
+pub struct Claim {
+    /// A stable name.
+    pub id: &'static str,
+    /// The equation, table or section.
+    pub place: &'static str,
+    /// What is claimed, as it is printed where it is.
+    pub statement: &'static str,
+    decide: Decide,
+}
+
+type Decide = fn(&mut Derivation) -> Result<Finding, Undecided>;
+
+/// What a completed derivation says of the statement.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Finding {
+    /// It holds as it is printed.
+    AsPrinted,
+    /// It holds; the paper does not state it.
+    Implicit,
+    /// It holds as it is printed, but in some places only with equality.
+    Equality {
+        /// Where both sides are the same: `thickness at B is 2 for both weights`.
+        at: String,
+    },
+    /// It speaks of an amount without a number, or with a rounded one: "about", "limited", "suffices".
+    Measured {
+        /// The number with which it is proved.
+        holds_with: String,
+        /// A number with which it is refuted, the printed one above all.
+        fails_with: Option<String>,
+    },
+    /// It is false as printed.
+    Misprint {
+        /// Where it fails: a point with the two values, or the difference that is not zero.
+        counterexample: String,
+        /// What holds instead, and is proved by the derivation.
+        corrected: &'static str,
+    },
+}
+
+/// How a claim was decided.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Decision {
+    /// The claim.
+    pub claim: Claim,
+    /// The finding, or why there is none.
+    pub outcome: Result<Finding, Undecided>,
+    /// The steps, as far as they went.
+    pub derivation: Derivation,
+    /// How long it took.
+    pub time: Duration,
+}
+
+/// A claim of an id and a place, and what decides it.
+pub(super) const fn claim(id: &'static str, place: &'static str, decide: Decide) -> Claim {
+    Claim { id, place, statement: "", decide }
+}
+
+impl Claim {
+    /// Puts the claim in words.
+    pub(super) const fn states(self, statement: &'static str) -> Self {
+        Self { statement, ..self }
+    }
+
+    /// Whether a name means this claim: its id, or the beginning of it up to a hyphen.
+    pub fn is_named(&self, name: &str) -> bool {
+        self.id.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
+    }
+
+    /// Decides the claim.
+    pub fn decide(&self) -> Decision {
+        self.decide_with(Derivation::new())
+    }
+
+    pub(super) fn decide_with(&self, mut derivation: Derivation) -> Decision {
+        let start = Instant::now();
+        let outcome = (self.decide)(&mut derivation);
+        Decision { claim: *self, outcome, derivation, time: start.elapsed() }
+    }
+}
+
+/// Uses claims in the proof of another, which are decided too. One that does not hold as it is stated cannot be used.
+pub(super) fn lemmas<const N: usize>(
+    d: &mut Derivation,
+    claims: [&Claim; N],
+) -> Result<(), Undecided> {
+    for claim in claims {
+        d.use_claim(format!("{}: {}", claim.id, claim.statement), used(claim)?);
+    }
+    Ok(())
+}
+
+/// What a claim that is used rests on, if it holds as it is stated; each is decided once in a process.
+fn used(claim: &Claim) -> Result<Vec<Support>, Undecided> {
+    type Used = Result<Vec<Support>, Undecided>;
+    static KNOWN: Mutex<BTreeMap<&str, Used>> = Mutex::new(BTreeMap::new());
+    let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(used) = known().get(claim.id) {
+        return used.clone();
+    }
+    // Not under the lock: a claim uses others.
+    let decision = claim.decide();
+    let used = match decision.outcome {
+        Ok(Finding::AsPrinted | Finding::Implicit) => Ok(decision.derivation.supports().collect()),
+        Ok(_) => Err(Undecided::new(format!("{} does not hold as it is stated", claim.id))),
+        Err(undecided) => Err(undecided.about(claim.id)),
+    };
+    known().insert(claim.id, used.clone());
+    used
+}
