@@ -1,17 +1,23 @@
-# `make` builds couplet and prints the landmark constants; `make test` runs every test.
+# `make` builds couplet, shows an arch and says what to try; `make check` has that program check itself; `make test` runs
+# every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build test lint docs msrv deny snapshots pictures constants states checker malachite combinations crates examples exporters c header wheel notebooks wheel-manylinux page page-test bench peers \
+.PHONY: run build check test lint docs msrv deny snapshots pictures constants states checker combinations crates house examples exporters c header wheel notebooks wheel-manylinux page page-test bench peers \
         proofs witness m4 coq
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
-# them too old.
-ALL := --features study,proptest
+# them too old. `malachite` needs a newer Rust than the rest.
+OLDEST := --features study,proptest
+ALL := $(OLDEST),malachite
 
-# $(call need,TEST,PACKAGES,WHY): if the test fails, installs Debian packages as root, and names them otherwise.
+# No path of this machine stands in a program that is handed on.
+release: export RUSTFLAGS := --remap-path-prefix=$(CURDIR)=/couplet --remap-path-prefix=$(or $(CARGO_HOME),$(HOME)/.cargo)=/cargo
+
+# $(call need,TEST,PACKAGES,WHY): if the test fails, says so and installs Debian packages as root, and names them otherwise.
 define need
 @{ $(1); } >/dev/null 2>&1 || { \
   if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
+    echo "couplet: $(strip $(3)); installing the packages '$(strip $(2))' with apt-get" >&2; \
     apt-get update -qq && apt-get install -y -qq --no-install-recommends $(strip $(2)); \
   else \
     echo "couplet: $(strip $(3)); install the packages '$(strip $(2))' (sudo apt-get install $(strip $(2)))" >&2; \
@@ -20,12 +26,27 @@ define need
 endef
 
 run: build
-	./target/release/couplet constants
+	@echo
+	./target/release/couplet state --weight heyman --half-opening 90deg --friction 0.5
+	@printf '%s\n' '' 'That is a semicircular arch at its least thickness. To try:' \
+	  '  ./target/release/couplet constants                     the landmark points, proved' \
+	  '  ./target/release/couplet draw --half-opening 90deg --friction 0.5 -o arch.svg' \
+	  '  ./target/release/couplet --help                        everything else'
 
 build: m4
+	@[ -e target/release/couplet ] || \
+	  echo 'couplet: the first build compiles GMP, MPFR and about 150 crates; it takes some minutes'
+	@$(MAKE) --no-print-directory release
+
+release:
 	cargo build --release --locked
 
-# The last lines name what was skipped because a program is missing.
+# The program that was built, by what is stored: its certificates, its constants and states, the examples of the pages.
+check: build
+	@tests/check.sh target/release/couplet
+
+# Not the profile of `make`: overflows and the code's own assertions are looked at in tests, and the program that is handed on is
+# optimised across all crates, which takes as long as all else. The last lines name what was skipped because a program is missing.
 test: m4
 	@mkdir -p target && : > $(SKIPPED)
 	COUPLET_SKIPPED=$(SKIPPED) cargo test --locked $(ALL)
@@ -52,7 +73,7 @@ docs: m4
 
 # Whether the Rust version that Cargo.toml states is enough.
 msrv: m4
-	@.ci/msrv $(ALL)
+	@.ci/msrv $(OLDEST)
 
 # Whether every crate has a licence of deny.toml's list and comes from the registry.
 deny:
@@ -80,23 +101,22 @@ states: build
 	./target/release/couplet prove --coq proofs/coq/generated \
 	  --state proofs/states/*.json proofs/asymmetric/inner-sliding-*.json
 
-# The checker of certificates alone, which must need neither GMP nor MPFR: `couplet check`, and its tests.
+# The checker of certificates alone, in pure Rust: what it needs, and what it says of every stored certificate.
 checker:
-	cargo build --release --locked --no-default-features --features check,cli --target-dir target/checker
-	@! cargo tree --locked --no-default-features --features check,cli -e normal,build | grep -E "rug|gmp-mpfr"
-	cargo test --locked --no-default-features --features check,cli --target-dir target/checker
-	@! cargo tree --locked --no-default-features --features check,cli -e normal,build | grep malachite
-	@! cargo tree --locked --no-default-features --features check,cli,malachite -e normal,build | grep -E "rug|gmp-mpfr"
-	cargo test --locked --no-default-features --features check,cli,malachite --target-dir target/checker
-
-# The tests that run over every arithmetic, with malachite among them: roundings beside MPFR's, enclosures, refusals.
-malachite: m4
-	cargo test --locked --features malachite --test it -- ends:: number_suite:: certificates:: second_arithmetic \
-	  constants:: checker::
+	cargo build --release --locked --package couplet-check --target-dir target/checker
+	@! cargo tree --locked --package couplet-check -e normal,build | grep -E "rug|gmp-mpfr|malachite|resvg"
+	@[ $$(cargo tree --locked --package couplet-check -e normal,build --prefix none | sed 's/ (.*//' | sort -u | wc -l) -le 20 ] || \
+	  { echo "couplet: the checker has more than 20 crates" >&2; exit 1; }
+	target/checker/release/couplet-check proofs/constants/*.json proofs/states/*.json proofs/asymmetric/*.json >target/checker/said
+	@echo "$$(grep -c ': accepted' target/checker/said) certificates accepted"
 
 # Every sensible build without a warning, and what must not be in it.
 combinations: m4
 	@.ci/combinations
+
+# The size of the house; `benches/house.py --time` has the seconds of builds too.
+house: m4
+	@benches/house.py
 
 # The columns `crates` and `seconds` of docs/features.md: each build from nothing.
 crates: m4
@@ -105,7 +125,7 @@ crates: m4
 # The programs of examples/; each ends with what it asserts.
 examples: m4
 	for name in constant state identity own_solver; do \
-	  cargo run --locked --quiet --features proptest --example $$name || exit 1; \
+	  cargo run --locked --quiet $(ALL) --example $$name || exit 1; \
 	done
 
 # The exported constants read back bit for bit by every language they are written for. `make test` does so
