@@ -113,6 +113,13 @@ impl DoubleDouble {
     }
 }
 
+impl From<f64> for DoubleDouble {
+    #[inline(always)]
+    fn from(x: f64) -> Self {
+        Self::exact(x)
+    }
+}
+
 impl Field for DoubleDouble {
     #[inline(always)]
     fn int(&self, n: i32) -> Self {

@@ -1,51 +1,52 @@
-//! Balls of double-doubles: about 106 bits with a radius that is a double, without a heap.
+//! Balls of double-doubles: a [`FloatBall`] of about 106 bits.
 //!
-//! Each operation errs by at most [`UNIT`](DoubleDouble::UNIT) `|m|` at its midpoint `m = hi + lo`, of which the first
-//! part may stand for the whole in a bound: `|m| <= (1 + u) |hi|` with `u = 2^-53`, and the proved errors are at most
-//! `(15 + 2^-40) u²`, so that `16 u² |hi|` has room for that factor. How radii are rounded up, and why nothing overflows or
-//! underflows unseen, is at [`DoubleBall`]: the ranges are the same, the factor `1 + u` counts as a rounding, and the
-//! error of a Dekker product of two midpoints, a multiple of `2^-(2 220 + 2 53)`, is exact. A low part may be of any size;
-//! where its products underflow they add less than `2^-1070`, and `u² |hi| / 2` is above `2^-560`.
+//! Each operation errs by at most [`UNIT`](DoubleDouble::UNIT) `|hi|` at its midpoint `m = hi + lo`: `|m| <= (1 + u) |hi|` with
+//! `u = 2^-53`, and the proved errors are at most `(15 + 2^-40) u² |m|`, so that `16 u² |hi|` has room for that factor.
+//! Nothing overflows or underflows unseen, as the error of a Dekker product of two midpoints, a multiple of
+//! `2^-(2 220 + 2 53)`, is exact. A low part may be of any size; where its products underflow they add less than
+//! `2^-1070`, and `u² |hi| / 2` is above `2^-560`.
 
 #[cfg(feature = "mpfr")]
-use super::double_ball::SMALLEST;
-use super::double_ball::{DOWN, UP, power_of_two, settled};
-use super::double_sine::{self, sin_cos};
-use super::stumpff::{from_series, terms};
+use super::float_ball::SMALLEST;
+use super::float_ball::{DOWN, FloatBall, Midpoint, UP, power_of_two};
 #[cfg(feature = "mpfr")]
 use super::{Ball, Magnitude};
-use super::{DoubleBall, DoubleDouble, Enclosure, Field, Real, Stumpff, Ternary};
+use super::{DoubleBall, DoubleDouble};
 #[cfg(feature = "mpfr")]
 use rug::{Float, float::Round};
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// All real numbers within `rad` of `mid`. The ranges are those of [`DoubleBall`].
-#[derive(Clone, Copy, Debug)]
-pub struct DoubleDoubleBall {
-    mid: DoubleDouble,
-    rad: f64,
+/// All real numbers within a radius of a double-double.
+pub type DoubleDoubleBall = FloatBall<DoubleDouble>;
+
+impl Midpoint for DoubleDouble {
+    const ZERO: Self = Self::ZERO;
+    const UNIT: f64 = Self::UNIT;
+    const BITS: u32 = 106;
+    const PI: (Self, f64) = (Self::constant(std::f64::consts::PI, 1.2246467991473532e-16), 3e-33);
+
+    #[inline(always)]
+    fn nearest(x: DoubleDouble) -> (Self, f64) {
+        (x, 0.0)
+    }
+
+    #[inline(always)]
+    fn hi(self) -> f64 {
+        self.hi()
+    }
+
+    /// `DOWN` has room for the low part.
+    #[inline(always)]
+    fn shortened(self) -> f64 {
+        self.hi() * DOWN
+    }
+
+    #[inline(always)]
+    fn root(self) -> Self {
+        self.sqrt()
+    }
 }
 
 impl DoubleDoubleBall {
-    /// The whole line: nothing is known.
-    pub const WHOLE: Self = Self { mid: DoubleDouble::ZERO, rad: f64::INFINITY };
-
-    /// All numbers within `rad` of `mid`; the whole line unless both are numbers and the second is not negative.
-    #[inline(always)]
-    pub fn new(mid: DoubleDouble, rad: f64) -> Self {
-        match settled(mid.hi().abs(), rad) {
-            Some((true, rad)) => Self { mid, rad },
-            Some((false, rad)) => Self { mid: DoubleDouble::ZERO, rad },
-            None => Self::WHOLE,
-        }
-    }
-
-    /// The number `mid`.
-    #[inline(always)]
-    pub fn exact(mid: DoubleDouble) -> Self {
-        Self::new(mid, 0.0)
-    }
-
     /// `± mantissa 2^exponent`, the mantissa in words of 64 bits, the least significant first: exactly if it has at
     /// most 106 bits, else with a bound of what is left.
     pub fn of_words(is_negative: bool, mantissa: &[u64], exponent: i64) -> Self {
@@ -77,30 +78,6 @@ impl DoubleDoubleBall {
         Self::new(DoubleDouble::sum(sign * hi, sign * lo), unit * left as f64)
     }
 
-    /// The result of an operation of [`DoubleDouble`], with what its radius is but for the error of that.
-    #[inline(always)]
-    fn rounded(mid: DoubleDouble, rad: f64) -> Self {
-        Self::new(mid, (rad + DoubleDouble::UNIT * mid.hi().abs()) * UP)
-    }
-
-    /// The midpoint; zero for the whole line.
-    #[inline(always)]
-    pub fn mid(&self) -> DoubleDouble {
-        self.mid
-    }
-
-    /// The radius; infinite for the whole line.
-    #[inline(always)]
-    pub fn rad(&self) -> f64 {
-        self.rad
-    }
-
-    /// The same midpoint with `more`, not negative, added to the radius.
-    #[inline]
-    pub fn widened(&self, more: f64) -> Self {
-        Self::new(self.mid, (self.rad + more) * UP)
-    }
-
     /// The double nearest to every number of the ball, ties to even; `None` if they may differ, and outside
     /// `2^±200`.
     pub fn nearest_double(&self) -> Option<f64> {
@@ -113,11 +90,6 @@ impl DoubleDoubleBall {
             size == 0.0 && is_exact || (power_of_two(-200)..power_of_two(200)).contains(&size);
         // Adding zero makes a negative zero positive.
         (in_range && (is_exact || is_near)).then_some(double + 0.0)
-    }
-
-    /// An upper bound of the size of all numbers of the ball.
-    pub fn size(&self) -> f64 {
-        (self.mid.hi().abs() + self.rad) * UP
     }
 
     /// The same set as a ball of MPFR, with results to be rounded to `prec` bits. Only a midpoint that spans
@@ -150,14 +122,6 @@ impl From<&Ball> for DoubleDoubleBall {
     }
 }
 
-/// The same set with the double nearest to the midpoint as midpoint: outward.
-impl From<DoubleDoubleBall> for DoubleBall {
-    #[inline(always)]
-    fn from(ball: DoubleDoubleBall) -> Self {
-        Self::new(ball.mid.hi(), (ball.rad + ball.mid.lo().abs()) * UP)
-    }
-}
-
 impl From<DoubleBall> for DoubleDoubleBall {
     #[inline(always)]
     fn from(ball: DoubleBall) -> Self {
@@ -165,161 +129,10 @@ impl From<DoubleBall> for DoubleDoubleBall {
     }
 }
 
-impl Field for DoubleDoubleBall {
-    #[inline(always)]
-    fn int(&self, n: i32) -> Self {
-        Self { mid: self.mid.int(n), rad: 0.0 }
-    }
-}
-
-impl Real for DoubleDoubleBall {
-    #[inline]
-    fn pi(&self) -> Self {
-        // What is left of pi, rounded up.
-        let mid = DoubleDouble::constant(std::f64::consts::PI, 1.2246467991473532e-16);
-        Self { mid, rad: 3e-33 }
-    }
-
-    /// The square root; the whole line unless every number of the ball is at least zero.
-    ///
-    /// Radius: `|√x - √m| = |x - m| / (√x + √m)` is at most `r / (√(m-r) + √m)`.
-    #[inline]
-    fn sqrt(&self) -> Self {
-        let hi = self.mid.hi();
-        if hi == 0.0 && self.rad == 0.0 {
-            return *self;
-        }
-        let low = hi * DOWN - self.rad;
-        if low <= 0.0 {
-            return Self::WHOLE;
-        }
-        let root = self.mid.sqrt();
-        Self::rounded(root, self.rad / (((low * DOWN).sqrt() + root.hi()) * DOWN))
-    }
-
-    /// Sine and cosine. For `|d| <= r`, `|sin(m+d) - sin m| <= min(r, r |cos m| + r²/2)`, and the same with the two
-    /// exchanged. Beyond `±4` the answer is `[-1, 1]`.
-    #[inline]
-    fn sin_cos(&self) -> (Self, Self) {
-        let (size, r) = (self.mid.hi().abs(), self.rad);
-        if size > double_sine::LARGEST || r >= 1.0 {
-            let unit = Self { mid: DoubleDouble::ZERO, rad: 1.0 };
-            return (unit, unit);
-        }
-        let (sin, cos) = sin_cos(self.mid);
-        let relative = if size <= double_sine::RELATIVE { size } else { 1.0 };
-        let around = |value: DoubleDouble, slope: DoubleDouble, error: f64| {
-            let bent = (slope.hi().abs() + double_sine::ERROR) * r + r * r / 2.0;
-            Self::new(value, (r.min(bent) + error) * UP)
-        };
-        (around(sin, cos, double_sine::ERROR * relative), around(cos, sin, double_sine::ERROR))
-    }
-}
-
-impl Stumpff for DoubleDoubleBall {
-    fn stumpff(&self, count: usize) -> Vec<Self> {
-        let size = self.size();
-        if size > 2.0 {
-            return vec![Self::WHOLE; count];
-        }
-        // As for balls of MPFR: what follows the terms is within |u| of one.
-        let tail = self.int(1).widened(size);
-        from_series(self, count, terms(106, 1), &tail)
-    }
-}
-
-impl Enclosure for DoubleDoubleBall {
-    #[inline(always)]
-    fn is_positive(&self) -> Ternary {
-        // `DOWN` has room for the low part.
-        if self.mid.hi() * DOWN > self.rad {
-            Ternary::True
-        } else if -self.mid.hi() * DOWN >= self.rad {
-            Ternary::False
-        } else {
-            Ternary::Undecided
-        }
-    }
-
-    #[inline(always)]
-    fn is_bounded(&self) -> bool {
-        self.rad.is_finite()
-    }
-
-    #[inline(always)]
-    fn midpoint(&self) -> Self {
-        Self { rad: 0.0, ..*self }
-    }
-
-    #[inline(always)]
-    fn centred(&self) -> Self {
-        Self { mid: DoubleDouble::ZERO, ..*self }
-    }
-
-    #[inline]
-    fn lies_inside(&self, outer: &Self) -> bool {
-        ((self.mid - outer.mid).hi().abs() + self.rad) * UP < outer.rad
-    }
-
-    #[inline]
-    fn overlaps(&self, other: &Self) -> bool {
-        (self.mid - other.mid).hi().abs() * DOWN <= (self.rad + other.rad) * UP
-    }
-}
-
-impl Neg for DoubleDoubleBall {
-    type Output = Self;
-    #[inline(always)]
-    fn neg(self) -> Self {
-        Self { mid: -self.mid, ..self }
-    }
-}
-
-impl Add<&DoubleDoubleBall> for DoubleDoubleBall {
-    type Output = Self;
-    #[inline]
-    fn add(self, other: &Self) -> Self {
-        Self::rounded(self.mid + other.mid, self.rad + other.rad)
-    }
-}
-
-impl Sub<&DoubleDoubleBall> for DoubleDoubleBall {
-    type Output = Self;
-    #[inline]
-    fn sub(self, other: &Self) -> Self {
-        Self::rounded(self.mid - other.mid, self.rad + other.rad)
-    }
-}
-
-impl Mul<&DoubleDoubleBall> for DoubleDoubleBall {
-    type Output = Self;
-    /// For `|x - a| <= r` and `|y - b| <= s`, `|xy - ab| <= |a| s + (|b| + s) r`.
-    #[inline]
-    fn mul(self, other: &Self) -> Self {
-        let (a, b) = (self.mid.hi().abs(), other.mid.hi().abs());
-        Self::rounded(self.mid * other.mid, a * other.rad + (b + other.rad) * self.rad)
-    }
-}
-
-impl Div<&DoubleDoubleBall> for DoubleDoubleBall {
-    type Output = Self;
-    /// For `|x - a| <= r` and `|y - b| <= s`, `|x/y - a/b| <= (r + |a/b| s) / (|b| - s)`.
-    #[inline]
-    fn div(self, other: &Self) -> Self {
-        let least = (other.mid.hi().abs() * DOWN - other.rad) * DOWN;
-        if least <= 0.0 {
-            return Self::WHOLE;
-        }
-        let quotient = self.mid / other.mid;
-        Self::rounded(quotient, (self.rad + quotient.hi().abs() * other.rad) / least)
-    }
-}
-
-owned_operators!(DoubleDoubleBall);
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::{Enclosure, Real, Ternary};
     use rug::float::Constant;
 
     #[test]

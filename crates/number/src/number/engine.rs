@@ -2,7 +2,7 @@
 
 use super::end::End;
 use super::interval::Interval;
-use super::{DoubleBall, DoubleDoubleBall, Dyadic, Enclosure};
+use super::{DoubleBall, DoubleDoubleBall, Dyadic, Enclosure, FloatBall, Midpoint};
 
 /// Enclosures that can be made from exact binary numbers.
 ///
@@ -42,10 +42,14 @@ impl<E: End> Engine for Interval<E> {
     }
 }
 
-impl Engine for DoubleDoubleBall {
-    /// The two leading parts, and a bound of what is left as radius.
+/// The double or the two that lead, and a bound of what is left as radius.
+impl<M: Midpoint> Engine for FloatBall<M>
+where
+    Self: From<DoubleDoubleBall> + Into<DoubleBall>,
+{
     fn exact(value: &Dyadic, _bits: usize) -> Self {
-        Self::of_words(value.is_negative(), value.words(), value.exponent().into())
+        let exponent = value.exponent().into();
+        DoubleDoubleBall::of_words(value.is_negative(), value.words(), exponent).into()
     }
 
     fn with_bits(&self, _bits: usize) -> Self {
@@ -54,21 +58,6 @@ impl Engine for DoubleDoubleBall {
 
     fn widened_by(&self, radius: &Dyadic) -> Self {
         let radius: DoubleBall = <Self as Engine>::exact(radius, 0).into();
-        self.widened(radius.mid().abs()).widened(radius.rad())
-    }
-}
-
-impl Engine for DoubleBall {
-    fn exact(value: &Dyadic, bits: usize) -> Self {
-        <DoubleDoubleBall as Engine>::exact(value, bits).into()
-    }
-
-    fn with_bits(&self, _bits: usize) -> Self {
-        *self
-    }
-
-    fn widened_by(&self, radius: &Dyadic) -> Self {
-        let radius = <Self as Engine>::exact(radius, 0);
         self.widened(radius.mid().abs()).widened(radius.rad())
     }
 }

@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | [`f64`] | a quick look | [`Field`], [`Real`] |
 //! | [`DoubleDouble`] | the sum of two doubles, each operation with a proved bound of its error | [`Field`] |
-//! | [`DoubleBall`], [`DoubleDoubleBall`] | one or two doubles and a radius: quick enclosures | [`Field`], [`Real`], [`Enclosure`] |
+//! | [`FloatBall`]: [`DoubleBall`], [`DoubleDoubleBall`] | one or two doubles and a radius: quick enclosures | [`Field`], [`Real`], [`Enclosure`] |
 //! | [`ShortBall`] | fixed point of a few words on the stack, with a radius | [`Field`] |
 //! | [`rug::Float`] | MPFR, round to nearest: candidates | [`Field`], [`Real`] |
 //! | [`Ball`] | MPFR midpoint and radius: enclosures | [`Field`], [`Real`], [`Enclosure`] |
@@ -61,6 +61,7 @@ mod dyadic;
 mod end;
 mod engine;
 mod exact;
+mod float_ball;
 #[cfg(feature = "mpfr")]
 mod gmp;
 mod gradient;
@@ -86,8 +87,6 @@ pub use angle::Angle;
 pub use astro::{Astro, AstroInterval};
 pub use decimal::{Decimal, ParseDecimalError};
 pub use double_ball::DoubleBall;
-#[cfg(feature = "mpfr")]
-pub use double_ball::power_of_two;
 pub use double_double::DoubleDouble;
 pub use double_double_ball::DoubleDoubleBall;
 pub use drawable::Drawable;
@@ -98,6 +97,9 @@ pub use engine::Engine;
 #[cfg(feature = "mpfr")]
 pub use exact::nearest_double;
 pub use exact::{ExactNumber, Form, ParseExactError};
+#[cfg(feature = "mpfr")]
+pub use float_ball::power_of_two;
+pub use float_ball::{FloatBall, Midpoint};
 #[cfg(feature = "mpfr")]
 pub use gmp::{
     Anchor, Ball, Binary, Magnitude, Rounded, Surd, arctangent, bits_of, degrees, hexadecimal,
