@@ -1,10 +1,9 @@
 //! A turn: the point `cos x + i sin x` in fixed point, with a bound of its error.
 
-use super::ball::fixed;
 use super::gaussian::Gaussian;
 use super::product::product;
 use super::small_angle::SmallAngle;
-use super::{Ball, Magnitude};
+use super::{Ball, Magnitude, fixed};
 use rug::{Complete, Integer};
 
 /// Sine and cosine of an angle, in units of `2^-places`.

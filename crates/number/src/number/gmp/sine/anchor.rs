@@ -13,12 +13,11 @@
 //! arXiv:2207.02501). A step `d` from there is a short series, the shorter the nearer.
 
 use super::arctangents::Arguments;
-use super::ball::fixed;
 use super::burst;
 use super::gaussian::Gaussian;
 use super::lattice;
 use super::turn::Turn;
-use super::{Angle, Ball, Magnitude, Real};
+use super::{Angle, Ball, Magnitude, Real, fixed};
 use rug::{Float, Integer};
 
 /// Sine and cosine at one point, to the precision given, ready to be moved to points nearby.
