@@ -16,7 +16,7 @@ use couplet::certify::{
 };
 use couplet::problem::measures::{Circle, Measures};
 use couplet::problem::stones::Stones;
-use couplet::problem::{Friction, Landmark, Quantity};
+use couplet::problem::{Landmark, Quantity, Slope};
 use couplet::{Error, Refused};
 
 /// What a door refuses, if it does.
@@ -50,7 +50,7 @@ fn measures() -> Measures {
 /// Everything that takes digits of an arch.
 fn of_an_arch(digits: usize) -> Vec<(&'static str, Option<Refused>)> {
     let (arch, eta, mu) = (arch(M, "1", "0.6"), number("0.1"), "0.6".parse().unwrap());
-    let tilt: Friction = "0.1".parse().unwrap();
+    let tilt: Slope = "0.1".parse().unwrap();
     let question = Question::Friction { half_opening: number("1"), thickness: None };
     let measures = measures();
     let least = match arch.least(digits) {
@@ -123,7 +123,7 @@ fn no_door_of_a_landmark_answers_to_no_digits_or_to_too_many() {
 #[test]
 fn what_is_no_thickness_is_said_to_be_none_for_the_true_reason() {
     let (arch, stones, mu) = (arch(M, "1", "0.6"), stones(7), "0.6".parse().unwrap());
-    let tilt: Friction = "0.1".parse().unwrap();
+    let tilt: Slope = "0.1".parse().unwrap();
     for (text, words) in [
         ("0", "the thickness 0 is not between 0 and 2"),
         ("5/2", "the thickness 5/2 is not between 0 and 2"),
@@ -155,7 +155,7 @@ fn what_is_no_thickness_is_said_to_be_none_for_the_true_reason() {
 #[test]
 fn a_number_of_stones_has_its_bounds() {
     let (arch, eta) = (arch(M, "1", "0.6"), number("0.1"));
-    let tilt: Friction = "0.1".parse().unwrap();
+    let tilt: Slope = "0.1".parse().unwrap();
     let expected = |asked, most| Some(Refused::StoneCount { asked, most });
     for asked in [0, 1, 101, u64::MAX] {
         let all = enumerate(&arch, asked, Extent::Whole, 5).refused();

@@ -2,7 +2,7 @@
 
 use super::described::say;
 use crate::number::ExactNumber;
-use crate::problem::Friction;
+use crate::problem::{Friction, Slope};
 use num_rational::BigRational;
 use std::collections::HashSet;
 use std::hash::Hash;
@@ -22,7 +22,7 @@ pub(super) fn frictions<'a>(all: impl IntoIterator<Item = &'a Friction>) {
 }
 
 /// An acceleration that may have been meant as an angle.
-pub(super) fn tilt(tilt: &Friction) {
+pub(super) fn tilt(tilt: &Slope) {
     if let Some(k) = large(tilt, LARGE_TILT) {
         say(&format!("couplet: the tilt {k} is {k} times gravity; {}", angle(k)));
     }

@@ -104,6 +104,24 @@ impl fmt::Display for Friction {
     }
 }
 
+impl Friction {
+    /// The friction, if it may be that of an arch; a right angle is infinite.
+    pub(super) fn checked(self) -> Result<Self, ArchError> {
+        match self {
+            Self::Coefficient(mu) if sign(&mu) == Sign::Minus => {
+                Err(ArchError::Friction(mu.to_string()))
+            }
+            Self::Angle(phi) if phi.form() == Form::TimesPi && *phi.factor() == ratio(1, 2) => {
+                Ok(Self::Infinite)
+            }
+            Self::Angle(phi) if !is_between(&phi, true, 2) => {
+                Err(ArchError::FrictionAngle(phi.to_string()))
+            }
+            friction => Ok(friction),
+        }
+    }
+}
+
 /// Whether a thickness is above 0 and at most the physical limit 2.
 pub fn is_thickness(thickness: &ExactNumber) -> bool {
     let (zero, limit) = (ratio(0, 1), ratio(2, 1));
@@ -121,19 +139,7 @@ impl Arch {
         if !is_between(&half_opening, false, 1) {
             return Err(ArchError::HalfOpening(half_opening));
         }
-        let friction = match friction {
-            Friction::Coefficient(mu) if sign(&mu) == Sign::Minus => {
-                return Err(ArchError::Friction(mu.to_string()));
-            }
-            Friction::Angle(phi) if phi.form() == Form::TimesPi && *phi.factor() == ratio(1, 2) => {
-                Friction::Infinite
-            }
-            Friction::Angle(phi) if !is_between(&phi, true, 2) => {
-                return Err(ArchError::FrictionAngle(phi.to_string()));
-            }
-            friction => friction,
-        };
-        Ok(Self { weight, half_opening, friction })
+        Ok(Self { weight, half_opening, friction: friction.checked()? })
     }
 
     /// An arch from the texts that the command line reads: `heyman` or `milankovitch`, a half opening

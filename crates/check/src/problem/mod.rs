@@ -9,6 +9,7 @@
 //! | `line` | the lines of the map on which two of them meet |
 //! | `arch` | an arch: weight, half opening, friction |
 //! | [`measures`] | an arch in metres, and the weight of its material |
+//! | `slope` | an acceleration over gravity: a ratio, or an angle |
 //! | `thickness` | a thickness as it is written: a ratio, or a length |
 //! | [`stones`] | the joints of an arch of voussoirs |
 //! | `asymmetric` | an asymmetric solution of (19): system, conditions, quantities |
@@ -39,6 +40,7 @@ mod mode;
 mod problem;
 pub mod published;
 mod quantity;
+mod slope;
 pub mod stones;
 mod system;
 pub mod tally;
@@ -61,6 +63,7 @@ pub use line::{Line, NoLine, Sought};
 pub use mode::Mode;
 pub use problem::Problem;
 pub use quantity::Quantity;
+pub use slope::{Slope, SlopeError};
 pub use system::{Fixed, System};
 pub use thickness::{ThicknessError, bare_ratio, thickness};
 pub use ties::{friction_angle_is_half_opening, has_no_arm_at_crown, slides_at_no_thrust};

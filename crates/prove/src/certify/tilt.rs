@@ -21,7 +21,7 @@ use crate::arch::tilt::{TiltedRow, row};
 use crate::arch::whole::along;
 use crate::arch::{Ring, SelfWeight};
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Jet, bits_of};
-use crate::problem::{Arch, Friction};
+use crate::problem::{Arch, Slope};
 use crate::solve::tilt::{Search, TiltCandidate, Touch, contacts};
 use rug::Float;
 
@@ -83,7 +83,7 @@ const GUARD: u32 = 16;
 pub fn tilted(
     arch: &Arch,
     thickness: &ExactNumber,
-    tilt: &Friction,
+    tilt: &Slope,
     digits: usize,
 ) -> Result<TiltDigits, Refused> {
     Refused::thickness(thickness)?;
@@ -130,8 +130,8 @@ pub fn tilted(
     Ok(TiltDigits::new(is_admissible, largest))
 }
 
-/// The acceleration over gravity that is asked for, in balls of some bits: given like a friction, by itself or by its angle.
-pub(super) fn acceleration(tilt: &Friction, bits: u32) -> Ball {
+/// The acceleration over gravity that is asked for, in balls of some bits.
+pub(super) fn acceleration(tilt: &Slope, bits: u32) -> Ball {
     let given = grip(tilt, bits);
     given.normal / given.shear
 }
@@ -174,7 +174,7 @@ impl Proof {
     }
 
     /// Whether the state at an acceleration that is farthest from all conditions satisfies them.
-    fn has_state(&self, tilt: &Friction) -> bool {
+    fn has_state(&self, tilt: &Slope) -> bool {
         let tilt = acceleration(tilt, self.bits);
         let Some(state) = self.search().inside_at(tilt.mid().to_f64()) else { return false };
         let [h, p, v] = state.map(|x| Ball::exact(Float::with_val(self.bits, x), self.bits));

@@ -21,7 +21,7 @@ use crate::arch::whole::Side;
 use crate::arch::{Ring, SelfWeight};
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, bits_of};
 use crate::problem::stones::Stones;
-use crate::problem::{Arch, Friction};
+use crate::problem::{Arch, Slope};
 use crate::solve::tilt::{StoneTilt, against_of_stones, inside_of_stones, of_stones};
 use rug::Float;
 
@@ -45,7 +45,7 @@ pub fn tilted_stones(
     arch: &Arch,
     stones: &Stones,
     thickness: &ExactNumber,
-    tilt: &Friction,
+    tilt: &Slope,
     digits: usize,
 ) -> Result<TiltDigits, Refused> {
     Refused::thickness(thickness)?;
@@ -84,13 +84,13 @@ pub fn tilted_stones(
 }
 
 /// Whether an acceleration is below the largest; `None` if that is not told.
-fn compared(largest: &Ball, tilt: &Friction, bits: u32) -> Option<bool> {
+fn compared(largest: &Ball, tilt: &Slope, bits: u32) -> Option<bool> {
     let room = largest.clone() - acceleration(tilt, bits);
     room.excludes_zero().then(|| *room.mid() > 0)
 }
 
 /// Whether the state at an acceleration that is farthest from all conditions satisfies them.
-fn has_state(all: &[Condition], tilt: &Friction, bits: u32) -> bool {
+fn has_state(all: &[Condition], tilt: &Slope, bits: u32) -> bool {
     let tilt = acceleration(tilt, bits);
     let Some(state) = inside_of_stones(&in_doubles(all), tilt.mid().to_f64()) else { return false };
     let [h, p, v] = state.map(|x| Ball::exact(Float::with_val(bits, x), bits));
@@ -99,7 +99,7 @@ fn has_state(all: &[Condition], tilt: &Friction, bits: u32) -> bool {
 }
 
 /// Whether four conditions, with positive multipliers that leave nothing of `h, p` and `v`, contradict each other at an acceleration.
-fn has_none(all: &[Condition], tilt: &Friction, bits: u32) -> bool {
+fn has_none(all: &[Condition], tilt: &Slope, bits: u32) -> bool {
     let tilt = acceleration(tilt, bits);
     let Some(places) = against_of_stones(&in_doubles(all), tilt.mid().to_f64()) else {
         return false;
@@ -354,7 +354,7 @@ mod tests {
         let parsed = Arch::parse("heyman", "2pi/3", "inf").unwrap();
         let stones = Stones::equal(4, parsed.half_opening().clone()).unwrap();
         let all = conditions(&parsed, &stones, &"1".parse().unwrap(), 200);
-        let given = |tilt: &str| -> Friction { tilt.parse().unwrap() };
+        let given = |tilt: &str| -> Slope { tilt.parse().unwrap() };
         assert!(has_none(&all, &given("1"), 200) && !has_none(&all, &given("0.7"), 200));
         let places = against_of_stones(&in_doubles(&all), 1.0).unwrap();
         let four: Vec<&Condition> = places.iter().map(|place| &all[*place]).collect();

@@ -1,0 +1,54 @@
+//! A slope, as it is given: a ratio or an angle.
+
+use super::{ArchError, Friction};
+use std::ops::Deref;
+use std::str::FromStr;
+
+/// A ratio of at least 0, by itself or as the tangent of an angle below a right one: that of a horizontal acceleration to gravity. A
+/// friction that is limited is written, shown and computed with in the same way.
+///
+/// ```
+/// use couplet_check::problem::{Slope, SlopeError};
+/// assert_eq!("5deg".parse::<Slope>().unwrap().to_string(), "tan(5deg)");
+/// assert_eq!("inf".parse::<Slope>(), Err(SlopeError::Unreadable));
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Slope(Friction);
+
+/// Why a slope is refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SlopeError {
+    /// A text is neither a ratio nor an angle.
+    #[error("neither a number (0.1) nor an angle (5deg)")]
+    Unreadable,
+    /// The ratio is negative.
+    #[error("negative")]
+    Negative,
+    /// The angle is not between 0 and a right one.
+    #[error("not an angle from 0 to below 90deg")]
+    Angle,
+}
+
+impl FromStr for Slope {
+    type Err = SlopeError;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        match text.parse::<Friction>() {
+            Err(_) | Ok(Friction::Infinite) => Err(SlopeError::Unreadable),
+            Ok(given) => match given.checked() {
+                Err(ArchError::Friction(_)) => Err(SlopeError::Negative),
+                Err(_) | Ok(Friction::Infinite) => Err(SlopeError::Angle),
+                Ok(slope) => Ok(Self(slope)),
+            },
+        }
+    }
+}
+
+impl Deref for Slope {
+    type Target = Friction;
+
+    fn deref(&self) -> &Friction {
+        &self.0
+    }
+}
