@@ -13,12 +13,12 @@
 //! vanish in `X`) makes `K(X)` unbounded, so that the test fails; hence a success also proves that
 //! `F` is smooth on `X`.
 
-use crate::number::{Enclosure, Field, Slopes};
+use crate::number::{Derivatives, Enclosure, Field};
 
 /// `I - Y F'(X)`, row by row. `preconditioner` is `Y`; `slopes` are the residuals with their derivatives on a box
 /// that holds `X`, of which only these are used.
 pub fn contraction<E: Enclosure>(
-    slopes: &[impl Slopes<E>],
+    slopes: &[impl Derivatives<E>],
     preconditioner: &[impl AsRef<[E]>],
 ) -> Vec<Vec<E>> {
     let entry = |row: &[E], i: usize, k: usize| {
@@ -34,7 +34,7 @@ pub fn contraction<E: Enclosure>(
 
 /// The last term of `K(X)`, `(I - Y F'(X)) (X - m)`; `offsets` is `X - m`, the rest as for [`contraction`].
 pub fn spread<E: Enclosure>(
-    slopes: &[impl Slopes<E>],
+    slopes: &[impl Derivatives<E>],
     preconditioner: &[impl AsRef<[E]>],
     offsets: &[E],
 ) -> Vec<E> {
@@ -52,7 +52,7 @@ pub fn spread<E: Enclosure>(
 pub fn image<E: Enclosure>(
     centre: &[E],
     residuals: &[E],
-    slopes: &[impl Slopes<E>],
+    slopes: &[impl Derivatives<E>],
     preconditioner: &[impl AsRef<[E]>],
     domain: &[E],
 ) -> Vec<E> {

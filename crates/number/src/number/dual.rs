@@ -1,6 +1,6 @@
 //! Dual numbers: a value with its gradient. Nobody types a derivative.
 
-use super::{Field, Real, Slopes};
+use super::{Derivatives, Field, Real};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A value and its partial derivatives. A missing derivative is exactly zero and costs nothing,
@@ -84,7 +84,7 @@ impl<T: Field> Dual<T> {
     }
 }
 
-impl<T> Slopes<T> for Dual<T> {
+impl<T> Derivatives<T> for Dual<T> {
     fn slope(&self, index: usize) -> Option<&T> {
         self.gradient.get(index).and_then(Option::as_ref)
     }

@@ -1,7 +1,7 @@
 //! Exact input: decimals, fractions, multiples of pi and arctangents, read as text and never rounded.
 
 use super::tangent::angle_of_tangent;
-use super::unit::{Unit, unit};
+use super::unit::{AngleUnit, unit};
 use super::{Decimal, Dyadic, Engine, ParseDecimalError, shown};
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
@@ -229,8 +229,8 @@ impl FromStr for ExactNumber {
             None => Self::without_unit(number, text)?,
         };
         match (unit, number.is_rational()) {
-            (Unit::None, _) | (Unit::Radians, true) => Ok(number),
-            (Unit::Degrees, true) => Ok(number.degrees()),
+            (AngleUnit::None, _) | (AngleUnit::Radians, true) => Ok(number),
+            (AngleUnit::Degrees, true) => Ok(number.degrees()),
             _ => Err(ParseExactError::Units(shown(text))),
         }
     }

@@ -1,6 +1,6 @@
 //! A value with its gradient in an array: dual numbers without a heap.
 
-use super::{Field, Real, Slopes, Stumpff};
+use super::{Derivatives, Field, Real, Stumpff};
 use std::array;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -63,7 +63,7 @@ impl<T: Field + Copy, const N: usize> Gradient<T, N> {
     }
 }
 
-impl<T, const N: usize> Slopes<T> for Gradient<T, N> {
+impl<T, const N: usize> Derivatives<T> for Gradient<T, N> {
     fn slope(&self, index: usize) -> Option<&T> {
         self.slopes.get(index)
     }

@@ -49,6 +49,7 @@ pub(crate) use owned_operators;
 mod angle;
 mod astro;
 mod decimal;
+mod derivatives;
 mod double;
 mod double_ball;
 mod double_double;
@@ -73,7 +74,6 @@ mod malachite;
 #[cfg(feature = "mpfr")]
 mod short_ball;
 mod shown;
-mod slopes;
 mod stumpff;
 mod tangent;
 mod tens;
@@ -86,6 +86,7 @@ mod written;
 pub use angle::Angle;
 pub use astro::{Astro, AstroInterval};
 pub use decimal::{Decimal, ParseDecimalError};
+pub use derivatives::Derivatives;
 pub use double_ball::DoubleBall;
 pub use double_double::DoubleDouble;
 pub use double_double_ball::DoubleDoubleBall;
@@ -113,7 +114,6 @@ pub use malachite::{Malachite, MalachiteInterval};
 #[cfg(feature = "mpfr")]
 pub use short_ball::ShortBall;
 pub use shown::{shown, visible};
-pub use slopes::Slopes;
 pub use stumpff::Stumpff;
 #[cfg(feature = "mpfr")]
 pub use stumpff::terms as stumpff_terms;

@@ -6,7 +6,7 @@
 
 use super::Undecided;
 use crate::check::krawczyk;
-use crate::number::{Ball, Dual, Dyadic, Enclosure, Engine, Magnitude, Real, Slopes, Stumpff};
+use crate::number::{Ball, Derivatives, Dual, Dyadic, Enclosure, Engine, Magnitude, Real, Stumpff};
 use crate::problem::Problem;
 use crate::solve::{inverse, settle};
 use rug::Float;

@@ -83,7 +83,7 @@ fn shifted(x: f64, scale: i32) -> Option<i128> {
 }
 
 /// A cell of the decimal grid.
-struct Cell {
+struct DecimalCell {
     /// Its lower end in units of the grid.
     number: u128,
     /// Whether all numbers lie strictly inside.
@@ -91,14 +91,14 @@ struct Cell {
 }
 
 /// The cell of the grid of `10^-places` in which `low 2^-scale` lies; `None` out of range.
-fn cell(low: u128, width: u128, places: u32, scale: i32) -> Option<Cell> {
+fn cell(low: u128, width: u128, places: u32, scale: i32) -> Option<DecimalCell> {
     let power = 5u128.checked_pow(places)?;
     let shift = u32::try_from(scale - places as i32).ok()?;
     let start = Wide::product(low, power);
     let number = start.shifted_down(shift)?;
     let end = start.plus(Wide::product(width, power))?;
     let is_inside = !start.is_multiple_of_power(shift) && end.shifted_down(shift)? == number;
-    Some(Cell { number, holds_all: is_inside })
+    Some(DecimalCell { number, holds_all: is_inside })
 }
 
 /// How many decimal digits a number has.

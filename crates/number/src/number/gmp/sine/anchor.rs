@@ -12,7 +12,7 @@
 //! bring it near the point asked for, and a rest `y` that is small and **short** (Johansson 2022,
 //! arXiv:2207.02501). A step `d` from there is a short series, the shorter the nearer.
 
-use super::arctangents::Arguments;
+use super::arctangents::PrimeArguments;
 use super::burst;
 use super::gaussian::Gaussian;
 use super::lattice;
@@ -49,7 +49,7 @@ impl Anchor {
 
     /// Computes what anchors of `prec` bits share, once for all threads.
     pub fn prepare(prec: u32) {
-        Arguments::to(prec + 2 * GUARD);
+        PrimeArguments::to(prec + 2 * GUARD);
     }
 
     /// By Gaussian primes with relations up to `rho`; `None` where this is not worth it, or where no small rest or
@@ -66,7 +66,7 @@ impl Anchor {
         if norm > u64::from(places) {
             return None;
         }
-        let (sum, error) = Arguments::to(places).combination(&c, places);
+        let (sum, error) = PrimeArguments::to(places).combination(&c, places);
         let y = fixed(near, short) - Integer::from(&sum >> (places - short));
         if y.significant_bits() + 16 > short {
             return None;

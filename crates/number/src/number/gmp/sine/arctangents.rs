@@ -95,14 +95,14 @@ const MULTIPLES: [[i32; COUNT]; COUNT] = [
 const GUARD: u32 = 40;
 
 /// The arguments of the Gaussian primes in units of `2^-places`, less than two units off.
-pub(super) struct Arguments {
+pub(super) struct PrimeArguments {
     pub places: u32,
     pub values: Vec<Integer>,
 }
 
-static KNOWN: RwLock<Option<Arc<Arguments>>> = RwLock::new(None);
+static KNOWN: RwLock<Option<Arc<PrimeArguments>>> = RwLock::new(None);
 
-impl Arguments {
+impl PrimeArguments {
     /// To at least `places` binary places; computed where they are not known to so many.
     pub(super) fn to(places: u32) -> Arc<Self> {
         let read = || KNOWN.read().unwrap_or_else(PoisonError::into_inner).clone();
@@ -224,7 +224,7 @@ mod tests {
     #[test]
     fn the_errors_are_as_stated() {
         for places in [64, 500, 3000, 10_007] {
-            let arguments = Arguments::compute(places);
+            let arguments = PrimeArguments::compute(places);
             for (&(re, im), ours) in PRIMES.iter().zip(&arguments.values) {
                 let truth = (Float::with_val(places + 50, im) / re).atan() << places;
                 let off = Float::with_val(64, truth - ours);
@@ -239,7 +239,7 @@ mod tests {
 
     #[test]
     fn a_combination_is_within_its_bound() {
-        let arguments = Arguments::to(900);
+        let arguments = PrimeArguments::to(900);
         let mut c = [0; COUNT];
         (c[0], c[3], c[13]) = (-7, 1234, -999);
         let (ours, error) = arguments.combination(&c, 800);

@@ -4,9 +4,9 @@
 //! `(0, …, 0, x)`; Babai's method of nearest planes finds one from a reduced basis (Babai 1986). All in doubles: what
 //! comes out decides how fast the sine of `x` is computed, never what it is.
 
-use super::arctangents::Arguments;
+use super::arctangents::PrimeArguments;
 use super::gaussian::{COUNT, PRIMES};
-use super::relations::{RELATIONS, Relations};
+use super::relations::{REDUCED_BASES, ReducedBasis};
 use rug::{Float, Integer};
 use std::sync::OnceLock;
 
@@ -15,21 +15,22 @@ pub(super) const PLACES: u32 = 320;
 
 /// A basis with what the method needs of it, in doubles.
 struct Basis {
-    relations: &'static Relations,
+    relations: &'static ReducedBasis,
     /// Each vector as `(c_j log2 |z_j|², 16·2^rho sum c_j theta_j)`.
-    vectors: Vec<Vector>,
+    vectors: Vec<LatticeVector>,
     /// The orthogonal vectors of Gram and Schmidt, each over the square of its length.
-    duals: Vec<Vector>,
+    duals: Vec<LatticeVector>,
 }
 
-type Vector = [f64; COUNT + 1];
+type LatticeVector = [f64; COUNT + 1];
 
 /// Multiples `c_j` with `sum c_j theta_j` near `x`, in units of `2^-PLACES`: with bases up to `rho`, about as near as
 /// `2^-rho`.
 pub(super) fn close(x: &Integer, rho: u32) -> [i32; COUNT] {
-    static BASES: [OnceLock<Basis>; RELATIONS.len()] = [const { OnceLock::new() }; RELATIONS.len()];
-    let arguments = Arguments::to(PLACES);
-    let bases = RELATIONS.iter().zip(&BASES).filter(|(relations, _)| relations.rho <= rho);
+    static BASES: [OnceLock<Basis>; REDUCED_BASES.len()] =
+        [const { OnceLock::new() }; REDUCED_BASES.len()];
+    let arguments = PrimeArguments::to(PLACES);
+    let bases = REDUCED_BASES.iter().zip(&BASES).filter(|(relations, _)| relations.rho <= rho);
     let mut c = [0; COUNT];
     for (relations, basis) in bases {
         let rest = x - (arguments.combination(&c, PLACES).0 >> 1);
@@ -39,10 +40,10 @@ pub(super) fn close(x: &Integer, rho: u32) -> [i32; COUNT] {
 }
 
 impl Basis {
-    fn new(relations: &'static Relations) -> Self {
-        let vectors: Vec<Vector> =
+    fn new(relations: &'static ReducedBasis) -> Self {
+        let vectors: Vec<LatticeVector> =
             relations.rows.iter().map(|row| vector(row, relations.rho)).collect();
-        let mut duals: Vec<Vector> = Vec::new();
+        let mut duals: Vec<LatticeVector> = Vec::new();
         for vector in &vectors {
             let mut rest = *vector;
             for dual in &duals {
@@ -75,8 +76,8 @@ impl Basis {
     }
 }
 
-fn vector(c: &[i16; COUNT], rho: u32) -> Vector {
-    let (sum, _) = Arguments::to(PLACES).combination(&c.map(i32::from), PLACES);
+fn vector(c: &[i16; COUNT], rho: u32) -> LatticeVector {
+    let (sum, _) = PrimeArguments::to(PLACES).combination(&c.map(i32::from), PLACES);
     let mut vector = [scaled(&(sum >> 1), rho); COUNT + 1];
     for (entry, (c, weight)) in vector.iter_mut().zip(c.iter().zip(weights())) {
         *entry = f64::from(*c) * weight;
@@ -96,11 +97,11 @@ fn scaled(x: &Integer, rho: u32) -> f64 {
     (Float::with_val(53, x) >> (PLACES - rho - 4)).to_f64()
 }
 
-fn dot(a: &Vector, b: &Vector) -> f64 {
+fn dot(a: &LatticeVector, b: &LatticeVector) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-fn subtract(from: &mut Vector, times: f64, what: &Vector) {
+fn subtract(from: &mut LatticeVector, times: f64, what: &LatticeVector) {
     for (x, y) in from.iter_mut().zip(what) {
         *x -= times * y;
     }
@@ -114,7 +115,7 @@ mod tests {
     /// each relation is as short as the basis is said to have them.
     #[test]
     fn the_relations_are_bases_of_short_vectors() {
-        for (relations, longest) in RELATIONS.iter().zip([50, 88, 471, 3094, 22_792]) {
+        for (relations, longest) in REDUCED_BASES.iter().zip([50, 88, 471, 3094, 22_792]) {
             let mut rows = relations.rows.map(|row| row.map(|x| rug::Rational::from(i32::from(x))));
             let mut determinant = rug::Rational::from(1);
             for k in 0..COUNT {
@@ -151,7 +152,7 @@ mod tests {
                 let x = (Integer::from(79 * k + 1) << PLACES) / 1009;
                 let c = close(&x, rho);
                 let bits: f64 = c.iter().zip(weights()).map(|(c, w)| f64::from(c.abs()) * w).sum();
-                let rest: Integer = x - (Arguments::to(PLACES).combination(&c, PLACES).0 >> 1);
+                let rest: Integer = x - (PrimeArguments::to(PLACES).combination(&c, PLACES).0 >> 1);
                 assert!(bits < norm, "{rho} {bits}");
                 assert!(
                     rest.significant_bits() < PLACES - distance,

@@ -7,14 +7,14 @@
 use super::gaussian::COUNT;
 
 /// A basis of `Z^14` of vectors `c` with `|sum c_j theta_j|` about `2^-rho` times what `c` is long.
-pub(super) struct Relations {
+pub(super) struct ReducedBasis {
     pub rho: u32,
     pub rows: [[i16; COUNT]; COUNT],
 }
 
 /// The bases, each with nearer relations than the one before.
-pub(super) const RELATIONS: [Relations; 5] = [
-    Relations {
+pub(super) const REDUCED_BASES: [ReducedBasis; 5] = [
+    ReducedBasis {
         rho: 36,
         rows: [
             [2, -5, 4, 0, -2, -1, 0, -2, 0, 2, -3, 2, 0, 0],
@@ -33,7 +33,7 @@ pub(super) const RELATIONS: [Relations; 5] = [
             [-8, 7, 1, -2, 1, -1, 2, 2, 1, 3, 1, -2, 2, -3],
         ],
     },
-    Relations {
+    ReducedBasis {
         rho: 48,
         rows: [
             [-6, 4, 0, -1, 4, -7, -1, 2, 2, 3, 2, 2, -4, -4],
@@ -52,7 +52,7 @@ pub(super) const RELATIONS: [Relations; 5] = [
             [-16, 13, -2, -5, 1, 3, 6, -2, 4, -2, 2, 5, -7, 0],
         ],
     },
-    Relations {
+    ReducedBasis {
         rho: 80,
         rows: [
             [57, -54, -20, -19, 7, 0, -16, -7, 1, -2, 9, -5, -14, 18],
@@ -71,7 +71,7 @@ pub(super) const RELATIONS: [Relations; 5] = [
             [54, -73, -1, -24, -5, 2, -17, -13, 11, 2, 28, -29, 27, 0],
         ],
     },
-    Relations {
+    ReducedBasis {
         rho: 120,
         rows: [
             [45, -339, 156, -79, -57, 74, 44, 188, -59, 1, -73, 18, 188, 110],
@@ -90,7 +90,7 @@ pub(super) const RELATIONS: [Relations; 5] = [
             [640, -159, -180, -304, -41, 136, -218, -91, -70, 163, -70, -2, -125, -139],
         ],
     },
-    Relations {
+    ReducedBasis {
         rho: 160,
         rows: [
             [17, 2593, 197, -54, -186, 980, -714, 215, -1046, 101, -387, 563, -1169, -685],

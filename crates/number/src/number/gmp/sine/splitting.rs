@@ -29,8 +29,8 @@ const GUARD: u32 = 40;
 /// down, from a numerator and a denominator cut to [`GUARD`] bits more than it has, and so is the product with `r`.
 pub(super) fn sine(u: &Integer, p: u32, places: u32) -> Integer {
     let small = p.saturating_sub(u.significant_bits());
-    let series = Series::new(u, p, small, places);
-    let Part { sum, denominator, shift, .. } = series.part(0, series.terms);
+    let series = SineSeries::new(u, p, small, places);
+    let PartialSum { sum, denominator, shift, .. } = series.part(0, series.terms);
     // |s| < 2^(-2 small): this many bits of it count.
     let width = places.saturating_sub(2 * small) + GUARD;
     let (sum, shift) = cut(sum, shift, width + GUARD);
@@ -45,7 +45,7 @@ pub(super) fn sine(u: &Integer, p: u32, places: u32) -> Integer {
     Integer::from(u << (places - p)) + excess
 }
 
-struct Series {
+struct SineSeries {
     square: Integer,
     p: u32,
     small: u32,
@@ -57,14 +57,14 @@ struct Series {
 
 /// Some terms relative to the one before them: their sum is `sum / (denominator 2^shift)`, and their factors
 /// multiply to a power of `u²` over `denominator 2^twos`. Both shifts are equal while nothing is cut.
-struct Part {
+struct PartialSum {
     sum: Integer,
     denominator: Integer,
     shift: i64,
     twos: i64,
 }
 
-impl Series {
+impl SineSeries {
     fn new(u: &Integer, p: u32, small: u32, places: u32) -> Self {
         let square = square(u);
         let terms = rounded(count(small, places));
@@ -73,13 +73,13 @@ impl Series {
     }
 
     /// The terms number `a` to `b - 1`; the first is number 0.
-    fn part(&self, a: u32, b: u32) -> Part {
+    fn part(&self, a: u32, b: u32) -> PartialSum {
         if b - a == 1 {
             let even = 2 * u64::from(a) + 2;
             let zeros = even.trailing_zeros();
             let denominator = -(Integer::from(even >> zeros) * (2 * u64::from(a) + 3));
             let twos = 2 * i64::from(self.p) + i64::from(zeros);
-            return Part { sum: self.square.clone(), denominator, shift: twos, twos };
+            return PartialSum { sum: self.square.clone(), denominator, shift: twos, twos };
         }
         let middle = a + (b - a) / 2;
         let left = self.part(a, middle);
@@ -98,7 +98,7 @@ impl Series {
         };
         let (sum, shift) = cut(sum, shift, self.width(a));
         let denominator = product(&left.denominator, &right.denominator);
-        Part { sum, denominator, shift, twos: left.twos + right.twos }
+        PartialSum { sum, denominator, shift, twos: left.twos + right.twos }
     }
 
     /// The bits worth keeping of a part that starts with term `a`.
@@ -166,8 +166,8 @@ mod tests {
     #[test]
     fn the_sum_of_few_terms_is_exact() {
         // u/2^p = 3/16: -9/(256·6) + 81/(65536·120)
-        let series = Series::new(&Integer::from(3), 4, 2, 200);
-        let Part { sum, denominator, shift, .. } = series.part(0, 2);
+        let series = SineSeries::new(&Integer::from(3), 4, 2, 200);
+        let PartialSum { sum, denominator, shift, .. } = series.part(0, 2);
         let value = rug::Rational::from((sum, denominator << shift as u32));
         let term = |n: i32, d: i32| rug::Rational::from((n, d));
         assert_eq!(value, term(-9, 1536) + term(81, 7_864_320));
