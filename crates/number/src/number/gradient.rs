@@ -1,5 +1,6 @@
 //! A value with its gradient in an array: dual numbers without a heap.
 
+use super::stumpff::slope;
 use super::{Derivatives, Field, Real, Stumpff};
 use std::array;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -107,11 +108,7 @@ impl<T: Real + Copy, const N: usize> Real for Gradient<T, N> {
 impl<T: Stumpff + Copy, const N: usize> Stumpff for Gradient<T, N> {
     fn stumpff(&self, count: usize) -> Vec<Self> {
         let functions = self.value.stumpff(count + 2);
-        let slope = |n: usize| {
-            let difference = functions[n + 2].int(n as i32) * functions[n + 2] - functions[n + 1];
-            difference / functions[n].int(2)
-        };
-        (0..count).map(|n| self.chain(functions[n], slope(n))).collect()
+        (0..count).map(|n| self.chain(functions[n], slope(&functions, n))).collect()
     }
 }
 
@@ -161,22 +158,7 @@ impl<T: Field + Copy, const N: usize> Div<&Self> for Gradient<T, N> {
     }
 }
 
-/// Operators with an owned right-hand side.
-macro_rules! owned {
-    ($op:ident, $method:ident) => {
-        impl<T: Field + Copy, const N: usize> $op for Gradient<T, N> {
-            type Output = Self;
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                self.$method(&other)
-            }
-        }
-    };
-}
-owned!(Add, add);
-owned!(Sub, sub);
-owned!(Mul, mul);
-owned!(Div, div);
+owned_operators!([T: Field + Copy, const N: usize] Gradient<T, N>);
 
 #[cfg(test)]
 mod tests {

@@ -58,6 +58,12 @@ fn reciprocal_factorial<T: Field>(like: &T, n: i32) -> T {
     (13..=n).fold(first, |rest, k| rest / like.int(k))
 }
 
+/// `dc_n/du` from the two functions after the one of number `n`.
+pub(super) fn slope<T: Field>(functions: &[T], n: usize) -> T {
+    let difference = functions[n + 2].int(n as i32) * &functions[n + 2] - &functions[n + 1];
+    difference / functions[n].int(2)
+}
+
 impl Stumpff for f64 {
     fn stumpff(&self, count: usize) -> Vec<Self> {
         from_series(self, count, terms(64, 0), &1.0)
@@ -67,11 +73,8 @@ impl Stumpff for f64 {
 impl<T: Stumpff> Stumpff for Dual<T> {
     fn stumpff(&self, count: usize) -> Vec<Self> {
         let functions = self.value().stumpff(count + 2);
-        let slope = |n: usize| {
-            let difference = functions[n + 2].int(n as i32) * &functions[n + 2] - &functions[n + 1];
-            difference / functions[n].int(2)
-        };
-        (0..count).map(|n| self.chain(functions[n].clone(), &slope(n))).collect()
+        let chained = |n: usize| self.chain(functions[n].clone(), &slope(&functions, n));
+        (0..count).map(chained).collect()
     }
 }
 

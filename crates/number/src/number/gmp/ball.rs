@@ -53,8 +53,7 @@ impl Ball {
 
     /// A ball of `prec` bits that holds the integer `value`.
     pub fn from_integer(value: &Integer, prec: u32) -> Self {
-        let (mid, direction) = Float::with_val_round(prec, value, Round::Nearest);
-        Self::rounded(mid, direction, Magnitude::ZERO, prec)
+        Self::rounded(Float::with_val_round(prec, value, Round::Nearest), Magnitude::ZERO, prec)
     }
 
     /// A ball of `prec` bits that holds `value 2^-places`.
@@ -62,21 +61,19 @@ impl Ball {
         let (mut mid, direction) = Float::with_val_round(prec, value, Round::Nearest);
         // Exact: exponents reach far beyond any number of places.
         mid >>= places;
-        Self::rounded(mid, direction, Magnitude::ZERO, prec)
+        Self::rounded((mid, direction), Magnitude::ZERO, prec)
     }
 
     /// The ball times `2^power`.
     pub fn scaled(&self, power: i64) -> Self {
         let Ok(shift) = i32::try_from(power) else { return Self::whole(self.prec) };
-        let (mid, direction) =
-            Float::with_val_round(self.mid.prec(), &self.mid << shift, Round::Nearest);
-        Self::rounded(mid, direction, self.rad.shifted(power), self.prec)
+        let mid = Float::with_val_round(self.mid.prec(), &self.mid << shift, Round::Nearest);
+        Self::rounded(mid, self.rad.shifted(power), self.prec)
     }
 
     /// A ball of `prec` bits that holds the rational number `value`.
     pub fn enclosing(value: &Rational, prec: u32) -> Self {
-        let (mid, direction) = Float::with_val_round(prec, value, Round::Nearest);
-        Self::rounded(mid, direction, Magnitude::ZERO, prec)
+        Self::rounded(Float::with_val_round(prec, value, Round::Nearest), Magnitude::ZERO, prec)
     }
 
     /// The whole line: nothing is known.
@@ -150,8 +147,7 @@ impl Ball {
         if self.mid.prec() <= prec {
             return Self { prec, ..self.clone() };
         }
-        let (mid, direction) = Float::with_val_round(prec, &self.mid, Round::Nearest);
-        Self::rounded(mid, direction, self.rad, prec)
+        Self::rounded(Float::with_val_round(prec, &self.mid, Round::Nearest), self.rad, prec)
     }
 
     /// The ball with the midpoint bits dropped that its radius makes worthless (a few are kept, so
@@ -167,12 +163,12 @@ impl Ball {
         Self { prec: self.prec, ..self.with_precision(useful) }
     }
 
-    /// Adds the rounding error of `mid` to `rad`.
-    fn rounded(mid: Float, direction: Ordering, rad: Magnitude, prec: u32) -> Self {
+    /// A midpoint with the direction in which it was rounded; the error of that is added to `rad`.
+    fn rounded((mid, direction): (Float, Ordering), rad: Magnitude, prec: u32) -> Self {
         if !mid.is_finite() {
             return Self::whole(prec);
         }
-        let error = if direction == Ordering::Equal { Magnitude::ZERO } else { half_ulp(&mid) };
+        let error = rounding_error(&mid, direction);
         Self { mid, rad, prec }.widened(error)
     }
 
@@ -190,6 +186,11 @@ pub(super) fn fixed(x: &Float, places: u32) -> Integer {
     }
 }
 
+/// A bound of the error of a midpoint that was rounded to nearest in some direction.
+fn rounding_error(x: &Float, direction: Ordering) -> Magnitude {
+    if direction == Ordering::Equal { Magnitude::ZERO } else { half_ulp(x) }
+}
+
 /// A bound of the error of a midpoint rounded to nearest. Next to the underflow threshold the
 /// spacing of MPFR numbers is the threshold itself, so that is the least this can be.
 fn half_ulp(x: &Float) -> Magnitude {
@@ -204,18 +205,17 @@ impl Field for Ball {
     }
 
     fn square(&self) -> Self {
-        let (mid, direction) =
-            Float::with_val_round(self.prec, self.mid.square_ref(), Round::Nearest);
+        let mid = Float::with_val_round(self.prec, self.mid.square_ref(), Round::Nearest);
         let size = Magnitude::upper(&self.mid);
         let rad = size.times(self.rad).shifted(1).plus(self.rad.times(self.rad));
-        Self::rounded(mid, direction, rad, self.prec)
+        Self::rounded(mid, rad, self.prec)
     }
 }
 
 impl Real for Ball {
     fn pi(&self) -> Self {
-        let (mid, direction) = Float::with_val_round(self.prec, Constant::Pi, Round::Nearest);
-        Self::rounded(mid, direction, Magnitude::ZERO, self.prec)
+        let pi = Float::with_val_round(self.prec, Constant::Pi, Round::Nearest);
+        Self::rounded(pi, Magnitude::ZERO, self.prec)
     }
 
     /// The square root; the whole line unless every number of the ball is at least zero.
@@ -230,55 +230,45 @@ impl Real for Ball {
         if self.mid.is_sign_negative() || self.rad > low {
             return Self::whole(self.prec);
         }
-        let (mid, direction) =
-            Float::with_val_round(self.prec, self.mid.sqrt_ref(), Round::Nearest);
+        let mid = Float::with_val_round(self.prec, self.mid.sqrt_ref(), Round::Nearest);
         let root = Magnitude::lower(&Float::with_val_round(64, self.mid.sqrt_ref(), Round::Down).0);
         let one = Magnitude::from_integer(1);
         let low_root = root.times_down(one.minus_down(self.rad.over(low)));
         // A sum rounded down: each part once more below itself by the rounding of `plus`.
         let sum = low_root.plus(root).times_down(one.minus_down(Magnitude::power_of_two(-29)));
-        Self::rounded(mid, direction, self.rad.over(sum.max(root)), self.prec)
+        Self::rounded(mid, self.rad.over(sum.max(root)), self.prec)
     }
 
     /// Sine and cosine. For `|d| <= r`, `|sin(m+d) - sin m| <= min(r, r |cos m| + r²/2)`, and the
     /// same with the two exchanged. An argument too large to reduce gives `[-1, 1]`.
     fn sin_cos(&self) -> (Self, Self) {
         let unit = Self { mid: Float::new(32), rad: Magnitude::from_integer(1), prec: self.prec };
-        let reducible = self
-            .mid
-            .get_exp()
-            .is_none_or(|e| i64::from(e) <= i64::from(self.prec) + REDUCTION_LIMIT);
+        let limit = i64::from(self.prec) + REDUCTION_LIMIT;
+        let reducible = self.mid.get_exp().is_none_or(|e| i64::from(e) <= limit);
         if !self.is_bounded() || !reducible || self.rad >= Magnitude::from_integer(1) {
             return (unit.clone(), unit);
         }
         let (mut sin, mut cos) = (Float::new(self.prec), Float::new(self.prec));
         let directions = (&mut sin, &mut cos).assign_round(self.mid.sin_cos_ref(), Round::Nearest);
         let spread = |slope: &Float, direction| {
-            let slope = Magnitude::upper(slope).plus(if direction == Ordering::Equal {
-                Magnitude::ZERO
-            } else {
-                half_ulp(slope)
-            });
+            let slope = Magnitude::upper(slope).plus(rounding_error(slope, direction));
             let bent = slope.times(self.rad).plus(self.rad.times(self.rad).shifted(-1));
             self.rad.min(bent)
         };
         let (sin_rad, cos_rad) = (spread(&cos, directions.1), spread(&sin, directions.0));
         (
-            Self::rounded(sin, directions.0, sin_rad, self.prec),
-            Self::rounded(cos, directions.1, cos_rad, self.prec),
+            Self::rounded((sin, directions.0), sin_rad, self.prec),
+            Self::rounded((cos, directions.1), cos_rad, self.prec),
         )
     }
 }
 
 impl Enclosure for Ball {
     fn is_positive(&self) -> Ternary {
-        let (low, high) = (self.lower(), self.upper());
-        if low > 0 {
-            Ternary::True
-        } else if high <= 0 {
-            Ternary::False
-        } else {
-            Ternary::Undecided
+        match (self.lower() > 0, self.upper() <= 0) {
+            (true, _) => Ternary::True,
+            (_, true) => Ternary::False,
+            _ => Ternary::Undecided,
         }
     }
 
@@ -337,8 +327,8 @@ impl Add<&Ball> for Ball {
     type Output = Self;
     fn add(self, other: &Self) -> Self {
         let prec = self.common(other);
-        let (mid, direction) = rounded!(self.mid, +, add_assign_round, &other.mid, prec);
-        Self::rounded(mid, direction, self.rad.plus(other.rad), prec)
+        let mid = rounded!(self.mid, +, add_assign_round, &other.mid, prec);
+        Self::rounded(mid, self.rad.plus(other.rad), prec)
     }
 }
 
@@ -346,8 +336,8 @@ impl Sub<&Ball> for Ball {
     type Output = Self;
     fn sub(self, other: &Self) -> Self {
         let prec = self.common(other);
-        let (mid, direction) = rounded!(self.mid, -, sub_assign_round, &other.mid, prec);
-        Self::rounded(mid, direction, self.rad.plus(other.rad), prec)
+        let mid = rounded!(self.mid, -, sub_assign_round, &other.mid, prec);
+        Self::rounded(mid, self.rad.plus(other.rad), prec)
     }
 }
 
@@ -362,8 +352,8 @@ impl Mul<&Ball> for Ball {
                 .times(other.rad)
                 .plus(Magnitude::upper(&other.mid).plus(other.rad).times(self.rad))
         };
-        let (mid, direction) = rounded!(self.mid, *, mul_assign_round, &other.mid, prec);
-        Self::rounded(mid, direction, rad, prec)
+        let mid = rounded!(self.mid, *, mul_assign_round, &other.mid, prec);
+        Self::rounded(mid, rad, prec)
     }
 }
 
@@ -387,7 +377,7 @@ impl Div<&Ball> for Ball {
             let size = Magnitude::upper(&quotient).plus(half_ulp(&mid));
             self.rad.plus(size.times(other.rad)).over(least)
         };
-        Self::rounded(mid, direction, rad, prec)
+        Self::rounded((mid, direction), rad, prec)
     }
 }
 
