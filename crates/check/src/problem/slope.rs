@@ -4,8 +4,8 @@ use super::{ArchError, Friction};
 use std::ops::Deref;
 use std::str::FromStr;
 
-/// A ratio of at least 0, by itself or as the tangent of an angle below a right one: that of a horizontal acceleration to gravity. A
-/// friction that is limited is written, shown and computed with in the same way.
+/// A ratio of at least 0, by itself or as the tangent of an angle below a right one: that of a horizontal
+/// acceleration to gravity. A friction that is limited is written, shown and computed with in the same way.
 ///
 /// ```
 /// use couplet_check::problem::{Slope, SlopeError};

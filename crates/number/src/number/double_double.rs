@@ -20,7 +20,6 @@
 //! fuses by itself, and rounds each operation to nearest as IEEE 754 says.
 
 use super::Field;
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The sum `hi + lo`, where `hi` is the double nearest to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -127,48 +126,35 @@ impl Field for DoubleDouble {
     }
 }
 
-impl Neg for DoubleDouble {
-    type Output = Self;
+impl DoubleDouble {
     #[inline(always)]
-    fn neg(self) -> Self {
+    fn negated(self) -> Self {
         Self { hi: -self.hi, lo: -self.lo }
     }
-}
 
-impl Add<&DoubleDouble> for DoubleDouble {
-    type Output = Self;
     #[inline(always)]
-    fn add(self, other: &Self) -> Self {
+    fn plus(self, other: &Self) -> Self {
         let (high, error) = two_sum(self.hi, other.hi);
         let (low, last) = two_sum(self.lo, other.lo);
         let (high, low) = quick_two_sum(high, error + low);
         let (hi, lo) = quick_two_sum(high, last + low);
         Self { hi, lo }
     }
-}
 
-impl Sub<&DoubleDouble> for DoubleDouble {
-    type Output = Self;
     #[inline(always)]
-    fn sub(self, other: &Self) -> Self {
+    fn minus(self, other: &Self) -> Self {
         self + -*other
     }
-}
 
-impl Mul<&DoubleDouble> for DoubleDouble {
-    type Output = Self;
     #[inline(always)]
-    fn mul(self, other: &Self) -> Self {
+    fn times(self, other: &Self) -> Self {
         let (high, error) = two_product(self.hi, other.hi);
         let (hi, lo) = quick_two_sum(high, error + (self.hi * other.lo + self.lo * other.hi));
         Self { hi, lo }
     }
-}
 
-impl Div<&DoubleDouble> for DoubleDouble {
-    type Output = Self;
     #[inline(always)]
-    fn div(self, other: &Self) -> Self {
+    fn over(self, other: &Self) -> Self {
         let quotient = self.hi / other.hi;
         // DWTimesFP1: the divisor times the first quotient.
         let (high, error) = two_product(other.hi, quotient);
@@ -180,7 +166,7 @@ impl Div<&DoubleDouble> for DoubleDouble {
     }
 }
 
-owned_operators!(DoubleDouble);
+operators!(DoubleDouble);
 
 #[cfg(test)]
 mod tests {

@@ -1,10 +1,10 @@
 //! Balls of double-doubles: a [`FloatBall`] of about 106 bits.
 //!
-//! Each operation errs by at most [`UNIT`](DoubleDouble::UNIT) `|hi|` at its midpoint `m = hi + lo`: `|m| <= (1 + u) |hi|` with
-//! `u = 2^-53`, and the proved errors are at most `(15 + 2^-40) u² |m|`, so that `16 u² |hi|` has room for that factor.
-//! Nothing overflows or underflows unseen, as the error of a Dekker product of two midpoints, a multiple of
-//! `2^-(2 220 + 2 53)`, is exact. A low part may be of any size; where its products underflow they add less than
-//! `2^-1070`, and `u² |hi| / 2` is above `2^-560`.
+//! Each operation errs by at most [`UNIT`](DoubleDouble::UNIT) `|hi|` at its midpoint `m = hi + lo`:
+//! `|m| <= (1 + u) |hi|` with `u = 2^-53`, and the proved errors are at most `(15 + 2^-40) u² |m|`, so that
+//! `16 u² |hi|` has room for that factor. Nothing overflows or underflows unseen, as the error of a Dekker product of
+//! two midpoints, a multiple of `2^-(2 220 + 2 53)`, is exact. A low part may be of any size; where its products
+//! underflow they add less than `2^-1070`, and `u² |hi| / 2` is above `2^-560`.
 
 #[cfg(feature = "mpfr")]
 use super::float_ball::SMALLEST;

@@ -1,7 +1,6 @@
 //! Dual numbers: a value with its gradient. Nobody types a derivative.
 
 use super::{Derivatives, Field, Real};
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A value and its partial derivatives. A missing derivative is exactly zero and costs nothing,
 /// so the gradient of an equation that sees three of six unknowns has three entries.
@@ -117,44 +116,30 @@ impl<T: Real> Real for Dual<T> {
     }
 }
 
-impl<T: Field> Neg for Dual<T> {
-    type Output = Self;
-    fn neg(self) -> Self {
+impl<T: Field> Dual<T> {
+    fn negated(self) -> Self {
         let gradient = self.gradient.into_iter().map(|g| g.map(|g| -g)).collect();
         Self { value: -self.value, gradient }
     }
-}
 
-impl<T: Field> Add<&Dual<T>> for Dual<T> {
-    type Output = Self;
-    fn add(self, other: &Self) -> Self {
+    fn plus(self, other: &Self) -> Self {
         let gradient = Self::combine(self.gradient, other, |a| a, T::clone);
         Self { value: self.value + &other.value, gradient }
     }
-}
 
-impl<T: Field> Sub<&Dual<T>> for Dual<T> {
-    type Output = Self;
-    fn sub(self, other: &Self) -> Self {
+    fn minus(self, other: &Self) -> Self {
         let gradient = Self::combine(self.gradient, other, |a| a, |b| -b.clone());
         Self { value: self.value - &other.value, gradient }
     }
-}
 
-impl<T: Field> Mul<&Dual<T>> for Dual<T> {
-    type Output = Self;
-    fn mul(self, other: &Self) -> Self {
+    fn times(self, other: &Self) -> Self {
         let (value, slopes) = (self.value, self.gradient);
         let gradient = Self::combine(slopes, other, |a| a * &other.value, |b| b.clone() * &value);
         Self { value: value * &other.value, gradient }
     }
-}
 
-impl<T: Field> Div<&Dual<T>> for Dual<T> {
-    type Output = Self;
     /// `q = a/b` has `q' = (a' - q b')/b`.
-    #[expect(clippy::suspicious_arithmetic_impl, reason = "the quotient rule multiplies")]
-    fn div(self, other: &Self) -> Self {
+    fn over(self, other: &Self) -> Self {
         let quotient = self.value / &other.value;
         let gradient = Self::combine(
             self.gradient,
@@ -166,7 +151,7 @@ impl<T: Field> Div<&Dual<T>> for Dual<T> {
     }
 }
 
-owned_operators!([T: Field] Dual<T>);
+operators!([T: Field] Dual<T>);
 
 #[cfg(test)]
 mod tests {

@@ -3,21 +3,21 @@
 //! With `u = 2^-53` each operation rounds its midpoint `m`, whose leading double is `hi`, with an error of at most
 //! [`UNIT`](Midpoint::UNIT)` |hi|`, and adds that to a radius computed from the radii of the operands.
 //!
-//! **The radius is rounded up**: its formula has positive terms only and at most eight roundings on any path, each
-//! of which takes away less than a part `u` of what is added up; the last factor is [`UP`] `= 1 + 16 u`, and
-//! `(1 - u)^9 (1 + 16 u) > 1`. What has to be bounded from below is multiplied by [`DOWN`] `= 1 - 16 u` in the same way.
-//! The leading double stands for the midpoint in a bound: `|m| <= (1 + u) |hi|`, and the factor counts as a rounding.
+//! **The radius is rounded up**: its formula has positive terms only and at most eight roundings on any path, each of
+//! which takes away less than a part `u` of what is added up; the last factor is [`UP`] `= 1 + 16 u`, and
+//! `(1 - u)^9 (1 + 16 u) > 1`. What has to be bounded from below is multiplied by [`DOWN`] `= 1 - 16 u` in the same
+//! way. The leading double stands for the midpoint in a bound: `|m| <= (1 + u) |hi|`, and the factor counts as a
+//! rounding.
 //!
 //! **Nothing overflows or underflows unseen.** A leading double is zero or between [`SMALLEST`] `= 2^-220` and
-//! [`LARGEST`] `= 2^220` in size, a radius zero, infinite, or between [`LEAST`] `= 2^-330` and `LARGEST`. Hence all that is computed
-//! on the way (`a b`, `a/b`, `|m| s / least`, `r²`) is above `2^-1000` and below `2^1000`, or zero. [`settled`] puts each result
-//! back into these ranges, outward: a smaller midpoint becomes zero and is added to the radius, a smaller
-//! radius becomes `LEAST`, and anything larger, or NaN, becomes the whole line.
+//! [`LARGEST`] `= 2^220` in size, a radius zero, infinite, or between [`LEAST`] `= 2^-330` and `LARGEST`. Hence all
+//! that is computed on the way (`a b`, `a/b`, `|m| s / least`, `r²`) is above `2^-1000` and below `2^1000`, or zero.
+//! [`settled`] puts each result back into these ranges, outward: a smaller midpoint becomes zero and is added to the
+//! radius, a smaller radius becomes `LEAST`, and anything larger, or NaN, becomes the whole line.
 
 use super::double_sine::{self, sin_cos};
 use super::stumpff::{from_series, terms};
 use super::{DoubleDouble, Enclosure, Field, Real, Stumpff, Ternary};
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// All real numbers within `rad` of `mid`. A midpoint below `2^-220` in size becomes zero and widens the radius by as
 /// much; a midpoint or a radius above `2^220` makes the ball the whole line.
@@ -244,45 +244,32 @@ impl<M: Midpoint> Enclosure for FloatBall<M> {
     }
 }
 
-impl<M: Midpoint> Neg for FloatBall<M> {
-    type Output = Self;
+impl<M: Midpoint> FloatBall<M> {
     #[inline(always)]
-    fn neg(self) -> Self {
+    fn negated(self) -> Self {
         Self { mid: -self.mid, ..self }
     }
-}
 
-impl<M: Midpoint> Add<&FloatBall<M>> for FloatBall<M> {
-    type Output = Self;
     #[inline]
-    fn add(self, other: &Self) -> Self {
+    fn plus(self, other: &Self) -> Self {
         Self::rounded(self.mid + other.mid, self.rad + other.rad)
     }
-}
 
-impl<M: Midpoint> Sub<&FloatBall<M>> for FloatBall<M> {
-    type Output = Self;
     #[inline]
-    fn sub(self, other: &Self) -> Self {
+    fn minus(self, other: &Self) -> Self {
         Self::rounded(self.mid - other.mid, self.rad + other.rad)
     }
-}
 
-impl<M: Midpoint> Mul<&FloatBall<M>> for FloatBall<M> {
-    type Output = Self;
     /// For `|x - a| <= r` and `|y - b| <= s`, `|xy - ab| <= |a| s + (|b| + s) r`.
     #[inline]
-    fn mul(self, other: &Self) -> Self {
+    fn times(self, other: &Self) -> Self {
         let (a, b) = (self.mid.hi().abs(), other.mid.hi().abs());
         Self::rounded(self.mid * other.mid, a * other.rad + (b + other.rad) * self.rad)
     }
-}
 
-impl<M: Midpoint> Div<&FloatBall<M>> for FloatBall<M> {
-    type Output = Self;
     /// For `|x - a| <= r` and `|y - b| <= s`, `|x/y - a/b| <= (r + |a/b| s) / (|b| - s)`.
     #[inline]
-    fn div(self, other: &Self) -> Self {
+    fn over(self, other: &Self) -> Self {
         let least = (other.mid.shortened().abs() - other.rad) * DOWN;
         if least <= 0.0 {
             return Self::WHOLE;
@@ -292,4 +279,4 @@ impl<M: Midpoint> Div<&FloatBall<M>> for FloatBall<M> {
     }
 }
 
-owned_operators!([M: Midpoint] FloatBall<M>);
+operators!([M: Midpoint] FloatBall<M>);

@@ -3,7 +3,6 @@
 use super::stumpff::slope;
 use super::{Derivatives, Field, Real, Stumpff};
 use std::array;
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A value and its partial derivatives to `N` unknowns, for numbers that are copied. [`Dual`](super::Dual) is the
 /// same for numbers that are expensive to copy: there a derivative that is zero costs nothing.
@@ -112,53 +111,38 @@ impl<T: Stumpff + Copy, const N: usize> Stumpff for Gradient<T, N> {
     }
 }
 
-impl<T: Field + Copy, const N: usize> Neg for Gradient<T, N> {
-    type Output = Self;
+impl<T: Field + Copy, const N: usize> Gradient<T, N> {
     #[inline(always)]
-    fn neg(self) -> Self {
+    fn negated(self) -> Self {
         self.mapped(-self.value, |slope| -slope)
     }
-}
 
-impl<T: Field + Copy, const N: usize> Add<&Self> for Gradient<T, N> {
-    type Output = Self;
     #[inline]
-    fn add(self, other: &Self) -> Self {
+    fn plus(self, other: &Self) -> Self {
         self.joined(other, self.value + other.value, |a, b| a + b)
     }
-}
 
-impl<T: Field + Copy, const N: usize> Sub<&Self> for Gradient<T, N> {
-    type Output = Self;
     #[inline]
-    fn sub(self, other: &Self) -> Self {
+    fn minus(self, other: &Self) -> Self {
         self.joined(other, self.value - other.value, |a, b| a - b)
     }
-}
 
-impl<T: Field + Copy, const N: usize> Mul<&Self> for Gradient<T, N> {
-    type Output = Self;
     /// `p = a b` has `p' = a' b + b' a`.
     #[inline]
-    #[expect(clippy::suspicious_arithmetic_impl, reason = "the product rule adds")]
-    fn mul(self, other: &Self) -> Self {
+    fn times(self, other: &Self) -> Self {
         let (a, b) = (self.value, other.value);
         self.joined(other, a * b, |da, db| da * b + db * a)
     }
-}
 
-impl<T: Field + Copy, const N: usize> Div<&Self> for Gradient<T, N> {
-    type Output = Self;
     /// `q = a/b` has `q' = (a' - q b')/b`.
     #[inline]
-    #[expect(clippy::suspicious_arithmetic_impl, reason = "the quotient rule multiplies")]
-    fn div(self, other: &Self) -> Self {
+    fn over(self, other: &Self) -> Self {
         let value = self.value / other.value;
         self.joined(other, value, |da, db| (da - db * value) / other.value)
     }
 }
 
-owned_operators!([T: Field + Copy, const N: usize] Gradient<T, N>);
+operators!([T: Field + Copy, const N: usize] Gradient<T, N>);
 
 #[cfg(test)]
 mod tests {

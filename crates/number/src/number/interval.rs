@@ -9,7 +9,6 @@ use super::halving::Halving;
 use super::{Enclosure, Field, Real, Ternary};
 use std::cmp::Ordering;
 use std::fmt::Debug;
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The least precision, bits.
 const LEAST: usize = 64;
@@ -236,16 +235,12 @@ impl<E: End> Enclosure for Interval<E> {
     }
 }
 
-impl<E: End> Neg for Interval<E> {
-    type Output = Self;
-    fn neg(self) -> Self {
+impl<E: End> Interval<E> {
+    fn negated(self) -> Self {
         Self { low: self.high.negated(), high: self.low.negated(), prec: self.prec }
     }
-}
 
-impl<E: End> Add<&Interval<E>> for Interval<E> {
-    type Output = Self;
-    fn add(self, other: &Self) -> Self {
+    fn plus(self, other: &Self) -> Self {
         let prec = self.prec.max(other.prec);
         Self::new(
             self.low.plus(&other.low, prec, Down),
@@ -253,11 +248,8 @@ impl<E: End> Add<&Interval<E>> for Interval<E> {
             prec,
         )
     }
-}
 
-impl<E: End> Sub<&Interval<E>> for Interval<E> {
-    type Output = Self;
-    fn sub(self, other: &Self) -> Self {
+    fn minus(self, other: &Self) -> Self {
         let prec = self.prec.max(other.prec);
         Self::new(
             self.low.minus(&other.high, prec, Down),
@@ -265,11 +257,8 @@ impl<E: End> Sub<&Interval<E>> for Interval<E> {
             prec,
         )
     }
-}
 
-impl<E: End> Mul<&Interval<E>> for Interval<E> {
-    type Output = Self;
-    fn mul(self, other: &Self) -> Self {
+    fn times(self, other: &Self) -> Self {
         if self.is_non_positive() && !self.is_non_negative() {
             return -((-self) * other);
         }
@@ -284,11 +273,8 @@ impl<E: End> Mul<&Interval<E>> for Interval<E> {
         }
         self.corners(other, prec)
     }
-}
 
-impl<E: End> Div<&Interval<E>> for Interval<E> {
-    type Output = Self;
-    fn div(self, other: &Self) -> Self {
+    fn over(self, other: &Self) -> Self {
         let prec = self.prec.max(other.prec);
         if !other.excludes_zero() {
             return Self::whole(prec);
@@ -302,7 +288,7 @@ impl<E: End> Div<&Interval<E>> for Interval<E> {
     }
 }
 
-owned_operators!([E: End] Interval<E>);
+operators!([E: End] Interval<E>);
 
 /// Runs a generic test for the ends of each arithmetic that is built in.
 #[cfg(test)]

@@ -1,7 +1,6 @@
 //! Jets: a function of one variable by the first terms of its Taylor series.
 
 use super::{Field, Real, Stumpff};
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The coefficients of `1, t, t², …` up to an order; what is missing at the end is exactly zero.
 ///
@@ -142,42 +141,29 @@ impl<T: Stumpff> Stumpff for Jet<T> {
     }
 }
 
-impl<T: Field> Neg for Jet<T> {
-    type Output = Self;
-    fn neg(self) -> Self {
+impl<T: Field> Jet<T> {
+    fn negated(self) -> Self {
         let coefficients = self.coefficients.into_iter().map(|c| -c).collect();
         Self { coefficients, ..self }
     }
-}
 
-impl<T: Field> Add<&Jet<T>> for Jet<T> {
-    type Output = Self;
-    fn add(self, other: &Self) -> Self {
+    fn plus(self, other: &Self) -> Self {
         self.combine(other, |a, b| a.clone() + b, T::clone)
     }
-}
 
-impl<T: Field> Sub<&Jet<T>> for Jet<T> {
-    type Output = Self;
-    fn sub(self, other: &Self) -> Self {
+    fn minus(self, other: &Self) -> Self {
         self.combine(other, |a, b| a.clone() - b, |b| -b.clone())
     }
-}
 
-impl<T: Field> Mul<&Jet<T>> for Jet<T> {
-    type Output = Self;
-    fn mul(self, other: &Self) -> Self {
+    fn times(self, other: &Self) -> Self {
         let order = self.order.max(other.order);
         let (a, b) = (&self.coefficients, &other.coefficients);
         let count = (a.len() + b.len() - 1).min(order + 1);
         let at = |k| Self::convolution(a, b, k, 0, k).unwrap_or_else(|| a[0].int(0));
         Self { coefficients: (0..count).map(at).collect(), order }
     }
-}
 
-impl<T: Field> Div<&Jet<T>> for Jet<T> {
-    type Output = Self;
-    fn div(self, other: &Self) -> Self {
+    fn over(self, other: &Self) -> Self {
         let order = self.order.max(other.order);
         let divisor = &other.coefficients;
         let count = if divisor.len() == 1 { self.coefficients.len() } else { order + 1 };
@@ -194,7 +180,7 @@ impl<T: Field> Div<&Jet<T>> for Jet<T> {
     }
 }
 
-owned_operators!([T: Field] Jet<T>);
+operators!([T: Field] Jet<T>);
 
 #[cfg(test)]
 mod tests {

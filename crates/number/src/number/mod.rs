@@ -21,30 +21,46 @@
 //! context argument. **Comparisons live in [`Enclosure`] and nowhere else**, so an equation, which
 //! asks for a [`Field`] or a [`Real`], cannot branch.
 
-/// Operators with an owned right-hand side, from those with a reference.
-macro_rules! owned_operators {
-    (@ [$($generics:tt)*] $type:ty, $op:ident, $method:ident) => {
-        impl<$($generics)*> $op for $type {
+/// The operators of a number from its `plus`, `minus`, `times`, `over` and `negated`; a right-hand side may be owned.
+macro_rules! operators {
+    (@ [$($generics:tt)*] $type:ty, $op:ident, $method:ident, $does:ident) => {
+        impl<$($generics)*> std::ops::$op<&$type> for $type {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: &Self) -> Self {
+                self.$does(other)
+            }
+        }
+
+        impl<$($generics)*> std::ops::$op for $type {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                self.$method(&other)
+                self.$does(&other)
             }
         }
     };
     ([$($generics:tt)*] $type:ty) => {
-        owned_operators!(@ [$($generics)*] $type, Add, add);
-        owned_operators!(@ [$($generics)*] $type, Sub, sub);
-        owned_operators!(@ [$($generics)*] $type, Mul, mul);
-        owned_operators!(@ [$($generics)*] $type, Div, div);
+        operators!(@ [$($generics)*] $type, Add, add, plus);
+        operators!(@ [$($generics)*] $type, Sub, sub, minus);
+        operators!(@ [$($generics)*] $type, Mul, mul, times);
+        operators!(@ [$($generics)*] $type, Div, div, over);
+
+        impl<$($generics)*> std::ops::Neg for $type {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                self.negated()
+            }
+        }
     };
     ($type:ty) => {
-        owned_operators!([] $type);
+        operators!([] $type);
     };
 }
 
 #[cfg(feature = "mpfr")]
-pub(crate) use owned_operators;
+pub(crate) use operators;
 
 mod angle;
 mod astro;

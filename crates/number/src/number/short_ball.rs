@@ -15,7 +15,6 @@ use rug::float::Round;
 use rug::integer::Order;
 use rug::{Float, Integer};
 use std::cmp::Ordering;
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// All real numbers within a radius of a number of `N` words, 2 to 16.
 #[derive(Clone, Copy, Debug)]
@@ -186,16 +185,12 @@ impl<const N: usize> Field for ShortBall<N> {
     }
 }
 
-impl<const N: usize> Neg for ShortBall<N> {
-    type Output = Self;
-    fn neg(self) -> Self {
+impl<const N: usize> ShortBall<N> {
+    fn negated(self) -> Self {
         Self { negative: !self.negative, ..self }
     }
-}
 
-impl<const N: usize> Add<&ShortBall<N>> for ShortBall<N> {
-    type Output = Self;
-    fn add(self, other: &Self) -> Self {
+    fn plus(self, other: &Self) -> Self {
         let rad = (self.rad + other.rad) * UP;
         if self.negative == other.negative {
             return Self::settled(self.negative, words::sum(&self.words, &other.words), rad);
@@ -207,19 +202,13 @@ impl<const N: usize> Add<&ShortBall<N>> for ShortBall<N> {
             _ => Self::settled(self.negative, words::difference(&self.words, &other.words), rad),
         }
     }
-}
 
-impl<const N: usize> Sub<&ShortBall<N>> for ShortBall<N> {
-    type Output = Self;
-    fn sub(self, other: &Self) -> Self {
+    fn minus(self, other: &Self) -> Self {
         self + -*other
     }
-}
 
-impl<const N: usize> Mul<&ShortBall<N>> for ShortBall<N> {
-    type Output = Self;
     /// For `|x - a| <= r` and `|y - b| <= s`, `|xy - ab| <= |a| s + (|b| + s) r`.
-    fn mul(self, other: &Self) -> Self {
+    fn times(self, other: &Self) -> Self {
         if other.is_integer() {
             return self.times_integer(other.words[N - 1], other.negative);
         }
@@ -232,13 +221,10 @@ impl<const N: usize> Mul<&ShortBall<N>> for ShortBall<N> {
         };
         Self::cut(self.negative != other.negative, words::product(&self.words, &other.words), rad)
     }
-}
 
-impl<const N: usize> Div<&ShortBall<N>> for ShortBall<N> {
-    type Output = Self;
     /// Some quotient `q` of the midpoints `a` and `b`, with what it leaves: for `|x - a| <= r` and `|y - b| <= s`,
     /// `|x/y - q| <= |a - q b| / |b| + (r + |a/b| s) / (|b| - s)`.
-    fn div(self, other: &Self) -> Self {
+    fn over(self, other: &Self) -> Self {
         if other.is_integer() && other.words[N - 1] != 0 {
             return self.over_integer(other.words[N - 1], other.negative);
         }
@@ -266,7 +252,7 @@ impl<const N: usize> Div<&ShortBall<N>> for ShortBall<N> {
     }
 }
 
-owned_operators!([const N: usize] ShortBall<N>);
+operators!([const N: usize] ShortBall<N>);
 
 /// The same set, but for what is cut off.
 impl<const N: usize> From<&Ball> for ShortBall<N> {

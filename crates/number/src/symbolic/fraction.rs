@@ -1,15 +1,14 @@
 //! Quotients of polynomials: the number over which the equations of the paper become formulas.
 
 use super::{Polynomial, Relations, Symbol};
-use crate::number::{ExactField, Field, owned_operators};
+use crate::number::{ExactField, Field, operators};
 use rug::Rational;
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A quotient of two polynomials, in lowest terms; the denominator has leading coefficient one.
 ///
-/// As the representation is unique, two fractions are equal exactly when they look alike. That is
-/// equality of rational functions of free indeterminates; what sine and cosine know of each other is
-/// brought in by [`Fraction::vanishes`].
+/// Division by zero panics. As the representation is unique, two fractions are equal exactly when they
+/// look alike. That is equality of rational functions of free indeterminates; what sine and cosine know of
+/// each other is brought in by [`Fraction::vanishes`].
 ///
 /// ```
 /// use couplet_check::arch::cubic;
@@ -119,13 +118,6 @@ impl ExactField for Fraction {
     }
 }
 
-impl Neg for Fraction {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self { numerator: -self.numerator, denominator: self.denominator }
-    }
-}
-
 impl Fraction {
     fn combine(&self, other: &Self, sum: impl Fn(&Polynomial, &Polynomial) -> Polynomial) -> Self {
         if self.denominator == other.denominator {
@@ -136,38 +128,30 @@ impl Fraction {
         let right = &other.numerator * &self.denominator;
         Self::new(sum(&left, &right), &self.denominator * &other.denominator)
     }
-}
 
-impl Add<&Fraction> for Fraction {
-    type Output = Self;
-    fn add(self, other: &Self) -> Self {
+    fn negated(self) -> Self {
+        Self { numerator: -self.numerator, denominator: self.denominator }
+    }
+
+    fn plus(self, other: &Self) -> Self {
         self.combine(other, |a, b| a + b)
     }
-}
 
-impl Sub<&Fraction> for Fraction {
-    type Output = Self;
-    fn sub(self, other: &Self) -> Self {
+    fn minus(self, other: &Self) -> Self {
         self.combine(other, |a, b| a - b)
     }
-}
 
-impl Mul<&Fraction> for Fraction {
-    type Output = Self;
-    fn mul(self, other: &Self) -> Self {
+    fn times(self, other: &Self) -> Self {
         Self::new(&self.numerator * &other.numerator, &self.denominator * &other.denominator)
     }
-}
 
-impl Div<&Fraction> for Fraction {
-    type Output = Self;
     /// Division by zero panics, as it does for a rational number.
-    fn div(self, other: &Self) -> Self {
+    fn over(self, other: &Self) -> Self {
         Self::new(&self.numerator * &other.denominator, &self.denominator * &other.numerator)
     }
 }
 
-owned_operators!(Fraction);
+operators!(Fraction);
 
 #[cfg(test)]
 mod tests {

@@ -1,14 +1,14 @@
 //! Truncated power series in one variable, with exact coefficients.
 
-use crate::number::{Dual, ExactField, Field, owned_operators};
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use crate::number::{Dual, ExactField, Field, operators};
 
 /// `c_0 x^s + c_1 x^(s+1) + … + O(x^n)`: finitely many exact coefficients, and the order `n` from which
 /// on nothing is known.
 ///
 /// A field as far as it is known: a quotient loses as many terms as the divisor begins with zeros, and
-/// may begin with a negative power. The equations of `arch` evaluate over it. What is not known is
-/// never shown: an operation keeps the smaller order.
+/// may begin with a negative power. Division by a series of which no coefficient is known to differ from
+/// zero panics. The equations of `arch` evaluate over it. What is not known is never shown: an operation
+/// keeps the smaller order.
 ///
 /// ```
 /// use couplet_number::number::Field;
@@ -196,14 +196,6 @@ impl<T: ExactField> Field for Series<T> {
     }
 }
 
-impl<T: ExactField> Neg for Series<T> {
-    type Output = Self;
-    fn neg(mut self) -> Self {
-        self.terms = self.terms.into_iter().map(|c| -c).collect();
-        self
-    }
-}
-
 impl<T: ExactField> Series<T> {
     fn combine(&self, other: &Self, sum: impl Fn(T, &T) -> T) -> Self {
         let (start, order) = (self.start.min(other.start), self.order().min(other.order()));
@@ -211,26 +203,21 @@ impl<T: ExactField> Series<T> {
             (start..order).map(|power| sum(self.coefficient(power), &other.coefficient(power)));
         Self { start, terms: terms.collect(), ..self.clone() }
     }
-}
 
-impl<T: ExactField> Add<&Series<T>> for Series<T> {
-    type Output = Self;
-    fn add(self, other: &Self) -> Self {
+    fn negated(mut self) -> Self {
+        self.terms = self.terms.into_iter().map(|c| -c).collect();
+        self
+    }
+
+    fn plus(self, other: &Self) -> Self {
         self.combine(other, |a, b| a + b)
     }
-}
 
-impl<T: ExactField> Sub<&Series<T>> for Series<T> {
-    type Output = Self;
-    fn sub(self, other: &Self) -> Self {
+    fn minus(self, other: &Self) -> Self {
         self.combine(other, |a, b| a - b)
     }
-}
 
-impl<T: ExactField> Mul<&Series<T>> for Series<T> {
-    type Output = Self;
-    #[expect(clippy::suspicious_arithmetic_impl, reason = "a product of series adds products")]
-    fn mul(self, other: &Self) -> Self {
+    fn times(self, other: &Self) -> Self {
         let (a, b) = (self.trimmed(), other.trimmed());
         let count = a.terms.len().min(b.terms.len());
         let term = |n: usize| {
@@ -238,12 +225,9 @@ impl<T: ExactField> Mul<&Series<T>> for Series<T> {
         };
         Self { start: a.start + b.start, terms: (0..count).map(term).collect(), ..self }
     }
-}
 
-impl<T: ExactField> Div<&Series<T>> for Series<T> {
-    type Output = Self;
     /// Division by a series of which no coefficient is known to differ from zero panics.
-    fn div(self, other: &Self) -> Self {
+    fn over(self, other: &Self) -> Self {
         let (a, b) = (self.trimmed(), other.trimmed());
         assert!(!b.terms.is_empty(), "division by zero");
         let count = a.terms.len().min(b.terms.len());
@@ -257,7 +241,7 @@ impl<T: ExactField> Div<&Series<T>> for Series<T> {
     }
 }
 
-owned_operators!([T: ExactField] Series<T>);
+operators!([T: ExactField] Series<T>);
 
 #[cfg(test)]
 mod tests {

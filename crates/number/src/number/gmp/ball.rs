@@ -18,7 +18,6 @@ use rug::ops::{
 use rug::{Assign, Float, Integer, Rational};
 use std::cmp::Ordering;
 use std::fmt;
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// All real numbers within `radius` of `midpoint`. A precision is a number of bits, at least one: MPFR
 /// knows no fewer.
@@ -301,14 +300,6 @@ impl Enclosure for Ball {
     }
 }
 
-impl Neg for Ball {
-    type Output = Self;
-    fn neg(mut self) -> Self {
-        self.mid.neg_assign();
-        self
-    }
-}
-
 /// `x op y` rounded to `prec` bits and the direction of the rounding; in the place of `x` where that has as many, as
 /// memory costs as much as the arithmetic of a few words.
 macro_rules! rounded {
@@ -323,27 +314,25 @@ macro_rules! rounded {
     }};
 }
 
-impl Add<&Ball> for Ball {
-    type Output = Self;
-    fn add(self, other: &Self) -> Self {
+impl Ball {
+    fn negated(mut self) -> Self {
+        self.mid.neg_assign();
+        self
+    }
+
+    fn plus(self, other: &Self) -> Self {
         let prec = self.common(other);
         let mid = rounded!(self.mid, +, add_assign_round, &other.mid, prec);
         Self::rounded(mid, self.rad.plus(other.rad), prec)
     }
-}
 
-impl Sub<&Ball> for Ball {
-    type Output = Self;
-    fn sub(self, other: &Self) -> Self {
+    fn minus(self, other: &Self) -> Self {
         let prec = self.common(other);
         let mid = rounded!(self.mid, -, sub_assign_round, &other.mid, prec);
         Self::rounded(mid, self.rad.plus(other.rad), prec)
     }
-}
 
-impl Mul<&Ball> for Ball {
-    type Output = Self;
-    fn mul(self, other: &Self) -> Self {
+    fn times(self, other: &Self) -> Self {
         let prec = self.common(other);
         let rad = if self.rad.is_zero() && other.rad.is_zero() {
             Magnitude::ZERO
@@ -355,12 +344,9 @@ impl Mul<&Ball> for Ball {
         let mid = rounded!(self.mid, *, mul_assign_round, &other.mid, prec);
         Self::rounded(mid, rad, prec)
     }
-}
 
-impl Div<&Ball> for Ball {
-    type Output = Self;
     /// For `x` in `a ± r` and `y` in `b ± s`, `|x/y - a/b| <= (r + |a/b| s) / (|b| - s)`.
-    fn div(self, other: &Self) -> Self {
+    fn over(self, other: &Self) -> Self {
         let prec = self.common(other);
         let least = Magnitude::lower(&other.mid).minus_down(other.rad);
         if least.is_zero() {
@@ -381,7 +367,7 @@ impl Div<&Ball> for Ball {
     }
 }
 
-owned_operators!(Ball);
+operators!(Ball);
 
 impl fmt::Debug for Ball {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -3,10 +3,10 @@
 use super::{Ball, ExactField, Field, Real};
 use rug::{Integer, Rational};
 use std::fmt;
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `rational + factor * √radicand`, exactly. The radicand is a positive integer that is not a
-/// square; numbers of different radicands cannot meet unless one of them is rational.
+/// square; numbers of different radicands cannot meet unless one of them is rational. Division by zero
+/// panics.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Surd {
     rational: Rational,
@@ -67,30 +67,20 @@ impl ExactField for Surd {
     }
 }
 
-impl Neg for Surd {
-    type Output = Self;
-    fn neg(self) -> Self {
+impl Surd {
+    fn negated(self) -> Self {
         Self { rational: -self.rational, factor: -self.factor, radicand: self.radicand }
     }
-}
 
-impl Add<&Surd> for Surd {
-    type Output = Self;
-    fn add(self, other: &Self) -> Self {
+    fn plus(self, other: &Self) -> Self {
         self.map2(other, |x, y| Rational::from(x + y))
     }
-}
 
-impl Sub<&Surd> for Surd {
-    type Output = Self;
-    fn sub(self, other: &Self) -> Self {
+    fn minus(self, other: &Self) -> Self {
         self.map2(other, |x, y| Rational::from(x - y))
     }
-}
 
-impl Mul<&Surd> for Surd {
-    type Output = Self;
-    fn mul(self, other: &Self) -> Self {
+    fn times(self, other: &Self) -> Self {
         self.meets(other);
         let roots = Rational::from(&self.factor * &other.factor) * self.radicand;
         Self {
@@ -100,12 +90,9 @@ impl Mul<&Surd> for Surd {
             radicand: self.radicand,
         }
     }
-}
 
-impl Div<&Surd> for Surd {
-    type Output = Self;
     /// Division by zero panics, as it does for a rational number.
-    fn div(self, other: &Self) -> Self {
+    fn over(self, other: &Self) -> Self {
         self.meets(other);
         let conjugate = Self { factor: -other.factor.clone(), ..other.clone() };
         let norm = (other.clone() * &conjugate).rational;
@@ -118,7 +105,7 @@ impl Div<&Surd> for Surd {
     }
 }
 
-owned_operators!(Surd);
+operators!(Surd);
 
 impl fmt::Display for Surd {
     /// As a mathematician would write it: `2/3`, `√3−1`, `2(2√3−3)`, a positive term first and a

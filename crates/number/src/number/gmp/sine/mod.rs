@@ -1,6 +1,7 @@
 //! Sines, cosines and arctangents of many digits, quicker than MPFR's own.
 //!
-//! An [`Anchor`] turns the angle by Gaussian primes, whose arguments are computed once, until it is small; the rest is a series.
+//! An [`Anchor`] turns the angle by Gaussian primes, whose arguments are computed once, until it is small; the rest
+//! is a series.
 
 mod anchor;
 mod arctangent;
