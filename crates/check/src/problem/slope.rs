@@ -52,3 +52,19 @@ impl Deref for Slope {
         &self.0
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slope_is_not_negative_and_below_a_right_angle() {
+        let refused = |text: &str| text.parse::<Slope>().unwrap_err();
+        assert_eq!(["inf", "steep"].map(refused), [SlopeError::Unreadable; 2]);
+        assert_eq!(["-0.1", "-1e-30"].map(refused), [SlopeError::Negative; 2]);
+        assert_eq!(["-1deg", "90deg", "tan(2)"].map(refused), [SlopeError::Angle; 3]);
+        for text in ["0", "7.5", "tan(0deg)", "tan(89.9deg)", "tan(pi/4)"] {
+            assert_eq!(text.parse::<Slope>().unwrap().to_string(), text);
+        }
+    }
+}

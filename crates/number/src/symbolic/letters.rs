@@ -31,22 +31,16 @@ impl Letters for Symbol {
     }
 
     fn joint() -> Angle<Fraction> {
-        Angle { rad: Self::Joint.number(), sin: Self::Sine.number(), cos: Self::Cosine.number() }
+        Angle { rad: Self::Joint, sin: Self::Sine, cos: Self::Cosine }.map(Self::number)
     }
 
     fn sliding_joint() -> Angle<Fraction> {
-        Angle {
-            rad: Self::SlidingJoint.number(),
-            sin: Self::SineOfSliding.number(),
-            cos: Self::CosineOfSliding.number(),
-        }
+        let (rad, sin, cos) = (Self::SlidingJoint, Self::SineOfSliding, Self::CosineOfSliding);
+        Angle { rad, sin, cos }.map(Self::number)
     }
 
     fn half_opening() -> Angle<Fraction> {
-        Angle {
-            rad: Self::HalfOpening.number(),
-            sin: Self::SineOfOpening.number(),
-            cos: Self::CosineOfOpening.number(),
-        }
+        let (rad, sin, cos) = (Self::HalfOpening, Self::SineOfOpening, Self::CosineOfOpening);
+        Angle { rad, sin, cos }.map(Self::number)
     }
 }

@@ -94,13 +94,14 @@ impl Magnitude {
         if large.is_zero() {
             return small;
         }
-        let distance = large.exponent - small.exponent;
-        let tail = if distance >= 63 {
-            1
-        } else {
-            (u64::from(small.mantissa) << 31).div_ceil(1 << distance)
-        };
+        let tail = small.aligned(large.exponent);
         Self::round((u64::from(large.mantissa) << 31) + tail, large.exponent - 31, true)
+    }
+
+    /// The bound in units of `2^(exponent - 31)`, of an exponent that is not smaller, rounded up.
+    fn aligned(self, exponent: i64) -> u64 {
+        let distance = exponent - self.exponent;
+        if distance >= 63 { 1 } else { (u64::from(self.mantissa) << 31).div_ceil(1 << distance) }
     }
 
     /// `self * other`, rounded up; zero times infinity is infinite, since zero may stand for an
@@ -134,12 +135,7 @@ impl Magnitude {
             return self;
         }
         // `self > other`, so its exponent is at least as large.
-        let distance = self.exponent - other.exponent;
-        let tail = if distance >= 63 {
-            1
-        } else {
-            (u64::from(other.mantissa) << 31).div_ceil(1 << distance)
-        };
+        let tail = other.aligned(self.exponent);
         let difference = (u64::from(self.mantissa) << 31).saturating_sub(tail);
         Self::round(difference, self.exponent - 31, false)
     }

@@ -64,9 +64,7 @@ impl Rounded {
         let last = text.pop()?;
         let below = Decimal::new(negative, text, exponent + 1);
         let above = below.neighbour(true);
-        let value = if last >= '5' { above.clone() } else { below.clone() };
-        let (lower, upper) = if negative { (above, below) } else { (below, above) };
-        Some(Self { value, lower, upper })
+        Some(Self::between([below, above], last >= '5', negative))
     }
 
     /// The same, decided too for numbers next to a decimal of so many digits, as those are that were given as one: the
@@ -85,6 +83,13 @@ impl Rounded {
         let (low, high) = (end(ball.lower())?, end(ball.upper())?);
         let is_same = low.value.to_rational() == high.value.to_rational();
         is_same.then_some(Self { value: high.value, lower: low.lower, upper: high.upper })
+    }
+
+    /// A value between two decimals, given by their size, that rounds to the first or up to the second.
+    pub(super) fn between([below, above]: [Decimal; 2], up: bool, negative: bool) -> Self {
+        let value = if up { above.clone() } else { below.clone() };
+        let (lower, upper) = if negative { (above, below) } else { (below, above) };
+        Self { value, lower, upper }
     }
 
     /// An exact value: all three are the same decimal.
@@ -126,9 +131,7 @@ impl Rounded {
             Ordering::Greater => true,
             Ordering::Equal => whole.is_odd(),
         };
-        let value = if up { above.clone() } else { below.clone() };
-        let (lower, upper) = if negative { (above, below) } else { (below, above) };
-        Some(Self { value, lower, upper })
+        Some(Self::between([below, above], up, negative))
     }
 }
 

@@ -52,10 +52,7 @@ pub fn rounded_double(ball: &DoubleDoubleBall, digits: usize) -> Option<Rounded>
         let text = u64::try_from(number).map_or_else(|_| number.to_string(), |n| n.to_string());
         Decimal::new(is_negative, text, exponent.into())
     };
-    let (below, above) = (decimal(below), decimal(below + 1));
-    let value = if last >= 5 { above.clone() } else { below.clone() };
-    let (lower, upper) = if is_negative { (above, below) } else { (below, above) };
-    Some(Rounded { value, lower, upper })
+    Some(Rounded::between([decimal(below), decimal(below + 1)], last >= 5, is_negative))
 }
 
 /// The `e` with `2^e <= x < 2^(e+1)`, for normal positive doubles.
