@@ -1,38 +1,9 @@
 //! Balls of doubles: a [`FloatBall`] of 53 bits.
 
-use super::float_ball::{FloatBall, Midpoint, U};
-use super::{DoubleDouble, DoubleDoubleBall};
+use super::FloatBall;
 
 /// All real numbers within a radius of a double.
 pub type DoubleBall = FloatBall<f64>;
-
-/// Each operation rounds to nearest, with an error of at most `u |m|`.
-impl Midpoint for f64 {
-    const ZERO: Self = 0.0;
-    const UNIT: f64 = U;
-    const BITS: u32 = 53;
-    const PI: (Self, f64) = (std::f64::consts::PI, 1.2246467991473532e-16);
-
-    #[inline(always)]
-    fn nearest(x: DoubleDouble) -> (Self, f64) {
-        (x.hi(), x.lo().abs())
-    }
-
-    #[inline(always)]
-    fn hi(self) -> f64 {
-        self
-    }
-
-    #[inline(always)]
-    fn shortened(self) -> f64 {
-        self
-    }
-
-    #[inline(always)]
-    fn root(self) -> Self {
-        self.sqrt()
-    }
-}
 
 impl DoubleBall {
     /// A double not above any number of the ball; `-inf` for the whole line.
@@ -43,15 +14,6 @@ impl DoubleBall {
     /// A double not below any number of the ball; `+inf` for the whole line.
     pub fn upper(&self) -> f64 {
         (self.mid + self.rad).next_up()
-    }
-}
-
-/// The same set with the double nearest to the midpoint as midpoint: outward.
-impl From<DoubleDoubleBall> for DoubleBall {
-    #[inline(always)]
-    fn from(ball: DoubleDoubleBall) -> Self {
-        let (mid, rest) = f64::nearest(ball.mid);
-        Self::new(mid, (ball.rad + rest) * super::float_ball::UP)
     }
 }
 

@@ -8,7 +8,7 @@
 
 #[cfg(feature = "mpfr")]
 use super::float_ball::SMALLEST;
-use super::float_ball::{DOWN, FloatBall, Midpoint, UP, power_of_two};
+use super::float_ball::{FloatBall, UP, power_of_two};
 #[cfg(feature = "mpfr")]
 use super::{Ball, Magnitude};
 use super::{DoubleBall, DoubleDouble};
@@ -17,34 +17,6 @@ use rug::{Float, float::Round};
 
 /// All real numbers within a radius of a double-double.
 pub type DoubleDoubleBall = FloatBall<DoubleDouble>;
-
-impl Midpoint for DoubleDouble {
-    const ZERO: Self = Self::ZERO;
-    const UNIT: f64 = Self::UNIT;
-    const BITS: u32 = 106;
-    const PI: (Self, f64) = (Self::constant(std::f64::consts::PI, 1.2246467991473532e-16), 3e-33);
-
-    #[inline(always)]
-    fn nearest(x: DoubleDouble) -> (Self, f64) {
-        (x, 0.0)
-    }
-
-    #[inline(always)]
-    fn hi(self) -> f64 {
-        self.hi()
-    }
-
-    /// `DOWN` has room for the low part.
-    #[inline(always)]
-    fn shortened(self) -> f64 {
-        self.hi() * DOWN
-    }
-
-    #[inline(always)]
-    fn root(self) -> Self {
-        self.sqrt()
-    }
-}
 
 impl DoubleDoubleBall {
     /// `± mantissa 2^exponent`, the mantissa in words of 64 bits, the least significant first: exactly if it has at
@@ -119,6 +91,14 @@ impl From<&Ball> for DoubleDoubleBall {
         let mid = DoubleDouble::sum(hi, Float::with_val(bits, ball.mid() - hi).to_f64());
         let rest = Float::with_val(bits, ball.mid() - mid.hi()) - mid.lo();
         Self::new(mid, (rad + away(&rest)) * UP)
+    }
+}
+
+/// The same set with the double nearest to the midpoint as midpoint: outward.
+impl From<DoubleDoubleBall> for DoubleBall {
+    #[inline(always)]
+    fn from(ball: DoubleDoubleBall) -> Self {
+        Self::new(ball.mid.hi(), (ball.rad + ball.mid.lo().abs()) * UP)
     }
 }
 

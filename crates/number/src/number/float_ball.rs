@@ -57,7 +57,7 @@ pub const fn power_of_two(exponent: i32) -> f64 {
 }
 
 /// Half the distance from one to the next double.
-pub(super) const U: f64 = power_of_two(-53);
+const U: f64 = power_of_two(-53);
 /// Rounds a radius up.
 pub(super) const UP: f64 = 1.0 + 16.0 * U;
 /// Rounds a lower bound down.
@@ -68,6 +68,62 @@ pub(super) const SMALLEST: f64 = power_of_two(-220);
 const LARGEST: f64 = power_of_two(220);
 /// The smallest radius but zero.
 pub(super) const LEAST: f64 = power_of_two(-330);
+
+/// Each operation rounds to nearest, with an error of at most `u |m|`.
+impl Midpoint for f64 {
+    const ZERO: Self = 0.0;
+    const UNIT: f64 = U;
+    const BITS: u32 = 53;
+    const PI: (Self, f64) = (std::f64::consts::PI, 1.2246467991473532e-16);
+
+    #[inline(always)]
+    fn nearest(x: DoubleDouble) -> (Self, f64) {
+        (x.hi(), x.lo().abs())
+    }
+
+    #[inline(always)]
+    fn hi(self) -> f64 {
+        self
+    }
+
+    #[inline(always)]
+    fn shortened(self) -> f64 {
+        self
+    }
+
+    #[inline(always)]
+    fn root(self) -> Self {
+        self.sqrt()
+    }
+}
+
+impl Midpoint for DoubleDouble {
+    const ZERO: Self = Self::ZERO;
+    const UNIT: f64 = Self::UNIT;
+    const BITS: u32 = 106;
+    const PI: (Self, f64) = (Self::constant(std::f64::consts::PI, 1.2246467991473532e-16), 3e-33);
+
+    #[inline(always)]
+    fn nearest(x: DoubleDouble) -> (Self, f64) {
+        (x, 0.0)
+    }
+
+    #[inline(always)]
+    fn hi(self) -> f64 {
+        self.hi()
+    }
+
+    /// `DOWN` has room for the low part.
+    #[inline(always)]
+    fn shortened(self) -> f64 {
+        self.hi() * DOWN
+    }
+
+    #[inline(always)]
+    fn root(self) -> Self {
+        self.sqrt()
+    }
+}
 
 /// A midpoint of size `size` and its radius put into range: `Some((true, rad))` keeps the midpoint, `Some((false, rad))`
 /// has it replaced by zero, `None` is the whole line.
