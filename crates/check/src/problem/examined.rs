@@ -143,3 +143,88 @@ pub fn inward_friction<T: Real>(at: &Configuration<T>, steepest_comes_first: boo
         false => -shoulder_friction(at),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::AstroInterval;
+    use crate::problem::{Arch, Problem};
+    use Condition as C;
+
+    /// The conditions that do not hold in a made-up configuration `alpha, beta_r, beta_s, eta, h, mu`, in hundredths. It
+    /// solves no equation: that a condition is looked at shows where it fails.
+    fn failures(mode: Mode, friction: &str, hundredths: [i32; 6]) -> Vec<Condition> {
+        let weight = SelfWeight::Milankovitch;
+        let arch = Arch::new(weight, "1".parse().unwrap(), friction.parse().unwrap()).unwrap();
+        let problem = Problem::State { mode, arch };
+        let like = AstroInterval::integer(0, 128);
+        let unknowns = [
+            Unknown::HalfOpening,
+            Unknown::RotationJoint,
+            Unknown::SlidingJoint,
+            Unknown::Thickness,
+            Unknown::Thrust,
+            Unknown::Friction,
+        ];
+        let at = unknowns
+            .into_iter()
+            .zip(hundredths)
+            .fold(Configuration::zero(&like), |at, (unknown, n)| {
+                at.with(unknown, like.ratio(n, 100))
+            });
+        let state = Examined::new(weight, mode, &at);
+        let fails = |condition: &C| !state.margin(*condition).is_positive().is_proved();
+        let [(_, conditions)] = &problem.conditions()[..] else { panic!("{mode} is one mode") };
+        let failures: Vec<C> = conditions.iter().copied().filter(fails).collect();
+        // What the checker calls finds the first of them.
+        assert_eq!(problem.first_failure(&at, 128), failures.first().copied());
+        failures
+    }
+
+    /// Conditions that hold at every known root where the others do are refused alone: all the others hold here.
+    #[test]
+    fn a_condition_fails_alone() {
+        let cases = [
+            (Mode::Rotational, "1", [264, 180, 0, 125, 50, 359], C::ThickerStands),
+            (Mode::RotationalSliding, "1", [259, 165, 19, 136, 50, 347], C::ThickerStands),
+            (
+                Mode::RotationalSlidingRotational,
+                "1",
+                [259, 81, 158, 140, 51, 315],
+                C::ThickerStands,
+            ),
+            (Mode::OverturningSliding, "1", [242, 0, 104, 175, 74, 321], C::ThickerStands),
+            (Mode::Overturning, "inf", [267, 0, 0, 153, 0, 0], C::ThickerStands),
+            (Mode::Rotational, "1", [42, 10, 0, 6, 34, 377], C::SteepestAboveShoulder),
+            (Mode::SlidingRotational, "1", [42, 35, 0, 134, 51, 35], C::SteepestAboveShoulder),
+            (Mode::SlidingRotational, "1", [121, 83, 0, 147, 39, 391], C::ShoulderBoundsThrust),
+            (Mode::Rotational, "inf", [229, 175, 0, 83, 50, 0], C::GrowsWithThrust),
+        ];
+        for (mode, friction, at, condition) in cases {
+            assert_eq!(failures(mode, friction, at), [condition], "{mode} {at:?}");
+        }
+        // A wider arch of the same numbers has no fault.
+        assert_eq!(failures(Mode::SlidingRotational, "1", [171, 83, 0, 147, 39, 391]), []);
+    }
+
+    /// That no arch is thinner, and that the mechanism has a weight, follows for a state from the equations and the other
+    /// conditions (`proofs/coq/States.v`, whose theorems do without them), but not at a landmark, where others are zero. So
+    /// they fail in company only.
+    #[test]
+    fn what_excludes_thinner_arches_fails_too() {
+        let none = C::NoneThinner;
+        let thick = [C::ThickerStands, none];
+        assert_eq!(failures(Mode::Rotational, "inf", [292, 21, 0, 179, 28, 0]), thick);
+        assert_eq!(failures(Mode::Rotational, "1", [277, 9, 0, 193, 27, 374]), thick);
+        assert_eq!(failures(Mode::OverturningSliding, "1", [275, 0, 11, 188, 30, 394]), thick);
+        assert_eq!(failures(Mode::Overturning, "inf", [274, 0, 0, 192, 0, 0]), thick);
+        let closes = C::OpensAtShoulder;
+        let bounded = [closes, C::GrowsOrIsBounded, C::Weight, none];
+        assert_eq!(failures(Mode::Rotational, "1", [117, 59, 0, 121, 50, 385])[..4], bounded);
+        let grows = [closes, C::GrowsWithThrust, C::Weight, none];
+        assert_eq!(failures(Mode::Rotational, "inf", [117, 59, 0, 121, 50, 0]), grows);
+        let largest = [C::WeightAtLargestThrust, C::NoneThinnerAtLargestThrust];
+        let all = [&[closes, C::Weight, none], &largest[..]].concat();
+        assert_eq!(failures(Mode::Rotational, "1", [143, 86, 0, 144, 50, 287]), all);
+    }
+}
