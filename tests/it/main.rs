@@ -22,6 +22,7 @@ mod door;
 mod draw;
 mod ends;
 mod export;
+mod expressions;
 mod identities;
 mod judge;
 mod landmarks;

@@ -10,7 +10,9 @@
 
 use super::end::{Direction, End};
 use super::interval::Interval;
-use astro_float::{BigFloat, Consts, INF_NEG, INF_POS, RoundingMode, Sign, WORD_BIT_SIZE, Word};
+use astro_float_num::{
+    BigFloat, Consts, INF_NEG, INF_POS, RoundingMode, Sign, WORD_BIT_SIZE, Word,
+};
 use std::cell::RefCell;
 use std::cmp::Ordering;
 
