@@ -1,7 +1,7 @@
 //! The claim of a certificate, in the words of the file.
 
 use super::given::{friction_text, given_text, read_friction, read_given};
-use super::object::{given, given_object, list};
+use super::record::record;
 use super::refusal::Refusal;
 use super::visible::shortened;
 use crate::arch::asymmetric::{AsymmetricMode, Place};
@@ -13,110 +13,100 @@ use crate::problem::{
     Arch, ArchError, Equation, Landmark, Mode, Nearest, Problem, Standing, System, Verdict,
     is_thickness,
 };
-use serde::{Deserialize, Serialize};
 
-/// What is claimed, in names and text: of its seven subjects exactly one.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct ClaimFile {
-    /// `heyman` or `milankovitch`.
-    pub weight: String,
-    /// The symbol of a landmark.
-    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
-    pub landmark: Option<String>,
-    /// The state of an arch at its least thickness.
-    #[serde(default, deserialize_with = "given_object", skip_serializing_if = "Option::is_none")]
-    pub state: Option<StateFile>,
-    /// An arch that stands at no thickness for want of friction.
-    #[serde(default, deserialize_with = "given_object", skip_serializing_if = "Option::is_none")]
-    pub slides: Option<ArchFile>,
-    /// An arch that stands at no thickness as it is too wide.
-    #[serde(default, deserialize_with = "given_object", skip_serializing_if = "Option::is_none")]
-    pub too_wide: Option<ArchFile>,
-    /// An arch that is thinner than its least thickness.
-    #[serde(default, deserialize_with = "given_object", skip_serializing_if = "Option::is_none")]
-    pub too_thin: Option<TooThinFile>,
-    /// An arch that stands.
-    #[serde(default, deserialize_with = "given_object", skip_serializing_if = "Option::is_none")]
-    pub stands: Option<StandsFile>,
-    /// An asymmetric solution of the complementarity problem (19) of a whole arch.
-    #[serde(default, deserialize_with = "given_object", skip_serializing_if = "Option::is_none")]
-    pub asymmetric: Option<AsymmetricFile>,
-    /// The names of what is solved for, in the order of every vector.
-    #[serde(deserialize_with = "list")]
-    pub unknowns: Vec<String>,
-    /// The labels of what holds.
-    #[serde(deserialize_with = "list")]
-    pub equations: Vec<String>,
+record! {
+    /// What is claimed, in names and text: of its seven subjects exactly one.
+    #[derive(Default)]
+    pub struct ClaimFile {
+        /// `heyman` or `milankovitch`.
+        pub weight: String,
+        /// The symbol of a landmark.
+        pub landmark: Option<String>,
+        /// The state of an arch at its least thickness.
+        pub state: Option<StateFile>,
+        /// An arch that stands at no thickness for want of friction.
+        pub slides: Option<ArchFile>,
+        /// An arch that stands at no thickness as it is too wide.
+        pub too_wide: Option<ArchFile>,
+        /// An arch that is thinner than its least thickness.
+        pub too_thin: Option<TooThinFile>,
+        /// An arch that stands.
+        pub stands: Option<StandsFile>,
+        /// An asymmetric solution of the complementarity problem (19) of a whole arch.
+        pub asymmetric: Option<AsymmetricFile>,
+        /// The names of what is solved for, in the order of every vector.
+        pub unknowns: Vec<String>,
+        /// The labels of what holds.
+        pub equations: Vec<String>,
+    }
 }
 
-/// An arch of any thickness.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct ArchFile {
-    /// The half opening, rad: a fraction of integers, with ` pi` behind it if pi is a factor.
-    pub half_opening: String,
-    /// The friction coefficient in the same form, `tan` and an angle in that form, or `inf`.
-    pub friction: String,
+record! {
+    /// An arch of any thickness.
+    pub struct ArchFile {
+        /// The half opening, rad: a fraction of integers, with ` pi` behind it if pi is a factor.
+        pub half_opening: String,
+        /// The friction coefficient in the same form, `tan` and an angle in that form, or `inf`.
+        pub friction: String,
+    }
 }
 
-/// The state of an arch.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct StateFile {
-    /// The label of the mode.
-    pub mode: String,
-    /// As in [`ArchFile`].
-    pub half_opening: String,
-    /// As in [`ArchFile`].
-    pub friction: String,
+record! {
+    /// The state of an arch.
+    pub struct StateFile {
+        /// The label of the mode.
+        pub mode: String,
+        /// As in [`ArchFile`].
+        pub half_opening: String,
+        /// As in [`ArchFile`].
+        pub friction: String,
+    }
 }
 
-/// An arch and how it collapses at its least thickness, which is above its own.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct TooThinFile {
-    /// The label of the mode.
-    pub mode: String,
-    /// As in [`ArchFile`].
-    pub half_opening: String,
-    /// As in [`ArchFile`].
-    pub friction: String,
-    /// The thickness, a fraction of integers.
-    pub thickness: String,
+record! {
+    /// An arch and how it collapses at its least thickness, which is above its own.
+    pub struct TooThinFile {
+        /// The label of the mode.
+        pub mode: String,
+        /// As in [`ArchFile`].
+        pub half_opening: String,
+        /// As in [`ArchFile`].
+        pub friction: String,
+        /// The thickness, a fraction of integers.
+        pub thickness: String,
+    }
 }
 
-/// An arch and an admissible state of it.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct StandsFile {
-    /// As in [`ArchFile`].
-    pub half_opening: String,
-    /// As in [`ArchFile`].
-    pub friction: String,
-    /// The thickness, a fraction of integers.
-    pub thickness: String,
-    /// The thrust `h`.
-    pub thrust: Dyadic,
-    /// The crown moment `p = h (1 + e0)`.
-    pub crown_moment: Dyadic,
-    /// `crown`, `haunch` or `shoulder`: where the line of thrust comes nearest to the intrados.
-    pub nearest: String,
+record! {
+    /// An arch and an admissible state of it.
+    pub struct StandsFile {
+        /// As in [`ArchFile`].
+        pub half_opening: String,
+        /// As in [`ArchFile`].
+        pub friction: String,
+        /// The thickness, a fraction of integers.
+        pub thickness: String,
+        /// The thrust `h`.
+        pub thrust: Dyadic,
+        /// The crown moment `p = h (1 + e0)`.
+        pub crown_moment: Dyadic,
+        /// `crown`, `haunch` or `shoulder`: where the line of thrust comes nearest to the intrados.
+        pub nearest: String,
+    }
 }
 
-/// An arch and how it gives way on one side.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct AsymmetricFile {
-    /// `inner_sliding`, `shoulder_opening` or `shoulder_sliding`: how the mechanism closes.
-    pub mode: String,
-    /// As in [`ArchFile`].
-    pub half_opening: String,
-    /// As in [`ArchFile`], and limited.
-    pub friction: String,
-    /// The joints that give way, from the right springing to the left: how, on which side, and where.
-    #[serde(deserialize_with = "list")]
-    pub contacts: Vec<String>,
+record! {
+    /// An arch and how it gives way on one side.
+    pub struct AsymmetricFile {
+        /// `inner_sliding`, `shoulder_opening` or `shoulder_sliding`: how the mechanism closes.
+        pub mode: String,
+        /// As in [`ArchFile`].
+        pub half_opening: String,
+        /// As in [`ArchFile`], and limited.
+        pub friction: String,
+        /// The joints that give way, from the right springing to the left: how, on which side, and where.
+        pub contacts: Vec<String>,
+    }
 }
 
 impl ClaimFile {

@@ -1,41 +1,35 @@
 //! The certificate as a file: JSON, `couplet.certificate/1`, described in `docs/certificate.md`.
 
 use super::claim::ClaimFile;
-use super::object::{Object, list, lists, object, objects};
+use super::record::record;
 use super::refusal::Refusal;
 use super::visible::{beginning, shortened};
 use crate::number::Dyadic;
-use serde::{Deserialize, Serialize};
 use std::io;
 
 /// The schema of this version.
 pub const SCHEMA: &str = "couplet.certificate/1";
 
-/// A certificate: a claim about a root, and the witnesses that let a checker prove it.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Certificate {
-    /// [`SCHEMA`].
-    pub schema: String,
-    /// What made it, with the version; not checked.
-    pub tool: String,
-    /// What is claimed.
-    #[serde(deserialize_with = "object")]
-    pub claim: ClaimFile,
-    /// How many significant digits the values have.
-    pub digits: usize,
-    /// The witness of existence and uniqueness in a large box.
-    #[serde(deserialize_with = "object")]
-    pub unique: Witness,
-    /// An approximate inverse of the Jacobian at the centre of that box, row by row.
-    #[serde(deserialize_with = "lists")]
-    pub inverse: Vec<Vec<Dyadic>>,
-    /// A small box that holds the root.
-    #[serde(deserialize_with = "object")]
-    pub root: Witness,
-    /// The decimal values claimed.
-    #[serde(deserialize_with = "objects")]
-    pub values: Vec<ValueFile>,
+record! {
+    /// A certificate: a claim about a root, and the witnesses that let a checker prove it.
+    pub struct Certificate {
+        /// [`SCHEMA`].
+        pub schema: String,
+        /// What made it, with the version; not checked.
+        pub tool: String,
+        /// What is claimed.
+        pub claim: ClaimFile,
+        /// How many significant digits the values have.
+        pub digits: usize,
+        /// The witness of existence and uniqueness in a large box.
+        pub unique: Witness,
+        /// An approximate inverse of the Jacobian at the centre of that box, row by row.
+        pub inverse: Vec<Vec<Dyadic>>,
+        /// A small box that holds the root.
+        pub root: Witness,
+        /// The decimal values claimed.
+        pub values: Vec<ValueFile>,
+    }
 }
 
 impl Certificate {
@@ -46,26 +40,24 @@ impl Certificate {
     }
 }
 
-/// A box: all points within `radius` of `centre`, unknown by unknown.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Witness {
-    /// The centre.
-    #[serde(deserialize_with = "list")]
-    pub centre: Vec<Dyadic>,
-    /// The radii.
-    #[serde(deserialize_with = "list")]
-    pub radius: Vec<Dyadic>,
+record! {
+    /// A box: all points within `radius` of `centre`, unknown by unknown.
+    pub struct Witness {
+        /// The centre.
+        pub centre: Vec<Dyadic>,
+        /// The radii.
+        pub radius: Vec<Dyadic>,
+    }
 }
 
-/// A decimal value.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct ValueFile {
-    /// The name of the quantity.
-    pub quantity: String,
-    /// The correct rounding, or `inf`.
-    pub value: String,
+record! {
+    /// A decimal value.
+    pub struct ValueFile {
+        /// The name of the quantity.
+        pub quantity: String,
+        /// The correct rounding, or `inf`.
+        pub value: String,
+    }
 }
 
 impl Certificate {
@@ -74,7 +66,7 @@ impl Certificate {
     pub fn read(bytes: &[u8]) -> Result<Self, Refusal> {
         let text = str::from_utf8(bytes).map_err(|error| Refusal::Encoding(error.valid_up_to()))?;
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let Object(certificate): Object<Self> =
+        let certificate: Self =
             serde_json::from_str(text).map_err(|error| Refusal::Format(reason(&error)))?;
         if certificate.schema != SCHEMA {
             return Err(Refusal::Schema(shortened(&certificate.schema)));

@@ -9,7 +9,7 @@ mod decimals;
 mod format;
 mod given;
 pub mod krawczyk;
-mod object;
+mod record;
 mod refusal;
 mod summary;
 mod visible;

@@ -2,7 +2,8 @@
 
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::number::{
-    AstroInterval, DoubleBall, Engine, ExactNumber, Form, ParseExactError, Ternary, is_angle, shown,
+    AstroInterval, DoubleBall, Engine, ExactNumber, Form, ParseExactError, Ternary, is_angle, says,
+    shown,
 };
 use num_bigint::Sign;
 use num_rational::BigRational;
@@ -37,25 +38,31 @@ pub struct Arch {
 }
 
 /// Why an arch is refused.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ArchError {
     /// The half opening is not between 0 and pi.
-    #[error("the half opening {0} is not between 0 and pi (180deg){hint}", hint = self.hint())]
     HalfOpening(ExactNumber),
     /// The friction is negative.
-    #[error("the friction {0} is negative")]
     Friction(String),
     /// The friction angle is not between 0 and a right angle.
-    #[error("the friction angle {0} is not between 0 and pi/2 (90deg){hint}", hint = self.hint())]
     FrictionAngle(String),
     /// The self-weight model has no such name.
-    #[error("'{0}' is not a self-weight model: heyman or milankovitch")]
     SelfWeight(String),
     /// A text is not an exact number.
-    #[error(transparent)]
-    Number(#[from] ParseExactError),
+    Number(ParseExactError),
 }
+
+says!(ArchError {
+    Self::HalfOpening(angle) => "the half opening {angle} is not between 0 and pi (180deg){}", meant_degrees(angle);
+    Self::Friction(friction) => "the friction {friction} is negative";
+    Self::FrictionAngle(angle) =>
+        "the friction angle {angle} is not between 0 and pi/2 (90deg){}", meant_friction_angle(angle);
+    Self::SelfWeight(name) => "'{name}' is not a self-weight model: heyman or milankovitch";
+    Self::Number(error) => "{error}";
+} from {
+    ParseExactError => Self::Number;
+});
 
 impl ArchError {
     /// What a number that is refused may have been meant to be; empty if nothing is near.

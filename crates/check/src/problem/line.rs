@@ -15,6 +15,7 @@
 
 use super::{Condition, Equation, Fixed, Landmark, Mode, System};
 use crate::arch::{SelfWeight, Unknown};
+use crate::number::says;
 use std::fmt;
 
 /// What is solved for, with the half opening and with the friction.
@@ -188,11 +189,14 @@ impl Sought {
 }
 
 /// Why a text names no line.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("'{text}' names no two modes that meet: {}", Line::ALL.map(|line| line.to_string()).join(", "))]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NoLine {
     text: String,
 }
+
+says!(NoLine {
+    Self { text } => "'{text}' names no two modes that meet: {}", Line::ALL.map(|line| line.to_string()).join(", ");
+});
 
 impl std::str::FromStr for Line {
     type Err = NoLine;

@@ -16,7 +16,7 @@
 //!
 //! Everything given is rational, and so is `eta`. A span is measured at the intrados unless another circle is named.
 
-use crate::number::{Engine, ExactNumber, Form, shown};
+use crate::number::{Engine, ExactNumber, Form, says, shown};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use std::fmt;
@@ -51,20 +51,16 @@ pub struct Measures {
 }
 
 /// Why measures are refused.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum MeasureError {
     /// No number, or no unit behind it.
-    #[error("'{0}' is not a length: give a number and its unit, m, cm, mm, ft or in (10m, 60cm)")]
     Length(String),
     /// No number, or no unit behind it.
-    #[error("'{0}' is not a density: give a number and its unit, kg/m3 or kN/m3 (2400kg/m3)")]
     Density(String),
     /// A length or a density is zero or negative.
-    #[error("{0} is not above 0")]
     NotPositive(String),
     /// The intrados would have no radius.
-    #[error("the thickness {thickness} is too large for this {circle}: at most {most}, its {rule}")]
     Thickness {
         /// As given.
         thickness: String,
@@ -76,7 +72,6 @@ pub enum MeasureError {
         rule: &'static str,
     },
     /// Three measures of which two say the third.
-    #[error("the radius {given} contradicts the span and the rise, which make it {made}")]
     Radius {
         /// As given.
         given: String,
@@ -84,6 +79,15 @@ pub enum MeasureError {
         made: String,
     },
 }
+
+says!(MeasureError {
+    Self::Length(text) => "'{text}' is not a length: give a number and its unit, m, cm, mm, ft or in (10m, 60cm)";
+    Self::Density(text) => "'{text}' is not a density: give a number and its unit, kg/m3 or kN/m3 (2400kg/m3)";
+    Self::NotPositive(text) => "{text} is not above 0";
+    Self::Thickness { thickness, circle, most, rule } =>
+        "the thickness {thickness} is too large for this {circle}: at most {most}, its {rule}";
+    Self::Radius { given, made } => "the radius {given} contradicts the span and the rise, which make it {made}";
+});
 
 /// Units of length in metres: the numerator over ten thousand.
 const LENGTHS: [(&str, i32); 5] =

@@ -3,7 +3,7 @@
 use super::{Arch, ArchError, Friction, Mode};
 use crate::arch::SelfWeight;
 use crate::arch::mechanism::Contact;
-use crate::number::{AstroInterval, Dyadic, Enclosure, Engine, ExactNumber, Form};
+use crate::number::{AstroInterval, Dyadic, Enclosure, Engine, ExactNumber, Form, says};
 use num_rational::BigRational;
 
 /// How the half arch is divided, from the crown to the shoulder.
@@ -28,31 +28,33 @@ pub type JointContact = (Contact, u64);
 pub const MOST_STONES: u64 = 1_000_000_000;
 
 /// Why stones are refused.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum StonesError {
     /// One stone has no joint inside, and more than can be counted no thickness.
-    #[error("{0} is no number of stones: give one from 2 to {MOST_STONES}")]
     Number(u64),
     /// One angle is a shoulder without a stone's end above it.
-    #[error(
-        "{0} angles are too few: give those of two joints or more, from the crown to the shoulder"
-    )]
     Few(usize),
     /// A joint is not above the one before it, or this cannot be told.
-    #[error(
-        "the joints do not rise from {0} to {1}: give their angles from the crown to the shoulder"
-    )]
     Order(String, String),
     /// The half opening is not between 0 and pi.
-    #[error(transparent)]
-    HalfOpening(#[from] ArchError),
+    HalfOpening(ArchError),
     /// A joint above the crown.
-    #[error(
-        "the joint {0} is above the crown: the first angle is 0, or that of the keystone's joint"
-    )]
     Crown(String),
 }
+
+says!(StonesError {
+    Self::Number(stones) => "{stones} is no number of stones: give one from 2 to {MOST_STONES}";
+    Self::Few(angles) =>
+        "{angles} angles are too few: give those of two joints or more, from the crown to the shoulder";
+    Self::Order(first, second) =>
+        "the joints do not rise from {first} to {second}: give their angles from the crown to the shoulder";
+    Self::HalfOpening(error) => "{error}";
+    Self::Crown(joint) =>
+        "the joint {joint} is above the crown: the first angle is 0, or that of the keystone's joint";
+} from {
+    ArchError => Self::HalfOpening;
+});
 
 impl Stones {
     /// So many stones of the same angle.

@@ -2,47 +2,50 @@
 
 use super::arch::is_thickness;
 use super::measures::{Length, MeasureError, Measures};
-use crate::number::{ExactNumber, ParseExactError, shown};
+use crate::number::{ExactNumber, ParseExactError, says, shown};
 
 /// Why a text is no thickness.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ThicknessError {
     /// No number, of an arch that has only ratios.
-    #[error(
-        "'{0}' is no thickness: give its ratio to the radius, a decimal (0.12) or a fraction (3/25)"
-    )]
     NoRatio(String),
     /// No length and no ratio, of an arch in metres.
-    #[error(
-        "'{0}' is no thickness: give a length in m, cm, mm, ft or in (60cm), or its ratio to the radius (0.12r)"
-    )]
     NoLength(String),
     /// A number beside lengths, which could be either.
-    #[error(
-        "the thickness {0} has no unit: beside lengths write {0}m (or cm, mm, ft, in), or {0}r, its ratio to the radius \
-         of the centreline"
-    )]
     NoUnit(String),
     /// A length, of an arch that has none.
-    #[error("the thickness {0} is a length: give its ratio to the radius (0.12)")]
     Length(String),
     /// A multiple of pi.
-    #[error("the thickness {0} is no ratio of thickness to radius (0.12, 3/25)")]
     Irrational(String),
     /// Not above 0, or above the physical limit.
-    #[error("the thickness {0} is not between 0 and 2")]
     Outside(String),
     /// The intrados is measured, and has no radius.
-    #[error("at the thickness {0} the intrados is a point, and has no radius to measure")]
     Point(String),
     /// A length that is too large.
-    #[error(transparent)]
-    Measures(#[from] MeasureError),
+    Measures(MeasureError),
     /// A number that is not read.
-    #[error(transparent)]
-    Number(#[from] ParseExactError),
+    Number(ParseExactError),
 }
+
+says!(ThicknessError {
+    Self::NoRatio(text) =>
+        "'{text}' is no thickness: give its ratio to the radius, a decimal (0.12) or a fraction (3/25)";
+    Self::NoLength(text) =>
+        "'{text}' is no thickness: give a length in m, cm, mm, ft or in (60cm), or its ratio to the radius (0.12r)";
+    Self::NoUnit(text) =>
+        "the thickness {text} has no unit: beside lengths write {text}m (or cm, mm, ft, in), or {text}r, its \
+         ratio to the radius of the centreline";
+    Self::Length(text) => "the thickness {text} is a length: give its ratio to the radius (0.12)";
+    Self::Irrational(text) => "the thickness {text} is no ratio of thickness to radius (0.12, 3/25)";
+    Self::Outside(text) => "the thickness {text} is not between 0 and 2";
+    Self::Point(text) => "at the thickness {text} the intrados is a point, and has no radius to measure";
+    Self::Measures(error) => "{error}";
+    Self::Number(error) => "{error}";
+} from {
+    MeasureError => Self::Measures;
+    ParseExactError => Self::Number;
+});
 
 /// The number of a ratio to the radius, which may say that it is one: `0.1r`.
 pub fn bare_ratio(text: &str) -> &str {

@@ -2,7 +2,7 @@
 
 use crate::arch::mechanism::{Contact, Mechanism, Twist};
 use crate::arch::{Configuration, Ring, SelfWeight};
-use crate::number::{Drawable, Ternary};
+use crate::number::{Drawable, Ternary, says};
 use crate::problem::Mode;
 
 /// How an arch falls in a mode: rates that are proved to be positive.
@@ -25,15 +25,18 @@ pub struct Collapse<T> {
 }
 
 /// What of a mechanism these enclosures do not tell.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NoCollapse {
     /// Not every rate is proved to be positive.
-    #[error("the rates of {0}")]
     Rates(Mode),
     /// The blocks do not fit together, or the weight works by another amount than friction takes.
-    #[error("the balance of {0}")]
     Balance(Mode),
 }
+
+says!(NoCollapse {
+    Self::Rates(mode) => "the rates of {mode}";
+    Self::Balance(mode) => "the balance of {mode}";
+});
 
 impl<T: Drawable> Collapse<T> {
     /// How each joint gives way, and where, rad; a crown that opens along its whole joint is none.

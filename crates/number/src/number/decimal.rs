@@ -1,5 +1,6 @@
 //! Decimal text, read exactly.
 
+use super::says;
 use std::fmt;
 use std::str::FromStr;
 
@@ -13,16 +14,19 @@ pub struct Decimal {
 }
 
 /// Why a text is not a decimal number.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ParseDecimalError {
     /// Not digits with at most one point, a sign and an exponent.
-    #[error("'{0}' is not a decimal number")]
     Syntax(String),
     /// The exponent is beyond ±1,000,000.
-    #[error("'{0}' has an exponent beyond ±{MAX_EXPONENT}")]
     Exponent(String),
 }
+
+says!(ParseDecimalError {
+    Self::Syntax(text) => "'{text}' is not a decimal number";
+    Self::Exponent(text) => "'{text}' has an exponent beyond ±{MAX_EXPONENT}";
+});
 
 const MAX_EXPONENT: i64 = 1_000_000;
 

@@ -1,5 +1,6 @@
 //! Exact binary numbers as text: `-0x1f3p-12` is `-499 / 2^12`.
 
+use super::says;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
@@ -18,16 +19,19 @@ pub struct Dyadic {
 pub const MAX_EXPONENT: i32 = 10_000_000;
 
 /// Why a text is not an exact binary number.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ParseDyadicError {
     /// Not `[-]0x<hexadecimal digits>p<exponent>`.
-    #[error("it is not of the form -0x1f3p-12")]
     Syntax,
     /// The exponent is too large.
-    #[error("its exponent is beyond ±{MAX_EXPONENT}")]
     Exponent,
 }
+
+says!(ParseDyadicError {
+    Self::Syntax => "it is not of the form -0x1f3p-12";
+    Self::Exponent => "its exponent is beyond ±{MAX_EXPONENT}";
+});
 
 impl Dyadic {
     /// The number from its sign, the words of its mantissa (least significant first), and exponent.

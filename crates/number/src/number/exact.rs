@@ -2,7 +2,7 @@
 
 use super::tangent::angle_of_tangent;
 use super::unit::{AngleUnit, unit};
-use super::{Decimal, Dyadic, Engine, ParseDecimalError, shown};
+use super::{Decimal, Dyadic, Engine, ParseDecimalError, says, shown};
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
 use std::fmt;
@@ -38,39 +38,39 @@ const MAX_EXPONENT: u32 = 1_000;
 const MAX_BITS: u64 = 3_330;
 
 /// Why a text is not an exact number.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ParseExactError {
     /// None of the forms that are read.
-    #[error(
-        "'{0}' is not a number: give a decimal (0.1), a fraction (1/3), a multiple of pi (2pi/3), or \
-         for an angle degrees (80deg)"
-    )]
     Syntax(String),
     /// None of the forms in which a friction is read.
-    #[error("'{0}' is not a friction: give a coefficient (0.6, 3/5, inf) or an angle (31deg)")]
     Friction(String),
     /// Pi behind the line of a fraction, which is not told from below it.
-    #[error("'{0}' has pi behind the line of the fraction: write it above the line, 3pi/4")]
     PiBelow(String),
     /// A comma instead of the point.
-    #[error("'{0}' has a comma; give the decimals behind a point (1.5)")]
     Comma(String),
     /// A fraction with nothing below.
-    #[error("'{0}' divides by zero")]
     DivisionByZero(String),
     /// Too long to be meant.
-    #[error("a number of {0} characters is too long: at most {MAX_LENGTH} are read")]
     Length(usize),
     /// Too large or too small to be meant.
-    #[error(
-        "'{0}' is out of range: sizes from 1e-{MAX_EXPONENT} to below 1e{MAX_EXPONENT} are read"
-    )]
     Range(String),
     /// Degrees of a multiple of pi.
-    #[error("'{0}' has two units")]
     Units(String),
 }
+
+says!(ParseExactError {
+    Self::Syntax(text) =>
+        "'{text}' is not a number: give a decimal (0.1), a fraction (1/3), a multiple of pi (2pi/3), or for an \
+         angle degrees (80deg)";
+    Self::Friction(text) => "'{text}' is not a friction: give a coefficient (0.6, 3/5, inf) or an angle (31deg)";
+    Self::PiBelow(text) => "'{text}' has pi behind the line of the fraction: write it above the line, 3pi/4";
+    Self::Comma(text) => "'{text}' has a comma; give the decimals behind a point (1.5)";
+    Self::DivisionByZero(text) => "'{text}' divides by zero";
+    Self::Length(length) => "a number of {length} characters is too long: at most {MAX_LENGTH} are read";
+    Self::Range(text) => "'{text}' is out of range: sizes from 1e-{MAX_EXPONENT} to below 1e{MAX_EXPONENT} are read";
+    Self::Units(text) => "'{text}' has two units";
+});
 
 impl ExactNumber {
     /// An exact rational number.

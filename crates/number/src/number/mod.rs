@@ -87,6 +87,7 @@ mod interval;
 mod jet;
 #[cfg(feature = "malachite")]
 mod malachite;
+mod says;
 #[cfg(feature = "mpfr")]
 mod short_ball;
 mod shown;
@@ -127,6 +128,7 @@ pub use interval::Interval;
 pub use jet::Jet;
 #[cfg(feature = "malachite")]
 pub use malachite::{Malachite, MalachiteInterval};
+pub use crate::says;
 #[cfg(feature = "mpfr")]
 pub use short_ball::ShortBall;
 pub use shown::{shown, visible};

@@ -1,0 +1,36 @@
+//! What an error says, variant by variant, without a procedural macro: a checker is built without one.
+
+/// `Display` and `Error` of a type, from the text of each of its variants:
+///
+/// ```text
+/// says!(LengthError {
+///     Self::Unit(text) => "'{text}' has no unit";
+///     Self::Number(error) => "{error}";
+/// } from {
+///     ParseExactError => Self::Number;
+/// });
+/// ```
+///
+/// What stands behind `from` becomes this error in that variant.
+#[macro_export]
+macro_rules! says {
+    ($error:ty {
+        $($variant:pat => $text:literal $(, $more:expr)*;)+
+    } $(from { $($inner:ty => $make:path;)+ })?) => {
+        impl std::fmt::Display for $error {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                match self { $($variant => write!(f, $text $(, $more)*),)+ }
+            }
+        }
+
+        impl std::error::Error for $error {}
+
+        $($(
+            impl From<$inner> for $error {
+                fn from(error: $inner) -> Self {
+                    $make(error)
+                }
+            }
+        )+)?
+    };
+}
