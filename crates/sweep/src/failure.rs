@@ -1,8 +1,9 @@
 //! Why a command did not do what was asked.
 
 use crate::certify::{Error, Refused};
+use crate::check::{self, reason};
 use std::fmt::Display;
-use std::io::{self, Write};
+use std::io;
 
 /// Why a command did not do what was asked.
 #[derive(Debug, thiserror::Error)]
@@ -33,6 +34,15 @@ impl From<Refused> for Failure {
     }
 }
 
+impl From<check::Failure> for Failure {
+    fn from(failure: check::Failure) -> Self {
+        match failure {
+            check::Failure::Refused(said) => Self::Undecided(said),
+            check::Failure::Open(said) => Self::Io(said),
+        }
+    }
+}
+
 impl Failure {
     /// What could not be read, and why.
     pub fn reading(what: impl Display, error: &io::Error) -> Self {
@@ -45,25 +55,7 @@ impl Failure {
     }
 }
 
-/// The kind of an error in plain words. Its own text may name a temporary file, which the user does not know.
-pub fn reason(error: &io::Error) -> String {
-    match error.kind() {
-        io::ErrorKind::NotFound => "no such file or folder".into(),
-        io::ErrorKind::AlreadyExists | io::ErrorKind::NotADirectory => {
-            "expected a folder, found a file".into()
-        }
-        io::ErrorKind::Other => error.to_string(),
-        kind => kind.to_string(),
-    }
-}
-
 /// Writes to standard output. A reader that closes the pipe early is no failure.
 pub fn print(bytes: &[u8]) -> Result<(), Failure> {
-    let mut out = io::stdout().lock();
-    match out.write_all(bytes).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(Failure::writing("to standard output", &error))
-        }
-        _ => Ok(()),
-    }
+    Ok(check::print(bytes)?)
 }

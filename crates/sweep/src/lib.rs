@@ -1,7 +1,6 @@
 //! Many arches: tables of rows, scenes and sweeps; what the command, Python and C call.
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
-pub mod engine;
 pub mod failure;
 pub mod parse;
 pub mod pool;

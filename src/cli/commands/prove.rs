@@ -2,10 +2,9 @@
 
 use super::notes::each_once;
 use super::output::{Output, OutputFile};
-use crate::check::visible_name;
+use crate::check::{read, visible_name};
 use crate::claims::Claim;
 use crate::claims::coq::{self, StateError};
-use crate::cli::check::read;
 use crate::report::{Claims, Content, Format, Index, Report};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;

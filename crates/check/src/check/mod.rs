@@ -6,6 +6,8 @@
 mod checker;
 mod claim;
 mod decimals;
+mod engine;
+mod files;
 mod format;
 mod given;
 pub mod krawczyk;
@@ -22,6 +24,8 @@ pub use checker::{
     ASTRO_DIGITS, Accepted, EXTRA_BITS, MAX_DIGITS, WITNESS_BITS, check, check_certificate, verify,
 };
 pub use claim::{ArchFile, AsymmetricFile, ClaimFile, StandsFile, StateFile, TooThinFile};
+pub use engine::Engine;
+pub use files::{Failure, NO_MPFR, check_files, print, read, reason};
 pub use format::{Certificate, SCHEMA, ValueFile, Witness};
 pub use refusal::Refusal;
 pub use summary::summary;

@@ -6,7 +6,7 @@ use super::kind::Kind;
 use super::pieces::{CHANGED, columns, hash_of, hash_of_pieces};
 use super::query::Listed;
 use crate::arch::SelfWeight;
-use crate::failure::reason;
+use crate::check::reason;
 use crate::number::ExactNumber;
 use crate::rows::{Cells, Reader, Spelling};
 use ::parquet::basic::{Compression, Type};

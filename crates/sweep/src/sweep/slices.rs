@@ -5,7 +5,7 @@ use super::groups::{self, GroupSlice};
 use super::query::Listed;
 use super::text::{self, Head, TextSlice};
 use crate::arch::SelfWeight;
-use crate::failure::reason;
+use crate::check::reason;
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File};
 use std::io::{self, Read};

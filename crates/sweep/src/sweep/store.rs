@@ -5,7 +5,7 @@
 use super::pieces::{hash_of, hash_of_pieces};
 use super::record::{Record, VERSION};
 use super::table::Notes;
-use crate::failure::reason;
+use crate::check::reason;
 use crate::report::words::shortened;
 use std::collections::BTreeMap;
 use std::fs::{self, File};

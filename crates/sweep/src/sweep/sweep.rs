@@ -6,7 +6,7 @@ use super::queries::queries;
 use super::record::{Arches, Record};
 use super::store::{Store, There};
 use super::table::{Notes, Table};
-use crate::failure::reason;
+use crate::check::reason;
 use crate::scene::{SWEEP_DIGITS, SweepPlan};
 use rayon::prelude::*;
 use std::io;

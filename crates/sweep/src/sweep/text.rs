@@ -3,7 +3,7 @@
 use super::pieces::{CHANGED, bytes_of, columns, hash_of, hash_of_pieces};
 use super::query::Listed;
 use crate::arch::SelfWeight;
-use crate::failure::reason;
+use crate::check::reason;
 use crate::rows::{Cells, Reader, Spelling, Table};
 use serde::{Deserialize, Serialize};
 use std::fs::File;

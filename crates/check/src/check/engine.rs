@@ -1,0 +1,67 @@
+//! The arithmetics that check a certificate, those that are built in.
+
+use super::checker::{Accepted, verify};
+use super::refusal::Refusal;
+
+/// An arithmetic that checks a certificate.
+///
+/// ```
+/// use couplet::check::Engine;
+/// assert!(Engine::named("astro", &[])?.check(b"{}").is_err());
+/// assert!(Engine::named("gmp", &[]).is_err());
+/// # Ok::<(), String>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Engine {
+    name: &'static str,
+    check: fn(&[u8]) -> Result<Accepted, Refusal>,
+    remark: &'static str,
+}
+
+impl Engine {
+    /// Pure Rust, shares nothing with MPFR.
+    pub const ASTRO: Self = Self::new("astro", verify);
+
+    /// Pure Rust, quicker; in part MPFR's algorithms.
+    #[cfg(feature = "malachite")]
+    pub const MALACHITE: Self = Self {
+        name: "malachite",
+        check: |bytes| {
+            super::check::<crate::number::MalachiteInterval>(bytes, super::MALACHITE_DIGITS)
+        },
+        remark: "  (by malachite, which is no witness beside mpfr)",
+    };
+
+    /// An arithmetic that a program brings along, of which nothing has to be known.
+    pub const fn new(name: &'static str, check: fn(&[u8]) -> Result<Accepted, Refusal>) -> Self {
+        Self { name, check, remark: "" }
+    }
+
+    /// The arithmetic of a name, of those here and of `others`; else a sentence that says which are built in.
+    pub fn named(name: &str, others: &[Self]) -> Result<Self, String> {
+        let here = [
+            Self::ASTRO,
+            #[cfg(feature = "malachite")]
+            Self::MALACHITE,
+        ];
+        let all = [&here, others].concat();
+        if let Some(engine) = all.iter().find(|engine| engine.name == name) {
+            return Ok(*engine);
+        }
+        let names = all.iter().map(|engine| engine.name).collect::<Vec<_>>().join(", ");
+        Err(match name {
+            "malachite" | "mpfr" => format!("{name} is not built in; here are {names}"),
+            _ => format!("an arithmetic is one of {names}"),
+        })
+    }
+
+    /// Checks the bytes of a certificate: that the equations have the root claimed, and that every digit is right.
+    pub fn check(self, bytes: &[u8]) -> Result<Accepted, Refusal> {
+        (self.check)(bytes)
+    }
+
+    /// What has to be known of an acceptance by this arithmetic.
+    pub(super) fn remark(self) -> &'static str {
+        self.remark
+    }
+}

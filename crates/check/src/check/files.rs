@@ -1,0 +1,115 @@
+//! What `couplet check` and `couplet-check` say of files: a line for each, and the exit code.
+
+use super::checker::MAX_DIGITS;
+use super::engine::Engine;
+use super::refusal::Refusal;
+use super::summary::summary;
+use super::visible::visible_name;
+use std::ffi::{OsStr, OsString};
+use std::fs::File;
+use std::io::{self, Read, Write};
+
+/// A certificate of a million digits has about 25 MB.
+const MAX_BYTES: u64 = 64 << 20;
+
+/// The words of a program without MPFR for the arithmetic that takes more digits.
+pub const NO_MPFR: &str = "--engine mpfr, in a build that has it,";
+
+/// Why not every file was accepted, in one line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Failure {
+    /// At least one was refused.
+    Refused(String),
+    /// None was refused; one was not read or not checked, or a line could not be written.
+    Open(String),
+}
+
+/// What became of a file.
+enum Verdict {
+    Accepted,
+    Refused,
+    /// Not checked, or not read.
+    Open,
+}
+
+/// Checks files in the arithmetic `engine`; `-` is standard input. Each gets one line on standard output: `accepted`,
+/// `refused`, `not checked` or `not read`. `larger` are the words for an arithmetic that takes more digits.
+pub fn check_files(names: &[OsString], engine: Engine, larger: &str) -> Result<(), Failure> {
+    let (mut refused, mut open) = (0, 0);
+    for name in names {
+        let (verdict, said) = verdict(name, engine, larger);
+        match verdict {
+            Verdict::Accepted => {}
+            Verdict::Refused => refused += 1,
+            Verdict::Open => open += 1,
+        }
+        print(format!("{}: {said}\n", visible_name(name)).as_bytes())?;
+    }
+    let all = names.len();
+    match (refused, open) {
+        (0, 0) => Ok(()),
+        (0, open) => Err(Failure::Open(format!("{open} of {all} not checked"))),
+        (refused, 0) => Err(Failure::Refused(format!("{refused} of {all} refused"))),
+        (refused, open) => {
+            Err(Failure::Refused(format!("{refused} of {all} refused, {open} not checked")))
+        }
+    }
+}
+
+/// The verdict on a file, and its words.
+fn verdict(name: &OsStr, engine: Engine, larger: &str) -> (Verdict, String) {
+    let bytes = match read(name) {
+        Ok(bytes) => bytes,
+        Err(error) => return (Verdict::Open, format!("not read: {}", reason(&error))),
+    };
+    if bytes.len() as u64 > MAX_BYTES {
+        return (Verdict::Refused, format!("refused: the file has more than {MAX_BYTES} bytes"));
+    }
+    match engine.check(&bytes) {
+        Ok(accepted) => {
+            (Verdict::Accepted, format!("accepted  {}{}", summary(&accepted), engine.remark()))
+        }
+        Err(limit @ Refusal::Limit(..)) => {
+            (Verdict::Open, format!("not checked: {limit}; {larger} checks up to {MAX_DIGITS}"))
+        }
+        Err(refusal) => (Verdict::Refused, format!("refused: {refusal}")),
+    }
+}
+
+/// The bytes of a file or of standard input, `-`: a little more than the most that is allowed at the most.
+pub fn read(name: &OsStr) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    if name == "-" {
+        io::stdin().lock().take(MAX_BYTES + 1).read_to_end(&mut bytes)?;
+    } else {
+        let file = File::open(name)?;
+        // A file of this size is read into memory of this size.
+        let size = file.metadata().map_or(0, |file| file.len()).min(MAX_BYTES);
+        bytes.reserve_exact(usize::try_from(size).unwrap_or(0) + 1);
+        file.take(MAX_BYTES + 1).read_to_end(&mut bytes)?;
+    }
+    Ok(bytes)
+}
+
+/// The kind of an error in plain words. Its own text may name a temporary file, which the user does not know.
+pub fn reason(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => "no such file or folder".into(),
+        io::ErrorKind::AlreadyExists | io::ErrorKind::NotADirectory => {
+            "expected a folder, found a file".into()
+        }
+        io::ErrorKind::Other => error.to_string(),
+        kind => kind.to_string(),
+    }
+}
+
+/// Writes to standard output. A reader that closes the pipe early is no failure.
+pub fn print(bytes: &[u8]) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    match out.write_all(bytes).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(Failure::Open(format!("cannot write to standard output: {}", reason(&error))))
+        }
+        _ => Ok(()),
+    }
+}
