@@ -274,7 +274,7 @@ fn arch(weight: SelfWeight, half_opening: &str, friction: &str) -> Result<Arch, 
     let mu = read_friction(friction).ok_or_else(|| refused("friction", friction))?;
     let alpha = read_given(half_opening).ok_or_else(|| refused("half_opening", half_opening))?;
     let is_limited = friction != "inf";
-    let arch = Arch::new(weight, alpha, mu).map_err(|error| match error {
+    let arch = Arch::new_with(weight, alpha, mu, false).map_err(|error| match error {
         ArchError::HalfOpening(_) => refused("half_opening", half_opening),
         _ => refused("friction", friction),
     })?;

@@ -113,7 +113,7 @@ impl fmt::Display for Friction {
 
 impl Friction {
     /// The friction, if it may be that of an arch; a right angle is infinite.
-    pub(super) fn checked(self) -> Result<Self, ArchError> {
+    pub(super) fn checked(self, in_doubles: bool) -> Result<Self, ArchError> {
         match self {
             Self::Coefficient(mu) if sign(&mu) == Sign::Minus => {
                 Err(ArchError::Friction(mu.to_string()))
@@ -121,7 +121,7 @@ impl Friction {
             Self::Angle(phi) if phi.form() == Form::TimesPi && *phi.factor() == ratio(1, 2) => {
                 Ok(Self::Infinite)
             }
-            Self::Angle(phi) if !is_between(&phi, true, 2) => {
+            Self::Angle(phi) if !is_between(&phi, true, 2, in_doubles) => {
                 Err(ArchError::FrictionAngle(phi.to_string()))
             }
             friction => Ok(friction),
@@ -143,10 +143,20 @@ impl Arch {
         half_opening: ExactNumber,
         friction: Friction,
     ) -> Result<Self, ArchError> {
-        if !is_between(&half_opening, false, 1) {
+        Self::new_with(weight, half_opening, friction, true)
+    }
+
+    /// [`Arch::new`] with balls of doubles or, for a checker that need not trust them then, without.
+    pub(crate) fn new_with(
+        weight: SelfWeight,
+        half_opening: ExactNumber,
+        friction: Friction,
+        in_doubles: bool,
+    ) -> Result<Self, ArchError> {
+        if !is_between(&half_opening, false, 1, in_doubles) {
             return Err(ArchError::HalfOpening(half_opening));
         }
-        Ok(Self { weight, half_opening, friction: friction.checked()? })
+        Ok(Self { weight, half_opening, friction: friction.checked(in_doubles)? })
     }
 
     /// An arch from the texts that the command line reads: `heyman` or `milankovitch`, a half opening
@@ -210,7 +220,7 @@ fn meant_degrees(half_opening: &ExactNumber) -> String {
     // Hardly anybody means four times a radian.
     let in_degrees = half_opening.is_rational()
         && *half_opening.factor() >= ratio(4, 1)
-        && is_between(&half_opening.degrees(), false, 1);
+        && is_between(&half_opening.degrees(), false, 1, true);
     match in_degrees {
         true => format!("; did you mean {}?", half_opening.degrees()),
         false => String::new(),
@@ -221,7 +231,7 @@ fn meant_degrees(half_opening: &ExactNumber) -> String {
 fn meant_friction_angle(angle: &str) -> String {
     let in_degrees = |angle: &ExactNumber| {
         let is_large = angle.is_rational() && *angle.factor() >= ratio(2, 1);
-        is_large && is_between(&angle.degrees(), true, 2)
+        is_large && is_between(&angle.degrees(), true, 2, true)
     };
     match angle.parse().ok().filter(in_degrees) {
         Some(angle) => format!("; did you mean {}?", angle.degrees()),
@@ -239,7 +249,7 @@ fn sign(x: &ExactNumber) -> Sign {
 }
 
 /// Whether an angle is above zero (or is zero, if that is allowed) and below `pi / divisor`.
-fn is_between(x: &ExactNumber, zero_is_in: bool, divisor: i32) -> bool {
+fn is_between(x: &ExactNumber, zero_is_in: bool, divisor: i32, in_doubles: bool) -> bool {
     let positive = match sign(x) {
         Sign::Plus => true,
         Sign::NoSign => zero_is_in,
@@ -253,16 +263,10 @@ fn is_between(x: &ExactNumber, zero_is_in: bool, divisor: i32) -> bool {
         _ => {}
     }
     // Doubles decide nearly always; the last bits are more than the longest number that is read has.
-    let long = || {
-        let below =
-            [128, 80_000].into_iter().map(|bits| is_below::<AstroInterval>(x, divisor, bits));
-        below.into_iter().find(|below| *below != Ternary::Undecided)
-    };
-    let below = match is_below::<DoubleBall>(x, divisor, 0) {
-        Ternary::Undecided => long().unwrap_or(Ternary::Undecided),
-        decided => decided,
-    };
-    positive && below.is_proved()
+    let quick = in_doubles.then(|| is_below::<DoubleBall>(x, divisor, 0));
+    let long = [128, 80_000].into_iter().map(|bits| is_below::<AstroInterval>(x, divisor, bits));
+    let below = quick.into_iter().chain(long).find(|below| *below != Ternary::Undecided);
+    positive && below == Some(Ternary::True)
 }
 
 /// Whether a number is below `pi / divisor`.

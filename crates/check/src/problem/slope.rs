@@ -36,7 +36,7 @@ impl FromStr for Slope {
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         match text.parse::<Friction>() {
             Err(_) | Ok(Friction::Infinite) => Err(SlopeError::Unreadable),
-            Ok(given) => match given.checked() {
+            Ok(given) => match given.checked(true) {
                 Err(ArchError::Friction(_)) => Err(SlopeError::Negative),
                 Err(_) | Ok(Friction::Infinite) => Err(SlopeError::Angle),
                 Ok(slope) => Ok(Self(slope)),
