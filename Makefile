@@ -104,7 +104,8 @@ states: build
 # The checker of certificates alone, in pure Rust: what it needs, and what it says of every stored certificate.
 checker:
 	cargo build --release --locked --package couplet-check --target-dir target/checker
-	@! cargo tree --locked --package couplet-check -e normal,build | grep -E "rug|gmp-mpfr|malachite|resvg"
+	@! cargo tree --locked --package couplet-check -e normal,build | grep -E "rug|gmp-mpfr|malachite|resvg|proc-macro"
+	@! cargo tree --locked --package couplet-check --features malachite -e normal,build | grep -E "rug|gmp-mpfr"
 	@[ $$(cargo tree --locked --package couplet-check -e normal,build --prefix none | sed 's/ (.*//' | sort -u | wc -l) -le 20 ] || \
 	  { echo "couplet: the checker has more than 20 crates" >&2; exit 1; }
 	target/checker/release/couplet-check proofs/constants/*.json proofs/states/*.json proofs/asymmetric/*.json >target/checker/said

@@ -79,8 +79,8 @@ pub fn verify(bytes: &[u8]) -> Result<Accepted, Refusal> {
     doc = "part those of MPFR, so that its verdict is none beside that of [`Ball`](crate::number::Ball).",
     doc = "",
     doc = "```",
-    doc = "use couplet::check::{MALACHITE_DIGITS, check};",
-    doc = "use couplet::number::MalachiteInterval;",
+    doc = "use couplet_check::check::{MALACHITE_DIGITS, check};",
+    doc = "use couplet_number::number::MalachiteInterval;",
     doc = "let file = include_bytes!(\"../../proofs/constants/triple-point-heyman.json\");",
     doc = "assert!(check::<MalachiteInterval>(file, MALACHITE_DIGITS).is_ok());",
     doc = "```"

@@ -6,7 +6,7 @@ use super::refusal::Refusal;
 /// An arithmetic that checks a certificate.
 ///
 /// ```
-/// use couplet::check::Engine;
+/// use couplet_check::check::Engine;
 /// assert!(Engine::named("astro", &[])?.check(b"{}").is_err());
 /// assert!(Engine::named("gmp", &[]).is_err());
 /// # Ok::<(), String>(())

@@ -1,7 +1,7 @@
 //! Checks: the operator behind every proof, and what a stranger needs to verify a result.
 //!
-//! This room sees the number traits and the equations, never a solver, and builds without a C
-//! compiler (`--no-default-features --features check`; with `check,cli` the command is there too).
+//! This room sees the number traits and the equations, never a solver, and builds without a C compiler. The program
+//! `couplet-check` is its command.
 
 mod checker;
 mod claim;

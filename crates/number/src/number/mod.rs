@@ -100,6 +100,7 @@ mod unit;
 mod words;
 mod written;
 
+pub use crate::says;
 pub use angle::Angle;
 pub use astro::{Astro, AstroInterval};
 pub use decimal::{Decimal, ParseDecimalError};
@@ -128,7 +129,6 @@ pub use interval::Interval;
 pub use jet::Jet;
 #[cfg(feature = "malachite")]
 pub use malachite::{Malachite, MalachiteInterval};
-pub use crate::says;
 #[cfg(feature = "mpfr")]
 pub use short_ball::ShortBall;
 pub use shown::{shown, visible};

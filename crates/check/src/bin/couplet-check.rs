@@ -1,0 +1,133 @@
+//! `couplet-check`: files in, a line for each out. The lines are those of `couplet check`; the arguments are read here, so
+//! that nothing more has to be trusted.
+
+use couplet_check::check::{Engine, Failure, NO_MPFR, check_files, print, visible};
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+const HELP: &str = "\
+Check certificates: that the equations have the root claimed, and that every digit is right.
+
+The checker trusts nothing that a certificate says: it computes residuals, slopes and roundings from the claim. Each file
+gets one line: `accepted`, `refused` with the reason, `not checked` if it has more digits than the arithmetic is meant for,
+`not read` if it cannot be. `-` is standard input.
+
+Usage: couplet-check [--engine ENGINE] FILE...
+
+  --engine ENGINE  astro (the default: pure Rust, shares nothing with MPFR, up to 50000 digits) or, where it is built in,
+                   malachite (quicker; in part MPFR's algorithms, so no witness beside mpfr)
+  -h, --help       this page
+  -V, --version    the version
+
+Exit codes: 0 every file was accepted; 1 a file was refused; 2 bad usage; 3 none was refused, but one was not checked or
+not read.
+";
+
+/// What the arguments ask for.
+enum Asked {
+    Check(Vec<OsString>, Engine),
+    Page(&'static str),
+}
+
+fn main() -> ExitCode {
+    let asked = match asked(std::env::args_os().skip(1)) {
+        Ok(asked) => asked,
+        Err(said) => return failed(&said, 2),
+    };
+    let done = match asked {
+        Asked::Check(files, engine) => check_files(&files, engine, NO_MPFR),
+        Asked::Page(page) => print(page.as_bytes()),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(Failure::Refused(said)) => failed(&said, 1),
+        Err(Failure::Open(said)) => failed(&said, 3),
+    }
+}
+
+/// One line on standard error; it may quote what others wrote.
+fn failed(said: &str, code: u8) -> ExitCode {
+    eprintln!("couplet-check: {}", visible(said));
+    ExitCode::from(code)
+}
+
+/// Reads the arguments; else says what is wrong with them.
+fn asked(mut arguments: impl Iterator<Item = OsString>) -> Result<Asked, String> {
+    let (mut files, mut engine) = (Vec::new(), Engine::ASTRO);
+    while let Some(argument) = arguments.next() {
+        match argument.to_str() {
+            Some("-h" | "--help") => return Ok(Asked::Page(HELP)),
+            Some("-V" | "--version") => {
+                return Ok(Asked::Page(concat!("couplet-check ", env!("CARGO_PKG_VERSION"), "\n")));
+            }
+            Some("--") => files.extend(arguments.by_ref()),
+            Some("--engine") => engine = named(arguments.next().as_ref().and_then(|x| x.to_str()))?,
+            Some(text) if text.starts_with("--engine=") => engine = named(text.get(9..))?,
+            Some(text) if text.starts_with('-') && text != "-" => {
+                return Err(format!(
+                    "unexpected argument '{text}' found; --help lists the options"
+                ));
+            }
+            _ => files.push(argument),
+        }
+    }
+    match files.is_empty() {
+        true => Err("<FILE>... is missing; usage: couplet-check [--engine ENGINE] FILE...".into()),
+        false => Ok(Asked::Check(files, engine)),
+    }
+}
+
+fn named(name: Option<&str>) -> Result<Engine, String> {
+    let name = name.ok_or("a value is required for '--engine <ENGINE>' but none was supplied")?;
+    Engine::named(name, &[])
+        .map_err(|why| format!("invalid value '{name}' for '--engine <ENGINE>': {why}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(words: &[&str]) -> Result<Asked, String> {
+        asked(words.iter().map(OsString::from))
+    }
+
+    fn files(words: &[&str]) -> Vec<OsString> {
+        match read(words) {
+            Ok(Asked::Check(files, _)) => files,
+            _ => panic!("{words:?}"),
+        }
+    }
+
+    #[test]
+    fn files_and_an_arithmetic_are_read() {
+        assert_eq!(files(&["a.json", "-", "b.json"]), ["a.json", "-", "b.json"]);
+        assert_eq!(files(&["--engine", "astro", "a.json"]), ["a.json"]);
+        assert_eq!(files(&["a.json", "--engine=astro"]), ["a.json"]);
+        assert_eq!(files(&["--", "--engine", "-h"]), ["--engine", "-h"]);
+    }
+
+    #[test]
+    fn pages_need_no_file() {
+        for (word, start) in [("-h", "Check certificates: "), ("--version", "couplet-check ")] {
+            assert!(matches!(read(&[word, "a"]), Ok(Asked::Page(page)) if page.starts_with(start)));
+        }
+    }
+
+    #[test]
+    fn what_makes_no_sense_is_one_line() {
+        let cases: [(&[&str], &str); 5] = [
+            (&[], "<FILE>... is missing"),
+            (&["--engine"], "a value is required"),
+            (
+                &["--engine", "gmp", "a"],
+                "invalid value 'gmp' for '--engine <ENGINE>': an arithmetic is one of astro",
+            ),
+            (&["--engine=mpfr", "a"], "mpfr is not built in; here are astro"),
+            (&["--digits", "a"], "unexpected argument '--digits' found"),
+        ];
+        for (words, said) in cases {
+            let error = read(words).err().unwrap();
+            assert!(error.contains(said) && !error.contains('\n'), "{words:?}: {error}");
+        }
+    }
+}
