@@ -58,7 +58,7 @@ pub const MALACHITE_DIGITS: usize = 50_000;
 /// believed. A [`Refusal`] names the place and says nothing about the truth.
 ///
 /// ```
-/// let file = include_bytes!("../../proofs/constants/triple-point-heyman.json");
+/// let file = include_bytes!("../../../../proofs/constants/triple-point-heyman.json");
 /// let accepted = couplet_check::check::verify(file)?;
 /// assert_eq!(accepted.digits, 100);
 /// assert!(couplet_check::check::verify(b"{}").is_err());
@@ -81,7 +81,7 @@ pub fn verify(bytes: &[u8]) -> Result<Accepted, Refusal> {
     doc = "```",
     doc = "use couplet_check::check::{MALACHITE_DIGITS, check};",
     doc = "use couplet_number::number::MalachiteInterval;",
-    doc = "let file = include_bytes!(\"../../proofs/constants/triple-point-heyman.json\");",
+    doc = "let file = include_bytes!(\"../../../../proofs/constants/triple-point-heyman.json\");",
     doc = "assert!(check::<MalachiteInterval>(file, MALACHITE_DIGITS).is_ok());",
     doc = "```"
 )]
