@@ -9,14 +9,14 @@ use couplet::certify::state::{
     Certify, Column, Columns, Inquiry, NoState, Wanted, measured_assessment, measured_state,
 };
 use couplet::certify::{
-    CertifiedLandmark, Extent, MAX_ARCH_DIGITS, MAX_DIGITS, MAX_FINGERPRINT_DIGITS,
-    MOST_ENUMERATED_STONES, MOST_JOINTED_STONES, MOST_TILTED_STONES, Open, assess_voussoirs,
-    asymmetric, asymmetric_thicknesses, certify_arch, certify_asymmetric, certify_landmark,
-    enumerate, fingerprint, least_solution, programme, tilted, tilted_stones, voussoirs,
+    CertifiedLandmark, MAX_ARCH_DIGITS, MAX_DIGITS, MAX_FINGERPRINT_DIGITS, MOST_ENUMERATED_STONES,
+    MOST_JOINTED_STONES, MOST_TILTED_STONES, Open, assess_voussoirs, asymmetric,
+    asymmetric_thicknesses, certify_arch, certify_asymmetric, certify_landmark, enumerate,
+    fingerprint, least_solution, programme, tilted, tilted_stones, voussoirs,
 };
 use couplet::problem::measures::{Circle, Measures};
 use couplet::problem::stones::Stones;
-use couplet::problem::{Landmark, Quantity, Slope};
+use couplet::problem::{Extent, Landmark, Quantity, Slope};
 use couplet::{Error, Refused};
 
 /// What a door refuses, if it does.

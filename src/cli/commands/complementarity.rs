@@ -7,12 +7,12 @@ use super::output::OutputFile;
 use crate::atlas::{Branch, Contour, Level, NoBranch, NoLevel};
 use crate::certify::state::Inquiry;
 use crate::certify::{
-    Error, Extent, LeastSolution, MOST_ENUMERATED_STONES, MOST_JOINTED_STONES, Programme, Refused,
+    Error, LeastSolution, MOST_ENUMERATED_STONES, MOST_JOINTED_STONES, Programme, Refused,
     Undecided, asymmetric, enumerate, least_solution, programme,
 };
 use crate::cli::line::typed;
 use crate::number::ExactNumber;
-use crate::problem::Arch;
+use crate::problem::{Arch, Extent};
 use crate::report::{
     AtThickness, BranchArch, BranchArches, ComplementarityArch, ComplementarityArches, Content,
     Format, ProgrammeFound, Report,

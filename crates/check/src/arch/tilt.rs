@@ -65,6 +65,13 @@ pub fn margin_at<T: Field>(
     margin(contact, joint, ring, grip, &pushed)
 }
 
+impl<T> TiltedRow<T> {
+    /// The row in another number.
+    pub fn map<U>(&self, f: impl Fn(&T) -> U) -> TiltedRow<U> {
+        TiltedRow { coefficients: self.coefficients.each_ref().map(&f), load: f(&self.load) }
+    }
+}
+
 impl<T: Field> TiltedRow<T> {
     /// The left side at `h, p, v, k`, with the weight times a factor.
     pub fn at(&self, unknowns: &[T; 4], weight: &T) -> T {

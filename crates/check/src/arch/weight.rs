@@ -93,6 +93,13 @@ pub struct Ring<T> {
     pub centroid_factor: T,
 }
 
+impl<T> Ring<T> {
+    /// The ring in another number.
+    pub fn map<U>(&self, f: impl Fn(&T) -> U) -> Ring<U> {
+        Ring { thickness: f(&self.thickness), centroid_factor: f(&self.centroid_factor) }
+    }
+}
+
 impl<T: Field> Ring<T> {
     /// A ring of the given thickness and self-weight model.
     pub fn new(weight: SelfWeight, thickness: &T) -> Self {

@@ -112,10 +112,7 @@ pub fn margin_along<T: Field>(
 ) -> Jet<T> {
     let along = along(joint);
     let constant = |x: &T| Jet::constant(x.clone(), ORDER);
-    let ring = Ring {
-        thickness: constant(&ring.thickness),
-        centroid_factor: constant(&ring.centroid_factor),
-    };
+    let ring = ring.map(constant);
     let grip = grip.clone().map(|x| constant(&x));
     let Forces { thrust, moment, vertical } = forces;
     let forces =

@@ -1,5 +1,6 @@
 //! An arch, as it is asked about.
 
+use crate::arch::joint::Grip;
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::number::{
     AstroInterval, DoubleBall, Engine, ExactNumber, Form, ParseExactError, Ternary, is_angle, says,
@@ -97,6 +98,21 @@ impl FromStr for Friction {
             ParseExactError::Syntax(shown) => ParseExactError::Friction(shown),
             error => error,
         })
+    }
+}
+
+impl Friction {
+    /// The friction as the ratio that a joint asks for, in numbers of `bits` bits.
+    pub fn grip<E: Engine>(&self, bits: u32) -> Grip<E> {
+        let one = E::zero(bits as usize).int(1);
+        match self {
+            Self::Coefficient(mu) => Grip { shear: one, normal: mu.enclosure(bits) },
+            Self::Angle(phi) => {
+                let (sin, cos) = phi.enclosure::<E>(bits).sin_cos();
+                Grip { shear: cos, normal: sin }
+            }
+            Self::Infinite => Grip { shear: one.int(0), normal: one },
+        }
     }
 }
 

@@ -12,6 +12,7 @@
 //! | `slope` | an acceleration over gravity: a ratio, or an angle |
 //! | `thickness` | a thickness as it is written: a ratio, or a length |
 //! | [`stones`] | the joints of an arch of voussoirs |
+//! | `joints`, `extent` | conditions and motions of all joints of an arch |
 //! | `asymmetric` | an asymmetric solution of (19): system, conditions, quantities |
 //! | [`asymmetric_region`] | of which arches one is known; what "stands" means |
 //! | `ties` | what is exactly zero in an arch |
@@ -31,6 +32,8 @@ mod condition;
 mod equation;
 mod examined;
 mod examined_small;
+mod extent;
+mod joints;
 mod known;
 mod landmark;
 mod line;
@@ -57,6 +60,8 @@ pub use examined::{
 pub use examined_small::{
     ExaminedSmall, scaled_inner_friction, scaled_room_for_steepest, scaled_shoulder_friction,
 };
+pub use extent::Extent;
+pub use joints::{JointLimit, Joints};
 pub use known::Known;
 pub use landmark::{Landmark, NoLandmark};
 pub use line::{Line, NoLine, Sought};

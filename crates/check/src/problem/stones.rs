@@ -3,7 +3,7 @@
 use super::{Arch, ArchError, Friction, Mode};
 use crate::arch::SelfWeight;
 use crate::arch::mechanism::Contact;
-use crate::number::{AstroInterval, Dyadic, Enclosure, Engine, ExactNumber, Form, says};
+use crate::number::{Angle, AstroInterval, Dyadic, Enclosure, Engine, ExactNumber, Form, says};
 use num_rational::BigRational;
 
 /// How the half arch is divided, from the crown to the shoulder.
@@ -205,6 +205,18 @@ impl Stones {
             }
         };
         (of.form() == form).then_some(factor)
+    }
+
+    /// The place of a joint; the crown is zero exactly.
+    pub fn angle<E: Engine>(&self, index: u64, bits: u32) -> Angle<E> {
+        let crown = index == 0 && self.has_joint_at_crown();
+        let zero = E::zero(bits as usize);
+        if crown { Angle::zero(&zero) } else { Angle::new(self.joint(index, bits)) }
+    }
+
+    /// The index of the shoulder.
+    pub fn last(&self) -> u64 {
+        self.count() - 1
     }
 
     /// The angle of a joint below [`count`](Self::count) from the crown, in numbers of `bits` bits, rad.

@@ -17,9 +17,9 @@
 use super::posed::Posed;
 use super::root::{no_candidate, root_near};
 use super::state::{Figure, raise};
-use super::voussoirs::grip;
 use super::{Refused, Undecided};
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode, Place};
+use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
 use crate::arch::whole::{Motion, Side};
 use crate::arch::{Configuration, Ring};
@@ -110,7 +110,8 @@ pub(crate) fn found(arch: &Arch) -> Vec<AsymmetricCandidate> {
     if !arch.is_limited() {
         return Vec::new();
     }
-    let grip = grip(arch.friction(), SEARCH_BITS).map(|x| x.mid().to_f64());
+    let grip: Grip<Ball> = arch.friction().grip(SEARCH_BITS);
+    let grip = grip.map(|x| x.mid().to_f64());
     let half_opening: Ball = arch.half_opening().enclosure(SEARCH_BITS);
     candidates(arch.weight(), half_opening.mid().to_f64(), &grip)
 }

@@ -31,14 +31,13 @@
 //! the other thicknesses ([`enumerate`](super::enumerate)).
 
 use super::arithmetic::Arithmetic;
-use super::extent::Extent;
-use super::vector::{Vector, cross, dot};
+use super::vector::{Line, Vector, at, cross, dot, parts};
 use super::{Error, Refused, Undecided};
 use crate::arch::mechanism::Contact;
 use crate::number::{DoubleBall, Enclosure, ExactNumber, Field};
-use crate::problem::Arch;
+use crate::problem::{Arch, Extent};
 use crate::solve::rates::{Rates, least_cost};
-use conditions::{Condition, conditions};
+use conditions::{Limit, conditions, follows};
 
 mod conditions;
 
@@ -81,12 +80,12 @@ pub fn programme(
 
 /// The conditions, and their motions as columns of the programme of the rates.
 struct Search {
-    all: Vec<Condition>,
+    all: Vec<Limit>,
     columns: Vec<[f64; 4]>,
     /// Which of them follow from another one.
     follows: Vec<bool>,
     /// What a state of a half arch satisfies beside them: `v = 0`.
-    plane: Option<Condition>,
+    plane: Option<Limit>,
 }
 
 /// What two conditions leave to all others on the line where they are zero.
@@ -99,17 +98,16 @@ enum Stretch {
 }
 
 impl Search {
-    fn new(all: Vec<Condition>, extent: Extent) -> Self {
-        let column = |condition: &Condition| {
-            let [a, b, c] = condition.motion.map(|x| x.mid());
+    fn new(all: Vec<Limit>, extent: Extent) -> Self {
+        let column = |limit: &Limit| {
+            let [a, b, c] = limit.motion.map(|x| x.mid());
             [a, b, c, 1.0]
         };
-        let row = [0.0, 0.0, 1.0].map(DoubleBall::exact);
-        let (contact, motion) = (Contact::Inwards, [row[0]; 3]);
-        let plane = Condition { contact, joint: 0, row, load: row[0], motion };
+        let row = [0.0, 0.0, 1.0, 0.0].map(DoubleBall::exact);
+        let plane = Limit { contact: Contact::Inwards, joint: 0, row, motion: [row[0]; 3] };
         let plane = (extent == Extent::Half).then_some(plane);
         let columns = all.iter().map(column).collect();
-        let follows = |of: &Condition| all.iter().any(|other| of.follows_from(other));
+        let follows = |of: &Limit| all.iter().any(|other| follows(of, other));
         let follows = all.iter().map(follows).collect();
         Self { columns, follows, all, plane }
     }
@@ -164,24 +162,25 @@ impl Search {
     }
 
     /// The admissible state in which a joint, given by its conditions, bears nothing. In a half arch only the crown may, whose slips are one condition.
-    fn state_without(&self, joint: &[Condition]) -> Option<Vector> {
+    fn state_without(&self, joint: &[Limit]) -> Option<Vector> {
         let [hinge, _, slip, other] = joint else { return None };
         let last = match &self.plane {
             None => other,
             Some(_) if hinge.joint != 0 => return None,
             Some(plane) => plane,
         };
-        let across = [cross(&slip.row, &last.row), cross(&last.row, &hinge.row)];
-        let (size, third) = (dot(&hinge.row, &across[0]), cross(&hinge.row, &slip.row));
+        let [(first, load), (second, of_slip), (third, of_last)] =
+            [hinge, slip, last].map(|limit| parts(&limit.row));
+        let across = [cross(&second, &third), cross(&third, &first), cross(&first, &second)];
+        let size = dot(&first, &across[0]);
         if !size.excludes_zero() {
             return None;
         }
         let forces = [0, 1, 2].map(|k| {
-            let sum = across[0][k] * hinge.load + across[1][k] * slip.load + third[k] * last.load;
-            -sum / size
+            -(across[0][k] * load + across[1][k] * of_slip + across[2][k] * of_last) / size
         });
         let mut others = self.all.iter().filter(|of| of.joint != hinge.joint);
-        let have_room = others.all(|of| (-of.at(&forces)).is_positive().is_proved());
+        let have_room = others.all(|of| (-at(&of.row, &forces)).is_positive().is_proved());
         have_room.then_some(forces)
     }
 
@@ -200,19 +199,13 @@ impl Search {
     fn stretch(&self, [i, j]: [usize; 2]) -> Result<Stretch, Undecided> {
         let at = |place| self.all.get(place).or(self.plane.as_ref());
         let (Some(a), Some(b)) = (at(i), at(j)) else { return Ok(Stretch::Empty) };
-        let along = cross(&a.row, &b.row);
-        let size = dot(&along, &along);
-        if !size.is_positive().is_proved() {
-            return Ok(Stretch::Parallel);
-        }
-        let (by_a, by_b) = (cross(&b.row, &along), cross(&along, &a.row));
-        let start: Vector = [0, 1, 2].map(|k| -(by_a[k] * a.load + by_b[k] * b.load) / size);
+        let Some(line) = Line::of(&a.row, &b.row) else { return Ok(Stretch::Parallel) };
         let (mut least, mut most): (Option<DoubleBall>, Option<DoubleBall>) = (None, None);
         let (mut is_whole, mut is_open) = (true, false);
         let others = self.all.iter().enumerate();
         let others = others.filter(|(k, _)| *k != i && *k != j && !self.follows[*k]);
         for (_, other) in others {
-            let (slope, value) = (dot(&other.row, &along), other.at(&start));
+            let [value, slope] = line.value(&other.row);
             let bound = || -value / slope;
             if slope.is_positive().is_proved() {
                 let bound = bound();
@@ -241,8 +234,8 @@ impl Search {
         if is_open && (least.is_none() || most.is_none()) {
             return Err(Undecided::new("whether a line is admissible as a whole"));
         }
-        let at = |t: DoubleBall| [0, 1, 2].map(|k| start[k] + along[k] * t);
-        let ends: Vec<Vector> = [least, most].into_iter().flatten().map(at).collect();
+        let ends = [least, most].into_iter().flatten();
+        let ends: Vec<Vector> = ends.map(|t| line.at(t)).collect();
         if ends.is_empty() {
             return Err(Undecided::new("whether a line is admissible as a whole"));
         }
@@ -251,7 +244,7 @@ impl Search {
 
     /// A lower bound of the value for all rates, for forces in a box; and the rates that made it.
     fn bound(&self, forces: &Vector) -> Result<(f64, Rates), Undecided> {
-        let costs: Vec<DoubleBall> = self.all.iter().map(|other| -other.at(forces)).collect();
+        let costs: Vec<DoubleBall> = self.all.iter().map(|other| -at(&other.row, forces)).collect();
         let middles: Vec<f64> = costs.iter().map(DoubleBall::mid).collect();
         let best = least_cost(&self.columns, &middles);
         let best = best.ok_or_else(|| Undecided::new("rates of the least value"))?;
@@ -293,16 +286,16 @@ impl Search {
         }
         let terms = columns.iter().zip(&levels);
         let value = terms.fold(sum.int(0), |value, (column, level)| {
-            value - self.all[*column].at(forces) * level
+            value - at(&self.all[*column].row, forces) * level
         });
         Some(value.upper())
     }
 
     /// An upper bound with the two slips of a joint alone, whose motions are opposite: equal rates fit.
-    fn value_of_opposites(&self, [a, b]: [&Condition; 2], forces: &Vector) -> Option<f64> {
+    fn value_of_opposites(&self, [a, b]: [&Limit; 2], forces: &Vector) -> Option<f64> {
         let are_slips = !a.contact.is_hinge() && !b.contact.is_hinge();
         let are_opposite = are_slips && a.joint == b.joint && a.contact != b.contact;
-        let sum = a.at(forces) + b.at(forces);
+        let sum = at(&a.row, forces) + at(&b.row, forces);
         are_opposite.then(|| (-sum / sum.int(2)).upper())
     }
 }

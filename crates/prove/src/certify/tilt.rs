@@ -13,17 +13,16 @@
 
 use super::positive::is_positive_on;
 use super::state::{Figure, raise};
-use super::voussoirs::grip;
 use super::{Refused, Undecided};
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
-use crate::arch::tilt::{TiltedRow, row};
+use crate::arch::tilt::TiltedRow;
 use crate::arch::whole::along;
-use crate::arch::{Ring, SelfWeight};
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Jet, bits_of};
-use crate::problem::{Arch, Slope};
+use crate::problem::{Arch, Joints, Slope};
 use crate::solve::tilt::{Search, TiltCandidate, Touch, contacts};
 use rug::Float;
+use std::cell::OnceCell;
 
 /// A condition of those that leave the bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,16 +57,38 @@ pub struct TiltDigits {
 }
 
 impl TiltDigits {
-    /// What is proved, where the reason for what stays open names it: beside a verdict it is the largest acceleration.
-    pub(super) fn new(
-        is_admissible: Result<bool, Undecided>,
-        largest: Result<LargestTilt, Undecided>,
+    /// What is proved of an acceleration and of the largest, to some digits: `largest` proves that one, and `told` sees in it alone whether the
+    /// acceleration asked for has a state. One nearer to the largest than its digits tell takes more bits.
+    pub(super) fn found(
+        (first, digits): (u32, usize),
+        tilt: &Slope,
+        largest: impl Fn(u32) -> Result<Option<Bound>, Undecided>,
+        told: impl Fn(u32) -> Option<bool>,
     ) -> Self {
-        let named = |open: Undecided| match is_admissible {
+        let compare = |found: &Option<Bound>, bits| {
+            compared(found.as_ref().map(|(largest, _)| largest), tilt, bits)
+        };
+        let mut decided = None;
+        let found = raise(first, |bits| {
+            let found = largest(bits)?;
+            decided = decided.or_else(|| compare(&found, bits));
+            let Some((largest, limits)) = found else { return Ok(Some(LargestTilt::Unlimited)) };
+            let figure = Figure::new(&largest, digits);
+            Ok(figure.map(|figure| LargestTilt::Limited(Box::new(figure), limits)))
+        });
+        let beside = |bits| match told(bits) {
+            Some(told) => Ok(Some(told)),
+            None => {
+                let open = || Undecided::new("whether the acceleration is below the largest");
+                compare(&largest(bits)?, bits).map(Some).ok_or_else(open)
+            }
+        };
+        let is_admissible = decided.map_or_else(|| raise(2 * first, beside), Ok);
+        // Beside a verdict the reason for what stays open names it.
+        let largest = found.map_err(|open| match is_admissible {
             Ok(_) => open.about("the largest tilt"),
             Err(_) => open,
-        };
-        let largest = largest.map_err(named);
+        });
         Self { is_admissible, largest }
     }
 }
@@ -89,59 +110,38 @@ pub fn tilted(
     Refused::thickness(thickness)?;
     Refused::arch_digits(digits)?;
     let first = 3 * (bits_of(digits) + GUARD);
-    let compared = |proof: &Proof, bounds: &Option<Bounds>| {
-        let Some(([low, high], _)) = bounds else { return Some(true) };
-        let given = acceleration(tilt, proof.bits);
-        let is_below = (low.clone() - &given).is_positive().is_proved();
-        let is_above = (given - high).is_positive().is_proved();
-        (is_below || is_above).then_some(is_below)
-    };
-    let mut is_admissible = None;
     // Whether it is bounded at all is seen in doubles, with room or not: more bits tell no more.
-    let mut hopeless: Option<Undecided> = None;
-    let largest = raise(first, |bits| {
-        if let Some(open) = &hopeless {
-            return Err(open.clone());
-        }
-        let proof = Proof::new(arch, thickness, bits);
-        let bounds = proof.largest().inspect_err(|open| {
-            hopeless = (open.reason == UNBOUNDED).then(|| open.clone());
-        })?;
-        is_admissible = is_admissible.or_else(|| compared(&proof, &bounds));
-        Ok(match bounds {
-            None => Some(LargestTilt::Unlimited),
-            Some(([low, high], limits)) => Figure::new(&low.hull(&high), digits)
-                .map(|figure| LargestTilt::Limited(Box::new(figure), limits)),
-        })
-    });
-    // A state well inside tells by itself that there is one, whatever of the largest stays open. An acceleration nearer to the largest than its
-    // digits tell takes more bits.
-    let is_admissible = match (is_admissible, hopeless) {
-        (Some(decided), _) => Ok(decided),
-        (None, _) if Proof::new(arch, thickness, first).has_state(tilt) => Ok(true),
-        (None, Some(open)) => Err(open),
-        (None, None) => raise(2 * first, |bits| {
-            let proof = Proof::new(arch, thickness, bits);
-            let compared = compared(&proof, &proof.largest()?);
-            let open = || Undecided::new("whether the acceleration is below the largest");
-            compared.map(Some).ok_or_else(open)
+    let hopeless = OnceCell::new();
+    let largest = |bits| match hopeless.get() {
+        Some(open) => Err(Undecided::clone(open)),
+        None => Proof::new(arch, thickness, bits).largest().inspect_err(|open| {
+            if open.reason == UNBOUNDED {
+                hopeless.get_or_init(|| open.clone());
+            }
         }),
     };
-    Ok(TiltDigits::new(is_admissible, largest))
+    // A state well inside tells by itself that there is one, whatever of the largest stays open.
+    let told = |bits| Proof::new(arch, thickness, bits).has_state(tilt).then_some(true);
+    Ok(TiltDigits::found((first, digits), tilt, largest, told))
 }
 
-/// The acceleration over gravity that is asked for, in balls of some bits.
+/// Whether an acceleration is below the largest; `None` if that is not told.
+fn compared(largest: Option<&Ball>, tilt: &Slope, bits: u32) -> Option<bool> {
+    let Some(largest) = largest else { return Some(true) };
+    let room = largest.clone() - acceleration(tilt, bits);
+    room.excludes_zero().then(|| *room.mid() > 0)
+}
+
+/// The acceleration over gravity that is asked for, in balls of some bits: given like a friction, by itself or by its angle.
 pub(super) fn acceleration(tilt: &Slope, bits: u32) -> Ball {
-    let given = grip(tilt, bits);
-    given.normal / given.shear
+    let Grip { shear, normal } = tilt.grip::<Ball>(bits);
+    normal / shear
 }
 
 /// An arch in balls of some bits.
 struct Proof {
     half_opening: Ball,
-    weight: SelfWeight,
-    thickness: Ball,
-    grip: Grip<Ball>,
+    joints: Joints<Ball>,
     is_limited: bool,
     bits: u32,
 }
@@ -152,38 +152,33 @@ struct Line<'a> {
     weight: &'a Ball,
 }
 
-type Bounds = ([Ball; 2], Vec<TiltLimit>);
+/// The largest acceleration, and the conditions that limit it.
+pub(super) type Bound = (Ball, Vec<TiltLimit>);
 
 impl Proof {
     fn new(arch: &Arch, thickness: &ExactNumber, bits: u32) -> Self {
-        Self {
-            half_opening: arch.half_opening().enclosure(bits),
-            weight: arch.weight(),
-            thickness: thickness.enclosure(bits),
-            grip: grip(arch.friction(), bits),
-            is_limited: arch.is_limited(),
-            bits,
-        }
+        let half_opening = arch.half_opening().enclosure(bits);
+        let grip = arch.friction().grip(bits);
+        let joints = Joints::new(arch.weight(), &thickness.enclosure(bits), grip);
+        Self { half_opening, joints, is_limited: arch.is_limited(), bits }
     }
 
     fn search(&self) -> Search {
         let mid = |x: &Ball| Float::with_val(self.bits, x.mid());
-        let grip = self.grip.clone().map(|x| mid(&x));
-        let (alpha, thickness) = (mid(&self.half_opening), mid(&self.thickness));
-        Search::new(alpha, (self.weight, &thickness), (grip, self.is_limited), self.bits)
+        Search::new(mid(&self.half_opening), self.joints.map(mid), self.is_limited, self.bits)
     }
 
     /// Whether the state at an acceleration that is farthest from all conditions satisfies them.
     fn has_state(&self, tilt: &Slope) -> bool {
         let tilt = acceleration(tilt, self.bits);
         let Some(state) = self.search().inside_at(tilt.mid().to_f64()) else { return false };
-        let [h, p, v] = state.map(|x| Ball::exact(Float::with_val(self.bits, x), self.bits));
+        let [h, p, v, _] = state.map(|x| Ball::exact(Float::with_val(self.bits, x), self.bits));
         let (weight, unknowns) = (h.int(1), [h, p, v, tilt]);
         self.is_admissible(&Line { unknowns: &unknowns, weight: &weight }).is_ok()
     }
 
-    /// The largest acceleration between two bounds; `None` if there is none.
-    fn largest(&self) -> Result<Option<Bounds>, Undecided> {
+    /// The largest acceleration, between two bounds; `None` if there is none.
+    fn largest(&self) -> Result<Option<Bound>, Undecided> {
         match self.search().candidate() {
             TiltCandidate::Nothing => Err(Undecided::new(NOT_FOUND)),
             TiltCandidate::Unlimited => self.unlimited().map(|()| None),
@@ -193,14 +188,14 @@ impl Proof {
                 if high.is_less_than(&low).is_proved() {
                     return Err(Undecided::new("a bound of the acceleration"));
                 }
-                Ok(Some(([low, high], limits)))
+                Ok(Some((low.hull(&high), limits)))
             }
         }
     }
 
     /// A bound from above. A line that touches at fewer joints than are needed: one of them becomes two beside it, the first with which there is a
     /// bound. Two hinges at an intrados that is one point are not.
-    fn bound_above(&self, touches: &[Touch]) -> Result<(Ball, Vec<TiltLimit>), Undecided> {
+    fn bound_above(&self, touches: &[Touch]) -> Result<Bound, Undecided> {
         let is_pinned = touches.iter().any(|touch| touch.contact.is_hinge());
         let kept: &[usize] = if is_pinned { &[0, 1, 2] } else { &[0, 2] };
         let inside = || touches.iter().filter(|touch| touch.is_inside);
@@ -275,8 +270,7 @@ impl Proof {
             (false, true) => self.half_opening.clone(),
             (false, false) => -self.half_opening.clone(),
         };
-        let ring = Ring::new(self.weight, &self.thickness);
-        row(touch.contact, &Angle::new(joint), &ring, &self.grip)
+        self.joints.tilted(touch.contact, &Angle::new(joint))
     }
 
     /// The acceleration of an admissible state next to the limit.
@@ -296,9 +290,10 @@ impl Proof {
     /// More thrust, and with it more acceleration, passes no condition: to a state that is admissible any amount of it is added.
     fn unlimited(&self) -> Result<(), Undecided> {
         let ball = |x: &Ball| Ball::exact(Float::with_val(self.bits, x.mid()), self.bits);
-        let radius = |sign: i32| self.thickness.int(sign) * &self.thickness + self.thickness.int(2);
+        let ring = &self.joints.ring;
         let cos = Angle::new(self.half_opening.clone()).cos;
-        let moment = ball(&((radius(1) * cos + radius(-1)) / self.thickness.int(4)));
+        let moment = (ring.extrados() * cos + ring.intrados()) / ring.thickness.int(4);
+        let moment = ball(&moment);
         let zero = moment.int(0);
         let holds = |k: i64| {
             let unknowns = [zero.int(1), moment.clone(), zero.clone(), zero.int(1).scaled(-k)];
@@ -320,13 +315,7 @@ impl Proof {
     /// A margin as a series along the arch.
     fn margin(&self, contact: Contact, joint: &Ball, line: &Line<'_>) -> Jet<Ball> {
         let constant = |x: &Ball| Jet::constant(x.clone(), 2);
-        let ring = Ring::new(self.weight, &self.thickness);
-        let ring = Ring {
-            thickness: constant(&ring.thickness),
-            centroid_factor: constant(&ring.centroid_factor),
-        };
-        let grip = self.grip.clone().map(|x| constant(&x));
-        let row = row(contact, &along(&Angle::new(joint.clone())), &ring, &grip);
+        let row = self.joints.constant(2).tilted(contact, &along(&Angle::new(joint.clone())));
         -row.at(&line.unknowns.each_ref().map(constant), &constant(line.weight))
     }
 }
@@ -334,21 +323,20 @@ impl Proof {
 /// Multipliers with which every column of the rows drops out, one row being too many: the minors, with signs in turn.
 pub(super) fn rates(rows: &[Vec<Ball>]) -> Vec<Ball> {
     let without = |i: usize| {
-        let rest: Vec<&Vec<Ball>> =
-            rows.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, row)| row).collect();
-        let cross = |a: usize, b: usize, x: usize, y: usize| {
-            rest[a][x].clone() * &rest[b][y] - rest[a][y].clone() * &rest[b][x]
-        };
-        let minor = match rest.len() {
-            2 => cross(0, 1, 0, 1),
-            _ => {
-                rest[0][0].clone() * cross(1, 2, 1, 2) - rest[0][1].clone() * cross(1, 2, 0, 2)
-                    + rest[0][2].clone() * cross(1, 2, 0, 1)
-            }
-        };
+        let minor = determinant(&[&rows[..i], &rows[i + 1..]].concat());
         if i.is_multiple_of(2) { minor } else { -minor }
     };
     (0..rows.len()).map(without).collect()
+}
+
+/// The determinant of a small matrix, by its first column.
+pub(super) fn determinant(matrix: &[Vec<Ball>]) -> Ball {
+    if let [row] = matrix {
+        return row[0].clone();
+    }
+    let rest: Vec<Vec<Ball>> = matrix.iter().map(|row| row[1..].to_vec()).collect();
+    let terms = rates(&rest).into_iter().zip(matrix).map(|(minor, row)| row[0].clone() * minor);
+    terms.fold(matrix[0][0].int(0), |sum, term| sum + term)
 }
 
 #[cfg(test)]

@@ -10,19 +10,16 @@
 //!
 //! What it means is said in [`tilted`](super::tilted): with friction an admissible state does not exclude a motion.
 
-use super::state::{Figure, raise};
-use super::tilt::{LargestTilt, NOT_FOUND, TiltDigits, TiltLimit, acceleration, rates};
-use super::voussoirs::grip;
+use super::tilt::{Bound, NOT_FOUND, TiltDigits, TiltLimit, acceleration, determinant, rates};
 use super::{Refused, Undecided};
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
-use crate::arch::tilt::{TiltedRow, row};
+use crate::arch::tilt::TiltedRow;
 use crate::arch::whole::Side;
-use crate::arch::{Ring, SelfWeight};
-use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, bits_of};
+use crate::number::{Ball, Enclosure, ExactNumber, Field, bits_of};
 use crate::problem::stones::Stones;
-use crate::problem::{Arch, Slope};
-use crate::solve::tilt::{StoneTilt, against_of_stones, inside_of_stones, of_stones};
+use crate::problem::{Arch, Joints, Slope};
+use crate::solve::tilt::{StoneTilt, against, inside, largest};
 use rug::Float;
 
 /// More stones are refused: the programme has four conditions at each joint.
@@ -32,7 +29,7 @@ pub const MOST_TILTED_STONES: u64 = 2_001;
 const GUARD: u32 = 64;
 
 /// A condition of a stone's joint.
-struct Condition {
+struct StoneLimit {
     contact: Contact,
     side: Side,
     /// From the crown.
@@ -52,71 +49,46 @@ pub fn tilted_stones(
     Refused::arch_digits(digits)?;
     stones.check()?;
     Refused::stones(stones.number(), MOST_TILTED_STONES)?;
-    let first = bits_of(digits) + GUARD;
-    let mut is_admissible = None;
-    let largest = raise(first, |bits| {
-        let conditions = conditions(arch, stones, thickness, bits);
-        let Some((there, limits)) = largest_of(&conditions, bits)? else {
-            is_admissible = Some(true);
-            return Ok(Some(LargestTilt::Unlimited));
-        };
-        is_admissible = is_admissible.or_else(|| compared(&there, tilt, bits));
-        let figure = Figure::new(&there, digits);
-        Ok(figure.map(|figure| LargestTilt::Limited(Box::new(figure), limits)))
-    });
-    let is_admissible = match is_admissible {
-        Some(decided) => Ok(decided),
-        None => raise(2 * first, |bits| {
-            let conditions = conditions(arch, stones, thickness, bits);
-            if has_state(&conditions, tilt, bits) {
-                return Ok(Some(true));
-            }
-            if has_none(&conditions, tilt, bits) {
-                return Ok(Some(false));
-            }
-            let found = largest_of(&conditions, bits)?;
-            let decided = found.map_or(Some(true), |(there, _)| compared(&there, tilt, bits));
-            let open = || Undecided::new("whether the acceleration is below the largest");
-            decided.map(Some).ok_or_else(open)
-        }),
+    let all = |bits| conditions(arch, stones, thickness, bits);
+    let told = |bits| {
+        let all = all(bits);
+        match has_state(&all, tilt, bits) {
+            true => Some(true),
+            false => has_none(&all, tilt, bits).then_some(false),
+        }
     };
-    Ok(TiltDigits::new(is_admissible, largest))
-}
-
-/// Whether an acceleration is below the largest; `None` if that is not told.
-fn compared(largest: &Ball, tilt: &Slope, bits: u32) -> Option<bool> {
-    let room = largest.clone() - acceleration(tilt, bits);
-    room.excludes_zero().then(|| *room.mid() > 0)
+    let first = bits_of(digits) + GUARD;
+    Ok(TiltDigits::found((first, digits), tilt, |bits| largest_of(&all(bits), bits), told))
 }
 
 /// Whether the state at an acceleration that is farthest from all conditions satisfies them.
-fn has_state(all: &[Condition], tilt: &Slope, bits: u32) -> bool {
+fn has_state(all: &[StoneLimit], tilt: &Slope, bits: u32) -> bool {
     let tilt = acceleration(tilt, bits);
-    let Some(state) = inside_of_stones(&in_doubles(all), tilt.mid().to_f64()) else { return false };
-    let [h, p, v] = state.map(|x| Ball::exact(Float::with_val(bits, x), bits));
+    let Some(state) = inside(&in_doubles(all), tilt.mid().to_f64()) else { return false };
+    let [h, p, v, _] = state.map(|x| Ball::exact(Float::with_val(bits, x), bits));
     let (one, unknowns) = (h.int(1), [h, p, v, tilt]);
     all.iter().all(|of| (-of.row.at(&unknowns, &one)).is_positive().is_proved())
 }
 
 /// Whether four conditions, with positive multipliers that leave nothing of `h, p` and `v`, contradict each other at an acceleration.
-fn has_none(all: &[Condition], tilt: &Slope, bits: u32) -> bool {
+fn has_none(all: &[StoneLimit], tilt: &Slope, bits: u32) -> bool {
     let tilt = acceleration(tilt, bits);
-    let Some(places) = against_of_stones(&in_doubles(all), tilt.mid().to_f64()) else {
+    let Some(places) = against(&in_doubles(all), tilt.mid().to_f64()) else {
         return false;
     };
-    let of: Vec<&Condition> = places.iter().filter_map(|place| all.get(*place)).collect();
+    let of: Vec<&StoneLimit> = places.iter().filter_map(|place| all.get(*place)).collect();
     contradict(&of, &tilt)
 }
 
 /// Whether these four do.
-fn contradict(of: &[&Condition], tilt: &Ball) -> bool {
+fn contradict(of: &[&StoneLimit], tilt: &Ball) -> bool {
     if of.len() != 4 {
         return false;
     }
     let columns: Vec<Vec<Ball>> = of.iter().map(|of| of.row.coefficients[..3].to_vec()).collect();
     let rates = rates(&columns);
     let zero = tilt.int(0);
-    let passed = |of: &Condition| of.row.coefficients[3].clone() * tilt + &of.row.load;
+    let passed = |of: &StoneLimit| of.row.coefficients[3].clone() * tilt + &of.row.load;
     let sum = rates.iter().zip(of).fold(zero, |sum, (rate, of)| sum + rate.clone() * passed(of));
     // The multipliers may all be negative: then so is what is left.
     let is_positive = |x: &Ball| x.is_positive().is_proved();
@@ -126,31 +98,28 @@ fn contradict(of: &[&Condition], tilt: &Ball) -> bool {
 }
 
 /// The rows in doubles.
-fn in_doubles(all: &[Condition]) -> Vec<([f64; 4], f64)> {
-    let double = |x: &Ball| x.mid().to_f64();
-    let of = |of: &Condition| (of.row.coefficients.each_ref().map(double), double(&of.row.load));
-    all.iter().map(of).collect()
+fn in_doubles(all: &[StoneLimit]) -> Vec<TiltedRow<f64>> {
+    all.iter().map(|of| of.row.map(|x| x.mid().to_f64())).collect()
 }
 
-fn conditions(arch: &Arch, stones: &Stones, thickness: &ExactNumber, bits: u32) -> Vec<Condition> {
-    let weight: SelfWeight = arch.weight();
-    let ring = Ring::new(weight, &thickness.enclosure::<Ball>(bits));
-    let grip: Grip<Ball> = grip(arch.friction(), bits);
-    let zero = ring.thickness.int(0);
+/// The conditions at every joint, from the crown.
+fn conditions(arch: &Arch, stones: &Stones, thickness: &ExactNumber, bits: u32) -> Vec<StoneLimit> {
+    let grip: Grip<Ball> = arch.friction().grip(bits);
+    let joints = Joints::new(arch.weight(), &thickness.enclosure(bits), grip);
+    // Both hinges together ask for a normal force: without limit of friction this is all.
+    let asked = if arch.is_limited() { &Contact::ALL[..] } else { &Contact::ALL[..2] };
     let joint = |index: u64| {
+        let angle = stones.angle(index, bits);
         let crown = index == 0 && stones.has_joint_at_crown();
-        let angle = if crown { Angle::zero(&zero) } else { Angle::new(stones.joint(index, bits)) };
         let sides: &[Side] = if crown { &[Side::Right] } else { &[Side::Right, Side::Left] };
-        let at = |side: &Side| {
+        let at = |&side: &Side| {
             let at = side.joint(&angle);
-            let of = |contact: &Contact| Condition {
-                contact: *contact,
-                side: *side,
+            let of = |&contact: &Contact| StoneLimit {
+                contact,
+                side,
                 joint: index,
-                row: row(*contact, &at, &ring, &grip),
+                row: joints.tilted(contact, &at),
             };
-            // Both hinges together ask for a normal force: without limit of friction this is all.
-            let asked = if arch.is_limited() { &Contact::ALL[..] } else { &Contact::ALL[..2] };
             asked.iter().map(of).collect::<Vec<_>>()
         };
         sides.iter().flat_map(at).collect::<Vec<_>>()
@@ -159,8 +128,8 @@ fn conditions(arch: &Arch, stones: &Stones, thickness: &ExactNumber, bits: u32) 
 }
 
 /// The largest acceleration with the conditions that leave it; `None` if there is none.
-fn largest_of(all: &[Condition], bits: u32) -> Result<Option<(Ball, Vec<TiltLimit>)>, Undecided> {
-    match of_stones(&in_doubles(all)) {
+fn largest_of(all: &[StoneLimit], bits: u32) -> Result<Option<Bound>, Undecided> {
+    match largest(&in_doubles(all)) {
         StoneTilt::Nothing => Err(Undecided::new(NOT_FOUND)),
         StoneTilt::Unlimited(direction) => unlimited(all, &direction, bits).map(|()| None),
         StoneTilt::Limited { active, moment } => limited(all, &active, moment, bits).map(Some),
@@ -169,13 +138,13 @@ fn largest_of(all: &[Condition], bits: u32) -> Result<Option<(Ball, Vec<TiltLimi
 
 /// The state at which some conditions are zero, if it is the best and satisfies all others.
 fn limited(
-    all: &[Condition],
+    all: &[StoneLimit],
     active: &[usize],
     moment: f64,
     bits: u32,
-) -> Result<(Ball, Vec<TiltLimit>), Undecided> {
+) -> Result<Bound, Undecided> {
     let open = || Undecided::new(NOT_FOUND);
-    let of: Vec<&Condition> = active.iter().filter_map(|place| all.get(*place)).collect();
+    let of: Vec<&StoneLimit> = active.iter().filter_map(|place| all.get(*place)).collect();
     let is_pinned = of.iter().any(|condition| condition.contact.is_hinge());
     // Without a hinge nothing is said of p.
     let kept: &[usize] = if is_pinned { &[0, 1, 2, 3] } else { &[0, 2, 3] };
@@ -210,8 +179,8 @@ fn limited(
     }
     let one = zero.int(1);
     // Both slips of a joint leave it no force, and with one hinge, which pins p, no moment: the other hinge is zero too.
-    let joint = |of: &Condition| (of.joint, of.side);
-    let slips = |at: &Condition| {
+    let joint = |of: &StoneLimit| (of.joint, of.side);
+    let slips = |at: &StoneLimit| {
         of.iter().filter(|other| joint(other) == joint(at) && !other.contact.is_hinge()).count()
     };
     let idle = of.iter().find(|at| slips(at) == 2).map(|at| joint(at));
@@ -222,18 +191,18 @@ fn limited(
         unknowns[1] = -(hinge.row.at(&unknowns, &one) / &hinge.row.coefficients[1]);
     }
     // Three conditions of a joint leave it no force: the fourth is zero too.
-    let bears_nothing = |at: &Condition| {
-        let same = |other: &&&Condition| joint(other) == joint(at);
+    let bears_nothing = |at: &StoneLimit| {
+        let same = |other: &&&StoneLimit| joint(other) == joint(at);
         of.iter().filter(same).count() == 3 || !is_pinned && idle == Some(joint(at))
     };
     let others = all.iter().enumerate().filter(|(place, _)| !active.contains(place));
     let others = others.filter(|(_, at)| !bears_nothing(at));
-    let holds = |of: &Condition| (-of.row.at(&unknowns, &one)).is_positive().is_proved();
+    let holds = |of: &StoneLimit| (-of.row.at(&unknowns, &one)).is_positive().is_proved();
     if !others.into_iter().all(|(_, of)| holds(of)) {
         return Err(Undecided::new("whether a state is admissible at every joint"));
     }
     let springing = all.iter().map(|of| of.joint).max().unwrap_or(0);
-    let limit = |of: &&Condition| TiltLimit {
+    let limit = |of: &&StoneLimit| TiltLimit {
         contact: of.contact,
         is_springing: of.joint == springing,
         is_right: of.side == Side::Right,
@@ -252,35 +221,21 @@ fn limited(
 }
 
 /// Any amount of a direction, with its acceleration of one, may be added to a state.
-fn unlimited(all: &[Condition], direction: &[f64; 3], bits: u32) -> Result<(), Undecided> {
+fn unlimited(all: &[StoneLimit], direction: &[f64; 3], bits: u32) -> Result<(), Undecided> {
     let [h, p, v] = direction.map(|x| Ball::exact(Float::with_val(bits, x), bits));
     let (one, zero) = (h.int(1), h.int(0));
     let unknowns = [h, p, v, one];
-    let falls = |of: &Condition| (-of.row.at(&unknowns, &zero)).is_positive().is_proved();
+    let falls = |of: &StoneLimit| (-of.row.at(&unknowns, &zero)).is_positive().is_proved();
     match all.iter().all(falls) {
         true => Ok(()),
         false => Err(Undecided::new("whether the acceleration is bounded")),
     }
 }
 
-/// The determinant of a small matrix, by its first column.
-fn determinant(matrix: &[Vec<Ball>]) -> Ball {
-    if let [row] = matrix {
-        return row[0].clone();
-    }
-    let zero = matrix[0][0].int(0);
-    (0..matrix.len()).fold(zero, |sum, i| {
-        let rest: Vec<Vec<Ball>> =
-            (0..matrix.len()).filter(|j| *j != i).map(|j| matrix[j][1..].to_vec()).collect();
-        let term = matrix[i][0].clone() * determinant(&rest);
-        if i.is_multiple_of(2) { sum + term } else { sum - term }
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::certify::tilted;
+    use crate::certify::{LargestTilt, tilted};
 
     fn found(arch: [&str; 3], stones: u64, eta: &str, tilt: &str) -> TiltDigits {
         let [weight, alpha, mu] = arch;
@@ -356,8 +311,8 @@ mod tests {
         let all = conditions(&parsed, &stones, &"1".parse().unwrap(), 200);
         let given = |tilt: &str| -> Slope { tilt.parse().unwrap() };
         assert!(has_none(&all, &given("1"), 200) && !has_none(&all, &given("0.7"), 200));
-        let places = against_of_stones(&in_doubles(&all), 1.0).unwrap();
-        let four: Vec<&Condition> = places.iter().map(|place| &all[*place]).collect();
+        let places = against(&in_doubles(&all), 1.0).unwrap();
+        let four: Vec<&StoneLimit> = places.iter().map(|place| &all[*place]).collect();
         let tilt = |k: f64| Ball::exact(Float::with_val(200, k), 200);
         // The same four say nothing of an acceleration that is borne, nor do three of them, nor one twice.
         assert!(contradict(&four, &tilt(1.0)) && !contradict(&four, &tilt(0.7)));
@@ -405,7 +360,7 @@ mod tests {
         let all = conditions(&arch, &stones, &"0.15".parse().unwrap(), 200);
         let (tilt, limits) = largest_of(&all, 200).unwrap().unwrap();
         let place = |limit: &TiltLimit| {
-            let is = |of: &Condition| {
+            let is = |of: &StoneLimit| {
                 (of.contact, Some(of.joint), of.side == Side::Right)
                     == (limit.contact, limit.joint, limit.is_right)
             };

@@ -4,12 +4,20 @@
 //! farthest comes in, and one goes out. It starts from bounds so large that they mean nothing.
 
 use super::invert;
+use crate::arch::tilt::TiltedRow;
 
-/// A condition `a x <= d`.
+/// The unknowns with `a x <= d`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Condition {
+pub(super) struct HalfSpace {
     pub a: [f64; 4],
     pub d: f64,
+}
+
+impl HalfSpace {
+    /// The forces and the accelerations that satisfy a condition.
+    pub(super) fn of(row: &TiltedRow<f64>) -> Self {
+        Self { a: row.coefficients, d: -row.load }
+    }
 }
 
 /// What is probably so.
@@ -33,13 +41,13 @@ fn dot(a: &[f64; 4], b: &[f64; 4]) -> f64 {
 }
 
 /// The largest last unknown.
-pub(super) fn largest_last(conditions: &[Condition]) -> Optimum {
+pub(super) fn largest_last(conditions: &[HalfSpace]) -> Optimum {
     let bound = |k: usize| {
         let mut a = [0.0; 4];
         a[k] = 1.0;
-        (None, Condition { a, d: FAR })
+        (None, HalfSpace { a, d: FAR })
     };
-    let mut basis: [(Option<usize>, Condition); 4] = std::array::from_fn(bound);
+    let mut basis: [(Option<usize>, HalfSpace); 4] = std::array::from_fn(bound);
     for _ in 0..ROUNDS {
         let Some(inverse) = invert(basis.each_ref().map(|(_, row)| row.a)) else { break };
         let d = basis.each_ref().map(|(_, row)| row.d);
@@ -47,7 +55,7 @@ pub(super) fn largest_last(conditions: &[Condition]) -> Optimum {
         let multipliers = inverse[3];
         let size = 1.0 + unknowns.iter().map(|x| x.abs()).fold(0.0, f64::max);
         let passed =
-            |row: &Condition| (dot(&row.a, &unknowns) - row.d) / (1.0 + dot(&row.a, &row.a).sqrt());
+            |row: &HalfSpace| (dot(&row.a, &unknowns) - row.d) / (1.0 + dot(&row.a, &row.a).sqrt());
         let worst = conditions
             .iter()
             .enumerate()
@@ -82,8 +90,8 @@ pub(super) fn largest_last(conditions: &[Condition]) -> Optimum {
 mod tests {
     use super::*;
 
-    fn condition(a: [f64; 4], d: f64) -> Condition {
-        Condition { a, d }
+    fn condition(a: [f64; 4], d: f64) -> HalfSpace {
+        HalfSpace { a, d }
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The rates of least cost that fit, in doubles.
 
-use super::programme::{Condition, Optimum, largest_last};
+use super::programme::{HalfSpace, Optimum, largest_last};
 
 /// The prices of the equations, and the columns whose rates are positive.
 #[derive(Clone, Debug)]
@@ -16,7 +16,7 @@ pub struct Rates {
 ///
 /// Nothing is guaranteed; `None` where nothing is found.
 pub fn least_cost(columns: &[[f64; 4]], costs: &[f64]) -> Option<Rates> {
-    let conditions = columns.iter().zip(costs).map(|(a, d)| Condition { a: *a, d: *d });
+    let conditions = columns.iter().zip(costs).map(|(a, d)| HalfSpace { a: *a, d: *d });
     match largest_last(&conditions.collect::<Vec<_>>()) {
         Optimum::At { unknowns, active } => Some(Rates {
             prices: unknowns,
@@ -32,11 +32,11 @@ const FAR: f64 = 16.0;
 /// A direction `y` in which every column points, `y . column > 0`, as far as possible for entries of limited size, with a given last entry;
 /// `None` if none is found.
 pub fn parting(columns: &[[f64; 4]], last: f64) -> Option<[f64; 4]> {
-    let toward = columns.iter().map(|[a, b, c, w]| Condition { a: [-a, -b, -c, 1.0], d: w * last });
+    let toward = columns.iter().map(|[a, b, c, w]| HalfSpace { a: [-a, -b, -c, 1.0], d: w * last });
     let bounds = (0..6).map(|k| {
         let mut a = [0.0; 4];
         a[k / 2] = if k % 2 == 0 { 1.0 } else { -1.0 };
-        Condition { a, d: FAR }
+        HalfSpace { a, d: FAR }
     });
     match largest_last(&toward.chain(bounds).collect::<Vec<_>>()) {
         Optimum::At { unknowns: [x, y, z, least], .. } if least > 0.0 => Some([x, y, z, last]),

@@ -10,13 +10,12 @@
 //! as a line that touches may need fewer joints than unknowns. Where only slips count, nothing fixes `p`.
 
 use super::inverse;
-use super::programme::{Condition, Optimum, largest_last};
-use crate::arch::joint::Grip;
+use super::programme::{HalfSpace, Optimum, largest_last};
 use crate::arch::mechanism::Contact;
-use crate::arch::tilt::{TiltedRow, row};
+use crate::arch::tilt::TiltedRow;
 use crate::arch::whole::along;
-use crate::arch::{Ring, SelfWeight};
 use crate::number::{Angle, Field, Jet};
+use crate::problem::Joints;
 use rug::Float;
 
 /// A condition at a joint of the whole arch.
@@ -55,8 +54,7 @@ pub struct TiltNear {
 /// An arch of a given thickness in numbers of some bits.
 pub struct Search {
     half_opening: Float,
-    ring: Ring<Float>,
-    grip: Grip<Float>,
+    joints: Joints<Float>,
     /// The conditions that are asked at each joint.
     contacts: &'static [Contact],
     bits: u32,
@@ -73,74 +71,54 @@ pub fn contacts(is_limited: bool) -> &'static [Contact] {
 }
 
 impl Search {
-    /// An arch, and its friction as a [`Grip`].
-    pub fn new(
-        half_opening: Float,
-        (weight, thickness): (SelfWeight, &Float),
-        (grip, is_limited): (Grip<Float>, bool),
-        bits: u32,
-    ) -> Self {
-        let ring = Ring::new(weight, thickness);
-        Self { half_opening, ring, grip, contacts: contacts(is_limited), bits }
+    /// An arch by its half opening, and what its joints share.
+    pub fn new(half_opening: Float, joints: Joints<Float>, is_limited: bool, bits: u32) -> Self {
+        Self { half_opening, joints, contacts: contacts(is_limited), bits }
     }
 
     /// The largest acceleration.
     pub fn candidate(&self) -> TiltCandidate {
-        let grid = self.grid();
-        let all = conditions(&grid);
-        let (unknowns, active) = match largest_last(&all) {
+        let (places, rows) = self.grid();
+        let (unknowns, active) = match largest_last(&half_spaces(&rows)) {
             Optimum::At { unknowns, active } => (unknowns, active),
             Optimum::Unbounded => return TiltCandidate::Unlimited,
             Optimum::Nothing => return TiltCandidate::Nothing,
         };
-        let Some(inside) = inside(&all, unknowns[3] / 2.0) else {
+        let Some(inside) = inside(&rows, unknowns[3] / 2.0) else {
             return TiltCandidate::Nothing;
         };
-        let mut touches = self.touches(&grid, active);
+        let mut touches = self.touches(&places, active);
         let limit = self.settled(unknowns, &mut touches);
         let inside = inside.map(|x| Float::with_val(self.bits, x));
         let touches = touches.into_iter().map(|(touch, _)| touch).collect();
         TiltCandidate::Limited(Box::new(TiltNear { touches, limit, inside }))
     }
 
-    /// The `h, p, v` at an acceleration that are farthest from all conditions, if some are inside.
-    pub fn inside_at(&self, tilt: f64) -> Option<[f64; 3]> {
-        inside(&conditions(&self.grid()), tilt).map(|[h, p, v, _]| [h, p, v])
+    /// The `h, p, v, k` at an acceleration that are farthest from all conditions, if some are inside.
+    pub fn inside_at(&self, tilt: f64) -> Option<[f64; 4]> {
+        inside(&self.grid().1, tilt)
     }
 
-    /// The conditions on many joints.
-    fn grid(&self) -> Vec<(Contact, f64, TiltedRow<f64>)> {
+    /// The conditions on many joints, with their places.
+    fn grid(&self) -> (Vec<(Contact, f64)>, Vec<TiltedRow<f64>>) {
         let alpha = self.half_opening.to_f64();
-        let double = |x: &Float| x.to_f64();
-        let ring = Ring {
-            thickness: double(&self.ring.thickness),
-            centroid_factor: double(&self.ring.centroid_factor),
+        let joints = self.joints.map(Float::to_f64);
+        let places = (0..JOINTS).map(|j| alpha * (2.0 * j as f64 / (JOINTS - 1) as f64 - 1.0));
+        let at = |place: f64| {
+            let angle = Angle::new(place);
+            let row = |contact: &Contact| ((*contact, place), joints.tilted(*contact, &angle));
+            self.contacts.iter().map(row).collect::<Vec<_>>()
         };
-        let grip = Grip { shear: double(&self.grip.shear), normal: double(&self.grip.normal) };
-        let joints = (0..JOINTS).map(|j| alpha * (2.0 * j as f64 / (JOINTS - 1) as f64 - 1.0));
-        let at = |joint: f64| {
-            let angle = Angle::new(joint);
-            self.contacts.iter().map(|contact| row(*contact, &angle, &ring, &grip)).collect()
-        };
-        let rows = joints.map(|joint| (joint, at(joint)));
-        let flat = rows.flat_map(|(joint, rows): (f64, Vec<TiltedRow<f64>>)| {
-            let contacts = self.contacts.iter().copied();
-            contacts.zip(rows).map(move |(contact, row)| (contact, joint, row)).collect::<Vec<_>>()
-        });
-        flat.collect()
+        places.flat_map(at).unzip()
     }
 
     /// The joints of the programme that hold with equality: neighbours are one.
-    fn touches(
-        &self,
-        grid: &[(Contact, f64, TiltedRow<f64>)],
-        active: Vec<(usize, f64)>,
-    ) -> Vec<(Touch, Float)> {
+    fn touches(&self, places: &[(Contact, f64)], active: Vec<(usize, f64)>) -> Vec<(Touch, Float)> {
         let alpha = self.half_opening.to_f64();
         let step = 2.0 * alpha / (JOINTS - 1) as f64;
         let mut merged: Vec<(Contact, f64, f64)> = Vec::new();
         for (index, rate) in active {
-            let (contact, joint, _) = &grid[index];
+            let (contact, joint) = &places[index];
             let near = merged
                 .iter_mut()
                 .find(|(other, at, _)| other == contact && (at as &f64 - joint).abs() < 1.5 * step);
@@ -167,13 +145,8 @@ impl Search {
 
     /// The row at a joint as a series along the arch.
     fn series(&self, touch: &Touch) -> TiltedRow<Jet<Float>> {
-        let constant = |x: &Float| Jet::constant(x.clone(), 2);
-        let ring = Ring {
-            thickness: constant(&self.ring.thickness),
-            centroid_factor: constant(&self.ring.centroid_factor),
-        };
-        let grip = self.grip.clone().map(|x| constant(&x));
-        row(touch.contact, &along(&Angle::new(touch.joint.clone())), &ring, &grip)
+        let at = along(&Angle::new(touch.joint.clone()));
+        self.joints.constant(2).tilted(touch.contact, &at)
     }
 
     /// Newton's method: the unknowns, with the touching joints moved.
@@ -193,7 +166,8 @@ impl Search {
             touches.iter_mut().for_each(|(_, rate)| *rate -= next());
         }
         if !is_pinned {
-            unknowns[1] = self.moment_between(&unknowns);
+            let near = unknowns.each_ref().map(Float::to_f64);
+            unknowns[1] = Float::with_val(self.bits, moment_between(&self.grid().1, near));
         }
         unknowns
     }
@@ -253,27 +227,6 @@ impl Search {
         };
         Some(inverse.iter().map(product).collect())
     }
-
-    /// A crown moment between those of the hinges.
-    fn moment_between(&self, unknowns: &[Float; 4]) -> Float {
-        let mut at = unknowns.each_ref().map(Float::to_f64);
-        at[1] = 0.0;
-        let (mut least, mut most) = (f64::MIN, f64::MAX);
-        for (contact, _, row) in self.grid() {
-            let passed = row.at(&at, &1.0);
-            match contact {
-                Contact::Extrados => most = most.min(-passed),
-                Contact::Intrados => least = least.max(passed),
-                _ => {}
-            }
-        }
-        Float::with_val(self.bits, (least + most) / 2.0)
-    }
-}
-
-fn conditions(grid: &[(Contact, f64, TiltedRow<f64>)]) -> Vec<Condition> {
-    let of = |row: &TiltedRow<f64>| Condition { a: row.coefficients, d: -row.load };
-    grid.iter().map(|(.., row)| of(row)).collect()
 }
 
 /// What is probably true of the largest acceleration of an arch of stones.
@@ -292,34 +245,20 @@ pub enum StoneTilt {
     Nothing,
 }
 
-fn of_rows(rows: &[([f64; 4], f64)]) -> Vec<Condition> {
-    rows.iter().map(|(a, load)| Condition { a: *a, d: -load }).collect()
+fn half_spaces(rows: &[TiltedRow<f64>]) -> Vec<HalfSpace> {
+    rows.iter().map(HalfSpace::of).collect()
 }
 
-/// The largest acceleration under conditions `a . (h, p, v, k) + load <= 0`.
-pub fn of_stones(rows: &[([f64; 4], f64)]) -> StoneTilt {
-    let conditions = of_rows(rows);
-    match largest_last(&conditions) {
-        Optimum::At { unknowns, active } => {
-            // In the middle of what hinges leave to p, if only slips count.
-            let (mut least, mut most) = (f64::MIN, f64::MAX);
-            for row in &conditions {
-                let [h, p, v, k] = row.a;
-                let room = row.d - h * unknowns[0] - v * unknowns[2] - k * unknowns[3];
-                if p > 0.0 {
-                    most = most.min(room / p);
-                } else if p < 0.0 {
-                    least = least.max(room / p);
-                }
-            }
-            StoneTilt::Limited {
-                active: active.into_iter().map(|(place, _)| place).collect(),
-                moment: (least + most) / 2.0,
-            }
-        }
+/// The largest acceleration under conditions.
+pub fn largest(rows: &[TiltedRow<f64>]) -> StoneTilt {
+    match largest_last(&half_spaces(rows)) {
+        Optimum::At { unknowns, active } => StoneTilt::Limited {
+            active: active.into_iter().map(|(place, _)| place).collect(),
+            moment: moment_between(rows, unknowns),
+        },
         Optimum::Unbounded => {
-            let along: Vec<Condition> =
-                conditions.iter().map(|row| Condition { d: 0.0, ..*row }).collect();
+            let along: Vec<TiltedRow<f64>> =
+                rows.iter().map(|row| TiltedRow { load: 0.0, ..row.clone() }).collect();
             match inside(&along, 1.0) {
                 Some([h, p, v, _]) => StoneTilt::Unlimited([h, p, v]),
                 None => StoneTilt::Nothing,
@@ -329,14 +268,24 @@ pub fn of_stones(rows: &[([f64; 4], f64)]) -> StoneTilt {
     }
 }
 
-/// The `h, p, v` at an acceleration that are farthest from all conditions `a . (h, p, v, k) + load <= 0`, if some are inside.
-pub fn inside_of_stones(rows: &[([f64; 4], f64)], tilt: f64) -> Option<[f64; 3]> {
-    inside(&of_rows(rows), tilt).map(|[h, p, v, _]| [h, p, v])
+/// The middle of what hinges leave to the crown moment.
+fn moment_between(rows: &[TiltedRow<f64>], mut unknowns: [f64; 4]) -> f64 {
+    unknowns[1] = 0.0;
+    let (mut least, mut most) = (f64::MIN, f64::MAX);
+    for row in rows {
+        let (p, room) = (row.coefficients[1], -row.at(&unknowns, &1.0));
+        if p > 0.0 {
+            most = most.min(room / p);
+        } else if p < 0.0 {
+            least = least.max(room / p);
+        }
+    }
+    (least + most) / 2.0
 }
 
-/// Conditions `a . (h, p, v, k) + load <= 0`, by place, that probably contradict each other at an acceleration.
-pub fn against_of_stones(rows: &[([f64; 4], f64)], tilt: f64) -> Option<Vec<usize>> {
-    match farthest(&of_rows(rows), tilt) {
+/// Conditions, by place, that probably contradict each other at an acceleration.
+pub fn against(rows: &[TiltedRow<f64>], tilt: f64) -> Option<Vec<usize>> {
+    match farthest(rows, tilt) {
         Optimum::At { unknowns: [.., room], active } if room < 0.0 => {
             Some(active.into_iter().map(|(place, _)| place).collect())
         }
@@ -344,22 +293,21 @@ pub fn against_of_stones(rows: &[([f64; 4], f64)], tilt: f64) -> Option<Vec<usiz
     }
 }
 
-/// The state at an acceleration that is farthest from all conditions.
-fn inside(conditions: &[Condition], tilt: f64) -> Option<[f64; 4]> {
-    match farthest(conditions, tilt) {
+/// The `h, p, v, k` at an acceleration `k` that are farthest from all conditions, if some are inside.
+pub fn inside(rows: &[TiltedRow<f64>], tilt: f64) -> Option<[f64; 4]> {
+    match farthest(rows, tilt) {
         Optimum::At { unknowns: [h, p, v, room], .. } if room > 0.0 => Some([h, p, v, tilt]),
         _ => None,
     }
 }
 
 /// The largest room that all conditions leave at an acceleration, in place of `k`.
-fn farthest(conditions: &[Condition], tilt: f64) -> Optimum {
-    let slack = |row: &Condition| {
-        let [h, p, v, k] = row.a;
-        Condition { a: [h, p, v, 1.0], d: row.d - k * tilt }
+fn farthest(rows: &[TiltedRow<f64>], tilt: f64) -> Optimum {
+    let slack = |row: &TiltedRow<f64>| {
+        let [h, p, v, k] = row.coefficients;
+        HalfSpace { a: [h, p, v, 1.0], d: -row.load - k * tilt }
     };
-    let mut rows: Vec<Condition> = conditions.iter().map(slack).collect();
-    // More room than this is not asked for.
-    rows.push(Condition { a: [0.0, 0.0, 0.0, 1.0], d: 1.0 });
-    largest_last(&rows)
+    // More room than one is not asked for.
+    let most = HalfSpace { a: [0.0, 0.0, 0.0, 1.0], d: 1.0 };
+    largest_last(&rows.iter().map(slack).chain([most]).collect::<Vec<_>>())
 }

@@ -8,7 +8,8 @@
 use crate::arch::joint::{Grip, Row, combination};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Ring, SelfWeight};
-use crate::number::{Angle, Ball, Field, Jet};
+use crate::number::{Angle, Ball, Field};
+use crate::problem::Joints;
 use crate::problem::stones::{JointContact, Stones};
 use rug::Float;
 
@@ -56,7 +57,7 @@ impl<'a> Search<'a> {
     }
 
     pub(super) fn last(&self) -> u64 {
-        self.stones.count() - 1
+        self.stones.last()
     }
 
     pub(super) fn angle(&self, index: u64) -> Angle<Float> {
@@ -156,14 +157,9 @@ impl<'a> Search<'a> {
         if contacts.contains(&(Contact::Extrados, contacts[1].1)) {
             return Some(like);
         }
-        let thickness = Jet::new(vec![like.clone(), like.int(1)], DEGREE);
-        let ring = Ring::new(self.weight, &thickness);
-        let grip = self.grip.clone().map(|x| Jet::constant(x, DEGREE));
-        let rows = contacts.map(|contact| {
-            let angle = self.angle(contact.1).map(|x| Jet::constant(x, DEGREE));
-            contact.0.row(&angle, &ring, &grip)
-        });
-        let polynomial = combination(&rows);
+        let joints = Joints::in_thickness(self.weight, self.grip.clone(), DEGREE);
+        let row = |(contact, index)| joints.row_at(contact, self.angle(index), DEGREE);
+        let polynomial = combination(&contacts.map(row));
         if polynomial.at(&like) <= 0 {
             return Some(like);
         }

@@ -3,8 +3,8 @@
 use super::bounds::bounds;
 use super::fields::Fields;
 use crate::arch::whole::Side;
-use crate::certify::{Enumeration, Extent, JointedMotion, JointedSolution, Standing, Undecided};
-use crate::problem::Arch;
+use crate::certify::{Enumeration, JointedMotion, JointedSolution, Standing, Undecided};
+use crate::problem::{Arch, Extent};
 use std::io;
 
 /// How many joints have conditions.

@@ -4,9 +4,9 @@ use super::bounds::bounds;
 use super::fields::Fields;
 use super::jointed;
 use crate::certify::state::Figure;
-use crate::certify::{Extent, Programme, Undecided};
+use crate::certify::{Programme, Undecided};
 use crate::number::{Ball, Rounded};
-use crate::problem::Arch;
+use crate::problem::{Arch, Extent};
 use rug::Float;
 use std::io;
 

@@ -1,33 +1,18 @@
 //! The conditions of an arch of equal stones as polynomials in its thickness.
 
 use super::polynomial::Polynomial;
-use crate::arch::Ring;
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
-use crate::arch::whole::{Side, motion_row, static_row};
 use crate::certify::arithmetic::Arithmetic;
-use crate::certify::extent::Extent;
-use crate::certify::voussoirs::grip;
-use crate::number::{Angle, Ball, Field, Jet};
-use crate::problem::Arch;
+use crate::number::{Ball, Field, Jet};
+use crate::problem::{Arch, Extent, JointLimit, Joints};
 
-/// A condition `row . (h, p, v, 1) <= 0`, and the motion that goes with it, without dilatancy.
-#[derive(Clone, Debug)]
-pub(super) struct Condition<T> {
-    /// By its sign.
-    pub contact: Contact,
-    /// Its joint: so many halves of a stone from the crown.
-    pub joint: i32,
-    pub row: [Polynomial<T>; 4],
-    pub motion: [Polynomial<T>; 3],
-    /// What is free of the forces in the force that works on the motion: of a hinge that of the row, of a slip that of `T` or `-T`.
-    pub weight: Polynomial<T>,
-}
-
-/// Those of an arch.
+/// The conditions of an arch.
 pub(super) struct Conditions<T> {
     /// Four at each joint, in the order of [`Contact::ALL`], from the left.
-    pub all: Vec<Condition<T>>,
+    pub all: Vec<JointLimit<Polynomial<T>>>,
+    /// What is free of the forces in the force that works on each motion: of a hinge that of the row, of a slip that of `T` or `-T`.
+    pub weights: Vec<Polynomial<T>>,
     pub extent: Extent,
     /// At each joint `-N`: both hinges together are `eta` times this.
     compressions: Vec<[Polynomial<T>; 4]>,
@@ -40,55 +25,41 @@ pub(super) struct Conditions<T> {
 /// The order of jets in the thickness: that of the load.
 const ORDER: usize = 2;
 
+/// What goes with `h, p` and `v`. With `v` it is linear in the thickness: the centroids, of second order, drop out exactly.
+fn entries<T: Field>([h, p, v]: &[Jet<T>; 3]) -> [Polynomial<T>; 3] {
+    let linear = Jet::new(v.coefficients().iter().take(2).cloned().collect(), ORDER);
+    [h, p, &linear].map(Polynomial::of)
+}
+
 impl<T: Arithmetic> Conditions<T> {
     /// The conditions in numbers of `bits` bits.
     pub(super) fn new(arch: &Arch, stones: i32, extent: Extent, bits: u32) -> Self {
         let alpha: T = arch.half_opening().enclosure(bits);
-        let constant = |x: T| Jet::constant(x, ORDER);
-        let eta = Jet::new(vec![alpha.int(0), alpha.int(1)], ORDER);
-        let ring = Ring::new(arch.weight(), &eta);
-        let grip: Grip<Jet<T>> =
-            grip(arch.friction(), bits).map(|x: Ball| constant(T::from_ball(&x, bits)));
-        let joint = |k: i32| match k {
-            0 => Angle::zero(&alpha),
-            _ => {
-                let side = if k < 0 { Side::Left } else { Side::Right };
-                side.joint(&Angle::new(alpha.clone() * alpha.ratio(k.abs(), stones)))
+        let grip: Grip<Ball> = arch.friction().grip(bits);
+        let grip = grip.map(|x| T::from_ball(&x, bits));
+        let joints = Joints::in_thickness(arch.weight(), grip, ORDER);
+        let one = joints.ring.thickness.int(1);
+        let without_friction =
+            Joints { grip: Grip { normal: one.int(0), shear: one }, ..joints.clone() };
+        let (mut all, mut weights, mut compressions) = (Vec::new(), Vec::new(), Vec::new());
+        for (k, angle) in extent.joints(stones, &alpha) {
+            let angle = angle.map(|x| Jet::constant(x, ORDER));
+            for limit in joints.limits((k, &angle), extent) {
+                let [h, p, v, load] = limit.row;
+                let [h, p, v] = entries(&[h, p, v]);
+                let row = [h, p, v, Polynomial::of(&load)];
+                let JointLimit { contact, joint, .. } = limit;
+                all.push(JointLimit { contact, joint, row, motion: entries(&limit.motion) });
+                weights.push(Polynomial::of(&without_friction.row(contact, &angle).load));
             }
-        };
-        let zero = eta.int(0);
-        // What v takes is linear in the thickness: the centroids, of second order, drop out exactly.
-        let seen = |[h, p, v]: [Jet<T>; 3]| match extent {
-            Extent::Whole => {
-                [h, p, Jet::new(v.coefficients().iter().take(2).cloned().collect(), ORDER)]
-            }
-            Extent::Half => [h, p, zero.clone()],
-        };
-        let slip = Grip { shear: eta.int(1), normal: eta.int(0) };
-        let (mut all, mut compressions) = (Vec::new(), Vec::new());
-        for k in extent.joints(stones) {
-            let angle = joint(k).map(constant);
-            for contact in Contact::ALL {
-                let [h, p, v] = seen(static_row(contact, &angle, &ring, &grip));
-                let load = contact.row(&angle, &ring, &grip).load;
-                let motion = seen(motion_row(contact, &angle, &eta, &zero));
-                let weight = Polynomial::of(&contact.row(&angle, &ring, &slip).load);
-                all.push(Condition {
-                    contact,
-                    joint: k,
-                    row: [&h, &p, &v, &load].map(Polynomial::of),
-                    motion: motion.each_ref().map(Polynomial::of),
-                    weight,
-                });
-            }
-            let [h, p, v] = seen([-angle.cos.clone(), zero.clone(), angle.sin.clone()]);
+            let [h, p, v] = extent.seen([-angle.cos.clone(), angle.cos.int(0), angle.sin.clone()]);
             let load = -(angle.rad * &angle.sin);
             compressions.push([&h, &p, &v, &load].map(Polynomial::of));
         }
         let entry = |n: i32| Polynomial::constant(alpha.int(n));
         let intrados = Jet::new(vec![alpha.int(1), -alpha.ratio(1, 2)], ORDER);
-        let no_vertical_force = [0, 0, 1, 0].map(entry);
-        Self { all, extent, compressions, no_vertical_force, intrados: Polynomial::of(&intrados) }
+        let (no_vertical_force, intrados) = ([0, 0, 1, 0].map(entry), Polynomial::of(&intrados));
+        Self { all, weights, extent, compressions, no_vertical_force, intrados }
     }
 
     /// The row of a condition beside others that are zero: where the opposite hinge of its joint is one of them, `-N`, which has its sign and is
@@ -295,7 +266,7 @@ mod tests {
         for (place, condition) in conditions.all.iter().enumerate() {
             let [h, p, v, load] = &condition.row;
             let value = along([h, p, v], load);
-            let power = along(condition.motion.each_ref(), &condition.weight);
+            let power = along(condition.motion.each_ref(), &conditions.weights[place]);
             let [h, p, v, load] = &conditions.compressions[place / 4];
             let normal = -along([h, p, v], load);
             let friction = if condition.contact.is_hinge() { 0 } else { 7 };

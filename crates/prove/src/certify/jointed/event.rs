@@ -107,8 +107,8 @@ fn motion(vertex: &Vertex<'_>, piece: &Piece) -> Option<Kind> {
 mod tests {
     use super::*;
     use crate::arch::mechanism::Contact;
-    use crate::certify::extent::Extent;
     use crate::problem::Arch;
+    use crate::problem::Extent;
 
     fn conditions(mu: &str) -> Conditions<DoubleBall> {
         let arch = Arch::parse("milankovitch", "2.3", mu).unwrap();

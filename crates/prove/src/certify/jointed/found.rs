@@ -3,9 +3,9 @@
 use crate::arch::mechanism::Contact;
 use crate::arch::whole::Side;
 use crate::certify::Undecided;
-use crate::certify::extent::Extent;
 use crate::certify::state::Figure;
 use crate::number::Rounded;
+use crate::problem::Extent;
 use rug::Float;
 
 /// A solution at the joints between equal stones, with its digits, correctly rounded.

@@ -12,12 +12,11 @@ use super::vertex::Start;
 use crate::arch::mechanism::Contact;
 use crate::certify::Undecided;
 use crate::certify::arithmetic::Arithmetic;
-use crate::certify::extent::Extent;
 use crate::certify::state::raise;
 use crate::certify::voussoirs::VoussoirDigits;
 use crate::number::{Ball, DoubleBall, Enclosure, Field, bits_of};
-use crate::problem::Mode;
 use crate::problem::stones::JointContact;
+use crate::problem::{Extent, Mode};
 
 /// Bits beyond those of the digits.
 const GUARD: u32 = 64;

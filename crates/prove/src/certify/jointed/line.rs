@@ -20,48 +20,14 @@
 
 use super::polynomial::Polynomial;
 use super::vertex::{Piece, Vertex, is_positive};
-use crate::certify::vector::{Vector, cross, dot};
+use crate::certify::vector::{Line, Row, cross, dot, parts};
 use crate::number::{DoubleBall, Enclosure};
 
 /// Parts of a stretch that are looked at, at most.
 const PARTS: usize = 200;
 
-/// A condition over a piece of thicknesses.
-type Row = [DoubleBall; 4];
 /// What is free of `t` in a condition on a line, and what multiplies it.
 type OnLine = [DoubleBall; 2];
-
-/// States `place + along t`.
-struct Line {
-    place: Vector,
-    along: Vector,
-}
-
-fn parts(row: &Row) -> (Vector, DoubleBall) {
-    let [h, p, v, load] = *row;
-    ([h, p, v], load)
-}
-
-impl Line {
-    /// The states at which two conditions are zero; `None` if their rows may be parallel.
-    fn of(one: &Row, other: &Row) -> Option<Self> {
-        let ((a, load_a), (b, load_b)) = (parts(one), parts(other));
-        let along = cross(&a, &b);
-        let size = dot(&along, &along);
-        if !is_positive(&size) {
-            return None;
-        }
-        let (by_a, by_b) = (cross(&b, &along), cross(&along, &a));
-        let place = [0, 1, 2].map(|k| -(by_a[k] * load_a + by_b[k] * load_b) / size);
-        Some(Self { place, along })
-    }
-
-    /// A condition on the line.
-    fn value(&self, row: &Row) -> OnLine {
-        let (row, load) = parts(row);
-        [dot(&row, &self.place) + load, dot(&row, &self.along)]
-    }
-}
 
 /// Where on a line the states may be admissible.
 #[derive(Debug, PartialEq)]
@@ -151,32 +117,10 @@ mod tests {
     use super::*;
     use crate::arch::mechanism::Contact::{self, Extrados, Intrados, Outwards};
     use crate::arch::whole::Side;
-    use crate::certify::extent::Extent;
     use crate::certify::jointed::conditions::Conditions;
     use crate::certify::{JointedMotion, JointedSolution, enumerate};
     use crate::problem::Arch;
-
-    fn row(entries: [f64; 4]) -> Row {
-        entries.map(|entry| DoubleBall::new(entry, 1e-9))
-    }
-
-    /// Both conditions are zero all along their line, and a third one is not. Rows that may be parallel have none.
-    #[test]
-    fn two_conditions_are_zero_on_their_line() {
-        let [a, b, c] =
-            [[3.0, -1.0, 2.0, 0.7], [1.0, 4.0, -2.0, -5.0], [1.0, 4.0, -2.0, 5.0]].map(row);
-        let line = Line::of(&a, &b).unwrap();
-        for of in [&a, &b] {
-            let [value, slope] = line.value(of);
-            assert!(!value.excludes_zero() && !slope.excludes_zero());
-            assert!(value.rad() < 1e-6 && slope.rad() < 1e-6);
-        }
-        let [value, slope] = line.value(&c);
-        assert!(value.excludes_zero() && !slope.excludes_zero(), "false twin");
-        let nearly = row([1.0 + 1e-10, 4.0, -2.0, 5.0]);
-        assert!(Line::of(&b, &c).is_none() && Line::of(&b, &nearly).is_none());
-        assert!(Line::of(&b, &row([1.01, 4.0, -2.0, 5.0])).is_some());
-    }
+    use crate::problem::Extent;
 
     /// The ends of a stretch are outside of what the conditions allow, by little; a slope of which the sign is open is no limit.
     #[test]

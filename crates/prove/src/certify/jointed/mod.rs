@@ -33,13 +33,12 @@ mod vertex;
 
 pub use found::{Enumeration, JointedMotion, JointedSolution, LeastSolution, Standing};
 
-use super::extent::Extent;
 use super::programme::MOST_JOINTED_STONES;
 use super::voussoirs::{Voussoirs, voussoirs};
 use super::{Error, Refused, Undecided};
 use crate::number::DoubleBall;
-use crate::problem::Arch;
 use crate::problem::stones::Stones;
+use crate::problem::{Arch, Extent};
 use conditions::Conditions;
 use event::Event;
 use refine::Digits;

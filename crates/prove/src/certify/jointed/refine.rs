@@ -1,17 +1,16 @@
 //! The digits of a solution that is alone on its piece.
 
-use super::conditions::{Condition, Conditions};
+use super::conditions::Conditions;
 use super::event::{Event, Kind};
 use super::found::{JointedMotion, JointedSolution};
 use super::polynomial::Polynomial;
 use crate::arch::mechanism::Contact;
 use crate::arch::whole::Side;
 use crate::certify::Undecided;
-use crate::certify::extent::Extent;
 use crate::certify::state::{Figure, raise};
 use crate::number::{Ball, Enclosure, ExactNumber, bits_of};
-use crate::problem::Arch;
 use crate::problem::stones::Stones;
+use crate::problem::{Arch, Extent, JointLimit};
 use rug::{Float, Rational};
 
 /// An arch of equal stones, in as many digits as are asked for.
@@ -114,7 +113,7 @@ impl Digits<'_> {
         let whole = |n: i32| ExactNumber::from(&Rational::from(n));
         let zero = Figure::exact(&whole(0), 1);
         let [h, p, v] = &state.forces;
-        let mut moving: Vec<(&Condition<Ball>, &Ball)> =
+        let mut moving: Vec<(&JointLimit<Polynomial<Ball>>, &Ball)> =
             state.moving.iter().map(|(place, rate)| (&conditions.all[*place], rate)).collect();
         moving.sort_by_key(|(condition, _)| -condition.joint);
         let contacts: Vec<Contact> =

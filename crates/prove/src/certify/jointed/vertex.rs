@@ -14,7 +14,7 @@
 //!   `sum rate b = 0` have `sum rate w = sum rate mu N >= 0`, which is zero for hinges; and then `sum rate (y . b + z w) <= 0`.
 //!   Hinges on one line have motions that fit, with a thrust that has no limit, and only the weight tells that they are not in equilibrium.
 
-use super::conditions::{Condition, Conditions};
+use super::conditions::Conditions;
 use super::polynomial::Polynomial;
 use crate::arch::mechanism::Contact;
 use crate::number::{DoubleBall, Enclosure};
@@ -203,8 +203,8 @@ impl<'a> Vertex<'a> {
                 .all(|left_out| self.are_parted(&without(left_out), piece));
         }
         let column = |place: usize| {
-            let Condition { motion: [a, b, c], weight, .. } = &self.conditions.all[place];
-            [a, b, c, weight]
+            let [a, b, c] = &self.conditions.all[place].motion;
+            [a, b, c, &self.conditions.weights[place]]
         };
         // Ends that are nearly one thickness have columns that are nearly parallel, which the search does not bear.
         let both = [piece.low, piece.high];
@@ -281,8 +281,7 @@ pub(super) fn in_doubles(conditions: &Conditions<DoubleBall>) -> Vec<[[f64; 3]; 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::certify::extent::Extent;
-    use crate::problem::Arch;
+    use crate::problem::{Arch, Extent};
     use Contact::{Extrados, Intrados, Inwards, Outwards};
 
     fn bears_no_motion(alpha: &str, of: [(Contact, i32); 4], eta: f64) -> bool {

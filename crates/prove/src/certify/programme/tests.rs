@@ -62,7 +62,7 @@ fn by_enumeration(arch: &Arch, eta: &str, stones: i32) -> f64 {
     let all = conditions(arch, &eta.parse().unwrap(), (stones, Extent::Whole));
     let n = all.len();
     let middle = |x: &[DoubleBall; 3]| x.map(|x| x.mid());
-    let rows: Vec<[f64; 3]> = all.iter().map(|c| middle(&c.row)).collect();
+    let rows: Vec<[f64; 3]> = all.iter().map(|c| middle(&parts(&c.row).0)).collect();
     let motions: Vec<[f64; 3]> = all.iter().map(|c| middle(&c.motion)).collect();
     let det = |a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]| {
         a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
@@ -97,7 +97,7 @@ fn by_enumeration(arch: &Arch, eta: &str, stones: i32) -> f64 {
                 if whole.abs() < 1e-9 {
                     continue;
                 }
-                let loads = [i, j, k].map(|x| -all[x].load.mid());
+                let loads = [i, j, k].map(|x| -all[x].row[3].mid());
                 let x = [0, 1, 2].map(|place| {
                     let mut r = [rows[i], rows[j], rows[k]];
                     for (row, load) in r.iter_mut().zip(loads) {
@@ -106,7 +106,7 @@ fn by_enumeration(arch: &Arch, eta: &str, stones: i32) -> f64 {
                     det(&r[0], &r[1], &r[2]) / whole
                 });
                 let gap = |c: usize| {
-                    -(rows[c].iter().zip(&x).map(|(a, b)| a * b).sum::<f64>() + all[c].load.mid())
+                    -(rows[c].iter().zip(&x).map(|(a, b)| a * b).sum::<f64>() + all[c].row[3].mid())
                 };
                 let gaps: Vec<f64> = (0..n).map(gap).collect();
                 if gaps.iter().all(|gap| *gap > -1e-9) {

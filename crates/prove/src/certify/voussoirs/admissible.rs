@@ -5,7 +5,7 @@
 //! one that touches the intrados, or that slides, speak for all, and the first and the last joint for the extrados, for
 //! outward sliding and for `N`.
 
-use super::joints::{Joints, is_positive, is_zero, require};
+use super::joints::{StoneJoints, is_positive, is_zero, require};
 use crate::arch::Ring;
 use crate::arch::mechanism::Contact;
 use crate::arch::statics::normal_force;
@@ -15,7 +15,7 @@ use crate::problem::stones::JointContact;
 
 /// The line of thrust is inside the arch at all joints.
 pub(super) fn line_is_inside(
-    joints: &Joints<'_>,
+    joints: &StoneJoints<'_>,
     contacts: &[JointContact],
     thrust: &Ball,
     moment: &Ball,
@@ -27,7 +27,7 @@ pub(super) fn line_is_inside(
     let beside = above.into_iter().chain(below);
     // In a joint that is open there is no normal force, and no moment.
     let is_open = contacts[0] == (Contact::Inwards, haunch)
-        && joints.stones.may_open(haunch, joints.is_limited);
+        && joints.stones.may_open(haunch, joints.is_limited());
     let is_open = |joint| is_open && joint == haunch;
     inside_at(joints, beside, is_open, contacts, |contact| {
         joints.row(contact, ring).at(thrust, moment)
@@ -37,7 +37,7 @@ pub(super) fn line_is_inside(
 /// The line of thrust is inside the arch at the first and the last joint and above the intrados at these, but for its contacts
 /// and joints that are open; `beyond` is how far it is outside.
 fn inside_at(
-    joints: &Joints<'_>,
+    joints: &StoneJoints<'_>,
     beside: impl Iterator<Item = u64>,
     is_open: impl Fn(u64) -> bool,
     contacts: &[JointContact],
@@ -53,15 +53,15 @@ fn inside_at(
 }
 
 /// Whether a joint is open: it has no normal force, and no moment.
-pub(super) fn is_open(joints: &Joints<'_>, contacts: &[JointContact], joint: u64) -> bool {
+pub(super) fn is_open(joints: &StoneJoints<'_>, contacts: &[JointContact], joint: u64) -> bool {
     let slides = |contact| contacts.contains(&(contact, joint));
-    joints.stones.may_open(joint, joints.is_limited)
-        && (slides(Contact::Inwards) || slides(Contact::Outwards) && !joints.is_limited)
+    joints.stones.may_open(joint, joints.is_limited())
+        && (slides(Contact::Inwards) || slides(Contact::Outwards) && !joints.is_limited())
 }
 
 /// The state is admissible, and its contacts are the only conditions that hold with equality, but for slips at no thrust.
 pub(super) fn is_admissible(
-    joints: &Joints<'_>,
+    joints: &StoneJoints<'_>,
     contacts: &[JointContact],
     thrust: &Ball,
     moment: &Ball,
@@ -78,7 +78,7 @@ pub(super) fn is_admissible(
 /// The joints, at most three, that have between them the angle at which the line of thrust comes nearest to the intrados: where
 /// `fac sin beta - (1 - eta/2) [(1 - h) sin beta + beta cos beta]` changes its sign.
 fn around_lowest(
-    joints: &Joints<'_>,
+    joints: &StoneJoints<'_>,
     thrust: &Ball,
     ring: &Ring<Ball>,
 ) -> Result<[u64; 2], Undecided> {
@@ -115,7 +115,7 @@ fn around_lowest(
 
 /// Nothing slides, nor is about to but for the contacts, and every normal force is positive.
 pub(super) fn friction_holds(
-    joints: &Joints<'_>,
+    joints: &StoneJoints<'_>,
     contacts: &[JointContact],
     thrust: &Ball,
     moment: &Ball,
@@ -126,7 +126,7 @@ pub(super) fn friction_holds(
 
 /// The same, where a slip that is no contact may be at its limit if this says that it is exactly there.
 fn no_slip_is_passed(
-    joints: &Joints<'_>,
+    joints: &StoneJoints<'_>,
     contacts: &[JointContact],
     (thrust, moment): (&Ball, &Ball),
     ring: &Ring<Ball>,
@@ -145,9 +145,9 @@ fn no_slip_is_passed(
         let normal = normal_force(&joints.angle(joint), thrust);
         require(is_positive(&normal), "whether a joint opens")?;
         let outwards = (Contact::Outwards, joint);
-        require(!joints.is_limited || holds(outwards), "whether the shoulder slides")?;
+        require(!joints.is_limited() || holds(outwards), "whether the shoulder slides")?;
     }
-    if !joints.is_limited {
+    if !joints.is_limited() {
         return Ok(());
     }
     let slides = contacts.iter().find_map(|contact| match contact {
@@ -167,7 +167,7 @@ fn no_slip_is_passed(
 
 /// Two joints next to each other, or one, that have between them `sqrt(h (1 - h))`, where the shear over the normal force is
 /// largest; at `h` outside `(0, 1)` it falls from the crown on.
-fn around_steepest(joints: &Joints<'_>, thrust: &Ball) -> Result<[u64; 2], Undecided> {
+fn around_steepest(joints: &StoneJoints<'_>, thrust: &Ball) -> Result<[u64; 2], Undecided> {
     let square = (thrust.int(1) - thrust) * thrust;
     let beyond = |joint: u64| joints.angle(joint).rad.square() - &square;
     let is_below = |joint: u64| is_positive(&-beyond(joint));

@@ -1,10 +1,11 @@
 //! An arch of voussoirs of a given thickness: does it stand, with what safety, and how much may it thrust?
 
 use super::friction::required;
-use super::joints::Joints;
+use super::joints::StoneJoints;
 use super::thickness::{Outcome, proved};
 use super::thrusts::{End, Range, Ties, range};
 use crate::arch::Ring;
+use crate::arch::joint::Grip;
 use crate::certify::Undecided;
 use crate::certify::state::{Figure, raise};
 use crate::number::{Ball, Enclosure, ExactNumber};
@@ -66,7 +67,8 @@ pub(super) fn assessed(
         has_no_arm: has_no_arm_at_crown(arch, thickness),
         is_solid: thickness.is_rational() && thickness.to_rational() == 2,
     };
-    let joints = |friction: &Friction, bits| Joints::new(stones, arch.weight(), friction, bits);
+    let joints =
+        |friction: &Friction, bits| StoneJoints::new(stones, arch.weight(), friction, bits);
     let eta = |bits| thickness.enclosure::<Ball>(bits);
     let own = arch.friction();
     let standing = raise(first, |bits| {
@@ -112,12 +114,12 @@ pub(super) fn assessed(
 
 /// The coefficient of a friction that is limited.
 fn coefficient(friction: &Friction, bits: u32) -> Option<Ball> {
-    let grip = super::joints::grip(friction, bits);
+    let grip: Grip<Ball> = friction.grip(bits);
     (*friction != Friction::Infinite).then(|| grip.normal / grip.shear)
 }
 
 /// An end in digits; `None` if the rounding is not decided.
-fn limit(joints: &Joints<'_>, end: &End, digits: usize) -> Option<VoussoirLimit> {
+fn limit(joints: &StoneJoints<'_>, end: &End, digits: usize) -> Option<VoussoirLimit> {
     let thrust = match &end.thrust {
         Some(thrust) => Some(Figure::new(thrust, digits)?),
         None => None,

@@ -6,7 +6,7 @@
 //! the shoulder bears no shear force.
 
 use super::admissible::friction_holds;
-use super::joints::{Joints, is_positive, require};
+use super::joints::{StoneJoints, is_positive, require};
 use super::thrusts::End;
 use crate::arch::Ring;
 use crate::arch::joint::{Grip, even_thrust};
@@ -19,7 +19,7 @@ use rug::Float;
 
 /// The least friction, for the range of thrusts with unlimited friction.
 pub(super) fn required(
-    joints: &Joints<'_>,
+    joints: &StoneJoints<'_>,
     ring: &Ring<Ball>,
     ends: &[End; 2],
 ) -> Result<Ball, Undecided> {
@@ -64,7 +64,7 @@ pub(super) fn required(
     require(is_positive(&friction), question)?;
     // With so much no other joint slides.
     let grip = Grip { shear: friction.int(1), normal: friction.clone() };
-    let with_it = Joints { grip, is_limited: true, friction: None, ..*joints };
+    let with_it = StoneJoints { grip, friction: None, ..*joints };
     friction_holds(&with_it, &contacts, &thrust, &thrust.int(0), ring)?;
     Ok(friction)
 }

@@ -4,24 +4,23 @@ use crate::arch::joint::{Grip, Row};
 use crate::arch::{Ring, SelfWeight};
 use crate::certify::Undecided;
 use crate::certify::state::Figure;
-use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Jet};
+use crate::number::{Angle, Ball, Enclosure, Field, Jet};
 use crate::problem::stones::{JointContact, Stones};
-use crate::problem::{Friction, slides_at_no_thrust};
+use crate::problem::{Friction, Joints, slides_at_no_thrust};
 use crate::solve::voussoirs::{DEGREE, Search};
 use rug::Float;
 
 /// An arch of voussoirs in balls of some bits.
-pub(super) struct Joints<'a> {
+pub(super) struct StoneJoints<'a> {
     pub stones: &'a Stones,
     pub weight: SelfWeight,
     pub grip: Grip<Ball>,
     pub bits: u32,
-    pub is_limited: bool,
     /// The friction that the grip is of; `None` for one that is no given number.
     pub friction: Option<Friction>,
 }
 
-impl<'a> Joints<'a> {
+impl<'a> StoneJoints<'a> {
     /// The joints between these stones, with numbers of `bits` bits.
     pub(super) fn new(
         stones: &'a Stones,
@@ -29,9 +28,12 @@ impl<'a> Joints<'a> {
         friction: &Friction,
         bits: u32,
     ) -> Self {
-        let is_limited = *friction != Friction::Infinite;
-        let given = Some(friction.clone());
-        Self { stones, weight, grip: grip(friction, bits), bits, is_limited, friction: given }
+        Self { stones, weight, grip: friction.grip(bits), bits, friction: Some(friction.clone()) }
+    }
+
+    /// Whether the friction has a limit.
+    pub(super) fn is_limited(&self) -> bool {
+        self.friction != Some(Friction::Infinite)
     }
 
     /// Where to look for candidates.
@@ -41,12 +43,10 @@ impl<'a> Joints<'a> {
 
     /// A joint by its index.
     pub(super) fn angle(&self, index: u64) -> Angle<Ball> {
-        let crown = index == 0 && self.stones.has_joint_at_crown();
-        let like = Ball::integer(0, self.bits);
-        if crown { Angle::zero(&like) } else { Angle::new(self.stones.joint(index, self.bits)) }
+        self.stones.angle(index, self.bits)
     }
 
-    /// The same rounded; a rational joint may be a tie, which no ball decides.
+    /// The angle of a joint rounded; a rational joint may be a tie, which no ball decides.
     pub(super) fn figure(&self, index: u64, digits: usize) -> Option<Figure> {
         match self.stones.exact_joint(index) {
             Some(exact) => Figure::exact(&exact, digits),
@@ -56,19 +56,13 @@ impl<'a> Joints<'a> {
 
     /// The index of the shoulder.
     pub(super) fn last(&self) -> u64 {
-        self.stones.count() - 1
+        self.stones.last()
     }
 
     /// The conditions as polynomials in the thickness.
     pub(super) fn polynomial_rows(&self, contacts: &[JointContact; 3]) -> [Row<Jet<Ball>>; 3] {
-        let like = Ball::integer(0, self.bits);
-        let thickness = Jet::new(vec![like.clone(), like.int(1)], DEGREE);
-        let ring = Ring::new(self.weight, &thickness);
-        let grip = self.grip.clone().map(|x| Jet::constant(x, DEGREE));
-        contacts.map(|contact| {
-            let angle = self.angle(contact.1).map(|x| Jet::constant(x, DEGREE));
-            contact.0.row(&angle, &ring, &grip)
-        })
+        let joints = Joints::in_thickness(self.weight, self.grip.clone(), DEGREE);
+        contacts.map(|(contact, index)| joints.row_at(contact, self.angle(index), DEGREE))
     }
 
     /// A condition at a thickness. The load of a slip is exactly zero where the joint slides at no thrust, which no ball tells.
@@ -84,20 +78,6 @@ impl<'a> Joints<'a> {
 
 fn midpoint(x: Ball) -> Float {
     Float::with_val(x.prec(), x.mid())
-}
-
-/// Friction as the ratio that a joint asks for.
-pub(in crate::certify) fn grip(friction: &Friction, bits: u32) -> Grip<Ball> {
-    let number = |x: &ExactNumber| x.enclosure::<Ball>(bits);
-    let one = Ball::integer(1, bits);
-    match friction {
-        Friction::Coefficient(mu) => Grip { shear: one, normal: number(mu) },
-        Friction::Angle(phi) => {
-            let angle = Angle::new(number(phi));
-            Grip { shear: angle.cos, normal: angle.sin }
-        }
-        Friction::Infinite => Grip { shear: one.int(0), normal: one },
-    }
 }
 
 /// A statement that has to be proved.

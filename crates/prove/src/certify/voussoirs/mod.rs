@@ -43,7 +43,6 @@ mod thickness;
 mod thrusts;
 
 pub use assess::{VoussoirAssessment, VoussoirLimit, VoussoirStanding};
-pub(super) use joints::grip;
 pub use loss::{VoussoirLoss, voussoir_loss};
 pub use thickness::{VoussoirDigits, Voussoirs};
 
@@ -53,7 +52,7 @@ use crate::arch::SelfWeight;
 use crate::number::{ExactNumber, bits_of};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Friction};
-use joints::Joints;
+use joints::StoneJoints;
 use thickness::proved;
 
 /// Bits beyond those of the digits.
@@ -68,7 +67,7 @@ pub fn voussoirs(
 ) -> Result<Voussoirs, Error> {
     let arch = checked(stones, weight, friction, digits)?;
     Ok(raise(bits_of(digits) + GUARD, |bits| {
-        let joints = Joints::new(stones, weight, arch.friction(), bits);
+        let joints = StoneJoints::new(stones, weight, arch.friction(), bits);
         Ok(proved(&joints, joints.search().candidate())?.rounded(&joints, digits))
     })?)
 }

@@ -1,7 +1,7 @@
 //! The least thickness of an arch of voussoirs, with its state.
 
 use super::admissible::{friction_holds, line_is_inside};
-use super::joints::{Joints, is_positive, leave_no_thrust, require};
+use super::joints::{StoneJoints, is_positive, leave_no_thrust, require};
 use super::polynomial::{bracket, is_positive_up_to, rates_are_positive};
 use crate::arch::Ring;
 use crate::arch::joint::combination;
@@ -71,7 +71,7 @@ pub(super) enum Outcome {
 
 impl Outcome {
     /// The same in digits; `None` if the rounding is not decided.
-    pub(super) fn rounded(&self, joints: &Joints<'_>, digits: usize) -> Option<Voussoirs> {
+    pub(super) fn rounded(&self, joints: &StoneJoints<'_>, digits: usize) -> Option<Voussoirs> {
         let State { mode, contacts, thickness, thrust } = match self {
             Self::Stands(state) => state,
             Self::AnyThickness => return Some(Voussoirs::AnyThickness),
@@ -96,7 +96,7 @@ impl Outcome {
 
 /// What a candidate says, proved.
 pub(super) fn proved(
-    joints: &Joints<'_>,
+    joints: &StoneJoints<'_>,
     candidate: VoussoirCandidate,
 ) -> Result<Outcome, Undecided> {
     match candidate {
@@ -113,7 +113,7 @@ pub(super) fn proved(
 }
 
 /// No thrust is at the same time large enough for an inner joint and small enough for the shoulder.
-fn slides(joints: &Joints<'_>, inner: u64) -> Result<Outcome, Undecided> {
+fn slides(joints: &StoneJoints<'_>, inner: u64) -> Result<Outcome, Undecided> {
     let ring = Ring::new(joints.weight, &Ball::integer(1, joints.bits));
     let inner = joints.row((Contact::Inwards, inner), &ring);
     let shoulder = joints.row((Contact::Outwards, joints.last()), &ring);
@@ -123,7 +123,7 @@ fn slides(joints: &Joints<'_>, inner: u64) -> Result<Outcome, Undecided> {
 
 /// Nothing stands from 0 to `most`: multipliers and combination are positive there.
 fn contradiction(
-    joints: &Joints<'_>,
+    joints: &StoneJoints<'_>,
     contacts: &[JointContact; 3],
     most: &Ball,
 ) -> Result<(), Undecided> {
@@ -135,7 +135,7 @@ fn contradiction(
 /// Arches of two or three stones stand at every thickness if they do with the thrust `h` of the line through the middle of
 /// both joints, which belongs to `fac = 1`. At thickness `eta` the room for the crown moment between the extrados of
 /// one joint and the intrados of the other is then `eta/2 [N_0 + N_1 ± delta_M eta (cos_0 - cos_1)/6]`, and `eta` is at most 2.
-fn any_thickness(joints: &Joints<'_>) -> Result<Outcome, Undecided> {
+fn any_thickness(joints: &StoneJoints<'_>) -> Result<Outcome, Undecided> {
     require(joints.stones.count() == 2, "whether every thickness is enough")?;
     let zero = Ball::integer(0, joints.bits);
     let ring = Ring { centroid_factor: zero.int(1), thickness: zero };
@@ -152,11 +152,11 @@ fn any_thickness(joints: &Joints<'_>) -> Result<Outcome, Undecided> {
 
 /// The state, if its thickness is the least.
 fn collapses(
-    joints: &Joints<'_>,
+    joints: &StoneJoints<'_>,
     contacts: [JointContact; 3],
     near: &Float,
 ) -> Result<State, Undecided> {
-    let mode = joints.stones.mode(&contacts, joints.is_limited);
+    let mode = joints.stones.mode(&contacts, joints.is_limited());
     let mode = mode.ok_or_else(|| Undecided::new("how the arch collapses"))?;
     let polynomials = joints.polynomial_rows(&contacts);
     let polynomial = combination(&polynomials);
@@ -237,7 +237,7 @@ mod tests {
         {
             let stones = Stones::equal(stones, alpha.parse().unwrap()).unwrap();
             let (weight, friction) = (SelfWeight::Milankovitch, mu.parse().unwrap());
-            let joints = Joints::new(&stones, weight, &friction, 200);
+            let joints = StoneJoints::new(&stones, weight, &friction, 200);
             let found = joints.search().candidate();
             let VoussoirCandidate::Collapses { contacts, thickness } = found else {
                 panic!("{alpha} {mu}")

@@ -7,7 +7,7 @@
 //! that make the end: the conditions ask for no more.
 
 use super::admissible::{is_admissible, is_open};
-use super::joints::{Joints, is_positive, is_zero, leave_no_thrust, require};
+use super::joints::{StoneJoints, is_positive, is_zero, leave_no_thrust, require};
 use crate::arch::Ring;
 use crate::arch::joint::Row;
 use crate::arch::mechanism::Contact;
@@ -54,13 +54,17 @@ impl Ties {
 }
 
 /// The range of thrusts at a thickness.
-pub(super) fn range(joints: &Joints<'_>, thickness: &Ball, ties: Ties) -> Result<Range, Undecided> {
+pub(super) fn range(
+    joints: &StoneJoints<'_>,
+    thickness: &Ball,
+    ties: Ties,
+) -> Result<Range, Undecided> {
     let near = Float::with_val(joints.bits, thickness.mid());
     let search = joints.search();
     let ring = Ring::new(joints.weight, thickness);
     let mut ends = Vec::new();
     for side in Side::BOTH {
-        let is_free = side == Side::Largest && ties.is_solid_semicircle() && !joints.is_limited;
+        let is_free = side == Side::Largest && ties.is_solid_semicircle() && !joints.is_limited();
         let end = if is_free { ThrustEnd::Unbounded } else { thrust_end(&search, &near, side) };
         match end {
             ThrustEnd::Contradiction(both) => return falls(joints, &ring, both),
@@ -92,7 +96,7 @@ pub(super) fn range(joints: &Joints<'_>, thickness: &Ball, ties: Ties) -> Result
 
 /// What a slip, or two hinges, say of the thrust: nothing, if they say it of the crown moment too.
 fn together(
-    joints: &Joints<'_>,
+    joints: &StoneJoints<'_>,
     contacts: &[JointContact],
     ring: &Ring<Ball>,
 ) -> Result<Row<Ball>, Undecided> {
@@ -104,7 +108,7 @@ fn together(
 }
 
 fn falls(
-    joints: &Joints<'_>,
+    joints: &StoneJoints<'_>,
     ring: &Ring<Ball>,
     contacts: [Vec<JointContact>; 2],
 ) -> Result<Range, Undecided> {
@@ -121,7 +125,7 @@ fn falls(
 
 /// The thrust of an end: a bound, and the thrust of an admissible state.
 fn reached(
-    joints: &Joints<'_>,
+    joints: &StoneJoints<'_>,
     ring: &Ring<Ball>,
     side: Side,
     contacts: &[JointContact],
@@ -140,7 +144,7 @@ fn reached(
 
 /// The crown moment of a state at an end: a hinge and an open joint have one, a slip leaves room.
 fn moment(
-    joints: &Joints<'_>,
+    joints: &StoneJoints<'_>,
     ring: &Ring<Ball>,
     contacts: &[JointContact],
     thrust: &Ball,
@@ -160,7 +164,7 @@ fn moment(
 /// No thrust is too large: more of it, and as much more moment as between the intrados of the first joint and
 /// the extrados of the shoulder, passes no condition.
 fn unbounded(
-    joints: &Joints<'_>,
+    joints: &StoneJoints<'_>,
     ring: &Ring<Ball>,
     side: Side,
     ties: Ties,
@@ -172,7 +176,7 @@ fn unbounded(
     let has_no_arm = ties.has_no_arm && (joints.stones.has_joint_at_crown() || ties.is_solid);
     require(has_no_arm || is_positive(&-hinges.thrust), question)?;
     let slip = joints.row((Contact::Outwards, last), ring);
-    let never_slides = match joints.is_limited {
+    let never_slides = match joints.is_limited() {
         true => ties.never_slides,
         false => ties.is_solid_semicircle(),
     };
@@ -191,7 +195,7 @@ mod tests {
     fn conditions_together_are_free_of_the_crown_moment_or_refused() {
         let stones = Stones::equal(8, "1".parse().unwrap()).unwrap();
         let friction = "0.5".parse().unwrap();
-        let joints = Joints::new(&stones, SelfWeight::Heyman, &friction, 100);
+        let joints = StoneJoints::new(&stones, SelfWeight::Heyman, &friction, 100);
         let ring = Ring::new(joints.weight, &Ball::integer(1, 100));
         let free = |contacts: &[JointContact]| together(&joints, contacts, &ring).is_ok();
         assert!(free(&[(Contact::Extrados, 0), (Contact::Intrados, 3)]));
