@@ -8,4 +8,4 @@ pub mod study;
 use couplet_check::{arch, check, problem};
 use couplet_draw::picture;
 use couplet_number::{number, symbolic};
-use couplet_prove::{atlas, certify, judge, solve};
+use couplet_prove::{atlas, certify, judge, prover, solve};

@@ -6,6 +6,8 @@
 pub mod atlas;
 pub mod certify;
 pub mod judge;
+#[doc(hidden)]
+pub mod prover;
 pub mod solve;
 pub mod strategies;
 

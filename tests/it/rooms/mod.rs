@@ -16,7 +16,7 @@ use std::fs;
 use std::path::Path;
 
 /// From the top: what a room may use stands before it.
-pub(crate) const ROOMS: [&str; 23] = [
+pub(crate) const ROOMS: [&str; 24] = [
     "number",
     "symbolic",
     "arch",
@@ -25,6 +25,7 @@ pub(crate) const ROOMS: [&str; 23] = [
     "picture",
     "sketch",
     "solve",
+    "prover",
     "certify",
     "judge",
     "atlas",

@@ -10,7 +10,6 @@ use crate::arch::SelfWeight;
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
 use crate::arch::joint::Grip;
 use crate::arch::whole::Forces;
-use crate::certify::root::{Form, root_near};
 use crate::certify::{Undecided, between};
 use crate::number::{Angle, Ball, Enclosure, Field, Real, Stumpff, Ternary};
 use crate::problem::Landmark;

@@ -1,8 +1,8 @@
 //! The root of a problem in a proved box: the reference for every error, and a method itself.
 
 use super::{Task, newton};
-use crate::certify::root::{Equations, Operator, corrections, inflated, inverse_jacobian};
 use crate::number::{Ball, Enclosure, Engine, Magnitude};
+use crate::prover::root::{Equations, Operator, corrections, inflated, inverse_jacobian};
 use rug::Float;
 
 /// A box that holds exactly one root next to the start, to about `bits` bits, in the arithmetic `E`;

@@ -8,8 +8,8 @@ use super::trace::Trace;
 use super::tube::Tube;
 use super::variable::Variable;
 use crate::certify::Undecided;
-use crate::certify::root::{self, root_near};
 use crate::number::{Ball, Enclosure, Real, Stumpff, Ternary};
+use crate::prover::root::{self, root_near};
 use rug::Float;
 
 /// The one point of a curve in which a variable has a value.

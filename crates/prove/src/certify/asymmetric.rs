@@ -14,10 +14,6 @@
 //!
 //! The mirror image is a solution at the same thickness. **What is found is proved; that there are no others is not.**
 
-use super::posed::Posed;
-use super::root::{no_candidate, root_near};
-use super::state::{Figure, raise};
-use super::{Refused, Undecided};
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode, Place};
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
@@ -26,6 +22,10 @@ use crate::arch::{Configuration, Ring};
 use crate::check::whole;
 use crate::number::{Ball, DoubleBall, DoubleDoubleBall, Engine, ExactNumber, bits_of};
 use crate::problem::{Arch, Problem};
+use crate::prover::posed::Posed;
+use crate::prover::root::{no_candidate, root_near};
+use crate::prover::{Figure, raise};
+use crate::prover::{Refused, Undecided};
 use crate::solve::asymmetric::{AsymmetricCandidate, asymmetric as candidates};
 use rug::Float;
 

@@ -2,12 +2,12 @@
 
 use super::asymmetric::{found, root};
 use super::certificate::{Root, attempt};
-use super::root::no_candidate;
 use super::verdict::rounded;
-use super::{Error, Refused};
 use crate::arch::asymmetric::AsymmetricMode;
 use crate::check::Certificate;
 use crate::problem::{Arch, Known, Problem, Quantity};
+use crate::prover::root::no_candidate;
+use crate::prover::{Error, Refused};
 
 /// What is stated of a solution, if its kind has it.
 const STATED: [Quantity; 12] = [

@@ -1,14 +1,15 @@
 //! The thicknesses of asymmetric solutions, which go with each verdict that an arch stands: in balls of double-doubles first,
 //! in balls of MPFR what those leave open.
 
-use super::Refused;
 use super::asymmetric::{CertifiedAsymmetric, certified, found};
-use super::in_doubles;
-use super::posed::Posed;
-use super::state::{Figure, Figured, is_quick};
+use super::state::is_quick;
 use crate::number::DoubleDoubleBall;
 use crate::problem::asymmetric_region::may_move_asymmetrically;
 use crate::problem::{Arch, Problem};
+use crate::prover::Refused;
+use crate::prover::figure::{Figure, Figured};
+use crate::prover::in_doubles;
+use crate::prover::posed::Posed;
 use crate::solve::asymmetric::AsymmetricCandidate;
 
 /// The bits of a double-double.

@@ -4,8 +4,7 @@
 //! same shape**, so that the slopes of the large one prove it too. Nothing is handed out that the checker
 //! does not accept.
 
-use super::root::{Equations, Ladder, Operator, inverse_jacobian, largest_boxes};
-use super::{CertifiedLandmark, Constant, Error, Refused, Undecided, Value};
+use super::{CertifiedLandmark, Constant, Value};
 use crate::arch::{SelfWeight, Unknown};
 use crate::check::{
     Certificate, ClaimFile, EXTRA_BITS, Refusal, SCHEMA, ValueFile, WITNESS_BITS, Witness,
@@ -13,6 +12,8 @@ use crate::check::{
 };
 use crate::number::{AstroInterval, Ball, DoubleBall, Dyadic, Magnitude, Rounded, bits_of};
 use crate::problem::{Landmark, Problem, Quantity};
+use crate::prover::root::{Equations, Ladder, Operator, inverse_jacobian, largest_boxes};
+use crate::prover::{Error, Refused, Undecided};
 use rug::Float;
 
 /// Bits beyond the digits asked for, at the first attempt.

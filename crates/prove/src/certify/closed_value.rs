@@ -5,10 +5,10 @@
 //! box in which the landmark is unique that equation has a slope without zero, so it has one root
 //! there; and the closed form lies in that box.
 
-use super::Isolated;
 use crate::arch::{Configuration, Ring, SelfWeight, Unknown, overturning};
 use crate::number::{Ball, Dual, Enclosure, ExactField, Field, Surd};
 use crate::problem::{Equation, Fixed, Landmark, Quantity};
+use crate::prover::Isolated;
 use rug::Rational;
 
 /// An exact value.

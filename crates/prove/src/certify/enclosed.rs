@@ -2,10 +2,11 @@
 
 use super::closed_value::{Exact, exact};
 use super::constant::quantities;
-use super::{Constant, Isolated, Refined, Value};
+use super::{Constant, Refined, Value};
 use crate::arch::{Configuration, SelfWeight, Unknown, thrust};
 use crate::number::{Ball, Binary, Real, Rounded, degrees};
 use crate::problem::{Landmark, Quantity};
+use crate::prover::Isolated;
 use rayon::prelude::*;
 
 /// A landmark whose variables are enclosed; [`CertifiedLandmark::enclosure`](super::CertifiedLandmark::enclosure)

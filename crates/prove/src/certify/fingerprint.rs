@@ -1,7 +1,8 @@
 //! The hash of a landmark's certificate: what ties a number that was handed on to a proof of it.
 
+use super::CertifiedLandmark;
 use super::certificate::landmark_certificate;
-use super::{CertifiedLandmark, Error, Refused, Undecided};
+use crate::prover::{Error, Refused, Undecided};
 use sha2::{Digest, Sha256};
 
 /// The largest number of digits for which a hash is made: a certificate costs several times as much as

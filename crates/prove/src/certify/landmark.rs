@@ -2,11 +2,12 @@
 
 use super::closed_value::Exact;
 use super::constant::quantities;
-use super::{Constant, Enclosed, Error, Isolated, Refused, Undecided};
+use super::{Constant, Enclosed};
 use super::{isolate, refine, refine_watched, stages};
 use crate::arch::SelfWeight;
 use crate::number::bits_of;
 use crate::problem::{Landmark, Problem, Quantity};
+use crate::prover::{Error, Isolated, Refused, Undecided};
 use crate::solve::{newton, start};
 use rayon::prelude::*;
 

@@ -30,12 +30,12 @@
 //! **At the least thickness** the value is exactly zero, which no ball tells from a small one: there (19) has the solution that is proved with
 //! the other thicknesses ([`enumerate`](super::enumerate)).
 
-use super::arithmetic::Arithmetic;
-use super::vector::{Line, Vector, at, cross, dot, parts};
-use super::{Error, Refused, Undecided};
 use crate::arch::mechanism::Contact;
 use crate::number::{DoubleBall, Enclosure, ExactNumber, Field};
 use crate::problem::{Arch, Extent};
+use crate::prover::arithmetic::Arithmetic;
+use crate::prover::vector::{Line, Vector, at, cross, dot, parts};
+use crate::prover::{Error, Refused, Undecided};
 use crate::solve::rates::{Rates, least_cost};
 use conditions::{Limit, conditions, follows};
 

@@ -11,15 +11,14 @@
 //! if its joints open and do not slide, as with unlimited friction. With friction an admissible state
 //! does not exclude a motion, as sliding opens no joint: the value then is an upper bound of what the arch can bear.
 
-use super::positive::is_positive_on;
-use super::state::{Figure, raise};
-use super::{Refused, Undecided};
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
 use crate::arch::tilt::TiltedRow;
 use crate::arch::whole::along;
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Jet, bits_of};
 use crate::problem::{Arch, Joints, Slope};
+use crate::prover::positive::is_positive_on;
+use crate::prover::{Figure, Refused, Undecided, raise};
 use crate::solve::tilt::{Search, TiltCandidate, Touch, contacts};
 use rug::Float;
 use std::cell::OnceCell;

@@ -11,7 +11,6 @@
 //! What it means is said in [`tilted`](super::tilted): with friction an admissible state does not exclude a motion.
 
 use super::tilt::{Bound, NOT_FOUND, TiltDigits, TiltLimit, acceleration, determinant, rates};
-use super::{Refused, Undecided};
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
 use crate::arch::tilt::TiltedRow;
@@ -19,6 +18,7 @@ use crate::arch::whole::Side;
 use crate::number::{Ball, Enclosure, ExactNumber, Field, bits_of};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Joints, Slope};
+use crate::prover::{Refused, Undecided};
 use crate::solve::tilt::{StoneTilt, against, inside, largest};
 use rug::Float;
 

@@ -1,16 +1,17 @@
 //! Makes the certificate of an arch, whatever the verdict is: its state at the least thickness, why it stands at no
 //! thickness, or that it stands or does not at one that is given.
 
+use super::Value;
 use super::certificate::{Root, attempt, value_file};
-use super::decide::decide;
-use super::posed::Posed;
-use super::root::root_near;
 use super::state::{Certify, Fall, Figure, Outcome, State, bits_lost};
-use super::{Error, Refused, Undecided, Value};
 use crate::arch::Unknown;
 use crate::check::{Certificate, EXTRA_BITS, ValueFile};
 use crate::number::{Ball, Dyadic, ExactNumber};
 use crate::problem::{Arch, Nearest, Problem, Quantity, Standing, Verdict};
+use crate::prover::decide::decide;
+use crate::prover::posed::Posed;
+use crate::prover::root::root_near;
+use crate::prover::{Error, Refused, Undecided};
 use crate::solve::{self, start};
 use rug::Float;
 use std::cell::Cell;

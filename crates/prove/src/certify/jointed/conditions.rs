@@ -3,9 +3,9 @@
 use super::polynomial::Polynomial;
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
-use crate::certify::arithmetic::Arithmetic;
 use crate::number::{Ball, Field, Jet};
 use crate::problem::{Arch, Extent, JointLimit, Joints};
+use crate::prover::arithmetic::Arithmetic;
 
 /// The conditions of an arch.
 pub(super) struct Conditions<T> {

@@ -2,10 +2,10 @@
 
 use crate::arch::mechanism::Contact;
 use crate::arch::whole::Side;
-use crate::certify::Undecided;
-use crate::certify::state::Figure;
 use crate::number::Rounded;
 use crate::problem::Extent;
+use crate::prover::Figure;
+use crate::prover::Undecided;
 use rug::Float;
 
 /// A solution at the joints between equal stones, with its digits, correctly rounded.

@@ -10,13 +10,13 @@ use super::found::JointedSolution;
 use super::refine::{Digits, State, zero_near};
 use super::vertex::Start;
 use crate::arch::mechanism::Contact;
-use crate::certify::Undecided;
-use crate::certify::arithmetic::Arithmetic;
-use crate::certify::state::raise;
 use crate::certify::voussoirs::VoussoirDigits;
 use crate::number::{Ball, DoubleBall, Enclosure, Field, bits_of};
 use crate::problem::stones::JointContact;
 use crate::problem::{Extent, Mode};
+use crate::prover::Undecided;
+use crate::prover::arithmetic::Arithmetic;
+use crate::prover::raise;
 
 /// Bits beyond those of the digits.
 const GUARD: u32 = 64;

@@ -20,8 +20,8 @@
 
 use super::polynomial::Polynomial;
 use super::vertex::{Piece, Vertex, is_positive};
-use crate::certify::vector::{Line, Row, cross, dot, parts};
 use crate::number::{DoubleBall, Enclosure};
+use crate::prover::vector::{Line, Row, cross, dot, parts};
 
 /// Parts of a stretch that are looked at, at most.
 const PARTS: usize = 200;

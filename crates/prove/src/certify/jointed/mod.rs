@@ -162,8 +162,8 @@ fn joined(mut pieces: Vec<Piece>) -> Vec<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::certify::state::Figure;
     use crate::certify::{Programme, programme};
+    use crate::prover::Figure;
     use crate::strategies::Draw;
 
     fn arch(weight: &str, alpha: &str, mu: &str) -> Arch {

@@ -6,11 +6,11 @@ use super::found::{JointedMotion, JointedSolution};
 use super::polynomial::Polynomial;
 use crate::arch::mechanism::Contact;
 use crate::arch::whole::Side;
-use crate::certify::Undecided;
-use crate::certify::state::{Figure, raise};
 use crate::number::{Ball, Enclosure, ExactNumber, bits_of};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Extent, JointLimit};
+use crate::prover::Undecided;
+use crate::prover::{Figure, raise};
 use rug::{Float, Rational};
 
 /// An arch of equal stones, in as many digits as are asked for.

@@ -2,9 +2,9 @@
 
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
-use crate::certify::arithmetic::Arithmetic;
 use crate::number::{Ball, DoubleBall, Enclosure, ExactNumber, Field};
 use crate::problem::{Arch, Extent, JointLimit, Joints};
+use crate::prover::arithmetic::Arithmetic;
 
 /// Bits of what is given, before it is rounded to doubles.
 const BITS: u32 = 106;

@@ -10,11 +10,11 @@ use super::thrust_range::{
     Limit, cut_at_largest, cut_at_least, largest_thrust, least_thrust, required_friction,
 };
 use crate::arch::Unknown;
-use crate::certify::Undecided;
-use crate::certify::arithmetic::Arithmetic;
-use crate::certify::decide::{decide, require};
 use crate::number::{Ball, ExactNumber, Ternary};
 use crate::problem::{Arch, Quantity, friction_angle_is_half_opening, has_no_arm_at_crown};
+use crate::prover::Undecided;
+use crate::prover::arithmetic::Arithmetic;
+use crate::prover::decide::{decide, require};
 
 /// What is certain of an arch of a given thickness, each answer with a reason where it stays open.
 #[derive(Clone, Debug)]

@@ -7,9 +7,10 @@ use super::mode::{Asked, outcome, pure_sliding};
 use super::query::{DOUBLE, Query, bits_lost};
 use super::quick;
 use super::state::{Fall, Outcome};
-use crate::certify::{Error, Refused, Undecided, decide::require};
 use crate::number::{Ball, DoubleBall, ExactNumber};
 use crate::problem::Arch;
+use crate::prover::decide::require;
+use crate::prover::{Error, Refused, Undecided};
 
 /// Fewer bits tell nothing of any arch.
 const LEAST_BITS: u32 = 32;

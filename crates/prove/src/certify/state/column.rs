@@ -10,15 +10,15 @@
 use super::certify::Certify;
 use super::digits::{Answer, Digits};
 use super::enough::{AtOpening, Enough};
-use super::figure::Figure;
 use super::mode::{Asked, outcome, pure_sliding};
 use super::query::{DOUBLE_DOUBLE, Query};
 use super::quick::is_quick;
 use super::state::{Fall, Frictions, Outcome};
 use crate::arch::SelfWeight;
-use crate::certify::{Error, Refused};
 use crate::number::{DoubleDouble, DoubleDoubleBall, Enclosure, ExactNumber, Real};
 use crate::problem::{Arch, Friction};
+use crate::prover::Figure;
+use crate::prover::{Error, Refused};
 use std::borrow::Cow;
 use std::sync::OnceLock;
 

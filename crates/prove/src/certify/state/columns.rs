@@ -7,9 +7,9 @@ use super::certify::Certify;
 use super::column::Column;
 use super::digits::Answer;
 use crate::arch::SelfWeight;
-use crate::certify::{Error, Refused};
 use crate::number::ExactNumber;
 use crate::problem::Arch;
+use crate::prover::{Error, Refused};
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -95,7 +95,7 @@ impl Columns {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::certify::state::Figure;
+    use crate::prover::Figure;
     use std::thread;
 
     fn columns_of(columns: &Columns) -> usize {

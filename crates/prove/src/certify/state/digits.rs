@@ -2,12 +2,12 @@
 
 use super::assess::Assessment;
 use super::enough::Enough;
-use super::figure::{Figure, Figured};
 use super::state::{Fall, Frictions, State};
 use super::thrust_range::Limit;
-use crate::certify::Undecided;
-use crate::certify::arithmetic::Arithmetic;
 use crate::problem::{Mode, Quantity};
+use crate::prover::Undecided;
+use crate::prover::arithmetic::Arithmetic;
+use crate::prover::figure::{Figure, Figured};
 
 /// A proved state with its digits, or why nothing stands.
 #[derive(Clone, Debug)]

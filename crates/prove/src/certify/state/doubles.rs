@@ -6,11 +6,12 @@
 use super::certify::Certify;
 use super::column::Column;
 use super::digits::{Answer, AssessmentDigits};
-use super::figure::Figure;
 use crate::arch::SelfWeight;
-use crate::certify::{Error, Refused, asymmetric_thicknesses};
+use crate::certify::asymmetric_thicknesses;
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Friction, Mode, Quantity};
+use crate::prover::Figure;
+use crate::prover::{Error, Refused};
 use rayon::prelude::*;
 use rug::Rational;
 use std::collections::HashMap;

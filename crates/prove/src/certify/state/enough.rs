@@ -1,15 +1,16 @@
 //! What would be enough for an arch that stands at no thickness.
 
 use super::assess::{Wanted, assessment};
-use super::figure::{Figure, Figured};
 use super::find;
 use super::mode::{Asked, outcome, pure_sliding};
 use super::query::{DOUBLE_DOUBLE, Query};
-use super::raise::{GUARD, raise, raised};
-use crate::certify::Undecided;
-use crate::certify::arithmetic::Arithmetic;
+use super::query::{GUARD, raised};
 use crate::number::{Ball, DoubleDoubleBall, ExactNumber, bits_of};
 use crate::problem::Arch;
+use crate::prover::Undecided;
+use crate::prover::arithmetic::Arithmetic;
+use crate::prover::figure::{Figure, Figured};
+use crate::prover::raise;
 use rug::Rational;
 
 /// What would be enough for an arch that stands at no thickness, correctly rounded; `None` where there is no

@@ -7,12 +7,12 @@
 
 use super::query::Query;
 use crate::arch::{Configuration, Ring, Unknown, contact, thrust};
-use crate::certify::Undecided;
-use crate::certify::arithmetic::Arithmetic;
-use crate::certify::decide::decide;
-use crate::certify::root::Form;
 use crate::number::{Angle, Enclosure, Field, Real, Stumpff};
 use crate::problem::{Equation, Mode, tally};
+use crate::prover::Undecided;
+use crate::prover::arithmetic::Arithmetic;
+use crate::prover::decide::decide;
+use crate::prover::root::Form;
 use crate::solve::start::{self, Start};
 
 /// The state at the thrust and the sliding joint of `slid`, and its mode: parts 2 and 3 of the proof are left.

@@ -4,12 +4,14 @@ use super::assess::{Assessment, Wanted, assessment};
 use super::digits::{Answer, AssessmentDigits, Digits};
 use super::enough::enough;
 use super::mode::{Asked, outcome};
+use super::query::GUARD;
 use super::query::{Query, bits_lost, bits_lost_unless_small};
-use super::raise::{GUARD, raise};
 use super::state::Outcome;
-use crate::certify::{Error, MAX_ARCH_DIGITS, Refused, Undecided};
+use crate::certify::MAX_ARCH_DIGITS;
 use crate::number::{ExactNumber, bits_of};
 use crate::problem::Arch;
+use crate::prover::raise;
+use crate::prover::{Error, Refused, Undecided};
 use std::collections::BTreeMap;
 
 /// Questions about an arch, which share its state: it is proved once at each precision.

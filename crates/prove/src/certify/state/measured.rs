@@ -1,14 +1,14 @@
 //! What a measured arch has in metres and kilonewtons.
 
 use super::assess::Assessment;
-use super::figure::{Figure, Figured};
+use super::query::raised;
 use super::quick::{assessment_enclosed, state_enclosed};
-use super::raise::raised;
 use super::state::Outcome;
-use crate::certify::{Error, Refused};
 use crate::number::{Ball, ExactNumber, Form, degrees};
 use crate::problem::measures::Measures;
 use crate::problem::{Arch, Quantity};
+use crate::prover::figure::{Figure, Figured};
+use crate::prover::{Error, Refused};
 
 /// Values with their names; `None` for a thrust without bound.
 type Measured = Vec<(Quantity, Option<Figure>)>;

@@ -41,7 +41,6 @@ mod columns;
 mod digits;
 mod doubles;
 mod enough;
-mod figure;
 pub mod find;
 mod inner;
 mod inquiry;
@@ -49,13 +48,13 @@ mod measured;
 mod mode;
 mod query;
 mod quick;
-mod raise;
 mod rotation;
 mod small;
 #[allow(clippy::module_inception, reason = "the folder is named after what it proves")]
 mod state;
 mod thrust_range;
 
+pub use crate::prover::Figure;
 pub use assess::{Assessment, Wanted};
 pub use certify::{Certify, NoState};
 pub use column::Column;
@@ -63,17 +62,14 @@ pub use columns::Columns;
 pub use digits::{Answer, AssessmentDigits, Digits, LimitDigits};
 pub use doubles::{Doubles, Row, RowVerdict};
 pub use enough::Enough;
-pub use figure::Figure;
-pub(super) use figure::Figured;
 pub use inquiry::Inquiry;
 pub use measured::{measured_assessment, measured_state};
-pub(crate) use query::bits_lost;
+pub(crate) use query::{bits_lost, raised};
 pub(super) use quick::is_quick;
 pub use quick::state_in_double_doubles;
 pub(crate) use quick::{
     assessment_enclosed, raised_from_doubles, sliding_configuration, sliding_enclosed,
     state_enclosed,
 };
-pub(crate) use raise::{raise, raised};
 pub use state::{Fall, Frictions, Outcome, State};
 pub use thrust_range::{Limit, Touch};

@@ -6,14 +6,15 @@ use super::rotation::rotational_root;
 use super::small::Small;
 use super::state::{Fall, Frictions, Outcome, State};
 use crate::arch::{Configuration, PerWeight, SelfWeight, contact, overturning, sliding, thrust};
-use crate::certify::arithmetic::Arithmetic;
-use crate::certify::decide::{decide, require, require_condition};
-use crate::certify::{CertifiedLandmark, Undecided};
+use crate::certify::CertifiedLandmark;
 use crate::number::{Angle, Ball, Ternary};
 use crate::problem::{
     Condition, Examined, Landmark, Mode, System, inner_friction, room_for_steepest,
     shoulder_friction, tally,
 };
+use crate::prover::Undecided;
+use crate::prover::arithmetic::Arithmetic;
+use crate::prover::decide::{decide, require, require_condition};
 use crate::solve::start::{self, Start};
 use std::sync::OnceLock;
 

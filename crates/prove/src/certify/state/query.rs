@@ -1,12 +1,15 @@
 //! An arch at one precision: what every step of a proof reads.
 
 use crate::arch::{Configuration, SelfWeight};
-use crate::certify::Undecided;
-use crate::certify::arithmetic::Arithmetic;
-use crate::certify::posed::Posed;
-use crate::number::Ball;
+use crate::number::{Ball, bits_of};
 use crate::problem::{Arch, Friction, System};
+use crate::prover::Undecided;
+use crate::prover::arithmetic::Arithmetic;
+use crate::prover::posed::Posed;
+use crate::prover::raise;
 
+/// Bits beyond the digits asked for, at the first attempt.
+pub(super) const GUARD: u32 = 48;
 /// The bits of a double-double.
 pub(super) const DOUBLE_DOUBLE: u32 = 106;
 /// The bits of a double.
@@ -68,6 +71,17 @@ pub(super) fn bits_lost_unless_small(arch: &Arch, bits: u32) -> u32 {
     let opening: Ball = arch.half_opening().enclosure(64);
     let is_small = opening.mid().get_exp().is_some_and(|e| Ball::is_small(2 * i64::from(e), bits));
     if is_small { 0 } else { bits_lost(arch) }
+}
+
+/// What a proof about an arch finds, with more bits until it decides everything, first with enough for
+/// `digits` digits; what stays undecided otherwise.
+pub(crate) fn raised<T>(
+    arch: &Arch,
+    digits: usize,
+    proof: impl FnMut(u32) -> Result<Option<T>, Undecided>,
+) -> Result<T, Undecided> {
+    let first = bits_of(digits) + GUARD;
+    raise(first + bits_lost_unless_small(arch, first), proof)
 }
 
 fn exponent(x: &Ball) -> i32 {

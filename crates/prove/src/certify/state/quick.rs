@@ -8,14 +8,14 @@ use super::digits::{Answer, AssessmentDigits, Digits};
 use super::enough::enough;
 use super::inquiry::Inquiry;
 use super::mode::{Asked, outcome, pure_sliding, sliding_root};
+use super::query::raised;
 use super::query::{DOUBLE_DOUBLE, Query};
-use super::raise::raised;
 use super::state::Outcome;
 use super::thrust_range::Touch;
 use crate::arch::Configuration;
-use crate::certify::Undecided;
 use crate::number::{Ball, DoubleDoubleBall, ExactNumber};
 use crate::problem::{Arch, Quantity};
+use crate::prover::Undecided;
 
 /// Beyond so many digits few values would be decided.
 const MOST_DIGITS: usize = 25;

@@ -7,11 +7,11 @@
 use super::query::Query;
 use crate::arch::haunch::Haunch;
 use crate::arch::{Configuration, Ring, SelfWeight, Unknown, thrust};
-use crate::certify::Undecided;
-use crate::certify::arithmetic::Arithmetic;
-use crate::certify::root::Form;
 use crate::number::{Angle, Enclosure, Field, Real, Stumpff};
 use crate::problem::{Equation, tally};
+use crate::prover::Undecided;
+use crate::prover::arithmetic::Arithmetic;
+use crate::prover::root::Form;
 use crate::solve::start::Start;
 
 /// The joint itself as the unknown, or its square.

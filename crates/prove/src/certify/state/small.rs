@@ -7,15 +7,15 @@ use super::query::Query;
 use super::state::State;
 use crate::arch::small::{self, Scaled};
 use crate::arch::{SelfWeight, Unknown};
-use crate::certify::Undecided;
-use crate::certify::arithmetic::Arithmetic;
-use crate::certify::decide::{require, require_condition};
-use crate::certify::root::Form;
 use crate::number::{Enclosure, Real, Stumpff};
 use crate::problem::{
     Condition, ExaminedSmall, Mode, scaled_inner_friction, scaled_room_for_steepest,
     scaled_shoulder_friction,
 };
+use crate::prover::Undecided;
+use crate::prover::arithmetic::Arithmetic;
+use crate::prover::decide::{require, require_condition};
+use crate::prover::root::Form;
 use crate::solve::start::{self, Start};
 
 /// An arch of a small half opening at one precision.

@@ -17,11 +17,11 @@
 
 use super::query::Query;
 use crate::arch::{Ring, Unknown, contact, sliding, thrust};
-use crate::certify::Undecided;
-use crate::certify::arithmetic::Arithmetic;
-use crate::certify::decide::{decide, require};
 use crate::number::{Angle, Ball, Ternary};
 use crate::problem::{Condition, Mode, System, inner_friction, room_for_steepest};
+use crate::prover::Undecided;
+use crate::prover::arithmetic::Arithmetic;
+use crate::prover::decide::{decide, require};
 use crate::solve::start::{self, Start};
 
 /// An end of the range of admissible thrusts.

@@ -9,9 +9,9 @@ use super::joints::{StoneJoints, is_positive, is_zero, require};
 use crate::arch::Ring;
 use crate::arch::mechanism::Contact;
 use crate::arch::statics::normal_force;
-use crate::certify::Undecided;
 use crate::number::{Ball, Field};
 use crate::problem::stones::JointContact;
+use crate::prover::Undecided;
 
 /// The line of thrust is inside the arch at all joints.
 pub(super) fn line_is_inside(

@@ -6,11 +6,11 @@ use super::thickness::{Outcome, proved};
 use super::thrusts::{End, Range, Ties, range};
 use crate::arch::Ring;
 use crate::arch::joint::Grip;
-use crate::certify::Undecided;
-use crate::certify::state::{Figure, raise};
 use crate::number::{Ball, Enclosure, ExactNumber};
 use crate::problem::stones::{JointContact, Stones};
 use crate::problem::{Arch, Friction, friction_angle_is_half_opening, has_no_arm_at_crown};
+use crate::prover::Undecided;
+use crate::prover::{Figure, raise};
 
 /// A bound of the thrust.
 #[derive(Clone, Debug)]

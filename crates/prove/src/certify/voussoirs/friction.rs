@@ -12,8 +12,8 @@ use crate::arch::Ring;
 use crate::arch::joint::{Grip, even_thrust};
 use crate::arch::mechanism::Contact;
 use crate::arch::statics::{normal_force, shear_force};
-use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Field};
+use crate::prover::Undecided;
 use crate::solve::voussoir_thrust::{Needed, needed};
 use rug::Float;
 

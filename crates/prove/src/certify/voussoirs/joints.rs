@@ -2,11 +2,11 @@
 
 use crate::arch::joint::{Grip, Row};
 use crate::arch::{Ring, SelfWeight};
-use crate::certify::Undecided;
-use crate::certify::state::Figure;
 use crate::number::{Angle, Ball, Enclosure, Field, Jet};
 use crate::problem::stones::{JointContact, Stones};
 use crate::problem::{Friction, Joints, slides_at_no_thrust};
+use crate::prover::Figure;
+use crate::prover::Undecided;
 use crate::solve::voussoirs::{DEGREE, Search};
 use rug::Float;
 

@@ -1,8 +1,8 @@
 //! By how much an arch of voussoirs needs less than one with a joint at every angle.
 
 use super::joints::is_positive;
-use crate::certify::state::Figure;
 use crate::number::{Ball, Rounded};
+use crate::prover::Figure;
 
 /// What an arch of voussoirs needs less, rounded to at most four digits.
 #[derive(Clone, Debug)]

@@ -46,12 +46,12 @@ pub use assess::{VoussoirAssessment, VoussoirLimit, VoussoirStanding};
 pub use loss::{VoussoirLoss, voussoir_loss};
 pub use thickness::{VoussoirDigits, Voussoirs};
 
-use super::state::raise;
 use super::{Error, Refused};
 use crate::arch::SelfWeight;
 use crate::number::{ExactNumber, bits_of};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Friction};
+use crate::prover::raise;
 use joints::StoneJoints;
 use thickness::proved;
 

@@ -2,8 +2,8 @@
 
 use super::joints::{is_positive, require};
 use crate::arch::joint::{Row, multipliers};
-use crate::certify::Undecided;
 use crate::number::{Ball, Field, Jet};
+use crate::prover::Undecided;
 use crate::solve::voussoirs::DEGREE;
 use rug::Float;
 

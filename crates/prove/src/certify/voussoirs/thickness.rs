@@ -7,11 +7,11 @@ use crate::arch::Ring;
 use crate::arch::joint::combination;
 use crate::arch::mechanism::Contact;
 use crate::arch::statics::normal_force;
-use crate::certify::Undecided;
-use crate::certify::state::Figure;
 use crate::number::{Ball, Field};
 use crate::problem::Mode;
 use crate::problem::stones::JointContact;
+use crate::prover::Figure;
+use crate::prover::Undecided;
 use crate::solve::voussoirs::VoussoirCandidate;
 use rug::Float;
 

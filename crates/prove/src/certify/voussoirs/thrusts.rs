@@ -11,9 +11,9 @@ use super::joints::{StoneJoints, is_positive, is_zero, leave_no_thrust, require}
 use crate::arch::Ring;
 use crate::arch::joint::Row;
 use crate::arch::mechanism::Contact;
-use crate::certify::Undecided;
 use crate::number::{Ball, Field};
 use crate::problem::stones::JointContact;
+use crate::prover::Undecided;
 use crate::solve::voussoir_thrust::{Side, ThrustEnd, moment_between, thrust_end};
 use rug::Float;
 

@@ -1,11 +1,11 @@
 //! Where one mode becomes another: a point of a line of the map.
 
 use crate::arch::{Configuration, Unknown};
-use crate::certify::Undecided;
-use crate::certify::decide::{require, require_condition};
 use crate::certify::state::query::Query;
 use crate::number::{Ball, Field, Real};
 use crate::problem::{Condition, Examined, Landmark, Line, Mode, Sought};
+use crate::prover::Undecided;
+use crate::prover::decide::{require, require_condition};
 use crate::solve::start;
 use rug::Float;
 

@@ -4,15 +4,16 @@ use super::line::point_on;
 use super::widest::{at_thickness, bits_lost, widest};
 use crate::arch::{Configuration, SelfWeight};
 use crate::certify::state::assess::Wanted;
-use crate::certify::state::figure::Figure;
 use crate::certify::state::inquiry::Inquiry;
+use crate::certify::state::query::GUARD;
 use crate::certify::state::query::Query;
-use crate::certify::state::raise::{GUARD, raise};
 use crate::certify::state::state::Fall;
-use crate::certify::{Error, Refused, Undecided};
 use crate::number::{Ball, DoubleBall, ExactNumber, Field, Real, bits_of};
 use crate::problem::asymmetric_region::{STANDS, some_may_move as reaches};
 use crate::problem::{Arch, ArchError, Friction, Line, Mode, Quantity, Sought};
+use crate::prover::Figure;
+use crate::prover::raise;
+use crate::prover::{Error, Refused, Undecided};
 use rug::Rational;
 
 /// A question the other way round.

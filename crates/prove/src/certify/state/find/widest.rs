@@ -5,13 +5,13 @@
 //! found first and tell the mode.
 
 use crate::arch::{Configuration, Ring, Unknown, contact, thrust};
-use crate::certify::Undecided;
-use crate::certify::arithmetic::Arithmetic;
-use crate::certify::decide::{decide, require, require_condition};
 use crate::certify::state::mode::prove;
 use crate::certify::state::query::Query;
 use crate::number::{Angle, Ball, ExactNumber, Field};
 use crate::problem::{Arch, Condition, Examined, Mode, System, room_for_steepest};
+use crate::prover::Undecided;
+use crate::prover::arithmetic::Arithmetic;
+use crate::prover::decide::{decide, require, require_condition};
 use crate::solve::start::{self, Start};
 
 /// A mode, and where its equations hold.

@@ -21,7 +21,7 @@ use crate::solve::invert;
 use std::array;
 
 /// Balls of doubles, or of double-doubles.
-pub(super) trait Doubles:
+pub(crate) trait Doubles:
     Enclosure + Stumpff + Copy + From<DoubleBall> + Into<DoubleBall>
 {
     /// The relative radius that is as good as these numbers have.
@@ -93,7 +93,7 @@ const INFLATION: f64 = 4.0;
 
 /// Encloses the root of at most seven equations, but five, next to a start value, proved to exist and to be unique in a box on
 /// which the equations are regular.
-pub(super) fn root_near<E: Doubles>(
+pub(crate) fn root_near<E: Doubles>(
     equations: &impl Form<E>,
     start: &[f64],
 ) -> Result<Vec<E>, Undecided> {

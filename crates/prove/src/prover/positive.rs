@@ -11,7 +11,7 @@ use rug::Float;
 const DEPTH: usize = 40;
 
 /// Proves that a function, given as a series about each point, is positive from one number to another.
-pub(super) fn is_positive_on(
+pub(crate) fn is_positive_on(
     series: &dyn Fn(&Ball) -> Jet<Ball>,
     (low, high): (&Float, &Float),
     bits: u32,

@@ -6,7 +6,7 @@ use crate::number::{Enclosure, Real, Stumpff};
 use crate::problem::System;
 
 /// A system with what is given.
-pub(super) struct Posed<'a, E> {
+pub(crate) struct Posed<'a, E> {
     pub system: &'a System,
     pub given: &'a Configuration<E>,
 }

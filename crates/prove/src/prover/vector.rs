@@ -2,40 +2,40 @@
 
 use crate::number::{DoubleBall, Enclosure};
 
-pub(super) type Vector = [DoubleBall; 3];
+pub(crate) type Vector = [DoubleBall; 3];
 /// What goes with `h, p, v` and one in a condition.
-pub(super) type Row = [DoubleBall; 4];
+pub(crate) type Row = [DoubleBall; 4];
 
-pub(super) fn dot(a: &Vector, b: &Vector) -> DoubleBall {
+pub(crate) fn dot(a: &Vector, b: &Vector) -> DoubleBall {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-pub(super) fn cross(a: &Vector, b: &Vector) -> Vector {
+pub(crate) fn cross(a: &Vector, b: &Vector) -> Vector {
     let minor = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
     [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
 /// What goes with the forces, and what is free of them.
-pub(super) fn parts(row: &Row) -> (Vector, DoubleBall) {
+pub(crate) fn parts(row: &Row) -> (Vector, DoubleBall) {
     let [h, p, v, load] = *row;
     ([h, p, v], load)
 }
 
 /// The left side of a condition at some forces.
-pub(super) fn at(row: &Row, forces: &Vector) -> DoubleBall {
+pub(crate) fn at(row: &Row, forces: &Vector) -> DoubleBall {
     let (row, load) = parts(row);
     dot(&row, forces) + load
 }
 
 /// Forces `place + along t`.
-pub(super) struct Line {
+pub(crate) struct Line {
     place: Vector,
     along: Vector,
 }
 
 impl Line {
     /// The forces at which two conditions are zero; `None` if their rows may be parallel.
-    pub(super) fn of(one: &Row, other: &Row) -> Option<Self> {
+    pub(crate) fn of(one: &Row, other: &Row) -> Option<Self> {
         let ((a, load_a), (b, load_b)) = (parts(one), parts(other));
         let along = cross(&a, &b);
         let size = dot(&along, &along);
@@ -48,12 +48,12 @@ impl Line {
     }
 
     /// A condition on the line: what is free of `t`, and what multiplies it.
-    pub(super) fn value(&self, row: &Row) -> [DoubleBall; 2] {
+    pub(crate) fn value(&self, row: &Row) -> [DoubleBall; 2] {
         [at(row, &self.place), dot(&parts(row).0, &self.along)]
     }
 
     /// The forces at a `t`.
-    pub(super) fn at(&self, t: DoubleBall) -> Vector {
+    pub(crate) fn at(&self, t: DoubleBall) -> Vector {
         [0, 1, 2].map(|k| self.place[k] + self.along[k] * t)
     }
 }

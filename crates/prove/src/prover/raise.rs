@@ -1,15 +1,10 @@
 //! The precision is raised until a proof decides everything.
 
-use super::query::bits_lost_unless_small;
-use crate::certify::Undecided;
-use crate::number::bits_of;
-use crate::problem::Arch;
+use super::Undecided;
 
 /// The precision is doubled up to this many bits, and at least twice, before a comparison or a rounding
 /// counts as undecided.
 const ENOUGH: u32 = 8192;
-/// Bits beyond the digits asked for, at the first attempt.
-pub(super) const GUARD: u32 = 48;
 
 /// A proof that decides everything: `first` bits, and twice as many until they are enough.
 pub(crate) fn raise<T>(
@@ -30,21 +25,10 @@ pub(crate) fn raise<T>(
     Err(last)
 }
 
-/// What a proof about an arch finds, with more bits until it decides everything, first with enough for
-/// `digits` digits; what stays undecided otherwise.
-pub(crate) fn raised<T>(
-    arch: &Arch,
-    digits: usize,
-    proof: impl FnMut(u32) -> Result<Option<T>, Undecided>,
-) -> Result<T, Undecided> {
-    let first = bits_of(digits) + GUARD;
-    raise(first + bits_lost_unless_small(arch, first), proof)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::certify::Open;
+    use crate::prover::Open;
 
     #[test]
     fn what_stays_open_says_of_which_kind_it_is_and_how_many_bits_were_tried() {

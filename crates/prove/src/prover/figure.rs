@@ -43,7 +43,7 @@ impl Figure {
 }
 
 /// What has figures.
-pub(in crate::certify) trait Figured {
+pub(crate) trait Figured {
     /// The value to `digits` significant digits, at least one; `None` if the enclosure is too wide to decide them or
     /// the double.
     fn figure(&self, digits: usize) -> Option<Figure>;

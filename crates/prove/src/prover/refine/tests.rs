@@ -1,8 +1,8 @@
 use super::*;
 use crate::arch::SelfWeight;
-use crate::certify::isolate;
 use crate::number::Dual;
 use crate::problem::Landmark;
+use crate::prover::isolate::isolate;
 use crate::solve::start;
 
 fn isolated(landmark: Landmark, weight: SelfWeight) -> Isolated {

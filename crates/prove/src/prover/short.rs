@@ -309,9 +309,11 @@ fn moved<const N: usize>(from: &Angle<ShortBall<N>>, step: &ShortBall<N>) -> Ang
 mod tests {
     use super::*;
     use crate::arch::SelfWeight;
-    use crate::certify::{Isolated, isolate, refine};
     use crate::number::{Magnitude, Real};
     use crate::problem::Landmark;
+    use crate::prover::Isolated;
+    use crate::prover::isolate::isolate;
+    use crate::prover::refine::refine;
     use crate::solve::{newton, start};
 
     fn isolated(landmark: Landmark, weight: SelfWeight) -> Isolated {

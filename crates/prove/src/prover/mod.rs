@@ -1,0 +1,38 @@
+//! Tools of every proof: one root in a box, its digits, signs, more bits, and why nothing is known.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `arithmetic` | the numbers in which a proof runs |
+//! | `root` | one root of equations in a box, in balls of MPFR |
+//! | `in_doubles`, `short` | the same in doubles, and in a few words |
+//! | `posed`, `isolate`, `refine` | the printed equations of a system, their root alone in a box, and its digits |
+//! | `linear`, `vector` | linear equations; forces and the lines of conditions on them |
+//! | `decide`, `positive`, `cover` | signs, a function positive on an interval, pieces of one |
+//! | `raise` | more bits until everything is decided |
+//! | `figure` | a proved value with its digits |
+//! | `undecided`, `refused`, `error` | why nothing is known, or was asked |
+
+pub(crate) mod arithmetic;
+pub(crate) mod cover;
+pub(crate) mod decide;
+pub(crate) mod error;
+pub(crate) mod figure;
+pub(crate) mod in_doubles;
+pub(crate) mod isolate;
+pub(crate) mod linear;
+pub(crate) mod posed;
+pub(crate) mod positive;
+pub(crate) mod raise;
+pub(crate) mod refine;
+pub(crate) mod refused;
+pub mod root;
+pub(crate) mod short;
+pub(crate) mod undecided;
+pub(crate) mod vector;
+
+pub use error::Error;
+pub use figure::Figure;
+pub use isolate::Isolated;
+pub(crate) use raise::raise;
+pub use refused::Refused;
+pub use undecided::{Open, Undecided};
