@@ -2,7 +2,8 @@
 //! random mix; and beside balls of MPFR alone, in turns.
 
 use couplet::arch::SelfWeight;
-use couplet::certify::state::{Answer, Certify, Columns, Inquiry, Outcome};
+use couplet::certify::batch::SharedOpenings;
+use couplet::certify::state::{Answer, Balls, Certify, Inquiry, Outcome};
 use couplet::number::ExactNumber;
 use couplet::problem::{Arch, Friction, tally};
 use couplet::solve::start::quick_state;
@@ -89,8 +90,8 @@ fn states(criterion: &mut Criterion) {
     let grid = grid_of_arches();
     group.bench_function("proved, grid", |b| {
         b.iter(|| {
-            let columns = Columns::new(16, true).unwrap();
-            grid.iter().filter(|q| matches!(columns.certify(q), Ok(Answer::Stands(_)))).count()
+            let openings = SharedOpenings::new(Balls::DoubleDoubles, 16, true).unwrap();
+            grid.iter().filter(|q| matches!(openings.state(q), Ok(Answer::Stands(_)))).count()
         });
     });
     group.bench_function("proved, grid, each alone", |b| {

@@ -4,7 +4,7 @@
 //!
 //! | plan | the library alone |
 //! |---|---|
-//! | a grid of 1,000 x 1,000 | the numbers of both axes are read once from their texts; a [`Column`] for each half opening, asked for each friction |
+//! | a grid of 1,000 x 1,000 | the numbers of both axes are read once from their texts; a [`SharedOpening`] for each half opening, asked for each friction |
 //! | a sample of 1,000,000 | the arches are drawn, and each is proved on its own; and beside it without the time in which they are drawn |
 //! | a table of 1,000,000 rows | the texts of the same arches, in memory, are read, and each is proved on its own |
 //!
@@ -13,7 +13,8 @@
 
 use couplet::Error;
 use couplet::arch::SelfWeight;
-use couplet::certify::state::{Answer, Certify, Column, Doubles, Figure, Row};
+use couplet::certify::batch::{BatchRow, DoubleArches, SharedOpening};
+use couplet::certify::state::{Answer, Certify, Figure};
 use couplet::number::ExactNumber;
 use couplet::problem::{Arch, Friction, Mode, Quantity};
 use couplet::scene::{SweepArches, read_sweep};
@@ -26,6 +27,7 @@ use rug::Rational;
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Duration;
 
 const THREADS: usize = 2;
@@ -59,8 +61,8 @@ fn grid(half_openings: &[String], frictions: &[String]) -> Vec<Kept> {
     let frictions: Vec<Friction> = frictions.iter().map(|text| text.parse().unwrap()).collect();
     let column = |text: &String| {
         let half_opening: ExactNumber = text.parse().unwrap();
-        let column = Column::new(SelfWeight::Milankovitch, half_opening, DIGITS).unwrap();
-        let answer = |mu: &Friction| kept(column.certify_alone(mu.clone()).as_deref());
+        let opening = SharedOpening::new(SelfWeight::Milankovitch, half_opening, DIGITS).unwrap();
+        let answer = |mu: &Friction| kept(opening.certify(mu.clone(), false).as_deref());
         frictions.iter().map(answer).collect::<Vec<Kept>>()
     };
     half_openings.par_iter().flat_map_iter(column).collect()
@@ -162,13 +164,14 @@ fn doubles() -> [f64; 2] {
     let arch = |(alpha, mu): (&f64, &f64)| {
         alone(&Arch::new(weight, exact(*alpha), Friction::Coefficient(exact(*mu))).unwrap())
     };
-    let rows = Doubles { weight, quantities: vec![Quantity::Thickness] };
+    let arches =
+        DoubleArches { weight, half_openings: &alphas, frictions: &mus, thicknesses: None };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     let turn = |_: usize| {
         let (looped, kept) =
             timed(&pool, || alphas.iter().zip(&mus).map(arch).collect::<Vec<Kept>>());
-        let (together, found) = timed(&pool, || rows.rows(&alphas, &mus, None).unwrap());
-        let same = |(kept, row): (&Kept, &Row)| kept.0 == row.verdict as u8;
+        let (together, found) = timed(&pool, || arches.rows(&[Quantity::Thickness]).unwrap());
+        let same = |(kept, row): (&Kept, &Arc<BatchRow>)| kept.0 == row.verdict as u8;
         assert!(kept.iter().zip(&found).all(same), "the same arches");
         [looped, together]
     };

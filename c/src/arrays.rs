@@ -5,13 +5,15 @@ use crate::asked::{named, wrong};
 use crate::border::{Array, Failure, answered, apart, optional, text};
 use crate::texts::exact;
 use crate::threads::{checked, on_threads};
-use couplet::certify::state::{Certify, Doubles, Row, RowVerdict};
+use couplet::certify::batch::{BatchRow, DoubleArches, RowVerdict};
+use couplet::certify::state::Certify;
 use couplet::problem::Quantity;
 use couplet::report;
 use couplet::sweep::parse;
 use std::ffi::{c_char, c_int};
 use std::mem::MaybeUninit;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// As many rows are answered before they are written: half openings that occur often are counted among these.
 const ROWS: usize = 1 << 16;
@@ -55,9 +57,9 @@ pub unsafe extern "C" fn couplet_states(
                 false => &Quantity::ASSESSMENT_ROW[..],
             };
             let names = optional(quantities, "quantities")?.unwrap_or_default();
-            let asked = Doubles { weight, quantities: named(names, possible)? };
+            let quantities = named(names, possible)?;
             let threads = checked(threads)?;
-            let count = 3 * asked.quantities.len();
+            let count = 3 * quantities.len();
             let half_opening = Array::new(half_opening, Some(n), "half_opening")?;
             let friction = Array::new(friction, Some(n), "friction")?;
             let given = if thickness.is_null() { 0 } else { n };
@@ -70,28 +72,22 @@ pub unsafe extern "C" fn couplet_states(
                 &[half_opening.place(), friction.place(), etas.place()],
                 &[verdict.place(), mode.place(), values.place()],
             )?;
-            let given = Given {
-                alphas: half_opening.values(),
-                mus: friction.values(),
-                etas: (!thickness.is_null()).then(|| etas.values()),
+            let arches = DoubleArches {
+                weight,
+                half_openings: half_opening.values(),
+                frictions: friction.values(),
+                thicknesses: (!thickness.is_null()).then(|| etas.values()),
             };
             let mut written =
                 Written { verdict: verdict.places(), mode: mode.places(), values: values.places() };
-            let mut work = || written.answer(&asked, &given);
+            let mut work = || written.answer(&arches, &quantities);
             let open = match threads {
                 1 => work(),
                 threads => on_threads(threads, work)?,
             }?;
-            Ok(Answer::rows(open.said(&asked, &given)))
+            Ok(Answer::rows(open.said(&arches)))
         })
     }
-}
-
-/// What is given of each row.
-struct Given<'a> {
-    alphas: &'a [f64],
-    mus: &'a [f64],
-    etas: Option<&'a [f64]>,
 }
 
 /// Where answers are written.
@@ -111,27 +107,32 @@ struct Open {
 }
 
 impl Written<'_> {
-    fn answer(&mut self, asked: &Doubles, given: &Given) -> Result<Open, Failure> {
+    fn answer(&mut self, arches: &DoubleArches, of: &[Quantity]) -> Result<Open, Failure> {
         let mut open = Open::default();
-        let count = given.alphas.len();
+        let count = self.verdict.len();
         for start in (0..count).step_by(ROWS) {
             let rows = start..count.min(start + ROWS);
-            let etas = given.etas.map(|etas| &etas[rows.clone()]);
-            let found = asked.rows(&given.alphas[rows.clone()], &given.mus[rows.clone()], etas);
-            self.write(rows, &found.map_err(wrong)?, &mut open);
+            let piece = DoubleArches {
+                half_openings: &arches.half_openings[rows.clone()],
+                frictions: &arches.frictions[rows.clone()],
+                thicknesses: arches.thicknesses.map(|etas| &etas[rows.clone()]),
+                ..*arches
+            };
+            self.write(rows, &piece.rows(of).map_err(wrong)?, &mut open);
         }
         Ok(open)
     }
 
-    fn write(&mut self, rows: Range<usize>, found: &[Row], open: &mut Open) {
+    fn write(&mut self, rows: Range<usize>, found: &[Arc<BatchRow>], open: &mut Open) {
         let count = self.verdict.len();
         for (at, row) in rows.zip(found) {
             self.verdict[at].write(row.verdict as u8);
             if let Some(mode) = self.mode.get_mut(at) {
                 mode.write(row.mode_code());
             }
-            for (column, x) in row.values.iter().flatten().enumerate() {
-                self.values[column * count + at].write(*x);
+            let doubles = (0..row.values.len()).flat_map(|place| row.doubles(place));
+            for (column, x) in doubles.enumerate() {
+                self.values[column * count + at].write(x);
             }
             open.count(at, row.verdict);
         }
@@ -149,35 +150,33 @@ impl Open {
     }
 
     /// How many there are, and why the first is; none if all are decided.
-    fn said(&self, asked: &Doubles, given: &Given) -> Option<String> {
+    fn said(&self, arches: &DoubleArches) -> Option<String> {
         let first = self.first?;
         let counts = [(self.undecided, "undecided"), (self.refused, "refused")];
         let counts = counts.iter().filter(|(count, _)| *count > 0);
         let counts: Vec<_> = counts.map(|(count, what)| format!("{count} {what}")).collect();
-        let (all, counts) = (given.alphas.len(), counts.join(" and "));
-        let why = given.why(asked, first);
+        let (all, counts) = (arches.half_openings.len(), counts.join(" and "));
+        let why = why(arches, first);
         Some(format!("of {all} rows {counts}; the first is row {first}, counted from 0: {why}"))
     }
 }
 
-impl Given<'_> {
-    /// Why a row is not decided.
-    fn why(&self, asked: &Doubles, row: usize) -> String {
-        // What has no exact text is no number.
-        let text = |x: f64| Some(exact(x)).filter(|text| !text.is_empty()).unwrap_or(x.to_string());
-        let [alpha, mu] = [self.alphas[row], self.mus[row]].map(text);
-        let arch = parse::arch([asked.weight.name(), &alpha, &mu]).map_err(wrong);
-        let found = arch.and_then(|arch| {
-            let Some(etas) = self.etas else {
-                return Ok(report::Answer::state(1, &arch, &arch.certify_alone(17)));
-            };
-            let eta = parse::thickness(&text(etas[row])).map_err(wrong)?;
-            let found = arch.certify_thickness(&eta, 17);
-            Ok(report::Answer::assessment(1, (&arch, &eta), &found))
-        });
-        match found {
-            Ok(found) => found.reason().unwrap_or_default().into_owned(),
-            Err(Failure::Usage(why) | Failure::Resource(why) | Failure::Fault(why)) => why,
-        }
+/// Why a row is not decided.
+fn why(arches: &DoubleArches, row: usize) -> String {
+    // What has no exact text is no number.
+    let text = |x: f64| Some(exact(x)).filter(|text| !text.is_empty()).unwrap_or(x.to_string());
+    let [alpha, mu] = [arches.half_openings[row], arches.frictions[row]].map(text);
+    let arch = parse::arch([arches.weight.name(), &alpha, &mu]).map_err(wrong);
+    let found = arch.and_then(|arch| {
+        let Some(etas) = arches.thicknesses else {
+            return Ok(report::Answer::state(1, &arch, &arch.certify_alone(17)));
+        };
+        let eta = parse::thickness(&text(etas[row])).map_err(wrong)?;
+        let found = arch.certify_thickness(&eta, 17);
+        Ok(report::Answer::assessment(1, (&arch, &eta), &found))
+    });
+    match found {
+        Ok(found) => found.reason().unwrap_or_default().into_owned(),
+        Err(Failure::Usage(why) | Failure::Resource(why) | Failure::Fault(why)) => why,
     }
 }

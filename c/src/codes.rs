@@ -1,6 +1,6 @@
 //! What functions return, and what stands in arrays.
 
-use couplet::certify::state::RowVerdict;
+use couplet::certify::batch::RowVerdict;
 use std::ffi::c_int;
 
 /// Everything asked was proved; also that an arch falls.

@@ -6,8 +6,8 @@ use crate::{CoupletError, UndecidedError, told};
 use couplet::Error;
 use couplet::arch::SelfWeight;
 use couplet::atlas::{NoSketch, Sketch};
-use couplet::certify::state::Certify;
 use couplet::certify::state::find as seek;
+use couplet::certify::state::{Balls, Certify};
 use couplet::certify::{self, CertifiedLandmark, asymmetric_thicknesses, quantities};
 use couplet::check::{Certificate, Refusal};
 use couplet::cli;
@@ -95,10 +95,7 @@ pub(crate) fn state<'py>(
     let digits = parse::state_digits(digits).map_err(wrong)?;
     let found = py.detach(|| {
         on_threads(1, || {
-            let found = match frictions {
-                true => arch.certify(digits),
-                false => arch.certify_alone(digits),
-            };
+            let found = Balls::DoubleDoubles.state(&arch, digits, frictions);
             let answer = Answer::state(1, &arch, &found);
             answer.with_asymmetric(|| asymmetric_thicknesses(&arch, digits))
         })

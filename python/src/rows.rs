@@ -2,7 +2,7 @@
 
 use crate::pool::on_threads;
 use crate::{CoupletError, asked};
-use couplet::certify::state::{Doubles, Row};
+use couplet::certify::batch::{BatchRow, DoubleArches};
 use couplet::problem::Quantity;
 use couplet::sweep::parse;
 use pyo3::prelude::*;
@@ -30,17 +30,24 @@ pub(crate) fn states<'py>(
     let possible =
         if arrays.2.is_some() { &Quantity::ASSESSMENT_ROW[..] } else { &Quantity::STATE_ROW[..] };
     let quantities = names.iter().map(|name| asked::quantity(name, possible));
-    let asked = Doubles { weight, quantities: quantities.collect::<PyResult<_>>()? };
-    let (alphas, mus) = (doubles(&arrays.0), doubles(&arrays.1));
-    let etas = arrays.2.as_deref().map(doubles);
-    let rows = py.detach(|| on_threads(threads, || asked.rows(&alphas, &mus, etas.as_deref())))?;
+    let quantities: Vec<Quantity> = quantities.collect::<PyResult<_>>()?;
+    let [half_openings, frictions] = [&arrays.0, &arrays.1].map(|bytes| doubles(bytes));
+    let thicknesses = arrays.2.as_deref().map(doubles);
+    let arches = DoubleArches {
+        weight,
+        half_openings: &half_openings,
+        frictions: &frictions,
+        thicknesses: thicknesses.as_deref(),
+    };
+    let rows = py.detach(|| on_threads(threads, || arches.rows(&quantities)))?;
     let rows = rows.map_err(|refused| CoupletError::new_err(refused.to_string()))?;
-    let codes =
-        |code: fn(&Row) -> u8| PyBytes::new(py, &rows.iter().map(code).collect::<Vec<u8>>());
+    let codes = |code: fn(&BatchRow) -> u8| {
+        PyBytes::new(py, &rows.iter().map(|row| code(row)).collect::<Vec<u8>>())
+    };
     let column = |quantity: usize, bound: usize| {
-        let bytes = rows.iter().flat_map(|row| row.values[quantity][bound].to_ne_bytes());
+        let bytes = rows.iter().flat_map(|row| row.doubles(quantity)[bound].to_ne_bytes());
         PyBytes::new(py, &bytes.collect::<Vec<u8>>())
     };
     let values = (0..names.len()).map(|quantity| [0, 1, 2].map(|bound| column(quantity, bound)));
-    Ok((codes(|row| row.verdict as u8), codes(Row::mode_code), values.collect()))
+    Ok((codes(|row| row.verdict as u8), codes(BatchRow::mode_code), values.collect()))
 }

@@ -4,9 +4,10 @@
 use crate::arches::{H, M, arch, number};
 use couplet::arch::asymmetric::AsymmetricMode;
 use couplet::atlas::{Curve, NoPoint, Trace, point};
+use couplet::certify::batch::{SharedOpening, SharedOpenings};
 use couplet::certify::state::find::{Question, find};
 use couplet::certify::state::{
-    Certify, Column, Columns, Inquiry, NoState, Wanted, measured_assessment, measured_state,
+    Balls, Certify, Inquiry, NoState, Wanted, measured_assessment, measured_state,
 };
 use couplet::certify::{
     CertifiedLandmark, MAX_ARCH_DIGITS, MAX_DIGITS, MAX_FINGERPRINT_DIGITS, MOST_ENUMERATED_STONES,
@@ -67,8 +68,8 @@ fn of_an_arch(digits: usize) -> Vec<(&'static str, Option<Refused>)> {
             "Inquiry::assess",
             Inquiry::new(&arch, digits, false).assess(&eta, digits, Wanted::Everything).refused(),
         ),
-        ("Column", Column::new(M, number("1"), digits).refused()),
-        ("Columns", Columns::new(digits, true).refused()),
+        ("SharedOpening", SharedOpening::new(M, number("1"), digits).refused()),
+        ("SharedOpenings", SharedOpenings::new(Balls::DoubleDoubles, digits, true).refused()),
         ("find", find(M, &question, digits).refused()),
         ("measured_state", measured_state(&arch, &measures, digits).refused()),
         ("measured_assessment", measured_assessment((&arch, &eta), &measures, digits).refused()),

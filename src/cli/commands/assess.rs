@@ -7,7 +7,7 @@ use super::output::AnswerOutput;
 use super::state::print;
 use super::tilt::acceleration;
 use crate::certify::asymmetric_thicknesses;
-use crate::certify::state::{Inquiry, Wanted, measured_assessment};
+use crate::certify::state::{Balls, Inquiry, Wanted, measured_assessment};
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Quantity};
 use crate::report::{Answer, Content, Format, Report, TiltedArch, TiltedArches};
@@ -67,8 +67,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     print(&arguments.output, digits, quantities, || {
         let answer = |(line, arch): (u64, Arch)| {
             // Some formats have quadruples, which take more bits than the digits.
-            let mut inquiry = Inquiry::new(&arch, digits, false);
-            let found = inquiry.assess(&eta, digits, Wanted::Everything);
+            let found = Balls::Mpfr.assess(&arch, &eta, digits);
             let answer = Answer::assessment(line, (&arch, &eta), &found)
                 .with_asymmetric(|| asymmetric_thicknesses(&arch, digits));
             match &measured {

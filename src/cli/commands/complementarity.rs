@@ -5,7 +5,7 @@ use super::map::{is_written, tolerance};
 use super::notes;
 use super::output::OutputFile;
 use crate::atlas::{Branch, Contour, Level, NoBranch, NoLevel};
-use crate::certify::state::Inquiry;
+use crate::certify::state::Balls;
 use crate::certify::{
     Error, LeastSolution, MOST_ENUMERATED_STONES, MOST_JOINTED_STONES, Programme, Refused,
     Undecided, asymmetric, enumerate, least_solution, programme,
@@ -129,7 +129,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             (None, _) => (None, None),
         };
         Ok(ComplementarityArch {
-            symmetric: Error::apart(Inquiry::new(&arch, digits, false).state(digits, false))?,
+            symmetric: Error::apart(Balls::Mpfr.state(&arch, digits, false))?,
             asymmetric: asymmetric(&arch, digits)?,
             enumeration,
             programme,

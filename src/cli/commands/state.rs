@@ -4,7 +4,7 @@ use super::arch::{ArchArguments, Needs};
 use super::measures::{self, MeasureArguments, Measured};
 use super::notes;
 use super::output::AnswerOutput;
-use crate::certify::state::{Inquiry, measured_state};
+use crate::certify::state::{Balls, measured_state};
 use crate::certify::{
     CertifiedLandmark, Error, asymmetric_thicknesses, quantities as quantities_of,
 };
@@ -56,7 +56,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     print(&arguments.output, digits, quantities, || {
         let answer = |(line, arch): (u64, Arch)| {
             // Some formats have quadruples, which take more bits than the digits.
-            let found = Inquiry::new(&arch, digits, frictions).state(digits, frictions);
+            let found = Balls::Mpfr.state(&arch, digits, frictions);
             let answer = Answer::state(line, &arch, &found)
                 .with_asymmetric(|| asymmetric_thicknesses(&arch, digits));
             match &measured {

@@ -1,18 +1,19 @@
 //! `couplet states`.
 
 use super::output::{OutputFile, chosen};
-use super::stream::{Progress, Together, in_order};
+use super::stream::{Chunk, Progress, in_order};
 use crate::arch::SelfWeight;
-use crate::certify::asymmetric_thicknesses;
-use crate::certify::state::{Certify, Columns as Shared, Inquiry, Wanted};
+use crate::certify::batch::SharedOpenings;
+use crate::certify::state::Balls;
+use crate::certify::{Refused, asymmetric_thicknesses};
 use crate::check::visible_name;
 use crate::problem::Quantity;
 use crate::report::{Answer, Answers, Content, Format, Status};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, thickness};
 use crate::sweep::rows::{
-    Cells, Columns, Input, Keep, Line, Purpose, Reader, Role, Row, Source, Spelling, Syntax, Table,
-    objects,
+    ArchReader, Cells, Columns, Input, Keep, Numbered, Purpose, ReadRow, Role, RowSource, Spelling,
+    Syntax, TextTable, objects,
 };
 use clap::Args;
 use std::io;
@@ -80,11 +81,11 @@ struct Queries {
     spelling: Spelling,
     /// The names of what is handed on, where the rows are those of a table.
     kept: Vec<String>,
-    rows: Box<dyn Iterator<Item = Line<Row>> + Send>,
+    rows: Box<dyn Iterator<Item = Numbered<ReadRow>> + Send>,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let source = Source::open(arguments.file.as_deref())?;
+    let source = RowSource::open(arguments.file.as_deref())?;
     let file = arguments.file.as_deref().unwrap_or(Path::new("-"));
     if arguments.output.is_same_file(file) {
         return Err(Failure::Input(format!(
@@ -123,11 +124,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         true => answers,
         false => answers.of(&chosen(&arguments.quantities, &all)?),
     };
-    let asked = Asked::new(&answers, format);
-    let reader = Reader { columns, weight: arguments.weight, doubles: false, spelling };
+    let asked = Asked::new(&answers, format)?;
+    let reader = ArchReader { columns, weight: arguments.weight, doubles: false, spelling };
     let mut file = open(Answers { kept, ..answers }).map_err(unwritten)?;
     let (mut bad, mut undecided, mut answered) = (0, 0, None);
-    let together = if format.is_binary { Together::Chunk } else { Together::WhatIsThere };
+    let together = if format.is_binary { Chunk::Full } else { Chunk::WhatIsThere };
     output.write(|out| {
         out.write_all(&file.begin()?)?;
         let answer = |line| answer(&reader, line, &asked);
@@ -164,21 +165,21 @@ fn unwritten(error: io::Error) -> Failure {
 struct Asked {
     digits: usize,
     quantities: Vec<Quantity>,
-    /// What the states share; not for a format that has the error of each double, of which more is known with more bits.
-    shared: Option<Shared>,
+    /// What is proved of the arches.
+    openings: SharedOpenings,
 }
 
 impl Asked {
-    fn new(answers: &Answers, format: &Format) -> Self {
+    fn new(answers: &Answers, format: &Format) -> Result<Self, Refused> {
         let (digits, quantities) = (answers.digits, answers.quantities.clone());
         let frictions = quantities.iter().any(|quantity| quantity.is_friction());
-        let shared = if format.has_errors { None } else { Shared::new(digits, frictions).ok() };
-        Self { digits, quantities, shared }
+        let balls = if format.has_errors { Balls::Mpfr } else { Balls::DoubleDoubles };
+        Ok(Self { digits, quantities, openings: SharedOpenings::new(balls, digits, frictions)? })
     }
 }
 
 /// The answer to a query, or its error.
-fn answer(reader: &Reader, (line, query): Line<Row>, asked: &Asked) -> Answer {
+fn answer(reader: &ArchReader, (line, query): Numbered<ReadRow>, asked: &Asked) -> Answer {
     let (answer, kept) = match query {
         Ok(query) => (found(reader, line, &query.cells, asked), query.kept),
         Err(error) => (Err(error), Vec::new()),
@@ -188,31 +189,21 @@ fn answer(reader: &Reader, (line, query): Line<Row>, asked: &Asked) -> Answer {
 }
 
 /// A row is asked what it asks: about its thickness if it has one.
-fn found(reader: &Reader, line: u64, cells: &Cells, asked: &Asked) -> Result<Answer, String> {
+fn found(reader: &ArchReader, line: u64, cells: &Cells, asked: &Asked) -> Result<Answer, String> {
     let (arch, digits) = (reader.arch(cells)?, asked.digits);
     let with_asymmetric =
         |answer: Answer| answer.with_asymmetric(|| asymmetric_thicknesses(&arch, digits));
     let Some((text, _)) = reader.given(cells, Role::GivenThickness) else {
-        let found = match &asked.shared {
-            Some(shared) => shared.certify(&arch),
-            None => {
-                let frictions = asked.quantities.iter().any(|quantity| quantity.is_friction());
-                Inquiry::new(&arch, digits, frictions).state(digits, frictions)
-            }
-        };
-        return Ok(with_asymmetric(Answer::state(line, &arch, &found)));
+        return Ok(with_asymmetric(Answer::state(line, &arch, &asked.openings.state(&arch))));
     };
     let eta = thickness(&reader.spelling.exact(text))?;
-    let found = match &asked.shared {
-        Some(_) => arch.certify_thickness(&eta, digits),
-        None => Inquiry::new(&arch, digits, false).assess(&eta, digits, Wanted::Everything),
-    };
+    let found = asked.openings.assess(&arch, &eta);
     Ok(with_asymmetric(Answer::assessment(line, (&arch, &eta), &found)))
 }
 
 /// Of a table.
 fn table(input: Input, keep: &Keep) -> Result<Queries, Failure> {
-    let table = Table::open(input)?;
+    let table = TextTable::open(input)?;
     let mut columns = Columns::own(Purpose::Ask);
     let kept = keep.places(&table.header, &columns).map_err(Failure::Input)?;
     let places = columns.places(&table.header).map_err(Failure::Input)?;
@@ -229,7 +220,7 @@ fn json(input: Input, keep: Keep, format: &Format) -> Result<Queries, Failure> {
     let kept = keep.names(format.name == "jsonl").map_err(Failure::Input)?;
     let read = columns.clone();
     let rows = objects(input, move |object| {
-        Ok(Row { cells: read.cells(object)?, kept: keep.entries(object, &read) })
+        Ok(ReadRow { cells: read.cells(object)?, kept: keep.entries(object, &read) })
     });
     Ok(Queries { columns, spelling: Spelling::default(), kept, rows })
 }

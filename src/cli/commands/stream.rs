@@ -2,7 +2,7 @@
 
 use super::progress::styled;
 use crate::report::words::count;
-use crate::sweep::rows::{Input, Line, Source};
+use crate::sweep::rows::{Input, Numbered, RowSource};
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use std::io::{self, BufReader};
@@ -12,21 +12,21 @@ use std::thread;
 /// Rows that are read, answered, and handed on before the next are read.
 pub const CHUNK: usize = 512;
 
-/// How many rows are answered together.
+/// Size of the chunks in which rows are answered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Together {
+pub enum Chunk {
     /// What has been read, however few: who waits for an answer before he asks again gets it.
     WhatIsThere,
-    /// A whole chunk.
-    Chunk,
+    /// As many rows as a chunk may have.
+    Full,
 }
 
 /// Answers the rows on all cores and hands each chunk on in the order of the rows. Answers how many rows
 /// there were.
 pub fn in_order<T: Send + 'static, A: Send, E: From<io::Error>>(
-    lines: impl Iterator<Item = Line<T>> + Send + 'static,
-    (progress, together): (&Progress, Together),
-    answer: impl Fn(Line<T>) -> A + Sync,
+    lines: impl Iterator<Item = Numbered<T>> + Send + 'static,
+    (progress, together): (&Progress, Chunk),
+    answer: impl Fn(Numbered<T>) -> A + Sync,
     mut take: impl FnMut(Vec<A>) -> Result<(), E>,
 ) -> Result<u64, E> {
     let (sender, receiver) = mpsc::sync_channel(CHUNK / 2);
@@ -44,8 +44,8 @@ pub fn in_order<T: Send + 'static, A: Send, E: From<io::Error>>(
         let mut chunk = vec![first];
         while chunk.len() < CHUNK {
             let next = match together {
-                Together::WhatIsThere => receiver.try_recv().ok(),
-                Together::Chunk => receiver.recv().ok(),
+                Chunk::WhatIsThere => receiver.try_recv().ok(),
+                Chunk::Full => receiver.recv().ok(),
             };
             let Some(line) = next else { break };
             chunk.push(line);
@@ -70,7 +70,7 @@ pub struct Progress {
 
 impl Progress {
     /// A bar for the rows of a source; none for rows that are typed, between which it would stand.
-    pub(crate) fn new(source: &Source) -> Self {
+    pub(crate) fn new(source: &RowSource) -> Self {
         if source.is_typed {
             return Self { bar: ProgressBar::hidden() };
         }

@@ -4,7 +4,7 @@ use super::arch::{ArchArguments, Needs};
 use super::notes;
 use super::output::OutputFile;
 use super::tilt::acceleration;
-use crate::certify::state::{Answer, Figure, Inquiry};
+use crate::certify::state::{Answer, Balls, Figure};
 use crate::certify::{
     Error, MOST_TILTED_STONES, VoussoirStanding, Voussoirs, assess_voussoirs, tilted_stones,
     voussoir_loss, voussoirs,
@@ -97,7 +97,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     notes::frictions(arches.iter().take(1).map(Arch::friction));
     let digits = arguments.arch.digits;
     let of_weight = |arch: &Arch| {
-        let continuous = match Inquiry::new(arch, digits, false).state(digits, false) {
+        let continuous = match Balls::Mpfr.state(arch, digits, false) {
             Ok(Answer::Stands(state)) => Some(state.thickness),
             _ => None,
         };

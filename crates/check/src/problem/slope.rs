@@ -1,6 +1,7 @@
 //! A slope, as it is given: a ratio or an angle.
 
 use super::{ArchError, Friction};
+use crate::number::says;
 use std::ops::Deref;
 use std::str::FromStr;
 
@@ -16,19 +17,22 @@ use std::str::FromStr;
 pub struct Slope(Friction);
 
 /// Why a slope is refused.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SlopeError {
     /// A text is neither a ratio nor an angle.
-    #[error("neither a number (0.1) nor an angle (5deg)")]
     Unreadable,
     /// The ratio is negative.
-    #[error("negative")]
     Negative,
     /// The angle is not between 0 and a right one.
-    #[error("not an angle from 0 to below 90deg")]
     Angle,
 }
+
+says!(SlopeError {
+    Self::Unreadable => "neither a number (0.1) nor an angle (5deg)";
+    Self::Negative => "negative";
+    Self::Angle => "not an angle from 0 to below 90deg";
+});
 
 impl FromStr for Slope {
     type Err = SlopeError;

@@ -2,7 +2,7 @@
 //! in balls of MPFR what those leave open.
 
 use super::asymmetric::{CertifiedAsymmetric, certified, found};
-use super::state::is_quick;
+use super::state::{DOUBLE_DOUBLE, is_quick};
 use crate::number::DoubleDoubleBall;
 use crate::problem::asymmetric_region::may_move_asymmetrically;
 use crate::problem::{Arch, Problem};
@@ -11,9 +11,6 @@ use crate::prover::figure::{Figure, Figured};
 use crate::prover::in_doubles;
 use crate::prover::posed::Posed;
 use crate::solve::asymmetric::AsymmetricCandidate;
-
-/// The bits of a double-double.
-const BITS: u32 = 106;
 
 /// The thicknesses of the asymmetric solutions that are found and proved for an arch, the largest first, to `digits` significant digits.
 /// **That there are no others is not proved.** Nothing is computed where [none is known](crate::problem::asymmetric_region).
@@ -36,11 +33,11 @@ pub fn asymmetric_thicknesses(arch: &Arch, digits: usize) -> Result<Vec<Figure>,
 /// The thickness in these numbers, where they are enough for the proof.
 fn in_double_doubles(arch: &Arch, candidate: &AsymmetricCandidate) -> Option<DoubleDoubleBall> {
     let problem = Problem::Asymmetric { mode: candidate.mode, arch: arch.clone() };
-    let (system, given) = (problem.system(), problem.given::<DoubleDoubleBall>(BITS));
+    let (system, given) = (problem.system(), problem.given::<DoubleDoubleBall>(DOUBLE_DOUBLE));
     let posed = Posed { system: &system, given: &given };
     let root = in_doubles::root_near(&posed, &candidate.unknowns).ok()?;
     let at = system.place(given, &root);
-    let proved = CertifiedAsymmetric::proved(&problem, &at, BITS, |x| (*x).into()).ok()?;
+    let proved = CertifiedAsymmetric::proved(&problem, &at, DOUBLE_DOUBLE, |x| (*x).into()).ok()?;
     Some(proved.at.thickness)
 }
 

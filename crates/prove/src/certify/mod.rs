@@ -7,6 +7,7 @@
 mod asymmetric;
 mod asymmetric_certificate;
 mod asymmetric_thickness;
+pub mod batch;
 mod certificate;
 mod closed_value;
 mod constant;

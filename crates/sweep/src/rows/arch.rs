@@ -10,7 +10,7 @@ use crate::problem::{Arch, Friction};
 use rug::Rational;
 
 /// How the arches of rows are read.
-pub struct Reader {
+pub struct ArchReader {
     /// What the cells of a row are.
     pub columns: Columns,
     /// The weight of the rows that have none of their own.
@@ -20,7 +20,7 @@ pub struct Reader {
     pub spelling: Spelling,
 }
 
-impl Reader {
+impl ArchReader {
     /// The text of a role, with whether it is in degrees.
     pub fn said<'a>(&self, cells: &'a Cells, role: Role) -> Option<(&'a str, bool)> {
         self.columns.all.iter().zip(cells).find_map(|(column, cell)| {

@@ -10,7 +10,7 @@ pub type Cells = Vec<Option<String>>;
 
 /// A column and its role.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Column {
+pub struct RowColumn {
     /// Its name in the file; our own one in small letters.
     pub theirs: String,
     /// What it is.
@@ -23,7 +23,7 @@ pub struct Column {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Columns {
     /// Those that may be there.
-    pub all: Vec<Column>,
+    pub all: Vec<RowColumn>,
     /// Whether they were named, and so have to be there.
     named: bool,
     purpose: Purpose,
@@ -33,7 +33,8 @@ impl Columns {
     /// Our own names.
     pub fn own(purpose: Purpose) -> Self {
         let columns = purpose.roles().into_iter().flat_map(|role| {
-            let column = move |name: &str| Column { theirs: name.to_owned(), role, degrees: false };
+            let column =
+                move |name: &str| RowColumn { theirs: name.to_owned(), role, degrees: false };
             role.names(purpose).into_iter().map(column)
         });
         Self { all: columns.collect(), named: false, purpose }
@@ -45,7 +46,7 @@ impl Columns {
         if named.is_empty() {
             return Ok(Self::own(Purpose::Judge));
         }
-        let mut all: Vec<Column> = Vec::new();
+        let mut all: Vec<RowColumn> = Vec::new();
         for text in named {
             let column = column(text)?;
             if let Some(other) = all.iter().find(|other| other.role == column.role) {
@@ -61,7 +62,7 @@ impl Columns {
     }
 
     /// Whether a name of the file is that of a column. Our own names may have capitals and blanks.
-    fn is(&self, column: &Column, name: &str) -> bool {
+    fn is(&self, column: &RowColumn, name: &str) -> bool {
         column.theirs == name || (!self.named && column.theirs == plain(name))
     }
 
@@ -80,7 +81,7 @@ impl Columns {
     /// Keeps the columns that a table has, with their places.
     pub fn places(&mut self, header: &[String]) -> Result<Vec<usize>, String> {
         self.leave_least_thickness(|name| header.iter().any(|other| plain(other) == name));
-        let place = |column: &Column| header.iter().position(|name| self.is(column, name));
+        let place = |column: &RowColumn| header.iter().position(|name| self.is(column, name));
         let places: Vec<Option<usize>> = self.all.iter().map(place).collect();
         let shown = |message| format!("{message}; its columns are {}", shown(header));
         let seen: Vec<bool> = places.iter().map(Option::is_some).collect();
@@ -134,7 +135,7 @@ impl Columns {
         if self.purpose == Purpose::Judge || self.have(name) {
             return Ok(());
         }
-        let nearly = |column: &&Column| {
+        let nearly = |column: &&RowColumn| {
             let similar = strsim::normalized_damerau_levenshtein(&column.theirs, &plain(name));
             column.theirs.len() > 4 && similar > 0.8 && !has(column.role)
         };
@@ -205,7 +206,7 @@ fn shown(header: &[String]) -> String {
 }
 
 /// `theirs=ours`, `theirs=ours:deg`, or a name that is theirs and ours.
-fn column(text: &str) -> Result<Column, String> {
+fn column(text: &str) -> Result<RowColumn, String> {
     let (theirs, ours) = text.rsplit_once('=').unwrap_or((text, text));
     let (ours, unit) = match ours.rsplit_once(':') {
         Some((ours, unit)) => (ours, Some(unit)),
@@ -231,7 +232,7 @@ fn column(text: &str) -> Result<Column, String> {
         }
         Some(_) => return Err(format!("{} has no unit; only angles have", role.name())),
     };
-    Ok(Column { theirs: theirs.trim().to_owned(), role, degrees })
+    Ok(RowColumn { theirs: theirs.trim().to_owned(), role, degrees })
 }
 
 #[cfg(test)]

@@ -1,16 +1,16 @@
 //! A table with a header: one row at a time, each with the number of its line.
 
-use super::dialect::{Dialect, State};
-use super::lines::{Lines, Reading};
-use super::{Input, Line, MAX_RECORD};
+use super::dialect::{Dialect, QuoteState};
+use super::lines::{InputLines, Reading};
+use super::{Input, MAX_RECORD, Numbered};
 use crate::failure::Failure;
 use std::io;
 
 /// A table: its header, and its rows one after the other.
-pub struct Table {
+pub struct TextTable {
     /// The names of the columns.
     pub header: Vec<String>,
-    lines: Lines,
+    lines: InputLines,
     dialect: Dialect,
     /// Whether lines that begin with `#` are remarks, as before the header.
     has_remarks: bool,
@@ -18,7 +18,7 @@ pub struct Table {
 }
 
 /// A row as it is written.
-struct Record {
+struct RawRecord {
     bytes: Vec<u8>,
     /// The lines of its beginning and behind its end.
     lines: [u64; 2],
@@ -27,7 +27,7 @@ struct Record {
 }
 
 /// Why a row cannot be read, and whether no other can.
-struct Fault {
+struct RowFault {
     message: String,
     ends: bool,
 }
@@ -35,12 +35,12 @@ struct Fault {
 /// Where a field of a header may begin before it is known what separates them.
 const SEPARATORS: &[u8] = b",;\t";
 
-impl Table {
+impl TextTable {
     /// Reads the header. It is the first line, or the last of the remarks (`# alpha mu eta`) if a row of
     /// numbers with as many fields follows, as NumPy writes.
     pub fn open(input: Input) -> Result<Self, Failure> {
-        let mut lines = Lines::new(input, 1);
-        let mut remark: Option<Record> = None;
+        let mut lines = InputLines::new(input, 1);
+        let mut remark: Option<RawRecord> = None;
         let failed = |error: String| Failure::Input(format!("the header: {error}"));
         let first = loop {
             match next(&mut lines, SEPARATORS) {
@@ -73,7 +73,7 @@ impl Table {
     /// The same header over rows of another input, of which the first line has this number.
     #[cfg(feature = "parquet")]
     pub(crate) fn with_rows(self, input: Input, line: u64) -> Self {
-        Self { lines: Lines::new(input, line), is_broken: false, ..self }
+        Self { lines: InputLines::new(input, line), is_broken: false, ..self }
     }
 
     /// Begins a piece with the next row: the number of its first line, and where that begins (bytes).
@@ -96,7 +96,7 @@ impl Table {
     }
 
     /// The next row as it is written, or why it cannot be read, with its line.
-    fn record(&mut self) -> Option<Line<Record>> {
+    fn record(&mut self) -> Option<Numbered<RawRecord>> {
         while !self.is_broken {
             let (line, record) = next(&mut self.lines, self.dialect.separators())?;
             match record {
@@ -126,7 +126,7 @@ impl Table {
 
     /// The fields of a row, as many as the header has. What is read over several lines and makes no row is
     /// given back but for its first line: a quote too many has swallowed the others.
-    fn fields(&mut self, record: &Record) -> Result<Vec<String>, String> {
+    fn fields(&mut self, record: &RawRecord) -> Result<Vec<String>, String> {
         let (width, [first, end]) = (self.header.len(), record.lines);
         let fields = self.dialect.fields(&record.bytes);
         match &fields {
@@ -148,8 +148,8 @@ impl Table {
     }
 }
 
-impl Iterator for Table {
-    type Item = Line<Vec<String>>;
+impl Iterator for TextTable {
+    type Item = Numbered<Vec<String>>;
 
     fn next(&mut self) -> Option<Self::Item> {
         let (line, record) = self.record()?;
@@ -175,13 +175,13 @@ fn is_header_of(remark: &[u8], row: &[u8]) -> bool {
 }
 
 /// The next row as it is written, with its line.
-fn next(lines: &mut Lines, separators: &[u8]) -> Option<(u64, Result<Record, Fault>)> {
+fn next(lines: &mut InputLines, separators: &[u8]) -> Option<(u64, Result<RawRecord, RowFault>)> {
     let first = lines.number;
-    let fault = |message: String| Some((first, Err(Fault { message, ends: false })));
+    let fault = |message: String| Some((first, Err(RowFault { message, ends: false })));
     let broken =
-        |error: io::Error| Some((first, Err(Fault { message: error.to_string(), ends: true })));
-    let mut record = Record { bytes: Vec::new(), lines: [first, first], first: 0 };
-    let (mut state, mut passed, mut is_spoiled) = (State::Start, 0, false);
+        |error: io::Error| Some((first, Err(RowFault { message: error.to_string(), ends: true })));
+    let mut record = RawRecord { bytes: Vec::new(), lines: [first, first], first: 0 };
+    let (mut state, mut passed, mut is_spoiled) = (QuoteState::Start, 0, false);
     // Where the open quote stands: its line, and the end of that line.
     let (mut opened, mut resume) = (first, 0);
     loop {
@@ -209,11 +209,11 @@ fn next(lines: &mut Lines, separators: &[u8]) -> Option<(u64, Result<Record, Fau
             }
         }
         // Without a quote a line neither opens a field that goes on nor is spoiled, and most lines have none.
-        let is_plain = state == State::Start && !record.bytes[passed..].contains(&b'"');
+        let is_plain = state == QuoteState::Start && !record.bytes[passed..].contains(&b'"');
         for &c in record.bytes[passed..].iter().filter(|_| !is_plain) {
             match (state, state.pass(c, separators)) {
-                (State::Start, State::Quoted) => opened = line,
-                (State::Closing, State::Field) => {
+                (QuoteState::Start, QuoteState::Quoted) => opened = line,
+                (QuoteState::Closing, QuoteState::Field) => {
                     is_spoiled |= !c.is_ascii_whitespace();
                 }
                 _ => {}
@@ -234,7 +234,7 @@ fn next(lines: &mut Lines, separators: &[u8]) -> Option<(u64, Result<Record, Fau
         if is_spoiled {
             return fault(format!("a quote that opens in line {opened} closes within a field"));
         }
-        if state != State::Quoted {
+        if state != QuoteState::Quoted {
             return Some((first, Ok(record)));
         }
     }
@@ -245,8 +245,8 @@ mod tests {
     use super::*;
     use std::io::{BufReader, Read};
 
-    fn table(input: impl Read + Send + 'static) -> Table {
-        Table::open(Box::new(BufReader::new(input))).unwrap()
+    fn table(input: impl Read + Send + 'static) -> TextTable {
+        TextTable::open(Box::new(BufReader::new(input))).unwrap()
     }
 
     fn rows(text: &str) -> Vec<(u64, String)> {
@@ -310,13 +310,14 @@ mod tests {
         let endless = io::Cursor::new("a,b\n1,2\n").chain(io::repeat(b'x').take(1 << 24));
         assert_eq!(table(endless).count(), 2);
         let header = Box::new(BufReader::new(io::repeat(b'a').take(1 << 24)));
-        assert!(Table::open(header).is_err(), "nor is a header without end");
+        assert!(TextTable::open(header).is_err(), "nor is a header without end");
     }
 
     #[test]
     fn a_file_without_a_header_is_empty() {
         for file in ["", "\n\r\n", " \n"] {
-            let Err(Failure::Input(message)) = Table::open(Box::new(io::Cursor::new(file))) else {
+            let Err(Failure::Input(message)) = TextTable::open(Box::new(io::Cursor::new(file)))
+            else {
                 panic!("{file:?}")
             };
             assert_eq!(message, "the file is empty");
@@ -326,7 +327,7 @@ mod tests {
     #[test]
     fn what_is_no_text_is_told_by_its_field() {
         let header = Box::new(io::Cursor::new(&b"a,alpha [\xB0]\n"[..]));
-        let Err(Failure::Input(message)) = Table::open(header) else { panic!() };
+        let Err(Failure::Input(message)) = TextTable::open(header) else { panic!() };
         assert_eq!(message, "the header: field 2 is not valid UTF-8");
         let mut rows = table(io::Cursor::new(&b"a,b\n1,2\n\xFF,1\n"[..]));
         assert!(rows.next().unwrap().1.is_ok());

@@ -16,8 +16,8 @@ impl Dialect {
     /// or else blanks.
     pub(super) fn of(header: &[u8]) -> Self {
         let fields = |separator: u8| {
-            let mut state = State::Start;
-            header.iter().filter(|&&c| state.pass(c, &[separator]) == State::Start).count()
+            let mut state = QuoteState::Start;
+            header.iter().filter(|&&c| state.pass(c, &[separator]) == QuoteState::Start).count()
         };
         let most = |best: u8, next: u8| if fields(next) > fields(best) { next } else { best };
         match [b';', b'\t'].into_iter().fold(b',', most) {
@@ -68,21 +68,22 @@ fn unquoted(record: &[u8], separator: u8) -> Vec<Cow<'_, [u8]>> {
         });
     }
     let (mut fields, mut field) = (Vec::new(), Vec::new());
-    let mut state = State::Start;
-    let is_end = |state: State, c: u8| c == b'\n' && state != State::Quoted;
+    let mut state = QuoteState::Start;
+    let is_end = |state: QuoteState, c: u8| c == b'\n' && state != QuoteState::Quoted;
     for &c in record {
         let before = state;
         if is_end(before, c) {
             break;
         }
         match (before, state.pass(c, &[separator])) {
-            (_, State::Start) => fields.push(Cow::Owned(std::mem::take(&mut field))),
+            (_, QuoteState::Start) => fields.push(Cow::Owned(std::mem::take(&mut field))),
             // A quote at an end of a field.
-            (State::Quoted, State::Closing) | (State::Start, State::Quoted) => {}
+            (QuoteState::Quoted, QuoteState::Closing) | (QuoteState::Start, QuoteState::Quoted) => {
+            }
             _ => field.push(c),
         }
     }
-    if record.first().is_some_and(|c| !is_end(State::Start, *c)) {
+    if record.first().is_some_and(|c| !is_end(QuoteState::Start, *c)) {
         fields.push(Cow::Owned(field));
     }
     fields
@@ -90,7 +91,7 @@ fn unquoted(record: &[u8], separator: u8) -> Vec<Cow<'_, [u8]>> {
 
 /// Where in a row a character stands. A quote is one only where a field begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum State {
+pub(super) enum QuoteState {
     /// At the beginning of a field.
     Start,
     /// In a field without quotes.
@@ -101,7 +102,7 @@ pub(super) enum State {
     Closing,
 }
 
-impl State {
+impl QuoteState {
     /// The state behind a character.
     pub(super) fn pass(&mut self, c: u8, separators: &[u8]) -> Self {
         *self = match (*self, c) {

@@ -1,8 +1,8 @@
 //! JSON objects: one on each line, in an array, or in the document that `couplet run` writes.
 
-use super::lines::{Lines, Reading};
+use super::lines::{InputLines, Reading};
 use super::object::JsonObject;
-use super::{Input, Line, MAX_RECORD};
+use super::{Input, MAX_RECORD, Numbered};
 use serde_json::error::Category;
 use serde_json::value::RawValue;
 use std::io::BufRead;
@@ -11,23 +11,23 @@ use std::io::BufRead;
 pub fn objects<T: 'static>(
     input: Input,
     parse: impl Fn(&JsonObject) -> Result<T, String> + Send + 'static,
-) -> Box<dyn Iterator<Item = Line<T>> + Send> {
-    let parsed = move |(line, bytes): Line<Vec<u8>>| {
+) -> Box<dyn Iterator<Item = Numbered<T>> + Send> {
+    let parsed = move |(line, bytes): Numbered<Vec<u8>>| {
         (line, bytes.and_then(|bytes| parse(&JsonObject::parse(&bytes)?)))
     };
-    let mut lines = Lines::new(input, 1);
+    let mut lines = InputLines::new(input, 1);
     let start = lines.number;
     let (held, on_lines) = beginning(&mut lines);
     lines.give_back(&held, start);
     if on_lines {
-        return Box::new(JsonLines { lines, is_broken: false }.map(parsed));
+        return Box::new(JsonRows { lines, is_broken: false }.map(parsed));
     }
     let (input, line) = lines.into_rest();
     Box::new(Elements { input, line, is_in_array: false, is_over: false }.map(parsed))
 }
 
 /// The first lines, and whether each line is a row of its own.
-fn beginning(lines: &mut Lines) -> (Vec<u8>, bool) {
+fn beginning(lines: &mut InputLines) -> (Vec<u8>, bool) {
     let mut held = Vec::new();
     let first = next_row(lines, &mut held);
     if first.starts_with(b"[") {
@@ -46,7 +46,7 @@ fn beginning(lines: &mut Lines) -> (Vec<u8>, bool) {
 }
 
 /// Adds the lines up to the next that is not empty, and answers that one; of a long line the beginning.
-fn next_row(lines: &mut Lines, held: &mut Vec<u8>) -> Vec<u8> {
+fn next_row(lines: &mut InputLines, held: &mut Vec<u8>) -> Vec<u8> {
     loop {
         let before = held.len();
         let reading = lines.next_into(held);
@@ -58,13 +58,13 @@ fn next_row(lines: &mut Lines, held: &mut Vec<u8>) -> Vec<u8> {
 }
 
 /// One object on each line.
-struct JsonLines {
-    lines: Lines,
+struct JsonRows {
+    lines: InputLines,
     is_broken: bool,
 }
 
-impl Iterator for JsonLines {
-    type Item = Line<Vec<u8>>;
+impl Iterator for JsonRows {
+    type Item = Numbered<Vec<u8>>;
 
     fn next(&mut self) -> Option<Self::Item> {
         while !self.is_broken {
@@ -165,7 +165,7 @@ impl<R: BufRead> Elements<R> {
 }
 
 impl<R: BufRead> Iterator for Elements<R> {
-    type Item = Line<Vec<u8>>;
+    type Item = Numbered<Vec<u8>>;
 
     fn next(&mut self) -> Option<Self::Item> {
         while !self.is_over {

@@ -6,7 +6,7 @@ use crate::report::Kept;
 use crate::report::words::shortened;
 
 /// A row as it was read.
-pub struct Row {
+pub struct ReadRow {
     /// What is read of it.
     pub cells: Cells,
     /// What is handed on.
@@ -68,9 +68,9 @@ impl Keep {
     }
 
     /// A row of a table, by the places of its cells and of what is handed on.
-    pub fn row(row: &[String], places: &[usize], kept: &[(String, usize)]) -> Row {
+    pub fn row(row: &[String], places: &[usize], kept: &[(String, usize)]) -> ReadRow {
         let kept = kept.iter().filter_map(|(name, place)| Some((name, row.get(*place)?)));
-        Row {
+        ReadRow {
             cells: places.iter().map(|&place| row.get(place).cloned()).collect(),
             kept: kept.map(|(name, text)| (name.clone(), Kept::Text(text.clone()))).collect(),
         }

@@ -4,7 +4,7 @@ use super::{Input, MAX_RECORD};
 use std::io::{self, BufRead};
 
 /// The lines of an input, with their numbers.
-pub(super) struct Lines {
+pub(super) struct InputLines {
     input: Input,
     /// Bytes that were given back, and how many of them are read again.
     back: Vec<u8>,
@@ -28,7 +28,7 @@ pub(super) enum Reading {
     End,
 }
 
-impl Lines {
+impl InputLines {
     /// The lines of an input, of which the first has this number.
     pub(super) fn new(input: Input, number: u64) -> Self {
         Self { input, back: Vec::new(), read: 0, number, offset: 0, looked: 0 }

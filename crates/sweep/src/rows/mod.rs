@@ -12,13 +12,13 @@ mod roles;
 mod source;
 mod spelling;
 
-pub use arch::Reader;
+pub use arch::ArchReader;
 pub use columns::{Cells, Columns};
-pub use csv::Table;
+pub use csv::TextTable;
 pub use json::objects;
-pub use keep::{Keep, Row};
+pub use keep::{Keep, ReadRow};
 pub use roles::{Purpose, Role};
-pub use source::{Input, Line, Source, Syntax};
+pub use source::{BYTE_ORDER_MARK, Input, Numbered, RowSource, Syntax};
 pub use spelling::Spelling;
 
 /// The most bytes of a row: one without end would fill the memory.

@@ -7,7 +7,7 @@ use std::io::{self, BufRead, BufReader, IsTerminal};
 use std::path::Path;
 
 /// A row of the input: its line number, and its content or its error.
-pub type Line<T> = (u64, Result<T, String>);
+pub type Numbered<T> = (u64, Result<T, String>);
 
 /// Bytes that are read on a thread of their own.
 pub type Input = Box<dyn BufRead + Send>;
@@ -32,7 +32,7 @@ impl Syntax {
 }
 
 /// Rows from standard input or from a file.
-pub struct Source {
+pub struct RowSource {
     input: Input,
     /// Bytes in all, where that is known.
     pub length: Option<u64>,
@@ -42,7 +42,7 @@ pub struct Source {
     pub is_typed: bool,
 }
 
-impl Source {
+impl RowSource {
     /// Standard input, or the file named; `-` is standard input too.
     pub fn open(path: Option<&Path>) -> Result<Self, Failure> {
         let path = path.filter(|path| *path != Path::new("-"));
@@ -72,7 +72,7 @@ impl Source {
 }
 
 /// What some programs write before the text.
-const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
+pub const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
 
 /// Skips a byte order mark and empty lines before the first row of JSON; in a table they count as lines.
 /// Answers the first character of the text.

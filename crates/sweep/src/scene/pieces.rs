@@ -5,7 +5,8 @@ use super::plan::Plan;
 use super::schema::{Drawn, MapLine};
 use crate::arch::SelfWeight;
 use crate::atlas::{Level, NoLevel, NoSketch, Sketch, Trace};
-use crate::certify::state::{Answer, AssessmentDigits, Columns, Figure, Inquiry};
+use crate::certify::batch::SharedOpenings;
+use crate::certify::state::{Answer, AssessmentDigits, Balls, Figure, Inquiry};
 use crate::certify::{
     CertifiedLandmark, Constant, Enclosed, Error, Refused, Undecided, asymmetric_thicknesses,
     fingerprint,
@@ -135,15 +136,16 @@ impl CurvePiece {
 }
 
 /// What the arches of a plan share, by what is asked of them.
-pub(super) struct Shared(HashMap<(usize, bool), Columns>);
+pub(super) struct Shared(HashMap<(usize, bool), SharedOpenings>);
 
 impl Shared {
     /// Nothing is proved yet.
     pub(super) fn new(plan: &Plan) -> Self {
-        let asked = plan.arches.iter().filter_map(ArchNode::shared);
-        Self(
-            asked.filter_map(|asked| Some((asked, Columns::new(asked.0, asked.1).ok()?))).collect(),
-        )
+        let openings = |(digits, frictions)| {
+            let of = SharedOpenings::new(Balls::DoubleDoubles, digits, frictions);
+            Some(((digits, frictions), of.ok()?))
+        };
+        Self(plan.arches.iter().filter_map(ArchNode::shared).filter_map(openings).collect())
     }
 }
 
@@ -155,9 +157,9 @@ impl ArchPiece {
         let asymmetric =
             asymmetric.map(|digits| (digits, asymmetric_thicknesses(node.arch, digits))).collect();
         if let Some(asked) = node.shared()
-            && let Some(columns) = shared.0.get(&asked)
+            && let Some(openings) = shared.0.get(&asked)
         {
-            let states = BTreeMap::from([(asked.0, columns.certify(node.arch))]);
+            let states = BTreeMap::from([(asked.0, openings.state(node.arch))]);
             return Self { states, thicknesses: Vec::new(), asymmetric };
         }
         let mut inquiry = Inquiry::new(node.arch, node.digits(), node.frictions());

@@ -1,19 +1,16 @@
 //! Pieces of a Parquet file: rows of its row groups.
 
-use super::column::{Of, has_its_rows, reader as reads};
+use super::column::{ColumnOf, cells, has_its_rows};
 use super::cost::MAX_PARTS;
-use super::kind::Kind;
+use super::kind::ValueKind;
 use super::pieces::{CHANGED, columns, hash_of, hash_of_pieces};
 use super::query::Listed;
 use crate::arch::SelfWeight;
 use crate::check::reason;
 use crate::number::ExactNumber;
-use crate::rows::{Cells, Reader, Spelling};
+use crate::rows::{ArchReader, Cells, Spelling};
 use ::parquet::basic::{Compression, Type};
-use ::parquet::column::reader::ColumnReaderImpl;
-use ::parquet::data_type::{
-    ByteArray, ByteArrayType, DataType, DoubleType, FloatType, Int32Type, Int64Type,
-};
+use ::parquet::data_type::{ByteArray, ByteArrayType, DoubleType, FloatType, Int32Type, Int64Type};
 use ::parquet::errors::ParquetError;
 use ::parquet::file::metadata::RowGroupMetaData;
 use ::parquet::file::reader::{FileReader, SerializedFileReader};
@@ -52,7 +49,7 @@ fn hash(file: &mut File, group: &RowGroupMetaData, places: &[usize]) -> Result<S
     let mut told = hash_of_pieces(file, &pieces).map_err(|error| reason(&error))?;
     for column in columns {
         let (name, stored) = (column.column_path().string(), column.column_type());
-        told += &format!("\n{name} {stored} {:?}", Kind::of(column.column_descr())?);
+        told += &format!("\n{name} {stored} {:?}", ValueKind::of(column.column_descr())?);
     }
     Ok(hash_of(told.as_bytes()))
 }
@@ -64,7 +61,7 @@ pub(super) fn slices(path: &Path, rows: u64) -> Result<Vec<GroupSlice>, String> 
     let reader = reader.map_err(failed)?;
     let (_, places) = columns(&header(&reader))?;
     let schema = reader.metadata().file_metadata().schema_descr_ptr();
-    places.iter().try_for_each(|&place| Kind::of(&schema.column(place)).map(drop))?;
+    places.iter().try_for_each(|&place| ValueKind::of(&schema.column(place)).map(drop))?;
     let pages = Arc::new(file.try_clone().map_err(|error| reason(&error))?);
     let mut slices = Vec::new();
     for (number, group) in reader.metadata().row_groups().iter().enumerate() {
@@ -126,7 +123,7 @@ pub(super) fn read(
     let file = Arc::new(file);
     let read = |place: &usize| texts((&file, group, group.column(*place)), slice);
     let texts = places.iter().map(read).collect::<Result<Vec<_>, _>>().map_err(failed)?;
-    let reader = Reader { columns, weight, doubles: false, spelling: Spelling::default() };
+    let reader = ArchReader { columns, weight, doubles: false, spelling: Spelling::default() };
     let mut listed = Listed::default();
     for row in 0..slice.rows as usize {
         let cells: Cells = texts.iter().map(|column| Some(column[row].clone())).collect();
@@ -140,35 +137,36 @@ pub(super) fn read(
 const USUAL_TEXT: u64 = 512;
 const TEXTS: u64 = 64 << 20;
 
-/// Whether texts are short enough to be held, one for each row.
-fn fit(texts: &[ByteArray]) -> Result<(), ParquetError> {
-    let bytes: u64 = texts.iter().map(|text| text.len() as u64).sum();
-    match bytes <= TEXTS.max(USUAL_TEXT * texts.len() as u64) {
+/// Whether texts are short enough to be held, one for each row that has one.
+fn fit(texts: &[Option<ByteArray>]) -> Result<(), ParquetError> {
+    let lengths = || texts.iter().flatten().map(|text| text.len() as u64);
+    let (rows, bytes) = (lengths().count(), lengths().sum::<u64>());
+    match bytes <= TEXTS.max(USUAL_TEXT * rows as u64) {
         true => Ok(()),
         false => Err(ParquetError::General(format!(
-            "{} rows have {} MiB of text in a column; give a smaller chunk",
-            texts.len(),
+            "{rows} rows have {} MiB of text in a column; give a smaller chunk",
             bytes >> 20
         ))),
     }
 }
 
 /// The cells of a column as exact texts; empty where there is none.
-fn texts(of: Of, slice: &GroupSlice) -> Result<Vec<String>, ParquetError> {
-    let how = (slice, of.2.column_descr().max_def_level() > 0);
-    let kind = Kind::of(of.2.column_descr()).map_err(ParquetError::General)?;
+fn texts(of: ColumnOf, slice: &GroupSlice) -> Result<Vec<String>, ParquetError> {
+    let rows = slice.skip as usize..(slice.skip + slice.rows) as usize;
+    let kind = ValueKind::of(of.2.column_descr()).map_err(ParquetError::General)?;
     Ok(match of.2.column_type() {
-        Type::DOUBLE => values::<DoubleType>(reads(of)?, how)?.cells(|x| exact(*x)),
-        Type::FLOAT => values::<FloatType>(reads(of)?, how)?.cells(|x| exact(f64::from(*x))),
-        Type::INT32 => values::<Int32Type>(reads(of)?, how)?
-            .cells(|x| kind.whole(i64::from(*x), u64::from(x.cast_unsigned()))),
+        Type::DOUBLE => written(&cells::<DoubleType>(of, rows)?, |x| exact(*x)),
+        Type::FLOAT => written(&cells::<FloatType>(of, rows)?, |x| exact(f64::from(*x))),
+        Type::INT32 => written(&cells::<Int32Type>(of, rows)?, |x| {
+            kind.whole(i64::from(*x), u64::from(x.cast_unsigned()))
+        }),
         Type::INT64 => {
-            values::<Int64Type>(reads(of)?, how)?.cells(|x| kind.whole(*x, x.cast_unsigned()))
+            written(&cells::<Int64Type>(of, rows)?, |x| kind.whole(*x, x.cast_unsigned()))
         }
         Type::BYTE_ARRAY => {
-            let read = values::<ByteArrayType>(reads(of)?, how)?;
-            fit(&read.values)?;
-            read.cells(|text| String::from_utf8_lossy(text.data()).trim().to_owned())
+            let texts = cells::<ByteArrayType>(of, rows)?;
+            fit(&texts)?;
+            written(&texts, |text| String::from_utf8_lossy(text.data()).trim().to_owned())
         }
         _ => {
             let message = "a column is neither of numbers nor of texts";
@@ -185,44 +183,15 @@ fn exact(x: f64) -> String {
     }
 }
 
-/// The values of a column, and which rows have one if not all do.
-struct Values<T> {
-    values: Vec<T>,
-    there: Option<Vec<i16>>,
-}
-
-fn values<T: DataType>(
-    mut column: ColumnReaderImpl<T>,
-    (slice, is_optional): (&GroupSlice, bool),
-) -> Result<Values<T::T>, ParquetError> {
-    let (skip, rows) = (slice.skip as usize, slice.rows as usize);
-    let (mut values, mut there) = (Vec::new(), is_optional.then(Vec::new));
-    let skipped = column.skip_records(skip)?;
-    let (read, ..) = column.read_records(rows, there.as_mut(), None, &mut values)?;
-    if skipped != skip || read != rows {
-        return Err(ParquetError::General("rows are missing".into()));
-    }
-    Ok(Values { values, there })
-}
-
-impl<T> Values<T> {
-    /// The cells of the rows; empty where there is none.
-    fn cells(&self, text: impl Fn(&T) -> String) -> Vec<String> {
-        let mut values = self.values.iter().map(text);
-        match &self.there {
-            Some(there) => {
-                let mut cell = |&level: &i16| if level > 0 { values.next() } else { None };
-                there.iter().map(|level| cell(level).unwrap_or_default()).collect()
-            }
-            None => values.collect(),
-        }
-    }
+/// The texts of cells; empty where there is no value.
+fn written<T>(cells: &[Option<T>], text: impl Fn(&T) -> String) -> Vec<String> {
+    cells.iter().map(|cell| cell.as_ref().map(&text).unwrap_or_default()).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ::parquet::data_type::ByteArray;
+    use ::parquet::data_type::DataType;
     use ::parquet::file::writer::SerializedFileWriter;
     use ::parquet::schema::parser::parse_message_type;
     use tempfile::NamedTempFile;
@@ -371,7 +340,7 @@ mod tests {
 
     #[test]
     fn a_long_text_that_many_rows_name_is_not_unfolded() {
-        let text = |length| ByteArray::from(vec![b'1'; length]);
+        let text = |length| Some(ByteArray::from(vec![b'1'; length]));
         let many = |length, rows| vec![text(length); rows];
         assert!(fit(&many(17, 1_000)).is_ok() && fit(&many(10_000, 1_000)).is_ok());
         let long = text(19_000);

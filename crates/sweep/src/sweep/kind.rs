@@ -5,7 +5,7 @@ use ::parquet::schema::types::ColumnDescriptor;
 
 /// What values are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum ValueKind {
     /// What they are stored as.
     Plain,
     /// Whole numbers of either sign.
@@ -22,7 +22,7 @@ pub(super) enum Kind {
 /// The most digits of a decimal that is stored as a whole number.
 const MAX_SCALE: usize = 18;
 
-impl Kind {
+impl ValueKind {
     /// Of a column; or that it has neither numbers nor texts.
     pub(super) fn of(column: &ColumnDescriptor) -> Result<Self, String> {
         // Old files have the one note, new ones both, which say the same.

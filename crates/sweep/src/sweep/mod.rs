@@ -6,14 +6,12 @@
 //! | `cost` | how many rows make a part |
 //! | `queries`, `query` | the rows of a part as they are asked |
 //! | `slices`, `text`, `groups`, `pieces` | the pieces of the files of a data set |
-//! | `answers` | what is proved of them |
 //! | `column`, `kind` | a column of a Parquet file, as it is read; what its values mean |
 //! | `table` | a part as a Parquet file |
 //! | `store` | the folder of the parts |
 //! | `sweep` | a sweep and its parts: the door |
 //! | `verify` | looks through what was made |
 
-mod answers;
 mod column;
 mod cost;
 mod groups;
@@ -30,6 +28,5 @@ mod table;
 mod text;
 mod verify;
 
-pub use answers::Verdict;
-pub use sweep::{Part, Sweep, SweepError};
+pub use sweep::{SurveyedPart, Sweep, SweepError};
 pub use verify::{Verified, verify};

@@ -1,9 +1,10 @@
 //! The rows of a part as they are asked.
 
-use super::query::{Arches, Given, Grid, Listed, Queries};
-use super::record::{self, DataFile, Record};
+use super::query::{AxisNumber, Listed, PartArches, PartGrid, PartQueries};
+use super::record::{self, DataFile, SweepRecord};
 use super::slices::read_slice;
 use crate::arch::SelfWeight;
+use crate::certify::batch::SharedOpening;
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Friction};
 use crate::report::GivenDoubles;
@@ -16,24 +17,28 @@ use std::path::Path;
 const BLOCK: u64 = 1_000;
 
 /// The rows of a part; `base` is where the paths of a data set begin.
-pub(super) fn queries(record: &Record, rows: &Range<u64>, base: &Path) -> Result<Queries, String> {
+pub(super) fn queries(
+    record: &SweepRecord,
+    rows: &Range<u64>,
+    base: &Path,
+) -> Result<PartQueries, String> {
     let arches = match &record.arches {
         record::Arches::Grid { half_opening, friction } => {
-            Arches::Grid(grid(&record.weights(), (half_opening, friction), rows)?)
+            PartArches::Grid(grid(&record.weights(), (half_opening, friction), rows)?)
         }
         record::Arches::Sample { seed, hard } => {
-            Arches::Listed(Box::new(sample(*seed, *hard, rows)))
+            PartArches::Listed(Box::new(sample(*seed, *hard, rows)))
         }
         record::Arches::Data { files } => {
-            Arches::Listed(Box::new(data(record, files, rows, base)?))
+            PartArches::Listed(Box::new(data(record, files, rows, base)?))
         }
     };
-    Ok(Queries { first: rows.start, arches })
+    Ok(PartQueries { first: rows.start, arches })
 }
 
 /// The rows of a piece of a file.
 fn data(
-    record: &Record,
+    record: &SweepRecord,
     files: &[DataFile],
     rows: &Range<u64>,
     base: &Path,
@@ -59,7 +64,7 @@ fn grid(
     weights: &[SelfWeight],
     (half_openings, frictions): (&[String], &[String]),
     rows: &Range<u64>,
-) -> Result<Grid, String> {
+) -> Result<PartGrid, String> {
     let column = frictions.len() as u64;
     let columns = rows.start / column..rows.end.div_ceil(column);
     // An axis may be long. A part has whole columns, or a piece of one.
@@ -73,19 +78,22 @@ fn grid(
         let number: Friction = text.parse().map_err(|error| of(&error))?;
         let arch = Arch::new(SelfWeight::Heyman, one.clone(), number.clone());
         let double = GivenDoubles::new(&arch.map_err(|error| of(&error))?, None).friction;
-        Ok(Given { text: ByteArray::from(text.as_str()), double, number })
+        Ok(AxisNumber { text: ByteArray::from(text.as_str()), double, number })
     };
     let given = frictions[needed.clone()].iter().map(friction);
-    let frictions: Vec<Given<Friction>> = given.collect::<Result<_, String>>()?;
+    let frictions: Vec<AxisNumber<Friction>> = given.collect::<Result<_, String>>()?;
     let count = half_openings.len() as u64;
     let column = |place: u64| {
         let (weight, text) =
             (weights[(place / count) as usize], &half_openings[(place % count) as usize]);
         let number: ExactNumber = text.parse().map_err(|error| of(&error))?;
         let double = number.nearest_double();
-        Ok((weight, Given { text: ByteArray::from(text.as_str()), double, number }))
+        Ok((weight, AxisNumber { text: ByteArray::from(text.as_str()), double, number }))
     };
-    Ok(Grid { columns: columns.map(column).collect::<Result<_, String>>()?, frictions })
+    let enclosed = frictions.iter().map(|friction| SharedOpening::enclosed(&friction.number));
+    let (columns, enclosed) =
+        (columns.map(column).collect::<Result<_, String>>()?, enclosed.collect());
+    Ok(PartGrid { columns, frictions, enclosed })
 }
 
 fn sample(seed: u64, hard: bool, rows: &Range<u64>) -> Listed {

@@ -1,36 +1,40 @@
 //! The rows of a part as they are asked.
 
 use crate::arch::SelfWeight;
-use crate::number::ExactNumber;
+use crate::certify::batch::{BatchArches, SharedOpening, grouped};
+use crate::number::{DoubleDoubleBall, ExactNumber};
 use crate::problem::{Arch, Friction};
 use crate::report::GivenDoubles;
-use crate::rows::{Cells, Reader};
+use crate::rows::{ArchReader, Cells};
 use ::parquet::data_type::ByteArray;
+use std::borrow::Cow;
 use std::ops::Range;
 
 /// The rows of a part as they are asked; they follow each other in the sweep.
-pub(super) struct Queries {
+pub(super) struct PartQueries {
     /// The place of the first one in the sweep, from 0.
     pub first: u64,
-    pub arches: Arches,
+    pub arches: PartArches,
 }
 
 /// The arches of a part.
-pub(super) enum Arches {
+pub(super) enum PartArches {
     /// Of a grid: every half opening with every friction.
-    Grid(Grid),
+    Grid(PartGrid),
     /// One by one.
     Listed(Box<Listed>),
 }
 
 /// Half openings with their weights, and the frictions that each of them has.
-pub(super) struct Grid {
-    pub columns: Vec<(SelfWeight, Given<ExactNumber>)>,
-    pub frictions: Vec<Given<Friction>>,
+pub(super) struct PartGrid {
+    pub columns: Vec<(SelfWeight, AxisNumber<ExactNumber>)>,
+    pub frictions: Vec<AxisNumber<Friction>>,
+    /// The frictions in enclosures, the same for every half opening; none for those without a limit.
+    pub enclosed: Vec<Option<DoubleDoubleBall>>,
 }
 
 /// A number of an axis: its text, the nearest double, and itself.
-pub(super) struct Given<T> {
+pub(super) struct AxisNumber<T> {
     pub text: ByteArray,
     pub double: Option<f64>,
     pub number: T,
@@ -56,25 +60,54 @@ pub(super) struct Texts {
     ends: Vec<usize>,
 }
 
-impl Queries {
+impl PartQueries {
     /// How many rows there are.
     pub(super) fn len(&self) -> usize {
         match &self.arches {
-            Arches::Grid(Grid { columns, frictions }) => columns.len() * frictions.len(),
-            Arches::Listed(listed) => listed.arches.len(),
+            PartArches::Grid(PartGrid { columns, frictions, .. }) => {
+                columns.len() * frictions.len()
+            }
+            PartArches::Listed(listed) => listed.arches.len(),
+        }
+    }
+}
+
+impl BatchArches for PartQueries {
+    fn openings(&self) -> Vec<Vec<usize>> {
+        match &self.arches {
+            PartArches::Grid(PartGrid { columns, frictions, .. }) => {
+                let rows = |column: usize| column * frictions.len()..(column + 1) * frictions.len();
+                (0..columns.len()).map(|column| rows(column).collect()).collect()
+            }
+            PartArches::Listed(listed) => {
+                let key = |(row, arch): (usize, &Result<Arch, String>)| {
+                    Some((arch.as_ref().ok()?.weight(), listed.texts[1].of(row)))
+                };
+                grouped(listed.arches.iter().enumerate().map(key))
+            }
         }
     }
 
-    /// The arch of a row, or why it cannot be read.
-    pub(super) fn arch(&self, row: usize) -> Result<Arch, String> {
+    fn arch(&self, row: usize) -> Result<Cow<'_, Arch>, String> {
         match &self.arches {
-            Arches::Grid(Grid { columns, frictions }) => {
+            PartArches::Grid(PartGrid { columns, frictions, .. }) => {
                 let (weight, half_opening) = &columns[row / frictions.len()];
                 let friction = frictions[row % frictions.len()].number.clone();
                 let arch = Arch::new(*weight, half_opening.number.clone(), friction);
-                arch.map_err(|error| error.to_string())
+                arch.map(Cow::Owned).map_err(|error| error.to_string())
             }
-            Arches::Listed(listed) => listed.arches[row].clone(),
+            PartArches::Listed(listed) => {
+                listed.arches[row].as_ref().map(Cow::Borrowed).map_err(Clone::clone)
+            }
+        }
+    }
+
+    fn friction(&self, row: usize) -> Option<DoubleDoubleBall> {
+        match &self.arches {
+            PartArches::Grid(grid) => grid.enclosed[row % grid.enclosed.len()],
+            PartArches::Listed(listed) => {
+                SharedOpening::enclosed(listed.arches[row].as_ref().ok()?.friction())
+            }
         }
     }
 }
@@ -96,7 +129,7 @@ impl Listed {
     }
 
     /// Adds a row of a data set.
-    pub(super) fn push_row(&mut self, reader: &Reader, cells: &Cells) {
+    pub(super) fn push_row(&mut self, reader: &ArchReader, cells: &Cells) {
         match reader.arch(cells) {
             Ok(arch) => self.push(arch),
             Err(error) => self.refuse(&reader.described(cells), error),

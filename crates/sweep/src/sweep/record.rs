@@ -20,7 +20,7 @@ pub(super) const VERSION: &str = env!("CARGO_PKG_VERSION");
 /// What a sweep is, in names and exact texts.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Record {
+pub(super) struct SweepRecord {
     pub schema: String,
     /// The version of the program: another one may prove what this one leaves undecided.
     pub couplet: String,
@@ -59,7 +59,7 @@ pub(super) struct DataFile {
     pub slices: Slices,
 }
 
-impl Record {
+impl SweepRecord {
     /// Of a plan whose paths begin in a folder. Files of a data set are read once.
     pub(super) fn new(plan: &SweepPlan, base: &Path) -> Self {
         let chunk = rows_of_a_part(plan);
@@ -208,9 +208,9 @@ mod tests {
     use super::*;
     use crate::scene::read_sweep;
 
-    fn record(rest: &str) -> Record {
+    fn record(rest: &str) -> SweepRecord {
         let text = format!("schema = \"couplet.sweep/1\"\n{rest}");
-        Record::new(&read_sweep(text.as_bytes()).unwrap(), Path::new(""))
+        SweepRecord::new(&read_sweep(text.as_bytes()).unwrap(), Path::new(""))
     }
 
     #[test]
@@ -237,23 +237,23 @@ mod tests {
         let (one, other) =
             (record("[sample]\ncount = 9\n"), record("[sample]\ncount = 9\nseed = 2\n"));
         assert_ne!(one.hash(), other.hash());
-        assert_eq!(serde_json::from_str::<Record>(&one.text()).unwrap(), one);
+        assert_eq!(serde_json::from_str::<SweepRecord>(&one.text()).unwrap(), one);
     }
 
     #[test]
     fn a_record_that_cannot_be_is_refused_before_its_parts_are_listed() {
         let usual = || record("chunk = 9\n[sample]\ncount = 10\n");
         assert_eq!(usual().check(), Ok(()));
-        let contradicts = |record: Record| {
+        let contradicts = |record: SweepRecord| {
             assert_eq!(record.check(), Err("its record contradicts itself".to_owned()));
         };
-        contradicts(Record { rows: 1_000_000_000_000_000_000, ..usual() });
-        contradicts(Record { chunk: 0, ..usual() });
-        contradicts(Record { chunk: u64::MAX, ..usual() });
-        contradicts(Record { digits: usize::MAX, ..usual() });
-        contradicts(Record { quantities: vec!["x".into()], ..usual() });
+        contradicts(SweepRecord { rows: 1_000_000_000_000_000_000, ..usual() });
+        contradicts(SweepRecord { chunk: 0, ..usual() });
+        contradicts(SweepRecord { chunk: u64::MAX, ..usual() });
+        contradicts(SweepRecord { digits: usize::MAX, ..usual() });
+        contradicts(SweepRecord { quantities: vec!["x".into()], ..usual() });
         let grid = record("[grid]\nhalf_opening = [1, 2]\nfriction = 1\n");
-        contradicts(Record { rows: 3, ..grid });
+        contradicts(SweepRecord { rows: 3, ..grid });
         let text = record("chunk = 1\n[sample]\ncount = 1000001\n").check().unwrap_err();
         assert!(text.ends_with("1000000 parts, and this would have 1000001: give a larger chunk"));
     }

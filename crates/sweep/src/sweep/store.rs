@@ -3,7 +3,7 @@
 //! whether it is what was written.
 
 use super::pieces::{hash_of, hash_of_pieces};
-use super::record::{Record, VERSION};
+use super::record::{SweepRecord, VERSION};
 use super::table::Notes;
 use crate::check::reason;
 use crate::report::words::shortened;
@@ -39,7 +39,7 @@ pub(super) struct Store {
 
 /// What is in the folder of a sweep.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Files {
+pub(super) struct PartFiles {
     /// The names of the files of each part.
     pub parts: BTreeMap<usize, Vec<String>>,
     /// What is no part of the sweep, by name: every reader would take it for one, or not know what to do.
@@ -48,7 +48,7 @@ pub(super) struct Files {
 
 /// What there is of a part.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum There {
+pub(super) enum PartState {
     /// Nothing, or files that are not what was written.
     Missing,
     /// The part, by its name, and the counts of its verdicts.
@@ -60,13 +60,13 @@ pub(super) enum There {
 
 impl Store {
     /// The folder of a sweep in the folder of the results; it is not made.
-    pub(super) fn new(output: &Path, record: &Record) -> Self {
+    pub(super) fn new(output: &Path, record: &SweepRecord) -> Self {
         let plan = record.hash();
         Self { folder: output.join(named(&plan)), output: output.to_owned(), plan }
     }
 
     /// The folder of a sweep that was made, with its record, whose hash has to be its name.
-    pub(super) fn open(folder: &Path) -> Result<(Self, Record), String> {
+    pub(super) fn open(folder: &Path) -> Result<(Self, SweepRecord), String> {
         let none = "it is not the folder of a sweep";
         let whole = fs::canonicalize(folder).map_err(|error| reason(&error))?;
         let (output, name) = (whole.parent(), whole.file_name().and_then(|name| name.to_str()));
@@ -84,7 +84,7 @@ impl Store {
             false => return Err(format!("{none}: it has no {shown} beside it")),
         }
         let text = fs::read(&path).map_err(|error| format!("{shown}: {}", reason(&error)))?;
-        let record: Option<Record> = serde_json::from_slice(&text).ok();
+        let record: Option<SweepRecord> = serde_json::from_slice(&text).ok();
         let record = record.filter(|record| record.text().as_bytes() == text);
         let record =
             record.ok_or(format!("{shown} is not the record of a sweep of this version"))?;
@@ -131,7 +131,7 @@ impl Store {
     }
 
     /// Makes the folder, with the record beside it, and clears what killed runs have left.
-    pub(super) fn prepare(&self, record: &Record) -> io::Result<()> {
+    pub(super) fn prepare(&self, record: &SweepRecord) -> io::Result<()> {
         fs::create_dir_all(&self.folder)?;
         let unfinished = self.unfinished();
         for entry in fs::read_dir(self.results())?.filter_map(|entry| entry.ok()) {
@@ -151,9 +151,9 @@ impl Store {
     }
 
     /// What is in the folder of a sweep of so many parts. Hidden names are nobody's data.
-    pub(super) fn files(&self, parts: usize) -> Result<Files, String> {
+    pub(super) fn files(&self, parts: usize) -> Result<PartFiles, String> {
         let failed = |error: io::Error| self.unread(&self.folder, &error);
-        let mut files = Files::default();
+        let mut files = PartFiles::default();
         let entries = match fs::read_dir(&self.folder) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(files),
             entries => entries.map_err(failed)?,
@@ -188,8 +188,8 @@ impl Store {
         names: &[String],
         rows: &Range<u64>,
         removes: bool,
-    ) -> Result<There, String> {
-        let mut there = There::Missing;
+    ) -> Result<PartState, String> {
+        let mut there = PartState::Missing;
         for name in names {
             let path = self.folder.join(name);
             let failed = |error: io::Error| self.unread(&path, &error);
@@ -197,12 +197,12 @@ impl Store {
                 None if removes => fs::remove_file(&path).map_err(failed)?,
                 None => {}
                 Some(Some(notes)) if notes.plan == self.plan && notes.rows == *rows => {
-                    if there != There::Missing {
-                        return Ok(There::Foreign(name.clone()));
+                    if there != PartState::Missing {
+                        return Ok(PartState::Foreign(name.clone()));
                     }
-                    there = There::Whole(name.clone(), notes.counts);
+                    there = PartState::Whole(name.clone(), notes.counts);
                 }
-                Some(_) => return Ok(There::Foreign(name.clone())),
+                Some(_) => return Ok(PartState::Foreign(name.clone())),
             }
         }
         Ok(there)

@@ -1,11 +1,11 @@
 //! A sweep: what it is, the folder of its parts, and the work that one part is. Nothing else has to be known to whoever
 //! shares the parts among processes or machines.
 
-use super::answers::Wanted;
 use super::queries::queries;
-use super::record::{Arches, Record};
-use super::store::{Store, There};
-use super::table::{Notes, Table};
+use super::record::{Arches, SweepRecord};
+use super::store::{PartState, Store};
+use super::table::{Notes, PartTable};
+use crate::certify::batch::{Batch, Threads};
 use crate::check::reason;
 use crate::scene::{SWEEP_DIGITS, SweepPlan};
 use rayon::prelude::*;
@@ -26,22 +26,22 @@ pub enum SweepError {
 
 /// A sweep and the folder of its parts.
 pub struct Sweep {
-    pub(super) record: Record,
+    pub(super) record: SweepRecord,
     pub(super) store: Store,
     /// Where the paths of a data set begin.
     pub(super) base: PathBuf,
-    pub(super) wanted: Wanted,
+    pub(super) batch: Batch,
     parts: Vec<Range<u64>>,
 }
 
 /// What a part is: complete, with the counts of its verdicts, or missing.
-pub type Part = (usize, Option<[u64; 4]>);
+pub type SurveyedPart = (usize, Option<[u64; 4]>);
 
 impl Sweep {
     /// The sweep of a plan, with results in a folder of `output`; `base` is where the paths of a data set begin. The
     /// files of a data set are read once.
     pub fn new(plan: &SweepPlan, base: &Path, output: &Path) -> Result<Self, SweepError> {
-        let record = Record::new(plan, base);
+        let record = SweepRecord::new(plan, base);
         record.check().map_err(SweepError::Input)?;
         Ok(Self::of(Store::new(output, &record), record, base))
     }
@@ -54,11 +54,11 @@ impl Sweep {
         Ok(Self::of(store, record, base))
     }
 
-    fn of(store: Store, record: Record, base: &Path) -> Self {
+    fn of(store: Store, record: SweepRecord, base: &Path) -> Self {
         let (quantities, digits) = (record.quantities(), record.digits);
-        let wanted = Wanted { quantities, digits, has_texts: digits > SWEEP_DIGITS };
+        let batch = Batch { quantities, digits, has_texts: digits > SWEEP_DIGITS };
         let parts = record.parts();
-        Self { record, store, base: base.to_owned(), wanted, parts }
+        Self { record, store, base: base.to_owned(), batch, parts }
     }
 
     /// The folder of its parts.
@@ -106,7 +106,7 @@ impl Sweep {
 
     /// What there is of some parts, told by their content. What is not whole is removed; what is no part of the sweep is
     /// an error.
-    pub fn survey(&self, parts: &[usize]) -> Result<Vec<Part>, SweepError> {
+    pub fn survey(&self, parts: &[usize]) -> Result<Vec<SurveyedPart>, SweepError> {
         let files = self.store.files(self.parts()).map_err(SweepError::Io)?;
         let foreign = |name: &str, what: &str| {
             let path = self.folder().join(name);
@@ -119,9 +119,9 @@ impl Sweep {
             let Some(names) = files.parts.get(&part) else { return Ok((part, None)) };
             let there = self.store.there(names, &self.parts[part], true);
             match there.map_err(SweepError::Io)? {
-                There::Missing => Ok((part, None)),
-                There::Whole(_, counts) => Ok((part, Some(counts))),
-                There::Foreign(name) => {
+                PartState::Missing => Ok((part, None)),
+                PartState::Whole(_, counts) => Ok((part, Some(counts))),
+                PartState::Foreign(name) => {
                     Err(foreign(&name, "a part of another sweep or another build"))
                 }
             }
@@ -134,10 +134,11 @@ impl Sweep {
     pub fn compute(&self, part: usize) -> Result<[u64; 4], SweepError> {
         let rows = self.parts[part].clone();
         let queries = queries(&self.record, &rows, &self.base).map_err(SweepError::Input)?;
-        let found = self.wanted.all(&queries);
-        let counts = found.counts();
+        let found = self.batch.states(&queries, Threads::One);
+        let mut counts = [0; 4];
+        found.iter().for_each(|row| counts[row.verdict as usize] += 1);
         let notes = Notes { plan: self.store.plan().to_owned(), rows, counts };
-        let table = Table::new(&self.wanted, &queries, &found);
+        let table = PartTable::new(&self.batch, &queries, &found);
         let bytes = table.bytes(&notes).map_err(|error| SweepError::Io(error.to_string()))?;
         let put = self.store.put(&Store::name(part, &bytes), &bytes);
         put.map_err(|error| self.unwritten(&error))?;

@@ -1,13 +1,12 @@
 //! The rows of a part as a Parquet file, `couplet.sweep/1`: the same rows are the same bytes.
 
-use super::answers::{Answers, Verdict, Wanted};
-use super::column::reader;
-use super::query::{Arches, Grid, Listed, Queries};
+use super::column::cells;
+use super::query::{Listed, PartArches, PartGrid, PartQueries};
 use crate::arch::SelfWeight;
+use crate::certify::batch::{Batch, BatchRow, RowVerdict};
 use crate::problem::Mode;
 use crate::scene::SWEEP_SCHEMA;
 use ::parquet::basic::{Compression, Encoding, LogicalType, Repetition, Type as PhysicalType};
-use ::parquet::column::reader::ColumnReaderImpl;
 use ::parquet::column::writer::{ColumnWriter, ColumnWriterImpl};
 use ::parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int32Type, Int64Type};
 use ::parquet::errors::{ParquetError, Result};
@@ -30,7 +29,7 @@ const TOOL: &str = concat!("couplet ", env!("CARGO_PKG_VERSION"));
 
 /// The cells of a column as they were read; they may be null.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Cells {
+pub(super) enum ReadCells {
     Text(Vec<Option<ByteArray>>),
     Double(Vec<Option<f64>>),
     Whole(Vec<Option<i64>>),
@@ -39,24 +38,24 @@ pub(super) enum Cells {
 }
 
 /// The rows of a part by columns, with the names of these, as they were read.
-pub(super) struct Read(Vec<(String, Cells)>);
+pub(super) struct ReadTable(Vec<(String, ReadCells)>);
 
 /// The cell of each row of a column. A column is never there as a whole: some rows are written at a time.
-type Cell<'a, T> = Box<dyn Fn(usize) -> Option<T> + 'a>;
+type CellOf<'a, T> = Box<dyn Fn(usize) -> Option<T> + 'a>;
 
 /// A column that is written.
-pub(super) enum Column<'a> {
-    Text(Cell<'a, ByteArray>),
-    Double(Cell<'a, f64>),
-    Whole(Cell<'a, i64>),
+pub(super) enum PartColumn<'a> {
+    Text(CellOf<'a, ByteArray>),
+    Double(CellOf<'a, f64>),
+    Whole(CellOf<'a, i64>),
     /// A whole number of one byte.
-    Short(Cell<'a, i32>),
+    Short(CellOf<'a, i32>),
 }
 
 /// The rows of a part by columns, with the names of these.
-pub(super) struct Table<'a> {
+pub(super) struct PartTable<'a> {
     pub rows: usize,
-    pub columns: Vec<(String, Column<'a>)>,
+    pub columns: Vec<(String, PartColumn<'a>)>,
 }
 
 /// What a part says of itself.
@@ -66,27 +65,27 @@ pub(super) struct Notes {
     pub plan: String,
     /// Its rows.
     pub rows: Range<u64>,
-    /// How many of them have which verdict, in the order of [`Verdict::ALL`].
+    /// How many of them have which verdict, in the order of [`RowVerdict::ALL`].
     pub counts: [u64; 4],
 }
 
-impl<'a> Table<'a> {
+impl<'a> PartTable<'a> {
     /// The columns that are asked: row, file and line of a data set, texts and doubles.
-    pub(super) fn asked(queries: &'a Queries) -> Self {
+    pub(super) fn asked(queries: &'a PartQueries) -> Self {
         let whole = |number: u64| i64::try_from(number).ok();
         let first = queries.first;
         let mut columns =
-            vec![("row".to_owned(), Column::whole(move |row| whole(first + row as u64)))];
+            vec![("row".to_owned(), PartColumn::whole(move |row| whole(first + row as u64)))];
         let origin = match &queries.arches {
-            Arches::Listed(listed) => listed.origin.as_ref(),
-            Arches::Grid(_) => None,
+            PartArches::Listed(listed) => listed.origin.as_ref(),
+            PartArches::Grid(_) => None,
         };
         if let Some((file, lines)) = origin {
-            columns.push(("file".into(), Column::text(|_| Some(file.clone()))));
-            columns.push(("line".into(), Column::whole(move |row| whole(lines[row]))));
+            columns.push(("file".into(), PartColumn::text(|_| Some(file.clone()))));
+            columns.push(("line".into(), PartColumn::whole(move |row| whole(lines[row]))));
         }
         let given = match &queries.arches {
-            Arches::Grid(Grid { columns, frictions }) => {
+            PartArches::Grid(PartGrid { columns, frictions, .. }) => {
                 let names = SelfWeight::ALL.map(|weight| (weight, ByteArray::from(weight.name())));
                 let name = move |weight: SelfWeight| {
                     Some(names.iter().find(|(of, _)| *of == weight)?.1.clone())
@@ -95,22 +94,22 @@ impl<'a> Table<'a> {
                 let column = move |row: usize| &columns[row / length];
                 let friction = move |row: usize| &frictions[row % length];
                 [
-                    Column::text(move |row| name(column(row).0)),
-                    Column::text(move |row| Some(column(row).1.text.clone())),
-                    Column::text(move |row| Some(friction(row).text.clone())),
-                    Column::double(move |row| column(row).1.double),
-                    Column::double(move |row| friction(row).double),
+                    PartColumn::text(move |row| name(column(row).0)),
+                    PartColumn::text(move |row| Some(column(row).1.text.clone())),
+                    PartColumn::text(move |row| Some(friction(row).text.clone())),
+                    PartColumn::double(move |row| column(row).1.double),
+                    PartColumn::double(move |row| friction(row).double),
                 ]
             }
-            Arches::Listed(listed) => {
+            PartArches::Listed(listed) => {
                 let Listed { texts: [weights, alphas, mus], doubles: [alpha, mu], .. } =
                     listed.as_ref();
                 [
-                    Column::text(weights.cells()),
-                    Column::text(alphas.cells()),
-                    Column::text(mus.cells()),
-                    Column::double(|row| alpha[row]),
-                    Column::double(|row| mu[row]),
+                    PartColumn::text(weights.cells()),
+                    PartColumn::text(alphas.cells()),
+                    PartColumn::text(mus.cells()),
+                    PartColumn::double(|row| alpha[row]),
+                    PartColumn::double(|row| mu[row]),
                 ]
             }
         };
@@ -120,45 +119,47 @@ impl<'a> Table<'a> {
     }
 
     /// All columns.
-    pub(super) fn new(wanted: &Wanted, queries: &'a Queries, answers: &'a Answers) -> Self {
+    pub(super) fn new(batch: &Batch, queries: &'a PartQueries, found: &'a [Arc<BatchRow>]) -> Self {
         let Self { rows, mut columns } = Self::asked(queries);
-        columns.extend(Self::answered(wanted, answers).columns);
+        columns.extend(Self::answered(batch, found).columns);
         Self { rows, columns }
     }
 
     /// The columns that are answered.
-    pub(super) fn answered(wanted: &Wanted, answers: &'a Answers) -> Self {
+    pub(super) fn answered(batch: &Batch, found: &'a [Arc<BatchRow>]) -> Self {
         // The texts of names are shared.
-        let verdicts = Verdict::ALL.map(|verdict| ByteArray::from(verdict.name()));
+        let verdicts = RowVerdict::ALL.map(|verdict| ByteArray::from(verdict.name()));
         let modes = Mode::ALL.map(|mode| (mode, ByteArray::from(mode.label())));
         let mode = move |row: usize| {
-            let mode = answers.of(row).mode?;
+            let mode = found[row].mode?;
             Some(modes.iter().find(|(of, _)| *of == mode)?.1.clone())
         };
-        let verdict = move |row: usize| Some(verdicts[answers.of(row).verdict as usize].clone());
+        let verdict = move |row: usize| Some(verdicts[found[row].verdict as usize].clone());
         let mut columns = vec![
-            ("verdict".to_owned(), Column::text(verdict)),
-            ("mode".to_owned(), Column::text(mode)),
+            ("verdict".to_owned(), PartColumn::text(verdict)),
+            ("mode".to_owned(), PartColumn::text(mode)),
         ];
-        for (place, quantity) in wanted.quantities.iter().enumerate() {
-            let value = move |row: usize| answers.of(row).values[place].as_ref();
+        for (place, quantity) in batch.quantities.iter().enumerate() {
+            let value = move |row: usize| found[row].values[place].as_ref();
             let name = quantity.name();
-            columns.push((name.to_owned(), Column::double(move |row| Some(value(row)?.double))));
-            columns.push((format!("{name}_side"), Column::short(move |row| value(row)?.side)));
-            if wanted.has_texts {
+            columns
+                .push((name.to_owned(), PartColumn::double(move |row| Some(value(row)?.double))));
+            columns
+                .push((format!("{name}_side"), PartColumn::short(move |row| value(row)?.side())));
+            if batch.has_texts {
                 let text = move |row| value(row)?.text.as_deref().map(ByteArray::from);
-                columns.push((format!("{name}_text"), Column::text(text)));
+                columns.push((format!("{name}_text"), PartColumn::text(text)));
             }
         }
-        let reason = |row: usize| answers.of(row).reason.as_deref().map(ByteArray::from);
-        columns.push(("reason".into(), Column::text(reason)));
-        Self { rows: answers.len(), columns }
+        let reason = |row: usize| found[row].reason.as_deref().map(ByteArray::from);
+        columns.push(("reason".into(), PartColumn::text(reason)));
+        Self { rows: found.len(), columns }
     }
 
     /// The file.
     pub(super) fn bytes(&self, notes: &Notes) -> Result<Vec<u8>> {
         let note = |key: &str, value: String| KeyValue::new(key.to_owned(), value);
-        let counts = Verdict::ALL.iter().zip(notes.counts);
+        let counts = RowVerdict::ALL.iter().zip(notes.counts);
         let counts = counts.map(|(verdict, count)| note(&counted(*verdict), count.to_string()));
         let mut told = vec![
             note("couplet.schema", SWEEP_SCHEMA.to_owned()),
@@ -177,7 +178,7 @@ impl<'a> Table<'a> {
             .set_column_encoding(row, Encoding::DELTA_BINARY_PACKED)
             .set_key_value_metadata(Some(told));
         // The least of decimals as texts tells nothing.
-        let texts = self.columns.iter().filter(|(_, column)| matches!(column, Column::Text(_)));
+        let texts = self.columns.iter().filter(|(_, column)| matches!(column, PartColumn::Text(_)));
         let properties = texts.fold(properties, |properties, (name, _)| {
             let name = ColumnPath::from(name.as_str());
             properties.set_column_statistics_enabled(name, EnabledStatistics::None)
@@ -192,16 +193,16 @@ impl<'a> Table<'a> {
             let Some(mut column) = group.next_column()? else { break };
             let rows = self.rows;
             match (cells, column.untyped()) {
-                (Column::Text(cell), ColumnWriter::ByteArrayColumnWriter(out)) => {
+                (PartColumn::Text(cell), ColumnWriter::ByteArrayColumnWriter(out)) => {
                     write(out, rows, cell)?
                 }
-                (Column::Double(cell), ColumnWriter::DoubleColumnWriter(out)) => {
+                (PartColumn::Double(cell), ColumnWriter::DoubleColumnWriter(out)) => {
                     write(out, rows, cell)?
                 }
-                (Column::Whole(cell), ColumnWriter::Int64ColumnWriter(out)) => {
+                (PartColumn::Whole(cell), ColumnWriter::Int64ColumnWriter(out)) => {
                     write(out, rows, cell)?
                 }
-                (Column::Short(cell), ColumnWriter::Int32ColumnWriter(out)) => {
+                (PartColumn::Short(cell), ColumnWriter::Int32ColumnWriter(out)) => {
                     write(out, rows, cell)?
                 }
                 // The schema is made of the same columns.
@@ -214,7 +215,7 @@ impl<'a> Table<'a> {
     }
 }
 
-impl<'a> Column<'a> {
+impl<'a> PartColumn<'a> {
     fn text(cell: impl Fn(usize) -> Option<ByteArray> + 'a) -> Self {
         Self::Text(Box::new(cell))
     }
@@ -232,21 +233,21 @@ impl<'a> Column<'a> {
     }
 
     /// Whether a cell is one that was read, bit for bit.
-    pub(super) fn is_same(&self, row: usize, there: &Cells, place: usize) -> bool {
+    pub(super) fn is_same(&self, row: usize, there: &ReadCells, place: usize) -> bool {
         match (self, there) {
-            (Self::Text(cell), Cells::Text(there)) => there.get(place) == Some(&cell(row)),
-            (Self::Double(cell), Cells::Double(there)) => {
+            (Self::Text(cell), ReadCells::Text(there)) => there.get(place) == Some(&cell(row)),
+            (Self::Double(cell), ReadCells::Double(there)) => {
                 let bits = |cell: &Option<f64>| cell.map(f64::to_bits);
                 there.get(place).map(bits) == Some(bits(&cell(row)))
             }
-            (Self::Whole(cell), Cells::Whole(there)) => there.get(place) == Some(&cell(row)),
-            (Self::Short(cell), Cells::Short(there)) => there.get(place) == Some(&cell(row)),
+            (Self::Whole(cell), ReadCells::Whole(there)) => there.get(place) == Some(&cell(row)),
+            (Self::Short(cell), ReadCells::Short(there)) => there.get(place) == Some(&cell(row)),
             _ => false,
         }
     }
 }
 
-impl Read {
+impl ReadTable {
     /// The columns of a file, as they were written.
     pub(super) fn of(file: File) -> Result<Self> {
         let file = Arc::new(file);
@@ -258,10 +259,12 @@ impl Read {
         let columns = group.columns().iter().map(|column| {
             let of = (&file, group, column);
             let cells = match column.column_type() {
-                PhysicalType::BYTE_ARRAY => Cells::Text(read::<ByteArrayType>(reader(of)?, rows)?),
-                PhysicalType::DOUBLE => Cells::Double(read::<DoubleType>(reader(of)?, rows)?),
-                PhysicalType::INT64 => Cells::Whole(read::<Int64Type>(reader(of)?, rows)?),
-                PhysicalType::INT32 => Cells::Short(read::<Int32Type>(reader(of)?, rows)?),
+                // Every column is written so that it may have nulls.
+                _ if column.column_descr().max_def_level() == 0 => ReadCells::Text(Vec::new()),
+                PhysicalType::BYTE_ARRAY => ReadCells::Text(cells::<ByteArrayType>(of, 0..rows)?),
+                PhysicalType::DOUBLE => ReadCells::Double(cells::<DoubleType>(of, 0..rows)?),
+                PhysicalType::INT64 => ReadCells::Whole(cells::<Int64Type>(of, 0..rows)?),
+                PhysicalType::INT32 => ReadCells::Short(cells::<Int32Type>(of, 0..rows)?),
                 _ => return Err(ParquetError::General("a column of another type".into())),
             };
             Ok((column.column_descr().name().to_owned(), cells))
@@ -270,7 +273,7 @@ impl Read {
     }
 
     /// The cells of a column, if there is one of that name.
-    pub(super) fn column(&self, name: &str) -> Option<&Cells> {
+    pub(super) fn column(&self, name: &str) -> Option<&ReadCells> {
         self.0.iter().find(|(of, _)| of == name).map(|(_, cells)| cells)
     }
 }
@@ -285,7 +288,7 @@ impl Notes {
         let (start, end) = notes.get("couplet.rows")?.split_once("..")?;
         let rows: Range<u64> = start.parse().ok()?..end.parse().ok()?;
         let mut counts = [0; 4];
-        for verdict in Verdict::ALL {
+        for verdict in RowVerdict::ALL {
             counts[verdict as usize] = notes.get(counted(verdict).as_str())?.parse().ok()?;
         }
         let length = rows.end.checked_sub(rows.start)?;
@@ -298,16 +301,16 @@ impl Notes {
 }
 
 /// The key of a count.
-fn counted(verdict: Verdict) -> String {
+fn counted(verdict: RowVerdict) -> String {
     format!("couplet.{}", verdict.name())
 }
 
-fn field(name: &str, column: &Column) -> Result<Type> {
+fn field(name: &str, column: &PartColumn) -> Result<Type> {
     let (kind, logical) = match column {
-        Column::Text(_) => (PhysicalType::BYTE_ARRAY, Some(LogicalType::String)),
-        Column::Double(_) => (PhysicalType::DOUBLE, None),
-        Column::Whole(_) => (PhysicalType::INT64, None),
-        Column::Short(_) => (PhysicalType::INT32, Some(LogicalType::integer(8, true))),
+        PartColumn::Text(_) => (PhysicalType::BYTE_ARRAY, Some(LogicalType::String)),
+        PartColumn::Double(_) => (PhysicalType::DOUBLE, None),
+        PartColumn::Whole(_) => (PhysicalType::INT64, None),
+        PartColumn::Short(_) => (PhysicalType::INT32, Some(LogicalType::integer(8, true))),
     };
     Type::primitive_type_builder(name, kind)
         .with_repetition(Repetition::OPTIONAL)
@@ -315,7 +318,11 @@ fn field(name: &str, column: &Column) -> Result<Type> {
         .build()
 }
 
-fn write<T: DataType>(out: &mut ColumnWriterImpl<T>, rows: usize, cell: &Cell<T::T>) -> Result<()> {
+fn write<T: DataType>(
+    out: &mut ColumnWriterImpl<T>,
+    rows: usize,
+    cell: &CellOf<T::T>,
+) -> Result<()> {
     let (mut there, mut values) = (Vec::with_capacity(BATCH), Vec::with_capacity(BATCH));
     for first in (0..rows).step_by(BATCH) {
         for cell in (first..rows.min(first + BATCH)).map(cell) {
@@ -327,17 +334,4 @@ fn write<T: DataType>(out: &mut ColumnWriterImpl<T>, rows: usize, cell: &Cell<T:
         values.clear();
     }
     Ok(())
-}
-
-fn read<T: DataType>(mut column: ColumnReaderImpl<T>, rows: usize) -> Result<Vec<Option<T::T>>> {
-    let (mut values, mut there) = (Vec::new(), Vec::new());
-    let (read, ..) = column.read_records(rows, Some(&mut there), None, &mut values)?;
-    let mut values = values.into_iter();
-    match read == rows {
-        true => Ok(there
-            .into_iter()
-            .map(|there| if there > 0 { values.next() } else { None })
-            .collect()),
-        false => Err(ParquetError::General("rows are missing".into())),
-    }
 }

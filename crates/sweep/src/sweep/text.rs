@@ -4,7 +4,7 @@ use super::pieces::{CHANGED, bytes_of, columns, hash_of, hash_of_pieces};
 use super::query::Listed;
 use crate::arch::SelfWeight;
 use crate::check::reason;
-use crate::rows::{Cells, Reader, Spelling, Table};
+use crate::rows::{ArchReader, BYTE_ORDER_MARK, Cells, Spelling, TextTable};
 use serde::{Deserialize, Serialize};
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Cursor, Seek, SeekFrom};
@@ -33,9 +33,6 @@ pub(super) struct TextSlice {
     sha256: String,
 }
 
-/// What some programs write before the text.
-const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
-
 /// Where the text of a file begins.
 fn start(file: &mut File) -> io::Result<u64> {
     let mark = bytes_of(file, 0, BYTE_ORDER_MARK.len() as u64)?;
@@ -53,7 +50,7 @@ pub(super) fn slices(path: &Path, rows: u64) -> Result<(Head, Vec<TextSlice>), S
     if matches!(first, Some(b'{' | b'[')) {
         return Err("it is JSON; a sweep reads tables of text and Parquet".into());
     }
-    let mut table = Table::open(Box::new(input)).map_err(|error| error.to_string())?;
+    let mut table = TextTable::open(Box::new(input)).map_err(|error| error.to_string())?;
     columns(&table.header)?;
     let head = table.looked();
     let mut pieces = Vec::new();
@@ -85,7 +82,7 @@ pub(super) fn read(
         let is_same = hash_of(&bytes) == sha256;
         is_same.then(|| Box::new(Cursor::new(bytes))).ok_or_else(|| CHANGED.to_owned())
     };
-    let table = Table::open(input(head.offset, head.bytes, &head.sha256)?);
+    let table = TextTable::open(input(head.offset, head.bytes, &head.sha256)?);
     let table = table.map_err(|error| error.to_string())?;
     let table = table.with_rows(input(slice.offset, slice.bytes, &slice.sha256)?, slice.line);
     let (lines, listed) = rows(table, slice.rows as usize, weight)?;
@@ -101,10 +98,10 @@ pub(super) fn read(
 }
 
 /// The next rows of a table, at most so many, and their lines.
-fn rows(table: Table, most: usize, weight: SelfWeight) -> Result<(Vec<u64>, Listed), String> {
+fn rows(table: TextTable, most: usize, weight: SelfWeight) -> Result<(Vec<u64>, Listed), String> {
     let (columns, places) = columns(&table.header)?;
     let spelling = Spelling { decimal_comma: table.has_decimal_commas() };
-    let reader = Reader { columns, weight, doubles: false, spelling };
+    let reader = ArchReader { columns, weight, doubles: false, spelling };
     let (mut lines, mut listed) = (Vec::new(), Listed::default());
     for (line, row) in table.take(most) {
         lines.push(line);
@@ -155,7 +152,8 @@ mod tests {
     /// The rows of a text as one reader has them.
     fn at_once(text: &str) -> Result<Told, String> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text).to_owned();
-        let table = Table::open(Box::new(Cursor::new(text))).map_err(|error| error.to_string())?;
+        let table =
+            TextTable::open(Box::new(Cursor::new(text))).map_err(|error| error.to_string())?;
         rows(table, usize::MAX, SelfWeight::Heyman).map(told)
     }
 

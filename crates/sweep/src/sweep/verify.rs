@@ -1,10 +1,10 @@
 //! Looks through a sweep that was made: its parts, its rows, and what is proved of some of them.
 
-use super::answers::{Answers, Verdict};
 use super::queries::queries;
-use super::store::There;
+use super::store::PartState;
 use super::sweep::{Sweep, SweepError};
-use super::table::{Cells, Notes, Read, Table};
+use super::table::{Notes, PartTable, ReadCells, ReadTable};
+use crate::certify::batch::{BatchArches, RowVerdict};
 use crate::certify::certify_arch;
 use crate::check::{Accepted, verify as check};
 use crate::problem::{Arch, Problem};
@@ -12,9 +12,11 @@ use crate::strategies::Draw;
 use ::parquet::data_type::ByteArray;
 use rayon::prelude::*;
 use rug::{Integer, Rational};
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::fs::File;
 use std::ops::Range;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// What was looked through, and what is wrong.
@@ -54,9 +56,9 @@ pub fn verify(
         let rows = sweep.rows(part);
         let there = sweep.store.there(files.parts.get(&part).unwrap_or(&none), &rows, false);
         let found = match there.map_err(SweepError::Io)? {
-            There::Missing => Verified::wrong(format!("part {part} is missing or spoiled")),
-            There::Foreign(name) => Verified::wrong(format!("{name} does not belong here")),
-            There::Whole(name, _) => {
+            PartState::Missing => Verified::wrong(format!("part {part} is missing or spoiled")),
+            PartState::Foreign(name) => Verified::wrong(format!("{name} does not belong here")),
+            PartState::Whole(name, _) => {
                 let chosen: Vec<u64> = chosen.range(rows.clone()).copied().collect();
                 let found = look(sweep, part, &name, &chosen, &certified);
                 found.unwrap_or_else(|fault| Verified::wrong(format!("{name}: {fault}")))
@@ -89,20 +91,21 @@ fn look(
     let rows = sweep.rows(part);
     let open = || File::open(sweep.folder().join(name)).map_err(|error| error.to_string());
     let notes = Notes::of(&open()?).ok_or("it says nothing of itself")?;
-    let table = Read::of(open()?).map_err(|error| error.to_string())?;
+    let table = ReadTable::of(open()?).map_err(|error| error.to_string())?;
     let queries = queries(&sweep.record, &rows, &sweep.base)?;
-    let asked = Table::asked(&queries);
+    let asked = PartTable::asked(&queries);
     for (name, column) in &asked.columns {
         let there = table.column(name);
-        let is_same = |cells: &Cells| (0..asked.rows).all(|row| column.is_same(row, cells, row));
+        let is_same =
+            |cells: &ReadCells| (0..asked.rows).all(|row| column.is_same(row, cells, row));
         if asked.rows as u64 != rows.end - rows.start || !there.is_some_and(is_same) {
             return Err(format!("its column {name} is not what the plan asks"));
         }
     }
-    let Some(Cells::Text(verdicts)) = table.column("verdict") else {
+    let Some(ReadCells::Text(verdicts)) = table.column("verdict") else {
         return Err("it has no verdicts".into());
     };
-    for verdict in Verdict::ALL {
+    for verdict in RowVerdict::ALL {
         let is = |cell: &&Option<ByteArray>| {
             cell.as_ref().is_some_and(|cell| cell.data() == verdict.name().as_bytes())
         };
@@ -113,7 +116,7 @@ fn look(
     let mut all = Verified { parts: 1, rows: rows.end - rows.start, ..Verified::default() };
     for &number in chosen {
         let place = (number - rows.start) as usize;
-        match row(sweep, &table, place, &queries.arch(place), certified) {
+        match row(sweep, &table, place, queries.arch(place), certified) {
             Ok(has_certificate) => {
                 all.again += 1;
                 all.certified += usize::from(has_certificate);
@@ -127,41 +130,41 @@ fn look(
 /// Proves a row again; whether it was certified too.
 fn row(
     sweep: &Sweep,
-    table: &Read,
+    table: &ReadTable,
     place: usize,
-    asked: &Result<Arch, String>,
+    asked: Result<Cow<'_, Arch>, String>,
     certified: &AtomicUsize,
 ) -> Result<bool, String> {
     let Ok(arch) = asked else { return Ok(false) };
-    let answers = Answers::one(sweep.wanted.alone(asked));
-    let again = Table::answered(&sweep.wanted, &answers);
+    let found = [Arc::new(sweep.batch.alone(Ok(Cow::Borrowed(&arch)), None))];
+    let again = PartTable::answered(&sweep.batch, &found);
     for (name, column) in &again.columns {
         let there = table.column(name);
         if !there.is_some_and(|there| column.is_same(0, there, place)) {
             return Err(format!("its {name} is not what is proved"));
         }
     }
-    let found = answers.of(0);
-    let is_known = matches!(found.verdict, Verdict::Stands | Verdict::Falls);
+    let found = &found[0];
+    let is_known = matches!(found.verdict, RowVerdict::Stands | RowVerdict::Falls);
     if !is_known || certified.fetch_add(1, Ordering::Relaxed) >= CERTIFIED {
         return Ok(false);
     }
-    let Some(accepted) = accepted(arch)? else { return Ok(false) };
+    let Some(accepted) = accepted(&arch)? else { return Ok(false) };
     let is_so = match (&accepted.problem, found.verdict) {
-        (Problem::State { mode, .. }, Verdict::Stands) => Some(*mode) == found.mode,
-        (Problem::Verdict { .. }, Verdict::Falls) => true,
+        (Problem::State { mode, .. }, RowVerdict::Stands) => Some(*mode) == found.mode,
+        (Problem::Verdict { .. }, RowVerdict::Falls) => true,
         _ => false,
     };
     if !is_so {
         return Err("its certificate is of another verdict or mode".into());
     }
-    if found.verdict == Verdict::Falls {
+    if found.verdict == RowVerdict::Falls {
         return Ok(true);
     }
-    for (quantity, value) in sweep.wanted.quantities.iter().zip(&found.values) {
+    for (quantity, value) in sweep.batch.quantities.iter().zip(&found.values) {
         let of = accepted.values.iter().find(|(of, _)| of == quantity);
         if let (Some(value), Some((_, text))) = (value, of)
-            && !agrees(text, value.double, value.side)
+            && !agrees(text, value.double, value.side())
         {
             return Err(format!("its {} is not that of its certificate", quantity.name()));
         }

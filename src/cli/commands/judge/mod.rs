@@ -3,7 +3,7 @@
 mod row;
 
 use super::output::OutputFile;
-use super::stream::{CHUNK, Progress, Together, in_order};
+use super::stream::{CHUNK, Chunk, Progress, in_order};
 use crate::arch::SelfWeight;
 use crate::check::visible_name;
 use crate::judge::{Demand, Verdict};
@@ -14,7 +14,8 @@ use crate::report::{Content, Format};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use crate::sweep::rows::{
-    Columns, Input, Keep, Line, Reader, Role, Row, Source, Spelling, Syntax, Table, objects,
+    ArchReader, Columns, Input, Keep, Numbered, ReadRow, Role, RowSource, Spelling, Syntax,
+    TextTable, objects,
 };
 use clap::Args;
 use row::Judge;
@@ -113,7 +114,7 @@ fn format_help() -> String {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let columns = Columns::named(&arguments.columns).map_err(Failure::Input)?;
-    let source = Source::open(Some(&arguments.file))?;
+    let source = RowSource::open(Some(&arguments.file))?;
     if arguments.output.is_same_file(&arguments.file) {
         let file = visible_name(arguments.file.as_os_str());
         return Err(Failure::Input(format!("refusing to overwrite the input {file}")));
@@ -136,7 +137,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let doubles = arguments.inputs == "double";
     let weight = arguments.weight.unwrap_or(SelfWeight::Milankovitch);
     let assumed = (arguments.weight.is_none() && !has_weight).then_some(weight);
-    let judge = Judge { reader: Reader { columns, weight, doubles, spelling }, demand };
+    let judge = Judge { reader: ArchReader { columns, weight, doubles, spelling }, demand };
     let mut summary = JudgeSummary::new(demand, assumed, usize::from(arguments.worst));
     let output = arguments.output.open()?;
     let mut complete = false;
@@ -149,7 +150,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             let text = each.map_or(Ok(Vec::new()), |each| (each.row)(&row, &quantities, &kept));
             (row, text)
         };
-        in_order(rows, (&progress, Together::WhatIsThere), answer, |answers| {
+        in_order(rows, (&progress, Chunk::WhatIsThere), answer, |answers| {
             for (row, text) in answers {
                 summary.add(row);
                 out.write_all(&text?)?;
@@ -190,7 +191,7 @@ struct Results {
     spelling: Spelling,
     /// The names of what is handed on, where the rows are those of a table.
     kept: Vec<String>,
-    rows: Box<dyn Iterator<Item = Line<Row>> + Send>,
+    rows: Box<dyn Iterator<Item = Numbered<ReadRow>> + Send>,
     /// Whether the rows have a weight of their own.
     has_weight: bool,
     /// What is claimed.
@@ -202,7 +203,7 @@ impl Results {
     fn new(
         (columns, seen): (Columns, &[bool]),
         (spelling, kept): (Spelling, Vec<String>),
-        rows: impl Iterator<Item = Line<Row>> + Send + 'static,
+        rows: impl Iterator<Item = Numbered<ReadRow>> + Send + 'static,
     ) -> Self {
         let there = || columns.all.iter().zip(seen).filter(|(_, seen)| **seen).map(|(c, _)| c.role);
         let has_weight = there().any(|role| role == Role::Weight);
@@ -218,7 +219,7 @@ impl Results {
 
 /// Of a table: the columns that it has.
 fn table(mut columns: Columns, input: Input, keep: &Keep) -> Result<Results, Failure> {
-    let table = Table::open(input)?;
+    let table = TextTable::open(input)?;
     let kept = keep.places(&table.header, &columns).map_err(Failure::Input)?;
     let places = columns.places(&table.header).map_err(Failure::Input)?;
     let names = kept.iter().map(|(name, _)| name.clone()).collect();
@@ -235,9 +236,9 @@ fn json(columns: Columns, input: Input, keep: Keep, format: &Format) -> Result<R
     let kept = keep.names(!is_table).map_err(Failure::Input)?;
     let read = columns.clone();
     let mut rows = objects(input, move |object| {
-        Ok(Row { cells: read.cells(object)?, kept: keep.entries(object, &read) })
+        Ok(ReadRow { cells: read.cells(object)?, kept: keep.entries(object, &read) })
     });
-    let first: Vec<Line<Row>> = rows.by_ref().take(CHUNK).collect();
+    let first: Vec<Numbered<ReadRow>> = rows.by_ref().take(CHUNK).collect();
     let read = || first.iter().filter_map(|(_, row)| row.as_ref().ok());
     let has = |place: usize| read().any(|row| row.cells[place].is_some());
     let seen: Vec<bool> = (0..columns.all.len()).map(has).collect();

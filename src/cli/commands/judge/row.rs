@@ -4,19 +4,19 @@ use crate::judge::{Claim, Demand, Said, judge};
 use crate::problem::Quantity;
 use crate::report::judged::JudgedRow;
 use crate::sweep::parse::thickness;
-use crate::sweep::rows::{Cells, Reader, Role, Row};
+use crate::sweep::rows::{ArchReader, Cells, ReadRow, Role};
 
 /// How rows are read and judged.
 pub(super) struct Judge {
-    pub reader: Reader,
+    pub reader: ArchReader,
     pub demand: Demand,
 }
 
 impl Judge {
     /// Judges a row.
-    pub(super) fn row(&self, line: u64, row: Result<Row, String>) -> JudgedRow {
+    pub(super) fn row(&self, line: u64, row: Result<ReadRow, String>) -> JudgedRow {
         let (cells, kept) = match row {
-            Ok(Row { cells, kept }) => (Ok(cells), kept),
+            Ok(ReadRow { cells, kept }) => (Ok(cells), kept),
             Err(error) => (Err(error), Vec::new()),
         };
         let described = cells.as_ref().map(|cells| self.reader.described(cells));

@@ -1,13 +1,14 @@
 //! The command itself: surveys, computes what is missing, looks through.
 
 use super::arguments::{Arguments, Share};
+use crate::certify::batch::RowVerdict;
 use crate::cli::commands::described::{described, remark, say};
 use crate::cli::commands::output::Output;
 use crate::cli::commands::progress::styled;
 use crate::report::words::count;
 use crate::sweep::failure::{Failure, print};
 use crate::sweep::scene::{SWEEP_EXAMPLE, read_sweep};
-use crate::sweep::sweep::{Sweep, SweepError, Verdict, verify};
+use crate::sweep::sweep::{Sweep, SweepError, verify};
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use std::path::Path;
@@ -68,7 +69,7 @@ fn failure(error: SweepError) -> Failure {
 }
 
 /// What was made of the parts of a share.
-struct Made {
+struct MadeParts {
     /// Of rows by verdict, of all parts that are there now.
     counts: [u64; 4],
     computed: usize,
@@ -77,10 +78,10 @@ struct Made {
     lost: Vec<String>,
 }
 
-impl Made {
+impl MadeParts {
     fn summary(&self, folder: &str, parts: usize) -> String {
         let rows: u64 = self.counts.iter().sum();
-        let verdicts = Verdict::ALL.iter().zip(self.counts).filter(|(_, count)| *count > 0);
+        let verdicts = RowVerdict::ALL.iter().zip(self.counts).filter(|(_, count)| *count > 0);
         let verdicts: Vec<String> =
             verdicts.map(|(verdict, count)| format!("{} {count}", verdict.name())).collect();
         let verdicts = match verdicts.is_empty() {
@@ -96,9 +97,9 @@ impl Made {
 }
 
 /// Computes the parts that are missing.
-fn make(sweep: &Sweep, parts: &[usize]) -> Result<Made, Failure> {
+fn make(sweep: &Sweep, parts: &[usize]) -> Result<MadeParts, Failure> {
     let survey = sweep.survey(parts).map_err(failure)?;
-    let mut made = Made { counts: [0; 4], computed: 0, kept: 0, lost: Vec::new() };
+    let mut made = MadeParts { counts: [0; 4], computed: 0, kept: 0, lost: Vec::new() };
     let mut missing = Vec::new();
     for (part, there) in survey {
         match there {

@@ -1,11 +1,11 @@
 //! What can be proved of an arch: the door to this folder.
 
 use super::assess::{Assessment, Wanted};
+use super::balls::Balls;
 use super::digits::{Answer, AssessmentDigits, Digits};
 use super::inquiry::Inquiry;
-use super::mode::{Asked, outcome, pure_sliding};
+use super::mode::{outcome, pure_sliding};
 use super::query::{DOUBLE, Query, bits_lost};
-use super::quick;
 use super::state::{Fall, Outcome};
 use crate::number::{Ball, DoubleBall, ExactNumber};
 use crate::problem::Arch;
@@ -57,13 +57,12 @@ pub trait Certify {
     /// The state at the least thickness, correctly rounded to `digits` significant digits.
     fn least(&self, digits: usize) -> Result<Digits, NoState>;
 
-    /// The same, with the proof that the arch stands at no thickness as one of the answers: the precision
+    /// The state with the proof that the arch stands at no thickness as one of the answers: the precision
     /// is raised until every comparison and every rounding is decided. Undecided if the arch lies on a
     /// boundary, or nearer to one than 8192 bits or four times those of the digits can tell.
     ///
-    /// Up to 25 digits balls of double-doubles are asked first, and balls of MPFR only for what those leave open. Digits
-    /// and nearest doubles are the same either way; the bounds in the field `binary` of a figure are others, just as valid, and the
-    /// nearest quadruple is known from balls of MPFR alone, those of an [`Inquiry`].
+    /// [`Balls::DoubleDoubles`] are asked first; the bounds in the field `binary` of a figure are others than those of
+    /// [`Balls::Mpfr`], just as valid, and the nearest quadruple is not known.
     fn certify(&self, digits: usize) -> Result<Answer, Error>;
 
     /// The same without the frictions at which the mode changes: nothing is evaluated that the proof of
@@ -119,17 +118,11 @@ impl Certify for Arch {
     }
 
     fn certify(&self, digits: usize) -> Result<Answer, Error> {
-        match quick::state(self, digits, Asked::Frictions) {
-            Some(answer) => Ok(answer),
-            None => Inquiry::new(self, digits, true).state(digits, true),
-        }
+        Balls::DoubleDoubles.state(self, digits, true)
     }
 
     fn certify_alone(&self, digits: usize) -> Result<Answer, Error> {
-        match quick::state(self, digits, Asked::Nothing) {
-            Some(answer) => Ok(answer),
-            None => Inquiry::new(self, digits, false).state(digits, false),
-        }
+        Balls::DoubleDoubles.state(self, digits, false)
     }
 
     fn certify_thickness(
@@ -137,23 +130,19 @@ impl Certify for Arch {
         thickness: &ExactNumber,
         digits: usize,
     ) -> Result<AssessmentDigits, Refused> {
-        Refused::thickness(thickness)?;
-        match quick::assess(self, thickness, digits) {
-            Some(found) => Ok(found),
-            None => Inquiry::new(self, digits, false).assess(thickness, digits, Wanted::Everything),
-        }
+        Balls::DoubleDoubles.assess(self, thickness, digits)
     }
 
     fn state(&self, bits: u32) -> Result<Outcome, Undecided> {
-        outcome(&Query::new(self, bits.max(LEAST_BITS)), Asked::Frictions)
+        outcome(&Query::new(self, bits.max(LEAST_BITS)), true)
     }
 
     fn state_alone(&self, bits: u32) -> Result<Outcome, Undecided> {
-        outcome(&Query::new(self, bits.max(LEAST_BITS)), Asked::Nothing)
+        outcome(&Query::new(self, bits.max(LEAST_BITS)), false)
     }
 
     fn state_in_doubles(&self) -> Result<Outcome<DoubleBall>, Undecided> {
-        let found: Outcome<DoubleBall> = outcome(&Query::new(self, DOUBLE), Asked::Nothing)?;
+        let found: Outcome<DoubleBall> = outcome(&Query::new(self, DOUBLE), false)?;
         match &found {
             // The thickness of a tiny half opening is out of the range of these balls.
             Outcome::Stands(state) => require(&state.thickness, "a positive thickness")?,

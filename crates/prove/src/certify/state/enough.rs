@@ -2,7 +2,7 @@
 
 use super::assess::{Wanted, assessment};
 use super::find;
-use super::mode::{Asked, outcome, pure_sliding};
+use super::mode::{outcome, pure_sliding};
 use super::query::{DOUBLE_DOUBLE, Query};
 use super::query::{GUARD, raised};
 use crate::number::{Ball, DoubleDoubleBall, ExactNumber, bits_of};
@@ -28,7 +28,7 @@ pub struct Enough {
 
 /// The part of it that the half opening decides, whatever the friction.
 #[derive(Clone, Debug)]
-pub(super) struct AtOpening {
+pub(crate) struct AtOpening {
     sliding_friction: Option<Figure>,
     friction: Option<Figure>,
 }
@@ -36,7 +36,7 @@ pub(super) struct AtOpening {
 impl AtOpening {
     /// An arch stands at some thickness exactly if it stands at the physical limit. `quickly` asks balls of
     /// double-doubles first.
-    pub(super) fn new(arch: &Arch, digits: usize, quickly: bool) -> Self {
+    pub(crate) fn new(arch: &Arch, digits: usize, quickly: bool) -> Self {
         let limit = &limit();
         let raised = |proof: &dyn Fn(u32) -> Result<Option<Option<Figure>>, Undecided>| {
             raised(arch, digits, proof).ok()
@@ -57,7 +57,7 @@ impl AtOpening {
 
 impl Enough {
     /// With what the half opening decides.
-    pub(super) fn new(arch: &Arch, at: &AtOpening, digits: usize, quickly: bool) -> Self {
+    pub(crate) fn new(arch: &Arch, at: &AtOpening, digits: usize, quickly: bool) -> Self {
         let limit = &limit();
         let half_opening = quick(quickly, |bits| {
             figure(Some(widest::<DoubleDoubleBall>(arch, limit, bits).ok()?), digits)
@@ -107,7 +107,7 @@ fn required<E: Arithmetic>(
     bits: u32,
 ) -> Result<Option<E>, Undecided> {
     let unlimited = arch.unlimited();
-    let state = outcome::<E>(&Query::new(&unlimited, bits), Asked::Nothing);
+    let state = outcome::<E>(&Query::new(&unlimited, bits), false);
     assessment(&unlimited, limit, bits, Wanted::Everything, |_| state.clone()).required_friction
 }
 

@@ -51,7 +51,7 @@ fn below_crown<E: Arithmetic>(
     slid: Configuration<E>,
     thickness: E::Candidate,
 ) -> Result<Configuration<E>, Undecided> {
-    let touching = Touching { query, slid: &slid };
+    let touching = TouchingEquations { query, slid: &slid };
     // From as good as zero one step of Newton's method leads next to the root.
     let square = thickness.int(1).shifted(-i64::from(query.bits));
     let root = E::root_near(&touching, query.bits, &[square, thickness])?;
@@ -60,7 +60,7 @@ fn below_crown<E: Arithmetic>(
 }
 
 /// (3) and (5) for the square of the joint and the thickness, at a given thrust.
-struct Touching<'a, E> {
+struct TouchingEquations<'a, E> {
     query: &'a Query<E>,
     slid: &'a Configuration<E>,
 }
@@ -72,7 +72,7 @@ fn by_square<T: Stumpff>(u: &T) -> (Angle<T>, T) {
     (joint, c[0].clone() / &c[1])
 }
 
-impl<E> Form<E> for Touching<'_, E> {
+impl<E> Form<E> for TouchingEquations<'_, E> {
     fn at<T: Real + Stumpff>(&self, number: impl Fn(&E) -> T, x: &[T]) -> Vec<T> {
         [Equation::UpperThrust, Equation::Tangency].into_iter().for_each(tally::equation);
         let given = self.slid.map_ref(number);

@@ -3,7 +3,7 @@
 use super::assess::{Assessment, Wanted, assessment};
 use super::digits::{Answer, AssessmentDigits, Digits};
 use super::enough::enough;
-use super::mode::{Asked, outcome};
+use super::mode::outcome;
 use super::query::GUARD;
 use super::query::{Query, bits_lost, bits_lost_unless_small};
 use super::state::Outcome;
@@ -17,8 +17,8 @@ use std::collections::BTreeMap;
 /// Questions about an arch, which share its state: it is proved once at each precision.
 pub struct Inquiry<'a> {
     arch: &'a Arch,
-    /// What the state is asked for at every precision.
-    asked: Asked,
+    /// Whether the frictions at which the mode changes are asked for at every precision.
+    frictions: bool,
     /// Bits enough for the question with the most digits, if the equations lose none.
     bits: u32,
     states: BTreeMap<u32, Result<Outcome, Undecided>>,
@@ -31,9 +31,8 @@ impl<'a> Inquiry<'a> {
     /// the mode changes.
     pub fn new(arch: &'a Arch, most_digits: usize, frictions: bool) -> Self {
         let bits = bits_of(most_digits.min(MAX_ARCH_DIGITS)) + GUARD;
-        let asked = if frictions { Asked::Frictions } else { Asked::Nothing };
         let (states, unlimited) = (BTreeMap::new(), BTreeMap::new());
-        Self { arch, asked, bits, states, unlimited }
+        Self { arch, frictions, bits, states, unlimited }
     }
 
     /// The state to `digits` digits. The frictions at which the mode changes are left out unless they are
@@ -100,9 +99,9 @@ impl<'a> Inquiry<'a> {
 
     /// The state of the arch with numbers of `bits` bits.
     fn outcome(&mut self, bits: u32) -> Result<Outcome, Undecided> {
-        let (arch, asked) = (self.arch, self.asked);
+        let (arch, frictions) = (self.arch, self.frictions);
         let state = self.states.entry(bits);
-        state.or_insert_with(|| outcome(&Query::new(arch, bits), asked)).clone()
+        state.or_insert_with(|| outcome(&Query::new(arch, bits), frictions)).clone()
     }
 
     /// The same with unlimited friction.
@@ -112,6 +111,6 @@ impl<'a> Inquiry<'a> {
         }
         let arch = self.arch.unlimited();
         let state = self.unlimited.entry(bits);
-        state.or_insert_with(|| outcome(&Query::new(&arch, bits), Asked::Nothing)).clone()
+        state.or_insert_with(|| outcome(&Query::new(&arch, bits), false)).clone()
     }
 }

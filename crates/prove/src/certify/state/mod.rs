@@ -29,17 +29,13 @@
 //! | [`find`] | questions the other way round |
 //! | `raise` | raises the precision until everything is decided |
 //! | `inquiry` | several questions about one arch, which share its state |
-//! | `column` | many frictions of one half opening, which share its proofs |
-//! | `columns` | arches as they come, which do so where a half opening comes again |
-//! | `doubles` | many arches in arrays of doubles |
+//! | `balls` | which balls are asked first |
 //! | `quick` | the same proofs in balls of double-doubles, where these are enough |
 
 mod assess;
+mod balls;
 mod certify;
-mod column;
-mod columns;
 mod digits;
-mod doubles;
 mod enough;
 pub mod find;
 mod inner;
@@ -56,20 +52,20 @@ mod thrust_range;
 
 pub use crate::prover::Figure;
 pub use assess::{Assessment, Wanted};
+pub use balls::Balls;
 pub use certify::{Certify, NoState};
-pub use column::Column;
-pub use columns::Columns;
 pub use digits::{Answer, AssessmentDigits, Digits, LimitDigits};
-pub use doubles::{Doubles, Row, RowVerdict};
+pub(super) use enough::AtOpening;
 pub use enough::Enough;
 pub use inquiry::Inquiry;
 pub use measured::{measured_assessment, measured_state};
+pub(super) use query::DOUBLE_DOUBLE;
 pub(crate) use query::{bits_lost, raised};
-pub(super) use quick::is_quick;
 pub use quick::state_in_double_doubles;
 pub(crate) use quick::{
     assessment_enclosed, raised_from_doubles, sliding_configuration, sliding_enclosed,
     state_enclosed,
 };
+pub(super) use quick::{critical_frictions, is_quick};
 pub use state::{Fall, Frictions, Outcome, State};
 pub use thrust_range::{Limit, Touch};

@@ -18,23 +18,14 @@ use crate::prover::decide::{decide, require, require_condition};
 use crate::solve::start::{self, Start};
 use std::sync::OnceLock;
 
-/// What a question about a state asks beyond its thickness and its mode.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Asked {
-    /// Nothing: only what its proof needs is evaluated.
-    Nothing,
-    /// The frictions at which the mode changes.
-    Frictions,
-}
-
 /// A purely rotational state.
-struct Rotation<E> {
+struct RotationalState<E> {
     state: State<E>,
     /// The frictions that the shoulder and an inner joint ask for, where friction matters.
     frictions: Option<[E; 2]>,
 }
 
-impl<E: Arithmetic> Rotation<E> {
+impl<E: Arithmetic> RotationalState<E> {
     /// The friction from which collapse is purely rotational: the larger of the two.
     fn friction(&self) -> Option<E> {
         let [shoulder, inner] = self.frictions.as_ref()?;
@@ -47,7 +38,7 @@ impl<E: Arithmetic> Rotation<E> {
 }
 
 /// What is found where the friction is above the purely sliding one.
-enum Found<E> {
+enum AboveSliding<E> {
     /// A state, and the friction from which collapse is purely rotational, if any is enough and it was
     /// asked for.
     State(Box<State<E>>, Option<E>),
@@ -59,22 +50,23 @@ enum Found<E> {
 ///
 /// A state that is admissible and the thinnest is a proof by itself. Whether the friction is below
 /// the purely sliding one, and where the half opening is beside those of `l` and `L`, is proved where
-/// it is the answer, or where a candidate suggests that there is no state.
+/// it is the answer, or where a candidate suggests that there is no state. Without `frictions`, those at which the mode
+/// changes, only what this proof needs is evaluated.
 pub(super) fn outcome<E: Arithmetic>(
     query: &Query<E>,
-    asked: Asked,
+    frictions: bool,
 ) -> Result<Outcome<E>, Undecided> {
     tally::working_bits(query.bits);
     let mut least_friction = None;
-    if asked == Asked::Frictions || seems_to_slide(query) {
+    if frictions || seems_to_slide(query) {
         let slides = pure_sliding(query)?;
         if falls_by_sliding(query, &slides)? {
             return Ok(Outcome::Falls(Fall::Sliding));
         }
         least_friction = Some(slides);
     }
-    let found = state_above_sliding(query, asked);
-    let is_proved = matches!(found, Ok(Found::State(..)));
+    let found = state_above_sliding(query, frictions);
+    let is_proved = matches!(found, Ok(AboveSliding::State(..)));
     if !is_proved && least_friction.is_none() && query.is_limited {
         // Too little friction would be the reason, and comes before any other.
         if falls_by_sliding(query, &pure_sliding(query)?)? {
@@ -82,10 +74,10 @@ pub(super) fn outcome<E: Arithmetic>(
         }
     }
     match found? {
-        Found::Falls => Ok(Outcome::Falls(Fall::Thickness)),
-        Found::State(mut state, rotational) => {
+        AboveSliding::Falls => Ok(Outcome::Falls(Fall::Thickness)),
+        AboveSliding::State(mut state, rotational) => {
             state.frictions = least_friction
-                .filter(|_| asked == Asked::Frictions)
+                .filter(|_| frictions)
                 .map(|sliding| Frictions { sliding, rotational });
             Ok(Outcome::Stands(state))
         }
@@ -130,10 +122,10 @@ fn falls_by_sliding<E: Arithmetic>(
 /// unless it is a state.
 fn state_above_sliding<E: Arithmetic>(
     query: &Query<E>,
-    asked: Asked,
-) -> Result<Found<E>, Undecided> {
-    let rotation = match rotation_if_any(query, asked) {
-        Err(undecided) if query.is_limited => return beside_the_end(query, asked, undecided),
+    frictions: bool,
+) -> Result<AboveSliding<E>, Undecided> {
+    let rotation = match rotation_if_any(query, frictions) {
+        Err(undecided) if query.is_limited => return beside_the_end(query, frictions, undecided),
         rotation => rotation?,
     };
     let Some(rotation) = rotation else {
@@ -144,7 +136,7 @@ fn state_above_sliding<E: Arithmetic>(
     };
     let critical = rotation.friction();
     let (Some(friction), Some([shoulder, inner])) = (query.friction(), &rotation.frictions) else {
-        return Ok(Found::State(Box::new(rotation.state), critical));
+        return Ok(AboveSliding::State(Box::new(rotation.state), critical));
     };
     let margin = |critical: &E, mode| {
         decide(
@@ -157,7 +149,7 @@ fn state_above_sliding<E: Arithmetic>(
     let holds_inner = margin(inner, Mode::RotationalSliding);
     // Both can fail only below the purely sliding friction.
     match (holds_shoulder, holds_inner) {
-        (Ok(true), Ok(true)) => Ok(Found::State(Box::new(rotation.state), critical)),
+        (Ok(true), Ok(true)) => Ok(AboveSliding::State(Box::new(rotation.state), critical)),
         (Ok(false), _) => shoulder_sliding(query, critical),
         (_, Ok(false)) => inner_sliding(query, critical),
         (Err(undecided), _) | (_, Err(undecided)) => Err(undecided),
@@ -169,13 +161,11 @@ fn state_above_sliding<E: Arithmetic>(
 /// which friction, if any, would be enough for rotation.
 fn beside_the_end<E: Arithmetic>(
     query: &Query<E>,
-    asked: Asked,
+    frictions: bool,
     undecided: Undecided,
-) -> Result<Found<E>, Undecided> {
+) -> Result<AboveSliding<E>, Undecided> {
     match inner_sliding(query, None) {
-        Ok(Found::State(state, _)) if asked == Asked::Frictions => {
-            Err(undecided.between(&[state.mode]))
-        }
+        Ok(AboveSliding::State(state, _)) if frictions => Err(undecided.between(&[state.mode])),
         Ok(found) => Ok(found),
         Err(_) => Err(undecided),
     }
@@ -184,10 +174,10 @@ fn beside_the_end<E: Arithmetic>(
 /// The purely rotational state, unless the half opening is beyond the end of rotation.
 fn rotation_if_any<E: Arithmetic>(
     query: &Query<E>,
-    asked: Asked,
-) -> Result<Option<Rotation<E>>, Undecided> {
+    frictions: bool,
+) -> Result<Option<RotationalState<E>>, Undecided> {
     if start::seems_to_rotate(query.weight, &query.alpha())
-        && let Ok(rotation) = rotation(query, asked)
+        && let Ok(rotation) = rotation(query, frictions)
     {
         return Ok(Some(rotation));
     }
@@ -197,16 +187,19 @@ fn rotation_if_any<E: Arithmetic>(
         "whether the half opening is below that of the end of rotation",
         &[Mode::Rotational, Mode::Overturning],
     )?;
-    if rotates { rotation(query, asked).map(Some) } else { Ok(None) }
+    if rotates { rotation(query, frictions).map(Some) } else { Ok(None) }
 }
 
 /// The purely rotational state, proved for unlimited friction.
-fn rotation<E: Arithmetic>(query: &Query<E>, asked: Asked) -> Result<Rotation<E>, Undecided> {
-    let friction_matters = asked == Asked::Frictions || query.is_limited;
+fn rotation<E: Arithmetic>(
+    query: &Query<E>,
+    frictions: bool,
+) -> Result<RotationalState<E>, Undecided> {
+    let friction_matters = frictions || query.is_limited;
     if let Some(small) = Small::of(query) {
         let root = small.rotation()?;
         let frictions = if friction_matters { Some(root.frictions()?) } else { None };
-        return Ok(Rotation { state: root.into_state(Mode::Rotational), frictions });
+        return Ok(RotationalState { state: root.into_state(Mode::Rotational), frictions });
     }
     let [beta, eta, _] = start::rotational(query.weight, &query.alpha());
     let at = rotational_root(query, [beta, eta])?;
@@ -216,16 +209,16 @@ fn rotation<E: Arithmetic>(query: &Query<E>, asked: Asked) -> Result<Rotation<E>
         require(&room_for_steepest(&at), "the steepest joint above the shoulder")?;
         frictions = Some([shoulder_friction(&at), inner_friction(&at)]);
     }
-    Ok(Rotation { state: State::new(Mode::Rotational, at), frictions })
+    Ok(RotationalState { state: State::new(Mode::Rotational, at), frictions })
 }
 
 fn shoulder_sliding<E: Arithmetic>(
     query: &Query<E>,
     rotational: Option<E>,
-) -> Result<Found<E>, Undecided> {
+) -> Result<AboveSliding<E>, Undecided> {
     if let Some(small) = Small::of(query) {
         let state = small.shoulder_sliding()?.into_state(Mode::SlidingRotational);
-        return Ok(Found::State(Box::new(state), rotational));
+        return Ok(AboveSliding::State(Box::new(state), rotational));
     }
     let bound = sliding::shoulder_thrust(&query.given.half_opening, &query.given.friction).value();
     let thrust = if bound.is_bounded() {
@@ -241,14 +234,14 @@ fn shoulder_sliding<E: Arithmetic>(
 }
 
 /// The purely overturning state, where there is one.
-fn overturning<E: Arithmetic>(query: &Query<E>) -> Result<Found<E>, Undecided> {
+fn overturning<E: Arithmetic>(query: &Query<E>) -> Result<AboveSliding<E>, Undecided> {
     let end = limit::<E>(Landmark::OverturningEnd, query.weight, query.bits);
     if !decide(
         &(end - &query.given.half_opening.rad),
         "whether the half opening is below that of the end of overturning",
         &[Mode::Overturning],
     )? {
-        return Ok(Found::Falls);
+        return Ok(AboveSliding::Falls);
     }
     let at = query.root(Mode::Overturning.system(query.weight), &[overturning_start(query)])?;
     proved(query, Mode::Overturning, at, None)
@@ -257,7 +250,7 @@ fn overturning<E: Arithmetic>(query: &Query<E>) -> Result<Found<E>, Undecided> {
 fn inner_sliding<E: Arithmetic>(
     query: &Query<E>,
     rotational: Option<E>,
-) -> Result<Found<E>, Undecided> {
+) -> Result<AboveSliding<E>, Undecided> {
     let [h, joint] = start::inner_sliding(&query.given.friction.candidate());
     let slid = query.root(System::inner_sliding(query.weight), &[h, joint])?;
     let margin = contact::margin_at_physical_limit(query.weight, &slid);
@@ -266,7 +259,7 @@ fn inner_sliding<E: Arithmetic>(
         "whether the physical limit of the thickness is enough",
         &[Mode::OverturningSliding],
     )? {
-        return Ok(Found::Falls);
+        return Ok(AboveSliding::Falls);
     }
     let (mode, at) = inner_state(query, slid)?;
     proved(query, mode, at, rotational)
@@ -285,9 +278,9 @@ fn proved<E: Arithmetic>(
     mode: Mode,
     at: Configuration<E>,
     rotational: Option<E>,
-) -> Result<Found<E>, Undecided> {
+) -> Result<AboveSliding<E>, Undecided> {
     prove(query, mode, &at, query.is_limited)?;
-    Ok(Found::State(Box::new(State::new(mode, at)), rotational))
+    Ok(AboveSliding::State(Box::new(State::new(mode, at)), rotational))
 }
 
 /// Parts 2 and 3 of the proof: the state is admissible, and none thinner is.
@@ -307,10 +300,10 @@ pub(super) fn prove<E: Arithmetic>(
 fn limit<E: Arithmetic>(landmark: Landmark, weight: SelfWeight, bits: u32) -> E {
     /// The bits of what is kept: the first are enough but for what is next to the limit.
     const KEPT: [u32; 2] = [256, 1024];
-    type Kept = PerWeight<OnceLock<Ball>>;
-    static ROTATION: [Kept; 2] = [const { none_kept() }; 2];
-    static OVERTURNING: [Kept; 2] = [const { none_kept() }; 2];
-    const fn none_kept() -> Kept {
+    type KeptBalls = PerWeight<OnceLock<Ball>>;
+    static ROTATION: [KeptBalls; 2] = [const { none_kept() }; 2];
+    static OVERTURNING: [KeptBalls; 2] = [const { none_kept() }; 2];
+    const fn none_kept() -> KeptBalls {
         PerWeight { heyman: OnceLock::new(), milankovitch: OnceLock::new() }
     }
     tally::landmark();

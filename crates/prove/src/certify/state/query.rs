@@ -11,7 +11,7 @@ use crate::prover::raise;
 /// Bits beyond the digits asked for, at the first attempt.
 pub(super) const GUARD: u32 = 48;
 /// The bits of a double-double.
-pub(super) const DOUBLE_DOUBLE: u32 = 106;
+pub(crate) const DOUBLE_DOUBLE: u32 = 106;
 /// The bits of a double.
 pub(super) const DOUBLE: u32 = 53;
 

@@ -1,4 +1,4 @@
-//! The same proofs in balls of double-doubles, where these are enough: they take a tenth of the time.
+//! Proofs of this folder in balls of double-doubles, where these are enough: they take a tenth of the time.
 //!
 //! It is the text of this folder over another number. What these balls decide is proved; where they leave anything
 //! open, a sign, a box or a rounding, the answer is `None`, and balls of MPFR are asked.
@@ -7,9 +7,8 @@ use super::assess::{Assessment, Wanted, assessment};
 use super::digits::{Answer, AssessmentDigits, Digits};
 use super::enough::enough;
 use super::inquiry::Inquiry;
-use super::mode::{Asked, outcome, pure_sliding, sliding_root};
-use super::query::raised;
-use super::query::{DOUBLE_DOUBLE, Query};
+use super::mode::{outcome, pure_sliding, sliding_root};
+use super::query::{DOUBLE_DOUBLE, Query, raised};
 use super::state::Outcome;
 use super::thrust_range::Touch;
 use crate::arch::Configuration;
@@ -21,7 +20,7 @@ use crate::prover::Undecided;
 const MOST_DIGITS: usize = 25;
 
 /// Whether these numbers are asked first.
-pub(in crate::certify) fn is_quick(digits: usize) -> bool {
+pub(crate) fn is_quick(digits: usize) -> bool {
     (1..=MOST_DIGITS).contains(&digits)
 }
 
@@ -32,18 +31,18 @@ fn query(arch: &Arch) -> Query<DoubleDoubleBall> {
 
 /// The state in these numbers, without the frictions at which its mode changes.
 pub fn state_in_double_doubles(arch: &Arch) -> Result<Outcome<DoubleDoubleBall>, Undecided> {
-    outcome(&query(arch), Asked::Nothing)
+    outcome(&query(arch), false)
 }
 
 /// The state to `digits` digits.
-pub(super) fn state(arch: &Arch, digits: usize, asked: Asked) -> Option<Answer> {
+pub(super) fn state(arch: &Arch, digits: usize, frictions: bool) -> Option<Answer> {
     if !is_quick(digits) {
         return None;
     }
-    match outcome(&query(arch), asked).ok()? {
+    match outcome(&query(arch), frictions).ok()? {
         Outcome::Falls(fall) => {
             let enough = || Box::new(enough(arch, digits, true));
-            Some(Answer::Falls { fall, enough: (asked == Asked::Frictions).then(enough) })
+            Some(Answer::Falls { fall, enough: frictions.then(enough) })
         }
         Outcome::Stands(state) => {
             Digits::new(&state, digits).map(|digits| Answer::Stands(Box::new(digits)))
@@ -51,20 +50,35 @@ pub(super) fn state(arch: &Arch, digits: usize, asked: Asked) -> Option<Answer> 
     }
 }
 
-/// The state in enclosures of `bits` bits, with the frictions at which the mode changes if they are asked for: in these
-/// numbers, where they have so many bits and decide it.
+/// The friction below which the arches of a half opening fall, and the one from which they have the state of unlimited
+/// friction, where these numbers prove them.
+pub(crate) fn critical_frictions(unlimited: &Arch) -> [Option<DoubleDoubleBall>; 2] {
+    let query = query(unlimited);
+    match outcome(&query, true) {
+        Ok(Outcome::Stands(state)) => match state.frictions {
+            Some(frictions) => [Some(frictions.sliding), frictions.rotational],
+            None => [None; 2],
+        },
+        // With less friction nothing stands either.
+        Ok(Outcome::Falls(_)) => [pure_sliding(&query).ok(); 2],
+        Err(_) => [None; 2],
+    }
+}
+
+/// A proof in enclosures of `bits` bits: in these numbers, where they have so many bits and decide it.
+fn enclosed<T>(bits: u32, quick: impl FnOnce() -> Option<T>, proof: impl FnOnce() -> T) -> T {
+    let quick = if bits <= DOUBLE_DOUBLE { quick() } else { None };
+    quick.unwrap_or_else(proof)
+}
+
+/// The state in enclosures of `bits` bits, with the frictions at which the mode changes if they are asked for.
 pub(crate) fn state_enclosed(
     arch: &Arch,
     bits: u32,
     frictions: bool,
 ) -> Result<Outcome, Undecided> {
-    let asked = if frictions { Asked::Frictions } else { Asked::Nothing };
-    if bits <= DOUBLE_DOUBLE
-        && let Ok(found) = outcome(&query(arch), asked)
-    {
-        return Ok(found.map(|x| x.to_ball(bits)));
-    }
-    outcome(&Query::new(arch, bits), asked)
+    let quick = || Some(Ok(outcome(&query(arch), frictions).ok()?.map(|x| x.to_ball(bits))));
+    enclosed(bits, quick, || outcome(&Query::new(arch, bits), frictions))
 }
 
 /// What a proof in such enclosures decides, for `digits` digits: with the bits that these numbers have first.
@@ -80,14 +94,10 @@ pub(crate) fn raised_from_doubles<T>(
     quickly.map_or_else(|| raised(arch, digits, proof), Ok)
 }
 
-/// The friction of the purely sliding state in the same way.
+/// The friction of the purely sliding state in an enclosure of `bits` bits.
 pub(crate) fn sliding_enclosed(arch: &Arch, bits: u32) -> Result<Ball, Undecided> {
-    if bits <= DOUBLE_DOUBLE
-        && let Ok(found) = pure_sliding(&query(arch))
-    {
-        return Ok(found.to_ball(bits));
-    }
-    pure_sliding(&Query::new(arch, bits))
+    let quick = || Some(Ok(pure_sliding(&query(arch)).ok()?.to_ball(bits)));
+    enclosed(bits, quick, || pure_sliding(&Query::new(arch, bits)))
 }
 
 /// The purely sliding state of a half opening, with all its variables, in balls of `bits` bits.
@@ -98,14 +108,11 @@ pub(crate) fn sliding_configuration(
     sliding_root(&Query::new(arch, bits))
 }
 
-/// What holds for an arch of a given thickness, in `(0, 2]`, in the same way.
+/// Everything that holds for an arch of a given thickness, in `(0, 2]`, in enclosures of `bits` bits.
 pub(crate) fn assessment_enclosed(arch: &Arch, thickness: &ExactNumber, bits: u32) -> Assessment {
-    if bits <= DOUBLE_DOUBLE
-        && let Some(found) = decided(arch, thickness)
-    {
-        return found.map(|x| x.to_ball(bits));
-    }
-    Inquiry::new(arch, 1, false).assessment(thickness, bits, Wanted::Everything)
+    let quick = || Some(decided(arch, thickness)?.map(|x| x.to_ball(bits)));
+    let proof = || Inquiry::new(arch, 1, false).assessment(thickness, bits, Wanted::Everything);
+    enclosed(bits, quick, proof)
 }
 
 /// What holds for an arch of a given thickness, if all of it is decided.
@@ -151,7 +158,7 @@ mod tests {
 
     /// Nothing is decided there, and what is asked then decides it.
     fn leaves_open(arch: &Arch, digits: usize) {
-        assert!(state(arch, digits, Asked::Frictions).is_none(), "{arch}");
+        assert!(state(arch, digits, true).is_none(), "{arch}");
         let by_mpfr = Inquiry::new(arch, digits, true).state(digits, true).unwrap();
         let found = arch.certify(digits).unwrap();
         match (found, by_mpfr) {
@@ -201,7 +208,7 @@ mod tests {
         let Finding::Found(found) = found else { panic!() };
         let alpha = found.figures[0].1.decimal.value.to_string();
         leaves_open(&arch(&alpha, "inf"), 16);
-        assert!(state(&arch(&alpha, "inf"), 15, Asked::Frictions).is_some(), "not the state");
+        assert!(state(&arch(&alpha, "inf"), 15, true).is_some(), "not the state");
     }
 
     /// At the least thickness, moved in its last digit, what stands is told by other numbers.

@@ -16,12 +16,12 @@ use crate::solve::start::Start;
 
 /// The joint itself as the unknown, or its square.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Joint {
+enum JointForm {
     Angle,
     Square,
 }
 
-impl Joint {
+impl JointForm {
     fn haunch<T: Real + Stumpff>(self, unknown: T) -> Haunch<T> {
         match self {
             Self::Angle => Haunch::from(&Angle::new(unknown)),
@@ -37,14 +37,14 @@ pub(super) fn rotational_root<E: Arithmetic>(
 ) -> Result<Configuration<E>, Undecided> {
     let exponent = beta.exponent_of_size().map_or(0, |exponent| 2 * exponent);
     let (joint, start) = match E::is_small(exponent, query.bits) {
-        true => (Joint::Square, [beta.square(), eta]),
-        false => (Joint::Angle, [beta, eta]),
+        true => (JointForm::Square, [beta.square(), eta]),
+        false => (JointForm::Angle, [beta, eta]),
     };
-    let root = E::root_near(&Rotation { query, joint }, query.bits, &start)?;
+    let root = E::root_near(&RotationEquations { query, joint }, query.bits, &start)?;
     let thrust = thrust_at(query.weight, &joint.haunch(root[0].clone()), &root[1]);
     let beta = match joint {
-        Joint::Angle => root[0].clone(),
-        Joint::Square => root[0].sqrt(),
+        JointForm::Angle => root[0].clone(),
+        JointForm::Square => root[0].sqrt(),
     };
     let at = query.given.clone().with(Unknown::RotationJoint, beta);
     Ok(at.with(Unknown::Thickness, root[1].clone()).with(Unknown::Thrust, thrust))
@@ -55,12 +55,12 @@ fn thrust_at<T: Field>(weight: SelfWeight, haunch: &Haunch<T>, eta: &T) -> T {
 }
 
 /// (4) and (5) for the joint or its square, and the thickness.
-struct Rotation<'a, E> {
+struct RotationEquations<'a, E> {
     query: &'a Query<E>,
-    joint: Joint,
+    joint: JointForm,
 }
 
-impl<E> Form<E> for Rotation<'_, E> {
+impl<E> Form<E> for RotationEquations<'_, E> {
     fn at<T: Real + Stumpff>(&self, number: impl Fn(&E) -> T, x: &[T]) -> Vec<T> {
         let weight = self.query.weight;
         let [joint, eta] = [0, 1].map(|index| x[index].clone());

@@ -76,7 +76,7 @@ pub struct Found {
 }
 
 /// What is found, in enclosures.
-struct Place {
+struct FoundBalls {
     modes: Vec<Mode>,
     values: Vec<(Quantity, Ball)>,
     proved: String,
@@ -243,7 +243,7 @@ fn sides(line: Line, sought: Sought) -> String {
 }
 
 /// What is known where a state was found.
-fn place(modes: Vec<Mode>, at: &Configuration<Ball>, sought: Sought, proved: String) -> Place {
+fn place(modes: Vec<Mode>, at: &Configuration<Ball>, sought: Sought, proved: String) -> FoundBalls {
     let alpha = &at.half_opening.rad;
     let is_line = modes.len() > 1;
     let mut values = match sought {
@@ -263,19 +263,19 @@ fn place(modes: Vec<Mode>, at: &Configuration<Ball>, sought: Sought, proved: Str
     if modes.iter().any(|mode| mode.slides_inside()) {
         values.push((Quantity::SlidingJoint, at.sliding_joint.rad.clone()));
     }
-    Place { modes, values, proved }
+    FoundBalls { modes, values, proved }
 }
 
 /// What a proof finds, with more bits until every digit is decided.
 fn in_digits(
     query: &dyn Fn(u32) -> Query,
     digits: usize,
-    proof: impl Fn(&Query) -> Result<Place, Undecided>,
+    proof: impl Fn(&Query) -> Result<FoundBalls, Undecided>,
 ) -> Result<Finding, Undecided> {
     let first = bits_of(digits) + GUARD;
     let first = first.saturating_add(bits_lost(&query(first)));
     raise(first, |bits| {
-        let Place { modes, values, proved } = proof(&query(bits))?;
+        let FoundBalls { modes, values, proved } = proof(&query(bits))?;
         let figures = values.iter().map(|(of, x)| Some((*of, Figure::new(x, digits)?)));
         let Some(figures) = figures.collect::<Option<Vec<_>>>() else { return Ok(None) };
         Ok(Some(Finding::Found(Found { modes, figures, proved, some_may_move: false })))

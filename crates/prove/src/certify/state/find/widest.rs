@@ -15,10 +15,10 @@ use crate::prover::decide::{decide, require, require_condition};
 use crate::solve::start::{self, Start};
 
 /// A mode, and where its equations hold.
-pub(in crate::certify::state) type Place<E> = (Mode, Configuration<E>);
+pub(in crate::certify::state) type ModeAt<E> = (Mode, Configuration<E>);
 
 /// A mode, and where the search for the unknowns of its equations starts.
-type Candidate<E> = (Mode, Vec<<E as Arithmetic>::Candidate>);
+type ModeStart<E> = (Mode, Vec<<E as Arithmetic>::Candidate>);
 
 /// Above this friction no thickness in the range is limited by sliding at both places: a start only.
 const ROUGH: f64 = 10.0;
@@ -56,7 +56,7 @@ pub(in crate::certify::state) fn bits_lost(query: &Query) -> u32 {
 pub(in crate::certify::state) fn widest<E: Arithmetic>(
     query: &Query<E>,
     is_limit: bool,
-) -> Result<Place<E>, Undecided> {
+) -> Result<ModeAt<E>, Undecided> {
     let slides = match query.friction() {
         Some(friction) if friction.candidate() < ROUGH => where_both_slide(query),
         _ => Ok(None),
@@ -73,7 +73,7 @@ pub(in crate::certify::state) fn widest<E: Arithmetic>(
 }
 
 /// The purely sliding state of the friction, if a line of thrust lies inside the thickness there.
-fn where_both_slide<E: Arithmetic>(query: &Query<E>) -> Result<Option<Place<E>>, Undecided> {
+fn where_both_slide<E: Arithmetic>(query: &Query<E>) -> Result<Option<ModeAt<E>>, Undecided> {
     let start = start::widest_sliding(&friction(query));
     let at = query.root(Mode::Sliding.system_for_half_opening(query.weight), &start)?;
     in_range(&at)?;
@@ -136,7 +136,7 @@ fn tangent_start<E: Arithmetic>(query: &Query<E>, at: &Configuration<E>) -> E::C
 }
 
 /// The half opening whose least thickness is the one given, below 2.
-fn where_the_shoulder_ends<E: Arithmetic>(query: &Query<E>) -> Result<Place<E>, Undecided> {
+fn where_the_shoulder_ends<E: Arithmetic>(query: &Query<E>) -> Result<ModeAt<E>, Undecided> {
     let beyond = contact::crown_slope(query.weight, &query.given);
     let question = "whether the arch is thicker than at the end of rotation";
     let rotates = decide(&-beyond, question, &[Mode::Rotational, Mode::Overturning])?;
@@ -189,7 +189,7 @@ fn proved<E: Arithmetic>(
     query: &Query<E>,
     mode: Mode,
     start: &[E::Candidate],
-) -> Result<Place<E>, Undecided> {
+) -> Result<ModeAt<E>, Undecided> {
     let at = query.root(mode.system_for_half_opening(query.weight), start)?;
     let mode = match mode {
         Mode::RotationalSliding => {
@@ -211,7 +211,7 @@ fn rotating<E: Arithmetic>(
     query: &Query<E>,
     least: &Configuration<E>,
     friction: Option<E::Candidate>,
-) -> Vec<Candidate<E>> {
+) -> Vec<ModeStart<E>> {
     let (beta, h) = (least.rotation_joint.rad.candidate(), least.thrust.candidate());
     let inside = start::widest_rotational(query.weight, &least.thickness.candidate(), &h);
     let slid = friction.map(|mu| start::widest_without_sliding(&h, &mu));
@@ -229,7 +229,7 @@ fn rotating<E: Arithmetic>(
 fn sliding_inside<E: Arithmetic>(
     query: &Query<E>,
     slid: &Configuration<E>,
-) -> Result<Candidate<E>, Undecided> {
+) -> Result<ModeStart<E>, Undecided> {
     let (h, joint) = (slid.thrust.candidate(), slid.sliding_joint.rad.candidate());
     let slope = contact::crown_slope(query.weight, slid);
     let between = [Mode::OverturningSliding, Mode::RotationalSlidingRotational];
@@ -248,7 +248,7 @@ fn sliding_inside<E: Arithmetic>(
 }
 
 /// The half opening from which no thickness up to 2 is enough.
-fn at_physical_limit<E: Arithmetic>(query: &Query<E>) -> Result<Place<E>, Undecided> {
+fn at_physical_limit<E: Arithmetic>(query: &Query<E>) -> Result<ModeAt<E>, Undecided> {
     let (mode, start) = match query.friction() {
         Some(_) => {
             let start = start::inner_sliding(&friction(query));

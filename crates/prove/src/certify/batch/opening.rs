@@ -7,39 +7,41 @@
 //! those of the half opening, whatever the friction of the arch. So the answers are those that each arch has alone, to
 //! the last digit.
 
-use super::certify::Certify;
-use super::digits::{Answer, Digits};
-use super::enough::{AtOpening, Enough};
-use super::mode::{Asked, outcome, pure_sliding};
-use super::query::{DOUBLE_DOUBLE, Query};
-use super::quick::is_quick;
-use super::state::{Fall, Frictions, Outcome};
 use crate::arch::SelfWeight;
+use crate::certify::state::{
+    Answer, AtOpening, Balls, DOUBLE_DOUBLE, Digits, Enough, Fall, Figure, Frictions,
+    critical_frictions, is_quick,
+};
+use crate::certify::{Error, Refused};
 use crate::number::{DoubleDouble, DoubleDoubleBall, Enclosure, ExactNumber, Real};
 use crate::problem::{Arch, Friction};
-use crate::prover::Figure;
-use crate::prover::{Error, Refused};
 use std::borrow::Cow;
 use std::sync::OnceLock;
+
+/// Rows of one half opening from which sharing pays, where all rows are there.
+pub(super) const PAYS_FROM: usize = 4;
+/// Arches of one half opening that are proved alone before more are expected, where nothing is known of what comes.
+pub(super) const ALONE: usize = 2;
 
 /// The arches of one half opening and weight, whatever their friction.
 ///
 /// ```
-/// use couplet_prove::certify::state::{Answer, Column};
-/// use couplet_prove::prelude::*;
-/// let column = Column::new(SelfWeight::Milankovitch, "80deg".parse()?, 17)?;
+/// use couplet::certify::batch::SharedOpening;
+/// use couplet::certify::state::Answer;
+/// use couplet::prelude::*;
+/// let opening = SharedOpening::new(SelfWeight::Milankovitch, "80deg".parse()?, 17)?;
 /// for friction in ["0.1", "0.35", "0.6", "1.2"] {
-///     match &*column.certify_alone(friction.parse()?)? {
+///     match &*opening.certify(friction.parse()?, false)? {
 ///         Answer::Stands(state) => println!("{friction}: {} {}", state.mode, state.thickness),
 ///         Answer::Falls { fall, .. } => println!("{friction}: {}", fall.reason()),
 ///     }
 /// }
-/// # Ok::<(), couplet_prove::certify::Error>(())
+/// # Ok::<(), couplet::Error>(())
 /// ```
 ///
-/// See also: [`Certify::certify_alone`], which answers one.
+/// See also: [`Certify::certify`](crate::certify::state::Certify::certify), which answers one.
 #[derive(Debug)]
-pub struct Column {
+pub struct SharedOpening {
     /// At unlimited friction.
     unlimited: Arch,
     digits: usize,
@@ -56,7 +58,7 @@ pub struct Column {
     enough: OnceLock<AtOpening>,
 }
 
-impl Column {
+impl SharedOpening {
     /// The arches of a half opening in `(0, pi)`, with values to `digits` significant digits. It costs about as much as two
     /// arches. Any other half opening, and digits beyond [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS), are refused.
     pub fn new(
@@ -66,48 +68,34 @@ impl Column {
     ) -> Result<Self, Refused> {
         Refused::arch_digits(digits)?;
         let unlimited = Arch::new(weight, half_opening, Friction::Infinite)?;
-        let query = Query::<DoubleDoubleBall>::new(&unlimited, DOUBLE_DOUBLE);
-        let (sliding, same_from) = match outcome(&query, Asked::Frictions) {
-            Ok(Outcome::Stands(state)) => match state.frictions {
-                Some(frictions) => (Some(frictions.sliding), frictions.rotational),
-                None => (None, None),
-            },
-            // With less friction nothing stands either.
-            Ok(Outcome::Falls(_)) => {
-                let sliding = pure_sliding(&query).ok();
-                (sliding, sliding)
-            }
-            Err(_) => (None, None),
-        };
-        let answer = same_from.as_ref().and_then(|_| unlimited.certify_alone(digits).ok());
+        let [sliding, same_from] = critical_frictions(&unlimited);
+        let answer = same_from
+            .as_ref()
+            .and_then(|_| Balls::DoubleDoubles.state(&unlimited, digits, false).ok());
         let slides = Answer::Falls { fall: Fall::Sliding, enough: None };
         let (frictions, enough) = (OnceLock::new(), OnceLock::new());
         Ok(Self { unlimited, digits, answer, sliding, same_from, slides, frictions, enough })
     }
 
-    /// What [`Certify::certify_alone`] finds for the arch of this friction; refused if that is out of its range.
-    pub fn certify_alone(&self, friction: Friction) -> Result<Cow<'_, Answer>, Error> {
+    /// What is found for the arch of a friction alone, with the frictions at which its mode changes if they are asked for;
+    /// refused if the friction is out of its range.
+    ///
+    /// ```
+    /// use couplet::certify::batch::SharedOpening;
+    /// use couplet::certify::state::Answer;
+    /// use couplet::prelude::*;
+    /// let opening = SharedOpening::new(SelfWeight::Milankovitch, "80deg".parse()?, 17)?;
+    /// let Answer::Stands(state) = opening.certify("0.6".parse()?, true)?.into_owned() else { panic!() };
+    /// assert_eq!(state.frictions.unwrap().sliding.to_string(), "0.21939417869493803");
+    /// # Ok::<(), couplet::Error>(())
+    /// ```
+    pub fn certify(&self, friction: Friction, frictions: bool) -> Result<Cow<'_, Answer>, Error> {
         if let Friction::Coefficient(mu) = &friction
-            && let Some(answer) = self.shared(&mu.enclosure(DOUBLE_DOUBLE))
+            && let Some(answer) = self.shared(&mu.enclosure(DOUBLE_DOUBLE)).filter(|_| !frictions)
         {
             return Ok(Cow::Borrowed(answer));
         }
-        self.alone(&self.arch(friction)?)
-    }
-
-    /// What [`Certify::certify`] finds for the arch of this friction, with the frictions at which its mode changes; refused
-    /// if that is out of its range.
-    ///
-    /// ```
-    /// use couplet_prove::certify::state::{Answer, Column};
-    /// use couplet_prove::prelude::*;
-    /// let column = Column::new(SelfWeight::Milankovitch, "80deg".parse()?, 17)?;
-    /// let Answer::Stands(state) = column.certify("0.6".parse()?)? else { panic!() };
-    /// assert_eq!(state.frictions.unwrap().sliding.to_string(), "0.21939417869493803");
-    /// # Ok::<(), couplet_prove::certify::Error>(())
-    /// ```
-    pub fn certify(&self, friction: Friction) -> Result<Answer, Error> {
-        self.whole(&self.arch(friction)?)
+        self.state(&self.arch(friction)?, frictions)
     }
 
     /// The arch of a friction.
@@ -115,50 +103,51 @@ impl Column {
         Ok(Arch::new(self.unlimited.weight(), self.unlimited.half_opening().clone(), friction)?)
     }
 
-    /// What is found for an arch of this half opening and weight, without frictions.
-    pub(super) fn alone(&self, arch: &Arch) -> Result<Cow<'_, Answer>, Error> {
+    /// What is found for an arch of this half opening and weight alone.
+    pub(super) fn state(&self, arch: &Arch, frictions: bool) -> Result<Cow<'_, Answer>, Error> {
         let shared = match Self::enclosed(arch.friction()) {
             Some(friction) => self.shared(&friction),
             None => self.answer.as_ref(),
         };
         match shared {
+            _ if frictions => self.with_frictions(arch, shared).map(Cow::Owned),
             Some(answer) => Ok(Cow::Borrowed(answer)),
-            None => arch.certify_alone(self.digits).map(Cow::Owned),
+            None => Balls::DoubleDoubles.state(arch, self.digits, false).map(Cow::Owned),
         }
     }
 
-    /// The same with them.
-    pub(super) fn whole(&self, arch: &Arch) -> Result<Answer, Error> {
-        match self.alone(arch).map(Cow::into_owned) {
-            Ok(Answer::Stands(state)) => {
-                if let Some(frictions) = self.frictions() {
+    fn with_frictions(&self, arch: &Arch, shared: Option<&Answer>) -> Result<Answer, Error> {
+        let alone = |frictions| Balls::DoubleDoubles.state(arch, self.digits, frictions);
+        match shared.map_or_else(|| alone(false), |answer| Ok(answer.clone())) {
+            Ok(Answer::Stands(state)) => match self.frictions() {
+                Some(frictions) => {
                     let frictions = Some(frictions.clone());
-                    return Ok(Answer::Stands(Box::new(Digits { frictions, ..*state })));
+                    Ok(Answer::Stands(Box::new(Digits { frictions, ..*state })))
                 }
-            }
+                None => alone(true),
+            },
             Ok(Answer::Falls { fall, .. }) => {
                 let is_quick = is_quick(self.digits);
                 let at =
                     kept(&self.enough, || AtOpening::new(&self.unlimited, self.digits, is_quick));
                 let enough = Enough::new(arch, at, self.digits, is_quick);
-                return Ok(Answer::Falls { fall, enough: Some(Box::new(enough)) });
+                Ok(Answer::Falls { fall, enough: Some(Box::new(enough)) })
             }
             // With the frictions other things may be left open.
-            Err(_) => {}
+            Err(_) => alone(true),
         }
-        arch.certify(self.digits)
     }
 
     /// The frictions of the half opening.
     fn frictions(&self) -> Option<&Frictions<Figure>> {
-        let proved = || match self.unlimited.certify(self.digits) {
+        let proved = || match Balls::DoubleDoubles.state(&self.unlimited, self.digits, true) {
             Ok(Answer::Stands(state)) => state.frictions,
             _ => None,
         };
         kept(&self.frictions, proved).as_ref()
     }
 
-    /// A friction as columns compare it with their own; none if it is unlimited.
+    /// A friction as openings compare it with their own; none if it is unlimited.
     pub fn enclosed(friction: &Friction) -> Option<DoubleDoubleBall> {
         match friction {
             Friction::Coefficient(mu) => Some(mu.enclosure(DOUBLE_DOUBLE)),
@@ -170,17 +159,16 @@ impl Column {
         }
     }
 
-    /// The same of a friction that is a double, as the number that it is, if no proof of its own is needed: much
-    /// quicker. None says nothing.
-    pub fn shared_at(&self, friction: f64) -> Option<&Answer> {
+    /// A friction that is a double, as openings compare it with their own; none says nothing.
+    pub(super) fn enclosed_double(friction: f64) -> Option<DoubleDoubleBall> {
         // Far below that their parts would be out of range.
         let is_ordinary = (1e-100..1e100).contains(&friction);
-        let exact = || DoubleDoubleBall::exact(DoubleDouble::exact(friction));
-        is_ordinary.then(exact).and_then(|friction| self.shared(&friction))
+        is_ordinary.then(|| DoubleDoubleBall::exact(DoubleDouble::exact(friction)))
     }
 
-    /// The same of a friction in an enclosure, which may be asked of many columns; one that is not positive has none.
-    pub fn shared(&self, friction: &DoubleDoubleBall) -> Option<&Answer> {
+    /// What is found for the arch of a friction without frictions, if no proof of its own is needed: much quicker. None says
+    /// nothing.
+    pub(super) fn shared(&self, friction: &DoubleDoubleBall) -> Option<&Answer> {
         let exceeds = |bound: &DoubleDoubleBall| bound.is_less_than(friction).is_proved();
         let sliding = self.sliding.as_ref()?;
         if friction.is_less_than(sliding).is_proved() {
@@ -205,7 +193,12 @@ fn kept<T>(place: &OnceLock<T>, proved: impl FnOnce() -> T) -> &T {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::certify::state::Certify;
     use crate::number::Rounded;
+
+    fn shared_at(opening: &SharedOpening, friction: f64) -> Option<&Answer> {
+        opening.shared(&SharedOpening::enclosed_double(friction)?)
+    }
 
     fn equal_figures(alone: &Figure, found: &Figure, of: &str) {
         assert_eq!(alone.decimal, found.decimal, "{of}");
@@ -244,18 +237,18 @@ mod tests {
         }
     }
 
-    fn same(column: &Column, friction: &str) -> bool {
+    fn same(opening: &SharedOpening, friction: &str) -> bool {
         let friction: Friction = friction.parse().unwrap();
-        let arch = column.arch(friction.clone()).unwrap();
-        let found = column.certify_alone(friction).unwrap();
-        equal(&arch.certify_alone(column.digits).unwrap(), &found);
+        let arch = opening.arch(friction.clone()).unwrap();
+        let found = opening.certify(friction, false).unwrap();
+        equal(&arch.certify_alone(opening.digits).unwrap(), &found);
         matches!(found, Cow::Borrowed(_))
     }
 
-    fn same_with_frictions(column: &Column, friction: &str) {
-        let arch = column.arch(friction.parse().unwrap()).unwrap();
-        let found = column.certify(friction.parse().unwrap());
-        match (arch.certify(column.digits), found) {
+    fn same_with_frictions(opening: &SharedOpening, friction: &str) {
+        let arch = opening.arch(friction.parse().unwrap()).unwrap();
+        let found = opening.certify(friction.parse().unwrap(), true);
+        match (arch.certify(opening.digits), found) {
             (Ok(alone), Ok(found)) => equal(&alone, &found),
             (alone, found) => assert_eq!(alone.err(), found.err(), "{arch}"),
         }
@@ -265,45 +258,45 @@ mod tests {
     const OPENINGS: [&str; 6] = ["1e-3", "1/2", "80deg", "2.45", "2.62", "2.85"];
 
     #[test]
-    fn a_column_answers_as_each_of_its_arches_alone() {
+    fn an_opening_answers_as_each_of_its_arches_alone() {
         let mut shared = 0;
         let frictions =
             ["1e-9", "1/10", "0.35", "0.4", "tan(22deg)", "60deg", "1.35", "2", "50", "1e30"];
         for weight in SelfWeight::ALL {
             for alpha in OPENINGS {
-                let column = Column::new(weight, alpha.parse().unwrap(), 17).unwrap();
-                shared += frictions.iter().filter(|mu| same(&column, mu)).count();
+                let opening = SharedOpening::new(weight, alpha.parse().unwrap(), 17).unwrap();
+                shared += frictions.iter().filter(|mu| same(&opening, mu)).count();
             }
         }
         assert!(shared > 70, "{shared} of 120");
     }
 
     #[test]
-    fn a_column_has_the_frictions_of_each_of_its_arches_and_what_would_be_enough() {
+    fn an_opening_has_the_frictions_of_each_of_its_arches_and_what_would_be_enough() {
         for (weight, digits) in [(SelfWeight::Milankovitch, 17), (SelfWeight::Heyman, 30)] {
             for alpha in OPENINGS {
-                let column = Column::new(weight, alpha.parse().unwrap(), digits).unwrap();
+                let opening = SharedOpening::new(weight, alpha.parse().unwrap(), digits).unwrap();
                 let frictions = ["0", "1e-9", "0.35", "tan(40deg)", "1.35", "50", "inf"];
-                frictions.iter().for_each(|mu| same_with_frictions(&column, mu));
+                frictions.iter().for_each(|mu| same_with_frictions(&opening, mu));
             }
         }
     }
 
     /// Next to the frictions at which the answer changes, to either side: the outward bounds of what is proved of them.
     #[test]
-    fn a_column_answers_next_to_where_the_mode_changes() {
+    fn an_opening_answers_next_to_where_the_mode_changes() {
         for weight in SelfWeight::ALL {
             for alpha in ["1/2", "80deg", "2.3"] {
-                let column = Column::new(weight, alpha.parse().unwrap(), 17).unwrap();
+                let opening = SharedOpening::new(weight, alpha.parse().unwrap(), 17).unwrap();
                 for digits in [17, 45] {
                     let arch = Arch::parse(weight.name(), alpha, "inf").unwrap();
                     let Answer::Stands(state) = arch.certify(digits).unwrap() else { panic!() };
                     let frictions = state.frictions.unwrap();
                     for figure in [frictions.sliding, frictions.rotational.unwrap()] {
                         let Rounded { lower, value, upper, .. } = figure.decimal;
-                        same_with_frictions(&column, &value.to_string());
+                        same_with_frictions(&opening, &value.to_string());
                         let nearest = [lower, value, upper]
-                            .map(|mu| same(&column, &mu.to_string()))
+                            .map(|mu| same(&opening, &mu.to_string()))
                             .into_iter()
                             .filter(|shared| *shared)
                             .count();
@@ -312,8 +305,8 @@ mod tests {
                         let doubles = [figure.binary.lower, figure.binary.upper];
                         for double in doubles {
                             let exact = rug::Rational::from_f64(double).unwrap();
-                            let shared = same(&column, &exact.to_string());
-                            assert_eq!(column.shared_at(double).is_some(), shared);
+                            let shared = same(&opening, &exact.to_string());
+                            assert_eq!(shared_at(&opening, double).is_some(), shared);
                         }
                     }
                 }
@@ -323,19 +316,19 @@ mod tests {
 
     #[test]
     fn a_friction_that_makes_no_sense_is_refused() {
-        let column = Column::new(SelfWeight::Heyman, "1".parse().unwrap(), 17).unwrap();
+        let opening = SharedOpening::new(SelfWeight::Heyman, "1".parse().unwrap(), 17).unwrap();
         for friction in ["-1", "-1e-300", "tan(91deg)", "200deg", "tan(-1)"] {
-            let found = column.certify_alone(friction.parse().unwrap());
+            let found = opening.certify(friction.parse().unwrap(), false);
             assert!(matches!(found, Err(Error::Refused(Refused::Arch(_)))), "{friction}");
         }
-        assert!(same(&column, "1e-30") && same(&column, "89deg"));
-        assert!(!same(&column, "0"));
+        assert!(same(&opening, "1e-30") && same(&opening, "89deg"));
+        assert!(!same(&opening, "0"));
         for friction in [0.0, -1.0, f64::NAN, f64::INFINITY, -f64::INFINITY, 5e-324] {
-            assert!(column.shared_at(friction).is_none(), "{friction}");
+            assert!(shared_at(&opening, friction).is_none(), "{friction}");
         }
-        assert!(column.shared_at(1e-30).is_some() && column.shared_at(50.0).is_some());
-        assert!(Column::new(SelfWeight::Heyman, "pi".parse().unwrap(), 17).is_err());
-        let none = Column::new(SelfWeight::Heyman, "1".parse().unwrap(), 0).unwrap_err();
+        assert!(shared_at(&opening, 1e-30).is_some() && shared_at(&opening, 50.0).is_some());
+        assert!(SharedOpening::new(SelfWeight::Heyman, "pi".parse().unwrap(), 17).is_err());
+        let none = SharedOpening::new(SelfWeight::Heyman, "1".parse().unwrap(), 0).unwrap_err();
         assert!(matches!(none, Refused::Digits { asked: 0, .. }));
     }
 }

@@ -1,12 +1,11 @@
-//! Arches as they come, in any order: from its third arch on a half opening is a column.
+//! Arches as they come, in any order: from its third arch on a half opening shares its proofs.
 //!
-//! Nothing is known of what comes. A column costs about as much as two arches, so that what is shared costs at most
+//! Nothing is known of what comes. Sharing costs about as much as two arches, so that what is shared costs at most
 //! twice what it would alone, and no digit depends on it.
 
-use super::certify::Certify;
-use super::column::Column;
-use super::digits::Answer;
+use super::opening::{ALONE, SharedOpening};
 use crate::arch::SelfWeight;
+use crate::certify::state::{Answer, AssessmentDigits, Balls};
 use crate::number::ExactNumber;
 use crate::problem::Arch;
 use crate::prover::{Error, Refused};
@@ -17,17 +16,19 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// Arches that are asked the same, by any number of threads.
 ///
 /// ```
-/// use couplet_prove::certify::state::{Answer, Columns};
-/// use couplet_prove::prelude::*;
-/// let columns = Columns::new(17, true)?;
+/// use couplet::certify::batch::SharedOpenings;
+/// use couplet::certify::state::{Answer, Balls};
+/// use couplet::prelude::*;
+/// let openings = SharedOpenings::new(Balls::DoubleDoubles, 17, true)?;
 /// for friction in ["0.1", "0.35", "0.6", "1.2"] {
 ///     let arch = Arch::parse("milankovitch", "80deg", friction)?;
-///     assert_eq!(matches!(columns.certify(&arch)?, Answer::Stands(_)), friction != "0.1");
+///     assert_eq!(matches!(openings.state(&arch)?, Answer::Stands(_)), friction != "0.1");
 /// }
-/// # Ok::<(), couplet_prove::certify::Error>(())
+/// # Ok::<(), couplet::Error>(())
 /// ```
 #[derive(Debug)]
-pub struct Columns {
+pub struct SharedOpenings {
+    balls: Balls,
     digits: usize,
     frictions: bool,
     seen: Mutex<HashMap<(SelfWeight, ExactNumber), Seen>>,
@@ -38,37 +39,44 @@ pub struct Columns {
 enum Seen {
     /// So many arches, each proved alone.
     Arches(usize),
-    /// An arch whose thread makes the column. Others do not wait for it: its proof may wait for the work of this one.
+    /// An arch whose thread makes the shared proofs. Others do not wait for it: its proof may wait for the work of this one.
     Begun,
-    /// The column.
-    Column(Arc<Column>),
+    /// Their proofs.
+    Shared(Arc<SharedOpening>),
 }
 
-/// So many arches are proved alone before there is a column.
-const ALONE: usize = 2;
 /// So many half openings are remembered, a few megabytes; then all are forgotten.
 const MOST: usize = 4096;
 
-impl Columns {
+impl SharedOpenings {
     /// Values to `digits` significant digits; `frictions` says whether the frictions at which the mode changes are asked for.
-    /// Digits beyond [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS) are refused.
-    pub fn new(digits: usize, frictions: bool) -> Result<Self, Refused> {
+    /// Arches that are asked of balls of MPFR alone share nothing. Digits beyond
+    /// [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS) are refused.
+    pub fn new(balls: Balls, digits: usize, frictions: bool) -> Result<Self, Refused> {
         Refused::arch_digits(digits)?;
-        Ok(Self { digits, frictions, seen: Mutex::default() })
+        Ok(Self { balls, digits, frictions, seen: Mutex::default() })
     }
 
-    /// What [`Certify::certify`] or [`Certify::certify_alone`] finds for an arch, as the frictions are asked for or not.
-    pub fn certify(&self, arch: &Arch) -> Result<Answer, Error> {
-        match (self.column(arch), self.frictions) {
-            (Some(column), true) => column.whole(arch),
-            (Some(column), false) => column.alone(arch).map(Cow::into_owned),
-            (None, true) => arch.certify(self.digits),
-            (None, false) => arch.certify_alone(self.digits),
+    /// State of an arch, as [`Balls::state`] finds it.
+    pub fn state(&self, arch: &Arch) -> Result<Answer, Error> {
+        let shares = self.balls == Balls::DoubleDoubles;
+        match shares.then(|| self.opening(arch)).flatten() {
+            Some(opening) => opening.state(arch, self.frictions).map(Cow::into_owned),
+            None => self.balls.state(arch, self.digits, self.frictions),
         }
     }
 
-    /// The column of an arch, if there is one by now.
-    fn column(&self, arch: &Arch) -> Option<Arc<Column>> {
+    /// Assessment of an arch of a thickness, as [`Balls::assess`] finds it.
+    pub fn assess(
+        &self,
+        arch: &Arch,
+        thickness: &ExactNumber,
+    ) -> Result<AssessmentDigits, Refused> {
+        self.balls.assess(arch, thickness, self.digits)
+    }
+
+    /// What the half opening of an arch shares, if it does by now.
+    fn opening(&self, arch: &Arch) -> Option<Arc<SharedOpening>> {
         let key = (arch.weight(), arch.half_opening().clone());
         {
             let mut all = self.seen.lock().unwrap_or_else(PoisonError::into_inner);
@@ -76,7 +84,7 @@ impl Columns {
                 all.clear();
             }
             match all.entry(key.clone()).or_insert(Seen::Arches(0)) {
-                Seen::Column(column) => return Some(Arc::clone(column)),
+                Seen::Shared(opening) => return Some(Arc::clone(opening)),
                 Seen::Begun => return None,
                 Seen::Arches(count) if *count < ALONE => {
                     *count += 1;
@@ -85,22 +93,22 @@ impl Columns {
                 seen => *seen = Seen::Begun,
             }
         }
-        let column = Arc::new(Column::new(key.0, key.1.clone(), self.digits).ok()?);
-        let seen = Seen::Column(Arc::clone(&column));
+        let opening = Arc::new(SharedOpening::new(key.0, key.1.clone(), self.digits).ok()?);
+        let seen = Seen::Shared(Arc::clone(&opening));
         self.seen.lock().unwrap_or_else(PoisonError::into_inner).insert(key, seen);
-        Some(column)
+        Some(opening)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::prover::Figure;
+    use crate::certify::state::{Certify, Figure};
     use std::thread;
 
-    fn columns_of(columns: &Columns) -> usize {
-        let seen = columns.seen.lock().unwrap();
-        seen.values().filter(|seen| matches!(seen, Seen::Column(_))).count()
+    fn shared_by(openings: &SharedOpenings) -> usize {
+        let seen = openings.seen.lock().unwrap();
+        seen.values().filter(|seen| matches!(seen, Seen::Shared(_))).count()
     }
 
     /// What is asked of an arch, as text.
@@ -135,22 +143,22 @@ mod tests {
     #[test]
     fn an_arch_is_answered_as_alone_whoever_came_before() {
         for frictions in [false, true] {
-            let columns = Columns::new(17, frictions).unwrap();
+            let openings = SharedOpenings::new(Balls::DoubleDoubles, 17, frictions).unwrap();
             for arch in arches() {
                 let alone = match frictions {
                     true => arch.certify(17),
                     false => arch.certify_alone(17),
                 };
-                assert_eq!(told(&columns.certify(&arch)), told(&alone), "{arch}");
+                assert_eq!(told(&openings.state(&arch)), told(&alone), "{arch}");
             }
-            assert_eq!(columns_of(&columns), 4);
+            assert_eq!(shared_by(&openings), 4);
         }
     }
 
     #[test]
     fn threads_may_ask_at_a_time() {
-        let columns = Columns::new(17, true).unwrap();
-        let all = || arches().iter().map(|arch| told(&columns.certify(arch))).collect::<Vec<_>>();
+        let openings = SharedOpenings::new(Balls::DoubleDoubles, 17, true).unwrap();
+        let all = || arches().iter().map(|arch| told(&openings.state(arch))).collect::<Vec<_>>();
         let found: Vec<Vec<String>> = thread::scope(|scope| {
             let threads = [(); 3].map(|()| scope.spawn(all));
             threads.into_iter().map(|thread| thread.join().unwrap()).collect()
@@ -160,17 +168,17 @@ mod tests {
 
     #[test]
     fn half_openings_that_do_not_come_again_are_forgotten() {
-        let columns = Columns::new(1, false).unwrap();
+        let openings = SharedOpenings::new(Balls::DoubleDoubles, 1, false).unwrap();
         let alpha = |place: usize| ExactNumber::from(&rug::Rational::from((1, place + 1)));
         let arch = |place| {
             Arch::new(SelfWeight::Heyman, alpha(place), crate::problem::Friction::Infinite).unwrap()
         };
-        (0..MOST).for_each(|place| assert!(columns.column(&arch(place)).is_none()));
-        assert_eq!(columns.seen.lock().unwrap().len(), MOST);
-        assert!(columns.column(&arch(MOST)).is_none());
-        assert_eq!(columns.seen.lock().unwrap().len(), 1);
-        (0..ALONE).for_each(|_| assert!(columns.column(&arch(0)).is_none()));
-        assert!(columns.column(&arch(0)).is_some());
-        assert_eq!(columns_of(&columns), 1);
+        (0..MOST).for_each(|place| assert!(openings.opening(&arch(place)).is_none()));
+        assert_eq!(openings.seen.lock().unwrap().len(), MOST);
+        assert!(openings.opening(&arch(MOST)).is_none());
+        assert_eq!(openings.seen.lock().unwrap().len(), 1);
+        (0..ALONE).for_each(|_| assert!(openings.opening(&arch(0)).is_none()));
+        assert!(openings.opening(&arch(0)).is_some());
+        assert_eq!(shared_by(&openings), 1);
     }
 }

@@ -1,0 +1,222 @@
+//! The one way in which arches that are there are answered: those of one half opening together.
+
+use super::opening::{PAYS_FROM, SharedOpening};
+use super::row::{BatchRow, RowValue, RowVerdict};
+use crate::certify::state::{Answer, Balls, Figure};
+use crate::certify::{Error, asymmetric_thicknesses};
+use crate::number::{DoubleDoubleBall, ExactNumber};
+use crate::problem::{Arch, Quantity};
+use rayon::prelude::*;
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::hash::Hash;
+use std::ptr;
+use std::sync::Arc;
+
+/// Question that is asked of every arch of a batch.
+#[derive(Clone, Debug)]
+pub struct Batch {
+    /// Quantities of each row.
+    pub quantities: Vec<Quantity>,
+    /// Significant digits.
+    pub digits: usize,
+    /// Whether values are kept as text too.
+    pub has_texts: bool,
+}
+
+/// Arches of a batch, by rows.
+pub trait BatchArches: Sync {
+    /// The rows of each half opening and weight: every row once.
+    fn openings(&self) -> Vec<Vec<usize>>;
+
+    /// The arch of a row, or why there is none.
+    fn arch(&self, row: usize) -> Result<Cow<'_, Arch>, String>;
+
+    /// The friction of a row in an enclosure, where it is positive and limited.
+    fn friction(&self, row: usize) -> Option<DoubleDoubleBall>;
+}
+
+/// Rows by their keys; each row without a key is by itself.
+pub fn grouped<K: Eq + Hash>(keys: impl Iterator<Item = Option<K>>) -> Vec<Vec<usize>> {
+    let (mut groups, mut place_of) = (Vec::new(), HashMap::new());
+    for (row, key) in keys.enumerate() {
+        let place = key.map_or(groups.len(), |key| *place_of.entry(key).or_insert(groups.len()));
+        match groups.get_mut(place) {
+            None => groups.push(vec![row]),
+            Some(group) => group.push(row),
+        }
+    }
+    groups
+}
+
+/// Threads that a batch is answered in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Threads {
+    /// The one that asks.
+    One,
+    /// Those of the pool of rayon in which it is asked, if it is one: the global pool is not asked for, as a forked process
+    /// would wait for it for ever.
+    Pool,
+}
+
+impl Threads {
+    /// The answers to each of some questions.
+    pub(super) fn each<A: Sync, B: Send>(
+        self,
+        all: &[A],
+        of: impl Fn(&A) -> B + Send + Sync,
+    ) -> Vec<B> {
+        match rayon::current_thread_index().filter(|_| self == Self::Pool) {
+            Some(_) => all.par_iter().map(of).collect(),
+            None => all.iter().map(of).collect(),
+        }
+    }
+}
+
+/// Rows that are one piece of work.
+const PIECE: usize = 64;
+
+impl Batch {
+    /// Whether the frictions at which the mode changes are asked for.
+    pub fn has_frictions(&self) -> bool {
+        self.quantities.iter().any(|of| of.is_friction())
+    }
+
+    /// Rows of states, at the least thickness. In one thread the proofs of one half opening are held at a time.
+    pub fn states(&self, arches: &impl BatchArches, threads: Threads) -> Vec<Arc<BatchRow>> {
+        let pays = |rows: &Vec<usize>| rows.len() >= PAYS_FROM;
+        let (mut groups, few): (Vec<_>, Vec<_>) = arches.openings().into_iter().partition(pays);
+        let shared = groups.len();
+        groups.push(few.concat());
+        let places: Vec<usize> = (0..groups.len()).collect();
+        let found = threads.each(&places, |&place| {
+            let first = groups[place].iter().find_map(|row| arches.arch(*row).ok());
+            let opening = first.filter(|_| place < shared).and_then(|arch| {
+                SharedOpening::new(arch.weight(), arch.half_opening().clone(), self.digits).ok()
+            });
+            let pieces: Vec<&[usize]> = groups[place].chunks(PIECE).collect();
+            threads.each(&pieces, |rows| self.piece(rows, arches, opening.as_ref()))
+        });
+        let found = found.into_iter().flatten().flatten();
+        let mut all = vec![None; groups.iter().map(Vec::len).sum()];
+        groups.iter().flatten().zip(found).for_each(|(row, found)| all[*row] = Some(found));
+        all.into_iter().flatten().collect()
+    }
+
+    /// Some rows, which may be those of one half opening; those that follow each other and have one answer share their row.
+    fn piece(
+        &self,
+        rows: &[usize],
+        arches: &impl BatchArches,
+        opening: Option<&SharedOpening>,
+    ) -> Vec<Arc<BatchRow>> {
+        let quick = opening.filter(|_| !self.has_frictions());
+        let mut last: Option<(&Answer, Arc<BatchRow>)> = None;
+        let row = |&row: &usize| {
+            let shared = quick.and_then(|opening| opening.shared(&arches.friction(row)?));
+            let Some(answer) = shared else {
+                return Arc::new(self.alone(arches.arch(row), opening));
+            };
+            if let Some((of, found)) = &last
+                && ptr::eq(*of, answer)
+                && !self.asks_asymmetric(found.verdict)
+            {
+                return Arc::clone(found);
+            }
+            let found = Arc::new(self.row(Ok(answer), || arches.arch(row).ok()));
+            last = Some((answer, Arc::clone(&found)));
+            found
+        };
+        rows.iter().map(row).collect()
+    }
+
+    /// Row of an arch, or of none; with the proofs of its half opening, if they are given.
+    pub fn alone(
+        &self,
+        arch: Result<Cow<'_, Arch>, String>,
+        opening: Option<&SharedOpening>,
+    ) -> BatchRow {
+        let arch = match arch {
+            Ok(arch) => arch,
+            Err(reason) => return self.without(RowVerdict::Refused, reason),
+        };
+        let frictions = self.has_frictions();
+        let alone = || Balls::DoubleDoubles.state(&arch, self.digits, frictions).map(Cow::Owned);
+        let found = opening.map_or_else(alone, |opening| opening.state(&arch, frictions));
+        self.row(found.as_deref(), || Some(arch))
+    }
+
+    /// Row of an arch of a thickness, or of none.
+    pub fn assessment(&self, asked: Result<(Arch, ExactNumber), String>) -> BatchRow {
+        let found = asked.and_then(|(arch, eta)| {
+            let found = Balls::DoubleDoubles.assess(&arch, &eta, self.digits);
+            Ok((found.map_err(|refused| refused.to_string())?, arch))
+        });
+        let (digits, arch) = match found {
+            Ok(found) => found,
+            Err(reason) => return self.without(RowVerdict::Refused, reason),
+        };
+        let (verdict, reason) = match &digits.stands {
+            Ok(true) => (RowVerdict::Stands, None),
+            Ok(false) => (RowVerdict::Falls, None),
+            Err(open) => (RowVerdict::Undecided, Some(open.reason.to_string())),
+        };
+        let row = self.with(verdict, digits.figures(), || Some(Cow::Owned(arch)));
+        BatchRow { reason, ..row }
+    }
+
+    /// Row of the answer to an arch, which is looked at only where its asymmetric thickness is asked for.
+    fn row<'a>(
+        &self,
+        found: Result<&Answer, &Error>,
+        arch: impl FnOnce() -> Option<Cow<'a, Arch>>,
+    ) -> BatchRow {
+        match found {
+            Ok(Answer::Stands(digits)) => {
+                let mode = Some(digits.mode);
+                BatchRow { mode, ..self.with(RowVerdict::Stands, digits.figures(), arch) }
+            }
+            Ok(Answer::Falls { enough, .. }) => {
+                let sliding = enough.as_ref().and_then(|enough| enough.sliding_friction.as_ref());
+                let sliding = sliding.map(|figure| (Quantity::SlidingFriction, Some(figure)));
+                self.with(RowVerdict::Falls, sliding, arch)
+            }
+            Err(Error::Undecided(open)) => self.without(RowVerdict::Undecided, &open.reason),
+            Err(Error::Refused(refused)) => self.without(RowVerdict::Refused, refused),
+        }
+    }
+
+    fn without(&self, verdict: RowVerdict, reason: impl ToString) -> BatchRow {
+        let (values, reason) = (vec![None; self.quantities.len()], Some(reason.to_string()));
+        BatchRow { verdict, mode: None, values, reason }
+    }
+
+    /// Row with those of the figures that are asked for, and the asymmetric thickness of an arch that stands.
+    fn with<'a, 'b>(
+        &self,
+        verdict: RowVerdict,
+        figures: impl IntoIterator<Item = (Quantity, Option<&'a Figure>)>,
+        arch: impl FnOnce() -> Option<Cow<'b, Arch>>,
+    ) -> BatchRow {
+        let mut values = vec![None; self.quantities.len()];
+        let mut put = |of: Quantity, figure: Option<&Figure>| {
+            let places = self.quantities.iter().zip(&mut values).filter(|(asked, _)| **asked == of);
+            places.for_each(|(_, value)| *value = Some(RowValue::new(figure, self.has_texts)));
+        };
+        figures.into_iter().for_each(|(of, figure)| put(of, figure));
+        if self.asks_asymmetric(verdict)
+            && let Some(arch) = arch()
+            && let Ok(all) = asymmetric_thicknesses(&arch, self.digits)
+            && let Some(largest) = all.first()
+        {
+            put(Quantity::AsymmetricThickness, Some(largest));
+        }
+        BatchRow { verdict, mode: None, values, reason: None }
+    }
+
+    /// Whether rows of a verdict are asked for the asymmetric thickness of their arches, of which each has its own.
+    fn asks_asymmetric(&self, verdict: RowVerdict) -> bool {
+        let of = Quantity::AsymmetricThickness;
+        verdict == RowVerdict::Stands && self.quantities.contains(&of)
+    }
+}

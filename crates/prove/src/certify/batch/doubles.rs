@@ -1,0 +1,243 @@
+//! Many arches, in arrays of doubles: a half opening, a friction and perhaps a thickness each.
+//!
+//! A double is the number that it is, exactly.
+
+use super::batch::{Batch, BatchArches, Threads, grouped};
+use super::opening::SharedOpening;
+use super::row::BatchRow;
+use crate::arch::SelfWeight;
+use crate::certify::Refused;
+use crate::number::{DoubleDoubleBall, ExactNumber};
+use crate::problem::{Arch, Friction, Quantity};
+use rug::Rational;
+use std::borrow::Cow;
+use std::sync::Arc;
+
+/// With so many digits a decimal number tells the double.
+const DIGITS: usize = 17;
+
+/// Arches in arrays of doubles.
+///
+/// ```
+/// use couplet::certify::batch::{DoubleArches, RowVerdict};
+/// use couplet::prelude::*;
+/// let (half_openings, frictions) = (&[2.45, 2.45, 4.0], &[1.35, 0.1, 1.0]);
+/// let weight = SelfWeight::Milankovitch;
+/// let arches = DoubleArches { weight, half_openings, frictions, thicknesses: None };
+/// let rows = arches.rows(&[Quantity::Thickness])?;
+/// assert_eq!((rows[0].mode, rows[0].doubles(0)[0]), (Mode::named("rrs"), 0.65024378080138357));
+/// assert_eq!(rows[1].verdict, RowVerdict::Falls);
+/// assert_eq!(rows[2].verdict, RowVerdict::Refused);
+/// # Ok::<(), couplet::Error>(())
+/// ```
+///
+/// See also: [`Balls::state`](crate::certify::state::Balls::state) and
+/// [`Balls::assess`](crate::certify::state::Balls::assess), which answer one.
+#[derive(Clone, Copy, Debug)]
+pub struct DoubleArches<'a> {
+    /// The self-weight model of all.
+    pub weight: SelfWeight,
+    /// In `(0, pi)`, rad.
+    pub half_openings: &'a [f64],
+    /// From 0 to infinity.
+    pub frictions: &'a [f64],
+    /// In `(0, 2]`, for arches that have them.
+    pub thicknesses: Option<&'a [f64]>,
+}
+
+/// A double as the number that it is.
+fn exact(x: f64) -> Result<ExactNumber, String> {
+    let exact = Rational::from_f64(x).map(|x| ExactNumber::from(&x));
+    exact.ok_or_else(|| format!("{x} is no number"))
+}
+
+impl DoubleArches<'_> {
+    /// Rows with the quantities: those of [`Quantity::STATE_ROW`], or of [`Quantity::ASSESSMENT_ROW`] where there are
+    /// thicknesses. A row with a number out of its range is [`RowVerdict::Refused`](super::RowVerdict::Refused), and no other
+    /// is. All are refused where the lengths of the arrays differ, or a quantity is asked for that such arches do not have.
+    ///
+    /// ```
+    /// use couplet::Refused;
+    /// use couplet::certify::batch::DoubleArches;
+    /// use couplet::prelude::*;
+    /// let (weight, half_openings) = (SelfWeight::Heyman, &[1.0, 1.2][..]);
+    /// let arches = DoubleArches { weight, half_openings, frictions: &[0.5], thicknesses: None };
+    /// let safety = [Quantity::GeometricSafety];
+    /// assert_eq!(arches.rows(&safety), Err(Refused::Lengths(vec![2, 1])));
+    /// // A safety is that of a thickness.
+    /// let arches = DoubleArches { half_openings: &[1.0], ..arches };
+    /// assert!(matches!(arches.rows(&safety), Err(Refused::NoSuchQuantity { .. })));
+    /// assert!(DoubleArches { thicknesses: Some(&[0.1]), ..arches }.rows(&safety).is_ok());
+    /// ```
+    ///
+    /// Inside a pool of rayon its threads share the work; elsewhere all is done in the thread that calls.
+    pub fn rows(&self, quantities: &[Quantity]) -> Result<Vec<Arc<BatchRow>>, Refused> {
+        let mut lengths = vec![self.half_openings.len(), self.frictions.len()];
+        lengths.extend(self.thicknesses.map(<[f64]>::len));
+        if lengths.iter().any(|length| *length != lengths[0]) {
+            return Err(Refused::Lengths(lengths));
+        }
+        let possible = match self.thicknesses {
+            Some(_) => &Quantity::ASSESSMENT_ROW[..],
+            None => &Quantity::STATE_ROW,
+        };
+        quantities.iter().try_for_each(|of| Refused::quantity(*of, possible))?;
+        let batch = Batch { quantities: quantities.to_vec(), digits: DIGITS, has_texts: false };
+        let Some(etas) = self.thicknesses else { return Ok(batch.states(self, Threads::Pool)) };
+        let rows: Vec<usize> = (0..etas.len()).collect();
+        let asked = |row: usize| Ok((self.arch(row)?.into_owned(), exact(etas[row])?));
+        Ok(Threads::Pool.each(&rows, |row| Arc::new(batch.assessment(asked(*row)))))
+    }
+}
+
+impl BatchArches for DoubleArches<'_> {
+    fn openings(&self) -> Vec<Vec<usize>> {
+        grouped(self.half_openings.iter().map(|alpha| Some(alpha.to_bits())))
+    }
+
+    fn arch(&self, row: usize) -> Result<Cow<'_, Arch>, String> {
+        let friction = match self.frictions[row] {
+            f64::INFINITY => Friction::Infinite,
+            mu => Friction::Coefficient(exact(mu)?),
+        };
+        let arch = Arch::new(self.weight, exact(self.half_openings[row])?, friction);
+        arch.map(Cow::Owned).map_err(|error| error.to_string())
+    }
+
+    fn friction(&self, row: usize) -> Option<DoubleDoubleBall> {
+        SharedOpening::enclosed_double(self.frictions[row])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::RowVerdict;
+    use super::*;
+    use crate::certify::asymmetric_thicknesses;
+    use crate::certify::state::Certify;
+
+    fn rows(
+        quantities: &[Quantity],
+        (half_openings, frictions): (&[f64], &[f64]),
+        thicknesses: Option<&[f64]>,
+    ) -> Result<Vec<Arc<BatchRow>>, Refused> {
+        let weight = SelfWeight::Milankovitch;
+        DoubleArches { weight, half_openings, frictions, thicknesses }.rows(quantities)
+    }
+
+    fn first(row: &BatchRow) -> [f64; 3] {
+        row.doubles(0)
+    }
+
+    /// Rows of half openings that occur once, and so often that they share their proofs.
+    fn grid() -> (Vec<f64>, Vec<f64>) {
+        let alphas = [0.7, 1.4, 2.45, 2.61, 3.0];
+        let mus = [0.05, 0.3, 0.6, 1.35, 2.5, f64::INFINITY];
+        let rows = alphas.iter().flat_map(|&alpha| mus.iter().map(move |&mu| (alpha, mu)));
+        rows.chain([(1.1, 0.4), (1.2, 0.4)]).unzip()
+    }
+
+    /// Bits, as what is not a number is not equal to itself.
+    fn bits(rows: &[Arc<BatchRow>]) -> Vec<(RowVerdict, u8, Vec<[u64; 3]>)> {
+        let row = |row: &Arc<BatchRow>| {
+            let values =
+                (0..row.values.len()).map(|place| row.doubles(place).map(f64::to_bits)).collect();
+            (row.verdict, row.mode_code(), values)
+        };
+        rows.iter().map(row).collect()
+    }
+
+    #[test]
+    fn a_row_is_what_it_is_alone_whatever_the_threads() {
+        let asked = [Quantity::Thrust, Quantity::Thickness];
+        let (alphas, mus) = grid();
+        let rows = |alphas: &[f64], mus: &[f64]| rows(&asked, (alphas, mus), None).unwrap();
+        let together = bits(&rows(&alphas, &mus));
+        let alone = alphas.iter().zip(&mus).flat_map(|(&alpha, &mu)| rows(&[alpha], &[mu]));
+        assert_eq!(together, bits(&alone.collect::<Vec<_>>()));
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
+        assert_eq!(together, bits(&pool.install(|| rows(&alphas, &mus))));
+        let falls = together.iter().filter(|(verdict, ..)| *verdict == RowVerdict::Falls).count();
+        assert!((5..25).contains(&falls), "{falls}");
+    }
+
+    #[test]
+    fn a_row_with_frictions_is_what_it_is_alone() {
+        let asked = [Quantity::SlidingFriction, Quantity::RotationalFriction];
+        let (alphas, mus) = grid();
+        let rows = |alphas: &[f64], mus: &[f64]| rows(&asked, (alphas, mus), None).unwrap();
+        let together = rows(&alphas, &mus);
+        let alone = alphas.iter().zip(&mus).flat_map(|(&alpha, &mu)| rows(&[alpha], &[mu]));
+        assert_eq!(bits(&together), bits(&alone.collect::<Vec<_>>()));
+        let is_known = |row: &&Arc<BatchRow>| first(row)[0] > 0.0;
+        assert!(together.iter().filter(is_known).count() > 20);
+    }
+
+    #[test]
+    fn a_value_is_that_of_the_arch() {
+        let asked = [Quantity::RotationalFriction, Quantity::Thickness];
+        let row = &rows(&asked, (&[1.5], &[0.5]), None).unwrap()[0];
+        let values = [0, 1].map(|place| row.doubles(place));
+        let arch = Arch::parse("milankovitch", "1.5", "0.5").unwrap();
+        let state = arch.least(17).unwrap();
+        let rotational = state.frictions.unwrap().rotational.unwrap();
+        assert_eq!([values[0][0], values[1][0]], [rotational.double, state.thickness.double]);
+        assert_eq!(row.mode, Some(state.mode));
+        let [value, lower, upper] = values[1];
+        assert!(lower <= value && value <= upper && lower < upper);
+    }
+
+    #[test]
+    fn the_asymmetric_thickness_is_there_for_arches_that_have_one_and_stand() {
+        let arches: (&[f64], &[f64]) = (&[2.3, 2.3, 2.3, 1.5], &[1.05, 1.2, 1.05, 0.6]);
+        // The double next to 2.3 is another half opening.
+        let numbers = (exact(2.3).unwrap(), Friction::Coefficient(exact(1.05).unwrap()));
+        let arch = Arch::new(SelfWeight::Milankovitch, numbers.0, numbers.1).unwrap();
+        let known = asymmetric_thicknesses(&arch, DIGITS).unwrap()[0].double;
+        approx::assert_abs_diff_eq!(known, 0.583_084_449_604_488_6, epsilon = 1e-15);
+        for etas in [None, Some(&[0.55, 0.55, 0.5, 0.2][..])] {
+            let rows = rows(&[Quantity::AsymmetricThickness], arches, etas).unwrap();
+            let [value, lower, upper] = first(&rows[0]);
+            assert_eq!(value, known);
+            assert!(lower <= value && value <= upper && lower < upper);
+            assert!(first(&rows[1])[0].is_nan() && first(&rows[3])[0].is_nan());
+            assert_eq!(first(&rows[2])[0].is_nan(), etas.is_some(), "one falls");
+        }
+    }
+
+    #[test]
+    fn a_row_that_makes_no_sense_is_refused_and_no_other() {
+        let found = |arches: (&[f64], &[f64]), etas: &[f64]| {
+            rows(&[Quantity::GeometricSafety], arches, Some(etas)).unwrap()
+        };
+        let nan = f64::NAN;
+        let rows = [(nan, 1.0, 0.1), (1.0, nan, 0.1), (1.0, 1.0, nan), (4.0, 1.0, 0.1)];
+        let rows =
+            [&rows[..], &[(1.0, -1.0, 0.1), (1.0, 1.0, 0.0), (1.0, 1.0, 2.5), (-0.0, 1.0, 1.0)]];
+        for &(alpha, mu, eta) in rows.concat().iter() {
+            let found = found((&[1.0, alpha], &[1.0, mu]), &[0.1, eta]);
+            let verdicts = found.iter().map(|row| row.verdict).collect::<Vec<_>>();
+            assert_eq!(verdicts, [RowVerdict::Stands, RowVerdict::Refused], "{alpha} {mu} {eta}");
+            assert!(first(&found[1]).iter().all(|x| x.is_nan()) && found[1].mode_code() == 255);
+        }
+        assert!(found((&[], &[]), &[]).is_empty());
+    }
+
+    #[test]
+    fn arrays_of_other_lengths_and_quantities_of_other_arches_are_refused() {
+        let safety = |arches: (&[f64], &[f64]), etas: Option<&[f64]>| {
+            rows(&[Quantity::Thickness, Quantity::GeometricSafety], arches, etas)
+        };
+        let lengths = |all: &[usize]| Err(Refused::Lengths(all.to_vec()));
+        assert_eq!(safety((&[1.0, 1.2, 1.4], &[0.6]), None), lengths(&[3, 1]));
+        assert_eq!(safety((&[1.0], &[0.6]), Some(&[])), lengths(&[1, 1, 0]));
+        for (thicknesses, quantity) in
+            [(None, Quantity::GeometricSafety), (Some(&[0.1][..]), Quantity::Thickness)]
+        {
+            let refused = safety((&[1.0], &[0.6]), thicknesses).unwrap_err();
+            let told =
+                matches!(&refused, Refused::NoSuchQuantity { quantity: of, .. } if *of == quantity);
+            assert!(told, "{refused}");
+        }
+    }
+}

@@ -1,0 +1,22 @@
+//! Many arches at once: arches of one half opening and weight share its proofs, wherever they stand, and no bit depends on it.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `row` | a row: verdict, mode, and values in doubles |
+//! | `opening` | many frictions of one half opening, which share its proofs |
+//! | `openings` | arches as they come, which do so where a half opening comes again |
+//! | `batch` | arches that are there, answered as rows |
+//! | `doubles` | arches in arrays of doubles |
+
+#[allow(clippy::module_inception, reason = "the folder is named after what it answers")]
+mod batch;
+mod doubles;
+mod opening;
+mod openings;
+mod row;
+
+pub use batch::{Batch, BatchArches, Threads, grouped};
+pub use doubles::DoubleArches;
+pub use opening::SharedOpening;
+pub use openings::SharedOpenings;
+pub use row::{BatchRow, RowValue, RowVerdict};

@@ -1,0 +1,41 @@
+//! The one policy of arithmetic for the digits of an arch.
+
+use super::assess::Wanted;
+use super::digits::{Answer, AssessmentDigits};
+use super::inquiry::Inquiry;
+use super::quick;
+use crate::certify::{Error, Refused};
+use crate::number::ExactNumber;
+use crate::problem::Arch;
+
+/// Balls that are asked first. Digits and nearest doubles are the same either way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Balls {
+    /// Balls of double-doubles, up to 25 digits, and balls of MPFR for what those leave open.
+    DoubleDoubles,
+    /// Balls of MPFR alone: more is known of the error of each double, and the nearest quadruple.
+    Mpfr,
+}
+
+impl Balls {
+    /// The state of an arch to `digits` digits, with the frictions at which its mode changes if they are asked for.
+    pub fn state(self, arch: &Arch, digits: usize, frictions: bool) -> Result<Answer, Error> {
+        let quick = (self == Self::DoubleDoubles).then(|| quick::state(arch, digits, frictions));
+        let mpfr = || Inquiry::new(arch, digits, frictions).state(digits, frictions);
+        quick.flatten().map_or_else(mpfr, Ok)
+    }
+
+    /// Everything that holds for an arch with a thickness in `(0, 2]`, to `digits` digits.
+    pub fn assess(
+        self,
+        arch: &Arch,
+        thickness: &ExactNumber,
+        digits: usize,
+    ) -> Result<AssessmentDigits, Refused> {
+        Refused::thickness(thickness)?;
+        let quick = (self == Self::DoubleDoubles).then(|| quick::assess(arch, thickness, digits));
+        let wanted = Wanted::Everything;
+        let mpfr = || Inquiry::new(arch, digits, false).assess(thickness, digits, wanted);
+        quick.flatten().map_or_else(mpfr, Ok)
+    }
+}
