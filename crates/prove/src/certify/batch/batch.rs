@@ -54,8 +54,8 @@ pub fn grouped<K: Eq + Hash>(keys: impl Iterator<Item = Option<K>>) -> Vec<Vec<u
 pub enum Threads {
     /// The one that asks.
     One,
-    /// Those of the pool of rayon in which it is asked, if it is one: the global pool is not asked for, as a forked process
-    /// would wait for it for ever.
+    /// Those of the pool of rayon in which it is asked, if it is one: the global pool is not asked for, as a forked
+    /// process would wait for it for ever.
     Pool,
 }
 
@@ -103,7 +103,8 @@ impl Batch {
         all.into_iter().flatten().collect()
     }
 
-    /// Some rows, which may be those of one half opening; those that follow each other and have one answer share their row.
+    /// Some rows, which may be those of one half opening; those that follow each other and have one answer share
+    /// their row.
     fn piece(
         &self,
         rows: &[usize],

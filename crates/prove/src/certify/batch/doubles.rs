@@ -53,8 +53,9 @@ fn exact(x: f64) -> Result<ExactNumber, String> {
 
 impl DoubleArches<'_> {
     /// Rows with the quantities: those of [`Quantity::STATE_ROW`], or of [`Quantity::ASSESSMENT_ROW`] where there are
-    /// thicknesses. A row with a number out of its range is [`RowVerdict::Refused`](super::RowVerdict::Refused), and no other
-    /// is. All are refused where the lengths of the arrays differ, or a quantity is asked for that such arches do not have.
+    /// thicknesses. A row with a number out of its range is [`RowVerdict::Refused`](super::RowVerdict::Refused), and
+    /// no other is. All are refused where the lengths of the arrays differ, or a quantity is asked for that such
+    /// arches do not have.
     ///
     /// ```
     /// use couplet::Refused;

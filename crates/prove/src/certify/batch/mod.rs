@@ -1,4 +1,5 @@
-//! Many arches at once: arches of one half opening and weight share its proofs, wherever they stand, and no bit depends on it.
+//! Many arches at once: arches of one half opening and weight share its proofs, wherever they stand, and no bit
+//! depends on it.
 //!
 //! | file | what it does |
 //! |---|---|

@@ -59,8 +59,9 @@ pub struct SharedOpening {
 }
 
 impl SharedOpening {
-    /// The arches of a half opening in `(0, pi)`, with values to `digits` significant digits. It costs about as much as two
-    /// arches. Any other half opening, and digits beyond [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS), are refused.
+    /// The arches of a half opening in `(0, pi)`, with values to `digits` significant digits. It costs about as much
+    /// as two arches. Any other half opening, and digits beyond
+    /// [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS), are refused.
     pub fn new(
         weight: SelfWeight,
         half_opening: ExactNumber,
@@ -77,8 +78,8 @@ impl SharedOpening {
         Ok(Self { unlimited, digits, answer, sliding, same_from, slides, frictions, enough })
     }
 
-    /// What is found for the arch of a friction alone, with the frictions at which its mode changes if they are asked for;
-    /// refused if the friction is out of its range.
+    /// Answer to the arch of a friction as if it were alone, with the frictions at which its mode changes if they
+    /// are asked for; refused if the friction is out of its range.
     ///
     /// ```
     /// use couplet::certify::batch::SharedOpening;
@@ -103,7 +104,7 @@ impl SharedOpening {
         Ok(Arch::new(self.unlimited.weight(), self.unlimited.half_opening().clone(), friction)?)
     }
 
-    /// What is found for an arch of this half opening and weight alone.
+    /// Answer to an arch of this half opening and weight, as if it were alone.
     pub(super) fn state(&self, arch: &Arch, frictions: bool) -> Result<Cow<'_, Answer>, Error> {
         let shared = match Self::enclosed(arch.friction()) {
             Some(friction) => self.shared(&friction),
@@ -166,7 +167,7 @@ impl SharedOpening {
         is_ordinary.then(|| DoubleDoubleBall::exact(DoubleDouble::exact(friction)))
     }
 
-    /// What is found for the arch of a friction without frictions, if no proof of its own is needed: much quicker. None says
+    /// Answer without frictions to the arch of a friction, if it needs no proof of its own: much quicker. None says
     /// nothing.
     pub(super) fn shared(&self, friction: &DoubleDoubleBall) -> Option<&Answer> {
         let exceeds = |bound: &DoubleDoubleBall| bound.is_less_than(friction).is_proved();
@@ -178,8 +179,8 @@ impl SharedOpening {
     }
 }
 
-/// What is proved once. Threads that ask for it at a time each prove it: none waits for another, whose proof may wait for
-/// the work of this one.
+/// What is proved once. Threads that ask for it at a time each prove it: none waits for another, whose proof may
+/// wait for the work of this one.
 fn kept<T>(place: &OnceLock<T>, proved: impl FnOnce() -> T) -> &T {
     match place.get() {
         Some(kept) => kept,

@@ -39,7 +39,8 @@ pub struct SharedOpenings {
 enum Seen {
     /// So many arches, each proved alone.
     Arches(usize),
-    /// An arch whose thread makes the shared proofs. Others do not wait for it: its proof may wait for the work of this one.
+    /// An arch whose thread makes the shared proofs. Others do not wait for it: its proof may wait for the work of
+    /// this one.
     Begun,
     /// Their proofs.
     Shared(Arc<SharedOpening>),
@@ -49,8 +50,8 @@ enum Seen {
 const MOST: usize = 4096;
 
 impl SharedOpenings {
-    /// Values to `digits` significant digits; `frictions` says whether the frictions at which the mode changes are asked for.
-    /// Arches that are asked of balls of MPFR alone share nothing. Digits beyond
+    /// Values to `digits` significant digits; `frictions` says whether the frictions at which the mode changes are
+    /// asked for. Arches that are asked of balls of MPFR alone share nothing. Digits beyond
     /// [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS) are refused.
     pub fn new(balls: Balls, digits: usize, frictions: bool) -> Result<Self, Refused> {
         Refused::arch_digits(digits)?;

@@ -9,7 +9,7 @@ use crate::problem::Mode;
 pub enum RowVerdict {
     /// The arch stands: at some thickness, or at the one that it has.
     Stands = 0,
-    /// It does not.
+    /// The arch falls.
     Falls = 1,
     /// Nothing is known.
     Undecided = 2,
@@ -18,7 +18,7 @@ pub enum RowVerdict {
 }
 
 impl RowVerdict {
-    /// All of them, by their codes.
+    /// Verdicts in the order of their codes.
     pub const ALL: [Self; 4] = [Self::Stands, Self::Falls, Self::Undecided, Self::Refused];
 
     /// The name used in files.
@@ -35,13 +35,13 @@ impl RowVerdict {
 /// Row of a batch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BatchRow {
-    /// What became of the arch.
+    /// Verdict on the arch.
     pub verdict: RowVerdict,
-    /// How the arch collapses at its least thickness, where that is asked and known.
+    /// Collapse mode at the least thickness, where that is asked and known.
     pub mode: Option<Mode>,
-    /// For each quantity its value, where there is one.
+    /// Values of the quantities, where there are any.
     pub values: Vec<Option<RowValue>>,
-    /// Why the row is undecided or refused.
+    /// Reason why the row is undecided or refused.
     pub reason: Option<String>,
 }
 
@@ -81,7 +81,7 @@ impl RowValue {
         Self { double, bounds, text: has_text.then(text) }
     }
 
-    /// Where the true value lies: -1 below the double, 0 on it, 1 above it; none where that is not proved.
+    /// Place of the true value: -1 below the double, 0 on it, 1 above it; none where that is not proved.
     pub fn side(&self) -> Option<i32> {
         let [lower, upper] = self.bounds;
         match (lower >= self.double, upper <= self.double) {

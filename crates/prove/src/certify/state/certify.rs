@@ -40,7 +40,8 @@ impl From<Error> for NoState {
 
 /// Proofs about an arch.
 ///
-/// Digits are from 1 to [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS); others are refused, as is a thickness that is none.
+/// Digits are from 1 to [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS); others are refused, as is a thickness
+/// that is none.
 ///
 /// ```
 /// use couplet_prove::prelude::*;
