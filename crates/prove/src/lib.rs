@@ -12,7 +12,7 @@ pub mod solve;
 pub mod strategies;
 
 use couplet_check::{arch, check, problem};
-use couplet_draw::{picture, sketch};
+use couplet_draw::sketch;
 use couplet_number::{number, symbolic};
 
 /// What most programs need: `use couplet_prove::prelude::*`.

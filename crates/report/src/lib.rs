@@ -3,7 +3,7 @@
 
 pub mod report;
 
-use couplet_check::{arch, check, problem};
+use couplet_check::{arch, problem};
 use couplet_claims::claims;
 #[cfg(feature = "study")]
 use couplet_claims::study;

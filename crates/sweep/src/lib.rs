@@ -11,7 +11,6 @@ pub mod sweep;
 
 use couplet_check::{arch, check, problem};
 use couplet_claims::claims;
-use couplet_draw::sketch;
 use couplet_number::number;
 use couplet_prove::{atlas, certify, judge, solve, strategies};
 use couplet_report::report;

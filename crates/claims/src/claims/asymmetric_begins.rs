@@ -13,6 +13,7 @@ use crate::arch::whole::Forces;
 use crate::certify::{Undecided, between};
 use crate::number::{Angle, Ball, Enclosure, Field, Real, Stumpff, Ternary};
 use crate::problem::Landmark;
+use crate::prover::root::{Form, root_near};
 use crate::symbolic::{Letters, Symbol};
 use rug::{Float, Rational};
 use std::sync::OnceLock;

@@ -5,6 +5,7 @@ use crate::picture::{Color, Stroke};
 
 /// The arch at rest.
 pub const STONE: Color = Color(0xF1, 0xEF, 0xEA);
+/// The edge of the arch at rest.
 pub const OUTLINE: Stroke = Stroke::new(INK, 1.8);
 /// Joints between stones.
 pub(crate) const JOINT: Stroke = Stroke::new(Color(0xB8, 0xB4, 0xAA), 0.9);
@@ -29,12 +30,15 @@ pub const LARGEST_FRICTION: Stroke = Stroke { color: BLUE, width: 1.9, dashes: &
 pub const SLIDES: Stroke = Stroke::new(BLUE, 5.0);
 /// A hinge.
 pub const HINGE: Stroke = Stroke::new(INK, 1.9);
+/// Radius of a hinge on the page, in points.
 pub const HINGE_RADIUS: f64 = 5.2;
 /// The blocks as they fall.
 pub const FALLEN: Color = GREEN;
+/// The edge of a block as it falls.
 pub const FALLEN_EDGE: Stroke = Stroke::new(GREEN, 1.5);
 pub(crate) const FALLEN_JOINT: Stroke = Stroke::new(GREEN, 0.6);
 pub(crate) const ARROW: Stroke = Stroke::new(INK, 1.3);
 /// How much of what is below a tint hides.
 pub const SHEER: f64 = 0.22;
+/// Opacity of a faint tint.
 pub const FAINT: f64 = 0.14;
