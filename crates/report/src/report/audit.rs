@@ -5,7 +5,6 @@ use super::csv;
 use super::fields::Fields;
 use super::json;
 use crate::judge::{Audited, Comparison, PrintedVerdict};
-use serde::Serialize;
 use serde_json::Value as Json;
 use std::io;
 
@@ -18,25 +17,9 @@ pub struct Audit {
     pub comparisons: Vec<Comparison>,
 }
 
-#[derive(Serialize)]
-struct AuditFile {
-    schema: &'static str,
-    printed: Vec<Fields>,
-    comparisons: Vec<Fields>,
-}
-
 /// The columns of the printed numbers, and those of the comparisons.
-const PRINTED: [&str; 8] = [
-    "place",
-    "weight",
-    "landmark",
-    "quantity",
-    "printed",
-    "error_units",
-    "correct_digits",
-    "verdict",
-];
-const COMPARED: [&str; 5] = ["landmark", "quantity", "claimed", "certified", "verdict"];
+const PRINTED: &str = "place weight landmark quantity printed error_units correct_digits verdict";
+const COMPARED: &str = "landmark quantity claimed certified verdict";
 
 fn printed(entry: &Audited) -> Fields {
     let values: [Json; 8] = [
@@ -49,7 +32,7 @@ fn printed(entry: &Audited) -> Fields {
         entry.correct_digits.into(),
         entry.verdict.name().into(),
     ];
-    PRINTED.into_iter().zip(values).collect()
+    Fields::named(PRINTED, values)
 }
 
 fn compared(entry: &Comparison) -> Fields {
@@ -60,24 +43,21 @@ fn compared(entry: &Comparison) -> Fields {
         entry.certified.name().into(),
         entry.verdict().into(),
     ];
-    COMPARED.into_iter().zip(values).collect()
+    Fields::named(COMPARED, values)
 }
 
 /// JSON.
 pub(super) fn json(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
-    let file = AuditFile {
-        schema: "couplet.audit/2",
-        printed: report.printed.iter().map(printed).collect(),
-        comparisons: report.comparisons.iter().map(compared).collect(),
-    };
+    let mut file = Fields::default();
+    file.add("schema", "couplet.audit/2");
+    file.add_list("printed", report.printed.iter().map(printed));
+    file.add_list("comparisons", report.comparisons.iter().map(compared));
     json::write(&file, out)
 }
 
 /// CSV of the printed numbers.
 pub(super) fn csv(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
-    let header = PRINTED.map(str::to_owned).to_vec();
-    let rows = report.printed.iter().map(|entry| printed(entry).texts().collect());
-    csv::write(std::iter::once(header).chain(rows), out)
+    csv::table(PRINTED, report.printed.iter().map(printed), out)
 }
 
 /// A table.

@@ -1,12 +1,10 @@
 //! Solutions of the complementarity problem (19) of an arch: for a person, CSV, and JSON (`couplet.complementarity/1`).
 
-use super::bounds::bounds;
 use super::fields::Fields;
 use super::jointed;
 use super::programme::{self, AtThickness};
-use super::words::model;
+use super::words::{apart, kind, model};
 use super::{csv, json};
-use crate::arch::asymmetric::AsymmetricMode;
 use crate::certify::state::{Answer, Digits, Figure};
 use crate::certify::{AsymmetricDigits, AsymmetricJoint, Enumeration, Undecided};
 use crate::problem::Arch;
@@ -137,31 +135,13 @@ impl<'a> Solution<'a> {
             Self::Symmetric(state) => {
                 format!("symmetric, {}: the least thickness", state.mode.label())
             }
-            Self::Asymmetric(state) => format!("asymmetric: {}", words(state.mode)),
+            Self::Asymmetric(state) => format!("asymmetric: {}", kind(state.mode)),
         }
     }
 }
 
-/// A kind of mechanism in words.
-fn words(mode: AsymmetricMode) -> &'static str {
-    match mode {
-        AsymmetricMode::InnerSliding => "one shoulder slides out, a joint of the other half in",
-        AsymmetricMode::ShoulderOpening => "one shoulder slides and opens",
-        AsymmetricMode::ShoulderSliding => "one shoulder slides",
-    }
-}
-
-pub(super) fn table(
-    ComplementarityArches(arches): &ComplementarityArches,
-    out: &mut dyn io::Write,
-) -> io::Result<()> {
-    for (index, arch) in arches.iter().enumerate() {
-        if index > 0 {
-            writeln!(out)?;
-        }
-        one(arch, out)?;
-    }
-    Ok(())
+pub(super) fn table(all: &ComplementarityArches, out: &mut dyn io::Write) -> io::Result<()> {
+    apart(&all.0, out, one)
 }
 
 fn one(of: &ComplementarityArch, out: &mut dyn io::Write) -> io::Result<()> {
@@ -226,76 +206,48 @@ fn details(state: &AsymmetricDigits, out: &mut dyn io::Write) -> io::Result<()> 
     })
 }
 
-pub(super) fn csv(
-    ComplementarityArches(arches): &ComplementarityArches,
-    out: &mut dyn io::Write,
-) -> io::Result<()> {
-    let header = [
-        "weight",
-        "half_opening",
-        "friction",
-        "symmetric",
-        "mode",
-        "thickness",
-        "thrust",
-        "crown_moment",
-        "vertical_force",
-        "stones",
-        "outcome",
-        "until",
-        "least_value",
-        "least_value_lower",
-    ];
-    let rows = arches.iter().flat_map(|of| {
-        let jointed = of.enumeration.iter().flat_map(|all| jointed::rows(&of.arch, all));
-        let programme = of.programme.iter().map(|at| programme::row(&of.arch, at));
-        let anywhere = of.solutions().into_iter().map(|solution| {
-            let text = |figure: Option<&Figure>| figure.map_or(String::new(), Figure::to_string);
-            let state = solution.asymmetric();
-            vec![
-                of.arch.weight().name().to_owned(),
-                of.arch.half_opening().to_string(),
-                of.arch.friction().to_string(),
-                state.is_none().to_string(),
-                solution.mode().to_owned(),
-                solution.thickness().to_string(),
-                solution.thrust().to_string(),
-                text(state.map(|state| &state.crown_moment)),
-                text(state.map(|state| &state.vertical_force)),
-                String::new(),
-                "solution".to_owned(),
-                String::new(),
-                String::new(),
-                String::new(),
-            ]
+const COLUMNS: &str = "weight half_opening friction symmetric mode thickness thrust crown_moment \
+                       vertical_force stones outcome until least_value least_value_lower";
+
+pub(super) fn csv(all: &ComplementarityArches, out: &mut dyn io::Write) -> io::Result<()> {
+    let rows = all.0.iter().flat_map(|of| {
+        let found = of.solutions().into_iter().map(|solution| {
+            let mut row = solved(solution);
+            row.add("outcome", "solution");
+            row
         });
-        anywhere.chain(jointed).chain(programme).collect::<Vec<_>>()
+        let jointed = of.enumeration.iter().flat_map(jointed::rows);
+        let all = found.chain(jointed).chain(of.programme.iter().map(programme::row));
+        let row = |mut row: Fields| {
+            row.append(given(&of.arch));
+            row
+        };
+        all.map(row).collect::<Vec<_>>()
     });
-    csv::write(std::iter::once(header.map(str::to_owned).to_vec()).chain(rows), out)
+    csv::table(COLUMNS, rows, out)
 }
 
-pub(super) fn json(
-    ComplementarityArches(arches): &ComplementarityArches,
-    out: &mut dyn io::Write,
-) -> io::Result<()> {
-    let entries: Vec<Fields> = arches.iter().map(entry).collect();
-    match &entries[..] {
-        [one] => json::write(one, out),
-        all => json::write(&all, out),
-    }
+pub(super) fn json(all: &ComplementarityArches, out: &mut dyn io::Write) -> io::Result<()> {
+    json::write_all(all.0.iter().map(entry), out)
+}
+
+fn given(arch: &Arch) -> Fields {
+    let mut fields = Fields::default();
+    fields.add("weight", arch.weight().name());
+    fields.add("half_opening", arch.half_opening().to_string());
+    fields.add("friction", arch.friction().to_string());
+    fields
 }
 
 fn entry(of: &ComplementarityArch) -> Fields {
     let mut fields = Fields::default();
     fields.add("schema", "couplet.complementarity/1");
-    fields.add("weight", of.arch.weight().name());
-    fields.add("half_opening", of.arch.half_opening().to_string());
-    fields.add("friction", of.arch.friction().to_string());
+    fields.append(given(&of.arch));
     fields.add("verdict", if of.first_open().is_some() { "undecided" } else { "proved" });
     fields.add("reason", of.first_open().map(|open| open.reason.to_string()));
     fields.add("fall", of.fall());
     let solutions = of.solutions();
-    fields.add_list("solutions", solutions.iter().map(|solution| solved(*solution)).collect());
+    fields.add_list("solutions", solutions.into_iter().map(solved));
     fields.add("search", SEARCH.join(" "));
     if let Some(all) = &of.enumeration {
         fields.add_fields("enumeration", Some(jointed::fields(all)));
@@ -311,22 +263,22 @@ fn solved(solution: Solution<'_>) -> Fields {
     let state = solution.asymmetric();
     fields.add("symmetric", state.is_none());
     fields.add("mode", solution.mode());
-    fields.add_fields("thickness", Some(bounds(solution.thickness())));
-    fields.add_fields("thrust", Some(bounds(solution.thrust())));
+    fields.add_bounds("thickness", Some(solution.thickness()));
+    fields.add_bounds("thrust", Some(solution.thrust()));
     if let Some(state) = state {
-        fields.add_fields("crown_moment", Some(bounds(&state.crown_moment)));
-        fields.add_fields("vertical_force", Some(bounds(&state.vertical_force)));
-        fields.add_fields("power", Some(bounds(&state.power)));
+        fields.add_bounds("crown_moment", Some(&state.crown_moment));
+        fields.add_bounds("vertical_force", Some(&state.vertical_force));
+        fields.add_bounds("power", Some(&state.power));
         let joint = |joint: &AsymmetricJoint| {
             let mut fields = Fields::default();
             fields.add("contact", joint.contact.name());
             fields.add("side", joint.side.name());
             fields.add("place", joint.place.name());
-            fields.add_fields("angle", Some(bounds(&joint.angle)));
-            fields.add_fields("rate", Some(bounds(&joint.rate)));
+            fields.add_bounds("angle", Some(&joint.angle));
+            fields.add_bounds("rate", Some(&joint.rate));
             fields
         };
-        fields.add_list("joints", state.joints.iter().map(joint).collect());
+        fields.add_list("joints", state.joints.iter().map(joint));
     }
     fields
 }

@@ -43,6 +43,17 @@ pub(super) fn write(
     csv.flush()
 }
 
+/// Writes records in some columns, whose names are given in one text.
+pub(super) fn table(
+    columns: &str,
+    rows: impl IntoIterator<Item = Fields>,
+    out: &mut dyn io::Write,
+) -> io::Result<()> {
+    let cells = |row: Fields| columns.split(' ').map(|name| row.text(name)).collect();
+    let header = columns.split(' ').map(str::to_owned).collect();
+    write(std::iter::once(header).chain(rows.into_iter().map(cells)), out)
+}
+
 /// A row for each value that is proved.
 fn constants(report: &Answers) -> Vec<Vec<String>> {
     let with_modes = report.scope == Scope::Point;

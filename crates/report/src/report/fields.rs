@@ -1,6 +1,8 @@
 //! Named fields in the order in which they are written: an object in JSON, cells of a row in CSV.
 
 use super::answer::Kept;
+use crate::certify::state::Figure;
+use crate::number::Rounded;
 use serde::{Serialize, Serializer};
 use serde_json::Value as Json;
 use serde_json::value::RawValue;
@@ -31,8 +33,28 @@ impl Fields {
     }
 
     /// Adds a list of objects.
-    pub(crate) fn add_list(&mut self, name: &'static str, list: Vec<Fields>) {
-        self.0.push((name.into(), Field::List(list)));
+    pub(crate) fn add_list(&mut self, name: &'static str, list: impl IntoIterator<Item = Fields>) {
+        self.0.push((name.into(), Field::List(list.into_iter().collect())));
+    }
+
+    /// Adds a figure with its bounds, or `null`.
+    pub(crate) fn add_bounds(&mut self, name: &'static str, figure: Option<&Figure>) {
+        self.add_rounded(name, figure.map(|figure| &figure.decimal));
+    }
+
+    /// Adds a decimal with its bounds, or `null`.
+    pub(crate) fn add_rounded(&mut self, name: &'static str, decimal: Option<&Rounded>) {
+        let [value, lower, upper] = ["value", "lower", "upper"];
+        let fields = decimal.map(|of| {
+            let texts = [(value, &of.value), (lower, &of.lower), (upper, &of.upper)];
+            texts.map(|(name, x)| (name, Json::from(x.to_string()))).into_iter().collect()
+        });
+        self.add_fields(name, fields);
+    }
+
+    /// Values under names that are given in one text, in its order.
+    pub(crate) fn named<const N: usize>(names: &'static str, values: [Json; N]) -> Self {
+        names.split(' ').zip(values).collect()
     }
 
     /// Adds the fields of another.
@@ -57,14 +79,31 @@ impl Fields {
         self.0.iter().map(|(name, _)| name.as_ref())
     }
 
-    /// The fields as text; `null`, objects and lists of them are empty.
+    /// The fields as text, each as in a cell of a table.
     pub(crate) fn texts(&self) -> impl Iterator<Item = String> {
-        self.0.iter().map(|(_, field)| match field {
-            Field::Value(Json::String(text)) => text.clone(),
-            Field::Value(Json::Null) | Field::Fields(_) | Field::List(_) => String::new(),
-            Field::Raw(json) => json.get().to_owned(),
-            Field::Value(other) => other.to_string(),
-        })
+        self.0.iter().map(|(_, field)| field.text())
+    }
+
+    /// The text of a field, empty where there is none; of several with one name it is the last.
+    pub(crate) fn text(&self, name: &str) -> String {
+        let field = self.0.iter().rfind(|(of, _)| of == name);
+        field.map_or(String::new(), |(_, field)| field.text())
+    }
+}
+
+impl Field {
+    /// The field in a cell: of a value with bounds the value, of texts all; `null` and other lists are empty.
+    fn text(&self) -> String {
+        match self {
+            Self::Value(Json::String(text)) => text.clone(),
+            Self::Value(Json::Array(texts)) => {
+                texts.iter().filter_map(Json::as_str).collect::<Vec<_>>().join("; ")
+            }
+            Self::Value(Json::Null) | Self::List(_) => String::new(),
+            Self::Value(other) => other.to_string(),
+            Self::Raw(json) => json.get().to_owned(),
+            Self::Fields(fields) => fields.text("value"),
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use super::answer::{Answer, Status};
 use super::answers::Answers;
 use super::fields::Fields;
 use super::subject::Subject;
-use super::words::{model, reason};
+use super::words::{apart, model, reason};
 use crate::certify::Undecided;
 use crate::problem::Quantity;
 use serde_json::Value as Json;
@@ -37,13 +37,7 @@ pub(super) fn asked(subject: &Subject) -> String {
 }
 
 pub(super) fn table(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
-    for (index, answer) in report.list.iter().enumerate() {
-        if index > 0 {
-            writeln!(out)?;
-        }
-        one(report, answer, out)?;
-    }
-    Ok(())
+    apart(&report.list, out, |answer, out| one(report, answer, out))
 }
 
 fn one(report: &Answers, answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {

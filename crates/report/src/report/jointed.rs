@@ -1,10 +1,10 @@
 //! All solutions of the complementarity problem (19) between equal stones: lines for a person, rows, and an object.
 
-use super::bounds::bounds;
 use super::fields::Fields;
 use crate::arch::whole::Side;
 use crate::certify::{Enumeration, JointedMotion, JointedSolution, Standing, Undecided};
-use crate::problem::{Arch, Extent};
+use crate::problem::Extent;
+use serde_json::Value as Json;
 use std::io;
 
 /// How many joints have conditions.
@@ -102,53 +102,21 @@ fn one(solution: &JointedSolution, out: &mut dyn io::Write) -> io::Result<()> {
     })
 }
 
-/// Rows as those of the other solutions, with the stones; and each piece on which nothing is proved, from its thickness until another.
-pub(super) fn rows(arch: &Arch, found: &Result<Enumeration, Undecided>) -> Vec<Vec<String>> {
-    let row = |[symmetric, thickness, thrust, moment, vertical, stones, outcome, until]: [String;
-                   8]| {
-        vec![
-            arch.weight().name().to_owned(),
-            arch.half_opening().to_string(),
-            arch.friction().to_string(),
-            symmetric,
-            "jointed".to_owned(),
-            thickness,
-            thrust,
-            moment,
-            vertical,
-            stones,
-            outcome,
-            until,
-            String::new(),
-            String::new(),
-        ]
+/// Rows for the solutions, and for each piece on which nothing is proved, from its thickness until another.
+pub(super) fn rows(found: &Result<Enumeration, Undecided>) -> Vec<Fields> {
+    let row = |mut row: Fields, outcome: &str| {
+        row.add("mode", "jointed");
+        row.add("outcome", outcome);
+        row.add("stones", found.as_ref().ok().map(|all| all.stones));
+        row
     };
-    let nothing = String::new;
-    let Ok(all) = found else {
-        let [a, b, c, d, e, f] = std::array::from_fn(|_| nothing());
-        return vec![row([a, b, c, d, e, f, "undecided".to_owned(), nothing()])];
-    };
-    let stones = all.stones.to_string();
+    let Ok(all) = found else { return vec![row(Fields::default(), "undecided")] };
     let solution = |found: &Result<JointedSolution, Undecided>| match found {
-        Ok(found) => row([
-            found.is_symmetric.to_string(),
-            found.thickness.to_string(),
-            found.thrust.to_string(),
-            found.crown_moment.to_string(),
-            found.vertical_force.to_string(),
-            stones.clone(),
-            "solution".to_owned(),
-            nothing(),
-        ]),
-        Err(_) => {
-            let [a, b, c, d, e] = std::array::from_fn(|_| nothing());
-            row([a, b, c, d, e, stones.clone(), "undecided".to_owned(), nothing()])
-        }
+        Ok(found) => row(solved(found), "solution"),
+        Err(_) => row(Fields::default(), "undecided"),
     };
-    let open = |[low, high]: [String; 2]| {
-        let [a, b, c, d] = std::array::from_fn(|_| nothing());
-        row([a, low, b, c, d, stones.clone(), "open".to_owned(), high])
-    };
+    let open =
+        |piece: [String; 2]| row(Fields::named("thickness until", piece.map(Json::from)), "open");
     all.solutions.iter().map(solution).chain(all.open_bounds().map(open)).collect()
 }
 
@@ -172,18 +140,13 @@ pub(super) fn fields(found: &Result<Enumeration, Undecided>) -> Fields {
     fields.add("stones", all.stones);
     fields.add("extent", extent(all.extent));
     let from = match &all.standing {
-        Standing::From(eta) => Some(bounds(eta)),
+        Standing::From(eta) => Some(&**eta),
         _ => None,
     };
-    fields.add_fields("least_thickness", from);
-    fields.add_list("solutions", all.solutions.iter().flatten().map(solved).collect());
-    let piece = |[lower, upper]: [String; 2]| {
-        let mut fields = Fields::default();
-        fields.add("lower", lower);
-        fields.add("upper", upper);
-        fields
-    };
-    fields.add_list("open", all.open_bounds().map(piece).collect());
+    fields.add_bounds("least_thickness", from);
+    fields.add_list("solutions", all.solutions.iter().flatten().map(solved));
+    let piece = |bounds: [String; 2]| Fields::named("lower upper", bounds.map(Json::from));
+    fields.add_list("open", all.open_bounds().map(piece));
     fields.add("looked_at", all.triples);
     fields
 }
@@ -191,18 +154,18 @@ pub(super) fn fields(found: &Result<Enumeration, Undecided>) -> Fields {
 fn solved(solution: &JointedSolution) -> Fields {
     let mut fields = Fields::default();
     fields.add("symmetric", solution.is_symmetric);
-    fields.add_fields("thickness", Some(bounds(&solution.thickness)));
-    fields.add_fields("thrust", Some(bounds(&solution.thrust)));
-    fields.add_fields("crown_moment", Some(bounds(&solution.crown_moment)));
-    fields.add_fields("vertical_force", Some(bounds(&solution.vertical_force)));
+    fields.add_bounds("thickness", Some(&solution.thickness));
+    fields.add_bounds("thrust", Some(&solution.thrust));
+    fields.add_bounds("crown_moment", Some(&solution.crown_moment));
+    fields.add_bounds("vertical_force", Some(&solution.vertical_force));
     let joint = |joint: &JointedMotion| {
         let mut fields = Fields::default();
         fields.add("contact", joint.contact.name());
         fields.add("side", side(joint));
-        fields.add_fields("angle", Some(bounds(&joint.angle)));
-        fields.add_fields("rate", Some(bounds(&joint.rate)));
+        fields.add_bounds("angle", Some(&joint.angle));
+        fields.add_bounds("rate", Some(&joint.rate));
         fields
     };
-    fields.add_list("joints", solution.joints.iter().map(joint).collect());
+    fields.add_list("joints", solution.joints.iter().map(joint));
     fields
 }

@@ -14,25 +14,17 @@ use super::value::Value;
 use super::words::{hexadecimal, printable};
 use crate::problem::Quantity;
 use serde::{Serialize, Serializer};
-use std::collections::BTreeMap;
 use std::io;
 
 /// Writes landmarks or arches as JSON, for a program that wants no other format.
 pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     match report.scope {
         Scope::Constants => write(&Document::new(report), out),
-        Scope::Point => {
-            report.list.iter().try_for_each(|answer| write(&PointEntry::new(answer), out))
-        }
+        Scope::Point => report.list.iter().try_for_each(|answer| write(&point(answer), out)),
         Scope::Arch => {
             report.list.iter().try_for_each(|answer| write(&entry(report, answer, false), out))
         }
-        Scope::Found => match &report.list[..] {
-            [answer] => write(&finding(report, answer), out),
-            all => {
-                write(&all.iter().map(|answer| finding(report, answer)).collect::<Vec<_>>(), out)
-            }
-        },
+        Scope::Found => write_all(report.list.iter().map(|answer| finding(report, answer)), out),
         Scope::Arches | Scope::Mixed => {
             let quantities = report.quantities.iter().map(|quantity| quantity.name()).collect();
             let (schema, digits) = ("couplet.arches/2", report.digits);
@@ -50,6 +42,17 @@ pub(super) fn lines(report: Answers) -> io::Result<Box<dyn Rows>> {
 pub(super) fn write(document: &impl Serialize, out: &mut dyn io::Write) -> io::Result<()> {
     serde_json::to_writer_pretty(&mut *out, document)?;
     writeln!(out)
+}
+
+/// Writes one object, or a list of several.
+pub(super) fn write_all(
+    entries: impl IntoIterator<Item = Fields>,
+    out: &mut dyn io::Write,
+) -> io::Result<()> {
+    match &entries.into_iter().collect::<Vec<_>>()[..] {
+        [one] => write(one, out),
+        all => write(&all, out),
+    }
 }
 
 /// The same of texts of other people.
@@ -207,27 +210,18 @@ fn limit(thrust: &Value, joint: Option<&Value>, with_doubles: bool) -> Fields {
     fields
 }
 
-/// A landmark with the modes that meet there.
-#[derive(Serialize)]
-struct PointEntry<'a> {
-    schema: &'static str,
-    weight: Option<&'static str>,
-    landmark: Option<&'a str>,
-    verdict: &'static str,
-    modes: Vec<&'static str>,
-    values: BTreeMap<&'static str, Fields>,
-}
-
-impl<'a> PointEntry<'a> {
-    fn new(answer: &'a Answer) -> Self {
-        let values = answer.values.iter();
-        Self {
-            schema: "couplet.state_at/1",
-            weight: answer.subject.weight().map(|weight| weight.name()),
-            landmark: answer.subject.landmark().map(|landmark| landmark.symbol()),
-            verdict: answer.status.name(),
-            modes: answer.modes.iter().map(|mode| mode.label()).collect(),
-            values: values.map(|(of, value)| (of.name(), figure(value, false))).collect(),
-        }
-    }
+/// A landmark with the modes that meet there; its values in the order of their names.
+fn point(answer: &Answer) -> Fields {
+    let mut fields = Fields::default();
+    fields.add("schema", "couplet.state_at/1");
+    fields.add("weight", answer.subject.weight().map(|weight| weight.name()));
+    fields.add("landmark", answer.subject.landmark().map(|landmark| landmark.symbol()));
+    fields.add("verdict", answer.status.name());
+    fields.add("modes", answer.modes.iter().map(|mode| mode.label()).collect::<Vec<_>>());
+    let mut values: Vec<_> = answer.values.iter().collect();
+    values.sort_by_key(|(of, _)| of.name());
+    let mut all = Fields::default();
+    values.iter().for_each(|(of, value)| all.add_fields(of.name(), Some(figure(value, false))));
+    fields.add_fields("values", Some(all));
+    fields
 }

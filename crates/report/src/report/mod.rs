@@ -24,7 +24,6 @@
 mod answer;
 mod answers;
 mod audit;
-mod bounds;
 mod branch;
 mod c;
 mod claims;

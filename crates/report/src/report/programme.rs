@@ -1,12 +1,11 @@
 //! The programme (20) of an arch of equal stones: lines for a person, a row, and an object.
 
-use super::bounds::bounds;
 use super::fields::Fields;
 use super::jointed;
 use crate::certify::state::Figure;
 use crate::certify::{Programme, Undecided};
 use crate::number::{Ball, Rounded};
-use crate::problem::{Arch, Extent};
+use crate::problem::Extent;
 use rug::Float;
 use std::io;
 
@@ -121,47 +120,25 @@ pub(super) fn table(at: &AtThickness, out: &mut dyn io::Write) -> io::Result<()>
 }
 
 /// The programme (20) as a row.
-pub(super) fn row(arch: &Arch, at: &AtThickness) -> Vec<String> {
-    let (value, lower) = match at.value() {
-        Some(Ok(value)) => (value.value.to_string(), value.lower.to_string()),
-        Some(Err(bound)) => (String::new(), bound.lower.to_string()),
-        None if at.is_zero() => ("0".to_owned(), "0".to_owned()),
-        None => (String::new(), String::new()),
-    };
-    vec![
-        arch.weight().name().to_owned(),
-        arch.half_opening().to_string(),
-        arch.friction().to_string(),
-        String::new(),
-        "programme".to_owned(),
-        at.named.as_ref().map_or(at.thickness.clone(), Figure::to_string),
-        String::new(),
-        String::new(),
-        String::new(),
-        at.stones.to_string(),
-        at.outcome().to_owned(),
-        String::new(),
-        value,
-        lower,
-    ]
+pub(super) fn row(at: &AtThickness) -> Fields {
+    let mut row = fields(at);
+    row.add("mode", "programme");
+    row.add("thickness", at.named.as_ref().map_or(at.thickness.clone(), Figure::to_string));
+    if at.is_zero() {
+        row.add("least_value", "0");
+    }
+    row
 }
 
 pub(super) fn fields(at: &AtThickness) -> Fields {
     let mut fields = Fields::default();
     fields.add("thickness", at.thickness.as_str());
-    fields.add_fields("least_thickness", at.named.as_ref().map(bounds));
+    fields.add_bounds("least_thickness", at.named.as_ref());
     fields.add("extent", jointed::extent(at.extent));
     fields.add("stones", at.stones);
     fields.add("outcome", at.outcome());
     fields.add("reason", at.found.as_ref().err().map(|open| open.reason.to_string()));
-    let exact = at.value().and_then(Result::ok).map(|value| {
-        let mut exact = Fields::default();
-        exact.add("value", value.value.to_string());
-        exact.add("lower", value.lower.to_string());
-        exact.add("upper", value.upper.to_string());
-        exact
-    });
-    fields.add_fields("least_value", exact);
+    fields.add_rounded("least_value", at.value().and_then(Result::ok).as_ref());
     let lower = match at.value() {
         Some(Ok(value) | Err(value)) => Some(value.lower.to_string()),
         None => at.is_zero().then(|| "0".to_owned()),

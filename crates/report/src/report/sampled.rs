@@ -16,27 +16,19 @@ pub struct SampledLines {
 }
 
 /// The names of the fields.
-const NAMES: [&str; 8] = [
-    "id",
-    "weight",
-    "half_opening",
-    "friction",
-    "half_opening_rad",
-    "half_opening_deg",
-    "friction_double",
-    "family",
-];
+const NAMES: &str =
+    "id weight half_opening friction half_opening_rad half_opening_deg friction_double family";
 
 /// A table.
 pub(super) const CSV: SampledLines = SampledLines {
-    header: || csv::line(NAMES.map(str::to_owned).to_vec()),
+    header: || csv::line(NAMES.split(' ').map(str::to_owned).collect()),
     row: |id, sample| {
-        let texts: Vec<String> = fields(id, sample).texts().collect();
-        // For infinity JSON has no number.
-        let is_infinite = |name: &str| name == "friction_double" && !sample.arch.is_limited();
-        let cell =
-            |(name, text): (&str, String)| if is_infinite(name) { "inf".into() } else { text };
-        csv::line(NAMES.into_iter().zip(texts).map(cell).collect())
+        let mut row = fields(id, sample);
+        if !sample.arch.is_limited() {
+            // For infinity JSON has no number.
+            row.add("friction_double", "inf");
+        }
+        csv::line(NAMES.split(' ').map(|name| row.text(name)).collect())
     },
 };
 
@@ -63,5 +55,5 @@ fn fields(id: u64, sample: &Sample) -> Fields {
         doubles.friction.into(),
         sample.family.as_str().into(),
     ];
-    NAMES.into_iter().zip(values).collect()
+    Fields::named(NAMES, values)
 }

@@ -1,8 +1,7 @@
 //! Arches under a horizontal acceleration: for a person, CSV, and JSON (`couplet.tilt/2`).
 
-use super::bounds::bounds;
 use super::fields::Fields;
-use super::words::{division, model};
+use super::words::{apart, division, model};
 use super::{csv, json};
 use crate::arch::SelfWeight;
 use crate::arch::whole::Side;
@@ -106,14 +105,8 @@ impl TiltedArch {
     }
 }
 
-pub(super) fn table(
-    TiltedArches(arches): &TiltedArches,
-    out: &mut dyn io::Write,
-) -> io::Result<()> {
-    for (index, arch) in arches.iter().enumerate() {
-        if index > 0 {
-            writeln!(out)?;
-        }
+pub(super) fn table(all: &TiltedArches, out: &mut dyn io::Write) -> io::Result<()> {
+    apart(&all.0, out, |arch, out| {
         let [alpha, mu, eta, tilt] = &arch.given;
         let weight = model(arch.weight);
         writeln!(
@@ -126,8 +119,8 @@ pub(super) fn table(
         writeln!(out)?;
         match (arch.outcome(), &arch.found) {
             (_, Ok(None)) => {
-                writeln!(out, "collapses, proved: it does not stand without tilt either")?;
-                continue;
+                let words = "collapses, proved: it does not stand without tilt either";
+                return writeln!(out, "{words}");
             }
             ("stands", _) => {
                 let joints =
@@ -160,53 +153,40 @@ pub(super) fn table(
                 writeln!(out, "   {words:<24} {limit}")
             })?;
         }
-    }
-    Ok(())
+        Ok(())
+    })
 }
 
-const GIVEN: [&str; 4] = ["half_opening", "friction", "thickness", "tilt"];
+const COLUMNS: &str = "weight half_opening friction thickness tilt outcome largest_tilt limited_by reason may_move stones";
 
-pub(super) fn csv(TiltedArches(arches): &TiltedArches, out: &mut dyn io::Write) -> io::Result<()> {
-    let header = ["weight"].into_iter().chain(GIVEN);
-    let header =
-        header.chain(["outcome", "largest_tilt", "limited_by", "reason", "may_move", "stones"]);
+pub(super) fn csv(all: &TiltedArches, out: &mut dyn io::Write) -> io::Result<()> {
     let row = |arch: &TiltedArch| {
-        let largest = match arch.largest() {
-            Some(LargestTilt::Limited(figure, _)) => figure.to_string(),
-            Some(LargestTilt::Unlimited) => "inf".to_owned(),
-            None => String::new(),
-        };
-        let reason = arch.first_open().map_or(String::new(), |open| open.reason.to_string());
-        let stones = arch.stones.as_ref().map(division).unwrap_or_default();
-        let may_move = arch.may_move().to_string();
-        let limits = arch.limits().join("; ");
-        let found = [arch.outcome().to_owned(), largest, limits, reason, may_move, stones];
-        let given = arch.given.iter().cloned();
-        [arch.weight.name().to_owned()].into_iter().chain(given).chain(found).collect()
-    };
-    let header = header.map(str::to_owned).collect();
-    csv::write(std::iter::once(header).chain(arches.iter().map(row)), out)
-}
-
-pub(super) fn json(TiltedArches(arches): &TiltedArches, out: &mut dyn io::Write) -> io::Result<()> {
-    let entry = |arch: &TiltedArch| {
-        let mut fields = Fields::default();
-        fields.add("schema", "couplet.tilt/2");
-        fields.add("weight", arch.weight.name());
-        GIVEN.iter().zip(&arch.given).for_each(|(name, text)| fields.add(name, text.as_str()));
-        fields.add("outcome", arch.outcome());
-        fields.add("may_move", arch.may_move());
-        fields.add("reason", arch.first_open().map(|open| open.reason.to_string()));
-        fields.add_fields("largest_tilt", arch.figure().map(bounds));
-        let is_unbounded = arch.largest().map(|largest| matches!(largest, LargestTilt::Unlimited));
-        fields.add("is_unbounded", is_unbounded);
-        fields.add("limited_by", arch.limits());
-        fields.add("stones", arch.stones.as_ref().map(division));
+        let mut fields = fields(arch);
+        if let Some(LargestTilt::Unlimited) = arch.largest() {
+            fields.add("largest_tilt", "inf");
+        }
         fields
     };
-    let entries: Vec<Fields> = arches.iter().map(entry).collect();
-    match &entries[..] {
-        [one] => json::write(one, out),
-        all => json::write(&all, out),
-    }
+    csv::table(COLUMNS, all.0.iter().map(row), out)
+}
+
+pub(super) fn json(all: &TiltedArches, out: &mut dyn io::Write) -> io::Result<()> {
+    json::write_all(all.0.iter().map(fields), out)
+}
+
+fn fields(arch: &TiltedArch) -> Fields {
+    let mut fields = Fields::default();
+    fields.add("schema", "couplet.tilt/2");
+    fields.add("weight", arch.weight.name());
+    let given = arch.given.each_ref().map(|text| text.as_str().into());
+    fields.append(Fields::named("half_opening friction thickness tilt", given));
+    fields.add("outcome", arch.outcome());
+    fields.add("may_move", arch.may_move());
+    fields.add("reason", arch.first_open().map(|open| open.reason.to_string()));
+    fields.add_bounds("largest_tilt", arch.figure());
+    let is_unbounded = arch.largest().map(|largest| matches!(largest, LargestTilt::Unlimited));
+    fields.add("is_unbounded", is_unbounded);
+    fields.add("limited_by", arch.limits());
+    fields.add("stones", arch.stones.as_ref().map(division));
+    fields
 }

@@ -1,11 +1,13 @@
 //! Words and numbers as every format writes them.
 
 use crate::arch::SelfWeight;
+use crate::arch::asymmetric::AsymmetricMode;
 use crate::certify::state::{Fall, Figure};
 use crate::problem::asymmetric_region::{LOOK, MAY_MOVE};
 use crate::problem::stones::Stones;
 use crate::problem::{Landmark, Quantity};
 use std::fmt::Display;
+use std::io;
 
 pub use crate::number::shown as shortened;
 
@@ -16,6 +18,29 @@ pub(crate) const DOUBLE_DIGITS: usize = 17;
 pub fn count<N: Display + PartialEq + From<u8>>(n: N, one: &str, many: &str) -> String {
     let noun = if n == N::from(1) { one } else { many };
     format!("{n} {noun}")
+}
+
+/// Writes several, with an empty line between.
+pub(crate) fn apart<T>(
+    all: impl IntoIterator<Item = T>,
+    out: &mut dyn io::Write,
+    one: impl Fn(T, &mut dyn io::Write) -> io::Result<()>,
+) -> io::Result<()> {
+    all.into_iter().enumerate().try_for_each(|(index, item)| {
+        if index > 0 {
+            writeln!(out)?;
+        }
+        one(item, out)
+    })
+}
+
+/// A kind of asymmetric mechanism in words.
+pub(super) fn kind(mode: AsymmetricMode) -> &'static str {
+    match mode {
+        AsymmetricMode::InnerSliding => "one shoulder slides out, a joint of the other half in",
+        AsymmetricMode::ShoulderOpening => "one shoulder slides and opens",
+        AsymmetricMode::ShoulderSliding => "one shoulder slides",
+    }
 }
 
 /// Names in a sentence: `a, b, c`.

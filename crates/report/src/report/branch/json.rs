@@ -2,18 +2,13 @@
 
 use super::{BranchArch, BranchArches, PROOF, events, quantities, rounded};
 use crate::atlas::{Level, NoBranch, Part, Stretch, Variable};
-use crate::number::Ball;
 use crate::report::fields::Fields;
 use crate::report::json as file;
 use crate::report::map::{Row, node};
 use std::io;
 
 pub(in crate::report) fn json(all: &BranchArches, out: &mut dyn io::Write) -> io::Result<()> {
-    let entries: Vec<Fields> = all.arches.iter().map(|arch| entry(arch, all)).collect();
-    match &entries[..] {
-        [one] => file::write(one, out),
-        all => file::write(&all, out),
-    }
+    file::write_all(all.arches.iter().map(|arch| entry(arch, all)), out)
 }
 
 fn entry(arch: &BranchArch, all: &BranchArches) -> Fields {
@@ -35,21 +30,21 @@ fn entry(arch: &BranchArch, all: &BranchArches) -> Fields {
             fields.add("event", event);
             fields.add("symmetric", meeting.is_symmetric());
             for (name, _, value) in quantities(&meeting.place(), least) {
-                fields.add_fields(name, bounds(&value, all.digits));
+                fields.add_rounded(name, rounded(&value, all.digits).as_ref());
             }
             fields
         })
     });
-    fields.add_list("points", points.collect());
+    fields.add_list("points", points);
     let parts = found.into_iter().flat_map(|(branch, _)| {
         branch.stretches.iter().map(move |(_, stretch)| {
             let nodes = Row::of_stretch(branch, stretch).iter().map(node).collect();
             part(stretch, nodes)
         })
     });
-    fields.add_list("parts", parts.collect());
+    fields.add_list("parts", parts);
     let least = found.map(|(_, least)| least.parts.iter().map(|part| of_least(least, part)));
-    fields.add_list("least", least.into_iter().flatten().collect());
+    fields.add_list("least", least.into_iter().flatten());
     fields.add("proof", PROOF.join(" "));
     fields
 }
@@ -69,15 +64,6 @@ fn of_least(least: &Level, part: &Part) -> Fields {
     let mut fields = Fields::default();
     fields.add("mode", part.mode.label());
     fields.add("parameter", part.parameter().map(Variable::name));
-    fields.add_list("nodes", Row::of_part(least, part).iter().map(node).collect());
+    fields.add_list("nodes", Row::of_part(least, part).iter().map(node));
     fields
-}
-
-fn bounds(value: &Ball, digits: usize) -> Option<Fields> {
-    let rounded = rounded(value, digits)?;
-    let mut fields = Fields::default();
-    fields.add("value", rounded.value.to_string());
-    fields.add("lower", rounded.lower.to_string());
-    fields.add("upper", rounded.upper.to_string());
-    Some(fields)
 }

@@ -75,15 +75,6 @@ const PROOF: [&str; 7] = [
     "not proved: that the branch is all; other asymmetric solutions may exist.",
 ];
 
-/// A kind in words.
-fn words(kind: AsymmetricMode) -> &'static str {
-    match kind {
-        AsymmetricMode::InnerSliding => "one shoulder slides out, a joint of the other half in",
-        AsymmetricMode::ShoulderOpening => "one shoulder slides and opens",
-        AsymmetricMode::ShoulderSliding => "one shoulder slides",
-    }
-}
-
 /// What happens in a point, by the parts before and behind it.
 fn event(before: Option<&Stretch>, behind: Option<&Stretch>) -> &'static str {
     match (before.map(|of| of.kind), behind.map(|of| of.kind)) {

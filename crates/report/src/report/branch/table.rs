@@ -1,18 +1,12 @@
 //! The points of a branch, and what is proved between them, for a person.
 
-use super::{BranchArch, BranchArches, PROOF, events, quantities, rounded, words};
+use super::{BranchArch, BranchArches, PROOF, events, quantities, rounded};
 use crate::atlas::NoBranch;
-use crate::report::words::{count, model};
+use crate::report::words::{apart, count, kind, model};
 use std::io;
 
 pub(in crate::report) fn table(all: &BranchArches, out: &mut dyn io::Write) -> io::Result<()> {
-    for (index, arch) in all.arches.iter().enumerate() {
-        if index > 0 {
-            writeln!(out)?;
-        }
-        one(arch, all, out)?;
-    }
-    Ok(())
+    apart(&all.arches, out, |arch, out| one(arch, all, out))
 }
 
 fn one(arch: &BranchArch, all: &BranchArches, out: &mut dyn io::Write) -> io::Result<()> {
@@ -37,7 +31,7 @@ fn one(arch: &BranchArch, all: &BranchArches, out: &mut dyn io::Write) -> io::Re
         let Some(part) = parts.get(k) else { continue };
         let pieces = count(part.section.pieces().count() as u64, "piece", "pieces");
         let proved = if part.is_proved() { "admissible throughout" } else { "not all proved" };
-        writeln!(out, "{}: {}, {pieces}, {proved}", part.kind.name(), words(part.kind))?;
+        writeln!(out, "{}: {}, {pieces}, {proved}", part.kind.name(), kind(part.kind))?;
     }
     writeln!(out, "\nin tubes of a half-width of at most {:?}", all.tolerance)?;
     for open in arch.open() {

@@ -4,9 +4,9 @@
 use super::decided::as_printed;
 use super::text::lines;
 use crate::claims::{Decided, Decision, Sentence, index};
+use crate::report::fields::Fields;
 use crate::report::json;
 use crate::report::words::count;
-use serde::Serialize;
 use std::io;
 
 /// The index of the paper.
@@ -18,35 +18,12 @@ pub struct Index {
 
 impl Index {
     /// The claims that decide a sentence, each with the word for what became of it.
-    fn claims(&self, sentence: &Sentence) -> Vec<ClaimEntry> {
+    fn claims(&self, sentence: &Sentence) -> Vec<(&str, &str)> {
         let Decided::Claims(ids) = sentence.decided else { return Vec::new() };
         let decision = |id: &&str| self.decisions.iter().find(|d| d.claim.id == *id);
-        let entry = |d: &Decision| ClaimEntry { id: d.claim.id, found: as_printed(d) };
+        let entry = |d: &Decision| (d.claim.id, as_printed(d));
         ids.iter().filter_map(decision).map(entry).collect()
     }
-}
-
-#[derive(Serialize)]
-struct IndexFile {
-    schema: &'static str,
-    sentences: Vec<SentenceEntry>,
-}
-
-#[derive(Serialize)]
-struct SentenceEntry {
-    place: &'static str,
-    says: &'static str,
-    /// `claims`, `audit` or `open`.
-    decided: &'static str,
-    claims: Vec<ClaimEntry>,
-    /// Why it is open.
-    reason: Option<&'static str>,
-}
-
-#[derive(Serialize)]
-struct ClaimEntry {
-    id: &'static str,
-    found: &'static str,
 }
 
 /// The word for what decides a sentence.
@@ -60,18 +37,24 @@ fn decided(sentence: &Sentence) -> &'static str {
 
 /// The index as a file.
 pub(crate) fn json(report: &Index, out: &mut dyn io::Write) -> io::Result<()> {
-    let entry = |sentence: Sentence| SentenceEntry {
-        place: sentence.place,
-        says: sentence.says,
-        decided: decided(&sentence),
-        claims: report.claims(&sentence),
-        reason: match sentence.decided {
+    let claim = |(id, found): (&str, &str)| Fields::named("id found", [id.into(), found.into()]);
+    let entry = |sentence: Sentence| {
+        let mut fields = Fields::default();
+        fields.add("place", sentence.place);
+        fields.add("says", sentence.says);
+        fields.add("decided", decided(&sentence));
+        fields.add_list("claims", report.claims(&sentence).into_iter().map(claim));
+        let reason = match sentence.decided {
             Decided::Open(reason) => Some(reason),
             Decided::Claims(_) | Decided::Audit => None,
-        },
+        };
+        fields.add("reason", reason);
+        fields
     };
-    let sentences = index().into_iter().map(entry).collect();
-    json::write(&IndexFile { schema: "couplet.index/1", sentences }, out)
+    let mut file = Fields::default();
+    file.add("schema", "couplet.index/1");
+    file.add_list("sentences", index().into_iter().map(entry));
+    json::write(&file, out)
 }
 
 /// The index for a person at a terminal.
@@ -84,7 +67,7 @@ pub(crate) fn text(report: &Index, out: &mut dyn io::Write) -> io::Result<()> {
         lines(sentence.says, &first, &indent, out)?;
         match sentence.decided {
             Decided::Claims(_) => {
-                for ClaimEntry { id, found } in report.claims(sentence) {
+                for (id, found) in report.claims(sentence) {
                     writeln!(out, "{indent}{found:<10} {id}")?;
                 }
             }

@@ -18,8 +18,8 @@ fn column(quantity: Quantity, field: &str) -> Option<String> {
 /// The header, with the columns of some quantities, and with what is handed on before them.
 pub(super) fn header(quantities: &[Quantity], kept: &[String]) -> io::Result<Vec<u8>> {
     let columns =
-        |&quantity: &Quantity| NUMBER.into_iter().filter_map(move |field| column(quantity, field));
-    let row = ROW.into_iter().map(str::to_owned);
+        |&quantity: &Quantity| NUMBER.split(' ').filter_map(move |field| column(quantity, field));
+    let row = ROW.split(' ').map(str::to_owned);
     let own: Vec<String> = row.chain(quantities.iter().flat_map(columns)).collect();
     line([kept_names(kept, &own), own].concat())
 }
@@ -33,10 +33,9 @@ pub(super) fn row(
     let mut record: Vec<String> = kept_cells(kept, &row.kept).collect();
     record.extend(row.fields().texts());
     for &quantity in quantities {
-        let texts = row.number(quantity).map(|judged| number(judged).texts().collect());
-        let texts: Vec<String> = texts.unwrap_or_else(|| vec![String::new(); NUMBER.len()]);
-        let texts = NUMBER.into_iter().zip(texts);
-        record.extend(texts.filter_map(|(field, text)| column(quantity, field).map(|_| text)));
+        let texts = row.number(quantity).map(number).unwrap_or_default();
+        let fields = NUMBER.split(' ').filter(|field| column(quantity, field).is_some());
+        record.extend(fields.map(|field| texts.text(field)));
     }
     line(record)
 }

@@ -34,41 +34,13 @@ pub struct JudgedRow {
 }
 
 /// The fields of a row, before those of its numbers.
-pub(super) const ROW: [&str; 18] = [
-    "line",
-    "weight",
-    "half_opening",
-    "friction",
-    "thickness",
-    "verdict",
-    "accepted",
-    "correct_digits",
-    "claimed_can_stand",
-    "can_stand",
-    "claimed_stands",
-    "stands",
-    "claimed_mode",
-    "mode",
-    "boundary",
-    "boundary_within",
-    "side",
-    "reason",
-];
+pub(super) const ROW: &str = "line weight half_opening friction thickness verdict accepted correct_digits \
+    claimed_can_stand can_stand claimed_stands stands claimed_mode mode boundary \
+    boundary_within side reason";
 
 /// The fields of a number.
-pub(super) const NUMBER: [&str; 11] = [
-    "claimed",
-    "value",
-    "lower",
-    "upper",
-    "error",
-    "relative_error",
-    "error_units",
-    "error_ulp",
-    "correct_digits",
-    "rounding",
-    "nearest_double",
-];
+pub(super) const NUMBER: &str = "claimed value lower upper error relative_error error_units error_ulp correct_digits \
+    rounding nearest_double";
 
 impl Default for JudgedRow {
     /// Of which nothing is read yet.
@@ -170,7 +142,7 @@ impl JudgedRow {
             side.into(),
             self.reason().into(),
         ];
-        ROW.into_iter().zip(values).collect()
+        Fields::named(ROW, values)
     }
 
     /// The number of a quantity, if it is judged.
@@ -200,7 +172,7 @@ pub(super) fn number(number: &Judged) -> Fields {
         number.rounding.map(|rounding| rounding.name()).into(),
         number.is_nearest_double.into(),
     ];
-    NUMBER.into_iter().zip(values).collect()
+    Fields::named(NUMBER, values)
 }
 
 /// A number of digits, or `inf` for a number that is exactly the truth.

@@ -7,7 +7,6 @@ use crate::picture::text::number;
 use crate::problem::Line;
 use crate::report::fields::Fields;
 use crate::report::{csv, drawn, json};
-use serde::Serialize;
 use serde_json::Value as Json;
 use std::io;
 
@@ -138,25 +137,6 @@ pub(in crate::report) fn csv(report: &MapDifferences, out: &mut dyn io::Write) -
     csv::write(std::iter::once(header).chain(rows), out)
 }
 
-#[derive(Serialize)]
-struct File {
-    schema: &'static str,
-    tolerance: f64,
-    differences: Vec<Entry>,
-}
-
-#[derive(Serialize)]
-struct Entry {
-    divide: &'static str,
-    lines: Vec<String>,
-    parameter: &'static str,
-    pieces: usize,
-    widest_tube: f64,
-    least: f64,
-    most: f64,
-    nodes: Vec<Fields>,
-}
-
 pub(in crate::report) fn json(report: &MapDifferences, out: &mut dyn io::Write) -> io::Result<()> {
     let node = |row: Row| -> Fields {
         let cell = |(name, column): &(&'static str, Column)| {
@@ -170,20 +150,21 @@ pub(in crate::report) fn json(report: &MapDifferences, out: &mut dyn io::Write) 
     };
     let entry = |difference: &Difference| {
         let [least, most] = difference.bounds();
-        Entry {
-            divide: difference.divide.name(),
-            lines: lines(difference),
-            parameter: "inclination",
-            pieces: difference.steps().len(),
-            widest_tube: difference.width(),
-            least,
-            most,
-            nodes: rows(difference).map(node).collect(),
-        }
+        let mut fields = Fields::default();
+        fields.add("divide", difference.divide.name());
+        fields.add("lines", lines(difference));
+        fields.add("parameter", "inclination");
+        fields.add("pieces", difference.steps().len());
+        fields.add("widest_tube", difference.width());
+        fields.add("least", least);
+        fields.add("most", most);
+        fields.add_list("nodes", rows(difference).map(node));
+        fields
     };
-    let differences = report.differences.iter().map(entry).collect();
-    let file =
-        File { schema: "couplet.map_difference/1", tolerance: report.tolerance, differences };
+    let mut file = Fields::default();
+    file.add("schema", "couplet.map_difference/1");
+    file.add("tolerance", report.tolerance);
+    file.add_list("differences", report.differences.iter().map(entry));
     json::write(&file, out)
 }
 

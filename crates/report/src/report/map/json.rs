@@ -6,106 +6,51 @@ use super::rows::{COLUMNS, Column, Row, weight_of};
 use crate::atlas::{Border, Level, Part, Trace, Variable};
 use crate::report::fields::Fields;
 use crate::report::json;
-use serde::Serialize;
 use serde_json::Value as Json;
 use std::io;
 
-#[derive(Serialize)]
-struct MapFile {
-    schema: &'static str,
-    tolerance: f64,
-    curves: Vec<CurveEntry>,
-    levels: Vec<LevelEntry>,
-    asymmetric: Vec<BorderEntry>,
-    domains: Vec<Fields>,
+fn curve(trace: &Trace) -> Fields {
+    let [from, to] = trace.curve.ends().map(|end| end.to_string());
+    let mut fields = Fields::default();
+    fields.add("weight", weight_of(trace));
+    fields.add("curve", trace.curve.to_string());
+    fields.add("parameter", trace.curve.parameter().name());
+    fields.add("from", from);
+    fields.add("to", to);
+    fields.add("pieces", trace.pieces().count());
+    fields.add("widest_tube", trace.width());
+    fields.add("gaps", trace.gaps().map(|gap| gap.range().to_vec()).collect::<Vec<_>>());
+    fields.add_list("nodes", Row::of_trace(trace).iter().map(node));
+    fields
 }
 
-#[derive(Serialize)]
-struct CurveEntry {
-    weight: Option<&'static str>,
-    curve: String,
-    parameter: &'static str,
-    from: String,
-    to: String,
-    pieces: usize,
-    widest_tube: f64,
-    gaps: Vec<[f64; 2]>,
-    nodes: Vec<Fields>,
+fn level(level: &Level) -> Fields {
+    let part = |part: &Part| {
+        let mut fields = Fields::default();
+        fields.add("mode", part.mode.label());
+        fields.add("parameter", part.parameter().map(Variable::name));
+        fields.add_list("nodes", Row::of_part(level, part).iter().map(node));
+        fields
+    };
+    let given = |variable| (level.contour.variable() == variable).then(|| level.contour.given());
+    let mut fields = Fields::default();
+    fields.add("weight", level.weight.name());
+    fields.add("half_opening", given(Variable::HalfOpening));
+    fields.add("thickness", given(Variable::Thickness));
+    fields.add("friction", given(Variable::FrictionAngle));
+    fields.add_list("parts", level.parts.iter().map(part));
+    fields
 }
 
-impl CurveEntry {
-    fn new(trace: &Trace) -> Self {
-        let [from, to] = trace.curve.ends().map(|end| end.to_string());
-        Self {
-            weight: weight_of(trace),
-            curve: trace.curve.to_string(),
-            parameter: trace.curve.parameter().name(),
-            from,
-            to,
-            pieces: trace.pieces().count(),
-            widest_tube: trace.width(),
-            gaps: trace.gaps().map(|gap| gap.range()).collect(),
-            nodes: Row::of_trace(trace).iter().map(node).collect(),
-        }
-    }
-}
-
-#[derive(Serialize)]
-struct LevelEntry {
-    weight: &'static str,
-    half_opening: Option<String>,
-    thickness: Option<String>,
-    friction: Option<String>,
-    parts: Vec<PartEntry>,
-}
-
-#[derive(Serialize)]
-struct PartEntry {
-    mode: &'static str,
-    parameter: Option<&'static str>,
-    nodes: Vec<Fields>,
-}
-
-impl LevelEntry {
-    fn new(level: &Level) -> Self {
-        let part = |part: &Part| PartEntry {
-            mode: part.mode.label(),
-            parameter: part.parameter().map(Variable::name),
-            nodes: Row::of_part(level, part).iter().map(node).collect(),
-        };
-        let given =
-            |variable| (level.contour.variable() == variable).then(|| level.contour.given());
-        Self {
-            weight: level.weight.name(),
-            half_opening: given(Variable::HalfOpening),
-            thickness: given(Variable::Thickness),
-            friction: given(Variable::FrictionAngle),
-            parts: level.parts.iter().map(part).collect(),
-        }
-    }
-}
-
-#[derive(Serialize)]
-struct BorderEntry {
-    weight: &'static str,
-    line: String,
-    parameter: &'static str,
-    pieces: usize,
-    widest_tube: f64,
-    nodes: Vec<Fields>,
-}
-
-impl BorderEntry {
-    fn new(border: &Border) -> Self {
-        Self {
-            weight: border.weight.name(),
-            line: border.line.name(),
-            parameter: Variable::HalfOpening.name(),
-            pieces: border.section.pieces().count(),
-            widest_tube: border.section.width(),
-            nodes: Row::of_border(border).iter().map(node).collect(),
-        }
-    }
+fn border(border: &Border) -> Fields {
+    let mut fields = Fields::default();
+    fields.add("weight", border.weight.name());
+    fields.add("line", border.line.name());
+    fields.add("parameter", Variable::HalfOpening.name());
+    fields.add("pieces", border.section.pieces().count());
+    fields.add("widest_tube", border.section.width());
+    fields.add_list("nodes", Row::of_border(border).iter().map(node));
+    fields
 }
 
 /// An infinite number is the text `inf`.
@@ -131,13 +76,12 @@ pub(in crate::report) fn node(row: &Row) -> Fields {
 
 /// The curves and the domains.
 pub(in crate::report) fn json(report: &Map, out: &mut dyn io::Write) -> io::Result<()> {
-    let file = MapFile {
-        schema: "couplet.map/1",
-        tolerance: report.tolerance,
-        curves: report.traces.iter().map(CurveEntry::new).collect(),
-        levels: report.levels.iter().map(LevelEntry::new).collect(),
-        asymmetric: report.borders.iter().map(BorderEntry::new).collect(),
-        domains: domains(),
-    };
+    let mut file = Fields::default();
+    file.add("schema", "couplet.map/1");
+    file.add("tolerance", report.tolerance);
+    file.add_list("curves", report.traces.iter().map(curve));
+    file.add_list("levels", report.levels.iter().map(level));
+    file.add_list("asymmetric", report.borders.iter().map(border));
+    file.add_list("domains", domains());
     json::write(&file, out)
 }

@@ -5,7 +5,7 @@ use crate::atlas::Curve;
 use crate::number::Rounded;
 use crate::problem::Quantity;
 use crate::report::fields::Fields;
-use crate::report::words::model;
+use crate::report::words::{apart, model};
 use crate::report::{csv, json};
 use std::io;
 
@@ -32,14 +32,8 @@ impl MapPoint {
     }
 }
 
-pub(in crate::report) fn table(
-    MapPoints(points): &MapPoints,
-    out: &mut dyn io::Write,
-) -> io::Result<()> {
-    for (index, point) in points.iter().enumerate() {
-        if index > 0 {
-            writeln!(out)?;
-        }
+pub(in crate::report) fn table(all: &MapPoints, out: &mut dyn io::Write) -> io::Result<()> {
+    apart(&all.0, out, |point, out| {
         let parameter = point.curve.parameter().name().replace('_', " ");
         let weight = match point.weight() {
             Some(_) => model(point.weight),
@@ -50,53 +44,41 @@ pub(in crate::report) fn table(
             let (name, symbol) = (quantity.name(), quantity.symbol());
             writeln!(out, "   {name:<20} {symbol:<12} {}", value.value)?;
         }
-    }
-    Ok(())
+        Ok(())
+    })
 }
 
-pub(in crate::report) fn csv(
-    MapPoints(points): &MapPoints,
-    out: &mut dyn io::Write,
-) -> io::Result<()> {
-    let header = ["weight", "curve", "parameter", "given", "quantity", "value", "lower", "upper"];
-    let rows = points.iter().flat_map(|point| {
-        point.values.iter().map(move |(quantity, value)| {
-            let names = [point.weight().unwrap_or_default().to_owned(), point.curve.to_string()];
-            let parameter = [point.curve.parameter().name().to_owned(), point.given.clone()];
-            let [value, lower, upper] =
-                [&value.value, &value.lower, &value.upper].map(ToString::to_string);
-            let found = [quantity.name().to_owned(), value, lower, upper];
-            names.into_iter().chain(parameter).chain(found).collect()
-        })
-    });
-    csv::write(std::iter::once(header.map(str::to_owned).to_vec()).chain(rows), out)
+/// What names a point.
+fn named(point: &MapPoint) -> Fields {
+    let mut fields = Fields::default();
+    fields.add("schema", "couplet.map_point/1");
+    fields.add("weight", point.weight());
+    fields.add("curve", point.curve.to_string());
+    fields.add("parameter", point.curve.parameter().name());
+    fields.add("given", point.given.as_str());
+    fields
 }
 
-pub(in crate::report) fn json(
-    MapPoints(points): &MapPoints,
-    out: &mut dyn io::Write,
-) -> io::Result<()> {
-    let entry = |point: &MapPoint| {
-        let mut fields = Fields::default();
-        fields.add("schema", "couplet.map_point/1");
-        fields.add("weight", point.weight());
-        fields.add("curve", point.curve.to_string());
-        fields.add("parameter", point.curve.parameter().name());
-        fields.add("given", point.given.as_str());
-        let mut values = Fields::default();
-        for (quantity, value) in &point.values {
-            let mut figure = Fields::default();
-            figure.add("value", value.value.to_string());
-            figure.add("lower", value.lower.to_string());
-            figure.add("upper", value.upper.to_string());
-            values.add_fields(quantity.name(), Some(figure));
+pub(in crate::report) fn csv(all: &MapPoints, out: &mut dyn io::Write) -> io::Result<()> {
+    let row = |point, quantity: Quantity, of: &Rounded| {
+        let mut row = named(point);
+        row.add("quantity", quantity.name());
+        for (name, x) in [("value", &of.value), ("lower", &of.lower), ("upper", &of.upper)] {
+            row.add(name, x.to_string());
         }
+        row
+    };
+    let rows =
+        all.0.iter().flat_map(|point| point.values.iter().map(move |(q, x)| row(point, *q, x)));
+    csv::table("weight curve parameter given quantity value lower upper", rows, out)
+}
+
+pub(in crate::report) fn json(all: &MapPoints, out: &mut dyn io::Write) -> io::Result<()> {
+    let entry = |point: &MapPoint| {
+        let (mut fields, mut values) = (named(point), Fields::default());
+        point.values.iter().for_each(|(of, value)| values.add_rounded(of.name(), Some(value)));
         fields.add_fields("values", Some(values));
         fields
     };
-    let entries: Vec<Fields> = points.iter().map(entry).collect();
-    match &entries[..] {
-        [one] => json::write(one, out),
-        all => json::write(&all, out),
-    }
+    json::write_all(all.0.iter().map(entry), out)
 }

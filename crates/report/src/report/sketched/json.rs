@@ -8,10 +8,8 @@ use crate::arch::mechanism::{Joint, Mechanism, Twist};
 use crate::atlas::{Block, Collapse, Forces, Line, Sketch, Subject, moved};
 use crate::number::Ball;
 use crate::problem::Mode;
-use crate::report::bounds::bounds;
 use crate::report::fields::Fields;
 use rug::float::Round;
-use serde::Serialize;
 use serde_json::{Value as Json, json};
 use std::io;
 
@@ -40,13 +38,6 @@ fn enclosure(x: &Ball) -> Json {
     json!({ "lower": lower, "upper": upper, "double": double })
 }
 
-#[derive(Serialize)]
-struct DrawingFile {
-    schema: &'static str,
-    unit: &'static str,
-    arches: Vec<Fields>,
-}
-
 fn given(sketch: &Sketch) -> Fields {
     let mut fields = Fields::default();
     fields.add("weight", sketch.weight.name());
@@ -71,7 +62,7 @@ fn given(sketch: &Sketch) -> Fields {
         Subject::Standing { asymmetric, .. } => asymmetric.first(),
         _ => None,
     };
-    fields.add_fields("asymmetric_thickness", asymmetric.map(bounds));
+    fields.add_bounds("asymmetric_thickness", asymmetric);
     fields
 }
 
@@ -210,6 +201,9 @@ pub(in crate::report) fn json(report: &Sketched, out: &mut dyn io::Write) -> io:
         fields
     };
     let unit = if report.measures.is_some() { "m" } else { "r" };
-    let arches = report.sketches.iter().map(arch).collect();
-    lean::write(&DrawingFile { schema: "couplet.drawing/2", unit, arches }, out)
+    let mut file = Fields::default();
+    file.add("schema", "couplet.drawing/2");
+    file.add("unit", unit);
+    file.add_list("arches", report.sketches.iter().map(arch));
+    lean::write(&file, out)
 }

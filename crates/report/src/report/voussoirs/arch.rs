@@ -122,11 +122,3 @@ impl VoussoirArch {
 pub(super) fn at_limit(arch: &VoussoirArch, contact: &JointContact) -> &'static str {
     arch.stones.at_limit(*contact, arch.is_limited())
 }
-
-/// The number of equal stones.
-pub(super) fn stones(arch: &VoussoirArch) -> Option<String> {
-    match arch.stones {
-        Stones::Equal { stones, .. } => Some(stones.to_string()),
-        Stones::Joints(_) => None,
-    }
-}

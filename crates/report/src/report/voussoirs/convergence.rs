@@ -3,7 +3,7 @@
 use super::arch::{VoussoirArch, VoussoirArches};
 use crate::picture::figure::{Axis, Figure, Kind, Line, Panel, Scale};
 use crate::problem::stones::Stones;
-use crate::report::words::model;
+use crate::report::words::{apart, model};
 use std::io;
 
 /// The number of equal stones.
@@ -28,10 +28,7 @@ fn title(arches: &[VoussoirArch]) -> String {
 
 /// A row for each number of stones.
 pub(super) fn rows(all: &VoussoirArches, out: &mut dyn io::Write) -> io::Result<()> {
-    for (index, arches) in groups(all).into_iter().enumerate() {
-        if index > 0 {
-            writeln!(out)?;
-        }
+    apart(groups(all), out, |arches, out| {
         let (first, last) = (count(&arches[0]), count(&arches[arches.len() - 1]));
         writeln!(out, "Arches of {first} to {last} equal stones, {}\n", title(arches))?;
         let text = |arch: &VoussoirArch| match arch.state() {
@@ -62,9 +59,8 @@ pub(super) fn rows(all: &VoussoirArches, out: &mut dyn io::Write) -> io::Result<
         writeln!(
             out,
             "\nproved: {proved} of {all}; all: a joint at every angle; loss: what so many stones need less"
-        )?;
-    }
-    Ok(())
+        )
+    })
 }
 
 /// The share of the thickness that is lost, over the number of stones: both logarithmic, odd and even numbers apart.

@@ -5,7 +5,6 @@ use crate::certify::state::Figure;
 use crate::certify::{Undecided, VoussoirAssessment, VoussoirLimit, VoussoirStanding, Voussoirs};
 use crate::problem::asymmetric_region::STANDS;
 use crate::problem::stones::JointContact;
-use crate::report::bounds::bounds;
 use crate::report::fields::Fields;
 use std::io;
 
@@ -99,37 +98,33 @@ fn limited(arch: &VoussoirArch, end: &VoussoirLimit) -> String {
 }
 
 /// Names of the cells of a row.
-pub(super) const COLUMNS: [&str; 9] = [
-    "given_thickness",
-    "can_stand",
-    "geometric_safety",
-    "required_friction",
-    "friction_safety",
-    "least_thrust",
-    "largest_thrust",
-    "limited_by",
-    "reason",
-];
+pub(super) const COLUMNS: &str = "given_thickness can_stand geometric_safety required_friction friction_safety \
+                                  least_thrust largest_thrust limited_by reason";
 
 /// The cells of a row; what is open or does not exist is empty.
-pub(super) fn cells(arch: &VoussoirArch, given: &GivenThickness) -> Vec<String> {
-    let text = |figure: Option<&Figure>| figure.map_or(String::new(), ToString::to_string);
-    let mut cells = vec![given.thickness.to_string()];
-    cells.push(given.stands().map_or(String::new(), |stands| stands.to_string()));
-    let value = |value: &Rounded| text(value.as_ref().ok().and_then(Option::as_ref));
-    cells.extend(quotients(&given.found).map(|(.., of)| value(of)));
+pub(super) fn cells(arch: &VoussoirArch, given: &GivenThickness) -> Fields {
+    let mut cells = Fields::default();
+    cells.add("given_thickness", given.thickness.to_string());
+    cells.add("can_stand", given.stands());
+    for (name, _, of) in quotients(&given.found) {
+        cells.add_bounds(name, value(of));
+    }
+    if let Ok(VoussoirStanding::Stands([least, largest])) = &given.found.standing {
+        cells.add_bounds("least_thrust", least.thrust.as_ref());
+        cells.add_bounds("largest_thrust", largest.thrust.as_ref());
+    }
     let ends = match &given.found.standing {
         Ok(VoussoirStanding::Stands(ends) | VoussoirStanding::Falls(ends)) => Some(ends),
         Err(_) => None,
     };
-    let thrusts = ends
-        .filter(|_| given.stands() == Some(true))
-        .map(|ends| ends.each_ref().map(|end| text(end.thrust.as_ref())));
-    cells.extend(thrusts.unwrap_or_default());
     let limits = ends.map(|ends| ends.each_ref().map(|end| limited(arch, end)).join("; "));
-    cells.push(limits.unwrap_or_default());
-    cells.push(arch.first_open().map_or(String::new(), |open| open.reason.to_string()));
+    cells.add("limited_by", limits);
+    cells.add("reason", arch.first_open().map(|open| open.reason.to_string()));
     cells
+}
+
+fn value(found: &Rounded) -> Option<&Figure> {
+    found.as_ref().ok()?.as_ref()
 }
 
 /// The object.
@@ -137,9 +132,8 @@ pub(super) fn fields(arch: &VoussoirArch, given: &GivenThickness) -> Fields {
     let mut fields = Fields::default();
     fields.add("thickness", given.thickness.to_string());
     fields.add("stands", given.stands());
-    let value = |value: &Rounded| value.as_ref().ok().and_then(Option::as_ref).map(bounds);
     for (name, _, of) in quotients(&given.found) {
-        fields.add_fields(name, value(of));
+        fields.add_bounds(name, value(of));
     }
     let ends = match &given.found.standing {
         Ok(VoussoirStanding::Stands(ends)) => Some((["least_thrust", "largest_thrust"], ends)),
@@ -148,7 +142,7 @@ pub(super) fn fields(arch: &VoussoirArch, given: &GivenThickness) -> Fields {
     };
     let limit = |end: &VoussoirLimit| {
         let mut fields = Fields::default();
-        fields.add_fields("thrust", end.thrust.as_ref().map(bounds));
+        fields.add_bounds("thrust", end.thrust.as_ref());
         let contact = |contact: &(_, u64)| format!("{} {}", at_limit(arch, contact), contact.1);
         fields.add("limited_by", end.contacts.iter().map(contact).collect::<Vec<_>>());
         let joints = end.joints.iter().map(|joint| joint.decimal.value.to_string());

@@ -3,7 +3,6 @@
 use super::arch::{VoussoirArch, VoussoirArches, at_limit};
 use super::given;
 use crate::problem::stones::{JointContact, Stones};
-use crate::report::bounds::{bounds, of_rounded};
 use crate::report::fields::Fields;
 use crate::report::json;
 use std::io;
@@ -12,14 +11,14 @@ pub(crate) fn json(
     VoussoirArches { arches, is_range }: &VoussoirArches,
     out: &mut dyn io::Write,
 ) -> io::Result<()> {
-    let entries: Vec<Fields> = arches.iter().map(entry).collect();
-    match &entries[..] {
-        [one] if !is_range => json::write(one, out),
-        all => json::write(&all, out),
+    let entries = arches.iter().map(entry);
+    match is_range {
+        true => json::write(&entries.collect::<Vec<_>>(), out),
+        false => json::write_all(entries, out),
     }
 }
 
-fn entry(arch: &VoussoirArch) -> Fields {
+pub(super) fn entry(arch: &VoussoirArch) -> Fields {
     let mut fields = Fields::default();
     fields.add("schema", "couplet.voussoirs/1");
     fields.add("weight", arch.weight.name());
@@ -37,12 +36,12 @@ fn entry(arch: &VoussoirArch) -> Fields {
     fields.add("reason", arch.found.as_ref().err().map(|undecided| undecided.reason.to_string()));
     fields.add("mode", arch.state().map(|state| state.mode.label()));
     for (quantity, figure) in arch.figures() {
-        fields.add_fields(quantity.name(), figure.map(bounds));
+        fields.add_bounds(quantity.name(), figure);
     }
-    fields.add_fields("continuous_thickness", arch.continuous.as_ref().map(bounds));
+    fields.add_bounds("continuous_thickness", arch.continuous.as_ref());
     let loss = arch.loss.as_ref();
-    fields.add_fields("loss", loss.map(|loss| of_rounded(&loss.thickness)));
-    fields.add_fields("relative_loss", loss.map(|loss| of_rounded(&loss.share)));
+    fields.add_rounded("loss", loss.map(|loss| &loss.thickness));
+    fields.add_rounded("relative_loss", loss.map(|loss| &loss.share));
     let contacts = arch.state().map(|state| {
         let contact = |contact: &JointContact| format!("{} {}", at_limit(arch, contact), contact.1);
         state.contacts.iter().map(contact).collect::<Vec<_>>()

@@ -4,7 +4,7 @@ use super::arch::{VoussoirArch, VoussoirArches, at_limit};
 use super::{convergence, given};
 use crate::certify::{VoussoirDigits, Voussoirs};
 use crate::problem::asymmetric_region::STANDS;
-use crate::report::words::model;
+use crate::report::words::{apart, model};
 use std::io;
 
 pub(crate) fn table(all: &VoussoirArches, out: &mut dyn io::Write) -> io::Result<()> {
@@ -12,10 +12,7 @@ pub(crate) fn table(all: &VoussoirArches, out: &mut dyn io::Write) -> io::Result
         return convergence::rows(all, out);
     }
     let arches = &all.arches;
-    for (index, arch) in arches.iter().enumerate() {
-        if index > 0 {
-            writeln!(out)?;
-        }
+    apart(arches, out, |arch, out| {
         let (alpha, mu) = (arch.stones.half_opening(), &arch.friction);
         let weight = model(arch.weight);
         let given = arch.given.as_ref();
@@ -27,8 +24,7 @@ pub(crate) fn table(all: &VoussoirArches, out: &mut dyn io::Write) -> io::Result
         )?;
         if let Some(given) = given {
             given::lines(arch, given, out)?;
-            may_move(arch, out)?;
-            continue;
+            return may_move(arch, out);
         }
         match &arch.found {
             Ok(Voussoirs::Stands(state)) => stands(arch, state, out)?,
@@ -45,9 +41,8 @@ pub(crate) fn table(all: &VoussoirArches, out: &mut dyn io::Write) -> io::Result
             }
             Err(undecided) => writeln!(out, "{undecided}")?,
         }
-        may_move(arch, out)?;
-    }
-    Ok(())
+        may_move(arch, out)
+    })
 }
 
 /// What the static theorem does not exclude.
