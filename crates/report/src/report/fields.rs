@@ -32,6 +32,18 @@ impl Fields {
         self.0.push((name.into(), fields.map_or(Field::Value(Json::Null), Field::Fields)));
     }
 
+    /// Adds an object of objects, in the order of their names.
+    pub(crate) fn add_sorted(
+        &mut self,
+        name: &'static str,
+        all: impl IntoIterator<Item = (&'static str, Self)>,
+    ) {
+        let mut all: Vec<_> = all.into_iter().collect();
+        all.sort_by_key(|(name, _)| *name);
+        let all = all.into_iter().map(|(name, fields)| (name.into(), Field::Fields(fields)));
+        self.add_fields(name, Some(Self(all.collect())));
+    }
+
     /// Adds a list of objects.
     pub(crate) fn add_list(&mut self, name: &'static str, list: impl IntoIterator<Item = Fields>) {
         self.0.push((name.into(), Field::List(list.into_iter().collect())));

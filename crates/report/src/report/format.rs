@@ -199,11 +199,11 @@ static FORMATS: [Format; 19] = [
     PARQUET,
     Format {
         is_picture: true,
-        voussoirs: Some(voussoirs::svg),
-        map: Some(map::svg),
-        map_differences: Some(map::difference_svg),
-        branch: Some(branch::svg),
-        drawing: Some(sketched::svg),
+        voussoirs: Some(|all, out| svg(&voussoirs::picture(all), out)),
+        map: Some(|map, out| svg(&map::picture(map)?, out)),
+        map_differences: Some(|all, out| svg(&map::difference_picture(all), out)),
+        branch: Some(|all, out| svg(&branch::picture(all)?, out)),
+        drawing: Some(|all, out| svg(&sketched::picture(all), out)),
         ..text("svg", "svg")
     },
     Format { map: Some(map::html), ..text("html", "html") },
@@ -229,31 +229,31 @@ const PARQUET: Format = Format {
     ..language("parquet", "parquet", |_, _| Err(io::ErrorKind::Unsupported.into()))
 };
 
-#[cfg(feature = "plots")]
 const PNG: Format = Format {
     is_binary: true,
     is_picture: true,
-    map: Some(map::png),
-    map_differences: Some(map::difference_png),
-    branch: Some(branch::png),
-    voussoirs: Some(voussoirs::png),
-    drawing: Some(sketched::png),
+    missing: if cfg!(feature = "plots") { None } else { Some("plots") },
+    voussoirs: Some(|all, out| png(&voussoirs::picture(all), out)),
+    map: Some(|map, out| png(&map::picture(map)?, out)),
+    map_differences: Some(|all, out| png(&map::difference_picture(all), out)),
+    branch: Some(|all, out| png(&branch::picture(all)?, out)),
+    drawing: Some(|all, out| png(&sketched::picture(all), out)),
     ..text("png", "png")
 };
 
-/// A stand-in that names the missing feature.
+fn svg(picture: &str, out: &mut dyn io::Write) -> io::Result<()> {
+    out.write_all(picture.as_bytes())
+}
+
+#[cfg(feature = "plots")]
+fn png(picture: &str, out: &mut dyn io::Write) -> io::Result<()> {
+    out.write_all(&crate::picture::png::render(picture))
+}
+
 #[cfg(not(feature = "plots"))]
-const PNG: Format = Format {
-    is_binary: true,
-    is_picture: true,
-    missing: Some("plots"),
-    voussoirs: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
-    map: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
-    map_differences: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
-    branch: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
-    drawing: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
-    ..text("png", "png")
-};
+fn png(_: &str, _: &mut dyn io::Write) -> io::Result<()> {
+    Err(io::ErrorKind::Unsupported.into())
+}
 
 impl Format {
     /// The formats in which something can be written, the usual one first.

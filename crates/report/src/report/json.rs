@@ -218,10 +218,7 @@ fn point(answer: &Answer) -> Fields {
     fields.add("landmark", answer.subject.landmark().map(|landmark| landmark.symbol()));
     fields.add("verdict", answer.status.name());
     fields.add("modes", answer.modes.iter().map(|mode| mode.label()).collect::<Vec<_>>());
-    let mut values: Vec<_> = answer.values.iter().collect();
-    values.sort_by_key(|(of, _)| of.name());
-    let mut all = Fields::default();
-    values.iter().for_each(|(of, value)| all.add_fields(of.name(), Some(figure(value, false))));
-    fields.add_fields("values", Some(all));
+    let values = answer.values.iter().map(|(of, value)| (of.name(), figure(value, false)));
+    fields.add_sorted("values", values);
     fields
 }

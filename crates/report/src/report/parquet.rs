@@ -27,10 +27,10 @@ use std::sync::Arc;
 
 /// How the cells of a column are found; each may be null.
 enum Column {
-    Text(for<'a> fn(&'a Row<'a>) -> Option<&'a str>),
-    Double(fn(&Row) -> Option<f64>),
-    Integer(fn(&Row) -> Option<u64>),
-    Truth(fn(&Row) -> Option<bool>),
+    Text(for<'a> fn(&'a ValueRow<'a>) -> Option<&'a str>),
+    Double(fn(&ValueRow) -> Option<f64>),
+    Integer(fn(&ValueRow) -> Option<u64>),
+    Truth(fn(&ValueRow) -> Option<bool>),
 }
 
 /// The columns. `double` is the nearest to the true value, the doubles after it bound that value and its
@@ -114,7 +114,7 @@ impl ParquetRows {
         Ok(Self { writer: writer.map_err(io::Error::other)?, kept: report.kept.clone() })
     }
 
-    fn columns(&mut self, rows: &[Row]) -> Result<()> {
+    fn columns(&mut self, rows: &[ValueRow]) -> Result<()> {
         let mut group = self.writer.next_row_group()?;
         for (_, column) in &COLUMNS {
             let Some(mut written) = group.next_column()? else { break };
@@ -169,7 +169,7 @@ fn with_kept(schema: &str, kept: &[String]) -> Result<Type> {
 
 impl Rows for ParquetRows {
     fn group(&mut self, answers: &[Answer]) -> io::Result<Vec<u8>> {
-        let rows: Vec<Row> = answers.iter().flat_map(Row::all).collect();
+        let rows: Vec<ValueRow> = answers.iter().flat_map(ValueRow::all).collect();
         if !rows.is_empty() {
             self.columns(&rows).map_err(io::Error::other)?;
         }
@@ -186,8 +186,8 @@ impl Rows for ParquetRows {
 
 /// The cells that are not null, and for each row whether it has one.
 fn present<'a, T>(
-    rows: &'a [Row<'a>],
-    cell: impl Fn(&'a Row<'a>) -> Option<T>,
+    rows: &'a [ValueRow<'a>],
+    cell: impl Fn(&'a ValueRow<'a>) -> Option<T>,
 ) -> (Vec<T>, Vec<i16>) {
     let (mut values, mut there) = (Vec::new(), Vec::new());
     for cell in rows.iter().map(cell) {
@@ -198,7 +198,7 @@ fn present<'a, T>(
 }
 
 /// A value and its answer.
-struct Row<'a> {
+struct ValueRow<'a> {
     answer: &'a Answer,
     quantity: Option<Quantity>,
     value: Option<&'a Value>,
@@ -213,7 +213,7 @@ struct Query<'a> {
     doubles: GivenDoubles,
 }
 
-impl<'a> Row<'a> {
+impl<'a> ValueRow<'a> {
     fn all(answer: &'a Answer) -> Vec<Self> {
         if answer.values.is_empty() {
             return vec![Self { answer, quantity: None, value: None, texts: Default::default() }];

@@ -7,9 +7,7 @@ mod rows;
 mod table;
 
 pub(super) use json::json;
-#[cfg(feature = "plots")]
-pub(super) use picture::png;
-pub(super) use picture::svg;
+pub(super) use picture::picture;
 pub(super) use rows::csv;
 pub(super) use table::table;
 

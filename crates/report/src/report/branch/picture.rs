@@ -6,7 +6,8 @@ use crate::report::drawn;
 use crate::report::words::model;
 use std::io;
 
-fn drawn(all: &BranchArches) -> io::Result<String> {
+/// The picture as SVG.
+pub(in crate::report) fn picture(all: &BranchArches) -> io::Result<String> {
     let found = all.arches.iter().filter_map(|arch| arch.found.as_ref().ok());
     let found: Vec<(&Branch, &Level)> = found.map(|(branch, least)| (branch, least)).collect();
     let Some((branch, _)) = found.first() else {
@@ -26,15 +27,4 @@ fn drawn(all: &BranchArches) -> io::Result<String> {
     let open: Vec<String> = all.arches.iter().flat_map(super::BranchArch::open).collect();
     let words = format!("half opening {}, {}", branch.half_opening, weights.join(" and "));
     Ok(drawn::branches(&found, &words, &open, &all.command))
-}
-
-/// As a picture, SVG.
-pub(in crate::report) fn svg(all: &BranchArches, out: &mut dyn io::Write) -> io::Result<()> {
-    out.write_all(drawn(all)?.as_bytes())
-}
-
-/// As a picture, PNG.
-#[cfg(feature = "plots")]
-pub(in crate::report) fn png(all: &BranchArches, out: &mut dyn io::Write) -> io::Result<()> {
-    out.write_all(&crate::picture::png::render(&drawn(all)?))
 }

@@ -2,58 +2,18 @@
 
 use super::decided::{Claims, as_printed, remarks, verdict};
 use crate::claims::{Argument, Step};
+use crate::report::fields::Fields;
 use crate::report::json;
-use serde::Serialize;
+use serde_json::Value as Json;
 use std::io;
 
-#[derive(Serialize)]
-struct ClaimsFile<'a> {
-    schema: &'static str,
-    claims: Vec<Entry<'a>>,
-}
-
-#[derive(Serialize)]
-struct Entry<'a> {
-    id: &'static str,
-    place: &'static str,
-    statement: &'static str,
-    /// `proved`, `equality`, `measured`, `refuted`, `not stated` or `undecided`.
-    as_printed: &'static str,
-    counterexample: Option<&'a str>,
-    corrected: Option<&'a str>,
-    equal: Option<&'a str>,
-    holds_with: Option<&'a str>,
-    fails_with: Option<&'a str>,
-    /// What became of the statement: `proved`, `refuted` or `undecided`.
-    verdict: &'static str,
-    reason: Option<&'a str>,
-    hypotheses: Vec<&'a str>,
-    method: String,
-    /// `own` or `beneath`: where an argument in words carries it.
-    argument: Option<&'static str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    seconds: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    derivation: Option<Vec<StepEntry<'a>>>,
-}
-
-#[derive(Serialize)]
-struct StepEntry<'a> {
-    support: &'static str,
-    words: &'a str,
-    formula: Option<&'a str>,
-    latex: Option<&'a str>,
-}
-
-impl<'a> From<&'a Step> for StepEntry<'a> {
-    fn from(step: &'a Step) -> Self {
-        Self {
-            support: step.support.name(),
-            words: &step.words,
-            formula: step.formula.as_ref().map(|formula| formula.text.as_str()),
-            latex: step.formula.as_ref().map(|formula| formula.latex.as_str()),
-        }
-    }
+fn step(step: &Step) -> Fields {
+    let [formula, latex] = match &step.formula {
+        Some(formula) => [formula.text.as_str().into(), formula.latex.as_str().into()],
+        None => [Json::Null, Json::Null],
+    };
+    let values = [step.support.name().into(), step.words.as_str().into(), formula, latex];
+    Fields::named("support words formula latex", values)
 }
 
 /// All claims.
@@ -63,26 +23,32 @@ pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()>
         let remark =
             |kind| remarks.iter().find(|(other, _)| *other == kind).map(|(_, words)| *words);
         let reason = remark("reason");
-        let steps = decision.derivation.steps();
-        Entry {
-            id: decision.claim.id,
-            place: decision.claim.place,
-            statement: decision.claim.statement,
-            as_printed: as_printed(decision),
-            counterexample: remark("as printed"),
-            corrected: remark("corrected"),
-            equal: remark("equal"),
-            holds_with: remark("holds with"),
-            fails_with: remark("does not hold with"),
-            verdict: verdict(decision),
-            reason,
-            hypotheses: decision.derivation.hypotheses().collect(),
-            method: decision.derivation.method(),
-            argument: decision.derivation.argument().map(Argument::name),
-            seconds: report.timed.then_some(decision.time.as_secs_f64()),
-            derivation: report.show.then(|| steps.iter().map(StepEntry::from).collect()),
+        let derivation = &decision.derivation;
+        let mut fields = Fields::default();
+        fields.add("id", decision.claim.id);
+        fields.add("place", decision.claim.place);
+        fields.add("statement", decision.claim.statement);
+        fields.add("as_printed", as_printed(decision));
+        fields.add("counterexample", remark("as printed"));
+        fields.add("corrected", remark("corrected"));
+        fields.add("equal", remark("equal"));
+        fields.add("holds_with", remark("holds with"));
+        fields.add("fails_with", remark("does not hold with"));
+        fields.add("verdict", verdict(decision));
+        fields.add("reason", reason);
+        fields.add("hypotheses", derivation.hypotheses().collect::<Vec<_>>());
+        fields.add("method", derivation.method());
+        fields.add("argument", derivation.argument().map(Argument::name));
+        if report.timed {
+            fields.add("seconds", decision.time.as_secs_f64());
         }
+        if report.show {
+            fields.add_list("derivation", derivation.steps().iter().map(step));
+        }
+        fields
     });
-    let file = ClaimsFile { schema: "couplet.claims/3", claims: claims.collect() };
+    let mut file = Fields::default();
+    file.add("schema", "couplet.claims/3");
+    file.add_list("claims", claims);
     json::write(&file, out)
 }

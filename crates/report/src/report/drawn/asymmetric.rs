@@ -3,7 +3,6 @@
 use super::canvas::Canvas;
 use super::chain::Chain;
 use super::domain;
-use super::look;
 use super::plane::Plane;
 use super::sheet::Sheet;
 use crate::arch::SelfWeight;
@@ -83,13 +82,7 @@ impl Asymmetric {
     pub(super) fn draw(&self, svg: &mut Svg, frame: &Frame, of: &str) {
         for (line, is_outer, chain) in &self.lines {
             let id = format!("{of}line-{}", line.name().replace(['/', '_'], "-"));
-            svg.group(&id, |svg| {
-                let [proved, open] = chain.paths(frame);
-                svg.stroke(&proved, if *is_outer { OUTER } else { INNER });
-                if open != Path::default() {
-                    svg.stroke(&open, look::OPEN);
-                }
-            });
+            svg.group(&id, |svg| chain.draw(svg, frame, if *is_outer { OUTER } else { INNER }));
         }
     }
 

@@ -2,12 +2,12 @@
 
 use super::caption::told;
 use super::chain::{Chain, larger};
-use super::graph::{Graphs, Line, Mark, Panel, WIDTH, height};
+use super::graph::{Dot, Graph, Graphs, Line, WIDTH, height};
 use super::plane::{Axis, step};
 use crate::arch::asymmetric::AsymmetricMode;
 use crate::atlas::{Branch, Coordinate, Level, Meeting};
 use crate::picture::color::INK;
-use crate::picture::{Color, Frame, Point, Stroke};
+use crate::picture::{Color, Point, Stroke};
 
 /// The least thickness.
 const LEAST: Stroke = Stroke::new(INK, 1.4);
@@ -72,7 +72,7 @@ pub(in crate::report) fn branches(
         all.iter().map(|point| point.1),
         [0.15, 0.75],
     );
-    let panels: Vec<Panel> =
+    let panels: Vec<Graph> =
         found.iter().map(|(branch, least)| panel(branch, least, x, y)).collect();
     let mut legend = vec![("least thickness, symmetric".to_owned(), LEAST)];
     for kind in AsymmetricMode::ALL {
@@ -81,11 +81,7 @@ pub(in crate::report) fn branches(
         };
         legend.extend(found.iter().any(has).then(|| (name(kind).to_owned(), look(kind))));
     }
-    let off = panels.iter().flat_map(|panel| {
-        let frame = Frame { corner: (0.0, 0.0), size: (1.0, 1.0), x: x.range, y: panel.y.range };
-        panel.lines.iter().map(move |line| line.chain.off(&frame))
-    });
-    let off = off.fold([0.0; 2], larger);
+    let off = panels.iter().map(Graph::off).fold([0.0; 2], larger);
     let told = told(&[(x, off[0]), (y, off[1])], (WIDTH, height(panels.len())));
     let title = "Asymmetric solutions of the complementarity problem without dilatancy";
     let open = match open.is_empty() {
@@ -106,7 +102,7 @@ pub(in crate::report) fn branches(
     Graphs { title, panels, legend, legend_at, words }.svg()
 }
 
-fn panel(branch: &Branch, least: &Level, x: Axis, y: Axis) -> Panel {
+fn panel(branch: &Branch, least: &Level, x: Axis, y: Axis) -> Graph {
     let axes = [x, y];
     let least = Chain::of_level(least, &axes);
     let least = least.map(|chain| Line { id: "least".to_owned(), chain, stroke: LEAST });
@@ -116,8 +112,8 @@ fn panel(branch: &Branch, least: &Level, x: Axis, y: Axis) -> Panel {
     });
     let mark = |meeting: &Meeting| {
         let at = place(meeting)?;
-        Some(Mark { name: String::new(), at, away: (0.0, 0.0), color: INK })
+        Some(Dot { name: String::new(), at, away: (0.0, 0.0), color: INK })
     };
     let marks = branch.meetings().filter_map(mark).collect();
-    Panel { x, y, lines: least.into_iter().chain(parts).collect(), marks }
+    Graph { x, y, lines: least.into_iter().chain(parts).collect(), marks }
 }

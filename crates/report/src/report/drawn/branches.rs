@@ -1,8 +1,8 @@
 //! The purely rotational, overturning and sliding states along the half opening: Figures 2 to 4 of the paper.
 
 use super::caption::proved;
-use super::chain::{Chain, larger};
-use super::graph::{Graphs, Line, Mark, Panel, WIDTH, height};
+use super::chain::Chain;
+use super::graph::{Dot, Graph, Graphs, Line, WIDTH, height};
 use super::look;
 use super::plane::{Axis, DEGREES};
 use super::sheet::Sheet;
@@ -11,7 +11,7 @@ use crate::atlas::{Coordinate, Curve, End, Place, Trace};
 use crate::certify::CertifiedLandmark;
 use crate::number::Ball;
 use crate::picture::color::INK;
-use crate::picture::{Frame, Point, Stroke};
+use crate::picture::{Point, Stroke};
 use crate::problem::Landmark;
 use crate::report::words;
 
@@ -95,7 +95,7 @@ impl Branches {
                 (WIDE_VARIABLE, opening_variable as Read, Course::FallsOpposite),
                 (WIDE, opening, Course::Rises),
             ]
-            .map(|(x, read_x, course)| Panel {
+            .map(|(x, read_x, course)| Graph {
                 x,
                 y: THICK,
                 lines: lines(sheets, &[Curve::Overturning], &[x, THICK]),
@@ -152,11 +152,11 @@ impl Branches {
 }
 
 /// The joint, the thickness and the thrust of rotation, and the thrust of sliding.
-fn over_the_half_opening(sheets: &[Sheet]) -> Vec<Panel> {
+fn over_the_half_opening(sheets: &[Sheet]) -> Vec<Graph> {
     let x = OPENING;
     let joint = axis(Coordinate::RotationJoint, "joint βᵣ (°)", [0.0, 70.0], 10.0);
     let push = axis(Coordinate::Thrust, "thrust h = H/(w r)", [0.0, 1.0], 0.2);
-    let panel = |y, read, course| Panel {
+    let panel = |y, read, course| Graph {
         x,
         y,
         lines: lines(sheets, &[Curve::Rotation], &[x, y]),
@@ -170,8 +170,8 @@ fn over_the_half_opening(sheets: &[Sheet]) -> Vec<Panel> {
 }
 
 /// Rotation and overturning, over the opening variable, over the half opening, and near the points where they join.
-fn joined(sheets: &[Sheet]) -> Vec<Panel> {
-    let panel = |x, y, (read_x, curves): (Read, &[Curve]), course| Panel {
+fn joined(sheets: &[Sheet]) -> Vec<Graph> {
+    let panel = |x, y, (read_x, curves): (Read, &[Curve]), course| Graph {
         x,
         y,
         lines: lines(sheets, &[Curve::Rotation, Curve::Overturning], &[x, y]),
@@ -211,13 +211,10 @@ fn look_of(weight: SelfWeight, curve: Curve) -> Stroke {
 }
 
 /// How far lines may be from the truth, along each axis.
-fn off(panels: &[Panel]) -> Vec<(Axis, f64)> {
-    let of_panel = |panel: &Panel| {
-        let x = panel.x;
-        let frame = Frame { corner: (0.0, 0.0), size: (1.0, 1.0), x: x.range, y: panel.y.range };
-        let chains = panel.lines.iter().map(|line| &line.chain);
-        let [across, up] = chains.map(|chain| chain.off(&frame)).fold([0.0; 2], larger);
-        [(x, across), (panel.y, up)]
+fn off(panels: &[Graph]) -> Vec<(Axis, f64)> {
+    let of_panel = |panel: &Graph| {
+        let [across, up] = panel.off();
+        [(panel.x, across), (panel.y, up)]
     };
     panels.iter().flat_map(of_panel).collect()
 }
@@ -254,7 +251,7 @@ const ENDS: [Curve; 3] =
     [Curve::Line(crate::problem::Line::RotationShoulder), Curve::Rotation, Curve::Overturning];
 
 /// The landmarks at the ends of some curves.
-fn marks(sheets: &[Sheet], curves: &[Curve], (x, y): (Read, Read), course: Course) -> Vec<Mark> {
+fn marks(sheets: &[Sheet], curves: &[Curve], (x, y): (Read, Read), course: Course) -> Vec<Dot> {
     let mark = |sheet: &Sheet, curve: Curve| {
         let point = sheet.trace(curve)?.points().pop()?;
         let Some(End::Landmark(landmark)) = point.end else { return None };
@@ -265,7 +262,7 @@ fn marks(sheets: &[Sheet], curves: &[Curve], (x, y): (Read, Read), course: Cours
 }
 
 /// Where the rotational joint is widest.
-fn widest(sheets: &[Sheet]) -> Vec<Mark> {
+fn widest(sheets: &[Sheet]) -> Vec<Dot> {
     let mark = |sheet: &Sheet| {
         let landmark = Landmark::WidestJoint;
         let refined = CertifiedLandmark::new(landmark, sheet.weight).ok()?.enclosure(64).ok()?;
@@ -274,7 +271,7 @@ fn widest(sheets: &[Sheet]) -> Vec<Mark> {
         let mark = named(landmark, sheet.weight, at, Course::Falls);
         // The two are next to each other on top.
         let away = if sheet.weight == SelfWeight::Heyman { (4.0, -12.0) } else { (-6.0, 16.0) };
-        Some(Mark { away, ..mark })
+        Some(Dot { away, ..mark })
     };
     sheets.iter().filter_map(mark).collect()
 }
@@ -291,7 +288,7 @@ enum Course {
 }
 
 /// The name of a landmark beside its line, away from that of the other weight.
-fn named(landmark: Landmark, weight: SelfWeight, at: Point, course: Course) -> Mark {
+fn named(landmark: Landmark, weight: SelfWeight, at: Point, course: Course) -> Dot {
     let away =
         match (weight, course) {
             (SelfWeight::Milankovitch, Course::Rises) => (-9.0, -8.0),
@@ -303,12 +300,7 @@ fn named(landmark: Landmark, weight: SelfWeight, at: Point, course: Course) -> M
         };
     // At the foot of a panel, a hair above or below it, there is room above only.
     let away = if at.1.abs() < FOOT { (away.0, -14.0) } else { away };
-    Mark {
-        name: words::symbol(landmark).to_owned(),
-        at,
-        away,
-        color: look::of_weight(weight).color,
-    }
+    Dot { name: words::symbol(landmark).to_owned(), at, away, color: look::of_weight(weight).color }
 }
 
 #[cfg(test)]

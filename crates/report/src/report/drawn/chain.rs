@@ -1,9 +1,10 @@
 //! A proved curve as Bézier arcs in a plane.
 
 use super::canvas::Canvas;
+use super::look;
 use super::plane::Axis;
 use crate::atlas::{Level, Piece, Place, Trace, arc};
-use crate::picture::{Frame, Path, Point};
+use crate::picture::{Frame, Path, Point, Stroke, Svg};
 use crate::problem::Mode;
 
 /// Arcs end to end, in the units shown.
@@ -165,6 +166,15 @@ impl Chain {
             }
             path
         })
+    }
+
+    /// Draws the chain in a frame, and dotted what is not proved.
+    pub(super) fn draw(&self, svg: &mut Svg, frame: &Frame, stroke: Stroke) {
+        let [proved, open] = self.paths(frame);
+        svg.stroke(&proved, stroke);
+        if open != Path::default() {
+            svg.stroke(&open, look::OPEN);
+        }
     }
 
     /// Points along it.

@@ -7,7 +7,7 @@ use super::plane::Plane;
 use super::sheet::Sheet;
 use super::{domain, look};
 use crate::atlas::{Contour, Curve, Level};
-use crate::picture::{Frame, Path, Point, Svg};
+use crate::picture::{Frame, Point, Svg};
 use crate::problem::{Landmark, Mode};
 
 /// The domains, lines and landmarks of one weight in a plane.
@@ -81,23 +81,11 @@ impl Content {
         }
         for (contour, chain) in &self.levels {
             let id = format!("{of}level-{}", contour.to_string().replace([' ', '/'], "-"));
-            svg.group(&id, |svg| {
-                let [proved, open] = chain.paths(frame);
-                svg.stroke(&proved, look::LEVEL);
-                if open != Path::default() {
-                    svg.stroke(&open, look::OPEN);
-                }
-            });
+            svg.group(&id, |svg| chain.draw(svg, frame, look::LEVEL));
         }
         for (curve, chain) in &self.lines {
             let id = format!("{of}line-{}", curve.to_string().replace('/', "-"));
-            svg.group(&id, |svg| {
-                let [proved, open] = chain.paths(frame);
-                svg.stroke(&proved, look::DIVIDE);
-                if open != Path::default() {
-                    svg.stroke(&open, look::OPEN);
-                }
-            });
+            svg.group(&id, |svg| chain.draw(svg, frame, look::DIVIDE));
         }
         if let Some(asymmetric) = &self.asymmetric {
             asymmetric.draw(svg, frame, of);

@@ -1,13 +1,13 @@
 //! What two weights make of the lines between modes, as graphs over the friction angle.
 
 use super::caption::told;
-use super::chain::{Arc, Chain, larger};
-use super::graph::{Graphs, Line, Mark, Panel, WIDTH, height};
+use super::chain::{Arc, Chain};
+use super::graph::{Dot, Graph, Graphs, Line, WIDTH, height};
 use super::plane::{Axis, DEGREES, Plane};
 use crate::arch::SelfWeight;
 use crate::atlas::{Coordinate, Difference, Divide, Step};
 use crate::picture::color::INK;
-use crate::picture::{Color, Frame, Point, Stroke};
+use crate::picture::{Color, Point, Stroke};
 use crate::problem::Landmark;
 use crate::report::words;
 
@@ -64,8 +64,8 @@ fn place(difference: &Difference, chi: f64) -> Option<Point> {
 }
 
 /// The landmarks of the panel of all or of the larger one, where there is room for their names.
-fn marks(differences: &[Difference], is_larger: bool) -> Vec<Mark> {
-    let mut found: Vec<Mark> = Vec::new();
+fn marks(differences: &[Difference], is_larger: bool) -> Vec<Dot> {
+    let mut found: Vec<Dot> = Vec::new();
     for difference in differences {
         for (landmark, weight, chi) in difference.landmarks() {
             let Some((name, away)) = named((*landmark, *weight), difference.divide, is_larger)
@@ -73,7 +73,7 @@ fn marks(differences: &[Difference], is_larger: bool) -> Vec<Mark> {
                 continue;
             };
             if let Some(at) = place(difference, *chi) {
-                found.push(Mark { name, at, away, color: INK });
+                found.push(Dot { name, at, away, color: INK });
             }
         }
     }
@@ -117,20 +117,11 @@ pub(in crate::report) fn differences(differences: &[Difference], command: &str) 
         };
         differences.iter().map(line).collect()
     };
-    let panels: Vec<Panel> = [(ALL, false), (NEAR, true)]
+    let panels: Vec<Graph> = [(ALL, false), (NEAR, true)]
         .into_iter()
-        .map(|(y, is_larger)| Panel { x, y, lines: lines(), marks: marks(differences, is_larger) })
+        .map(|(y, is_larger)| Graph { x, y, lines: lines(), marks: marks(differences, is_larger) })
         .collect();
-    let frame = |panel: &Panel| Frame {
-        corner: (0.0, 0.0),
-        size: (1.0, 1.0),
-        x: x.range,
-        y: panel.y.range,
-    };
-    let off = panels.first().map_or([0.0; 2], |panel| {
-        let frame = frame(panel);
-        panel.lines.iter().map(|line| line.chain.off(&frame)).fold([0.0; 2], larger)
-    });
+    let off = panels.first().map_or([0.0; 2], Graph::off);
     let title = "The thickness on the lines between the modes for Milankovitch-like self-weight less that for \
                  Heyman-like self-weight, at equal friction";
     let told = told(&[(x, off[0]), (ALL, off[1])], (WIDTH, height(panels.len())));

@@ -1,7 +1,6 @@
 //! Graphs below each other; neighbours over the same axis share its ticks.
 
-use super::chain::Chain;
-use super::look;
+use super::chain::{Chain, larger};
 use super::plane::{Axis, FRICTION_LABEL, friction_ticks};
 use super::spot::disc;
 use crate::picture::color::{GRID, INK, WHITE};
@@ -10,7 +9,7 @@ use crate::picture::{Anchor, Color, Frame, Path, Point, Side, Stroke, Svg, Type,
 /// Graphs, a legend in one of them, and paragraphs below.
 pub(super) struct Graphs {
     pub title: &'static str,
-    pub panels: Vec<Panel>,
+    pub panels: Vec<Graph>,
     /// Names of lines, and where they stand: in which panel, and how far from its left edge.
     pub legend: Vec<(String, Stroke)>,
     pub legend_at: (usize, f64),
@@ -18,11 +17,11 @@ pub(super) struct Graphs {
 }
 
 /// One graph.
-pub(super) struct Panel {
+pub(super) struct Graph {
     pub x: Axis,
     pub y: Axis,
     pub lines: Vec<Line>,
-    pub marks: Vec<Mark>,
+    pub marks: Vec<Dot>,
 }
 
 /// A line.
@@ -33,7 +32,7 @@ pub(super) struct Line {
 }
 
 /// A point with a name, which stands so far from it on the page.
-pub(super) struct Mark {
+pub(super) struct Dot {
     pub name: String,
     pub at: Point,
     pub away: Point,
@@ -66,10 +65,10 @@ impl Graphs {
     /// The picture as SVG.
     pub(super) fn svg(&self) -> String {
         let height = height(self.panels.len());
-        let is_friction = |panel: &Panel| panel.x.is_friction_angle();
+        let is_friction = |panel: &Graph| panel.x.is_friction_angle();
         let top = if self.panels.first().is_some_and(is_friction) { AXIS } else { TOP };
         let mut next = top;
-        let frame = |(k, panel): (usize, &Panel)| {
+        let frame = |(k, panel): (usize, &Graph)| {
             let corner = (LEFT, next);
             next += height + if self.has_ticks(k) { BELOW } else { BETWEEN };
             Frame { corner, size: (WIDTH, height), x: panel.x.range, y: panel.y.range }
@@ -117,7 +116,14 @@ impl Graphs {
     }
 }
 
-impl Panel {
+impl Graph {
+    /// How far the lines that the panel shows may be from the truth, along each axis.
+    pub(super) fn off(&self) -> [f64; 2] {
+        let (x, y) = (self.x.range, self.y.range);
+        let frame = Frame { corner: (0.0, 0.0), size: (1.0, 1.0), x, y };
+        self.lines.iter().map(|line| line.chain.off(&frame)).fold([0.0; 2], larger)
+    }
+
     /// The friction coefficient, above.
     fn friction(&self, svg: &mut Svg, frame: &Frame) {
         frame.ticks(svg, Side::Top, &friction_ticks(&self.x), TICK);
@@ -139,13 +145,7 @@ impl Panel {
         }
         svg.clipped(&frame.outline(), |svg| {
             for line in &self.lines {
-                svg.group(&line.id, |svg| {
-                    let [proved, open] = line.chain.paths(frame);
-                    svg.stroke(&proved, line.stroke);
-                    if open != Path::default() {
-                        svg.stroke(&open, look::OPEN);
-                    }
-                });
+                svg.group(&line.id, |svg| line.chain.draw(svg, frame, line.stroke));
             }
         });
         svg.stroke(&frame.outline(), Stroke::new(INK, 1.2));

@@ -74,13 +74,7 @@ impl LinesPicture<'_> {
             for curve in lines() {
                 let Some(chain) = sheet.chain(curve, &Canvas::usual(PLANE)) else { continue };
                 let id = format!("{of}{weight}-line-{}", curve.to_string().replace('/', "-"));
-                svg.group(&id, |svg| {
-                    let [proved, open] = chain.paths(frame);
-                    svg.stroke(&proved, look::of_weight(sheet.weight));
-                    if open != Path::default() {
-                        svg.stroke(&open, look::OPEN);
-                    }
-                });
+                svg.group(&id, |svg| chain.draw(svg, frame, look::of_weight(sheet.weight)));
             }
         }
     }

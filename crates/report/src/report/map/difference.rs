@@ -22,14 +22,14 @@ pub struct MapDifferences {
 }
 
 /// A node with the step that begins there; behind the last node there is none.
-struct Row<'a> {
+struct Node<'a> {
     point: &'a DifferencePoint,
     step: Option<&'a Step>,
 }
 
 enum Column {
-    Text(fn(&Row) -> Option<String>),
-    Double(fn(&Row) -> Option<f64>),
+    Text(fn(&Node) -> Option<String>),
+    Double(fn(&Node) -> Option<f64>),
 }
 
 use Column::{Double, Text};
@@ -57,9 +57,9 @@ const COLUMNS: [(&str, Column); 18] = [
     ("tube", Double(|row| Some(row.step?.difference.off))),
 ];
 
-fn rows(difference: &Difference) -> impl Iterator<Item = Row<'_>> {
+fn rows(difference: &Difference) -> impl Iterator<Item = Node<'_>> {
     let steps = difference.steps().iter().map(Some).chain([None]);
-    difference.points().iter().zip(steps).map(|(point, step)| Row { point, step })
+    difference.points().iter().zip(steps).map(|(point, step)| Node { point, step })
 }
 
 /// The lines of a curve, in order.
@@ -138,7 +138,7 @@ pub(in crate::report) fn csv(report: &MapDifferences, out: &mut dyn io::Write) -
 }
 
 pub(in crate::report) fn json(report: &MapDifferences, out: &mut dyn io::Write) -> io::Result<()> {
-    let node = |row: Row| -> Fields {
+    let node = |row: Node| -> Fields {
         let cell = |(name, column): &(&'static str, Column)| {
             let value: Option<Json> = match column {
                 Text(cell) => cell(&row).map(Json::from),
@@ -169,13 +169,6 @@ pub(in crate::report) fn json(report: &MapDifferences, out: &mut dyn io::Write) 
 }
 
 /// As a picture, SVG.
-pub(in crate::report) fn svg(report: &MapDifferences, out: &mut dyn io::Write) -> io::Result<()> {
-    out.write_all(drawn::differences(&report.differences, &report.command).as_bytes())
-}
-
-/// As a picture, PNG.
-#[cfg(feature = "plots")]
-pub(in crate::report) fn png(report: &MapDifferences, out: &mut dyn io::Write) -> io::Result<()> {
-    let svg = drawn::differences(&report.differences, &report.command);
-    out.write_all(&crate::picture::png::render(&svg))
+pub(in crate::report) fn picture(report: &MapDifferences) -> String {
+    drawn::differences(&report.differences, &report.command)
 }

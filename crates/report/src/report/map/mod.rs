@@ -7,7 +7,6 @@ mod json;
 mod page;
 #[cfg(feature = "parquet")]
 mod parquet;
-mod picture;
 mod point;
 mod policy;
 mod rows;
@@ -16,19 +15,14 @@ mod table;
 pub use difference::MapDifferences;
 pub use point::{MapPoint, MapPoints};
 
-#[cfg(feature = "plots")]
-pub(super) use difference::png as difference_png;
 pub(super) use difference::{
-    csv as difference_csv, json as difference_json, svg as difference_svg,
+    csv as difference_csv, json as difference_json, picture as difference_picture,
     table as difference_table,
 };
 pub(super) use json::{json, node};
 pub(super) use page::html;
 #[cfg(feature = "parquet")]
 pub(super) use parquet::parquet;
-#[cfg(feature = "plots")]
-pub(super) use picture::png;
-pub(super) use picture::svg;
 pub(super) use point::{csv as point_csv, json as point_json, table as point_table};
 pub(super) use rows::{COLUMNS, Row, csv, lower, upper};
 pub(super) use table::table;
@@ -36,6 +30,12 @@ pub(super) use table::table;
 use super::answer::Answer;
 use super::drawn::Drawing;
 use crate::atlas::{Border, Level, Trace};
+use std::io;
+
+/// The curves as a picture, SVG.
+pub(super) fn picture(map: &Map) -> io::Result<String> {
+    map.drawing.svg(&map.traces, &map.levels, &map.borders)
+}
 
 /// The curves of the map, each proved piece by piece.
 #[derive(Debug)]

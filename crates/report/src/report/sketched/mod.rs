@@ -33,9 +33,7 @@ mod strip;
 pub(super) use dxf::dxf;
 pub use figures::arches_of_figure;
 pub(super) use json::json;
-#[cfg(feature = "plots")]
-pub(super) use picture::png;
-pub(super) use picture::svg;
+pub(super) use picture::picture;
 
 use crate::atlas::{Collapse, Sketch};
 use crate::problem::measures::Measures;

@@ -8,7 +8,6 @@ use super::strip::{self, Strip};
 use crate::picture::color::INK;
 use crate::picture::{Svg, Type, text};
 use crate::sketch::Scale;
-use std::io;
 
 const MARGIN: f64 = 20.0;
 /// The width of a panel where there is one, and where there are more.
@@ -19,7 +18,7 @@ const SMALL: f64 = 15.0;
 const GAP: f64 = 16.0;
 
 /// The picture as SVG.
-fn drawn(report: &Sketched) -> String {
+pub(in crate::report) fn picture(report: &Sketched) -> String {
     let panels = Panel::all(report);
     let columns = panels.len().clamp(1, 2);
     let wide = WIDTHS[columns - 1];
@@ -71,15 +70,4 @@ fn drawn(report: &Sketched) -> String {
     legend.draw(&mut svg, (MARGIN, bottom), width - 2.0 * MARGIN);
     svg.group("caption", |svg| svg.lines(&lines, (MARGIN, foot), Type::new(SMALL, INK)));
     svg.finish()
-}
-
-/// As SVG.
-pub(in crate::report) fn svg(report: &Sketched, out: &mut dyn io::Write) -> io::Result<()> {
-    out.write_all(drawn(report).as_bytes())
-}
-
-/// As PNG.
-#[cfg(feature = "plots")]
-pub(in crate::report) fn png(report: &Sketched, out: &mut dyn io::Write) -> io::Result<()> {
-    out.write_all(&crate::picture::png::render(&drawn(report)))
 }

@@ -13,9 +13,7 @@ fn drawn(sketches: Vec<Sketch>, style: Style) -> Sketched {
 }
 
 fn as_svg(drawn: &Sketched) -> String {
-    let mut file = Vec::new();
-    svg(drawn, &mut file).unwrap();
-    String::from_utf8(file).unwrap()
+    super::picture(drawn)
 }
 
 fn picture(sketches: Vec<Sketch>, style: Style) -> String {

@@ -8,9 +8,7 @@ mod json;
 mod table;
 
 pub use arch::{GivenThickness, VoussoirArch, VoussoirArches};
-#[cfg(feature = "plots")]
-pub(crate) use convergence::png;
-pub(crate) use convergence::svg;
+pub(crate) use convergence::picture;
 pub(crate) use csv::csv;
 pub(crate) use json::json;
 pub(crate) use table::table;
