@@ -14,25 +14,21 @@ pub(super) static LONG: LazyLock<String> = LazyLock::new(|| {
     )
 });
 
-/// The features, and whether they are built in.
-const FEATURES: [(&str, bool); 7] = [
-    ("system-gmp", cfg!(feature = "system-gmp")),
-    ("malachite", cfg!(feature = "malachite")),
-    ("cli", cfg!(feature = "cli")),
-    ("study", cfg!(feature = "study")),
-    ("plots", cfg!(feature = "plots")),
-    ("parquet", cfg!(feature = "parquet")),
-    ("proptest", cfg!(feature = "proptest")),
-];
+/// The features with whether they are built in.
+macro_rules! built_in {
+    ($($name:tt)*) => { [$(($name, cfg!(feature = $name))),*] };
+}
+
+const FEATURES: [(&str, bool); 7] =
+    built_in!("system-gmp" "malachite" "cli" "study" "plots" "parquet" "proptest");
 
 fn arithmetic() -> String {
     use gmp_mpfr_sys::{gmp, mpfr};
     let gmp = [gmp::VERSION, gmp::VERSION_MINOR, gmp::VERSION_PATCHLEVEL];
     let mpfr = [mpfr::VERSION_MAJOR, mpfr::VERSION_MINOR, mpfr::VERSION_PATCHLEVEL];
     let [gmp, mpfr] = [gmp, mpfr].map(|parts| parts.map(|part| part.to_string()).join("."));
-    let from = if cfg!(feature = "system-gmp") { ", of the system or newer" } else { "" };
-    format!("GMP {gmp}, MPFR {mpfr}{from}; {PURE_RUST}")
+    let has = |name| FEATURES.contains(&(name, true));
+    let from = if has("system-gmp") { ", of the system or newer" } else { "" };
+    let pure_rust = if has("malachite") { "astro-float, malachite" } else { "astro-float" };
+    format!("GMP {gmp}, MPFR {mpfr}{from}; {pure_rust}")
 }
-
-const PURE_RUST: &str =
-    if cfg!(feature = "malachite") { "astro-float, malachite" } else { "astro-float" };

@@ -6,7 +6,3 @@
 pub mod number;
 #[cfg(feature = "mpfr")]
 pub mod symbolic;
-
-/// The numbers of GMP and MPFR that balls are made of, in the version that this crate uses.
-#[cfg(feature = "mpfr")]
-pub use rug;

@@ -10,11 +10,11 @@ use std::sync::mpsc;
 use std::thread;
 
 /// Rows that are read, answered, and handed on before the next are read.
-pub const CHUNK: usize = 512;
+pub(super) const CHUNK: usize = 512;
 
 /// Size of the chunks in which rows are answered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Chunk {
+pub(super) enum Chunk {
     /// What has been read, however few: who waits for an answer before he asks again gets it.
     WhatIsThere,
     /// As many rows as a chunk may have.
@@ -23,7 +23,7 @@ pub enum Chunk {
 
 /// Answers the rows on all cores and hands each chunk on in the order of the rows. Answers how many rows
 /// there were.
-pub fn in_order<T: Send + 'static, A: Send, E: From<io::Error>>(
+pub(super) fn in_order<T: Send + 'static, A: Send, E: From<io::Error>>(
     lines: impl Iterator<Item = Numbered<T>> + Send + 'static,
     (progress, together): (&Progress, Chunk),
     answer: impl Fn(Numbered<T>) -> A + Sync,
@@ -64,7 +64,7 @@ pub fn in_order<T: Send + 'static, A: Send, E: From<io::Error>>(
 }
 
 /// A bar with rate and time left, by the bytes read; hidden if standard error is not a terminal.
-pub struct Progress {
+pub(super) struct Progress {
     bar: ProgressBar,
 }
 

@@ -86,8 +86,7 @@ impl Decimal {
     }
 
     /// This decimal moved by one unit of its last place, away from zero or towards it.
-    #[cfg(feature = "mpfr")]
-    pub(super) fn neighbour(&self, away: bool) -> Self {
+    pub fn neighbour(&self, away: bool) -> Self {
         let mut digits = self.digits.clone().into_bytes();
         let (from, to) = if away { (b'9', b'0') } else { (b'0', b'9') };
         for digit in digits.iter_mut().rev() {
@@ -174,10 +173,8 @@ impl FromStr for Decimal {
 #[cfg(test)]
 mod tests {
     use super::*;
-    #[cfg(feature = "mpfr")]
     use proptest::prelude::*;
 
-    #[cfg(feature = "mpfr")]
     proptest! {
         #![proptest_config(crate::number::test_config::config(256))]
         #[test]

@@ -6,14 +6,8 @@
 //! two midpoints, a multiple of `2^-(2 220 + 2 53)`, is exact. A low part may be of any size; where its products
 //! underflow they add less than `2^-1070`, and `u² |hi| / 2` is above `2^-560`.
 
-#[cfg(feature = "mpfr")]
-use super::float_ball::SMALLEST;
 use super::float_ball::{FloatBall, UP, power_of_two};
-#[cfg(feature = "mpfr")]
-use super::{Ball, Magnitude};
 use super::{DoubleBall, DoubleDouble};
-#[cfg(feature = "mpfr")]
-use rug::{Float, float::Round};
 
 /// All real numbers within a radius of a double-double.
 pub type DoubleDoubleBall = FloatBall<DoubleDouble>;
@@ -63,34 +57,42 @@ impl DoubleDoubleBall {
         // Adding zero makes a negative zero positive.
         (in_range && (is_exact || is_near)).then_some(double + 0.0)
     }
-
-    /// The same set as a ball of MPFR, with results to be rounded to `prec` bits. Only a midpoint that spans
-    /// more than 256 bits is rounded, outward.
-    #[cfg(feature = "mpfr")]
-    pub fn to_ball(&self, prec: u32) -> Ball {
-        let part = |x: f64| Ball::exact(Float::with_val(53, x), prec.max(256));
-        let mid = part(self.mid.hi()) + part(self.mid.lo());
-        // The sum has more bits than asked for: they are kept.
-        let mid = Ball::new(mid.mid().clone(), mid.rad(), prec);
-        mid.widened(Magnitude::upper(&Float::with_val(53, self.rad)))
-    }
 }
 
-/// The same set, but for roundings: outward.
 #[cfg(feature = "mpfr")]
-impl From<&Ball> for DoubleDoubleBall {
-    fn from(ball: &Ball) -> Self {
-        let away = |x: &Float| x.to_f64_round(Round::AwayZero).abs();
-        let rad = away(&ball.rad().to_float());
-        let hi = ball.mid().to_f64();
-        if hi != 0.0 && hi.abs() < SMALLEST {
-            return Self::new(DoubleDouble::ZERO, (away(ball.mid()) + rad) * UP);
+mod mpfr {
+    use super::*;
+    use crate::number::float_ball::SMALLEST;
+    use crate::number::{Ball, Magnitude};
+    use rug::{Float, float::Round};
+
+    impl DoubleDoubleBall {
+        /// The same set as a ball of MPFR, with results to be rounded to `prec` bits. Only a midpoint that spans
+        /// more than 256 bits is rounded, outward.
+        pub fn to_ball(&self, prec: u32) -> Ball {
+            let part = |x: f64| Ball::exact(Float::with_val(53, x), prec.max(256));
+            let mid = part(self.mid.hi()) + part(self.mid.lo());
+            // The sum has more bits than asked for: they are kept.
+            let mid = Ball::new(mid.mid().clone(), mid.rad(), prec);
+            mid.widened(Magnitude::upper(&Float::with_val(53, self.rad)))
         }
-        // Enough bits for exact differences.
-        let bits = ball.mid().prec() + 64;
-        let mid = DoubleDouble::sum(hi, Float::with_val(bits, ball.mid() - hi).to_f64());
-        let rest = Float::with_val(bits, ball.mid() - mid.hi()) - mid.lo();
-        Self::new(mid, (rad + away(&rest)) * UP)
+    }
+
+    /// The set of a ball of MPFR, but for roundings: outward.
+    impl From<&Ball> for DoubleDoubleBall {
+        fn from(ball: &Ball) -> Self {
+            let away = |x: &Float| x.to_f64_round(Round::AwayZero).abs();
+            let rad = away(&ball.rad().to_float());
+            let hi = ball.mid().to_f64();
+            if hi != 0.0 && hi.abs() < SMALLEST {
+                return Self::new(DoubleDouble::ZERO, (away(ball.mid()) + rad) * UP);
+            }
+            // Enough bits for exact differences.
+            let bits = ball.mid().prec() + 64;
+            let mid = DoubleDouble::sum(hi, Float::with_val(bits, ball.mid() - hi).to_f64());
+            let rest = Float::with_val(bits, ball.mid() - mid.hi()) - mid.lo();
+            Self::new(mid, (rad + away(&rest)) * UP)
+        }
     }
 }
 
@@ -112,7 +114,9 @@ impl From<DoubleBall> for DoubleDoubleBall {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::{Ball, Magnitude};
     use crate::number::{Enclosure, Real, Ternary};
+    use rug::Float;
     use rug::float::Constant;
 
     #[test]

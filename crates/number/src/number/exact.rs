@@ -135,24 +135,6 @@ impl ExactNumber {
         &self.factor
     }
 
-    /// The same as a number of GMP.
-    #[cfg(feature = "mpfr")]
-    pub fn to_rational(&self) -> rug::Rational {
-        let integer = |x: &BigInt| {
-            let (sign, words) = x.to_u64_digits();
-            let size = rug::Integer::from_digits(&words, rug::integer::Order::Lsf);
-            if sign == Sign::Minus { -size } else { size }
-        };
-        rug::Rational::from((integer(self.factor.numer()), integer(self.factor.denom())))
-    }
-
-    /// The double nearest to it, ties to even: what a program in double precision makes of it at best.
-    /// `None` beyond the largest double.
-    #[cfg(feature = "mpfr")]
-    pub fn nearest_double(&self) -> Option<f64> {
-        nearest_double(self.enclosure(0), |bits| self.enclosure(bits))
-    }
-
     /// An enclosure in numbers of `bits` bits, at least one.
     pub fn enclosure<E: Engine>(&self, bits: u32) -> E {
         let integer = |x: &BigInt| {
@@ -173,13 +155,38 @@ impl ExactNumber {
 }
 
 #[cfg(feature = "mpfr")]
-impl From<&rug::Rational> for ExactNumber {
-    fn from(value: &rug::Rational) -> Self {
-        let integer = |x: &rug::Integer| {
-            let sign = if *x < 0 { Sign::Minus } else { Sign::Plus };
-            BigInt::from_slice(sign, &x.to_digits::<u32>(rug::integer::Order::Lsf))
-        };
-        Self::rational(BigRational::new(integer(value.numer()), integer(value.denom())))
+mod mpfr {
+    use super::*;
+    use crate::number::nearest_double;
+    use rug::integer::Order;
+    use rug::{Integer, Rational};
+
+    impl ExactNumber {
+        /// The same as a number of GMP.
+        pub fn to_rational(&self) -> Rational {
+            let integer = |x: &BigInt| {
+                let (sign, words) = x.to_u64_digits();
+                let size = Integer::from_digits(&words, Order::Lsf);
+                if sign == Sign::Minus { -size } else { size }
+            };
+            Rational::from((integer(self.factor.numer()), integer(self.factor.denom())))
+        }
+
+        /// The double nearest to it, ties to even: what a program in double precision makes of it at best.
+        /// `None` beyond the largest double.
+        pub fn nearest_double(&self) -> Option<f64> {
+            nearest_double(self.enclosure(0), |bits| self.enclosure(bits))
+        }
+    }
+
+    impl From<&Rational> for ExactNumber {
+        fn from(value: &Rational) -> Self {
+            let integer = |x: &Integer| {
+                let sign = if *x < 0 { Sign::Minus } else { Sign::Plus };
+                BigInt::from_slice(sign, &x.to_digits::<u32>(Order::Lsf))
+            };
+            Self::rational(BigRational::new(integer(value.numer()), integer(value.denom())))
+        }
     }
 }
 
@@ -299,18 +306,6 @@ impl ExactNumber {
         }
         Ok(Self { factor, form, text: text.to_owned() })
     }
-}
-
-/// The double nearest to a number that has a short enclosure and one of any number of bits, ties to even; `None` beyond
-/// the largest double.
-#[cfg(feature = "mpfr")]
-pub fn nearest_double(
-    short: super::DoubleDoubleBall,
-    enclosure: impl Fn(u32) -> super::Ball,
-) -> Option<f64> {
-    // Few bits decide nearly always; a tie is rational, and exact in the bits of a long number.
-    let long = || [128, 4096, 80_000].into_iter().find_map(|bits| enclosure(bits).nearest_double());
-    short.nearest_double().or_else(long).filter(|x| x.is_finite())
 }
 
 /// The exact value of a decimal.

@@ -69,8 +69,7 @@ impl<E: End> Interval<E> {
     }
 
     /// The lower and the upper end.
-    #[cfg(feature = "mpfr")]
-    pub(super) fn low_and_high(&self) -> [&E; 2] {
+    pub fn low_and_high(&self) -> [&E; 2] {
         [&self.low, &self.high]
     }
 

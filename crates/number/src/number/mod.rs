@@ -88,16 +88,12 @@ mod jet;
 #[cfg(feature = "malachite")]
 mod malachite;
 mod says;
-#[cfg(feature = "mpfr")]
-mod short_ball;
 mod shown;
 mod stumpff;
 mod tangent;
 mod tens;
 mod ternary;
 mod unit;
-#[cfg(feature = "mpfr")]
-mod words;
 mod written;
 
 pub use crate::says;
@@ -113,27 +109,17 @@ pub use dual::Dual;
 pub use dyadic::{Dyadic, MAX_EXPONENT, ParseDyadicError};
 pub use end::{Direction, End};
 pub use engine::Engine;
-#[cfg(feature = "mpfr")]
-pub use exact::nearest_double;
 pub use exact::{ExactNumber, Form, ParseExactError};
+pub use float_ball::{FloatBall, Midpoint, power_of_two};
 #[cfg(feature = "mpfr")]
-pub use float_ball::power_of_two;
-pub use float_ball::{FloatBall, Midpoint};
-#[cfg(feature = "mpfr")]
-pub use gmp::{
-    Anchor, Ball, Binary, Magnitude, Rounded, Surd, arctangent, bits_of, degrees, hexadecimal,
-    rational_like, rounded_double, terminating,
-};
+pub use gmp::*;
 pub use gradient::Gradient;
 pub use interval::Interval;
 pub use jet::Jet;
 #[cfg(feature = "malachite")]
 pub use malachite::{Malachite, MalachiteInterval};
-#[cfg(feature = "mpfr")]
-pub use short_ball::ShortBall;
 pub use shown::{shown, visible};
 pub use stumpff::Stumpff;
-#[cfg(feature = "mpfr")]
 pub use stumpff::terms as stumpff_terms;
 pub use tens::Tens;
 pub use ternary::Ternary;

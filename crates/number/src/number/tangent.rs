@@ -58,7 +58,6 @@ mod tests {
         }
     }
 
-    #[cfg(feature = "mpfr")]
     #[test]
     fn the_angle_is_that_of_mpfr() {
         use crate::number::{Ball, Magnitude};

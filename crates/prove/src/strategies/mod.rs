@@ -16,19 +16,10 @@
 //! Heyman's weight whose numbers have few decimals, and is printed as the command that answers it.
 
 #[cfg(feature = "proptest")]
-mod arches;
-#[cfg(feature = "proptest")]
-mod numbers;
+mod drawn;
 mod places;
-#[cfg(feature = "proptest")]
-mod queries;
 mod sample;
 
 #[cfg(feature = "proptest")]
-pub use arches::{arch, collapsing, standing};
-#[cfg(feature = "proptest")]
-pub use numbers::{friction, half_opening, weight};
-#[cfg(feature = "proptest")]
-pub use queries::{Query, query};
-pub use sample::Draw;
-pub use sample::{Sample, samples};
+pub use drawn::*;
+pub use sample::{Draw, Sample, samples};

@@ -76,17 +76,22 @@ pub struct Format {
     /// The feature without which it is not built in, where that is missing.
     missing: Option<&'static str>,
     pub(super) answers: Option<Writer<Answers>>,
+    /// Writer of rows one after another.
     pub rows: Option<Opener>,
     pub(super) audit: Option<Writer<Audit>>,
     pub(super) claims: Option<Writer<Claims>>,
     pub(super) index: Option<Writer<Index>>,
+    /// Writer of the summary of judged rows.
     pub judged: Option<Writer<JudgeSummary>>,
+    /// Writer of judged rows, one by one.
     pub judged_lines: Option<JudgedLines>,
+    /// Writer of arches drawn from a seed, one by one.
     pub samples: Option<SampledLines>,
     pub(super) map: Option<Writer<Map>>,
     pub(super) map_points: Option<Writer<MapPoints>>,
     pub(super) map_differences: Option<Writer<MapDifferences>>,
     pub(super) voussoirs: Option<Writer<VoussoirArches>>,
+    /// Writer of arches under a horizontal acceleration.
     pub tilt: Option<Writer<TiltedArches>>,
     pub(super) complementarity: Option<Writer<ComplementarityArches>>,
     pub(super) branch: Option<Writer<BranchArches>>,
@@ -215,7 +220,7 @@ static FORMATS: [Format; 19] = [
 const PARQUET: Format = Format {
     is_binary: true,
     rows: Some(super::parquet::rows),
-    map: Some(map::parquet),
+    map: Some(map::parquet::parquet),
     ..language("parquet", "parquet", super::parquet::answers)
 };
 

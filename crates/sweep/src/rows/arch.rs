@@ -17,6 +17,7 @@ pub struct ArchReader {
     pub weight: SelfWeight,
     /// Whether the arches are those at the nearest doubles of what the file has.
     pub doubles: bool,
+    /// The words that a table uses for infinity and for nothing.
     pub spelling: Spelling,
 }
 

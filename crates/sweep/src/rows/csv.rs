@@ -71,22 +71,19 @@ impl TextTable {
     }
 
     /// The same header over rows of another input, of which the first line has this number.
-    #[cfg(feature = "parquet")]
-    pub(crate) fn with_rows(self, input: Input, line: u64) -> Self {
+    pub fn with_rows(self, input: Input, line: u64) -> Self {
         Self { lines: InputLines::new(input, line), is_broken: false, ..self }
     }
 
     /// Begins a piece with the next row: the number of its first line, and where that begins (bytes).
-    #[cfg(feature = "parquet")]
-    pub(crate) fn begin(&mut self) -> (u64, u64) {
+    pub fn begin(&mut self) -> (u64, u64) {
         self.lines.looked = self.lines.offset;
         (self.lines.number, self.lines.offset)
     }
 
     /// Where that ends which was looked at since the beginning or that of a piece (bytes). It alone decides what the rows of
     /// the piece are, and may be more than they are: a quote that is not closed is looked for far beyond.
-    #[cfg(feature = "parquet")]
-    pub(crate) fn looked(&self) -> u64 {
+    pub fn looked(&self) -> u64 {
         self.lines.looked
     }
 
@@ -114,8 +111,7 @@ impl TextTable {
 
     /// Goes past the next row and answers its line. The fields of a row of one line are not looked for: they do not
     /// change where the next one begins.
-    #[cfg(feature = "parquet")]
-    pub(crate) fn pass(&mut self) -> Option<u64> {
+    pub fn pass(&mut self) -> Option<u64> {
         let (line, record) = self.record()?;
         if let Some(record) = record.ok().filter(|record| record.lines[1] > line + 1) {
             // Whether they are a row decides what is read again.
@@ -261,7 +257,6 @@ mod tests {
         (line, text.to_owned())
     }
 
-    #[cfg(feature = "parquet")]
     proptest::proptest! {
         /// Who goes past rows finds them at the lines of who reads them.
         #[test]

@@ -5,9 +5,13 @@ use crate::problem::Quantity;
 /// What a column can be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
+    /// The model of self-weight.
     Weight,
+    /// The half opening.
     HalfOpening,
+    /// The coefficient of friction.
     Friction,
+    /// The angle of friction.
     FrictionAngle,
     /// The thickness that an arch has.
     GivenThickness,
@@ -15,7 +19,9 @@ pub enum Role {
     CanStand,
     /// Whether it stands at the thickness that it has, or at some thickness if it has none.
     Stands,
+    /// The collapse mode.
     Mode,
+    /// The value of a quantity.
     Number(Quantity),
 }
 

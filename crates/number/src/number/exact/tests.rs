@@ -123,7 +123,6 @@ fn an_absurd_exponent_is_a_number_out_of_range() {
     }
 }
 
-#[cfg(feature = "mpfr")]
 #[test]
 fn the_nearest_double_is_that_of_the_compiler() {
     for text in ["0.1", "1e-320", "1.5707963267948966", "2.4703282292062328e-324", "1e-400"] {
@@ -147,7 +146,6 @@ fn the_enclosure_holds_the_number() {
     assert!(cos.overlaps(&cos.int(0)) && cos.is_less_than(&cos.ratio(1, 1 << 30)).is_proved());
 }
 
-#[cfg(feature = "mpfr")]
 #[test]
 fn the_numbers_of_gmp_are_the_same() {
     let long = "123456789012345678901234567890/7";

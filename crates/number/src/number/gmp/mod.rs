@@ -13,9 +13,11 @@ mod mpfr;
 mod rational;
 mod rounded;
 mod rounded_double;
+mod short_ball;
 mod sine;
 mod stumpff;
 mod surd;
+mod words;
 
 pub use ball::Ball;
 pub use binary::Binary;
@@ -24,7 +26,8 @@ pub use hexadecimal::hexadecimal;
 pub use magnitude::Magnitude;
 pub use rational::rational_like;
 pub use rounded::{Rounded, bits_of, terminating};
-pub use rounded_double::rounded_double;
+pub use rounded_double::{nearest_double, rounded_double};
+pub use short_ball::ShortBall;
 pub use sine::{Anchor, arctangent};
 pub use surd::Surd;
 

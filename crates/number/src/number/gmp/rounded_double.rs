@@ -1,7 +1,7 @@
 //! Decimal output of a ball of double-doubles, in which every digit is proved: [`Rounded::from_ball`] in integers of
 //! fixed length, without a heap.
 
-use super::{Decimal, Rounded};
+use super::{Ball, Decimal, Rounded};
 use crate::number::DoubleDoubleBall;
 
 /// Digits beyond this are left to balls of MPFR.
@@ -137,6 +137,14 @@ impl Wide {
             if self.1 == 0 { 128 + self.0.trailing_zeros() } else { self.1.trailing_zeros() };
         zeros >= shift
     }
+}
+
+/// The double nearest to a number that has a short enclosure and one of any number of bits, ties to even; `None` beyond
+/// the largest double.
+pub fn nearest_double(short: DoubleDoubleBall, enclosure: impl Fn(u32) -> Ball) -> Option<f64> {
+    // Few bits decide nearly always; a tie is rational, and exact in the bits of a long number.
+    let long = || [128, 4096, 80_000].into_iter().find_map(|bits| enclosure(bits).nearest_double());
+    short.nearest_double().or_else(long).filter(|x| x.is_finite())
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ mod domains;
 mod json;
 mod page;
 #[cfg(feature = "parquet")]
-mod parquet;
+pub(super) mod parquet;
 mod point;
 mod policy;
 mod rows;
@@ -21,8 +21,6 @@ pub(super) use difference::{
 };
 pub(super) use json::{json, node};
 pub(super) use page::html;
-#[cfg(feature = "parquet")]
-pub(super) use parquet::parquet;
 pub(super) use point::{csv as point_csv, json as point_json, table as point_table};
 pub(super) use rows::{COLUMNS, Row, csv, lower, upper};
 pub(super) use table::table;

@@ -1,11 +1,11 @@
 //! A question about an arch, as it is typed.
 
 use super::numbers::{friction, half_opening, weight};
-use super::places::{DIGITS, beside};
 use crate::arch::{SelfWeight, Unknown};
 use crate::number::{Ball, ExactNumber, Real};
 use crate::problem::Landmark;
 use crate::problem::{Arch, ArchError, Friction};
+use crate::strategies::places::{DIGITS, beside};
 use proptest::prelude::*;
 use proptest::sample::select;
 use std::fmt;

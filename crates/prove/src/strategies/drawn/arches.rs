@@ -1,13 +1,13 @@
 //! Arches, and arches with a certified state.
 
 use super::numbers::{decimal, weight};
-use super::places::value;
 use super::queries::{Query, query};
 use crate::arch::{SelfWeight, Unknown};
 use crate::certify::Refused;
 use crate::certify::state::{Answer, Certify, Digits};
 use crate::problem::{Arch, Friction, Landmark, Mode};
 use crate::solve::start::{quick_state, sliding};
+use crate::strategies::places::value;
 use proptest::prelude::*;
 use rug::Float;
 

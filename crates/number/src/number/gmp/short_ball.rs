@@ -10,7 +10,8 @@
 //! least one, and at most `2^64(N-1) < 2^1000`, so that nothing underflows or overflows; what is beyond, or NaN, becomes the whole line.
 
 use super::words;
-use super::{Ball, DoubleDouble, DoubleDoubleBall, Field, Magnitude, power_of_two};
+use super::{Ball, Magnitude};
+use crate::number::{DoubleDouble, DoubleDoubleBall, Field, power_of_two};
 use rug::float::Round;
 use rug::integer::Order;
 use rug::{Float, Integer};
