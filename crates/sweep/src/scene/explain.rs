@@ -3,10 +3,10 @@
 use super::cost::Cost;
 use super::expected;
 use super::left_out::left_out;
-use super::nodes::{ArchNode, LandmarkNode};
-use super::plan::Plan;
+use super::nodes::{ArchNode, LandmarkNode, Work};
+use super::plan::{Plan, PlannedPart};
 use super::run::Costs;
-use super::schema::Item;
+use super::schema::{Item, What};
 use crate::certify::state::Wanted;
 use crate::problem::{Equation, tally::Tally};
 use crate::report::words::{count, list};
@@ -43,17 +43,11 @@ const SHOWN: usize = 12;
 
 /// Writes the plan; with costs, what was spent.
 pub fn explain(plan: &Plan, costs: Option<&Costs>, out: &mut dyn io::Write) -> io::Result<()> {
-    let pieces: Vec<String> = [
-        (plan.landmarks.len(), "landmark", "landmarks"),
-        (plan.arches.len(), "arch", "arches"),
-        (plan.claims.len(), "claim", "claims"),
-        (plan.curves.len(), "curve", "curves"),
-        (plan.drawings.len(), "drawn arch", "drawn arches"),
-    ]
-    .into_iter()
-    .filter(|(n, ..)| *n > 0)
-    .map(|(n, one, many)| count(n, one, many))
-    .collect();
+    let pieces = Work::KINDS.into_iter().filter_map(|kind @ (one, many)| {
+        let n = plan.parts.iter().filter(|part| part.work.kind() == kind).count();
+        (n > 0).then(|| count(n, one, many))
+    });
+    let pieces: Vec<String> = pieces.collect();
     let items = count(plan.scene.items.len(), "item", "items");
     match pieces.is_empty() {
         true => writeln!(out, "{items}; nothing to compute")?,
@@ -84,80 +78,47 @@ fn item(plan: &Plan, costs: Option<&Costs>, index: usize) -> Branch {
         branch.lines.push("complete: nothing is computed".to_owned());
         return branch;
     }
-    let needs = &plan.needs[index];
-    for &place in &needs.landmarks {
-        let node = &plan.landmarks[place];
-        let name = format!("{} {}", node.landmark.symbol(), node.weight.name());
-        branch.branches.push(match earlier(&node.items, index) {
-            Some(other) => Branch::new([format!("{name}: {}", computed_for(plan, other))]),
-            None => {
-                let mut lines = vec![name];
-                lines.extend(landmark(node));
-                lines.extend(costs.and_then(|costs| costs.landmarks[place]).as_ref().map(spent));
-                Branch::new(lines)
-            }
-        });
+    let mut places = plan.needs[index].clone();
+    let cost = |place: usize| costs.and_then(|costs| costs.0[place]);
+    let mut shown = usize::MAX;
+    if matches!(plan.scene.items[index].what, What::Arches { .. }) {
+        places.sort_unstable();
+        places.dedup();
+        let mine = places.iter().filter(|place| plan.parts[**place].first == index).count();
+        // One more is shown by itself rather than as "1 more".
+        shown = if mine <= SHOWN + 1 { mine } else { SHOWN };
     }
-    branch.branches.extend(arches(plan, costs, index));
-    for &place in &needs.claims {
-        let node = &plan.claims[place];
-        let name = format!("{}, {}", node.claim.id, node.claim.place);
-        branch.branches.push(match earlier(&node.items, index) {
-            Some(other) => Branch::new([format!("{name}: {}", computed_for(plan, other))]),
-            None => {
-                let cost = costs.and_then(|costs| costs.claims[place]);
-                Branch::new(std::iter::once(name).chain(cost.as_ref().map(spent)))
+    let (mut more, mut others) = (Vec::new(), Vec::<(usize, usize, _)>::new());
+    for place in places {
+        let PlannedPart { work, first, .. } = &plan.parts[place];
+        match work {
+            _ if *first == index && branch.branches.len() == shown => more.push(cost(place)),
+            _ if *first == index => {
+                let spent = cost(place).map(|cost| spent_on(work, &cost));
+                branch.branches.push(Branch::new(lines(work).into_iter().chain(spent)));
             }
-        });
-    }
-    branch.branches.extend(curves(plan, costs, index));
-    for &place in &needs.drawings {
-        let node = &plan.drawings[place];
-        let name = node.drawn.to_string();
-        branch.branches.push(match earlier(&node.items, index) {
-            Some(other) => Branch::new([format!("{name}: {}", computed_for(plan, other))]),
-            None => {
-                let cost = costs.and_then(|costs| costs.drawings[place]);
-                Branch::new(std::iter::once(name).chain(cost.as_ref().map(spent)))
+            Work::Arch(_) | Work::Curve(_) => {
+                match others.iter_mut().find(|(item, ..)| item == first) {
+                    Some((_, parts, _)) => *parts += 1,
+                    None => others.push((*first, 1, work.kind())),
+                }
             }
-        });
-    }
-    branch
-}
-
-/// The curves that are computed for an item, and those that are for another.
-fn curves(plan: &Plan, costs: Option<&Costs>, index: usize) -> Vec<Branch> {
-    let places = &plan.needs[index].curves;
-    let is_mine = |place: &&usize| earlier(&plan.curves[**place].items, index).is_none();
-    let (mine, others): (Vec<&usize>, Vec<&usize>) = places.iter().partition(is_mine);
-    let own = |place: &usize| {
-        let node = &plan.curves[*place];
-        let cost = costs.and_then(|costs| costs.curves[*place]);
-        let name = format!("{}, in tubes of {:?}", node.name(), node.tolerance);
-        Branch::new(std::iter::once(name).chain(cost.as_ref().map(spent)))
-    };
-    let others = others.into_iter().filter_map(|place| earlier(&plan.curves[*place].items, index));
-    mine.into_iter().map(own).chain(from_others(plan, others, "curve", "curves")).collect()
-}
-
-/// What is computed for other items, counted by item.
-fn from_others(
-    plan: &Plan,
-    others: impl Iterator<Item = usize>,
-    one: &str,
-    many: &str,
-) -> Vec<Branch> {
-    let mut from: Vec<(usize, usize)> = Vec::new();
-    for other in others {
-        match from.iter_mut().find(|(item, _)| *item == other) {
-            Some((_, pieces)) => *pieces += 1,
-            None => from.push((other, 1)),
+            _ => {
+                let line = format!("{}: {}", lines(work)[0], computed_for(plan, *first));
+                branch.branches.push(Branch::new([line]));
+            }
         }
     }
-    let branch = |(other, pieces): (usize, usize)| {
-        Branch::new([format!("{}: {}", count(pieces, one, many), computed_for(plan, other))])
-    };
-    from.into_iter().map(branch).collect()
+    if !more.is_empty() {
+        let words = format!("{} more", more.len());
+        let costs: Option<Vec<Cost>> = more.into_iter().collect();
+        let sum = costs.map(|costs| spent(&costs.iter().sum()));
+        branch.branches.push(Branch::new(std::iter::once(words).chain(sum)));
+    }
+    branch.branches.extend(others.into_iter().map(|(other, parts, (one, many))| {
+        Branch::new([format!("{}: {}", count(parts, one, many), computed_for(plan, other))])
+    }));
+    branch
 }
 
 fn heading(item: &Item) -> String {
@@ -169,19 +130,26 @@ fn heading(item: &Item) -> String {
     format!("{kind} in line {} -> {output} ({format})", item.place.line)
 }
 
-/// The item before this one for which a piece is computed.
-fn earlier(items: &[usize], index: usize) -> Option<usize> {
-    items.first().copied().filter(|first| *first != index)
-}
-
 fn computed_for(plan: &Plan, item: usize) -> String {
     format!("computed for the item in line {}", plan.scene.items[item].place.line)
+}
+
+/// What is computed, the first line by itself its name.
+fn lines(work: &Work) -> Vec<String> {
+    match work {
+        Work::Landmark(node) => landmark(node),
+        Work::Arch(node) => arch(node),
+        Work::Claim(claim) => vec![format!("{}, {}", claim.id, claim.place)],
+        Work::Curve(node) => vec![format!("{node}, in tubes of {:?}", node.tolerance)],
+        Work::Drawing(drawn) => vec![drawn.to_string()],
+    }
 }
 
 fn landmark(node: &LandmarkNode) -> Vec<String> {
     let system = node.landmark.system(node.weight);
     let equations = list(system.equations.iter().map(|equation| equation.label()));
-    let mut lines = vec![format!("from {equations}")];
+    let name = format!("{} {}", node.landmark.symbol(), node.weight.name());
+    let mut lines = vec![name, format!("from {equations}")];
     let mut digits: Vec<usize> = node.asked.iter().map(|(_, digits)| *digits).collect();
     digits.sort_unstable();
     digits.dedup();
@@ -198,32 +166,6 @@ fn landmark(node: &LandmarkNode) -> Vec<String> {
         lines.push("for the printed numbers".to_owned());
     }
     lines
-}
-
-/// The arches that are computed for an item, the first of them one by one.
-fn arches(plan: &Plan, costs: Option<&Costs>, index: usize) -> Vec<Branch> {
-    let mut places: Vec<usize> = plan.needs[index].arches.iter().map(|(place, _)| *place).collect();
-    places.sort_unstable();
-    places.dedup();
-    let (mine, others): (Vec<usize>, Vec<usize>) =
-        places.into_iter().partition(|&place| earlier(&plan.arches[place].items, index).is_none());
-    let cost = |place: usize| costs.and_then(|costs| costs.arches[place]);
-    let mut branches: Vec<Branch> = Vec::new();
-    // One more is shown by itself rather than as "1 more".
-    let shown = if mine.len() <= SHOWN + 1 { mine.len() } else { SHOWN };
-    for &place in &mine[..shown] {
-        let lines = arch(&plan.arches[place]).into_iter();
-        branches.push(Branch::new(lines.chain(cost(place).as_ref().map(spent_on_arch))));
-    }
-    if shown < mine.len() {
-        let costs: Option<Vec<Cost>> = mine[shown..].iter().map(|&place| cost(place)).collect();
-        let sum = costs.map(|costs| spent(&costs.iter().sum()));
-        let words = format!("{} more", mine.len() - shown);
-        branches.push(Branch::new(std::iter::once(words).chain(sum)));
-    }
-    let others = others.into_iter().filter_map(|place| earlier(&plan.arches[place].items, index));
-    branches.extend(from_others(plan, others, "arch", "arches"));
-    branches
 }
 
 fn arch(node: &ArchNode) -> Vec<String> {
@@ -246,11 +188,13 @@ fn arch(node: &ArchNode) -> Vec<String> {
     lines
 }
 
-/// The cost of an arch in words. Where nothing was evaluated, one that was proved before says it all.
-fn spent_on_arch(cost: &Cost) -> String {
-    match cost.tally == Tally::default() {
-        true => "as proved for another friction of its half opening".to_owned(),
-        false => spent(cost),
+/// The cost of a part in words. Where nothing of an arch was evaluated, one that was proved before says it all.
+fn spent_on(work: &Work, cost: &Cost) -> String {
+    match work {
+        Work::Arch(_) if cost.tally == Tally::default() => {
+            "as proved for another friction of its half opening".to_owned()
+        }
+        _ => spent(cost),
     }
 }
 

@@ -22,7 +22,7 @@ pub struct Fault {
 }
 
 /// The text of a scene file.
-pub(super) struct Source<'s> {
+pub(super) struct SceneText<'s> {
     text: &'s str,
     /// The place of every [`STRIDE`]-th byte, so that many faults do not mean many readings of the file.
     marks: Vec<Position>,
@@ -31,7 +31,7 @@ pub(super) struct Source<'s> {
 /// Bytes between two marks.
 const STRIDE: usize = 1 << 10;
 
-impl<'s> Source<'s> {
+impl<'s> SceneText<'s> {
     /// Of a text.
     pub(super) fn new(text: &'s str) -> Self {
         // Editors do not count a byte order mark.
@@ -78,7 +78,7 @@ mod tests {
 
     #[test]
     fn places_are_counted_in_characters() {
-        let source = Source::new("\u{feff}ä = 1\nβ = \"x\"\n");
+        let source = SceneText::new("\u{feff}ä = 1\nβ = \"x\"\n");
         assert_eq!(source.place(0), Position { line: 1, column: 1 });
         assert_eq!(source.place(3), Position { line: 1, column: 1 });
         assert_eq!(source.place(5), Position { line: 1, column: 2 });
@@ -90,7 +90,7 @@ mod tests {
     #[test]
     fn a_place_far_into_a_text_is_counted_from_its_beginning() {
         let text = "äx\n".repeat(STRIDE) + &"β".repeat(3 * STRIDE);
-        let source = Source::new(&text);
+        let source = SceneText::new(&text);
         for (offset, _) in text.char_indices().step_by(97) {
             let before = &text[..offset];
             let line = before.rsplit('\n').next().unwrap();
@@ -103,8 +103,8 @@ mod tests {
 
     #[test]
     fn a_value_is_shown_on_one_short_line() {
-        assert_eq!(Source::new("a\nb").shown(0..3), r"a\nb");
+        assert_eq!(SceneText::new("a\nb").shown(0..3), r"a\nb");
         let long = "1".repeat(100);
-        assert_eq!(Source::new(&long).shown(0..100).chars().count(), 40);
+        assert_eq!(SceneText::new(&long).shown(0..100).chars().count(), 40);
     }
 }

@@ -1,6 +1,7 @@
 //! What an item asked for, as a report.
 
-use super::pieces::{CurvePiece, Pieces};
+use super::nodes::Work;
+use super::pieces::{CurvePiece, WorkDone};
 use super::plan::{PAGE_DIGITS, Plan};
 use super::schema::{SceneArch, SceneDrawing, SceneMap, What};
 use crate::arch::SelfWeight;
@@ -20,17 +21,17 @@ pub struct ItemReport {
 }
 
 impl ItemReport {
-    /// What an item asked for, from pieces that are all there.
-    pub(super) fn new(plan: &Plan, pieces: &Pieces, index: usize) -> Self {
+    /// What an item asked for, from parts that are all there.
+    pub(super) fn new(plan: &Plan, done: &[Option<WorkDone>], index: usize) -> Self {
         let item = &plan.scene.items[index];
         let (report, undecided) = match &item.what {
             What::Constants { quantities, digits, .. } => {
-                let list = constants(plan, pieces, index, (quantities, *digits));
+                let list = constants(plan, done, index, (quantities, *digits));
                 let undecided = undecided_landmarks(&list);
                 (Some(Report::Answers(Answers::constants(*digits, list))), undecided)
             }
             What::Arches { quantities, digits, with_thickness, .. } => {
-                let list = arches(plan, pieces, index, *digits);
+                let list = arches(plan, done, index, *digits);
                 let (open, all) =
                     (list.iter().filter(|answer| answer.is_undecided()).count(), list.len());
                 let undecided = (open > 0).then(|| format!("{open} of {all} arches"));
@@ -39,18 +40,20 @@ impl ItemReport {
                 (Some(Report::Answers(answers)), undecided.into_iter().collect())
             }
             What::Claims { show, .. } => {
-                let places = plan.needs[index].claims.iter();
-                let decisions: Vec<_> =
-                    places.filter_map(|&place| pieces.claims[place].clone()).collect();
+                let decision = |done: &WorkDone| match done {
+                    WorkDone::Claim(decision) => Some(decision.clone()),
+                    _ => None,
+                };
+                let decisions: Vec<_> = done_of(plan, done, index).filter_map(decision).collect();
                 let open = decisions.iter().filter(|decision| decision.outcome.is_err());
                 let undecided = open.map(|decision| decision.claim.id.to_owned()).collect();
                 // How long a claim took would be another output in every run.
                 let claims = Claims { decisions, show: *show, timed: false };
                 (Some(Report::Claims(claims)), undecided)
             }
-            What::Map(asked) | What::Figure(asked) => map(plan, pieces, index, asked),
-            What::Drawing(asked) => drawing(plan, pieces, index, asked),
-            What::Audit { .. } => match audit(plan, pieces, index) {
+            What::Map(asked) | What::Figure(asked) => map(plan, done, index, asked),
+            What::Drawing(asked) => drawing(plan, done, index, asked),
+            What::Audit { .. } => match audit(plan, done, index) {
                 Ok(audit) => (Some(Report::Audit(audit)), Vec::new()),
                 Err(undecided) => (None, vec![undecided.to_string()]),
             },
@@ -69,16 +72,25 @@ impl ItemReport {
     }
 }
 
+/// What became of the parts of an item.
+fn done_of<'d>(
+    plan: &Plan,
+    done: &'d [Option<WorkDone>],
+    index: usize,
+) -> impl Iterator<Item = &'d WorkDone> {
+    plan.needs[index].iter().filter_map(|place| done[*place].as_ref())
+}
+
 fn constants(
     plan: &Plan,
-    pieces: &Pieces,
+    done: &[Option<WorkDone>],
     index: usize,
     (quantities, digits): (&[Quantity], usize),
 ) -> Vec<Answer> {
-    let answer = |&place: &usize| {
-        let node = &plan.landmarks[place];
+    let answer = |(work, done): (&Work, &WorkDone)| {
+        let (Work::Landmark(node), WorkDone::Landmark(found)) = (work, done) else { return None };
         let name = (node.landmark, node.weight);
-        Some(match pieces.landmarks[place].as_ref()? {
+        Some(match &**found {
             Err(undecided) => Answer::landmark(name, Err(undecided)),
             Ok(piece) => {
                 let constants = piece.constants(node, quantities, digits);
@@ -92,16 +104,20 @@ fn constants(
             }
         })
     };
-    plan.needs[index].landmarks.iter().filter_map(answer).collect()
+    plan.work_of(index).zip(done_of(plan, done, index)).filter_map(answer).collect()
 }
 
-fn arches(plan: &Plan, pieces: &Pieces, index: usize, digits: usize) -> Vec<Answer> {
+fn arches(plan: &Plan, done: &[Option<WorkDone>], index: usize, digits: usize) -> Vec<Answer> {
     let What::Arches { arches, .. } = &plan.scene.items[index].what else { return Vec::new() };
-    let needs = arches.iter().zip(&plan.needs[index].arches);
-    let answers = (1..).zip(needs).map(|(line, (SceneArch { arch, thickness }, (place, of)))| {
-        let piece = pieces.arches[*place].as_ref()?;
-        let answer = match thickness.as_ref().zip(*of) {
-            Some((eta, of)) => Answer::assessment(line, (arch, eta), &piece.thicknesses[of]),
+    let parts = plan.work_of(index).zip(done_of(plan, done, index));
+    let answers = (1..).zip(arches.iter().zip(parts)).map(|(line, (asked, part))| {
+        let SceneArch { arch, thickness } = asked;
+        let (Work::Arch(node), WorkDone::Arch(piece)) = part else { return None };
+        let answer = match thickness {
+            Some(eta) => {
+                let found = &piece.thicknesses[node.place(eta, digits)?];
+                Answer::assessment(line, (arch, eta), found)
+            }
             None => Answer::state(line, arch, piece.states.get(&digits)?),
         };
         let asymmetric = || piece.asymmetric.get(&digits).cloned().unwrap_or(Ok(Vec::new()));
@@ -113,24 +129,24 @@ fn arches(plan: &Plan, pieces: &Pieces, index: usize, digits: usize) -> Vec<Answ
 /// A map of what is proved; a picture needs all its curves, as without one it would show other domains.
 fn map(
     plan: &Plan,
-    pieces: &Pieces,
+    done: &[Option<WorkDone>],
     index: usize,
     asked: &SceneMap,
 ) -> (Option<Report>, Vec<String>) {
     let format = plan.scene.items[index].format;
     let (mut traces, mut levels, mut open) = (Vec::new(), Vec::new(), Vec::new());
-    for place in &plan.needs[index].curves {
-        match &pieces.curves[*place] {
-            Some(Ok(CurvePiece::Curve(trace))) => traces.push((**trace).clone()),
-            Some(Ok(CurvePiece::Level(level))) => levels.push(level.clone()),
-            Some(Err(undecided)) => open.push(undecided.to_string()),
-            None => {}
+    for part in done_of(plan, done, index) {
+        match part {
+            WorkDone::Curve(Ok(CurvePiece::Curve(trace))) => traces.push((**trace).clone()),
+            WorkDone::Curve(Ok(CurvePiece::Level(level))) => levels.push(level.clone()),
+            WorkDone::Curve(Err(undecided)) => open.push(undecided.to_string()),
+            _ => {}
         }
     }
     if (format.is_picture || format.is_page()) && !open.is_empty() {
         return (None, open);
     }
-    let landmarks = constants(plan, pieces, index, (&Quantity::LANDMARK, PAGE_DIGITS));
+    let landmarks = constants(plan, done, index, (&Quantity::LANDMARK, PAGE_DIGITS));
     let names = undecided_landmarks(&landmarks);
     let is_asked = |weight: &SelfWeight| asked.lines.iter().any(|(of, _)| of == weight);
     let weights = SelfWeight::ALL.into_iter().filter(is_asked);
@@ -152,19 +168,16 @@ fn map(
 /// Arches that are drawn, in the modes that are asked for; all of them or none.
 fn drawing(
     plan: &Plan,
-    pieces: &Pieces,
+    done: &[Option<WorkDone>],
     index: usize,
     asked: &SceneDrawing,
 ) -> (Option<Report>, Vec<String>) {
     let (mut sketches, mut open) = (Vec::new(), Vec::new());
-    for ((_, modes), place) in asked.arches.iter().zip(&plan.needs[index].drawings) {
-        match &pieces.drawings[*place] {
-            Some(Ok(sketch)) => match sketch.clone().in_modes(modes) {
-                Ok(sketch) => sketches.push(sketch),
-                Err(none) => open.push(none.to_string()),
-            },
-            Some(Err(none)) => open.push(none.to_string()),
-            None => {}
+    for ((_, modes), part) in asked.arches.iter().zip(done_of(plan, done, index)) {
+        let WorkDone::Drawing(found) = part else { continue };
+        match (**found).clone().and_then(|sketch| sketch.in_modes(modes)) {
+            Ok(sketch) => sketches.push(sketch),
+            Err(none) => open.push(none.to_string()),
         }
     }
     let (style, command) = (asked.style, asked.command.clone());
@@ -181,12 +194,17 @@ fn undecided_landmarks(list: &[Answer]) -> Vec<String> {
     names.collect()
 }
 
-fn audit(plan: &Plan, pieces: &Pieces, index: usize) -> Result<Audit, Error> {
-    let places = plan.needs[index].landmarks.iter();
-    let points: Vec<Enclosed> = places
-        .filter_map(|&place| pieces.landmarks[place].as_ref())
-        .filter_map(|piece| piece.as_ref().map(|piece| piece.enclosed.clone()).transpose())
-        .map(|piece| piece.map_err(Clone::clone))
-        .collect::<Result<_, _>>()?;
+fn audit(plan: &Plan, done: &[Option<WorkDone>], index: usize) -> Result<Audit, Error> {
+    let enclosed = |part: &WorkDone| match part {
+        WorkDone::Landmark(found) => found
+            .as_ref()
+            .as_ref()
+            .map(|piece| piece.enclosed.clone())
+            .map_err(Clone::clone)
+            .transpose(),
+        _ => None,
+    };
+    let points: Vec<Enclosed> =
+        done_of(plan, done, index).filter_map(enclosed).collect::<Result<_, _>>()?;
     Ok(Audit { printed: audit_of(&points)?, comparisons: compare_weights_of(&points)? })
 }

@@ -1,8 +1,9 @@
 //! What a plan leaves out, and why.
 
-use super::nodes::{ArchNode, RANGE_OF_THRUSTS};
+use super::nodes::{ArchNode, RANGE_OF_THRUSTS, Work};
 use super::plan::Plan;
 use super::run::Costs;
+use super::schema::MapLine;
 use crate::arch::SelfWeight;
 use crate::atlas::Curve;
 use crate::certify::quantities;
@@ -13,20 +14,31 @@ use crate::report::words::{count, list};
 
 /// What is not computed, and why.
 pub(super) fn left_out(plan: &Plan, costs: Option<&Costs>) -> Vec<String> {
+    let (mut landmarks, mut arches_asked, mut curves) = (Vec::new(), Vec::new(), Vec::new());
+    let mut claims_asked = 0;
+    for part in &plan.parts {
+        match &part.work {
+            Work::Landmark(node) => landmarks.push(node),
+            Work::Arch(node) => arches_asked.push(node),
+            Work::Curve(node) => curves.push(node),
+            Work::Claim(_) => claims_asked += 1,
+            Work::Drawing(_) => {}
+        }
+    }
     let mut lines = Vec::new();
     let not_asked = |what: String| format!("{what}: not asked for");
     for weight in SelfWeight::ALL {
         let asked = |landmark: &Landmark| {
-            plan.landmarks.iter().any(|n| (n.landmark, n.weight) == (*landmark, weight))
+            landmarks.iter().any(|n| (n.landmark, n.weight) == (*landmark, weight))
         };
         let rest: Vec<Landmark> = Landmark::ALL.into_iter().filter(|l| !asked(l)).collect();
-        if !rest.is_empty() && !plan.landmarks.is_empty() {
+        if !rest.is_empty() && !landmarks.is_empty() {
             let symbols = list(rest.into_iter().map(Landmark::symbol));
             lines.push(not_asked(format!("landmarks {symbols} {}", weight.name())));
         }
     }
     let mut partly: Vec<((SelfWeight, usize), Vec<&str>)> = Vec::new();
-    for node in plan.landmarks.iter().filter(|node| !node.asked.is_empty()) {
+    for node in landmarks.into_iter().filter(|node| !node.asked.is_empty()) {
         let asked = |quantity: &Quantity| node.asked.iter().any(|(of, _)| of == quantity);
         let rest = quantities(node.landmark).filter(|quantity| !asked(quantity)).count();
         let (key, symbol) = ((node.weight, rest), node.landmark.symbol());
@@ -41,7 +53,7 @@ pub(super) fn left_out(plan: &Plan, costs: Option<&Costs>) -> Vec<String> {
         lines.push(not_asked(format!("{rest} each of {symbols} {weight}")));
     }
     let arches = |without: &dyn Fn(&ArchNode) -> bool| {
-        plan.arches.iter().filter(|node| without(node)).count()
+        arches_asked.iter().filter(|node| without(node)).count()
     };
     let frictions = arches(&|node| !node.states.is_empty() && !node.frictions());
     if frictions > 0 {
@@ -56,12 +68,13 @@ pub(super) fn left_out(plan: &Plan, costs: Option<&Costs>) -> Vec<String> {
         lines.push(not_asked(format!("{names} of {}", count(ranges, "arch", "arches"))));
     }
     let all = claims().len();
-    if !plan.claims.is_empty() && plan.claims.len() < all {
-        lines.push(not_asked(format!("{} of {all} claims", all - plan.claims.len())));
+    if (1..all).contains(&claims_asked) {
+        lines.push(not_asked(format!("{} of {all} claims", all - claims_asked)));
     }
     for weight in SelfWeight::ALL {
         let asked = |curve: &Curve| {
-            plan.curves.iter().any(|node| (node.weight, node.curve()) == (weight, Some(*curve)))
+            let line = MapLine::Curve(*curve);
+            curves.iter().any(|node| (node.weight, &node.line) == (weight, &line))
         };
         let rest: Vec<String> =
             Curve::ALL.iter().filter(|c| !asked(c)).map(ToString::to_string).collect();

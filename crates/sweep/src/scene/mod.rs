@@ -3,9 +3,10 @@
 //! | file | what it does |
 //! |---|---|
 //! | `schema` | what a scene may hold, `couplet.scene/1` |
-//! | `read` | TOML to a valid scene, or all its faults; with `overall`, `read_arches`, `read_drawing`, `read_map`, `read_numbers`, `read_output`, `value`, `fault` |
-//! | `plan` | what has to be computed, each piece once |
-//! | `run` | computes the `pieces`, item by item; `cost` counts |
+//! | `read` | TOML to a valid scene, or all its faults; with `table`, `read_arches`, `read_drawing`, `read_map`, `read_numbers`, `read_output`, `value`, `fault` |
+//! | `plan` | what has to be computed, each part once |
+//! | `nodes`, `drawn` | what a part is |
+//! | `run` | computes the parts, item by item: `pieces`; `cost` counts |
 //! | `item_report` | what an item asked for, as a report |
 //! | `explain` | the plan as a tree, with what `expected` says of the arches |
 //! | `manifest` | which outputs are complete, told by their content |
@@ -32,6 +33,7 @@
 //! ```
 
 mod cost;
+mod drawn;
 mod expected;
 mod explain;
 mod fault;
@@ -39,7 +41,6 @@ mod item_report;
 mod left_out;
 mod manifest;
 mod nodes;
-mod overall;
 mod pieces;
 mod plan;
 mod read;
@@ -53,22 +54,24 @@ mod run;
 mod same;
 mod schema;
 mod sweep;
+mod table;
 mod value;
 
 pub use cost::Cost;
+pub use drawn::{DrawnArch, Pose};
 pub use explain::explain;
 pub use fault::{Fault, Position};
 pub use item_report::ItemReport;
 pub use manifest::{Hashing, Manifest, NAME as MANIFEST};
-pub use nodes::{ArchNode, ClaimNode, CurveNode, DrawingNode, LandmarkNode, ThicknessNode};
-pub use plan::{Needs, Plan};
+pub use nodes::{ArchNode, CurveNode, LandmarkNode, ThicknessNode, Work};
+pub use plan::{Plan, PlannedPart};
 pub use read::{read, read_bytes};
 pub use read_sweep::read_sweep;
 pub use run::{Costs, Run};
 pub use same::contour_key;
 pub use schema::{
-    Drawn, EXAMPLE, Item, Kind, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, MapLine, SCHEMA, Scene,
-    SceneArch, SceneDrawing, SceneMap, What,
+    EXAMPLE, Item, Kind, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, MapLine, SCHEMA, Scene, SceneArch,
+    SceneDrawing, SceneMap, What,
 };
 #[cfg(feature = "parquet")]
 pub(crate) use sweep::{MAX_CHUNK, MAX_SAMPLE};

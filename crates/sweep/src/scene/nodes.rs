@@ -1,8 +1,9 @@
-//! What is computed for a scene, piece by piece, and what is asked of each.
+//! What is computed for a scene, and what is asked of each.
 
-use super::schema::{Drawn, MapLine};
+use super::drawn::{DrawnArch, DrawnKey};
+use super::same::ArchKey;
+use super::schema::MapLine;
 use crate::arch::SelfWeight;
-use crate::atlas::Curve;
 use crate::certify::state::Wanted;
 use crate::certify::{CertifiedLandmark, quantities};
 use crate::claims::Claim;
@@ -10,6 +11,7 @@ use crate::number::ExactNumber;
 use crate::problem::{Arch, Landmark, Quantity};
 use rug::Rational;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::fmt;
 
 /// The values of an arch of a given thickness that need more than its state.
 pub(super) const RANGE_OF_THRUSTS: [Quantity; 4] = [
@@ -18,6 +20,32 @@ pub(super) const RANGE_OF_THRUSTS: [Quantity; 4] = [
     Quantity::LeastThrust,
     Quantity::LargestThrust,
 ];
+
+/// What is computed once.
+#[derive(Debug)]
+pub enum Work<'s> {
+    /// A landmark.
+    Landmark(LandmarkNode),
+    /// An arch.
+    Arch(ArchNode<'s>),
+    /// A claim of the paper.
+    Claim(Claim),
+    /// A curve of the map.
+    Curve(CurveNode),
+    /// An arch that is drawn.
+    Drawing(DrawnArch),
+}
+
+/// Key of equal work, however its numbers are written.
+#[derive(PartialEq, Eq, Hash)]
+pub(super) enum WorkKey {
+    Landmark(Landmark, SelfWeight),
+    Arch(ArchKey),
+    Claim(&'static str),
+    /// Its name and the bits of its tolerance.
+    Curve(String, u64),
+    Drawing(DrawnKey),
+}
 
 /// A landmark and what is asked of it.
 #[derive(Debug)]
@@ -32,8 +60,6 @@ pub struct LandmarkNode {
     pub certificates: BTreeSet<usize>,
     /// Whether printed numbers are compared with it.
     pub audited: bool,
-    /// The items that take it.
-    pub items: Vec<usize>,
 }
 
 /// An arch and what is asked of it.
@@ -46,10 +72,10 @@ pub struct ArchNode<'s> {
     pub states: BTreeMap<usize, bool>,
     /// The thicknesses with which it is asked about.
     pub thicknesses: Vec<ThicknessNode>,
+    /// Their places in this list, by thickness and digits.
+    places: HashMap<(Rational, usize), usize>,
     /// Whether a format asks for the errors of doubles, of which more is known with more bits.
     pub errors: bool,
-    /// The items that take it.
-    pub items: Vec<usize>,
 }
 
 /// A thickness of an arch, and what is asked.
@@ -63,15 +89,6 @@ pub struct ThicknessNode {
     pub wanted: Wanted,
 }
 
-/// A claim.
-#[derive(Debug)]
-pub struct ClaimNode {
-    /// The claim.
-    pub claim: Claim,
-    /// The items that take it.
-    pub items: Vec<usize>,
-}
-
 /// A curve of the map, or a level.
 #[derive(Debug)]
 pub struct CurveNode {
@@ -81,17 +98,52 @@ pub struct CurveNode {
     pub weight: SelfWeight,
     /// The largest half-width of a tube.
     pub tolerance: f64,
-    /// The items that take it.
-    pub items: Vec<usize>,
 }
 
-/// An arch that is drawn.
-#[derive(Debug)]
-pub struct DrawingNode {
-    /// Which.
-    pub drawn: Drawn,
-    /// The items that take it.
-    pub items: Vec<usize>,
+/// An arch takes about as long as a landmark of this many digits.
+const ARCH: usize = 200;
+/// A claim, or a curve of the map, as long as one of this many.
+const LONG: usize = 10_000;
+
+impl Work<'_> {
+    /// The work, in digits of landmarks that take as long.
+    pub(super) fn size(&self) -> usize {
+        match self {
+            Self::Landmark(node) => node.digits(),
+            Self::Arch(node) => ARCH.max(node.digits()),
+            Self::Drawing(_) => ARCH,
+            Self::Claim(_) | Self::Curve(_) => LONG,
+        }
+    }
+
+    /// How often it reports progress.
+    pub(super) fn ticks(&self) -> u64 {
+        match self {
+            Self::Landmark(LandmarkNode { asked, .. }) if asked.is_empty() => 0,
+            Self::Landmark(node) => CertifiedLandmark::ticks_of(node.landmark, node.asked.len()),
+            _ => 1,
+        }
+    }
+
+    /// Words for one and for many of its kind, in the order in which kinds are counted.
+    pub(super) const KINDS: [(&'static str, &'static str); 5] = [
+        ("landmark", "landmarks"),
+        ("arch", "arches"),
+        ("claim", "claims"),
+        ("curve", "curves"),
+        ("drawn arch", "drawn arches"),
+    ];
+
+    /// Words for its kind.
+    pub(super) fn kind(&self) -> (&'static str, &'static str) {
+        Self::KINDS[match self {
+            Self::Landmark(_) => 0,
+            Self::Arch(_) => 1,
+            Self::Claim(_) => 2,
+            Self::Curve(_) => 3,
+            Self::Drawing(_) => 4,
+        }]
+    }
 }
 
 impl LandmarkNode {
@@ -104,46 +156,42 @@ impl LandmarkNode {
         }
     }
 
-    pub(super) fn ticks(&self) -> u64 {
-        match self.asked.len() {
-            0 => 0,
-            asked => CertifiedLandmark::ticks_of(self.landmark, asked),
-        }
-    }
-
     /// The most digits that are asked for.
     pub fn digits(&self) -> usize {
         self.asked.iter().map(|(_, digits)| *digits).max().unwrap_or(0)
     }
 }
 
-impl ArchNode<'_> {
-    /// Asks for the state, or for what holds with a thickness, whose place is returned.
+impl<'s> ArchNode<'s> {
+    pub(super) fn new(arch: &'s Arch) -> Self {
+        let (states, thicknesses, places) = <(BTreeMap<_, _>, Vec<_>, HashMap<_, _>)>::default();
+        Self { arch, states, thicknesses, places, errors: false }
+    }
+
+    /// Asks for the state, or for what holds with a thickness.
     pub(super) fn ask(
         &mut self,
-        (node, thickness): (usize, Option<&ExactNumber>),
+        thickness: Option<&ExactNumber>,
         quantities: &[Quantity],
         digits: usize,
-        known: &mut HashMap<(usize, Rational, usize), usize>,
-    ) -> Option<usize> {
+    ) {
         let Some(thickness) = thickness else {
             *self.states.entry(digits).or_default() |= quantities.iter().any(|q| q.is_friction());
-            return None;
+            return;
         };
-        let wanted = match quantities.iter().any(|quantity| RANGE_OF_THRUSTS.contains(quantity)) {
-            true => Wanted::Everything,
-            false => Wanted::Standing,
-        };
-        let key = (node, thickness.to_rational(), digits);
-        let place = *known.entry(key).or_insert_with(|| {
-            let thickness = thickness.clone();
+        let place = *self.places.entry((thickness.to_rational(), digits)).or_insert_with(|| {
+            let (thickness, wanted) = (thickness.clone(), Wanted::Standing);
             self.thicknesses.push(ThicknessNode { thickness, digits, wanted });
             self.thicknesses.len() - 1
         });
-        if wanted == Wanted::Everything {
-            self.thicknesses[place].wanted = wanted;
+        if quantities.iter().any(|quantity| RANGE_OF_THRUSTS.contains(quantity)) {
+            self.thicknesses[place].wanted = Wanted::Everything;
         }
-        Some(place)
+    }
+
+    /// The place of a thickness that is asked about.
+    pub(super) fn place(&self, thickness: &ExactNumber, digits: usize) -> Option<usize> {
+        self.places.get(&(thickness.to_rational(), digits)).copied()
     }
 
     /// What is asked, if it is one state that may share the proofs of its half opening: its digits, and whether the
@@ -166,18 +214,13 @@ impl ArchNode<'_> {
     }
 }
 
-impl CurveNode {
+impl fmt::Display for CurveNode {
     /// Its name, as in files.
-    pub fn name(&self) -> String {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let weight = self.weight.name();
         match &self.line {
-            MapLine::Curve(curve) => format!("{curve} {weight}"),
-            MapLine::Level(contour) => format!("{contour} {weight}"),
+            MapLine::Curve(curve) => write!(f, "{curve} {weight}"),
+            MapLine::Level(contour) => write!(f, "{contour} {weight}"),
         }
-    }
-
-    /// The curve, if it is no level.
-    pub fn curve(&self) -> Option<Curve> {
-        if let MapLine::Curve(curve) = self.line { Some(curve) } else { None }
     }
 }

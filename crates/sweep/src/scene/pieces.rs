@@ -1,8 +1,8 @@
 //! The pieces of a plan, computed: a landmark, an arch. Each answers whatever any item asks of it.
 
-use super::nodes::{ArchNode, CurveNode, LandmarkNode};
+use super::nodes::{ArchNode, CurveNode, LandmarkNode, Work};
 use super::plan::Plan;
-use super::schema::{Drawn, MapLine};
+use super::schema::MapLine;
 use crate::arch::SelfWeight;
 use crate::atlas::{Level, NoLevel, NoSketch, Sketch, Trace};
 use crate::certify::batch::SharedOpenings;
@@ -17,18 +17,30 @@ use crate::problem::Quantity;
 use std::collections::{BTreeMap, HashMap};
 use std::sync::OnceLock;
 
-/// The pieces of a plan, in its order; nothing for what is not computed yet.
-pub(super) struct Pieces {
-    /// Landmarks.
-    pub landmarks: Vec<Option<Result<LandmarkPiece, Error>>>,
-    /// Arches.
-    pub arches: Vec<Option<ArchPiece>>,
-    /// Claims.
-    pub claims: Vec<Option<Decision>>,
-    /// Curves of the map.
-    pub curves: Vec<Option<Result<CurvePiece, NoLevel>>>,
-    /// Arches that are drawn.
-    pub drawings: Vec<Option<Result<Sketch, NoSketch>>>,
+/// What became of a part of a plan.
+pub(super) enum WorkDone {
+    Landmark(Box<Result<LandmarkPiece, Error>>),
+    Arch(ArchPiece),
+    Claim(Decision),
+    Curve(Result<CurvePiece, NoLevel>),
+    Drawing(Box<Result<Sketch, NoSketch>>),
+}
+
+impl WorkDone {
+    /// Computes a part; progress is reported as often as the part says.
+    pub(super) fn new(work: &Work, shared: &Shared, tick: &(dyn Fn() + Sync)) -> Self {
+        let done = match work {
+            Work::Landmark(node) => {
+                return Self::Landmark(Box::new(LandmarkPiece::new(node, tick)));
+            }
+            Work::Arch(node) => Self::Arch(ArchPiece::new(node, shared)),
+            Work::Claim(claim) => Self::Claim(claim.decide()),
+            Work::Curve(node) => Self::Curve(CurvePiece::new(node, shared)),
+            Work::Drawing(drawn) => Self::Drawing(Box::new(drawn.sketch())),
+        };
+        tick();
+        done
+    }
 }
 
 /// A proved landmark.
@@ -57,24 +69,6 @@ pub(super) struct ArchPiece {
     pub thicknesses: Vec<Result<AssessmentDigits, Refused>>,
     /// The thicknesses of its asymmetric solutions, by the number of digits.
     pub asymmetric: BTreeMap<usize, Result<Vec<Figure>, Refused>>,
-}
-
-/// A result for each piece, none of them there yet.
-pub(super) fn none<T, U>(pieces: &[T]) -> Vec<Option<U>> {
-    pieces.iter().map(|_| None).collect()
-}
-
-impl Pieces {
-    /// Nothing is computed yet.
-    pub(super) fn new(plan: &Plan) -> Self {
-        Self {
-            landmarks: none(&plan.landmarks),
-            arches: none(&plan.arches),
-            claims: none(&plan.claims),
-            curves: none(&plan.curves),
-            drawings: none(&plan.drawings),
-        }
-    }
 }
 
 impl LandmarkPiece {
@@ -106,46 +100,46 @@ impl LandmarkPiece {
     }
 }
 
-/// The lines between modes, of each weight that has levels.
-#[derive(Default)]
-pub(super) struct Lines([OnceLock<Result<Vec<Trace>, Undecided>>; 2]);
+/// What parts of a plan share.
+pub(super) struct Shared {
+    /// Of arches, by what is asked of them.
+    openings: HashMap<(usize, bool), SharedOpenings>,
+    /// The lines between modes, of each weight that has levels.
+    lines: [OnceLock<Result<Vec<Trace>, Undecided>>; 2],
+}
 
-impl Lines {
-    fn of(&self, weight: SelfWeight) -> Result<&[Trace], Undecided> {
-        let found =
-            self.0[usize::from(weight == SelfWeight::Heyman)].get_or_init(|| Level::lines(weight));
-        found.as_deref().map_err(Clone::clone)
+impl Shared {
+    /// Nothing is proved yet.
+    pub(super) fn new(plan: &Plan) -> Self {
+        let asked = plan.parts.iter().filter_map(|part| match &part.work {
+            Work::Arch(node) => node.shared(),
+            _ => None,
+        });
+        let openings =
+            asked.filter_map(|asked| Some((asked, SharedOpenings::new(Balls::DoubleDoubles, asked.0, asked.1).ok()?))).collect();
+        Self { openings, lines: Default::default() }
+    }
+
+    fn lines(&self, weight: SelfWeight) -> Result<&[Trace], Undecided> {
+        let lines = &self.lines[usize::from(weight == SelfWeight::Heyman)];
+        lines.get_or_init(|| Level::lines(weight)).as_deref().map_err(Clone::clone)
     }
 }
 
 impl CurvePiece {
     /// Follows it from end to end.
-    pub(super) fn new(node: &CurveNode, lines: &Lines) -> Result<Self, NoLevel> {
-        let undecided = |error| NoLevel::Undecided(node.name(), error);
+    pub(super) fn new(node: &CurveNode, shared: &Shared) -> Result<Self, NoLevel> {
+        let undecided = |error| NoLevel::Undecided(node.to_string(), error);
         Ok(match &node.line {
             MapLine::Curve(curve) => {
                 let trace = Trace::new(*curve, node.weight, node.tolerance).map_err(undecided)?;
                 Self::Curve(Box::new(trace))
             }
             MapLine::Level(contour) => {
-                let lines = lines.of(node.weight).map_err(undecided)?;
+                let lines = shared.lines(node.weight).map_err(undecided)?;
                 Self::Level(Level::among(lines, node.weight, contour, node.tolerance)?)
             }
         })
-    }
-}
-
-/// What the arches of a plan share, by what is asked of them.
-pub(super) struct Shared(HashMap<(usize, bool), SharedOpenings>);
-
-impl Shared {
-    /// Nothing is proved yet.
-    pub(super) fn new(plan: &Plan) -> Self {
-        let openings = |(digits, frictions)| {
-            let of = SharedOpenings::new(Balls::DoubleDoubles, digits, frictions);
-            Some(((digits, frictions), of.ok()?))
-        };
-        Self(plan.arches.iter().filter_map(ArchNode::shared).filter_map(openings).collect())
     }
 }
 
@@ -157,7 +151,7 @@ impl ArchPiece {
         let asymmetric =
             asymmetric.map(|digits| (digits, asymmetric_thicknesses(node.arch, digits))).collect();
         if let Some(asked) = node.shared()
-            && let Some(openings) = shared.0.get(&asked)
+            && let Some(openings) = shared.openings.get(&asked)
         {
             let states = BTreeMap::from([(asked.0, openings.state(node.arch))]);
             return Self { states, thicknesses: Vec::new(), asymmetric };
@@ -173,25 +167,5 @@ impl ArchPiece {
             .map(|asked| inquiry.assess(&asked.thickness, asked.digits, asked.wanted))
             .collect();
         Self { states, thicknesses, asymmetric }
-    }
-}
-
-/// What is drawn of an arch.
-pub(super) fn sketch(drawn: &Drawn) -> Result<Sketch, NoSketch> {
-    match drawn {
-        Drawn::Least { arch, stones: Some(stones), is_dilatant } => {
-            Sketch::least_of_stones(arch, *stones, *is_dilatant)
-        }
-        Drawn::Least { arch, stones: None, is_dilatant } => Sketch::least(arch, *is_dilatant),
-        Drawn::Landmark { landmark, weight, is_dilatant } => {
-            Sketch::landmark(*landmark, *weight, *is_dilatant)
-        }
-        Drawn::Standing { arch, stones: Some(stones), thickness } => {
-            Sketch::standing_of_stones(arch, *stones, thickness)
-        }
-        Drawn::Standing { arch, stones: None, thickness } => Sketch::standing(arch, thickness),
-        Drawn::Sliding { arch, thickness, is_dilatant } => {
-            Sketch::sliding(arch, thickness, *is_dilatant)
-        }
     }
 }

@@ -1,13 +1,13 @@
 //! From TOML to a valid scene, or to everything that is wrong with it.
 
-use super::fault::{Fault, Source};
-use super::overall::Overall;
+use super::fault::{Fault, SceneText};
 use super::read_arches::arches;
 use super::read_drawing::drawing;
 use super::read_map::{figure, map};
-use super::read_output::{Files, output};
-use super::schema::{Item, Kind, MAX_BYTES, MAX_ITEMS, SCENE_KEYS, SCHEMA, Scene, What};
-use super::value::{Reader, Value};
+use super::read_output::{OutputFiles, output};
+use super::schema::{DIGITS, Item, Kind, MAX_BYTES, MAX_ITEMS, SCENE_KEYS, SCHEMA, Scene, What};
+use super::table::TableReader;
+use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::certify::{MAX_DIGITS, quantities};
 use crate::claims::{Claim, claims};
@@ -15,13 +15,6 @@ use crate::problem::{Landmark, Quantity};
 use crate::report::words::{did_you_mean, list};
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
-
-/// What the items so far have taken.
-#[derive(Default)]
-struct Totals {
-    files: Files,
-    arches: usize,
-}
 
 /// Reads a scene from a file's bytes; see [`read`].
 pub fn read_bytes(bytes: &[u8]) -> Result<Scene, Vec<Fault>> {
@@ -31,7 +24,7 @@ pub fn read_bytes(bytes: &[u8]) -> Result<Scene, Vec<Fault>> {
 /// The text of a file of this kind.
 pub(super) fn text_of<'b>(bytes: &'b [u8], kind: &str) -> Result<&'b str, Vec<Fault>> {
     let fault = |before: &str, message: String| {
-        Err(vec![Fault { place: Source::new(before).place(before.len()), message }])
+        Err(vec![Fault { place: SceneText::new(before).place(before.len()), message }])
     };
     if bytes.len() > MAX_BYTES {
         return fault("", format!("{kind} has at most {MAX_BYTES} bytes"));
@@ -47,7 +40,7 @@ pub(super) fn text_of<'b>(bytes: &'b [u8], kind: &str) -> Result<&'b str, Vec<Fa
 
 /// Reads a scene. Nothing is computed; the faults are all there are, in the order of the file.
 pub fn read(text: &str) -> Result<Scene, Vec<Fault>> {
-    let mut reader = Reader::new(text);
+    let mut reader = TomlReader::new(text);
     let root = reader.parsed(text)?;
     let items = scene(&mut reader, root.get_ref());
     match reader.faults.is_empty() {
@@ -56,16 +49,18 @@ pub fn read(text: &str) -> Result<Scene, Vec<Fault>> {
     }
 }
 
-fn scene(reader: &mut Reader, root: &DeTable) -> Vec<Item> {
+fn scene(reader: &mut TomlReader, root: &DeTable) -> Vec<Item> {
     if !reader.has_schema(root, SCHEMA, "a scene") {
         return Vec::new();
     }
     let keys: Vec<&str> = SCENE_KEYS.into_iter().chain(Kind::ALL.map(Kind::name)).collect();
     reader.unknown_keys(root, "a scene", &keys, &[]);
-    let overall = Overall::new(reader, root);
+    let mut whole = TableReader { reader, span: 0..0, table: root };
+    let digits = whole.or("digits", DIGITS, digits);
+    let weights = whole.if_given("weight", TomlReader::weights);
+    (reader.digits, reader.weights) = (digits.unwrap_or(DIGITS), weights.flatten());
     let mut tables = tables(reader, root);
-    if tables.len() > MAX_ITEMS {
-        let (_, span, _) = &tables[MAX_ITEMS];
+    if let Some((_, span, _)) = tables.get(MAX_ITEMS) {
         reader.fault(span.clone(), format!("a scene has at most {MAX_ITEMS} items"));
         tables.truncate(MAX_ITEMS);
     }
@@ -75,18 +70,22 @@ fn scene(reader: &mut Reader, root: &DeTable) -> Vec<Item> {
         let names = list(names.iter().map(String::as_str));
         reader.fault(0..0, format!("the scene asks for nothing; it may have {names}"));
     }
-    let mut totals = Totals::default();
-    tables
-        .into_iter()
-        .filter_map(|(kind, span, table)| item(reader, kind, &span, table, &overall, &mut totals))
-        .collect()
+    let (mut files, mut arches) = (OutputFiles::default(), 0);
+    let items = tables.into_iter().filter_map(|(kind, span, table)| {
+        item(TableReader { reader, span, table }, kind, &mut files, &mut arches)
+    });
+    items.collect()
+}
+
+fn digits(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<usize> {
+    reader.whole(key, value, 1..=MAX_DIGITS)
 }
 
 /// The tables of the items in the order of the file.
-fn tables<'v, 's>(
-    reader: &mut Reader,
-    root: &'v DeTable<'s>,
-) -> Vec<(Kind, Range<usize>, &'v DeTable<'s>)> {
+fn tables<'v>(
+    reader: &mut TomlReader,
+    root: &'v DeTable<'v>,
+) -> Vec<(Kind, Range<usize>, &'v DeTable<'v>)> {
     let mut tables = Vec::new();
     for kind in Kind::ALL {
         let Some(value) = root.get(kind.name()) else { continue };
@@ -102,78 +101,56 @@ fn tables<'v, 's>(
     tables
 }
 
+/// An item; `arches` counts those of all items.
 fn item(
-    reader: &mut Reader,
+    mut table: TableReader,
     kind: Kind,
-    span: &Range<usize>,
-    table: &DeTable,
-    overall: &Overall,
-    totals: &mut Totals,
+    files: &mut OutputFiles,
+    arches: &mut usize,
 ) -> Option<Item> {
-    let before = reader.faults.len();
+    let before = table.reader.faults.len();
     let name = format!("[[{}]]", kind.name());
-    reader.unknown_keys(table, &name, kind.keys(), &kind.letters());
-    let destination = output(reader, kind, table, &mut totals.files);
+    table.reader.unknown_keys(table.table, &name, &kind.keys(), &kind.letters());
+    let destination = output(&mut table, kind, files);
     let format = destination.as_ref().map(|(_, format)| *format);
     let what = match kind {
-        Kind::Constants => constants(reader, span, table, overall),
-        Kind::Arches => arches(reader, span, table, overall, &mut totals.arches),
-        Kind::Claims => some_claims(reader, table),
-        Kind::Audit => points(reader, table, overall).map(|points| What::Audit { points }),
-        Kind::Map => map(reader, span, table, overall, format),
-        Kind::Figure => figure(reader, span, table, overall),
-        Kind::Drawing => drawing(reader, span, table, overall, format),
+        Kind::Constants => constants(&mut table),
+        Kind::Arches => self::arches(&mut table, arches),
+        Kind::Claims => some_claims(&mut table),
+        Kind::Audit => points(&mut table).map(|points| What::Audit { points }),
+        Kind::Map => map(&mut table, format),
+        Kind::Figure => figure(&mut table),
+        Kind::Drawing => drawing(&mut table, format),
     };
     let (output, format) = destination?;
-    let place = reader.source.place(span.start);
+    let place = table.reader.source.place(table.span.start);
     let item = Item { place, what: what?, format, output };
-    (reader.faults.len() == before).then_some(item)
+    table.is_well_since(before).then_some(item)
 }
 
-fn constants(
-    reader: &mut Reader,
-    span: &Range<usize>,
-    table: &DeTable,
-    overall: &Overall,
-) -> Option<What> {
-    let points = points(reader, table, overall);
+fn constants(table: &mut TableReader) -> Option<What> {
+    let points = points(table);
     let names = Quantity::LANDMARK.map(|quantity| (quantity.name(), quantity));
-    let asked = match table.get("quantities") {
-        Some(value) => reader.names("quantities", value, &names),
-        None => Some(Quantity::LANDMARK.to_vec()),
-    };
-    let digits = match table.get("digits") {
-        Some(value) => reader.whole("digits", value, 1..=MAX_DIGITS),
-        None => Some(overall.digits),
-    };
+    let asked = table.if_given("quantities", |reader, key, value| reader.names(key, value, &names));
+    let digits = table.or("digits", table.reader.digits, digits);
     let (points, asked, digits) = (points?, asked?, digits?);
-    // In the order in which they are always shown.
-    let asked: Vec<Quantity> =
-        Quantity::LANDMARK.into_iter().filter(|quantity| asked.contains(quantity)).collect();
     let exists = |quantity| points.iter().any(|(l, _)| quantities(*l).any(|q| q == quantity));
-    if table.contains_key("quantities") {
-        for quantity in asked.iter().filter(|quantity| !exists(**quantity)) {
+    // In the order in which they are always shown.
+    let is_asked = |of: &Quantity| asked.as_ref().is_none_or(|asked| asked.contains(of));
+    let quantities: Vec<Quantity> = Quantity::LANDMARK.into_iter().filter(is_asked).collect();
+    if let Some(value) = table.get("quantities") {
+        for quantity in quantities.iter().filter(|quantity| !exists(**quantity)) {
             let message = format!("none of the landmarks has the quantity {}", quantity.name());
-            let at = table.get("quantities").map_or(span.clone(), toml::Spanned::span);
-            reader.fault(at, message);
+            table.reader.fault(value.span(), message);
         }
     }
-    Some(What::Constants { points, quantities: asked, digits })
+    Some(What::Constants { points, quantities, digits })
 }
 
 /// Landmarks times weights, by weight, in the order in which they are always shown.
-fn points(
-    reader: &mut Reader,
-    table: &DeTable,
-    overall: &Overall,
-) -> Option<Vec<(Landmark, SelfWeight)>> {
-    let symbols = Landmark::ALL.map(|landmark| (landmark.symbol(), landmark));
-    let long_names = Landmark::ALL.map(|landmark| (landmark.long_name(), landmark));
-    let asked = match table.get("landmarks") {
-        Some(value) => reader.names("landmarks", value, &[symbols, long_names].concat()),
-        None => Some(Landmark::ALL.to_vec()),
-    };
-    let weights = overall.weights(reader, table, &SelfWeight::ALL);
+fn points(table: &mut TableReader) -> Option<Vec<(Landmark, SelfWeight)>> {
+    let asked = table.landmarks("landmarks");
+    let weights = table.weights(&SelfWeight::ALL);
     let (asked, weights) = (asked?, weights?);
     let all = SelfWeight::ALL.into_iter().filter(|weight| weights.contains(weight));
     let landmarks = || Landmark::ALL.into_iter().filter(|landmark| asked.contains(landmark));
@@ -181,35 +158,28 @@ fn points(
 }
 
 /// Claims, each by its id or by the beginning of it up to a hyphen.
-fn some_claims(reader: &mut Reader, table: &DeTable) -> Option<What> {
-    let show = match table.get("show") {
-        Some(value) => reader.truth("show", value),
-        None => Some(false),
-    };
-    let all = claims();
-    let chosen = match table.get("prove") {
-        Some(value) => chosen(reader, value, &all)?,
-        None => all,
-    };
-    Some(What::Claims { claims: chosen, show: show? })
+fn some_claims(table: &mut TableReader) -> Option<What> {
+    let show = table.truth("show");
+    let claims = table.or("prove", claims(), chosen);
+    Some(What::Claims { claims: claims?, show: show? })
 }
 
-fn chosen(reader: &mut Reader, value: &Value, all: &[Claim]) -> Option<Vec<Claim>> {
-    let before = reader.faults.len();
-    let mut names: Vec<&str> = Vec::new();
-    for element in reader.elements("prove", value, "ids of claims, or leave it out for all") {
+fn chosen(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Vec<Claim>> {
+    let all = claims();
+    let allowed = "ids of claims, or leave it out for all";
+    let names: Vec<&str> = reader.each_once(key, value, allowed, |reader, element| {
         let name = element.get_ref().as_str().unwrap_or_default();
-        if !all.iter().any(|claim| claim.is_named(name)) {
-            let ids: Vec<&str> = all.iter().map(|claim| claim.id).collect();
-            let hint = did_you_mean(name, &ids);
-            let known = format!("a claim{hint}; couplet prove --list shows the claims");
-            reader.is_not("prove", element, &known);
-        } else if names.contains(&name) {
-            reader.is_there("prove", element);
-        } else {
-            names.push(name);
+        if all.iter().any(|claim| claim.is_named(name)) {
+            return Some((name, name));
         }
-    }
-    let is_chosen = |claim: &&Claim| names.iter().any(|name| claim.is_named(name));
-    (reader.faults.len() == before).then(|| all.iter().filter(is_chosen).copied().collect())
+        let ids: Vec<&str> = all.iter().map(|claim| claim.id).collect();
+        let hint = did_you_mean(name, &ids);
+        reader.reject(
+            key,
+            element,
+            &format!("a claim{hint}; couplet prove --list shows the claims"),
+        )
+    })?;
+    let is_chosen = |claim: &Claim| names.iter().any(|name| claim.is_named(name));
+    Some(all.into_iter().filter(is_chosen).collect())
 }

@@ -1,46 +1,29 @@
 //! From TOML to curves of the map, as data or as a picture.
 
-use super::overall::Overall;
 use super::read_drawing::arch_figure;
 use super::read_numbers::{Meaning, numbers};
 use super::schema::{MAX_ITEMS, MapLine, SceneMap, What};
-use super::value::{Reader, Value};
+use super::table::TableReader;
+use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::atlas::{Contour, Curve, LEAST_TOLERANCE};
 use crate::problem::Landmark;
-use crate::report::words::{did_you_mean, list};
 use crate::report::{Axes, Format, MapAsked, Marked, Plane, Shown, Unit, View, arches_of_figure};
-use std::ops::Range;
-use toml::de::{DeTable, DeValue};
 
 /// Where a scene does not say how wide a tube may be.
 const TOLERANCE: f64 = 1e-4;
 
 /// The map, or curves of it.
-pub(super) fn map(
-    reader: &mut Reader,
-    span: &Range<usize>,
-    table: &DeTable,
-    overall: &Overall,
-    format: Option<&'static Format>,
-) -> Option<What> {
+pub(super) fn map(table: &mut TableReader, format: Option<&'static Format>) -> Option<What> {
     let is_page = format.is_some_and(Format::is_page);
     let usual = if is_page { &SelfWeight::ALL[..] } else { &[SelfWeight::Milankovitch] };
-    let weights = overall.weights(reader, table, usual).map(in_order);
-    let curves = table.get("curves").map_or(Some(Vec::new()), |value| curves(reader, value));
-    let contours = contours(reader, table);
-    let tolerance = tolerance(reader, table);
-    let names = Plane::ALL.map(|plane| (plane.name(), plane));
-    let plane = match table.get("plane") {
-        Some(value) => {
-            let all = reader.names("plane", value, &names);
-            all.and_then(|all| only(reader, value, all)).map(Some)
-        }
-        None => Some(None),
-    };
-    let lines = table.get("lines").map_or(Some(false), |value| reader.truth("lines", value));
-    let bare = table.get("bare").map_or(Some(false), |value| reader.truth("bare", value));
-    let (axes, marks) = (axes(reader, table), marks(reader, table));
+    let weights = table.weights(usual).map(in_order);
+    let curves = table.or("curves", Vec::new(), curves);
+    let contours = contours(table);
+    let tolerance = table.or("tolerance", TOLERANCE, tolerance);
+    let plane = table.if_given("plane", plane);
+    let [lines, bare] = ["lines", "bare"].map(|key| table.truth(key));
+    let (axes, marks) = (axes(table), table.or("marks", Vec::new(), marks));
     let (weights, curves, contours, bare) = (weights?, curves?, contours?, bare?);
     let (axes, marks) = (axes?, marks?);
     let (tolerance, plane, lines, format) = (tolerance?, plane?, lines?, format?);
@@ -58,8 +41,7 @@ pub(super) fn map(
         has_marks: !marks.is_empty(),
     };
     if let Some(message) = asked.misfit(key) {
-        reader.fault(span.clone(), message);
-        return None;
+        return table.refuse(message);
     }
     let plane = asked.plane();
     let mut command = command("map", &weights, tolerance);
@@ -99,35 +81,25 @@ pub(super) fn map(
 }
 
 /// A figure of the paper.
-pub(super) fn figure(
-    reader: &mut Reader,
-    span: &Range<usize>,
-    table: &DeTable,
-    overall: &Overall,
-) -> Option<What> {
+pub(super) fn figure(table: &mut TableReader) -> Option<What> {
     let number = match table.get("number") {
-        Some(value) => reader.whole("number", value, 1..=12),
-        None => {
-            reader.fault(span.clone(), "number is missing; a figure is one of 1 to 12".to_owned());
-            None
-        }
+        Some(value) => table.reader.whole("number", value, 1..=12),
+        None => table.refuse("number is missing; a figure is one of 1 to 12"),
     };
     let shown = number.and_then(arches_of_figure);
     let view = number.and_then(View::of_figure);
     let is_of_one = shown.is_some() || view.is_some_and(View::is_of_one_weight);
     let usual = if is_of_one { &[SelfWeight::Milankovitch] } else { &SelfWeight::ALL[..] };
-    let weights = overall.weights(reader, table, usual).map(in_order);
-    let tolerance = tolerance(reader, table);
+    let weights = table.weights(usual).map(in_order);
+    let tolerance = table.or("tolerance", TOLERANCE, tolerance);
     let (number, weights, tolerance) = (number?, weights?, tolerance?);
+    if is_of_one && weights.len() > 1 {
+        return table.refuse(format!("figure {number} shows one weight"));
+    }
     if let Some(shown) = shown {
-        let has_tolerance = table.contains_key("tolerance");
-        return arch_figure(reader, span, (number, shown), &weights, has_tolerance);
+        return arch_figure(table, (number, shown), weights[0]);
     }
     let view = view?;
-    if is_of_one && weights.len() > 1 {
-        reader.fault(span.clone(), format!("figure {number} shows one weight"));
-        return None;
-    }
     let command = command(&format!("figure {number}"), &weights, tolerance);
     let contours = if let View::Map(plane) = view { plane.contours() } else { Vec::new() };
     let lines = |weight: &SelfWeight| {
@@ -148,27 +120,17 @@ const AXES: [(&str, &str, &[&str]); 3] = [
 ];
 
 /// How a map shows its quantities, and from where to where.
-fn axes(reader: &mut Reader, table: &DeTable) -> Option<Axes> {
-    let mut shown = |(unit, range, units): (&str, &str, &[&'static str])| {
-        let known: Vec<(&'static str, Unit)> =
+fn axes(table: &mut TableReader) -> Option<Axes> {
+    let mut shown = |(unit, range, units): (&str, &str, &[&str])| {
+        let known: Vec<(&str, Unit)> =
             units.iter().map(|name| (*name, Unit::named(name))).collect();
-        let unit = match table.get(unit) {
-            Some(value) => *reader.names(unit, value, &known)?.first()?,
-            None => Unit::Usual,
-        };
-        let range = match table.get(range) {
-            Some(value) => {
-                let text = value.get_ref().as_str().unwrap_or_default();
-                match Shown::range_of(text) {
-                    Ok(range) => Some(range),
-                    Err(error) => {
-                        reader.fault(value.span(), format!("{range}: {error}"));
-                        return None;
-                    }
-                }
-            }
-            None => None,
-        };
+        let unit = table.or(unit, Unit::Usual, |reader, key, value| {
+            reader.names(key, value, &known)?.first().copied()
+        })?;
+        let range = table.if_given(range, |reader, key, value| {
+            let range = Shown::range_of(value.get_ref().as_str().unwrap_or_default());
+            range.map_err(|error| reader.fault(value.span(), format!("{key}: {error}"))).ok()
+        })?;
         Some(Shown { unit, range })
     };
     let [half_opening, friction, thickness] = AXES.map(&mut shown);
@@ -176,25 +138,19 @@ fn axes(reader: &mut Reader, table: &DeTable) -> Option<Axes> {
 }
 
 /// The arches to mark.
-fn marks(reader: &mut Reader, table: &DeTable) -> Option<Vec<Marked>> {
-    let Some(value) = table.get("marks") else { return Some(Vec::new()) };
-    let before = reader.faults.len();
-    let mut found: Vec<Marked> = Vec::new();
-    for element in reader.elements("marks", value, "an arch as \"80deg,0.6,0.15\"") {
+fn marks(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Vec<Marked>> {
+    let allowed = "an arch as \"80deg,0.6,0.15\"";
+    reader.each_once(key, value, allowed, |reader, element| {
         let text = element.get_ref().as_str().unwrap_or_default();
         match text.parse() {
-            Ok(_) if found.iter().any(|mark| mark.to_string() == text) => {
-                reader.is_there("marks", element);
-            }
-            Ok(marked) => found.push(marked),
-            Err(error) => reader.fault(element.span(), format!("marks: {error}")),
+            Ok(marked) => Some((text, marked)),
+            Err(error) => reader.refuse(element.span(), format!("{key}: {error}")),
         }
-    }
-    (reader.faults.len() == before).then_some(found)
+    })
 }
 
 /// What a command says of axes and marks.
-fn words(table: &DeTable, marks: &[Marked]) -> String {
+fn words(table: &TableReader, marks: &[Marked]) -> String {
     let keys = AXES.iter().flat_map(|(unit, range, _)| [*unit, *range]);
     let axes = keys.filter_map(|key| {
         let value = table.get(key)?.get_ref().as_str()?;
@@ -217,32 +173,18 @@ fn in_order(weights: Vec<SelfWeight>) -> Vec<SelfWeight> {
     SelfWeight::ALL.into_iter().filter(|weight| weights.contains(weight)).collect()
 }
 
-fn only<T: Copy>(reader: &mut Reader, value: &Value, all: Vec<T>) -> Option<T> {
-    if let [one] = all[..] {
-        return Some(one);
+fn plane(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Plane> {
+    match reader.names(key, value, &Plane::ALL.map(|plane| (plane.name(), plane)))?[..] {
+        [plane] => Some(plane),
+        _ => reader.reject(key, value, "one plane"),
     }
-    reader.is_not("plane", value, "one plane");
-    None
 }
 
-fn curves(reader: &mut Reader, value: &Value) -> Option<Vec<Curve>> {
+fn curves(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Vec<Curve>> {
     let names: Vec<String> = Curve::ALL.iter().map(ToString::to_string).collect();
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    let allowed = format!("one of {}", list(names.iter().copied()));
-    let before = reader.faults.len();
-    let mut found = Vec::new();
-    for element in reader.elements("curves", value, &allowed) {
-        let text = element.get_ref().as_str();
-        match text.and_then(Curve::named) {
-            Some(curve) if found.contains(&curve) => reader.is_there("curves", element),
-            Some(curve) => found.push(curve),
-            None => {
-                let hint = text.map_or(String::new(), |text| did_you_mean(text, &names));
-                reader.is_not("curves", element, &format!("{allowed}{hint}"));
-            }
-        }
-    }
-    (reader.faults.len() == before).then_some(found)
+    let find = |text: &str| Curve::named(text).map(|curve| (curve, curve));
+    reader.named(key, value, &names, find)
 }
 
 /// What an option of the command is called here.
@@ -254,15 +196,15 @@ fn key(option: &str) -> String {
 }
 
 /// The levels that a table names.
-fn contours(reader: &mut Reader, table: &DeTable) -> Option<Vec<Contour>> {
-    let before = reader.faults.len();
+fn contours(table: &mut TableReader) -> Option<Vec<Contour>> {
+    let before = table.reader.faults.len();
     let mut found = Vec::new();
     for meaning in [Meaning::HalfOpening, Meaning::Thickness, Meaning::Friction] {
-        let Some(value) = meaning.given(reader, table) else { continue };
-        let Some(all) = numbers(reader, meaning, value) else { continue };
+        let Some(value) = table.given(meaning) else { continue };
+        let Some(all) = numbers(table.reader, meaning, value) else { continue };
         if all.len() > MAX_ITEMS {
             let message = format!("a map has at most {MAX_ITEMS} lines of one {}", meaning.key());
-            reader.fault(value.span(), message);
+            table.reader.fault(value.span(), message);
             continue;
         }
         match all.all() {
@@ -273,24 +215,14 @@ fn contours(reader: &mut Reader, table: &DeTable) -> Option<Vec<Contour>> {
                     Some(Contour::Friction(one.friction()))
                 }
             })),
-            Err(error) => reader.fault(value.span(), format!("{}: {error}", meaning.key())),
+            Err(error) => table.reader.fault(value.span(), format!("{}: {error}", meaning.key())),
         }
     }
-    (reader.faults.len() == before).then_some(found)
+    table.is_well_since(before).then_some(found)
 }
 
-/// The largest half-width of a tube, a number as text or not.
-fn tolerance(reader: &mut Reader, table: &DeTable) -> Option<f64> {
-    let Some(value) = table.get("tolerance") else { return Some(TOLERANCE) };
-    let text = match value.get_ref() {
-        DeValue::String(text) => text.as_ref(),
-        DeValue::Float(float) => float.as_str(),
-        DeValue::Integer(integer) => integer.as_str(),
-        _ => "",
-    };
-    let tolerance = text.parse().ok().filter(|width| (LEAST_TOLERANCE..=1.0).contains(width));
-    if tolerance.is_none() {
-        reader.is_not("tolerance", value, &format!("a number from {LEAST_TOLERANCE:e} to 1"));
-    }
-    tolerance
+/// The largest half-width of a tube.
+fn tolerance(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<f64> {
+    let allowed = format!("{LEAST_TOLERANCE:e} to 1");
+    reader.double(key, value, (LEAST_TOLERANCE..=1.0, &allowed))
 }

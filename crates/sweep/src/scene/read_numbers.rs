@@ -1,13 +1,13 @@
 //! Exact numbers of a scene: one, a list, or a range `{ from, to, steps }`.
 
 use super::schema::MAX_ARCHES;
-use super::value::{Reader, Value};
+use super::table::TableReader;
+use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::number::{ExactNumber, Form, ParseExactError, terminating};
 use crate::problem::{Arch, ArchError, Friction, Quantity, bare_ratio, is_thickness};
 use crate::report::words::shortened;
 use rug::Rational;
-use std::collections::HashSet;
 use toml::de::{DeTable, DeValue};
 
 /// What an exact number is.
@@ -24,7 +24,13 @@ pub(super) enum Numbers {
     /// As they were given.
     Listed(Vec<SceneNumber>),
     /// `steps` numbers, each `step` above the one before.
-    Range { meaning: Meaning, first: Rational, step: Rational, unit: (Unit, bool), steps: usize },
+    Range {
+        meaning: Meaning,
+        first: Rational,
+        step: Rational,
+        unit: (WrittenUnit, bool),
+        steps: usize,
+    },
 }
 
 impl Numbers {
@@ -85,25 +91,6 @@ impl Meaning {
         self.quantity().name()
     }
 
-    /// What a table says of it, under its name or its letter.
-    pub(super) fn given<'v, 's>(
-        self,
-        reader: &mut Reader,
-        table: &'v DeTable<'s>,
-    ) -> Option<&'v Value<'s>> {
-        let named = table.get(self.key());
-        let letter = self.quantity().letter();
-        let Some((letter, value)) = letter.and_then(|letter| Some((letter, table.get(letter)?)))
-        else {
-            return named;
-        };
-        if named.is_some() {
-            let key = self.key();
-            reader.fault(value.span(), format!("both {key} and {letter}; give one of them"));
-        }
-        named.or(Some(value))
-    }
-
     /// What may be given.
     pub(super) fn allowed(self) -> &'static str {
         match self {
@@ -155,66 +142,79 @@ impl Meaning {
     }
 }
 
-/// Unit in which a number is written; a range keeps that of its ends.
+impl<'a> TableReader<'a, '_> {
+    /// What the table says of a quantity, under its name or its letter.
+    pub(super) fn given(&mut self, meaning: Meaning) -> Option<&'a TomlValue<'a>> {
+        let (key, letter) = (meaning.key(), meaning.quantity().letter());
+        let named = self.get(key);
+        let Some((letter, value)) = letter.and_then(|letter| Some((letter, self.get(letter)?)))
+        else {
+            return named;
+        };
+        if named.is_some() {
+            self.reader.fault(value.span(), format!("both {key} and {letter}; give one of them"));
+        }
+        named.or(Some(value))
+    }
+
+    /// All numbers of a list or of a range, if they can be written as numbers that are read.
+    pub(super) fn written(&mut self, numbers: Numbers) -> Option<Vec<SceneNumber>> {
+        numbers.all().map_err(|error| self.refuse::<()>(error.to_string())).ok()
+    }
+}
+
+/// WrittenUnit in which a number is written; a range keeps that of its ends.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Unit {
+pub(super) enum WrittenUnit {
     One,
     Pi,
     Degrees,
 }
 
 /// The numbers of a key, each once. `None` if any is wrong.
-pub(super) fn numbers(reader: &mut Reader, meaning: Meaning, value: &Value) -> Option<Numbers> {
+pub(super) fn numbers(
+    reader: &mut TomlReader,
+    meaning: Meaning,
+    value: &TomlValue,
+) -> Option<Numbers> {
     if let DeValue::Table(table) = value.get_ref() {
         return range(reader, meaning, value, table);
     }
-    let before = reader.faults.len();
-    let mut found: Vec<SceneNumber> = Vec::new();
-    let mut seen = HashSet::new();
-    for element in reader.elements(meaning.key(), value, meaning.allowed()) {
-        let Some(given) = number(reader, meaning, element) else { continue };
+    let all = reader.each_once(meaning.key(), value, meaning.allowed(), |reader, element| {
+        let given = number(reader, meaning, element)?;
         let number = given.number.as_ref().map(|x| (x.to_rational(), x.form()));
-        match seen.insert((given.is_angle, number)) {
-            true => found.push(given),
-            false => reader.is_there(meaning.key(), element),
-        }
-    }
-    (reader.faults.len() == before).then_some(Numbers::Listed(found))
+        Some(((given.is_angle, number), given))
+    });
+    all.map(Numbers::Listed)
 }
 
 /// One number, read from its text: `0.1` is one tenth with and without quotes.
-fn number(reader: &mut Reader, meaning: Meaning, value: &Value) -> Option<SceneNumber> {
+fn number(reader: &mut TomlReader, meaning: Meaning, value: &TomlValue) -> Option<SceneNumber> {
+    let (key, allowed) = (meaning.key(), meaning.allowed());
     let text = match value.get_ref() {
-        DeValue::String(text) => text.as_ref(),
-        DeValue::Float(float) => float.as_str(),
-        DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str(),
-        _ => {
-            reader.is_not(meaning.key(), value, meaning.allowed());
-            return None;
-        }
+        DeValue::Integer(integer) if integer.radix() != 10 => None,
+        _ => TomlReader::literal(value),
     };
-    let text = text.strip_prefix('+').unwrap_or(text);
-    match meaning.read(text) {
+    let Some(text) = text else { return reader.reject(key, value, allowed) };
+    match meaning.read(text.strip_prefix('+').unwrap_or(text)) {
         Ok(given) => match meaning.outside(&given) {
-            Some(range) => {
-                reader.is_not(meaning.key(), value, &range);
-                None
-            }
+            Some(range) => reader.reject(key, value, &range),
             None => Some(given),
         },
         Err(ParseExactError::Syntax(_) | ParseExactError::Friction(_)) => {
-            reader.is_not(meaning.key(), value, meaning.allowed());
-            None
+            reader.reject(key, value, allowed)
         }
-        Err(error) => {
-            reader.fault(value.span(), format!("{}: {error}", meaning.key()));
-            None
-        }
+        Err(error) => reader.refuse(value.span(), format!("{key}: {error}")),
     }
 }
 
 /// `{ from, to, steps }`: `steps` numbers at equal distances, both ends included.
-fn range(reader: &mut Reader, meaning: Meaning, value: &Value, table: &DeTable) -> Option<Numbers> {
+fn range(
+    reader: &mut TomlReader,
+    meaning: Meaning,
+    value: &TomlValue,
+    table: &DeTable,
+) -> Option<Numbers> {
     let before = reader.faults.len();
     reader.unknown_keys(table, "a range", &["from", "to", "steps"], &[]);
     for key in ["from", "to", "steps"].iter().filter(|key| !table.contains_key(**key)) {
@@ -228,9 +228,7 @@ fn range(reader: &mut Reader, meaning: Meaning, value: &Value, table: &DeTable) 
     let (Some((first, unit)), Some((last, unit_of_last))) = (scaled(&from), scaled(&to)) else {
         let has_end = [&from, &to].iter().all(|end| end.number.is_some());
         let why = if has_end { "of arctangents, which has no steps" } else { "without end" };
-        let message = format!("{} has a range {why}", meaning.key());
-        reader.fault(value.span(), message);
-        return None;
+        return reader.refuse(value.span(), format!("{} has a range {why}", meaning.key()));
     };
     let (key, from, to) = (meaning.key(), shortened(&from.text), shortened(&to.text));
     if unit != unit_of_last {
@@ -256,13 +254,13 @@ fn range(reader: &mut Reader, meaning: Meaning, value: &Value, table: &DeTable) 
 
 /// A number in the unit in which it is written, and whether it is the angle of a friction; none that is infinite or an
 /// arctangent has a unit.
-fn scaled(given: &SceneNumber) -> Option<(Rational, (Unit, bool))> {
+fn scaled(given: &SceneNumber) -> Option<(Rational, (WrittenUnit, bool))> {
     let number = given.number.as_ref()?;
     let factor = number.to_rational();
     let (factor, unit) = match number.form() {
-        Form::TimesPi if number.is_in_degrees() => (factor * 180, Unit::Degrees),
-        Form::TimesPi => (factor, Unit::Pi),
-        Form::Rational => (factor, Unit::One),
+        Form::TimesPi if number.is_in_degrees() => (factor * 180, WrittenUnit::Degrees),
+        Form::TimesPi => (factor, WrittenUnit::Pi),
+        Form::Rational => (factor, WrittenUnit::One),
         Form::TwiceArctangent => return None,
     };
     Some((factor, (unit, given.is_angle)))
@@ -272,15 +270,15 @@ fn scaled(given: &SceneNumber) -> Option<(Rational, (Unit, bool))> {
 const SHORT: usize = 30;
 
 /// A number as a person would write it.
-fn text(value: &Rational, (unit, is_angle): (Unit, bool)) -> String {
+fn text(value: &Rational, (unit, is_angle): (WrittenUnit, bool)) -> String {
     let plain = || match terminating(value, SHORT) {
         Some(decimal) => decimal.to_string(),
         None => value.to_string(),
     };
     let text = match unit {
-        Unit::One => plain(),
-        Unit::Degrees => format!("{}deg", plain()),
-        Unit::Pi => match (*value.numer() == 1, *value.denom() == 1) {
+        WrittenUnit::One => plain(),
+        WrittenUnit::Degrees => format!("{}deg", plain()),
+        WrittenUnit::Pi => match (*value.numer() == 1, *value.denom() == 1) {
             (true, true) => "pi".to_owned(),
             (true, false) => format!("pi/{}", value.denom()),
             (false, true) => format!("{}pi", value.numer()),
@@ -297,12 +295,12 @@ mod tests {
     #[test]
     fn a_number_of_a_range_is_what_its_text_says() {
         for (value, unit, written) in [
-            ((3, 20), Unit::One, "0.15"),
-            ((1, 3), Unit::One, "1/3"),
-            ((1, 2), Unit::Pi, "pi/2"),
-            ((1, 1), Unit::Pi, "pi"),
-            ((5, 6), Unit::Pi, "5pi/6"),
-            ((245, 2), Unit::Degrees, "122.5deg"),
+            ((3, 20), WrittenUnit::One, "0.15"),
+            ((1, 3), WrittenUnit::One, "1/3"),
+            ((1, 2), WrittenUnit::Pi, "pi/2"),
+            ((1, 1), WrittenUnit::Pi, "pi"),
+            ((5, 6), WrittenUnit::Pi, "5pi/6"),
+            ((245, 2), WrittenUnit::Degrees, "122.5deg"),
         ] {
             let value = Rational::from(value);
             assert_eq!(text(&value, (unit, false)), written);

@@ -3,26 +3,26 @@
 use super::fault::Position;
 use super::manifest;
 use super::schema::Kind;
-use super::value::{Reader, Value};
+use super::table::TableReader;
+use super::value::{TomlReader, TomlValue};
 use crate::report::Format;
 use crate::report::words::list;
 use std::collections::HashMap;
 use std::path::{Component, Path, PathBuf};
-use toml::de::DeTable;
 
 /// The files that the items so far write, and where the scene says so.
 #[derive(Default)]
-pub(super) struct Files(HashMap<String, (PathBuf, Position)>);
+pub(super) struct OutputFiles(HashMap<String, (PathBuf, Position)>);
 
 /// The file and the format of an item; a file name tells its format unless one is given.
 pub(super) fn output(
-    reader: &mut Reader,
+    table: &mut TableReader,
     kind: Kind,
-    table: &DeTable,
-    files: &mut Files,
+    files: &mut OutputFiles,
 ) -> Option<(Option<PathBuf>, &'static Format)> {
-    let before = reader.faults.len();
     let (output, named) = (table.get("output"), table.get("format"));
+    let reader = &mut *table.reader;
+    let before = reader.faults.len();
     let path = output.and_then(|value| file(reader, value, files));
     let format = match (named, output, &path) {
         (Some(value), _, _) => format(reader, kind, value),
@@ -37,51 +37,49 @@ pub(super) fn output(
 }
 
 /// The format of a name.
-fn format(reader: &mut Reader, kind: Kind, value: &Value) -> Option<&'static Format> {
+fn format(reader: &mut TomlReader, kind: Kind, value: &TomlValue) -> Option<&'static Format> {
     let name = value.get_ref().as_str().unwrap_or_default();
-    let format = Format::named(kind.content(), name);
-    match format {
-        None => {
-            let names = Format::names(kind.content());
-            reader.is_not("format", value, &format!("one of {names}"));
-        }
-        Some(format) => missing(reader, value, format),
-    }
-    format
+    let format = Format::named(kind.content(), name).or_else(|| {
+        let names = Format::names(kind.content());
+        reader.reject("format", value, &format!("one of {names}"))
+    });
+    built_in(reader, value, format)
 }
 
 /// The format that the end of a file's name tells.
 fn format_of(
-    reader: &mut Reader,
+    reader: &mut TomlReader,
     kind: Kind,
-    value: &Value,
+    value: &TomlValue,
     path: &Path,
 ) -> Option<&'static Format> {
     let end = path.extension().and_then(|end| end.to_str()).unwrap_or_default();
-    let format = Format::of_extension(kind.content(), end);
-    match format {
-        None => {
-            let ends = list(Format::all(kind.content()).map(|format| format.extension));
-            let message = format!(
-                "output {} does not tell a format by its end ({ends}); give it such an end, or a format, \
-                 one of {}",
-                reader.source.shown(value.span()),
-                Format::names(kind.content())
-            );
-            reader.fault(value.span(), message);
-        }
-        Some(format) => missing(reader, value, format),
+    let format = Format::of_extension(kind.content(), end).or_else(|| {
+        let ends = list(Format::all(kind.content()).map(|format| format.extension));
+        let message = format!(
+            "output {} does not tell a format by its end ({ends}); give it such an end, or a format, \
+             one of {}",
+            reader.source.shown(value.span()),
+            Format::names(kind.content())
+        );
+        reader.refuse(value.span(), message)
+    });
+    built_in(reader, value, format)
+}
+
+/// A format; a fault if it is left out of this build.
+fn built_in(
+    reader: &mut TomlReader,
+    value: &TomlValue,
+    format: Option<&'static Format>,
+) -> Option<&'static Format> {
+    if let Some(message) = format.and_then(Format::missing) {
+        reader.fault(value.span(), message);
     }
     format
 }
 
-fn missing(reader: &mut Reader, value: &Value, format: &Format) {
-    if let Some(message) = format.missing() {
-        reader.fault(value.span(), message);
-    }
-}
-
-fn file(reader: &mut Reader, value: &Value, files: &mut Files) -> Option<PathBuf> {
+fn file(reader: &mut TomlReader, value: &TomlValue, files: &mut OutputFiles) -> Option<PathBuf> {
     let text = reader.text("output", value)?;
     let inside =
         |component: &Component| matches!(component, Component::Normal(_) | Component::CurDir);
@@ -95,13 +93,11 @@ fn file(reader: &mut Reader, value: &Value, files: &mut Files) -> Option<PathBuf
         .collect();
     if !is_file || path.as_os_str().is_empty() {
         let allowed = "a file inside the folder of outputs (a relative path without ..)";
-        reader.is_not("output", value, allowed);
-        return None;
+        return reader.reject("output", value, allowed);
     }
     let mut fault = |reason: String| {
         let shown = reader.source.shown(value.span());
-        reader.fault(value.span(), format!("output {shown} {reason}"));
-        None
+        reader.refuse(value.span(), format!("output {shown} {reason}"))
     };
     // On some file systems names that differ in case are one.
     let key = |path: &Path| path.to_string_lossy().to_lowercase();

@@ -1,17 +1,15 @@
 //! From TOML to the plan of a sweep, or to everything that is wrong with it.
 
 use super::fault::Fault;
-use super::overall::weights;
 use super::read::text_of;
 use super::read_arches::{frictions, half_openings};
-use super::read_numbers::{Numbers, SceneNumber};
+use super::read_numbers::SceneNumber;
 use super::sweep::{MAX_CHUNK, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepPlan};
-use super::value::{Reader, Value};
+use super::table::TableReader;
+use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::certify::MAX_ARCH_DIGITS;
-use crate::number::{ExactNumber, ParseExactError};
 use crate::problem::Quantity;
-use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 /// The kinds of arches, of which a plan has one.
@@ -22,7 +20,7 @@ const KEYS: [&str; 8] =
 /// Reads a plan from a file's bytes. Nothing is computed; the faults are all there are, in the order of the file.
 pub fn read_sweep(bytes: &[u8]) -> Result<SweepPlan, Vec<Fault>> {
     let text = text_of(bytes, "a plan")?;
-    let mut reader = Reader::new(text);
+    let mut reader = TomlReader::new(text);
     let root = reader.parsed(text)?;
     let plan = plan(&mut reader, root.get_ref());
     match plan.filter(|_| reader.faults.is_empty()) {
@@ -31,35 +29,29 @@ pub fn read_sweep(bytes: &[u8]) -> Result<SweepPlan, Vec<Fault>> {
     }
 }
 
-fn plan(reader: &mut Reader, root: &DeTable) -> Option<SweepPlan> {
+fn plan(reader: &mut TomlReader, root: &DeTable) -> Option<SweepPlan> {
     if !reader.has_schema(root, SWEEP_SCHEMA, "a plan") {
         return None;
     }
     reader.unknown_keys(root, "a plan", &KEYS, &[]);
-    let given = weights(reader, root);
-    let quantities = match root.get("quantities") {
-        Some(value) => {
-            let known = Quantity::STATE_ROW.map(|quantity| (quantity.name(), quantity));
-            reader.names("quantities", value, &known)
-        }
-        None => Some(vec![Quantity::Thickness]),
-    };
-    let digits = match root.get("digits") {
-        Some(value) => reader.whole("digits", value, SWEEP_DIGITS..=MAX_ARCH_DIGITS),
-        None => Some(SWEEP_DIGITS),
-    };
-    let chunk = match root.get("chunk") {
-        Some(value) => reader.whole("chunk", value, 1..=MAX_CHUNK).map(Some),
-        None => Some(None),
-    };
-    let (kind, arches) = arches(reader, root)?;
+    let mut table = TableReader { reader, span: 0..0, table: root };
+    let given = table.if_given("weight", TomlReader::weights);
+    let known = Quantity::STATE_ROW.map(|quantity| (quantity.name(), quantity));
+    let usual = vec![Quantity::Thickness];
+    let quantities =
+        table.or("quantities", usual, |reader, key, value| reader.names(key, value, &known));
+    let digits = table.or("digits", SWEEP_DIGITS, |reader, key, value| {
+        reader.whole(key, value, SWEEP_DIGITS..=MAX_ARCH_DIGITS)
+    });
+    let chunk =
+        table.if_given("chunk", |reader, key, value| reader.whole(key, value, 1..=MAX_CHUNK));
+    let (kind, arches) = arches(&mut table)?;
     let (given, quantities) = (given?, quantities?);
-    let at = root.get("weight").map(toml::Spanned::span);
-    let mut refuse = |message: &str| reader.fault(at.clone().unwrap_or(0..0), message.to_owned());
+    table.span = table.get("weight").map_or(0..0, |value| value.span());
     match (&given, kind) {
-        (Some(_), "sample") => refuse("a sample draws its own weights; leave weight out"),
+        (Some(_), "sample") => table.refuse("a sample draws its own weights; leave weight out")?,
         (Some(all), "data") if all.len() > 1 => {
-            refuse("a data set has one weight, that of the rows without one");
+            table.refuse("a data set has one weight, that of the rows without one")?
         }
         _ => {}
     }
@@ -74,95 +66,72 @@ fn plan(reader: &mut Reader, root: &DeTable) -> Option<SweepPlan> {
 }
 
 /// The kind of the arches, and the arches if nothing is wrong with them.
-fn arches(reader: &mut Reader, root: &DeTable) -> Option<(&'static str, Option<SweepArches>)> {
+fn arches(plan: &mut TableReader) -> Option<(&'static str, Option<SweepArches>)> {
     let there: Vec<_> =
-        KINDS.into_iter().filter_map(|kind| Some((kind, root.get(kind)?))).collect();
+        KINDS.into_iter().filter_map(|kind| Some((kind, plan.get(kind)?))).collect();
     let (kind, value) = match there[..] {
         [one] => one,
-        [] => {
-            reader.fault(0..0, "the plan has no arches; give [grid], [sample] or [data]".into());
-            return None;
-        }
+        [] => return plan.refuse("the plan has no arches; give [grid], [sample] or [data]"),
         [_, (_, value), ..] => {
             let message = "a plan has one of [grid], [sample] and [data]";
-            reader.fault(value.span(), message.into());
-            return None;
+            return plan.reader.refuse(value.span(), message);
         }
     };
     let DeValue::Table(table) = value.get_ref() else {
-        reader.is_not(kind, value, &format!("a table [{kind}]"));
-        return None;
+        return plan.reader.reject(kind, value, &format!("a table [{kind}]"));
     };
+    let mut table = TableReader { reader: plan.reader, span: value.span(), table };
     let arches = match kind {
-        "grid" => grid(reader, &value.span(), table),
-        "sample" => sample(reader, &value.span(), table),
-        _ => data(reader, &value.span(), table),
+        "grid" => grid(&mut table),
+        "sample" => sample(&mut table),
+        _ => data(&mut table),
     };
     Some((kind, arches))
 }
 
-fn grid(reader: &mut Reader, span: &Range<usize>, table: &DeTable) -> Option<SweepArches> {
+fn grid(table: &mut TableReader) -> Option<SweepArches> {
     let keys = ["half_opening", "friction", "friction_angle"];
-    reader.unknown_keys(table, "[grid]", &keys, &["alpha", "mu", "phi"]);
-    let half_openings = half_openings(reader, span, table);
-    let frictions = frictions(reader, span, table);
+    table.reader.unknown_keys(table.table, "[grid]", &keys, &["alpha", "mu", "phi"]);
+    let half_openings = half_openings(table);
+    let frictions = frictions(table);
     let (half_openings, frictions) = (half_openings?, frictions?);
-    let mut written = |numbers: Numbers| {
-        let fault = |error: ParseExactError| reader.fault(span.clone(), error.to_string());
-        numbers.all().map_err(fault).ok()
-    };
-    let half_openings: Vec<ExactNumber> =
-        written(half_openings)?.into_iter().filter_map(|given| given.number).collect();
-    let frictions = written(frictions)?.into_iter().map(SceneNumber::friction).collect();
+    let half_openings = table.written(half_openings)?.into_iter();
+    let half_openings = half_openings.filter_map(|given| given.number).collect();
+    let frictions = table.written(frictions)?.into_iter().map(SceneNumber::friction).collect();
     Some(SweepArches::Grid { half_openings, frictions })
 }
 
-fn sample(reader: &mut Reader, span: &Range<usize>, table: &DeTable) -> Option<SweepArches> {
-    reader.unknown_keys(table, "[sample]", &["count", "seed", "hard"], &[]);
+fn sample(table: &mut TableReader) -> Option<SweepArches> {
+    table.reader.unknown_keys(table.table, "[sample]", &["count", "seed", "hard"], &[]);
     let count = match table.get("count") {
-        Some(value) => reader.whole("count", value, 1..=MAX_SAMPLE),
-        None => {
-            reader.fault(span.clone(), "count is missing; give a whole number".into());
-            None
-        }
+        Some(value) => table.reader.whole("count", value, 1..=MAX_SAMPLE),
+        None => table.refuse("count is missing; give a whole number"),
     };
-    let seed = match table.get("seed") {
-        Some(value) => reader.whole("seed", value, 0..=usize::MAX >> 1),
-        None => Some(1),
-    };
-    let hard = match table.get("hard") {
-        Some(value) => reader.truth("hard", value),
-        None => Some(false),
-    };
+    let seed =
+        table.or("seed", 1, |reader, key, value| reader.whole(key, value, 0..=usize::MAX >> 1));
+    let hard = table.truth("hard");
     Some(SweepArches::Sample { count: count?, seed: seed? as u64, hard: hard? })
 }
 
-fn data(reader: &mut Reader, span: &Range<usize>, table: &DeTable) -> Option<SweepArches> {
-    reader.unknown_keys(table, "[data]", &["files"], &[]);
+fn data(table: &mut TableReader) -> Option<SweepArches> {
+    table.reader.unknown_keys(table.table, "[data]", &["files"], &[]);
     let Some(value) = table.get("files") else {
-        let message = "files is missing; give paths, as \"arches.csv\"";
-        reader.fault(span.clone(), message.into());
-        return None;
+        return table.refuse("files is missing; give paths, as \"arches.csv\"");
     };
-    let before = reader.faults.len();
-    let mut files: Vec<String> = Vec::new();
-    for element in reader.elements("files", value, "paths of files") {
-        match path(reader, element) {
-            Some(path) if files.contains(&path) => reader.is_there("files", element),
-            Some(path) => files.push(path),
-            None => {}
-        }
-    }
-    (reader.faults.len() == before).then_some(SweepArches::Data { files })
+    let read = |reader: &mut TomlReader, element| {
+        let path = path(reader, element)?;
+        Some((path.clone(), path))
+    };
+    let files = table.reader.each_once("files", value, "paths of files", read);
+    files.map(|files| SweepArches::Data { files })
 }
 
-fn path(reader: &mut Reader, element: &Value) -> Option<String> {
+fn path(reader: &mut TomlReader, element: &TomlValue) -> Option<String> {
     let text = reader.text("files", element)?;
-    if text.is_empty() || text.contains(char::is_control) {
-        reader.is_not("files", element, "the path of a file");
-        return None;
+    match text.is_empty() || text.contains(char::is_control) {
+        true => reader.reject("files", element, "the path of a file"),
+        false => Some(text.to_owned()),
     }
-    Some(text.to_owned())
 }
 
 #[cfg(test)]

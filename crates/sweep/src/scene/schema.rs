@@ -1,5 +1,6 @@
 //! What a scene may hold: `couplet.scene/1`. Keys may be added, none changes its meaning.
 
+use super::drawn::DrawnArch;
 use super::fault::{Fault, Position};
 use crate::arch::SelfWeight;
 use crate::atlas::{Contour, Curve};
@@ -8,7 +9,6 @@ use crate::number::ExactNumber;
 use crate::problem::Arch;
 use crate::problem::{Landmark, Mode, Quantity};
 use crate::report::{Axes, Content, Format, Marked, Style, View};
-use std::fmt;
 use std::path::PathBuf;
 
 /// The name and the version of the schema, which every scene begins with.
@@ -95,105 +95,11 @@ pub enum What {
 #[derive(Clone, Debug)]
 pub struct SceneDrawing {
     /// Each with the modes that are shown; all if none is named.
-    pub arches: Vec<(Drawn, Vec<Mode>)>,
+    pub arches: Vec<(DrawnArch, Vec<Mode>)>,
     /// How.
     pub style: Style,
     /// The command that asks for the same.
     pub command: String,
-}
-
-/// An arch that is drawn.
-#[derive(Clone, Debug)]
-pub enum Drawn {
-    /// At its least thickness.
-    Least {
-        /// The arch.
-        arch: Arch,
-        /// Its stones, if its joints are between them alone.
-        stones: Option<u64>,
-        /// Whether joints that slide open too.
-        is_dilatant: bool,
-    },
-    /// A landmark.
-    Landmark {
-        /// Which.
-        landmark: Landmark,
-        /// The self-weight model.
-        weight: SelfWeight,
-        /// Whether joints that slide open too.
-        is_dilatant: bool,
-    },
-    /// As it stands.
-    Standing {
-        /// The arch.
-        arch: Arch,
-        /// Its stones, if its joints are between them alone.
-        stones: Option<u64>,
-        /// Its thickness.
-        thickness: ExactNumber,
-    },
-    /// At the friction at which it slides.
-    Sliding {
-        /// The arch, whose friction is not read.
-        arch: Arch,
-        /// Its thickness.
-        thickness: ExactNumber,
-        /// Whether joints that slide open too.
-        is_dilatant: bool,
-    },
-}
-
-impl Drawn {
-    /// The self-weight model.
-    pub fn weight(&self) -> SelfWeight {
-        match self {
-            Self::Landmark { weight, .. } => *weight,
-            Self::Least { arch, .. } | Self::Standing { arch, .. } | Self::Sliding { arch, .. } => {
-                arch.weight()
-            }
-        }
-    }
-
-    /// Whether joints that slide open too.
-    pub fn is_dilatant(&self) -> bool {
-        match self {
-            Self::Standing { .. } => false,
-            Self::Least { is_dilatant, .. }
-            | Self::Landmark { is_dilatant, .. }
-            | Self::Sliding { is_dilatant, .. } => *is_dilatant,
-        }
-    }
-}
-
-impl fmt::Display for Drawn {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let weight = self.weight().name();
-        if let Self::Least { stones: Some(stones), .. }
-        | Self::Standing { stones: Some(stones), .. } = self
-        {
-            write!(f, "{stones} stones, ")?;
-        }
-        match self {
-            Self::Least { arch, .. } => write!(
-                f,
-                "least thickness of half opening {}, friction {}, {weight}",
-                arch.half_opening(),
-                arch.friction()
-            ),
-            Self::Landmark { landmark, .. } => write!(f, "{} {weight}", landmark.symbol()),
-            Self::Standing { arch, thickness, .. } => write!(
-                f,
-                "half opening {}, friction {}, thickness {thickness}, {weight}",
-                arch.half_opening(),
-                arch.friction()
-            ),
-            Self::Sliding { arch, thickness, .. } => write!(
-                f,
-                "sliding of half opening {}, thickness {thickness}, {weight}",
-                arch.half_opening()
-            ),
-        }
-    }
 }
 
 /// Curves that are asked for.
@@ -264,93 +170,54 @@ impl Kind {
         Self::Drawing,
     ];
 
+    /// The name of the table, what is written of it, and the keys that it may have.
+    fn described(self) -> (&'static str, Content, &'static str) {
+        match self {
+            Self::Constants => {
+                ("constants", Content::Answers, "landmarks quantities weight digits format output")
+            }
+            Self::Arches => (
+                "arches",
+                Content::Answers,
+                "half_opening friction friction_angle thickness quantities weight digits format output",
+            ),
+            Self::Claims => ("claims", Content::Claims, "prove show format output"),
+            Self::Audit => ("audit", Content::Audit, "landmarks weight format output"),
+            Self::Map => (
+                "map",
+                Content::Map,
+                "curves half_opening thickness friction weight tolerance plane lines bare half_opening_unit \
+                 friction_unit scale half_opening_range friction_range thickness_range marks format output",
+            ),
+            Self::Figure => ("figure", Content::Figure, "number weight tolerance format output"),
+            Self::Drawing => (
+                "drawing",
+                Content::Drawing,
+                "half_opening friction friction_angle thickness at mode weight amplitude dilatant half arrows \
+                 stones animate format output",
+            ),
+        }
+    }
+
     /// The name of the table.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Constants => "constants",
-            Self::Arches => "arches",
-            Self::Claims => "claims",
-            Self::Audit => "audit",
-            Self::Map => "map",
-            Self::Figure => "figure",
-            Self::Drawing => "drawing",
-        }
+        self.described().0
     }
 
     /// What is written of it.
     pub fn content(self) -> Content {
-        match self {
-            Self::Constants | Self::Arches => Content::Answers,
-            Self::Claims => Content::Claims,
-            Self::Audit => Content::Audit,
-            Self::Map => Content::Map,
-            Self::Figure => Content::Figure,
-            Self::Drawing => Content::Drawing,
-        }
+        self.described().1
     }
 
     /// The paper's letters, which are keys too.
     pub(super) fn letters(self) -> Vec<&'static str> {
-        let keys = self.keys().iter();
+        let keys = self.keys().into_iter();
         keys.filter_map(|key| Quantity::named(key)?.letter()).collect()
     }
 
     /// The keys that an item of this kind may have.
-    pub fn keys(self) -> &'static [&'static str] {
-        match self {
-            Self::Constants => &["landmarks", "quantities", "weight", "digits", "format", "output"],
-            Self::Arches => &[
-                "half_opening",
-                "friction",
-                "friction_angle",
-                "thickness",
-                "quantities",
-                "weight",
-                "digits",
-                "format",
-                "output",
-            ],
-            Self::Claims => &["prove", "show", "format", "output"],
-            Self::Audit => &["landmarks", "weight", "format", "output"],
-            Self::Map => &[
-                "curves",
-                "half_opening",
-                "thickness",
-                "friction",
-                "weight",
-                "tolerance",
-                "plane",
-                "lines",
-                "bare",
-                "half_opening_unit",
-                "friction_unit",
-                "scale",
-                "half_opening_range",
-                "friction_range",
-                "thickness_range",
-                "marks",
-                "format",
-                "output",
-            ],
-            Self::Figure => &["number", "weight", "tolerance", "format", "output"],
-            Self::Drawing => &[
-                "half_opening",
-                "friction",
-                "friction_angle",
-                "thickness",
-                "at",
-                "mode",
-                "weight",
-                "amplitude",
-                "dilatant",
-                "half",
-                "arrows",
-                "stones",
-                "animate",
-                "format",
-                "output",
-            ],
-        }
+    pub fn keys(self) -> Vec<&'static str> {
+        self.described().2.split_whitespace().collect()
     }
 }
 

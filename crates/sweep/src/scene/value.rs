@@ -1,24 +1,33 @@
 //! TOML values of the types that a scene has; any other type is a fault.
 
-use super::fault::{Fault, Source};
+use super::fault::{Fault, SceneText};
+use super::schema::DIGITS;
+use crate::arch::SelfWeight;
 use crate::report::words::{did_you_mean, list, shortened};
+use std::collections::HashSet;
+use std::hash::Hash;
 use std::ops::{Range, RangeInclusive};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// A value and where it is.
-pub(super) type Value<'s> = Spanned<DeValue<'s>>;
+pub(super) type TomlValue<'s> = Spanned<DeValue<'s>>;
 
 /// The text that is read, what was wrong so far, and what is answered but worth a remark.
-pub(super) struct Reader<'s> {
-    pub source: Source<'s>,
+pub(super) struct TomlReader<'s> {
+    pub source: SceneText<'s>,
     pub faults: Vec<Fault>,
     pub notes: Vec<Fault>,
+    /// Significant digits of items that say nothing else.
+    pub digits: usize,
+    /// Weights of items that say nothing else, if the scene says so.
+    pub weights: Option<Vec<SelfWeight>>,
 }
 
-impl<'s> Reader<'s> {
+impl<'s> TomlReader<'s> {
     pub(super) fn new(text: &'s str) -> Self {
-        Self { source: Source::new(text), faults: Vec::new(), notes: Vec::new() }
+        let source = SceneText::new(text);
+        Self { source, faults: Vec::new(), notes: Vec::new(), digits: DIGITS, weights: None }
     }
 
     /// The table that the text is, or what is wrong with it as TOML.
@@ -61,21 +70,38 @@ impl<'s> Reader<'s> {
         self.faults
     }
 
-    pub(super) fn fault(&mut self, span: Range<usize>, message: String) {
+    pub(super) fn fault(&mut self, span: Range<usize>, message: impl Into<String>) {
+        let message = message.into();
         self.faults.push(Fault { place: self.source.place(span.start), message });
     }
 
+    /// A fault in place of what would be read.
+    pub(super) fn refuse<T>(
+        &mut self,
+        span: Range<usize>,
+        message: impl Into<String>,
+    ) -> Option<T> {
+        self.fault(span, message);
+        None
+    }
+
     /// Remarks that a value, written somewhere, was there before, and counts once.
-    pub(super) fn is_there(&mut self, key: &str, value: &Value) {
+    pub(super) fn is_there(&mut self, key: &str, value: &TomlValue) {
         let shown = self.source.shown(value.span());
         let message = format!("{key} {shown} is listed twice and counts once");
         self.notes.push(Fault { place: self.source.place(value.span().start), message });
     }
 
     /// `key "value" is not allowed`.
-    pub(super) fn is_not(&mut self, key: &str, value: &Value, allowed: &str) {
+    pub(super) fn is_not(&mut self, key: &str, value: &TomlValue, allowed: &str) {
         let shown = self.source.shown(value.span());
         self.fault(value.span(), format!("{key} {shown} is not {allowed}"));
+    }
+
+    /// `key "value" is not allowed`, in place of what would be read.
+    pub(super) fn reject<T>(&mut self, key: &str, value: &TomlValue, allowed: &str) -> Option<T> {
+        self.is_not(key, value, allowed);
+        None
     }
 
     /// Every key that is not one of those a table may have, nor a letter for one.
@@ -95,46 +121,59 @@ impl<'s> Reader<'s> {
         }
     }
 
-    pub(super) fn text<'v>(&mut self, key: &str, value: &'v Value) -> Option<&'v str> {
-        let text = value.get_ref().as_str();
-        if text.is_none() {
-            self.is_not(key, value, "a text");
-        }
-        text
+    pub(super) fn text<'v>(&mut self, key: &str, value: &'v TomlValue) -> Option<&'v str> {
+        value.get_ref().as_str().or_else(|| self.reject(key, value, "a text"))
     }
 
-    pub(super) fn truth(&mut self, key: &str, value: &Value) -> Option<bool> {
-        let truth = value.get_ref().as_bool();
-        if truth.is_none() {
-            self.is_not(key, value, "true or false");
+    pub(super) fn truth(&mut self, key: &str, value: &TomlValue) -> Option<bool> {
+        value.get_ref().as_bool().or_else(|| self.reject(key, value, "true or false"))
+    }
+
+    /// The text of a number, with or without quotes.
+    pub(super) fn literal<'v>(value: &'v TomlValue) -> Option<&'v str> {
+        match value.get_ref() {
+            DeValue::String(text) => Some(text.as_ref()),
+            DeValue::Float(float) => Some(float.as_str()),
+            DeValue::Integer(integer) => Some(integer.as_str()),
+            _ => None,
         }
-        truth
+    }
+
+    /// A double in a range.
+    pub(super) fn double(
+        &mut self,
+        key: &str,
+        value: &TomlValue,
+        (range, allowed): (RangeInclusive<f64>, &str),
+    ) -> Option<f64> {
+        let number = Self::literal(value).and_then(|text| text.parse().ok());
+        number
+            .filter(|number| range.contains(number))
+            .or_else(|| self.reject(key, value, &format!("a number from {allowed}")))
     }
 
     pub(super) fn whole(
         &mut self,
         key: &str,
-        value: &Value,
+        value: &TomlValue,
         allowed: RangeInclusive<usize>,
     ) -> Option<usize> {
         let number = value.get_ref().as_integer().and_then(|integer| {
             usize::from_str_radix(integer.as_str().trim_start_matches('+'), integer.radix()).ok()
         });
-        let number = number.filter(|number| allowed.contains(number));
-        if number.is_none() {
+        number.filter(|number| allowed.contains(number)).or_else(|| {
             let (least, most) = allowed.into_inner();
-            self.is_not(key, value, &format!("a whole number from {least} to {most}"));
-        }
-        number
+            self.reject(key, value, &format!("a whole number from {least} to {most}"))
+        })
     }
 
     /// The elements of a list, or the value itself.
     pub(super) fn elements<'v, 't>(
         &mut self,
         key: &str,
-        value: &'v Value<'t>,
+        value: &'v TomlValue<'t>,
         allowed: &str,
-    ) -> Vec<&'v Value<'t>> {
+    ) -> Vec<&'v TomlValue<'t>> {
         match value.get_ref() {
             DeValue::Array(array) => {
                 if array.is_empty() {
@@ -146,28 +185,69 @@ impl<'s> Reader<'s> {
         }
     }
 
+    /// The elements as `read` reads them, each once by the key beside it. `None` if any is wrong.
+    pub(super) fn each_once<'v, 't, K: Eq + Hash, T>(
+        &mut self,
+        key: &str,
+        value: &'v TomlValue<'t>,
+        allowed: &str,
+        mut read: impl FnMut(&mut Self, &'v TomlValue<'t>) -> Option<(K, T)>,
+    ) -> Option<Vec<T>> {
+        let before = self.faults.len();
+        let (mut found, mut seen) = (Vec::new(), HashSet::new());
+        for element in self.elements(key, value, allowed) {
+            match read(self, element) {
+                Some((of, one)) if !seen.contains(&of) => {
+                    seen.insert(of);
+                    found.push(one);
+                }
+                Some(_) => self.is_there(key, element),
+                None => {}
+            }
+        }
+        (self.faults.len() == before).then_some(found)
+    }
+
     /// Names, each once: a list or one by itself. `None` if any is wrong.
     pub(super) fn names<T: Copy + PartialEq>(
         &mut self,
         key: &str,
-        value: &Value,
-        known: &[(&'static str, T)],
+        value: &TomlValue,
+        known: &[(&str, T)],
     ) -> Option<Vec<T>> {
         let names: Vec<&str> = known.iter().map(|(name, _)| *name).collect();
+        let place = |text: &str| {
+            let named = known.iter().find(|(name, _)| *name == text)?.1;
+            // Of a thing that has two names the first.
+            let place = known.iter().position(|(_, other)| *other == named)?;
+            Some((place, named))
+        };
+        self.named(key, value, &names, place)
+    }
+
+    /// What `find` finds by its name, each once by the key beside it. `None` if any is wrong.
+    pub(super) fn named<K: Eq + Hash, T>(
+        &mut self,
+        key: &str,
+        value: &TomlValue,
+        names: &[&str],
+        find: impl Fn(&str) -> Option<(K, T)>,
+    ) -> Option<Vec<T>> {
         let allowed = format!("one of {}", list(names.iter().copied()));
-        let before = self.faults.len();
-        let mut found = Vec::new();
-        for element in self.elements(key, value, &allowed) {
+        self.each_once(key, value, &allowed, |reader, element| {
             let text = element.get_ref().as_str();
-            match known.iter().find(|(name, _)| Some(*name) == text) {
-                Some((_, named)) if found.contains(named) => self.is_there(key, element),
-                Some((_, named)) => found.push(*named),
-                None => {
-                    let hint = text.map_or(String::new(), |text| did_you_mean(text, &names));
-                    self.is_not(key, element, &format!("{allowed}{hint}"));
-                }
-            }
+            text.and_then(&find).or_else(|| {
+                let hint = text.map_or(String::new(), |text| did_you_mean(text, names));
+                reader.reject(key, element, &format!("{allowed}{hint}"))
+            })
+        })
+    }
+
+    /// The weights named, or both.
+    pub(super) fn weights(&mut self, key: &str, value: &TomlValue) -> Option<Vec<SelfWeight>> {
+        match value.get_ref().as_str() {
+            Some("both") => Some(SelfWeight::ALL.to_vec()),
+            _ => self.names(key, value, &SelfWeight::ALL.map(|weight| (weight.name(), weight))),
         }
-        (self.faults.len() == before).then_some(found)
     }
 }

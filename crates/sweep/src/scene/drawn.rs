@@ -1,0 +1,131 @@
+//! An arch that is drawn: at its least thickness, at a landmark, as it stands, or where it slides.
+
+use super::same::{ArchKey, arch_key};
+use crate::arch::SelfWeight;
+use crate::atlas::{NoSketch, Sketch};
+use crate::number::ExactNumber;
+use crate::problem::{Arch, Landmark, Mode};
+use crate::report::Style;
+use rug::Rational;
+use std::fmt;
+
+/// An arch that is drawn.
+#[derive(Clone, Debug)]
+pub struct DrawnArch {
+    /// Which.
+    pub pose: Pose,
+    /// Its stones, if its joints are between them alone.
+    pub stones: Option<u64>,
+    /// Whether joints that slide open too.
+    pub is_dilatant: bool,
+}
+
+/// An arch, and in which of its states it is drawn.
+#[derive(Clone, Debug)]
+pub enum Pose {
+    /// At its least thickness.
+    Least(Arch),
+    /// At a landmark.
+    Landmark(Landmark, SelfWeight),
+    /// As it stands, with a thickness.
+    Standing(Arch, ExactNumber),
+    /// At the friction at which it slides, with a thickness; the friction of the arch is not read.
+    Sliding(Arch, ExactNumber),
+}
+
+/// Number that tells the poses apart, with all that they are of.
+pub(super) type DrawnKey =
+    (u8, Option<(Landmark, SelfWeight)>, Option<ArchKey>, Option<Rational>, Option<u64>, bool);
+
+impl DrawnArch {
+    /// The self-weight model.
+    pub fn weight(&self) -> SelfWeight {
+        match &self.pose {
+            Pose::Landmark(_, weight) => *weight,
+            Pose::Least(arch) | Pose::Standing(arch, _) | Pose::Sliding(arch, _) => arch.weight(),
+        }
+    }
+
+    /// Key of equal drawings, however their numbers are written.
+    pub(super) fn key(&self) -> DrawnKey {
+        let (pose, point, arch, thickness) = match &self.pose {
+            Pose::Least(arch) => (0, None, Some(arch), None),
+            Pose::Landmark(landmark, weight) => (1, Some((*landmark, *weight)), None, None),
+            Pose::Standing(arch, thickness) => (2, None, Some(arch), Some(thickness)),
+            Pose::Sliding(arch, thickness) => (3, None, Some(arch), Some(thickness)),
+        };
+        let thickness = thickness.map(ExactNumber::to_rational);
+        (pose, point, arch.map(arch_key), thickness, self.stones, self.is_dilatant)
+    }
+
+    /// Proves what is drawn.
+    pub(crate) fn sketch(&self) -> Result<Sketch, NoSketch> {
+        let is_dilatant = self.is_dilatant;
+        match (&self.pose, self.stones) {
+            (Pose::Landmark(landmark, weight), _) => {
+                Sketch::landmark(*landmark, *weight, is_dilatant)
+            }
+            (Pose::Least(arch), Some(n)) => Sketch::least_of_stones(arch, n, is_dilatant),
+            (Pose::Least(arch), None) => Sketch::least(arch, is_dilatant),
+            (Pose::Standing(arch, eta), Some(n)) => Sketch::standing_of_stones(arch, n, eta),
+            (Pose::Standing(arch, eta), None) => Sketch::standing(arch, eta),
+            (Pose::Sliding(arch, eta), _) => Sketch::sliding(arch, eta, is_dilatant),
+        }
+    }
+
+    /// The command that draws the arch.
+    pub(super) fn command(&self, mode: Option<Mode>, style: &Style) -> String {
+        let mut command = "couplet draw".to_owned();
+        let mut say = |option: &str, value: &str| command += &format!(" --{option} {value}");
+        match &self.pose {
+            Pose::Landmark(landmark, _) => say("at", landmark.symbol()),
+            Pose::Least(arch) | Pose::Standing(arch, _) | Pose::Sliding(arch, _) => {
+                say("half-opening", &arch.half_opening().to_string());
+                if !matches!(self.pose, Pose::Sliding(..)) {
+                    say("friction", &arch.friction().to_string());
+                }
+            }
+        }
+        if let Pose::Standing(_, thickness) | Pose::Sliding(_, thickness) = &self.pose {
+            say("thickness", &thickness.to_string());
+        }
+        say("weight", self.weight().name());
+        if let Some(mode) = mode {
+            say("mode", mode.label());
+        }
+        if style.amplitude != Style::default().amplitude {
+            say("amplitude", &format!("{:?}", style.amplitude));
+        }
+        if let Some(stones) = self.stones {
+            say("stones", &stones.to_string());
+        }
+        let is_asked = [self.is_dilatant, style.half, style.arrows, style.animate];
+        let names = [" --dilatant", " --half", " --arrows", " --animate"];
+        command.extend(names.into_iter().zip(is_asked).filter_map(|(name, is)| is.then_some(name)));
+        command
+    }
+}
+
+impl fmt::Display for DrawnArch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let weight = self.weight().name();
+        if let Some(stones) = self.stones {
+            write!(f, "{stones} stones, ")?;
+        }
+        let (alpha, mu) = match &self.pose {
+            Pose::Landmark(landmark, _) => return write!(f, "{} {weight}", landmark.symbol()),
+            Pose::Least(arch) | Pose::Standing(arch, _) | Pose::Sliding(arch, _) => {
+                (arch.half_opening(), arch.friction())
+            }
+        };
+        match &self.pose {
+            Pose::Standing(_, eta) => {
+                write!(f, "half opening {alpha}, friction {mu}, thickness {eta}, {weight}")
+            }
+            Pose::Sliding(_, eta) => {
+                write!(f, "sliding of half opening {alpha}, thickness {eta}, {weight}")
+            }
+            _ => write!(f, "least thickness of half opening {alpha}, friction {mu}, {weight}"),
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! A table of TOML that is read key by key.
+
+use super::value::{TomlReader, TomlValue};
+use crate::arch::SelfWeight;
+use crate::problem::Landmark;
+use std::ops::Range;
+use toml::de::DeTable;
+
+/// A table, and the reader that collects its faults.
+pub(super) struct TableReader<'a, 's> {
+    pub reader: &'a mut TomlReader<'s>,
+    /// Where the table is.
+    pub span: Range<usize>,
+    pub table: &'a DeTable<'a>,
+}
+
+impl<'a, 's> TableReader<'a, 's> {
+    pub(super) fn get(&self, key: &str) -> Option<&'a TomlValue<'a>> {
+        self.table.get(key)
+    }
+
+    /// A fault of the whole table, in place of what would be read.
+    pub(super) fn refuse<T>(&mut self, message: impl Into<String>) -> Option<T> {
+        self.reader.refuse(self.span.clone(), message)
+    }
+
+    /// The value of a key, or the usual one where there is none. `None` if it is wrong.
+    pub(super) fn or<T>(
+        &mut self,
+        key: &str,
+        usual: T,
+        read: impl FnOnce(&mut TomlReader<'s>, &str, &TomlValue) -> Option<T>,
+    ) -> Option<T> {
+        match self.get(key) {
+            Some(value) => read(self.reader, key, value),
+            None => Some(usual),
+        }
+    }
+
+    /// The value of a key if there is one, `Some(None)` without. `None` if it is wrong.
+    pub(super) fn if_given<T>(
+        &mut self,
+        key: &str,
+        read: impl FnOnce(&mut TomlReader<'s>, &str, &TomlValue) -> Option<T>,
+    ) -> Option<Option<T>> {
+        self.or(key, None, |reader, key, value| read(reader, key, value).map(Some))
+    }
+
+    /// Whether a key is true.
+    pub(super) fn truth(&mut self, key: &str) -> Option<bool> {
+        self.or(key, false, TomlReader::truth)
+    }
+
+    /// The weights of the table, in the order in which they are named: its own, those of the scene, or the usual ones.
+    pub(super) fn weights(&mut self, usual: &[SelfWeight]) -> Option<Vec<SelfWeight>> {
+        let usual = self.reader.weights.clone().unwrap_or(usual.to_vec());
+        self.or("weight", usual, TomlReader::weights)
+    }
+
+    /// The landmarks that a key names, by symbol or by long name.
+    pub(super) fn landmarks(&mut self, key: &str) -> Option<Vec<Landmark>> {
+        let symbols = Landmark::ALL.map(|landmark| (landmark.symbol(), landmark));
+        let long_names = Landmark::ALL.map(|landmark| (landmark.long_name(), landmark));
+        let known = [symbols, long_names].concat();
+        let all = Landmark::ALL.to_vec();
+        self.or(key, all, |reader, key, value| reader.names(key, value, &known))
+    }
+
+    /// Whether nothing was wrong since there were so many faults.
+    pub(super) fn is_well_since(&self, faults: usize) -> bool {
+        self.reader.faults.len() == faults
+    }
+}
