@@ -1,7 +1,10 @@
 //! Why a command did not do what was asked.
 
-use crate::certify::{Error, Refused};
+use crate::atlas::NoSketch;
+use crate::certify::{Error, Refused, Undecided};
 use crate::check::{self, reason};
+use crate::number::ParseExactError;
+use crate::problem::{ArchError, measures::MeasureError, stones::StonesError};
 use std::fmt::Display;
 use std::io;
 
@@ -28,9 +31,9 @@ impl From<Error> for Failure {
     }
 }
 
-impl From<Refused> for Failure {
-    fn from(refused: Refused) -> Self {
-        Self::from(Error::from(refused))
+impl From<Undecided> for Failure {
+    fn from(undecided: Undecided) -> Self {
+        Self::Undecided(undecided.to_string())
     }
 }
 
@@ -43,10 +46,42 @@ impl From<check::Failure> for Failure {
     }
 }
 
+impl From<NoSketch> for Failure {
+    /// Nothing to draw is a wrong question, or an open one.
+    fn from(none: NoSketch) -> Self {
+        match none {
+            NoSketch::Undecided(_) | NoSketch::Falls(_) => Self::Undecided(none.to_string()),
+            _ => Self::Input(none.to_string()),
+        }
+    }
+}
+
+/// Errors of which the input is the cause.
+macro_rules! input {
+    ($($error:ty),*) => {$(
+        impl From<$error> for Failure {
+            fn from(error: $error) -> Self {
+                Self::Input(error.to_string())
+            }
+        }
+    )*};
+}
+
+input!(&str, String, Refused, ParseExactError, ArchError, StonesError, MeasureError);
+
 impl Failure {
     /// What could not be read, and why.
     pub fn reading(what: impl Display, error: &io::Error) -> Self {
         Self::Io(format!("cannot read {what}: {}", reason(error)))
+    }
+
+    /// A failure if anything stays open.
+        pub fn of_open<T: Display>(open: impl IntoIterator<Item = T>) -> Result<(), Self> {
+        let open: Vec<String> = open.into_iter().map(|open| open.to_string()).collect();
+        match open.is_empty() {
+            true => Ok(()),
+            false => Err(Self::Undecided(open.join("; "))),
+        }
     }
 
     /// What could not be written, and why.

@@ -49,39 +49,31 @@ impl ArchArguments {
     /// The arches described, with each self-weight asked for; its half opening may follow from other arguments.
     pub(super) fn arches(
         &self,
-        needs: &Needs,
+        needs: &Missing,
         made: Option<&ExactNumber>,
     ) -> Result<Vec<Arch>, Failure> {
         let shape = self.shape.with_half_opening(made);
         self.weight.all().into_iter().map(|weight| shape.arch(weight, needs)).collect()
     }
-}
 
-impl ArchArguments {
     /// The half opening and the friction, where they are given.
-    pub(super) fn given(&self) -> Result<(Option<ExactNumber>, Option<Friction>), Failure> {
-        let wrong = |error: ParseExactError| Failure::Input(error.to_string());
+    pub(super) fn given(&self) -> Result<(Option<ExactNumber>, Option<Friction>), ParseExactError> {
         let half_opening = self.shape.half_opening.as_deref().map(str::parse);
         let friction = self.shape.friction_text();
-        let friction = friction.as_deref().map(str::parse);
-        Ok((half_opening.transpose().map_err(wrong)?, friction.transpose().map_err(wrong)?))
+        Ok((half_opening.transpose()?, friction.as_deref().map(str::parse).transpose()?))
     }
-}
 
-impl ArchArguments {
     /// The half opening alone, between 0 and pi.
-    pub(super) fn half_opening(&self, needs: &Needs) -> Result<ExactNumber, Failure> {
-        let weight = SelfWeight::Milankovitch;
-        let any_friction =
-            ShapeArguments { friction: Some("inf".to_owned()), ..self.shape.clone() };
-        Ok(any_friction.arch(weight, needs)?.half_opening().clone())
+    pub(super) fn half_opening(&self, needs: &Missing) -> Result<ExactNumber, Failure> {
+        let any = ShapeArguments { friction: Some("inf".to_owned()), ..self.shape.clone() };
+        Ok(any.arch(SelfWeight::Milankovitch, needs)?.half_opening().clone())
     }
 }
 
-/// What a command needs beside the arch, and a command line that has everything.
-pub(super) struct Needs {
-    /// Options that are missing.
-    pub missing: Vec<&'static str>,
+/// What a command misses beside the arch, and a command line that has everything.
+pub(super) struct Missing {
+    /// An option.
+    pub option: Option<&'static str>,
     /// Shown if anything is missing.
     pub example: &'static str,
 }
@@ -95,7 +87,7 @@ impl ShapeArguments {
 
     /// Whether anything of it is given.
     pub(super) fn is_given(&self) -> bool {
-        self.half_opening.is_some() || self.friction.is_some() || self.friction_angle.is_some()
+        self.half_opening.is_some() || self.has_friction()
     }
 
     /// The friction, if one is given that can be read.
@@ -112,10 +104,10 @@ impl ShapeArguments {
     pub(super) fn without_friction(
         &self,
         weight: SelfWeight,
-        needs: &Needs,
+        needs: &Missing,
     ) -> Result<Arch, Failure> {
-        let Some(alpha) = &self.half_opening else { return self.arch(weight, needs) };
-        Arch::parse(weight.name(), alpha, "inf").map_err(|error| Failure::Input(error.to_string()))
+        let friction = Some("inf".to_owned()).filter(|_| self.half_opening.is_some());
+        Self { friction, ..self.clone() }.arch(weight, needs)
     }
 
     /// The friction as [`Friction`] reads it.
@@ -127,20 +119,17 @@ impl ShapeArguments {
     }
 
     /// The arch described. All that is missing is told at once.
-    pub(super) fn arch(&self, weight: SelfWeight, needs: &Needs) -> Result<Arch, Failure> {
+    pub(super) fn arch(&self, weight: SelfWeight, needs: &Missing) -> Result<Arch, Failure> {
         let friction = self.friction_text();
-        let (Some(alpha), Some(mu), true) =
-            (&self.half_opening, &friction, needs.missing.is_empty())
+        let (Some(alpha), Some(mu), true) = (&self.half_opening, &friction, needs.option.is_none())
         else {
             let alpha = self.half_opening.is_none().then_some("--half-opening");
             let mu = friction.is_none().then_some("--friction (or --friction-angle)");
-            let missing: Vec<&str> =
-                alpha.into_iter().chain(mu).chain(needs.missing.iter().copied()).collect();
+            let missing: Vec<&str> = alpha.into_iter().chain(mu).chain(needs.option).collect();
             let verb = if missing.len() == 1 { "is" } else { "are" };
-            let message =
-                format!("{} {verb} missing; for example: {}", list(missing), needs.example);
-            return Err(Failure::Input(message));
+            let missing = list(missing);
+            return Err(format!("{missing} {verb} missing; for example: {}", needs.example).into());
         };
-        Arch::parse(weight.name(), alpha, mu).map_err(|error| Failure::Input(error.to_string()))
+        Ok(Arch::parse(weight.name(), alpha, mu)?)
     }
 }

@@ -1,16 +1,16 @@
 //! `couplet assess`.
 
-use super::arch::{ArchArguments, Needs};
+use super::arch::{ArchArguments, Missing};
 use super::measures::{self, MeasureArguments, Measured};
 use super::notes;
 use super::output::AnswerOutput;
 use super::state::print;
-use super::tilt::acceleration;
+use super::tilt::{acceleration, tilted_as, write};
 use crate::certify::asymmetric_thicknesses;
 use crate::certify::state::{Balls, Inquiry, Wanted, measured_assessment};
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Quantity};
-use crate::report::{Answer, Content, Format, Report, TiltedArch, TiltedArches};
+use crate::report::Answer;
 use crate::sweep::failure::Failure;
 use clap::Args;
 
@@ -43,16 +43,15 @@ pub(crate) struct Arguments {
 const EXAMPLE: &str = "couplet assess --half-opening 80deg --friction 0.6 --thickness 0.12";
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let missing = arguments.thickness.is_none().then_some("--thickness").into_iter().collect();
+    let option = arguments.thickness.is_none().then_some("--thickness");
     let measured = arguments.measures.measured()?;
-    let needs = Needs { missing, example: EXAMPLE };
+    let needs = Missing { option, example: EXAMPLE };
     let arches = arguments.arch.arches(&needs, measures::half_opening(measured.as_ref()))?;
     let eta = arguments.thickness.as_deref().unwrap_or_default();
     let eta = measures::thickness(measured.as_ref(), eta)?;
     if let Some(tilt) = &arguments.tilt {
         if measured.is_some_and(|measured| measured.measures.has_forces()) {
-            let message = "--tilt tells no forces: leave out --density and --depth";
-            return Err(Failure::Input(message.to_owned()));
+            return Err("--tilt tells no forces: leave out --density and --depth".into());
         }
         return tilted(arguments, &arches, &eta, tilt);
     }
@@ -89,35 +88,16 @@ fn tilted(
     eta: &ExactNumber,
     text: &str,
 ) -> Result<(), Failure> {
-    let format = arguments.output.format()?;
-    if format.tilt.is_none() {
-        let names = Format::names(Content::Tilted);
-        let message = format!("--tilt is not written as {}; the formats are {names}", format.name);
-        return Err(Failure::Input(message));
-    }
+    let format = tilted_as(arguments.output.format()?)?;
     let tilt = acceleration(text, arches)?;
     let output = arguments.output.open()?;
     let digits = arguments.arch.digits;
-    notes::frictions(arches.iter().take(1).map(Arch::friction));
-    notes::tilt(&tilt);
-    let answer = |arch: &Arch| {
+    write((output, format), arches, (eta, &tilt), None, |arch| {
         let standing = Inquiry::new(arch, digits, false).assess(eta, digits, Wanted::Standing)?;
-        let found = match standing.stands {
+        Ok(match standing.stands {
             Ok(true) => Ok(Some(crate::certify::tilted(arch, eta, &tilt, digits)?)),
             Ok(false) => Ok(None),
             Err(undecided) => Err(undecided),
-        };
-        let given = [
-            arch.half_opening().to_string(),
-            arch.friction().to_string(),
-            eta.to_string(),
-            tilt.to_string(),
-        ];
-        let (weight, is_limited) = (arch.weight(), arch.is_limited());
-        Ok(TiltedArch { weight, given, stones: None, is_limited, found })
-    };
-    let answers = TiltedArches(arches.iter().map(answer).collect::<Result<_, Failure>>()?);
-    let open = answers.0.iter().find_map(TiltedArch::first_open).cloned();
-    output.write(|out| Report::Tilted(answers).write(format, out))?;
-    open.map_or(Ok(()), |open| Err(Failure::Undecided(open.to_string())))
+        })
+    })
 }

@@ -33,7 +33,6 @@ pub(crate) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let format = arguments.file.format(arguments.format, Content::Audit, "table")?;
     let output = arguments.file.open()?;
-    let undecided = |undecided: Undecided| Failure::Undecided(undecided.to_string());
     let is_asked =
         |landmark: &Landmark| arguments.only.is_empty() || arguments.only.contains(landmark);
     let landmarks = Landmark::ALL.into_iter().filter(is_asked);
@@ -42,10 +41,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .flat_map(|landmark| weights.iter().map(move |&weight| (landmark, weight)))
         .map(|(landmark, weight)| enclosed(&CertifiedLandmark::new(landmark, weight)?))
         .collect();
-    let points = points.map_err(undecided)?;
-    let report = Report::Audit(Audit {
-        printed: audit_of(&points).map_err(undecided)?,
-        comparisons: compare_weights_of(&points).map_err(undecided)?,
-    });
+    let points = points?;
+    let (printed, comparisons) = (audit_of(&points)?, compare_weights_of(&points)?);
+    let report = Report::Audit(Audit { printed, comparisons });
     output.write(|out| report.write(format, out))
 }

@@ -1,6 +1,6 @@
 //! `couplet certify`.
 
-use super::arch::{Needs, ShapeArguments};
+use super::arch::{Missing, ShapeArguments};
 use super::notes;
 use super::output::{Output, is_standard};
 use crate::arch::SelfWeight;
@@ -26,19 +26,13 @@ pub(crate) struct Arguments {
     /// A landmark (T, S, J, B, l, L, sb), `state` for the state of an arch, `arch` for an arch of a thickness,
     /// `asymmetric` for an asymmetric solution of (19), or `all` for all landmarks.
     #[arg(value_name = "SUBJECT", value_parser = target)]
-    target: Target,
+    target: CertifyTarget,
 
     #[command(flatten)]
     shape: ShapeArguments,
 
     /// Thickness-to-radius ratio, for `arch`, above 0 and up to 2 (0.12, 3/25).
-    #[arg(
-        long,
-        visible_alias = "eta",
-        value_name = "ETA",
-        value_parser = thickness,
-        allow_hyphen_values = true
-    )]
+    #[arg(long, visible_alias = "eta", value_name = "ETA", value_parser = thickness, allow_hyphen_values = true)]
     thickness: Option<ExactNumber>,
 
     /// For `asymmetric`, how the mechanism closes: inner_sliding, shoulder_opening or shoulder_sliding; the one that is
@@ -60,7 +54,7 @@ pub(crate) struct Arguments {
 }
 
 #[derive(Clone, Copy, PartialEq)]
-enum Target {
+enum CertifyTarget {
     Landmark(Landmark),
     State,
     Arch,
@@ -68,14 +62,14 @@ enum Target {
     All,
 }
 
-fn target(text: &str) -> Result<Target, String> {
+fn target(text: &str) -> Result<CertifyTarget, String> {
     match text {
-        "state" => Ok(Target::State),
-        "arch" => Ok(Target::Arch),
-        "asymmetric" => Ok(Target::Asymmetric),
-        "all" => Ok(Target::All),
+        "state" => Ok(CertifyTarget::State),
+        "arch" => Ok(CertifyTarget::Arch),
+        "asymmetric" => Ok(CertifyTarget::Asymmetric),
+        "all" => Ok(CertifyTarget::All),
         symbol => parse::landmark_or(symbol, &["state", "arch", "asymmetric", "all"])
-            .map(Target::Landmark),
+            .map(CertifyTarget::Landmark),
     }
 }
 
@@ -86,56 +80,51 @@ const ARCH: &str = "couplet certify arch --half-opening 80deg --friction 0.6 --t
 const ASYMMETRIC: &str = "couplet certify asymmetric --half-opening 2.3 --friction 1.05";
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let is_arch = matches!(arguments.target, Target::State | Target::Arch | Target::Asymmetric);
+    let is_arch = matches!(
+        arguments.target,
+        CertifyTarget::State | CertifyTarget::Arch | CertifyTarget::Asymmetric
+    );
     if !is_arch && arguments.shape.is_given() {
         let message = "a half opening and a friction belong to `state`, `arch` and `asymmetric`";
-        return Err(Failure::Input(message.into()));
+        return Err(message.into());
     }
-    if arguments.target != Target::Arch && arguments.thickness.is_some() {
-        return Err(Failure::Input("a thickness belongs to `arch`".into()));
+    if arguments.target != CertifyTarget::Arch && arguments.thickness.is_some() {
+        return Err("a thickness belongs to `arch`".into());
     }
-    if arguments.target != Target::Asymmetric && arguments.mode.is_some() {
-        return Err(Failure::Input("a mode belongs to `asymmetric`".into()));
+    if arguments.target != CertifyTarget::Asymmetric && arguments.mode.is_some() {
+        return Err("a mode belongs to `asymmetric`".into());
     }
     let weight = arguments.weight.unwrap_or(SelfWeight::Milankovitch);
+    let (digits, thickness) = (arguments.digits, arguments.thickness.as_ref());
     let output = || Output::open(arguments.output.as_deref());
-    match arguments.target {
-        Target::All => all(arguments),
-        Target::Landmark(landmark) => {
+    let (option, example) = match arguments.target {
+        CertifyTarget::All => return all(arguments),
+        CertifyTarget::Landmark(landmark) => {
             let output = output()?;
-            let made = certify_landmark(landmark, weight, arguments.digits);
-            write(output, &made?)
+            return write(output, &certify_landmark(landmark, weight, digits)?);
         }
-        Target::Asymmetric => {
-            let needs = Needs { missing: Vec::new(), example: ASYMMETRIC };
-            let arch = arguments.shape.arch(weight, &needs)?;
-            if !arch.is_limited() {
-                let words =
-                    "an asymmetric solution needs a limited friction: give --friction a number";
-                return Err(Failure::Input(words.into()));
-            }
-            parse::state_digits(&arguments.digits.to_string()).map_err(Failure::Input)?;
-            let mode = arguments.mode.map_or_else(|| only_kind(&arch), Ok)?;
-            let output = output()?;
-            notes::frictions([arch.friction()]);
-            let made = certify_asymmetric(&arch, mode, arguments.digits);
-            write(output, &made?)
-        }
-        Target::State | Target::Arch => {
-            let thickness = arguments.thickness.as_ref();
-            let needs = match (arguments.target, thickness) {
-                (Target::Arch, None) => Needs { missing: vec!["--thickness"], example: ARCH },
-                (Target::Arch, _) => Needs { missing: Vec::new(), example: ARCH },
-                _ => Needs { missing: Vec::new(), example: STATE },
-            };
-            let arch = arguments.shape.arch(weight, &needs)?;
-            parse::state_digits(&arguments.digits.to_string()).map_err(Failure::Input)?;
-            let output = output()?;
-            notes::frictions([arch.friction()]);
-            let made = certify_arch(&arch, thickness, arguments.digits);
-            write(output, &made?)
-        }
+        CertifyTarget::Asymmetric => (None, ASYMMETRIC),
+        CertifyTarget::State => (None, STATE),
+        CertifyTarget::Arch => (thickness.is_none().then_some("--thickness"), ARCH),
+    };
+    let arch = arguments.shape.arch(weight, &Missing { option, example })?;
+    let is_asymmetric = arguments.target == CertifyTarget::Asymmetric;
+    if is_asymmetric && !arch.is_limited() {
+        let words = "an asymmetric solution needs a limited friction: give --friction a number";
+        return Err(words.into());
     }
+    parse::state_digits(&digits.to_string())?;
+    let mode = match is_asymmetric {
+        true => Some(arguments.mode.map_or_else(|| only_kind(&arch), Ok)?),
+        false => None,
+    };
+    let output = output()?;
+    notes::frictions([arch.friction()]);
+    let made = match mode {
+        Some(mode) => certify_asymmetric(&arch, mode, digits)?,
+        None => certify_arch(&arch, thickness, digits)?,
+    };
+    write(output, &made)
 }
 
 /// The kind of the asymmetric solution that is found, if it is one alone.
@@ -146,7 +135,7 @@ fn only_kind(arch: &Arch) -> Result<AsymmetricMode, Failure> {
         [] => Err(Failure::Undecided("no asymmetric solution is found".into())),
         _ => {
             let names: Vec<&str> = kinds.iter().map(|kind| kind.name()).collect();
-            Err(Failure::Input(format!("it has several: give --mode {}", names.join(" or "))))
+            Err(format!("it has several: give --mode {}", names.join(" or ")).into())
         }
     }
 }
@@ -154,8 +143,7 @@ fn only_kind(arch: &Arch) -> Result<AsymmetricMode, Failure> {
 /// All landmarks, each in a file of its own.
 fn all(arguments: &Arguments) -> Result<(), Failure> {
     let folder = arguments.output.as_deref().filter(|folder| !is_standard(folder));
-    let folder =
-        folder.ok_or_else(|| Failure::Input("`all` needs a folder, --output PATH".into()))?;
+    let folder = folder.ok_or("`all` needs a folder, --output PATH")?;
     let failed = |error: std::io::Error| Failure::writing(folder.display(), &error);
     fs::create_dir_all(folder).map_err(failed)?;
     let weights = arguments.weight.map_or(SelfWeight::ALL.to_vec(), |weight| vec![weight]);

@@ -1,6 +1,6 @@
 //! `couplet complementarity`.
 
-use super::arch::{ArchArguments, Needs};
+use super::arch::{ArchArguments, Missing};
 use super::map::{is_written, tolerance};
 use super::notes;
 use super::output::OutputFile;
@@ -97,9 +97,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return branches(arguments);
     }
     if arguments.tolerance.is_some() {
-        return Err(Failure::Input("--tolerance is for --branch".into()));
+        return Err("--tolerance is for --branch".into());
     }
-    let needs = Needs { missing: Vec::new(), example: EXAMPLE };
+    let needs = Missing { option: None, example: EXAMPLE };
     let arches = arguments.arch.arches(&needs, None)?;
     let format = arguments.file.format(arguments.format, Content::Complementarity, "table")?;
     is_written("without --branch a solution", Content::Complementarity, format)?;
@@ -108,14 +108,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let extent = if arguments.half { Extent::Half } else { Extent::Whole };
     let too_many = arguments.stones.filter(|n| *n > MOST_ENUMERATED_STONES);
     if let (Some(stones), None) = (too_many, &arguments.thickness) {
-        return Err(Failure::Input(format!(
+        return Err(format!(
             "all solutions are found between at most {MOST_ENUMERATED_STONES} stones, not {stones}: with --thickness \
              {MOST_JOINTED_STONES} are allowed"
-        )));
+        )
+        .into());
     }
     if arguments.stones.is_some() && arches.iter().any(|arch| !arch.is_limited()) {
         let words = "conditions between stones need a limited friction: give --friction a number";
-        return Err(Failure::Input(words.to_owned()));
+        return Err(words.into());
     }
     notes::frictions(arches.iter().take(1).map(Arch::friction));
     let answer = |arch: Arch| {
@@ -139,8 +140,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let arches = arches.into_iter().map(answer).collect::<Result<_, Failure>>()?;
     let answers = ComplementarityArches(arches);
     let open = answers.0.iter().find_map(ComplementarityArch::first_open);
-    file.write(|out| Report::Complementarity(answers).write(format, out))?;
-    open.map_or(Ok(()), |open| Err(Failure::Undecided(open.to_string())))
+    file.report((&Report::Complementarity(answers), format), open)
 }
 
 /// The programme (20) of an arch.
@@ -179,11 +179,10 @@ const TOLERANCE: f64 = 1e-4;
 const DIGITS: usize = 30;
 
 fn branches(arguments: &Arguments) -> Result<(), Failure> {
-    let half_opening =
-        arguments.arch.half_opening(&Needs { missing: Vec::new(), example: BRANCH })?;
+    let half_opening = arguments.arch.half_opening(&Missing { option: None, example: BRANCH })?;
     let digits = arguments.arch.digits;
     if digits > DIGITS {
-        return Err(Failure::Input(format!("with --branch digits are 1 to {DIGITS}")));
+        return Err(format!("with --branch digits are 1 to {DIGITS}").into());
     }
     let format = arguments.file.format(arguments.format, Content::Branch, "table")?;
     let file = arguments.file.open_for(format)?;
@@ -208,9 +207,5 @@ fn branches(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::Undecided(format!("there is nothing to draw: {why}")));
     }
     let report = Report::Branches(BranchArches { tolerance, digits, arches, command: typed() });
-    file.write(|out| report.write(format, out))?;
-    match open.is_empty() {
-        true => Ok(()),
-        false => Err(Failure::Undecided(open.join("; "))),
-    }
+    file.report((&report, format), open)
 }

@@ -63,7 +63,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         wanted.iter().filter(has).map(|&quantity| (quantity, digits)).collect()
     };
     if points.iter().all(|&(landmark, _)| asked(landmark).is_empty()) {
-        return Err(Failure::Input("none of these landmarks has what was asked for".into()));
+        return Err("none of these landmarks has what was asked for".into());
     }
     let output = arguments.output.open()?;
     let ticks_of = |landmark| CertifiedLandmark::ticks_of(landmark, asked(landmark).len());

@@ -23,8 +23,8 @@ pub(super) fn traced(
             Err(undecided) => open.push(undecided.to_string()),
         }
     }
-    if (format.is_picture || format.is_page()) && !open.is_empty() {
-        return Err(Failure::Undecided(open.join("; ")));
+    if format.is_picture || format.is_page() {
+        Failure::of_open(&open)?;
     }
     Ok((traces, open))
 }
@@ -64,8 +64,7 @@ pub(super) fn levels(
         let has_all = Level::curves().all(|curve| {
             traces.iter().any(|trace| trace.curve == curve && trace.weight == *weight)
         });
-        let undecided = |undecided: Undecided| Failure::Undecided(undecided.to_string());
-        let others = if has_all { Vec::new() } else { Level::lines(*weight).map_err(undecided)? };
+        let others = if has_all { Vec::new() } else { Level::lines(*weight)? };
         let lines = if has_all { traces } else { &others[..] };
         let found: Vec<Result<Level, NoLevel>> = contours
             .par_iter()
@@ -74,7 +73,7 @@ pub(super) fn levels(
         for level in found {
             match level {
                 Ok(level) => levels.push(level),
-                Err(NoLevel::Outside(why)) => return Err(Failure::Input(why)),
+                Err(NoLevel::Outside(why)) => return Err(why.into()),
                 Err(undecided) => open.push(undecided.to_string()),
             }
         }
@@ -86,6 +85,5 @@ pub(super) fn levels(
 pub(super) fn borders(weights: &[SelfWeight], tolerance: f64) -> Result<Vec<Border>, Failure> {
     let all = weights.par_iter().map(|weight| Border::all(*weight, tolerance));
     let all: Result<Vec<Vec<Border>>, Undecided> = all.collect();
-    all.map(|all| all.into_iter().flatten().collect())
-        .map_err(|open| Failure::Undecided(open.to_string()))
+    Ok(all?.into_iter().flatten().collect())
 }

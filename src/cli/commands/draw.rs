@@ -1,15 +1,16 @@
 //! `couplet draw`.
 
-use super::arch::{Needs, ShapeArguments};
+use super::arch::{Missing, ShapeArguments};
 use super::measures::{self, MeasureArguments, Measured};
 use super::notes;
 use super::output::OutputFile;
 use crate::arch::SelfWeight;
-use crate::atlas::{NoSketch, Sketch};
+use crate::atlas::Sketch;
+use crate::sweep::failure::Failure;
 use crate::cli::line::typed;
 use crate::problem::{Landmark, Mode};
 use crate::report::{Content, Format, Report, Sketched, Style};
-use crate::sweep::failure::Failure;
+use crate::sweep::scene::{DrawnArch, Pose};
 use crate::sweep::parse;
 use clap::Args;
 
@@ -102,10 +103,10 @@ fn stones(text: &str) -> Result<u32, String> {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let format = arguments.file.format(arguments.format, Content::Drawing, "svg")?;
     if arguments.animate && format.name != "svg" {
-        return Err(Failure::Input(format!("only svg moves, not {}", format.name)));
+        return Err(format!("only svg moves, not {}", format.name).into());
     }
     if arguments.arrows && !format.is_picture {
-        return Err(Failure::Input(format!("only svg and png have arrows, not {}", format.name)));
+        return Err(format!("only svg and png have arrows, not {}", format.name).into());
     }
     let measured = arguments.measures.measured()?;
     let sketch = arguments.sketch(measured.as_ref())?;
@@ -121,7 +122,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if !drawn.can_be_drawn() {
         let message =
             "a drawing has a radius from 1mm to 1000000m, and forces of a size that doubles hold";
-        return Err(Failure::Input(message.into()));
+        return Err(message.into());
     }
     let file = arguments.file.open_for(format)?;
     notes::frictions(&arguments.shape.friction());
@@ -132,56 +133,29 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 impl Arguments {
     /// What is asked for, in the modes asked for.
     fn sketch(&self, measured: Option<&Measured>) -> Result<Sketch, Failure> {
-        let stones = self.stones.map(u64::from);
-        let has_given = (self.at, self.mode, &self.thickness, self.shape.has_friction());
-        if let (Some(_), ..) | (_, Some(Mode::Sliding), Some(_), false) = has_given
-            && stones.is_some()
-        {
-            return Err(Failure::Input(STONES.into()));
-        }
-        if let Some(landmark) = self.at {
-            let sketch = Sketch::landmark(landmark, self.weight, self.dilatant).map_err(failure)?;
-            return sketch.in_modes(self.mode.as_slice()).map_err(failure);
-        }
+        let (stones, is_dilatant) = (self.stones.map(u64::from), self.dilatant);
         let shape = self.shape.with_half_opening(measures::half_opening(measured));
-        let thick = self.thickness.as_deref().map(|eta| measures::thickness(measured, eta));
-        let thick = thick.transpose()?;
-        let needs = Needs { missing: Vec::new(), example: EXAMPLE };
-        match (&thick, self.mode) {
-            (Some(thick), Some(Mode::Sliding)) if !shape.has_friction() => {
-                let arch = shape.without_friction(self.weight, &needs)?;
-                Sketch::sliding(&arch, thick, self.dilatant).map_err(failure)
+        let is_sliding = self.mode == Some(Mode::Sliding) && !shape.has_friction();
+        if stones.is_some() && (self.at.is_some() || is_sliding && self.thickness.is_some()) {
+            return Err(STONES.into());
+        }
+        let thickness = |eta: &String| measures::thickness(measured, eta);
+        let needs = Missing { option: None, example: EXAMPLE };
+        let pose = match (self.at, self.thickness.as_ref().map(thickness).transpose()?) {
+            (Some(landmark), _) => Pose::Landmark(landmark, self.weight),
+            (None, Some(thickness)) if is_sliding => {
+                Pose::Sliding(shape.without_friction(self.weight, &needs)?, thickness)
             }
-            (Some(_), _) if self.mode.is_some() || self.dilatant || self.animate => {
+            (None, Some(_)) if self.mode.is_some() || is_dilatant || self.animate => {
                 let message = "an arch as it stands does not move: leave out --mode, --dilatant and --animate, or \
                                --thickness";
-                Err(Failure::Input(message.into()))
+                return Err(message.into());
             }
-            (Some(thick), _) => {
-                let arch = shape.arch(self.weight, &needs)?;
-                match stones {
-                    Some(stones) => Sketch::standing_of_stones(&arch, stones, thick),
-                    None => Sketch::standing(&arch, thick),
-                }
-                .map_err(failure)
-            }
-            (None, _) => {
-                let arch = shape.arch(self.weight, &needs)?;
-                let sketch = match stones {
-                    Some(stones) => Sketch::least_of_stones(&arch, stones, self.dilatant),
-                    None => Sketch::least(&arch, self.dilatant),
-                };
-                let sketch = sketch.map_err(failure)?;
-                sketch.in_modes(self.mode.as_slice()).map_err(failure)
-            }
-        }
-    }
-}
-
-/// Nothing to draw is a wrong question, or an open one.
-pub(super) fn failure(none: NoSketch) -> Failure {
-    match none {
-        NoSketch::Undecided(_) | NoSketch::Falls(_) => Failure::Undecided(none.to_string()),
-        _ => Failure::Input(none.to_string()),
+            (None, Some(thickness)) => Pose::Standing(shape.arch(self.weight, &needs)?, thickness),
+            (None, None) => Pose::Least(shape.arch(self.weight, &needs)?),
+        };
+        let is_moved = matches!(pose, Pose::Landmark(..) | Pose::Least(_));
+        let sketch = DrawnArch { pose, stones, is_dilatant }.sketch()?;
+        Ok(if is_moved { sketch.in_modes(self.mode.as_slice())? } else { sketch })
     }
 }

@@ -1,7 +1,6 @@
 //! `couplet figure`.
 
 use super::curves::{levels, traced};
-use super::draw::failure;
 use super::map::tolerance;
 use super::output::OutputFile;
 use crate::arch::SelfWeight;
@@ -69,18 +68,19 @@ fn draw(
         None => SelfWeight::Milankovitch,
         Some(Weights::One(weight)) => weight,
         Some(Weights::Both) => {
-            return Err(Failure::Input(format!("figure {} shows one --weight", arguments.number)));
+            return Err(format!("figure {} shows one --weight", arguments.number).into());
         }
     };
     if arguments.tolerance.is_some() {
-        let message =
-            format!("figure {} has no curves of the map: leave out --tolerance", arguments.number);
-        return Err(Failure::Input(message));
+        let number = arguments.number;
+        return Err(
+            format!("figure {number} has no curves of the map: leave out --tolerance").into()
+        );
     }
     let sketch = |(landmark, modes): &(Landmark, &[Mode])| {
         Sketch::landmark(*landmark, weight, false).and_then(|sketch| sketch.in_modes(modes))
     };
-    let sketches = shown.iter().map(sketch).collect::<Result<_, _>>().map_err(failure)?;
+    let sketches = shown.iter().map(sketch).collect::<Result<_, _>>()?;
     let style = Style::of_figure(arguments.number);
     let report = Report::Sketched(Sketched { sketches, style, measures: None, command: typed() });
     arguments.file.open_for(format)?.write(|out| report.write(format, out))
@@ -98,7 +98,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let weights = arguments.weight.unwrap_or(usual).all();
     if weights.len() > 1 && view.is_of_one_weight() {
-        return Err(Failure::Input("figure 6 shows one --weight".into()));
+        return Err("figure 6 shows one --weight".into());
     }
     let file = arguments.file.open_for(format)?;
     let curves = |weight| Curve::ALL.into_iter().map(move |curve| (weight, curve));
@@ -114,10 +114,5 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let landmarks = Vec::new();
     let map = Map { tolerance, traces, levels, borders: Vec::new(), landmarks, drawing };
     open.extend(map.open());
-    let report = Report::Map(map);
-    file.write(|out| report.write(format, out))?;
-    match open.is_empty() {
-        true => Ok(()),
-        false => Err(Failure::Undecided(open.join("; "))),
-    }
+    file.report((&Report::Map(map), format), open)
 }

@@ -23,9 +23,9 @@ use clap::Args;
                             couplet find boundary <MODES> --friction <MU> | --half-opening <ANGLE> [OPTIONS]"
 )]
 pub(crate) struct Arguments {
-    /// What to find: half-opening, friction or boundary.
+    /// FindTarget to find: half-opening, friction or boundary.
     #[arg(value_name = "WHAT", value_parser = what)]
-    what: What,
+    what: FindTarget,
 
     /// The two modes of a boundary (rrs/rsr, [r,s,r]/[r,s]).
     #[arg(value_name = "MODES", value_parser = line)]
@@ -43,17 +43,17 @@ pub(crate) struct Arguments {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum What {
+enum FindTarget {
     HalfOpening,
     Friction,
     Boundary,
 }
 
-fn what(text: &str) -> Result<What, String> {
+fn what(text: &str) -> Result<FindTarget, String> {
     match &text.replace('_', "-").to_lowercase()[..] {
-        "half-opening" | "alpha" => Ok(What::HalfOpening),
-        "friction" | "mu" => Ok(What::Friction),
-        "boundary" => Ok(What::Boundary),
+        "half-opening" | "alpha" => Ok(FindTarget::HalfOpening),
+        "friction" | "mu" => Ok(FindTarget::Friction),
+        "boundary" => Ok(FindTarget::Boundary),
         "thickness" | "eta" => Err("the least thickness is what `couplet state` finds".into()),
         _ => Err(parse::unknown("what is found", text, &["half-opening", "friction", "boundary"])),
     }
@@ -81,9 +81,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let open = answers.iter().find_map(Answer::first_open);
     let kept = Vec::new();
     let report = Answers { scope: Scope::Found, digits, quantities, kept, list: answers };
-    let report = Report::Answers(report);
-    file.write(|out| report.write(format, out))?;
-    open.map_or(Ok(()), |open| Err(Failure::Undecided(open.to_string())))
+    file.report((&Report::Answers(report), format), open)
 }
 
 /// The quantities that an answer can have: not what is given.
@@ -104,7 +102,7 @@ fn found_by(question: &Question) -> Vec<Quantity> {
 /// The question asked, if what is given fits it.
 fn question(arguments: &Arguments) -> Result<Question, Failure> {
     let (half_opening, friction) = arguments.arch.given()?;
-    let eta = arguments.thickness.as_deref().map(thickness).transpose().map_err(Failure::Input)?;
+    let eta = arguments.thickness.as_deref().map(thickness).transpose()?;
     let given = [half_opening.is_some(), friction.is_some(), eta.is_some()];
     let too_much = |wrong: &[(bool, &str)]| {
         let wrong: Vec<&str> = wrong.iter().filter(|(given, _)| *given).map(|x| x.1).collect();
@@ -119,20 +117,20 @@ fn question(arguments: &Arguments) -> Result<Question, Failure> {
     let modes = (arguments.modes.is_some(), "a pair of modes");
     let [alpha, _, thick] = given;
     Ok(match arguments.what {
-        What::HalfOpening => {
+        FindTarget::HalfOpening => {
             too_much(&[modes, (alpha, "--half-opening")])?;
             let example = "half-opening --thickness 0.15 --friction 0.6";
             let friction =
                 friction.ok_or_else(|| missing("--friction (or --friction-angle)", example))?;
             Question::HalfOpening { friction, thickness: eta }
         }
-        What::Friction => {
+        FindTarget::Friction => {
             too_much(&[modes, (friction.is_some(), "--friction")])?;
             let example = "friction --half-opening 80deg --thickness 0.1";
             let half_opening = half_opening.ok_or_else(|| missing("--half-opening", example))?;
             Question::Friction { half_opening, thickness: eta }
         }
-        What::Boundary => {
+        FindTarget::Boundary => {
             too_much(&[(thick, "--thickness")])?;
             let example = "boundary rrs/rsr --friction 1.6";
             let line = arguments.modes.ok_or_else(|| missing("the pair of modes", example))?;
@@ -142,8 +140,7 @@ fn question(arguments: &Arguments) -> Result<Question, Failure> {
                 (None, Some(mu)) => Given::Friction(mu),
                 (None, None) => return Err(missing("--friction or --half-opening", example)),
                 (Some(_), Some(_)) => {
-                    let message = "give --friction or --half-opening; the other one is found";
-                    return Err(Failure::Input(message.into()));
+                    return Err("give --friction or --half-opening; the other one is found".into());
                 }
             };
             Question::Boundary { line, given }

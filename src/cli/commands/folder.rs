@@ -2,13 +2,13 @@
 
 use super::output::{Output, is_same_file, is_standard};
 use crate::sweep::failure::Failure;
-use crate::sweep::scene::{Item, MANIFEST, Manifest};
+use crate::sweep::scene::{MANIFEST, Manifest, SceneItem};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
 /// The folder of the outputs, with the record of what runs wrote there.
-pub(super) struct Folder {
+pub(super) struct RunFolder {
     /// As it was given; nothing before a file's name is the current folder.
     given: PathBuf,
     overwrites: bool,
@@ -17,12 +17,13 @@ pub(super) struct Folder {
     seen: Option<Manifest>,
 }
 
-impl Folder {
+impl RunFolder {
     /// The folder, with its record. `overwrites` allows to replace files that the record does not name.
     pub(super) fn open(given: Option<&Path>, overwrites: bool) -> Result<Self, Failure> {
         if given.is_some_and(is_standard) {
-            let message = "a run writes into a folder, not to standard output; ./- is a folder";
-            return Err(Failure::Input(message.into()));
+            return Err(
+                "a run writes into a folder, not to standard output; ./- is a folder".into()
+            );
         }
         let given = given.unwrap_or(Path::new("")).to_owned();
         let record = given.join(MANIFEST);
@@ -35,9 +36,10 @@ impl Folder {
             Err(_) if overwrites => Manifest::default(),
             Err(_) => {
                 let record = record.display();
-                let message =
-                    format!("{record} is not the record of a run; --overwrite replaces it");
-                return Err(Failure::Input(message));
+                return Err(format!(
+                    "{record} is not the record of a run; --overwrite replaces it"
+                )
+                .into());
             }
         };
         Ok(Self { given, overwrites, manifest, seen })
@@ -49,7 +51,7 @@ impl Folder {
     }
 
     /// Whether the output of an item is there and is what would be written again.
-    pub(super) fn is_complete(&self, item: &Item) -> bool {
+    pub(super) fn is_complete(&self, item: &SceneItem) -> bool {
         self.manifest.is_complete(&self.given, item)
     }
 
@@ -59,7 +61,7 @@ impl Folder {
         let shown = outputs.iter().map(|output| self.shown(output));
         if let Some(output) = shown.into_iter().find(|output| is_same_file(output, scene)) {
             let output = output.display();
-            return Err(Failure::Input(format!("refusing to overwrite the scene {output}")));
+            return Err(format!("refusing to overwrite the scene {output}").into());
         }
         for output in outputs {
             let path = self.destination(output)?;
@@ -83,7 +85,7 @@ impl Folder {
     }
 
     /// Notes that all that was asked of an item was written.
-    pub(super) fn note(&mut self, item: &Item, hash: String) -> Result<(), Failure> {
+    pub(super) fn note(&mut self, item: &SceneItem, hash: String) -> Result<(), Failure> {
         self.manifest.note(item, hash);
         self.write_record()
     }
@@ -140,8 +142,9 @@ impl Folder {
         if path.is_file() && !self.overwrites && !self.manifest.names(output) {
             self.is_mine()?;
             let shown = shown.display();
-            let message = format!("{shown} is there, and no run wrote it; --overwrite replaces it");
-            return Err(Failure::Input(message));
+            return Err(
+                format!("{shown} is there, and no run wrote it; --overwrite replaces it").into()
+            );
         }
         Ok(path)
     }
@@ -154,9 +157,9 @@ mod tests {
     #[test]
     fn a_run_is_told_of_another_at_the_same_folder() {
         let folder = tempfile::tempdir().unwrap();
-        let open = || Folder::open(Some(folder.path()), false).unwrap();
+        let open = || RunFolder::open(Some(folder.path()), false).unwrap();
         let (mut one, mut other, mut third) = (open(), open(), open());
-        let write = |folder: &mut Folder| {
+        let write = |folder: &mut RunFolder| {
             folder.begin(Path::new("a.csv"))?.write(|out| out.write_all(b"x"))
         };
         assert!(write(&mut one).is_ok());

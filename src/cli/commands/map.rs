@@ -11,7 +11,7 @@ use crate::atlas::{
 };
 use crate::certify::{Error, Undecided};
 use crate::cli::line::typed;
-use crate::number::{ExactNumber, ParseExactError};
+use crate::number::ExactNumber;
 use crate::problem::Friction;
 use crate::report::{
     Content, Drawing, Format, Map, MapAsked, MapDifferences, MapPoint, MapPoints, Marked, Plane,
@@ -39,7 +39,7 @@ use rayon::prelude::*;
 pub(crate) struct Arguments {
     /// Curves, with commas between several; all if none is named.
     #[arg(long = "curve", value_name = "NAME", value_parser = curves)]
-    curves: Vec<Curves>,
+    curves: Vec<CurveNames>,
 
     /// The lines of these half openings (80deg, 2.5), mode by mode, with commas between several; without --curve only
     /// these.
@@ -87,10 +87,8 @@ pub(crate) struct Arguments {
         long,
         value_name = "PARAMETER",
         allow_hyphen_values = true,
-        conflicts_with_all = [
-            "half_openings", "thicknesses", "frictions", "tolerance", "plane", "lines", "half_opening_unit", "friction_unit",
-            "scale", "half_opening_range", "friction_range", "thickness_range", "marks", "bare",
-        ]
+        conflicts_with = "tolerance",
+        conflicts_with_all = DRAWN
     )]
     at: Option<String>,
 
@@ -100,14 +98,7 @@ pub(crate) struct Arguments {
 
     /// Instead, by how much the thickness of Milankovitch's weight is above that of Heyman's on each dividing curve, at equal
     /// friction: as table, csv, json, svg or png.
-    #[arg(
-        long,
-        conflicts_with_all = [
-            "curves", "half_openings", "thicknesses", "frictions", "weight", "at", "plane", "lines",
-            "half_opening_unit", "friction_unit", "scale", "half_opening_range", "friction_range",
-            "thickness_range", "marks", "bare", "asymmetric",
-        ]
-    )]
+    #[arg(long, conflicts_with_all = ["curves", "weight", "at", "asymmetric"], conflicts_with_all = DRAWN)]
     difference: bool,
 
     /// For a picture, what lies along its axes: thickness-friction (if not given), opening-friction or opening-thickness.
@@ -128,12 +119,7 @@ pub(crate) struct Arguments {
 
     /// For a map, an arch to mark, with its proved state: half opening, friction and, if it has one, thickness
     /// (80deg,0.6,0.15). May be repeated.
-    #[arg(
-        long = "mark",
-        value_name = "ALPHA,MU[,ETA]",
-        value_parser = marked,
-        allow_hyphen_values = true
-    )]
+    #[arg(long = "mark", value_name = "ALPHA,MU[,ETA]", value_parser = marked, allow_hyphen_values = true)]
     marks: Vec<Marked>,
 
     /// For a map, without lines of equal half opening, thickness or friction.
@@ -147,18 +133,35 @@ pub(crate) struct Arguments {
     file: OutputFile,
 }
 
+/// The options of a map that is drawn.
+const DRAWN: [&str; 13] = [
+    "half_openings",
+    "thicknesses",
+    "frictions",
+    "plane",
+    "lines",
+    "half_opening_unit",
+    "friction_unit",
+    "scale",
+    "half_opening_range",
+    "friction_range",
+    "thickness_range",
+    "marks",
+    "bare",
+];
+
 /// Curves named together.
 #[derive(Clone, Debug)]
-struct Curves(Vec<Curve>);
+struct CurveNames(Vec<Curve>);
 
 /// Names with commas between them; those of modes in brackets separate nothing.
-fn curves(text: &str) -> Result<Curves, String> {
+fn curves(text: &str) -> Result<CurveNames, String> {
     let mut depth = 0;
     let is_between = |c: char| {
         depth += i32::from(c == '[') - i32::from(c == ']');
         c == ',' && depth == 0
     };
-    text.split(is_between).map(curve).collect::<Result<_, _>>().map(Curves)
+    text.split(is_between).map(curve).collect::<Result<_, _>>().map(CurveNames)
 }
 
 fn curve(text: &str) -> Result<Curve, String> {
@@ -225,9 +228,8 @@ impl Arguments {
             axes: &axes,
             has_marks: !self.marks.is_empty(),
         };
-        if let Some(message) = asked.misfit(|key| format!("--{}", key.replace('_', "-"))) {
-            return Err(Failure::Input(message));
-        }
+        let misfit = asked.misfit(|key| format!("--{}", key.replace('_', "-")));
+        misfit.map_or(Ok(()), Err)?;
         notes::frictions(self.frictions.iter().chain(self.marks.iter().map(Marked::friction)));
         let marks = each_once(&self.marks, ToString::to_string, |mark| format!("the mark {mark}"));
         let view = if self.lines { View::Lines } else { View::Map(asked.plane()) };
@@ -247,7 +249,7 @@ impl Arguments {
     }
 
     fn curves(&self) -> Vec<Curve> {
-        let all = self.curves.iter().flat_map(|Curves(curves)| curves).copied();
+        let all = self.curves.iter().flat_map(|CurveNames(curves)| curves).copied();
         each_once(all, |curve| *curve, |curve| format!("the curve {curve}"))
     }
 }
@@ -284,21 +286,19 @@ fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
     };
     let map = Map { tolerance, traces, levels, borders, landmarks, drawing };
     open.extend(map.open());
-    let report = Report::Map(map);
-    file.write(|out| report.write(format, out))?;
-    if arguments.file.is_file() {
-        summary(&report, Content::Map)?;
-    }
-    match open.is_empty() {
-        true => Ok(()),
-        false => Err(Failure::Undecided(open.join("; "))),
-    }
+    write((arguments, file), (&Report::Map(map), format), Content::Map)?;
+    Failure::of_open(open)
 }
 
-/// What was proved, on standard output beside a file of data.
-fn summary(report: &Report, content: Content) -> Result<(), Failure> {
-    match Format::named(content, "table") {
-        Some(table) => Output::open(None)?.write(|out| report.write(table, out)),
+/// Writes a report, and what was proved, on standard output beside a file of data.
+fn write(
+    (arguments, file): (&Arguments, Output),
+    (report, format): (&Report, &Format),
+    content: Content,
+) -> Result<(), Failure> {
+    file.write(|out| report.write(format, out))?;
+    match Format::named(content, "table").filter(|_| arguments.file.is_file()) {
+        Some(table) => Output::Standard.write(|out| report.write(table, out)),
         None => Ok(()),
     }
 }
@@ -309,17 +309,15 @@ const COARSE: f64 = 1e-2;
 fn one_point(arguments: &Arguments, parameter: &str) -> Result<(), Failure> {
     let [curve] = arguments.curves()[..] else {
         let message = "--at needs one --curve; for example: couplet map --curve rrr/srr --at 80deg";
-        return Err(Failure::Input(message.into()));
+        return Err(message.into());
     };
     let format = arguments.format()?;
     is_written("a point", Content::MapPoint, format)?;
-    let wrong = |error: ParseExactError| Failure::Input(error.to_string());
-    let exact: ExactNumber = parameter.parse().map_err(wrong)?;
+    let exact: ExactNumber = parameter.parse()?;
     let weights = arguments.weights(format);
     let weights = if curve.is_weightless() { &weights[..1] } else { &weights[..] };
     let points = weights.iter().map(|&weight| {
-        let undecided = |undecided: Undecided| Failure::Undecided(undecided.to_string());
-        let trace = Trace::new(curve, weight, COARSE).map_err(undecided)?;
+        let trace = Trace::new(curve, weight, COARSE)?;
         let values = point(&trace, &exact, arguments.digits).map_err(|error| match error {
             NoPoint::Undecided(_) => Failure::Undecided(error.to_string()),
             _ => Failure::Input(error.to_string()),
@@ -336,7 +334,7 @@ pub(super) fn is_written(what: &str, content: Content, format: &Format) -> Resul
     let formats: Vec<&str> = Format::all(content).map(|format| format.name).collect();
     match formats.contains(&format.name) {
         true => Ok(()),
-        false => Err(Failure::Input(format!("{what} is written only as {}", formats.join(", ")))),
+        false => Err(format!("{what} is written only as {}", formats.join(", ")).into()),
     }
 }
 
@@ -345,18 +343,12 @@ fn difference(arguments: &Arguments) -> Result<(), Failure> {
     is_written("a difference", Content::MapDifference, format)?;
     let tolerance = arguments.tolerance;
     if tolerance < LEAST_DIFFERENCE {
-        let message = format!("a difference has a tolerance from {LEAST_DIFFERENCE:e} to 1");
-        return Err(Failure::Input(message));
+        return Err(format!("a difference has a tolerance from {LEAST_DIFFERENCE:e} to 1").into());
     }
     let file = arguments.file.open_for(format)?;
     let differences: Result<Vec<Difference>, Undecided> =
         Divide::ALL.into_par_iter().map(|divide| Difference::new(divide, tolerance)).collect();
-    let differences = differences.map_err(|open| Failure::Undecided(open.to_string()))?;
-    let report =
-        Report::MapDifferences(MapDifferences { tolerance, differences, command: typed() });
-    file.write(|out| report.write(format, out))?;
-    match arguments.file.is_file() {
-        true => summary(&report, Content::MapDifference),
-        false => Ok(()),
-    }
+    let differences = MapDifferences { tolerance, differences: differences?, command: typed() };
+    let report = Report::MapDifferences(differences);
+    write((arguments, file), (&report, format), Content::MapDifference)
 }

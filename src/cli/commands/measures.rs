@@ -91,17 +91,17 @@ impl MeasureArguments {
             (Some((_, made)), Some(given)) if made != *given => {
                 let error =
                     MeasureError::Radius { given: given.to_string(), made: made.to_string() };
-                return Err(Failure::Input(error.to_string()));
+                return Err(error.into());
             }
             (Some((half_opening, radius)), _) => (Some(half_opening), radius),
             (None, Some(radius)) => (None, radius.clone()),
             (None, None) if self.density.is_some() => {
-                let message = "forces need a size: give --span and --rise, or --radius";
-                return Err(Failure::Input(message.to_owned()));
+                return Err("forces need a size: give --span and --rise, or --radius".into());
             }
             (None, None) if self.measured_at.is_some() => {
-                let message = "--measured-at needs a size: give --span and --rise, or --radius";
-                return Err(Failure::Input(message.to_owned()));
+                return Err(
+                    "--measured-at needs a size: give --span and --rise, or --radius".into()
+                );
             }
             (None, None) => return Ok(None),
         };

@@ -4,10 +4,11 @@ use super::notes::each_once;
 use crate::certify::Refused;
 use crate::problem::Quantity;
 use crate::report::words::shortened;
-use crate::report::{Content, Format};
-use crate::sweep::failure::Failure;
+use crate::report::{Content, Format, Report};
 use crate::sweep::parse;
+use crate::sweep::failure::Failure;
 use clap::Args;
+use std::fmt::Display;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
@@ -81,11 +82,8 @@ impl OutputFile {
     ) -> Result<&'static Format, Failure> {
         let given = given.map_or_else(|| self.by_name(content), |given| Ok(Some(given)))?;
         let format = given.or_else(|| Format::named(content, usual));
-        let format = format.ok_or_else(|| Failure::Input(format!("{usual} is no format")))?;
-        match format.missing() {
-            Some(missing) => Err(Failure::Input(missing)),
-            None => Ok(format),
-        }
+        let format = format.ok_or_else(|| format!("{usual} is no format"))?;
+        Ok(format.missing().map_or(Ok(format), Err)?)
     }
 
     /// The format that the end of the file's name tells, if it has one.
@@ -97,9 +95,7 @@ impl OutputFile {
         format.map(Some).ok_or_else(|| {
             let ends = Format::extensions(content);
             let end = shortened(&end);
-            Failure::Input(format!(
-                "the end .{end} tells no format: name the file {ends}, or give --format"
-            ))
+            format!("the end .{end} tells no format: name the file {ends}, or give --format").into()
         })
     }
 
@@ -208,6 +204,16 @@ impl Output {
             None => false,
         };
         Ok(Self::File { unfinished, path, is_foreign })
+    }
+
+    /// Writes a report; what stays open in it is a failure.
+    pub(super) fn report<T: Display>(
+        self,
+        (report, format): (&Report, &Format),
+        open: impl IntoIterator<Item = T>,
+    ) -> Result<(), Failure> {
+        self.write(|out| report.write(format, out))?;
+        Failure::of_open(open)
     }
 
     /// Writes everything and makes the file appear. A reader that closes the pipe early is no failure.

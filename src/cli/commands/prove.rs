@@ -56,7 +56,7 @@ pub(crate) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(folder) = &arguments.coq {
         let files = match arguments.state.is_empty() {
-            true => coq::files().map_err(|undecided| Failure::Undecided(undecided.to_string()))?,
+            true => coq::files()?,
             false => state_files(&arguments.state)?,
         };
         return write_coq(folder, files);
@@ -64,11 +64,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let format = arguments.file.format(arguments.format, Content::Claims, "text")?;
     if arguments.index && !Format::all(Content::Index).any(|index| index.name == format.name) {
         let names = Format::names(Content::Index);
-        return Err(Failure::Input(format!("the index is written only as {names}")));
+        return Err(format!("the index is written only as {names}").into());
     }
     let named = each_once(arguments.claims.clone(), String::clone, String::clone);
-    let chosen = parse::claims_named(&named)
-        .map_err(|error| Failure::Input(format!("{error}; --list shows the claims")))?;
+    let chosen =
+        parse::claims_named(&named).map_err(|error| format!("{error}; --list shows the claims"))?;
     let output = arguments.file.open()?;
     if arguments.list {
         return output.write(|out| list(&chosen, out));

@@ -1,11 +1,11 @@
 //! `couplet run`.
 
 use super::described::{described, remark, say};
-use super::folder::Folder;
+use super::folder::RunFolder;
 use super::output::Output;
 use super::progress;
 use crate::sweep::failure::Failure;
-use crate::sweep::scene::{EXAMPLE, Hashing, Item, Plan, Run, explain, read_bytes};
+use crate::sweep::scene::{EXAMPLE, Hashing, Plan, SceneItem, SceneRun, explain, read_bytes};
 use clap::Args;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -55,8 +55,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let scene = described(path, read_bytes)?;
     remark(path, &scene.notes);
-    let mut folder = Folder::open(arguments.output.as_deref(), arguments.overwrite)?;
-    let is_complete = |item: &Item| arguments.resume && folder.is_complete(item);
+    let mut folder = RunFolder::open(arguments.output.as_deref(), arguments.overwrite)?;
+    let is_complete = |item: &SceneItem| arguments.resume && folder.is_complete(item);
     let complete: Vec<bool> = scene.items.iter().map(is_complete).collect();
     let plan = Plan::new(&scene, complete);
     if arguments.plan {
@@ -69,10 +69,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// Computes and writes one item after the other; each output is noted as soon as it is there.
-fn carry_out(plan: &Plan, folder: &mut Folder, explained: bool) -> Result<(), Failure> {
+fn carry_out(plan: &Plan, folder: &mut RunFolder, explained: bool) -> Result<(), Failure> {
     let bar = progress::bar(plan.ticks(), plan.size());
     let tick = || bar.inc(1);
-    let mut run = Run::new(plan);
+    let mut run = SceneRun::new(plan);
     let mut undecided = Vec::new();
     let mut printed = false;
     for (index, item) in plan.scene.items.iter().enumerate() {

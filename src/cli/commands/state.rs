@@ -1,6 +1,6 @@
 //! `couplet state`.
 
-use super::arch::{ArchArguments, Needs};
+use super::arch::{ArchArguments, Missing};
 use super::measures::{self, MeasureArguments, Measured};
 use super::notes;
 use super::output::AnswerOutput;
@@ -46,7 +46,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return at_landmark(landmark, arguments);
     }
     let measured = arguments.measures.measured()?;
-    let needs = Needs { missing: Vec::new(), example: EXAMPLE };
+    let needs = Missing { option: None, example: EXAMPLE };
     let arches = arguments.arch.arches(&needs, measures::half_opening(measured.as_ref()))?;
     let all = measures::quantities(&Quantity::STATE, &Quantity::MEASURED_STATE, measured.as_ref());
     let quantities = arguments.output.quantities(&all)?;
@@ -82,10 +82,8 @@ pub(super) fn print(
         answers().into_iter().map(|answer| answer.only(&quantities)).collect();
     let open = answers.iter().find_map(Answer::first_open);
     let scope = if answers.len() == 1 { Scope::Arch } else { Scope::Arches };
-    let report =
-        Report::Answers(Answers { scope, digits, quantities, list: answers, kept: Vec::new() });
-    file.write(|out| report.write(format, out))?;
-    open.map_or(Ok(()), |open| Err(Failure::Undecided(open.to_string())))
+    let answers = Answers { scope, digits, quantities, list: answers, kept: Vec::new() };
+    file.report((&Report::Answers(answers), format), open)
 }
 
 fn at_landmark(landmark: Landmark, arguments: &Arguments) -> Result<(), Failure> {
@@ -102,15 +100,8 @@ fn at_landmark(landmark: Landmark, arguments: &Arguments) -> Result<(), Failure>
         let answer = Answer::landmark((landmark, weight), Ok((&point, constants)));
         Ok(Answer { modes: landmark.modes().to_vec(), ..answer })
     };
-    let answers: Result<Vec<Answer>, Error> =
-        arguments.arch.weight.all().into_iter().map(answer).collect();
-    let list = answers?;
-    let report = Report::Answers(Answers {
-        scope: Scope::Point,
-        digits,
-        quantities,
-        list,
-        kept: Vec::new(),
-    });
+    let list: Result<_, Error> = arguments.arch.weight.all().into_iter().map(answer).collect();
+    let (scope, kept) = (Scope::Point, Vec::new());
+    let report = Report::Answers(Answers { scope, digits, quantities, list: list?, kept });
     output.write(|out| report.write(format, out))
 }

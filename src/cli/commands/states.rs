@@ -76,7 +76,7 @@ pub(crate) struct Arguments {
 }
 
 /// The queries of a file.
-struct Queries {
+struct QueryRows {
     columns: Columns,
     spelling: Spelling,
     /// The names of what is handed on, where the rows are those of a table.
@@ -110,7 +110,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Syntax::Csv => table(input, &keep)?,
         Syntax::Json => json(input, keep, format)?,
     };
-    let Queries { columns, spelling, kept, rows } = queries;
+    let QueryRows { columns, spelling, kept, rows } = queries;
     // A table without a column for the thickness asks for states alone.
     let answers = match columns.all.iter().any(|column| column.role == Role::GivenThickness) {
         true => Answers::mixed(digits),
@@ -124,7 +124,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         true => answers,
         false => answers.of(&chosen(&arguments.quantities, &all)?),
     };
-    let asked = Asked::new(&answers, format)?;
+    let asked = RowQuestion::new(&answers, format)?;
     let reader = ArchReader { columns, weight: arguments.weight, doubles: false, spelling };
     let mut file = open(Answers { kept, ..answers }).map_err(unwritten)?;
     let (mut bad, mut undecided, mut answered) = (0, 0, None);
@@ -162,14 +162,14 @@ fn unwritten(error: io::Error) -> Failure {
 }
 
 /// What is asked of every row.
-struct Asked {
+struct RowQuestion {
     digits: usize,
     quantities: Vec<Quantity>,
     /// What is proved of the arches.
     openings: SharedOpenings,
 }
 
-impl Asked {
+impl RowQuestion {
     fn new(answers: &Answers, format: &Format) -> Result<Self, Refused> {
         let (digits, quantities) = (answers.digits, answers.quantities.clone());
         let frictions = quantities.iter().any(|quantity| quantity.is_friction());
@@ -179,7 +179,7 @@ impl Asked {
 }
 
 /// The answer to a query, or its error.
-fn answer(reader: &ArchReader, (line, query): Numbered<ReadRow>, asked: &Asked) -> Answer {
+fn answer(reader: &ArchReader, (line, query): Numbered<ReadRow>, asked: &RowQuestion) -> Answer {
     let (answer, kept) = match query {
         Ok(query) => (found(reader, line, &query.cells, asked), query.kept),
         Err(error) => (Err(error), Vec::new()),
@@ -189,7 +189,7 @@ fn answer(reader: &ArchReader, (line, query): Numbered<ReadRow>, asked: &Asked) 
 }
 
 /// A row is asked what it asks: about its thickness if it has one.
-fn found(reader: &ArchReader, line: u64, cells: &Cells, asked: &Asked) -> Result<Answer, String> {
+fn found(reader: &ArchReader, line: u64, cells: &Cells, asked: &RowQuestion) -> Result<Answer, String> {
     let (arch, digits) = (reader.arch(cells)?, asked.digits);
     let with_asymmetric =
         |answer: Answer| answer.with_asymmetric(|| asymmetric_thicknesses(&arch, digits));
@@ -202,7 +202,7 @@ fn found(reader: &ArchReader, line: u64, cells: &Cells, asked: &Asked) -> Result
 }
 
 /// Of a table.
-fn table(input: Input, keep: &Keep) -> Result<Queries, Failure> {
+fn table(input: Input, keep: &Keep) -> Result<QueryRows, Failure> {
     let table = TextTable::open(input)?;
     let mut columns = Columns::own(Purpose::Ask);
     let kept = keep.places(&table.header, &columns).map_err(Failure::Input)?;
@@ -211,16 +211,16 @@ fn table(input: Input, keep: &Keep) -> Result<Queries, Failure> {
     let names = kept.iter().map(|(name, _)| name.clone()).collect();
     let query = move |row: Vec<String>| Keep::row(&row, &places, &kept);
     let rows = Box::new(table.map(move |(line, row)| (line, row.map(&query))));
-    Ok(Queries { columns, spelling, kept: names, rows })
+    Ok(QueryRows { columns, spelling, kept: names, rows })
 }
 
 /// Of JSON, where each row has keys of its own.
-fn json(input: Input, keep: Keep, format: &Format) -> Result<Queries, Failure> {
+fn json(input: Input, keep: Keep, format: &Format) -> Result<QueryRows, Failure> {
     let columns = Columns::own(Purpose::Ask);
     let kept = keep.names(format.name == "jsonl").map_err(Failure::Input)?;
     let read = columns.clone();
     let rows = objects(input, move |object| {
         Ok(ReadRow { cells: read.cells(object)?, kept: keep.entries(object, &read) })
     });
-    Ok(Queries { columns, spelling: Spelling::default(), kept, rows })
+    Ok(QueryRows { columns, spelling: Spelling::default(), kept, rows })
 }

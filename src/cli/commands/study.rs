@@ -62,7 +62,7 @@ fn known(only: &[String], names: &[&str]) -> Result<(), Failure> {
     match only.iter().find(|name| !names.contains(&name.as_str())) {
         Some(name) => {
             let all = names.join(", ");
-            Err(Failure::Input(format!("unknown study '{name}'; the studies are {all}")))
+            Err(format!("unknown study '{name}'; the studies are {all}").into())
         }
         None => Ok(()),
     }
@@ -70,7 +70,7 @@ fn known(only: &[String], names: &[&str]) -> Result<(), Failure> {
 
 fn accuracy(options: &Options) -> Result<(), Failure> {
     known(&options.only, &QUANTITIES)?;
-    let folder = Folder::make(options)?;
+    let folder = StudyFolder::make(options)?;
     let effort = if options.quick { accuracy::QUICK } else { accuracy::FULL };
     let asked = |name: &str| options.only.is_empty() || options.only.iter().any(|o| o == name);
     let cases: Vec<_> = cases().into_iter().filter(|c| asked(c.quantity)).collect();
@@ -87,7 +87,7 @@ fn accuracy(options: &Options) -> Result<(), Failure> {
 
 fn stability(options: &Options) -> Result<(), Failure> {
     known(&options.only, &LIMITS.map(|limit| limit.name))?;
-    let folder = Folder::make(options)?;
+    let folder = StudyFolder::make(options)?;
     let (steps, budget) = match options.quick {
         true => (&stability::QUICK[..], Duration::from_millis(2)),
         false => (&stability::FULL[..], Duration::from_millis(50)),
@@ -108,17 +108,18 @@ fn stability(options: &Options) -> Result<(), Failure> {
 }
 
 /// Where the files go, if anywhere; made before any work is done.
-struct Folder(Option<PathBuf>);
+struct StudyFolder(Option<PathBuf>);
 
-impl Folder {
+impl StudyFolder {
     fn make(options: &Options) -> Result<Self, Failure> {
         if let Some(folder) = &options.output {
             if folder.extension().is_some() && !folder.is_dir() {
                 let (shown, name) = (folder.display(), folder.with_extension(""));
-                return Err(Failure::Input(format!(
+                return Err(format!(
                     "'{shown}' looks like a file: --output is a folder for several files, such as '{}'",
                     name.display()
-                )));
+                )
+                .into());
             }
             fs::create_dir_all(folder).map_err(|error| cannot_write(folder, &error))?;
         }

@@ -1,7 +1,12 @@
 //! Horizontal accelerations on the command line.
 
-use crate::number::shown;
+use super::notes;
+use super::output::Output;
+use crate::certify::{TiltDigits, Undecided};
+use crate::number::{ExactNumber, shown};
+use crate::problem::stones::Stones;
 use crate::problem::{Arch, Friction, Slope, SlopeError};
+use crate::report::{Content, Format, Report, TiltedArch, TiltedArches};
 use crate::sweep::failure::Failure;
 
 /// Whether there is none.
@@ -24,9 +29,36 @@ pub(super) fn acceleration(text: &str, arches: &[Arch]) -> Result<Slope, Failure
     let wrong = |error| Failure::Input(format!("the tilt '{}' {}", shown(text), why(error)));
     let tilt = text.parse().map_err(wrong)?;
     if arches.iter().any(|arch| is_zero(arch.friction())) {
-        return Err(Failure::Input(
-            "without friction nothing stands: --tilt asks for a friction above 0".to_owned(),
-        ));
+        return Err("without friction nothing stands: --tilt asks for a friction above 0".into());
     }
     Ok(tilt)
+}
+
+/// A format that tilted arches are written in.
+pub(super) fn tilted_as(format: &'static Format) -> Result<&'static Format, Failure> {
+    let names = Format::names(Content::Tilted);
+    let message = || format!("--tilt is not written as {}; the formats are {names}", format.name);
+    Ok(format.tilt.map(|_| format).ok_or_else(message)?)
+}
+
+/// Proves what becomes of arches under an acceleration, and writes it.
+pub(super) fn write(
+    (output, format): (Output, &Format),
+    arches: &[Arch],
+    (eta, tilt): (&ExactNumber, &Slope),
+    stones: Option<&Stones>,
+    found: impl Fn(&Arch) -> Result<Result<Option<TiltDigits>, Undecided>, Failure>,
+) -> Result<(), Failure> {
+    notes::frictions(arches.iter().take(1).map(Arch::friction));
+    notes::tilt(tilt);
+    let answer = |arch: &Arch| {
+        let found = found(arch)?;
+        let (weight, is_limited, stones) = (arch.weight(), arch.is_limited(), stones.cloned());
+        let (alpha, mu) = (arch.half_opening().to_string(), arch.friction().to_string());
+        let given = [alpha, mu, eta.to_string(), tilt.to_string()];
+        Ok(TiltedArch { weight, given, stones, is_limited, found })
+    };
+    let answers = TiltedArches(arches.iter().map(answer).collect::<Result<_, Failure>>()?);
+    let open = answers.0.iter().find_map(TiltedArch::first_open).cloned();
+    output.report((&Report::Tilted(answers), format), open)
 }

@@ -4,13 +4,13 @@ use super::{HEAD, ONE_THICKNESS};
 use crate::arches::{M, arch};
 use couplet::certify::state::Certify;
 use couplet::problem::{Equation, tally};
-use couplet::scene::{Costs, Plan, Run, read};
+use couplet::scene::{Costs, Plan, SceneRun, read};
 
 /// What a scene costs: evaluations of each equation for each arch and each landmark.
 fn costs(scene: &str) -> Costs {
     let scene = read(&format!("{HEAD}{scene}")).unwrap();
     let plan = Plan::new(&scene, vec![false; scene.items.len()]);
-    let mut run = Run::new(&plan);
+    let mut run = SceneRun::new(&plan);
     for index in 0..scene.items.len() {
         let found = run.item(index, &|| ());
         assert!(found.undecided.is_empty() && found.write(&mut std::io::sink()).is_ok());

@@ -2,7 +2,7 @@
 
 use super::{HEAD, faults, scene_in};
 use crate::program::{Scratch, couplet, text};
-use couplet::scene::{Plan, Run, read};
+use couplet::scene::{Plan, SceneRun, read};
 
 const MAPS: &str = "[[map]]\ntolerance = 1e-2\nlines = true\noutput = \"lines.svg\"\n\
     [[map]]\ntolerance = 0.01\ncurves = [\"limit\", \"[s,r,r]/[r,r,r]\"]\nalpha = \"2.58\"\noutput = \"some.csv\"\n\
@@ -48,7 +48,7 @@ fn a_picture_says_which_command_draws_it() {
     let plan = Plan::new(&scene, vec![false]);
     assert_eq!(plan.parts.len(), 24, "all curves of both weights");
     let mut picture = Vec::new();
-    let mut run = Run::new(&plan);
+    let mut run = SceneRun::new(&plan);
     run.item(0, &|| ()).write(&mut picture).unwrap();
     let picture = text(&picture);
     let command = picture.split("Command: couplet ").nth(1).unwrap().split('<').next().unwrap();

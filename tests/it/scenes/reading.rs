@@ -3,7 +3,7 @@
 use super::{HEAD, faults, place, scene_in};
 use crate::program::{Scratch, couplet, fed, text};
 use couplet::problem::Quantity;
-use couplet::scene::{EXAMPLE, Kind, MAX_BYTES, What, read, read_bytes};
+use couplet::scene::{EXAMPLE, ItemKind, MAX_BYTES, Request, read, read_bytes};
 use cpu_time::ThreadTime;
 use std::time::Duration;
 
@@ -12,7 +12,7 @@ fn the_example_is_a_scene_and_has_every_key() {
     let output = couplet(&["run", "--schema"]);
     assert_eq!((output.status.code(), text(&output.stdout)), (Some(0), EXAMPLE.to_owned()));
     let scene = read(EXAMPLE).unwrap();
-    for kind in Kind::ALL {
+    for kind in ItemKind::ALL {
         assert!(scene.items.iter().any(|item| item.what.kind() == kind), "{}", kind.name());
         for key in kind.keys() {
             assert!(EXAMPLE.contains(&format!("\n{key} = ")), "{} {key}", kind.name());
@@ -148,7 +148,7 @@ fn a_range_has_both_its_ends_and_exact_steps() {
         "{HEAD}[arches]\nhalf_opening = {{ from = \"pi/6\", to = \"pi/2\", steps = 3 }}\n\
          friction = {{ from = 0.4, to = 1, steps = 4 }}\n"
     ));
-    let What::Arches { arches, .. } = &scene.unwrap().items[0].what else { panic!() };
+    let Request::Arches { arches, .. } = &scene.unwrap().items[0].what else { panic!() };
     let texts: Vec<(String, String)> = arches
         .iter()
         .map(|one| (one.arch.half_opening().to_string(), one.arch.friction().to_string()))

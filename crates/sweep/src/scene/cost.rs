@@ -5,7 +5,6 @@
 
 use crate::certify::processor_time;
 use crate::problem::tally::{self, Tally};
-use std::ops::AddAssign;
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
@@ -20,17 +19,11 @@ pub struct Cost {
     pub tally: Tally,
 }
 
-impl AddAssign for Cost {
-    fn add_assign(&mut self, other: Self) {
-        self.time += other.time;
-        self.tally += other.tally;
-    }
-}
-
 impl<'a> std::iter::Sum<&'a Cost> for Cost {
     fn sum<I: Iterator<Item = &'a Self>>(costs: I) -> Self {
         costs.fold(Self::default(), |mut sum, cost| {
-            sum += *cost;
+            sum.time += cost.time;
+            sum.tally += cost.tally;
             sum
         })
     }

@@ -59,7 +59,7 @@ impl DrawnArch {
     }
 
     /// Proves what is drawn.
-    pub(crate) fn sketch(&self) -> Result<Sketch, NoSketch> {
+    pub fn sketch(&self) -> Result<Sketch, NoSketch> {
         let is_dilatant = self.is_dilatant;
         match (&self.pose, self.stones) {
             (Pose::Landmark(landmark, weight), _) => {

@@ -6,7 +6,7 @@ use super::left_out::left_out;
 use super::nodes::{ArchNode, LandmarkNode, Work};
 use super::plan::{Plan, PlannedPart};
 use super::run::Costs;
-use super::schema::{Item, What};
+use super::schema::{Request, SceneItem};
 use crate::certify::state::Wanted;
 use crate::problem::{Equation, tally::Tally};
 use crate::report::words::{count, list};
@@ -14,12 +14,12 @@ use cpu_time::ProcessTime;
 use std::io;
 
 /// A node of the tree: its lines, and what hangs on it.
-struct Branch {
+struct TreeNode {
     lines: Vec<String>,
-    branches: Vec<Branch>,
+    branches: Vec<TreeNode>,
 }
 
-impl Branch {
+impl TreeNode {
     fn new(lines: impl IntoIterator<Item = String>) -> Self {
         Self { lines: lines.into_iter().collect(), branches: Vec::new() }
     }
@@ -33,7 +33,7 @@ impl Branch {
     }
 }
 
-fn write_all(branches: &[Branch], indent: &str, out: &mut dyn io::Write) -> io::Result<()> {
+fn write_all(branches: &[TreeNode], indent: &str, out: &mut dyn io::Write) -> io::Result<()> {
     let last = branches.len().saturating_sub(1);
     branches.iter().enumerate().try_for_each(|(k, branch)| branch.write(indent, k == last, out))
 }
@@ -53,12 +53,12 @@ pub fn explain(plan: &Plan, costs: Option<&Costs>, out: &mut dyn io::Write) -> i
         true => writeln!(out, "{items}; nothing to compute")?,
         false => writeln!(out, "{items}; to compute: {}, each once", pieces.join(", "))?,
     }
-    let mut branches: Vec<Branch> =
+    let mut branches: Vec<TreeNode> =
         (0..plan.scene.items.len()).map(|index| item(plan, costs, index)).collect();
     let left_out = left_out(plan, costs);
     if !left_out.is_empty() {
-        let mut branch = Branch::new(["left out".to_owned()]);
-        branch.branches = left_out.into_iter().map(|line| Branch::new([line])).collect();
+        let mut branch = TreeNode::new(["left out".to_owned()]);
+        branch.branches = left_out.into_iter().map(|line| TreeNode::new([line])).collect();
         branches.push(branch);
     }
     write_all(&branches, "", out)?;
@@ -72,8 +72,8 @@ pub fn explain(plan: &Plan, costs: Option<&Costs>, out: &mut dyn io::Write) -> i
     Ok(())
 }
 
-fn item(plan: &Plan, costs: Option<&Costs>, index: usize) -> Branch {
-    let mut branch = Branch::new([heading(&plan.scene.items[index])]);
+fn item(plan: &Plan, costs: Option<&Costs>, index: usize) -> TreeNode {
+    let mut branch = TreeNode::new([heading(&plan.scene.items[index])]);
     if plan.complete[index] {
         branch.lines.push("complete: nothing is computed".to_owned());
         return branch;
@@ -81,7 +81,7 @@ fn item(plan: &Plan, costs: Option<&Costs>, index: usize) -> Branch {
     let mut places = plan.needs[index].clone();
     let cost = |place: usize| costs.and_then(|costs| costs.0[place]);
     let mut shown = usize::MAX;
-    if matches!(plan.scene.items[index].what, What::Arches { .. }) {
+    if matches!(plan.scene.items[index].what, Request::Arches { .. }) {
         places.sort_unstable();
         places.dedup();
         let mine = places.iter().filter(|place| plan.parts[**place].first == index).count();
@@ -95,7 +95,7 @@ fn item(plan: &Plan, costs: Option<&Costs>, index: usize) -> Branch {
             _ if *first == index && branch.branches.len() == shown => more.push(cost(place)),
             _ if *first == index => {
                 let spent = cost(place).map(|cost| spent_on(work, &cost));
-                branch.branches.push(Branch::new(lines(work).into_iter().chain(spent)));
+                branch.branches.push(TreeNode::new(lines(work).into_iter().chain(spent)));
             }
             Work::Arch(_) | Work::Curve(_) => {
                 match others.iter_mut().find(|(item, ..)| item == first) {
@@ -105,7 +105,7 @@ fn item(plan: &Plan, costs: Option<&Costs>, index: usize) -> Branch {
             }
             _ => {
                 let line = format!("{}: {}", lines(work)[0], computed_for(plan, *first));
-                branch.branches.push(Branch::new([line]));
+                branch.branches.push(TreeNode::new([line]));
             }
         }
     }
@@ -113,15 +113,15 @@ fn item(plan: &Plan, costs: Option<&Costs>, index: usize) -> Branch {
         let words = format!("{} more", more.len());
         let costs: Option<Vec<Cost>> = more.into_iter().collect();
         let sum = costs.map(|costs| spent(&costs.iter().sum()));
-        branch.branches.push(Branch::new(std::iter::once(words).chain(sum)));
+        branch.branches.push(TreeNode::new(std::iter::once(words).chain(sum)));
     }
     branch.branches.extend(others.into_iter().map(|(other, parts, (one, many))| {
-        Branch::new([format!("{}: {}", count(parts, one, many), computed_for(plan, other))])
+        TreeNode::new([format!("{}: {}", count(parts, one, many), computed_for(plan, other))])
     }));
     branch
 }
 
-fn heading(item: &Item) -> String {
+fn heading(item: &SceneItem) -> String {
     let output = match &item.output {
         Some(output) => output.display().to_string(),
         None => "standard output".to_owned(),

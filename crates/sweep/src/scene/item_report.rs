@@ -3,7 +3,7 @@
 use super::nodes::Work;
 use super::pieces::{CurvePiece, WorkDone};
 use super::plan::{PAGE_DIGITS, Plan};
-use super::schema::{SceneArch, SceneDrawing, SceneMap, What};
+use super::schema::{Request, SceneArch, SceneDrawing, SceneMap};
 use crate::arch::SelfWeight;
 use crate::certify::{Enclosed, Error};
 use crate::judge::{audit_of, compare_weights_of};
@@ -25,12 +25,12 @@ impl ItemReport {
     pub(super) fn new(plan: &Plan, done: &[Option<WorkDone>], index: usize) -> Self {
         let item = &plan.scene.items[index];
         let (report, undecided) = match &item.what {
-            What::Constants { quantities, digits, .. } => {
+            Request::Constants { quantities, digits, .. } => {
                 let list = constants(plan, done, index, (quantities, *digits));
                 let undecided = undecided_landmarks(&list);
                 (Some(Report::Answers(Answers::constants(*digits, list))), undecided)
             }
-            What::Arches { quantities, digits, with_thickness, .. } => {
+            Request::Arches { quantities, digits, with_thickness, .. } => {
                 let list = arches(plan, done, index, *digits);
                 let (open, all) =
                     (list.iter().filter(|answer| answer.is_undecided()).count(), list.len());
@@ -39,7 +39,7 @@ impl ItemReport {
                 let answers = Answers { quantities: quantities.clone(), list, ..answers };
                 (Some(Report::Answers(answers)), undecided.into_iter().collect())
             }
-            What::Claims { show, .. } => {
+            Request::Claims { show, .. } => {
                 let decision = |done: &WorkDone| match done {
                     WorkDone::Claim(decision) => Some(decision.clone()),
                     _ => None,
@@ -51,9 +51,9 @@ impl ItemReport {
                 let claims = Claims { decisions, show: *show, timed: false };
                 (Some(Report::Claims(claims)), undecided)
             }
-            What::Map(asked) | What::Figure(asked) => map(plan, done, index, asked),
-            What::Drawing(asked) => drawing(plan, done, index, asked),
-            What::Audit { .. } => match audit(plan, done, index) {
+            Request::Map(asked) | Request::Figure(asked) => map(plan, done, index, asked),
+            Request::Drawing(asked) => drawing(plan, done, index, asked),
+            Request::Audit { .. } => match audit(plan, done, index) {
                 Ok(audit) => (Some(Report::Audit(audit)), Vec::new()),
                 Err(undecided) => (None, vec![undecided.to_string()]),
             },
@@ -108,7 +108,7 @@ fn constants(
 }
 
 fn arches(plan: &Plan, done: &[Option<WorkDone>], index: usize, digits: usize) -> Vec<Answer> {
-    let What::Arches { arches, .. } = &plan.scene.items[index].what else { return Vec::new() };
+    let Request::Arches { arches, .. } = &plan.scene.items[index].what else { return Vec::new() };
     let parts = plan.work_of(index).zip(done_of(plan, done, index));
     let answers = (1..).zip(arches.iter().zip(parts)).map(|(line, (asked, part))| {
         let SceneArch { arch, thickness } = asked;

@@ -5,7 +5,7 @@
 //!
 //! A run replaces only files that the record names; so each is named before it is written.
 
-use super::schema::Item;
+use super::schema::SceneItem;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
@@ -21,11 +21,11 @@ const SCHEMA: &str = "couplet.run/1";
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Manifest {
     schema: String,
-    outputs: BTreeMap<String, Entry>,
+    outputs: BTreeMap<String, ManifestEntry>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-struct Entry {
+struct ManifestEntry {
     /// SHA-256 of the version of the program and the description of the item; none if it is not complete.
     asked: Option<String>,
     /// SHA-256 of the file; empty if it is not known.
@@ -69,7 +69,7 @@ impl Manifest {
     }
 
     /// Whether the output of an item is there and is what would be written again.
-    pub fn is_complete(&self, folder: &Path, item: &Item) -> bool {
+    pub fn is_complete(&self, folder: &Path, item: &SceneItem) -> bool {
         let Some(output) = &item.output else { return false };
         let entry = self.outputs.get(&key(output));
         entry.is_some_and(|entry| {
@@ -80,13 +80,13 @@ impl Manifest {
 
     /// Notes that an output is about to be written, or was written and is not complete.
     pub fn begin(&mut self, output: &Path) {
-        self.outputs.insert(key(output), Entry { asked: None, content: String::new() });
+        self.outputs.insert(key(output), ManifestEntry { asked: None, content: String::new() });
     }
 
     /// Notes that an output was written, with all that was asked.
-    pub fn note(&mut self, item: &Item, content: String) {
+    pub fn note(&mut self, item: &SceneItem, content: String) {
         if let Some(output) = &item.output {
-            self.outputs.insert(key(output), Entry { asked: Some(asked(item)), content });
+            self.outputs.insert(key(output), ManifestEntry { asked: Some(asked(item)), content });
         }
     }
 
@@ -101,7 +101,7 @@ fn key(output: &Path) -> String {
     output.to_string_lossy().into_owned()
 }
 
-fn asked(item: &Item) -> String {
+fn asked(item: &SceneItem) -> String {
     let text = format!("couplet {}\n{}", env!("CARGO_PKG_VERSION"), item.description());
     hexadecimal(Sha256::digest(text))
 }

@@ -13,7 +13,7 @@
 //! | `sweep`, `read_sweep` | the plan of a sweep, `couplet.sweep/1` |
 //!
 //! ```
-//! use couplet_sweep::scene::{Plan, Run, read};
+//! use couplet::scene::{Plan, SceneRun, read};
 //!
 //! let text = r#"
 //!     schema = "couplet.scene/1"
@@ -25,7 +25,7 @@
 //! "#;
 //! let scene = read(text).unwrap();
 //! let plan = Plan::new(&scene, vec![false]);
-//! let mut run = Run::new(&plan);
+//! let mut run = SceneRun::new(&plan);
 //! let mut table = Vec::new();
 //! run.item(0, &|| ()).write(&mut table)?;
 //! assert!(String::from_utf8_lossy(&table).contains("0.618318241074"));
@@ -67,12 +67,12 @@ pub use nodes::{ArchNode, CurveNode, LandmarkNode, ThicknessNode, Work};
 pub use plan::{Plan, PlannedPart};
 pub use read::{read, read_bytes};
 pub use read_sweep::read_sweep;
-pub use run::{Costs, Run};
+pub use run::{Costs, SceneRun};
 pub use same::contour_key;
 pub use schema::{
-    EXAMPLE, Item, Kind, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, MapLine, SCHEMA, Scene, SceneArch,
-    SceneDrawing, SceneMap, What,
+    EXAMPLE, ItemKind, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, MapLine, Request, SCHEMA, Scene,
+    SceneArch, SceneDrawing, SceneItem, SceneMap,
 };
 #[cfg(feature = "parquet")]
-pub(crate) use sweep::{MAX_CHUNK, MAX_SAMPLE};
+pub use sweep::{MAX_CHUNK, MAX_SAMPLE};
 pub use sweep::{SWEEP_DIGITS, SWEEP_EXAMPLE, SWEEP_SCHEMA, SweepArches, SweepPlan};

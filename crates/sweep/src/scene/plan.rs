@@ -3,7 +3,7 @@
 
 use super::nodes::{ArchNode, CurveNode, LandmarkNode, Work, WorkKey};
 use super::same::arch_key;
-use super::schema::{Item, Scene, SceneArch, What};
+use super::schema::{Request, Scene, SceneArch, SceneItem};
 use crate::arch::SelfWeight;
 use crate::problem::{Landmark, Quantity};
 use std::collections::{BTreeSet, HashMap};
@@ -78,9 +78,9 @@ impl<'s> Plan<'s> {
 }
 
 impl<'s> Planning<'s> {
-    fn item(&mut self, item: &'s Item) {
+    fn item(&mut self, item: &'s SceneItem) {
         match &item.what {
-            What::Constants { points, quantities, digits } => {
+            Request::Constants { points, quantities, digits } => {
                 for &point in points {
                     self.landmark(point, |node| {
                         node.ask(quantities, *digits);
@@ -90,10 +90,10 @@ impl<'s> Planning<'s> {
                     });
                 }
             }
-            What::Audit { points } => {
+            Request::Audit { points } => {
                 points.iter().for_each(|&point| self.landmark(point, |node| node.audited = true));
             }
-            What::Arches { arches, quantities, digits, .. } => {
+            Request::Arches { arches, quantities, digits, .. } => {
                 for SceneArch { arch, thickness } in arches {
                     let key = WorkKey::Arch(arch_key(arch));
                     let work = self.part(key, || Work::Arch(ArchNode::new(arch)));
@@ -103,17 +103,17 @@ impl<'s> Planning<'s> {
                     }
                 }
             }
-            What::Claims { claims, .. } => {
+            Request::Claims { claims, .. } => {
                 for claim in claims {
                     self.part(WorkKey::Claim(claim.id), || Work::Claim(*claim));
                 }
             }
-            What::Drawing(drawing) => {
+            Request::Drawing(drawing) => {
                 for (drawn, _) in &drawing.arches {
                     self.part(WorkKey::Drawing(drawn.key()), || Work::Drawing(drawn.clone()));
                 }
             }
-            What::Map(map) | What::Figure(map) => {
+            Request::Map(map) | Request::Figure(map) => {
                 for &point in &map.landmarks {
                     self.landmark(point, |node| node.ask(&Quantity::LANDMARK, PAGE_DIGITS));
                 }

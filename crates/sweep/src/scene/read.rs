@@ -5,7 +5,9 @@ use super::read_arches::arches;
 use super::read_drawing::drawing;
 use super::read_map::{figure, map};
 use super::read_output::{OutputFiles, output};
-use super::schema::{DIGITS, Item, Kind, MAX_BYTES, MAX_ITEMS, SCENE_KEYS, SCHEMA, Scene, What};
+use super::schema::{
+    DIGITS, ItemKind, MAX_BYTES, MAX_ITEMS, Request, SCENE_KEYS, SCHEMA, Scene, SceneItem,
+};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
@@ -49,11 +51,11 @@ pub fn read(text: &str) -> Result<Scene, Vec<Fault>> {
     }
 }
 
-fn scene(reader: &mut TomlReader, root: &DeTable) -> Vec<Item> {
+fn scene(reader: &mut TomlReader, root: &DeTable) -> Vec<SceneItem> {
     if !reader.has_schema(root, SCHEMA, "a scene") {
         return Vec::new();
     }
-    let keys: Vec<&str> = SCENE_KEYS.into_iter().chain(Kind::ALL.map(Kind::name)).collect();
+    let keys: Vec<&str> = SCENE_KEYS.into_iter().chain(ItemKind::ALL.map(ItemKind::name)).collect();
     reader.unknown_keys(root, "a scene", &keys, &[]);
     let mut whole = TableReader { reader, span: 0..0, table: root };
     let digits = whole.or("digits", DIGITS, digits);
@@ -66,7 +68,7 @@ fn scene(reader: &mut TomlReader, root: &DeTable) -> Vec<Item> {
     }
     if tables.is_empty() && reader.faults.is_empty() {
         let names: Vec<String> =
-            Kind::ALL.iter().map(|kind| format!("[[{}]]", kind.name())).collect();
+            ItemKind::ALL.iter().map(|kind| format!("[[{}]]", kind.name())).collect();
         let names = list(names.iter().map(String::as_str));
         reader.fault(0..0, format!("the scene asks for nothing; it may have {names}"));
     }
@@ -85,9 +87,9 @@ fn digits(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<usize
 fn tables<'v>(
     reader: &mut TomlReader,
     root: &'v DeTable<'v>,
-) -> Vec<(Kind, Range<usize>, &'v DeTable<'v>)> {
+) -> Vec<(ItemKind, Range<usize>, &'v DeTable<'v>)> {
     let mut tables = Vec::new();
-    for kind in Kind::ALL {
+    for kind in ItemKind::ALL {
         let Some(value) = root.get(kind.name()) else { continue };
         let allowed = format!("[[{}]]", kind.name());
         for element in reader.elements(kind.name(), value, &allowed) {
@@ -104,31 +106,31 @@ fn tables<'v>(
 /// An item; `arches` counts those of all items.
 fn item(
     mut table: TableReader,
-    kind: Kind,
+    kind: ItemKind,
     files: &mut OutputFiles,
     arches: &mut usize,
-) -> Option<Item> {
+) -> Option<SceneItem> {
     let before = table.reader.faults.len();
     let name = format!("[[{}]]", kind.name());
     table.reader.unknown_keys(table.table, &name, &kind.keys(), &kind.letters());
     let destination = output(&mut table, kind, files);
     let format = destination.as_ref().map(|(_, format)| *format);
     let what = match kind {
-        Kind::Constants => constants(&mut table),
-        Kind::Arches => self::arches(&mut table, arches),
-        Kind::Claims => some_claims(&mut table),
-        Kind::Audit => points(&mut table).map(|points| What::Audit { points }),
-        Kind::Map => map(&mut table, format),
-        Kind::Figure => figure(&mut table),
-        Kind::Drawing => drawing(&mut table, format),
+        ItemKind::Constants => constants(&mut table),
+        ItemKind::Arches => self::arches(&mut table, arches),
+        ItemKind::Claims => some_claims(&mut table),
+        ItemKind::Audit => points(&mut table).map(|points| Request::Audit { points }),
+        ItemKind::Map => map(&mut table, format),
+        ItemKind::Figure => figure(&mut table),
+        ItemKind::Drawing => drawing(&mut table, format),
     };
     let (output, format) = destination?;
     let place = table.reader.source.place(table.span.start);
-    let item = Item { place, what: what?, format, output };
+    let item = SceneItem { place, what: what?, format, output };
     table.is_well_since(before).then_some(item)
 }
 
-fn constants(table: &mut TableReader) -> Option<What> {
+fn constants(table: &mut TableReader) -> Option<Request> {
     let points = points(table);
     let names = Quantity::LANDMARK.map(|quantity| (quantity.name(), quantity));
     let asked = table.if_given("quantities", |reader, key, value| reader.names(key, value, &names));
@@ -144,7 +146,7 @@ fn constants(table: &mut TableReader) -> Option<What> {
             table.reader.fault(value.span(), message);
         }
     }
-    Some(What::Constants { points, quantities, digits })
+    Some(Request::Constants { points, quantities, digits })
 }
 
 /// Landmarks times weights, by weight, in the order in which they are always shown.
@@ -158,10 +160,10 @@ fn points(table: &mut TableReader) -> Option<Vec<(Landmark, SelfWeight)>> {
 }
 
 /// Claims, each by its id or by the beginning of it up to a hyphen.
-fn some_claims(table: &mut TableReader) -> Option<What> {
+fn some_claims(table: &mut TableReader) -> Option<Request> {
     let show = table.truth("show");
     let claims = table.or("prove", claims(), chosen);
-    Some(What::Claims { claims: claims?, show: show? })
+    Some(Request::Claims { claims: claims?, show: show? })
 }
 
 fn chosen(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Vec<Claim>> {

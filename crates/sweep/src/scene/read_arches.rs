@@ -1,7 +1,7 @@
 //! From TOML to arches: every half opening with every friction, thickness and weight.
 
 use super::read_numbers::{Meaning, Numbers, SceneNumber, numbers};
-use super::schema::{MAX_ARCHES, SceneArch, What};
+use super::schema::{MAX_ARCHES, Request, SceneArch};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
@@ -10,7 +10,7 @@ use crate::number::ExactNumber;
 use crate::problem::{Arch, Quantity};
 
 /// An item of arches; `used` counts the arches of all items.
-pub(super) fn arches(table: &mut TableReader, used: &mut usize) -> Option<What> {
+pub(super) fn arches(table: &mut TableReader, used: &mut usize) -> Option<Request> {
     let thickness = table.given(Meaning::Thickness);
     let with_thickness = thickness.is_some();
     let weights = table.weights(&[SelfWeight::Milankovitch]);
@@ -50,7 +50,7 @@ pub(super) fn arches(table: &mut TableReader, used: &mut usize) -> Option<What> 
     };
     let arches = product(&weights, &half_openings, &frictions, &thicknesses);
     let quantities = all.iter().copied().filter(|quantity| asked.contains(quantity)).collect();
-    Some(What::Arches { arches, quantities, with_thickness, digits })
+    Some(Request::Arches { arches, quantities, with_thickness, digits })
 }
 
 /// Whether quantities of arches of given thickness are asked for: then that is what is missing.

@@ -3,7 +3,7 @@
 use super::drawn::{DrawnArch, Pose};
 use super::read_arches::{frictions, product};
 use super::read_numbers::{Meaning, SceneNumber, numbers};
-use super::schema::{SceneArch, SceneDrawing, What};
+use super::schema::{Request, SceneArch, SceneDrawing};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
@@ -16,7 +16,7 @@ pub(super) fn arch_figure(
     table: &mut TableReader,
     (number, shown): (usize, &[(Landmark, &[Mode])]),
     weight: SelfWeight,
-) -> Option<What> {
+) -> Option<Request> {
     if table.get("tolerance").is_some() {
         let message = format!("figure {number} has no curves of the map; leave out tolerance");
         return table.refuse(message);
@@ -27,11 +27,11 @@ pub(super) fn arch_figure(
     };
     let arches = shown.iter().map(arch).collect();
     let command = format!("couplet figure {number} --weight {}", weight.name());
-    Some(What::Drawing(SceneDrawing { arches, style: Style::of_figure(number), command }))
+    Some(Request::Drawing(SceneDrawing { arches, style: Style::of_figure(number), command }))
 }
 
 /// An arch at its least thickness, at a landmark, or as it stands.
-pub(super) fn drawing(table: &mut TableReader, format: Option<&'static Format>) -> Option<What> {
+pub(super) fn drawing(table: &mut TableReader, format: Option<&'static Format>) -> Option<Request> {
     let before = table.reader.faults.len();
     // All that is wrong is told at once.
     let [dilatant, half, arrows, animate] =
@@ -77,7 +77,7 @@ pub(super) fn drawing(table: &mut TableReader, format: Option<&'static Format>) 
     let drawn = DrawnArch { pose, stones, is_dilatant };
     let command = drawn.command(mode, &style);
     let arches = vec![(drawn, mode.into_iter().collect())];
-    let drawing = What::Drawing(SceneDrawing { arches, style, command });
+    let drawing = Request::Drawing(SceneDrawing { arches, style, command });
     table.is_well_since(before).then_some(drawing)
 }
 

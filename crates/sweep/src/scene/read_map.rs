@@ -2,7 +2,7 @@
 
 use super::read_drawing::arch_figure;
 use super::read_numbers::{Meaning, numbers};
-use super::schema::{MAX_ITEMS, MapLine, SceneMap, What};
+use super::schema::{MAX_ITEMS, MapLine, Request, SceneMap};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
@@ -14,7 +14,7 @@ use crate::report::{Axes, Format, MapAsked, Marked, Plane, Shown, Unit, View, ar
 const TOLERANCE: f64 = 1e-4;
 
 /// The map, or curves of it.
-pub(super) fn map(table: &mut TableReader, format: Option<&'static Format>) -> Option<What> {
+pub(super) fn map(table: &mut TableReader, format: Option<&'static Format>) -> Option<Request> {
     let is_page = format.is_some_and(Format::is_page);
     let usual = if is_page { &SelfWeight::ALL[..] } else { &[SelfWeight::Milankovitch] };
     let weights = table.weights(usual).map(in_order);
@@ -77,11 +77,11 @@ pub(super) fn map(table: &mut TableReader, format: Option<&'static Format>) -> O
     let shown = if is_page { &weights[..] } else { &[] };
     let landmarks = shown.iter().flat_map(|w| Landmark::ALL.map(|landmark| (landmark, *w)));
     let (lines, landmarks) = (all.chain(levels).collect(), landmarks.collect());
-    Some(What::Map(SceneMap { lines, tolerance, landmarks, view, axes, marks, command }))
+    Some(Request::Map(SceneMap { lines, tolerance, landmarks, view, axes, marks, command }))
 }
 
 /// A figure of the paper.
-pub(super) fn figure(table: &mut TableReader) -> Option<What> {
+pub(super) fn figure(table: &mut TableReader) -> Option<Request> {
     let number = match table.get("number") {
         Some(value) => table.reader.whole("number", value, 1..=12),
         None => table.refuse("number is missing; a figure is one of 1 to 12"),
@@ -109,7 +109,7 @@ pub(super) fn figure(table: &mut TableReader) -> Option<What> {
     };
     let lines = weights.iter().flat_map(lines).collect();
     let (landmarks, axes, marks) = (Vec::new(), Axes::default(), Vec::new());
-    Some(What::Figure(SceneMap { lines, tolerance, landmarks, view, axes, marks, command }))
+    Some(Request::Figure(SceneMap { lines, tolerance, landmarks, view, axes, marks, command }))
 }
 
 /// The keys of axes: of the half opening, the friction and the thickness, with the units of each.

@@ -2,7 +2,7 @@
 
 use super::fault::Position;
 use super::manifest;
-use super::schema::Kind;
+use super::schema::ItemKind;
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::report::Format;
@@ -17,7 +17,7 @@ pub(super) struct OutputFiles(HashMap<String, (PathBuf, Position)>);
 /// The file and the format of an item; a file name tells its format unless one is given.
 pub(super) fn output(
     table: &mut TableReader,
-    kind: Kind,
+    kind: ItemKind,
     files: &mut OutputFiles,
 ) -> Option<(Option<PathBuf>, &'static Format)> {
     let (output, named) = (table.get("output"), table.get("format"));
@@ -37,7 +37,7 @@ pub(super) fn output(
 }
 
 /// The format of a name.
-fn format(reader: &mut TomlReader, kind: Kind, value: &TomlValue) -> Option<&'static Format> {
+fn format(reader: &mut TomlReader, kind: ItemKind, value: &TomlValue) -> Option<&'static Format> {
     let name = value.get_ref().as_str().unwrap_or_default();
     let format = Format::named(kind.content(), name).or_else(|| {
         let names = Format::names(kind.content());
@@ -49,7 +49,7 @@ fn format(reader: &mut TomlReader, kind: Kind, value: &TomlValue) -> Option<&'st
 /// The format that the end of a file's name tells.
 fn format_of(
     reader: &mut TomlReader,
-    kind: Kind,
+    kind: ItemKind,
     value: &TomlValue,
     path: &Path,
 ) -> Option<&'static Format> {

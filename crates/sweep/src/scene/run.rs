@@ -6,7 +6,7 @@ use super::pieces::{Shared, WorkDone};
 use super::plan::Plan;
 
 /// A plan that is being carried out.
-pub struct Run<'p> {
+pub struct SceneRun<'p> {
     plan: &'p Plan<'p>,
     /// What is there of the parts, in the order of the plan.
     done: Vec<Option<WorkDone>>,
@@ -25,7 +25,7 @@ impl Costs {
     }
 }
 
-impl<'p> Run<'p> {
+impl<'p> SceneRun<'p> {
     /// Nothing is computed yet.
     pub fn new(plan: &'p Plan<'p>) -> Self {
         let done = plan.parts.iter().map(|_| None).collect();

@@ -30,18 +30,18 @@ pub const MAX_BYTES: usize = 1 << 20;
 #[derive(Clone, Debug)]
 pub struct Scene {
     /// What is asked for, in the order of the file.
-    pub items: Vec<Item>,
+    pub items: Vec<SceneItem>,
     /// What is answered but worth a remark.
     pub notes: Vec<Fault>,
 }
 
 /// Something that is asked for, and where it goes.
 #[derive(Clone, Debug)]
-pub struct Item {
+pub struct SceneItem {
     /// Where the file asks for it.
     pub place: Position,
     /// What is asked.
-    pub what: What,
+    pub what: Request,
     /// How it is written.
     pub format: &'static Format,
     /// The file, relative to the folder of outputs; standard output if there is none.
@@ -50,7 +50,7 @@ pub struct Item {
 
 /// What can be asked for.
 #[derive(Clone, Debug)]
-pub enum What {
+pub enum Request {
     /// Landmark constants.
     Constants {
         /// The landmarks.
@@ -141,7 +141,7 @@ pub struct SceneArch {
 
 /// A kind of item, by the table that asks for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum ItemKind {
     /// `[[constants]]`.
     Constants,
     /// `[[arches]]`.
@@ -158,7 +158,7 @@ pub enum Kind {
     Drawing,
 }
 
-impl Kind {
+impl ItemKind {
     /// All kinds.
     pub const ALL: [Self; 7] = [
         Self::Constants,
@@ -224,22 +224,22 @@ impl Kind {
 /// The keys of a scene beside its items.
 pub(super) const SCENE_KEYS: [&str; 3] = ["schema", "digits", "weight"];
 
-impl What {
+impl Request {
     /// The kind of item.
-    pub fn kind(&self) -> Kind {
+    pub fn kind(&self) -> ItemKind {
         match self {
-            Self::Constants { .. } => Kind::Constants,
-            Self::Arches { .. } => Kind::Arches,
-            Self::Claims { .. } => Kind::Claims,
-            Self::Audit { .. } => Kind::Audit,
-            Self::Map(_) => Kind::Map,
-            Self::Figure(_) => Kind::Figure,
-            Self::Drawing(_) => Kind::Drawing,
+            Self::Constants { .. } => ItemKind::Constants,
+            Self::Arches { .. } => ItemKind::Arches,
+            Self::Claims { .. } => ItemKind::Claims,
+            Self::Audit { .. } => ItemKind::Audit,
+            Self::Map(_) => ItemKind::Map,
+            Self::Figure(_) => ItemKind::Figure,
+            Self::Drawing(_) => ItemKind::Drawing,
         }
     }
 }
 
-impl Item {
+impl SceneItem {
     /// All that its output depends on, in words that are the same however the file has them.
     pub fn description(&self) -> String {
         let points = |points: &[(Landmark, SelfWeight)]| -> String {
@@ -249,10 +249,10 @@ impl Item {
             quantities.iter().map(|quantity| quantity.name()).collect::<Vec<_>>().join(" ")
         };
         let what = match &self.what {
-            What::Constants { points: at, quantities, digits } => {
+            Request::Constants { points: at, quantities, digits } => {
                 format!("{} quantities {} digits {digits}", points(at), names(quantities))
             }
-            What::Arches { arches, quantities, digits, .. } => {
+            Request::Arches { arches, quantities, digits, .. } => {
                 let arch = |SceneArch { arch, thickness }: &SceneArch| {
                     let (weight, alpha, mu) =
                         (arch.weight().name(), arch.half_opening(), arch.friction());
@@ -262,13 +262,13 @@ impl Item {
                 let all: String = arches.iter().map(arch).collect();
                 format!("{all} quantities {} digits {digits}", names(quantities))
             }
-            What::Claims { claims, show } => {
+            Request::Claims { claims, show } => {
                 let ids: Vec<_> = claims.iter().map(|claim| claim.id).collect();
                 format!(" {} show {show}", ids.join(" "))
             }
-            What::Audit { points: at } => points(at),
-            What::Map(map) | What::Figure(map) => format!(" {}", map.command),
-            What::Drawing(drawing) => format!(" {}", drawing.command),
+            Request::Audit { points: at } => points(at),
+            Request::Map(map) | Request::Figure(map) => format!(" {}", map.command),
+            Request::Drawing(drawing) => format!(" {}", drawing.command),
         };
         format!("{} format {}{what}", self.what.kind().name(), self.format.name)
     }
