@@ -13,6 +13,7 @@ mod draw;
 mod figure;
 mod find;
 mod folder;
+mod given_rows;
 mod judge;
 mod map;
 mod measures;

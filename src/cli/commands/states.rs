@@ -1,23 +1,20 @@
 //! `couplet states`.
 
+use super::given_rows::{GivenRows, source};
 use super::output::{OutputFile, chosen};
 use super::stream::{Chunk, Progress, in_order};
 use crate::arch::SelfWeight;
 use crate::certify::batch::SharedOpenings;
 use crate::certify::state::Balls;
 use crate::certify::{Refused, asymmetric_thicknesses};
-use crate::check::visible_name;
 use crate::problem::Quantity;
 use crate::report::{Answer, Answers, Content, Format, Status};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, thickness};
-use crate::sweep::rows::{
-    ArchReader, Cells, Columns, Input, Keep, Numbered, Purpose, ReadRow, Role, RowSource, Spelling,
-    Syntax, TextTable, objects,
-};
+use crate::sweep::rows::{Cells, Columns, Keep, Numbered, Purpose, ArchReader, Role, ReadRow};
 use clap::Args;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Read queries, one a row, and write what is proved of each, in the same order.
 ///
@@ -75,24 +72,8 @@ pub(crate) struct Arguments {
     output: OutputFile,
 }
 
-/// The queries of a file.
-struct QueryRows {
-    columns: Columns,
-    spelling: Spelling,
-    /// The names of what is handed on, where the rows are those of a table.
-    kept: Vec<String>,
-    rows: Box<dyn Iterator<Item = Numbered<ReadRow>> + Send>,
-}
-
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let source = RowSource::open(arguments.file.as_deref())?;
-    let file = arguments.file.as_deref().unwrap_or(Path::new("-"));
-    if arguments.output.is_same_file(file) {
-        return Err(Failure::Input(format!(
-            "refusing to overwrite the input {}",
-            visible_name(file.as_os_str())
-        )));
-    }
+    let source = source(arguments.file.as_deref(), &arguments.output)?;
     let progress = Progress::new(&source);
     let (syntax, digits) = (source.syntax, arguments.digits);
     let format = match arguments.format {
@@ -106,11 +87,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let output = arguments.output.open_for(format)?;
     let input = progress.counted(source.into_input());
     let keep = Keep::new(&arguments.keep);
-    let queries = match syntax {
-        Syntax::Csv => table(input, &keep)?,
-        Syntax::Json => json(input, keep, format)?,
-    };
-    let QueryRows { columns, spelling, kept, rows } = queries;
+    let in_lines = format.name == "jsonl";
+    let queries = GivenRows::new((syntax, input), Columns::own(Purpose::Ask), keep, in_lines)?;
+    let GivenRows { columns, spelling, kept, rows } = queries;
     // A table without a column for the thickness asks for states alone.
     let answers = match columns.all.iter().any(|column| column.role == Role::GivenThickness) {
         true => Answers::mixed(digits),
@@ -199,28 +178,4 @@ fn found(reader: &ArchReader, line: u64, cells: &Cells, asked: &RowQuestion) -> 
     let eta = thickness(&reader.spelling.exact(text))?;
     let found = asked.openings.assess(&arch, &eta);
     Ok(with_asymmetric(Answer::assessment(line, (&arch, &eta), &found)))
-}
-
-/// Of a table.
-fn table(input: Input, keep: &Keep) -> Result<QueryRows, Failure> {
-    let table = TextTable::open(input)?;
-    let mut columns = Columns::own(Purpose::Ask);
-    let kept = keep.places(&table.header, &columns).map_err(Failure::Input)?;
-    let places = columns.places(&table.header).map_err(Failure::Input)?;
-    let spelling = Spelling { decimal_comma: table.has_decimal_commas() };
-    let names = kept.iter().map(|(name, _)| name.clone()).collect();
-    let query = move |row: Vec<String>| Keep::row(&row, &places, &kept);
-    let rows = Box::new(table.map(move |(line, row)| (line, row.map(&query))));
-    Ok(QueryRows { columns, spelling, kept: names, rows })
-}
-
-/// Of JSON, where each row has keys of its own.
-fn json(input: Input, keep: Keep, format: &Format) -> Result<QueryRows, Failure> {
-    let columns = Columns::own(Purpose::Ask);
-    let kept = keep.names(format.name == "jsonl").map_err(Failure::Input)?;
-    let read = columns.clone();
-    let rows = objects(input, move |object| {
-        Ok(ReadRow { cells: read.cells(object)?, kept: keep.entries(object, &read) })
-    });
-    Ok(QueryRows { columns, spelling: Spelling::default(), kept, rows })
 }

@@ -2,10 +2,10 @@
 
 mod row;
 
+use super::given_rows::{GivenRows, source};
 use super::output::OutputFile;
 use super::stream::{CHUNK, Chunk, Progress, in_order};
 use crate::arch::SelfWeight;
-use crate::check::visible_name;
 use crate::judge::{Demand, Verdict};
 use crate::problem::Quantity;
 use crate::report::judged::{JudgeSummary, verdicts};
@@ -13,10 +13,7 @@ use crate::report::words::list;
 use crate::report::{Content, Format};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
-use crate::sweep::rows::{
-    ArchReader, Columns, Input, Keep, Numbered, ReadRow, Role, RowSource, Spelling, Syntax,
-    TextTable, objects,
-};
+use crate::sweep::rows::{Columns, Keep, Numbered, ArchReader, Role, ReadRow, Syntax};
 use clap::Args;
 use row::Judge;
 use std::io;
@@ -114,22 +111,23 @@ fn format_help() -> String {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let columns = Columns::named(&arguments.columns).map_err(Failure::Input)?;
-    let source = RowSource::open(Some(&arguments.file))?;
-    if arguments.output.is_same_file(&arguments.file) {
-        let file = visible_name(arguments.file.as_os_str());
-        return Err(Failure::Input(format!("refusing to overwrite the input {file}")));
-    }
+    let source = source(Some(&arguments.file), &arguments.output)?;
     let format = arguments.output.format(arguments.format, Content::Judged, "table")?;
     let progress = Progress::new(&source);
     let syntax = source.syntax;
     let input = progress.counted(source.into_input());
     let keep = Keep::new(&arguments.keep);
-    let results = match syntax {
-        Syntax::Csv => table(columns, input, &keep)?,
-        Syntax::Json => json(columns, input, keep, format)?,
-    };
-    let Results { columns, spelling, kept, rows, has_weight, quantities } = results;
     let each = format.judged_lines;
+    let in_lines = each.is_none() || format.name == "jsonl";
+    let given = GivenRows::new((syntax, input), columns, keep, in_lines)?;
+    let GivenRows { columns, spelling, kept, mut rows } = given;
+    let mut seen = vec![true; columns.all.len()];
+    if let Syntax::Json = syntax {
+        let first: Vec<Line<Row>> = rows.by_ref().take(CHUNK).collect();
+        seen = seen_in(&first, &columns)?;
+        rows = Box::new(first.into_iter().chain(rows));
+    }
+    let (has_weight, quantities) = claimed(&columns, &seen);
     let demand = match arguments.accept {
         Some(digits) => Demand { digits, or_as_printed: false },
         None => Demand::USUAL,
@@ -185,67 +183,26 @@ fn verdict(summary: &JudgeSummary) -> Result<(), Failure> {
     }
 }
 
-/// The rows of a file.
-struct Results {
-    columns: Columns,
-    spelling: Spelling,
-    /// The names of what is handed on, where the rows are those of a table.
-    kept: Vec<String>,
-    rows: Box<dyn Iterator<Item = Numbered<ReadRow>> + Send>,
-    /// Whether the rows have a weight of their own.
-    has_weight: bool,
-    /// What is claimed.
-    quantities: Vec<Quantity>,
+/// Whether the columns that were seen have a weight, and what they claim.
+fn claimed(columns: &Columns, seen: &[bool]) -> (bool, Vec<Quantity>) {
+    let there = || columns.all.iter().zip(seen).filter(|(_, seen)| **seen).map(|(c, _)| c.role);
+    let is_given = there().any(Role::is_of_thickness);
+    let all = Quantity::STATE.into_iter().chain(Quantity::ASSESSMENT);
+    let quantities = all
+        .filter(|&quantity| !(is_given && quantity == Quantity::Thickness))
+        .filter(|&quantity| there().any(|role| role == Role::Number(quantity)))
+        .collect();
+    (there().any(|role| role == Role::Weight), quantities)
 }
 
-impl Results {
-    /// Of rows in which some of the columns were seen.
-    fn new(
-        (columns, seen): (Columns, &[bool]),
-        (spelling, kept): (Spelling, Vec<String>),
-        rows: impl Iterator<Item = Numbered<ReadRow>> + Send + 'static,
-    ) -> Self {
-        let there = || columns.all.iter().zip(seen).filter(|(_, seen)| **seen).map(|(c, _)| c.role);
-        let has_weight = there().any(|role| role == Role::Weight);
-        let is_given = there().any(Role::is_of_thickness);
-        let all = Quantity::STATE.into_iter().chain(Quantity::ASSESSMENT);
-        let quantities = all
-            .filter(|&quantity| !(is_given && quantity == Quantity::Thickness))
-            .filter(|&quantity| there().any(|role| role == Role::Number(quantity)))
-            .collect();
-        Self { columns, spelling, kept, rows: Box::new(rows), has_weight, quantities }
-    }
-}
-
-/// Of a table: the columns that it has.
-fn table(mut columns: Columns, input: Input, keep: &Keep) -> Result<Results, Failure> {
-    let table = TextTable::open(input)?;
-    let kept = keep.places(&table.header, &columns).map_err(Failure::Input)?;
-    let places = columns.places(&table.header).map_err(Failure::Input)?;
-    let names = kept.iter().map(|(name, _)| name.clone()).collect();
-    let seen = vec![true; places.len()];
-    let spelling = Spelling { decimal_comma: table.has_decimal_commas() };
-    let read = move |row: Vec<String>| Keep::row(&row, &places, &kept);
-    let rows = table.map(move |(line, row)| (line, row.map(&read)));
-    Ok(Results::new((columns, &seen), (spelling, names), rows))
-}
-
-/// Of JSON: the columns that the first rows have.
-fn json(columns: Columns, input: Input, keep: Keep, format: &Format) -> Result<Results, Failure> {
-    let is_table = format.judged_lines.is_some() && format.name != "jsonl";
-    let kept = keep.names(!is_table).map_err(Failure::Input)?;
-    let read = columns.clone();
-    let mut rows = objects(input, move |object| {
-        Ok(ReadRow { cells: read.cells(object)?, kept: keep.entries(object, &read) })
-    });
-    let first: Vec<Numbered<ReadRow>> = rows.by_ref().take(CHUNK).collect();
+/// The columns that the first rows of JSON have.
+fn seen_in(first: &[Numbered<ReadRow>], columns: &Columns) -> Result<Vec<bool>, Failure> {
     let read = || first.iter().filter_map(|(_, row)| row.as_ref().ok());
     let has = |place: usize| read().any(|row| row.cells[place].is_some());
     let seen: Vec<bool> = (0..columns.all.len()).map(has).collect();
     // If no row can be read, each reports its error.
     if read().next().is_some() {
-        columns.check(&seen, "the first rows have").map_err(Failure::Input)?;
+        columns.check(&seen, "the first rows have")?;
     }
-    let rows = first.into_iter().chain(rows);
-    Ok(Results::new((columns, &seen), (Spelling::default(), kept), rows))
+    Ok(seen)
 }
