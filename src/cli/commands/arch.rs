@@ -72,7 +72,7 @@ impl ArchArguments {
 
 /// What a command misses beside the arch, and a command line that has everything.
 pub(super) struct Missing {
-    /// An option.
+    /// The option that is missing beside the arch.
     pub option: Option<&'static str>,
     /// Shown if anything is missing.
     pub example: &'static str,

@@ -41,7 +41,7 @@ pub(super) fn tilted_as(format: &'static Format) -> Result<&'static Format, Fail
     Ok(format.tilt.map(|_| format).ok_or_else(message)?)
 }
 
-/// Proves what becomes of arches under an acceleration, and writes it.
+/// Proves and writes the answers for arches under an acceleration.
 pub(super) fn write(
     (output, format): (Output, &Format),
     arches: &[Arch],

@@ -12,7 +12,7 @@ use std::fmt;
 /// An arch that is drawn.
 #[derive(Clone, Debug)]
 pub struct DrawnArch {
-    /// Which.
+    /// The arch, and the state in which it is drawn.
     pub pose: Pose,
     /// Its stones, if its joints are between them alone.
     pub stones: Option<u64>,

@@ -134,7 +134,7 @@ fn computed_for(plan: &Plan, item: usize) -> String {
     format!("computed for the item in line {}", plan.scene.items[item].place.line)
 }
 
-/// What is computed, the first line by itself its name.
+/// Lines of a part: its name, and what is computed of it.
 fn lines(work: &Work) -> Vec<String> {
     match work {
         Work::Landmark(node) => landmark(node),

@@ -72,7 +72,7 @@ impl ItemReport {
     }
 }
 
-/// What became of the parts of an item.
+/// Results of the parts of an item.
 fn done_of<'d>(
     plan: &Plan,
     done: &'d [Option<WorkDone>],

@@ -21,7 +21,7 @@ pub(super) const RANGE_OF_THRUSTS: [Quantity; 4] = [
     Quantity::LargestThrust,
 ];
 
-/// What is computed once.
+/// A piece of work that is done once.
 #[derive(Debug)]
 pub enum Work<'s> {
     /// A landmark.
@@ -116,7 +116,7 @@ impl Work<'_> {
         }
     }
 
-    /// How often it reports progress.
+    /// Number of times that it reports progress.
     pub(super) fn ticks(&self) -> u64 {
         match self {
             Self::Landmark(LandmarkNode { asked, .. }) if asked.is_empty() => 0,

@@ -1,4 +1,4 @@
-//! The pieces of a plan, computed: a landmark, an arch. Each answers whatever any item asks of it.
+//! The parts of a plan, computed: a landmark, an arch. Each answers whatever any item asks of it.
 
 use super::nodes::{ArchNode, CurveNode, LandmarkNode, Work};
 use super::plan::Plan;
@@ -17,7 +17,7 @@ use crate::problem::Quantity;
 use std::collections::{BTreeMap, HashMap};
 use std::sync::OnceLock;
 
-/// What became of a part of a plan.
+/// Result of a part of a plan.
 pub(super) enum WorkDone {
     Landmark(Box<Result<LandmarkPiece, Error>>),
     Arch(ArchPiece),
@@ -100,7 +100,7 @@ impl LandmarkPiece {
     }
 }
 
-/// What parts of a plan share.
+/// Proofs that parts of a plan share.
 pub(super) struct Shared {
     /// Of arches, by what is asked of them.
     openings: HashMap<(usize, bool), SharedOpenings>,

@@ -28,7 +28,7 @@ pub struct PlannedPart<'s> {
     pub work: Work<'s>,
     /// The first item that takes it, for which it is computed.
     pub first: usize,
-    /// The last.
+    /// The last item that takes it, after which its result is dropped.
     pub last: usize,
 }
 
@@ -61,7 +61,7 @@ impl<'s> Plan<'s> {
         Self { scene, complete, parts: planning.parts, needs }
     }
 
-    /// What an item takes.
+    /// The work that an item takes.
     pub(super) fn work_of(&self, item: usize) -> impl Iterator<Item = &Work<'s>> {
         self.needs[item].iter().map(|place| &self.parts[*place].work)
     }
