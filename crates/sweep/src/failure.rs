@@ -76,7 +76,7 @@ impl Failure {
     }
 
     /// A failure if anything stays open.
-        pub fn of_open<T: Display>(open: impl IntoIterator<Item = T>) -> Result<(), Self> {
+    pub fn of_open<T: Display>(open: impl IntoIterator<Item = T>) -> Result<(), Self> {
         let open: Vec<String> = open.into_iter().map(|open| open.to_string()).collect();
         match open.is_empty() {
             true => Ok(()),

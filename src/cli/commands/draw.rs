@@ -6,12 +6,12 @@ use super::notes;
 use super::output::OutputFile;
 use crate::arch::SelfWeight;
 use crate::atlas::Sketch;
-use crate::sweep::failure::Failure;
 use crate::cli::line::typed;
 use crate::problem::{Landmark, Mode};
 use crate::report::{Content, Format, Report, Sketched, Style};
-use crate::sweep::scene::{DrawnArch, Pose};
+use crate::sweep::failure::Failure;
 use crate::sweep::parse;
+use crate::sweep::scene::{DrawnArch, Pose};
 use clap::Args;
 
 /// Draw an arch at its least thickness, how it falls there, or an arch as it stands.

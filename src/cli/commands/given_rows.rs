@@ -1,9 +1,11 @@
 //! The rows of a file that a command reads: of a table, or of JSON.
 
 use super::output::OutputFile;
-use crate::sweep::rows::{Columns, Input, Keep, Numbered, ReadRow, RowSource, Spelling, Syntax, TextTable, objects};
 use crate::check::visible_name;
 use crate::sweep::failure::Failure;
+use crate::sweep::rows::{
+    Columns, Input, Keep, Numbered, ReadRow, RowSource, Spelling, Syntax, TextTable, objects,
+};
 use std::path::Path;
 
 /// The rows of a file.

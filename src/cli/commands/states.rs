@@ -11,7 +11,7 @@ use crate::problem::Quantity;
 use crate::report::{Answer, Answers, Content, Format, Status};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, thickness};
-use crate::sweep::rows::{Cells, Columns, Keep, Numbered, Purpose, ArchReader, Role, ReadRow};
+use crate::sweep::rows::{ArchReader, Cells, Columns, Keep, Numbered, Purpose, ReadRow, Role};
 use clap::Args;
 use std::io;
 use std::path::PathBuf;
@@ -168,7 +168,12 @@ fn answer(reader: &ArchReader, (line, query): Numbered<ReadRow>, asked: &RowQues
 }
 
 /// A row is asked what it asks: about its thickness if it has one.
-fn found(reader: &ArchReader, line: u64, cells: &Cells, asked: &RowQuestion) -> Result<Answer, String> {
+fn found(
+    reader: &ArchReader,
+    line: u64,
+    cells: &Cells,
+    asked: &RowQuestion,
+) -> Result<Answer, String> {
     let (arch, digits) = (reader.arch(cells)?, asked.digits);
     let with_asymmetric =
         |answer: Answer| answer.with_asymmetric(|| asymmetric_thicknesses(&arch, digits));

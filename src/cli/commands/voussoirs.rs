@@ -9,11 +9,12 @@ use crate::certify::{
     Error, MOST_TILTED_STONES, VoussoirStanding, Voussoirs, assess_voussoirs, tilted_stones,
     voussoir_loss, voussoirs,
 };
-use crate::sweep::failure::Failure;
 use crate::number::{ExactNumber, ParseExactError};
 use crate::problem::Arch;
 use crate::problem::stones::{MOST_STONES, Stones, StonesError};
 use crate::report::{Content, Format, GivenThickness, Report, VoussoirArch, VoussoirArches};
+use crate::sweep::failure::Failure;
+use crate::sweep::parse::{self, thickness};
 use clap::Args;
 
 /// Print the least thickness of an arch of given stones, and how it collapses there, with a proof.

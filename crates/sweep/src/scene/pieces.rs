@@ -115,8 +115,11 @@ impl Shared {
             Work::Arch(node) => node.shared(),
             _ => None,
         });
-        let openings =
-            asked.filter_map(|asked| Some((asked, SharedOpenings::new(Balls::DoubleDoubles, asked.0, asked.1).ok()?))).collect();
+        let openings = asked
+            .filter_map(|asked| {
+                Some((asked, SharedOpenings::new(Balls::DoubleDoubles, asked.0, asked.1).ok()?))
+            })
+            .collect();
         Self { openings, lines: Default::default() }
     }
 

@@ -13,7 +13,7 @@ use crate::report::words::list;
 use crate::report::{Content, Format};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
-use crate::sweep::rows::{Columns, Keep, Numbered, ArchReader, Role, ReadRow, Syntax};
+use crate::sweep::rows::{ArchReader, Columns, Keep, Numbered, ReadRow, Role, Syntax};
 use clap::Args;
 use row::Judge;
 use std::io;
