@@ -23,7 +23,7 @@ use clap::Args;
                             couplet find boundary <MODES> --friction <MU> | --half-opening <ANGLE> [OPTIONS]"
 )]
 pub(crate) struct Arguments {
-    /// FindTarget to find: half-opening, friction or boundary.
+    /// What to find: half-opening, friction or boundary.
     #[arg(value_name = "WHAT", value_parser = what)]
     what: FindTarget,
 

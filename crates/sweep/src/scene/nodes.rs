@@ -33,7 +33,7 @@ pub enum Work<'s> {
     /// A curve of the map.
     Curve(CurveNode),
     /// An arch that is drawn.
-    Drawing(DrawnArch),
+    Drawing(Box<DrawnArch>),
 }
 
 /// Key of equal work, however its numbers are written.

@@ -110,7 +110,9 @@ impl<'s> Planning<'s> {
             }
             Request::Drawing(drawing) => {
                 for (drawn, _) in &drawing.arches {
-                    self.part(WorkKey::Drawing(drawn.key()), || Work::Drawing(drawn.clone()));
+                    self.part(WorkKey::Drawing(drawn.key()), || {
+                        Work::Drawing(Box::new(drawn.clone()))
+                    });
                 }
             }
             Request::Map(map) | Request::Figure(map) => {
