@@ -166,7 +166,7 @@ fn answer(
     Ok(VoussoirArch { weight, friction, stones, found, continuous, loss, given })
 }
 
-/// StoneNumbers of stones, all from the first to the last.
+/// Numbers of stones, all from the first to the last.
 #[derive(Clone, Copy, Debug)]
 struct StoneNumbers {
     first: u64,
@@ -174,7 +174,7 @@ struct StoneNumbers {
     is_range: bool,
 }
 
-/// StoneNumbers in a range at most.
+/// Numbers in a range at most.
 const MOST_NUMBERS: u64 = 10_000;
 const ONE_NUMBER: &str =
     "a given thickness asks for one number of stones: leave out --thickness, or give one";
