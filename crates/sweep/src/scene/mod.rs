@@ -74,5 +74,5 @@ pub use schema::{
     SceneArch, SceneDrawing, SceneItem, SceneMap,
 };
 #[cfg(feature = "parquet")]
-pub use sweep::{MAX_CHUNK, MAX_SAMPLE};
+pub(crate) use sweep::{MAX_CHUNK, MAX_SAMPLE};
 pub use sweep::{SWEEP_DIGITS, SWEEP_EXAMPLE, SWEEP_SCHEMA, SweepArches, SweepPlan};

@@ -1,7 +1,6 @@
 //! Exact numbers of a scene: one, a list, or a range `{ from, to, steps }`.
 
 use super::schema::MAX_ARCHES;
-use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::number::{ExactNumber, Form, ParseExactError, terminating};
@@ -78,7 +77,7 @@ impl SceneNumber {
 }
 
 impl Meaning {
-    fn quantity(self) -> Quantity {
+    pub(super) fn quantity(self) -> Quantity {
         match self {
             Self::HalfOpening => Quantity::HalfOpening,
             Self::Friction => Quantity::Friction,
@@ -142,28 +141,7 @@ impl Meaning {
     }
 }
 
-impl<'a> TableReader<'a, '_> {
-    /// What the table says of a quantity, under its name or its letter.
-    pub(super) fn given(&mut self, meaning: Meaning) -> Option<&'a TomlValue<'a>> {
-        let (key, letter) = (meaning.key(), meaning.quantity().letter());
-        let named = self.get(key);
-        let Some((letter, value)) = letter.and_then(|letter| Some((letter, self.get(letter)?)))
-        else {
-            return named;
-        };
-        if named.is_some() {
-            self.reader.fault(value.span(), format!("both {key} and {letter}; give one of them"));
-        }
-        named.or(Some(value))
-    }
-
-    /// All numbers of a list or of a range, if they can be written as numbers that are read.
-    pub(super) fn written(&mut self, numbers: Numbers) -> Option<Vec<SceneNumber>> {
-        numbers.all().map_err(|error| self.refuse::<()>(error.to_string())).ok()
-    }
-}
-
-/// WrittenUnit in which a number is written; a range keeps that of its ends.
+/// Unit in which a number is written; a range keeps that of its ends.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum WrittenUnit {
     One,

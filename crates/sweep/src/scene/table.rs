@@ -1,5 +1,6 @@
 //! A table of TOML that is read key by key.
 
+use super::read_numbers::{Meaning, Numbers, SceneNumber};
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::problem::Landmark;
@@ -64,6 +65,25 @@ impl<'a, 's> TableReader<'a, 's> {
         let known = [symbols, long_names].concat();
         let all = Landmark::ALL.to_vec();
         self.or(key, all, |reader, key, value| reader.names(key, value, &known))
+    }
+
+    /// What the table says of a quantity, under its name or its letter.
+    pub(super) fn given(&mut self, meaning: Meaning) -> Option<&'a TomlValue<'a>> {
+        let (key, letter) = (meaning.key(), meaning.quantity().letter());
+        let named = self.get(key);
+        let Some((letter, value)) = letter.and_then(|letter| Some((letter, self.get(letter)?)))
+        else {
+            return named;
+        };
+        if named.is_some() {
+            self.reader.fault(value.span(), format!("both {key} and {letter}; give one of them"));
+        }
+        named.or(Some(value))
+    }
+
+    /// All numbers of a list or of a range, if they can be written as numbers that are read.
+    pub(super) fn written(&mut self, numbers: Numbers) -> Option<Vec<SceneNumber>> {
+        numbers.all().map_err(|error| self.refuse::<()>(error.to_string())).ok()
     }
 
     /// Whether nothing was wrong since there were so many faults.

@@ -123,7 +123,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let GivenRows { columns, spelling, kept, mut rows } = given;
     let mut seen = vec![true; columns.all.len()];
     if let Syntax::Json = syntax {
-        let first: Vec<Line<Row>> = rows.by_ref().take(CHUNK).collect();
+        let first: Vec<Numbered<ReadRow>> = rows.by_ref().take(CHUNK).collect();
         seen = seen_in(&first, &columns)?;
         rows = Box::new(first.into_iter().chain(rows));
     }
